@@ -1,0 +1,222 @@
+//! The command line: what may be asked for, and who answers.
+
+use std::path::PathBuf;
+
+use antipode_geometry::Geometry;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::failure::Failure;
+use crate::log::LogLevel;
+use crate::script::Shooting;
+use crate::{saves_command, script, tour, window};
+
+/// Exit status of a failure at run time.
+pub const EXIT_FAILED: u8 = 1;
+/// Exit status of wrong usage.
+pub const EXIT_USAGE: u8 = 2;
+
+/// A voxel-terrain game in curved space.
+#[derive(Debug, Parser)]
+#[command(name = "antipode", version, about)]
+pub struct Cli {
+    /// What to do; without it the game opens in a window.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Begin straight in a new world of this space.
+    #[arg(long, value_name = "SPACE")]
+    pub geometry: Option<Geometry>,
+    /// Seed of the new world; random when left out.
+    #[arg(long, requires = "geometry")]
+    pub seed: Option<u64>,
+    /// Name of the new world.
+    #[arg(long, requires = "geometry")]
+    pub name: Option<String>,
+    /// Radius of the new spherical world in metres, 16 to 64.
+    #[arg(long, requires = "geometry", value_name = "METRES")]
+    pub radius: Option<f64>,
+    /// Begin straight in a saved world.
+    #[arg(long, value_name = "NAME", conflicts_with = "geometry")]
+    pub load: Option<String>,
+    /// Options of every command.
+    #[command(flatten)]
+    pub common: Common,
+}
+
+/// Options that every command understands.
+#[derive(Clone, Debug, Args)]
+pub struct Common {
+    /// Where worlds are kept.
+    #[arg(long, global = true, value_name = "DIR")]
+    pub saves_dir: Option<PathBuf>,
+    /// What draws the pictures.
+    #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
+    pub adapter: Adapter,
+    /// Size of the window or the pictures in pixels.
+    #[arg(long, global = true, value_parser = parse_size, default_value = "1280x720", value_name = "WxH")]
+    pub size: (u32, u32),
+    /// How far land is loaded, in chunks of 32 metres, 1 to 16.
+    #[arg(long, global = true, value_name = "CHUNKS", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub view_distance: Option<u32>,
+    /// How much the log says.
+    #[arg(long, global = true, value_enum, default_value_t = LogLevel::Warn)]
+    pub log: LogLevel,
+}
+
+/// What draws the pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Adapter {
+    /// A graphics card if there is one, else software.
+    Auto,
+    /// A graphics card, or fail.
+    Gpu,
+    /// Software rendering.
+    Software,
+    /// No pictures at all.
+    None,
+}
+
+/// What to do instead of playing.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a script without a window.
+    Script {
+        /// The script's file, or - for standard input.
+        file: PathBuf,
+    },
+    /// Play the built-in tour of the three spaces and make pictures.
+    Tour {
+        /// Where the pictures go.
+        #[arg(long, default_value = "tour")]
+        out: PathBuf,
+    },
+    /// Look after saved worlds.
+    Saves {
+        /// What to do with them.
+        #[command(subcommand)]
+        action: SavesAction,
+    },
+}
+
+/// What can be done with saved worlds.
+#[derive(Debug, Subcommand)]
+pub enum SavesAction {
+    /// Every world, newest first.
+    List,
+    /// One world's particulars.
+    Info {
+        /// The world's name.
+        name: String,
+    },
+    /// Read everything in a world and say whether it is sound.
+    Verify {
+        /// The world's name.
+        name: String,
+    },
+    /// Rescue what can be read of a damaged world; the damaged file is kept beside it.
+    Repair {
+        /// The world's name.
+        name: String,
+    },
+    /// Delete a world for ever.
+    Delete {
+        /// The world's name.
+        name: String,
+    },
+    /// Write a world into one file.
+    Export {
+        /// The world's name.
+        name: String,
+        /// The file to write.
+        file: PathBuf,
+    },
+    /// Bring a world in from a file.
+    Import {
+        /// The file to read.
+        file: PathBuf,
+    },
+}
+
+/// Does what the command line asks for.
+///
+/// # Errors
+/// A [`Failure`] in words, with its exit status.
+pub fn run(cli: Cli) -> Result<(), Failure> {
+    match cli.command {
+        Some(Command::Script { file }) => script::run_file(&file, &cli.common, Shooting::Here),
+        Some(Command::Tour { out }) => tour::run(&out, &cli.common),
+        Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
+        None => {
+            let start = match (cli.geometry, cli.load) {
+                (Some(geometry), _) => window::Start::New {
+                    geometry,
+                    seed: cli.seed,
+                    name: cli.name,
+                    radius_m: cli.radius,
+                },
+                (None, Some(name)) => window::Start::Load { name },
+                (None, None) => window::Start::Menu,
+            };
+            window::run(start, &cli.common)
+        }
+    }
+}
+
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let wrong =
+        || format!("\"{text}\" is not a size; write it like 1280x720, each side from 64 to 8192");
+    let (width, height) = text.split_once('x').ok_or_else(wrong)?;
+    let side = |s: &str| {
+        s.parse::<u32>()
+            .ok()
+            .filter(|n| (64..=8192).contains(n))
+            .ok_or_else(wrong)
+    };
+    Ok((side(width)?, side(height)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_are_read_and_nonsense_is_refused() {
+        assert_eq!(parse_size("640x360"), Ok((640, 360)));
+        for wrong in ["640", "x", "0x0", "-1x5", "640x99999", "640x360x2", "axb"] {
+            assert!(parse_size(wrong).is_err(), "{wrong} passed");
+        }
+    }
+
+    #[test]
+    fn options_of_a_new_world_need_its_space() {
+        assert!(Cli::try_parse_from(["antipode", "--seed", "7"]).is_err());
+        let cli = Cli::try_parse_from(["antipode", "--geometry", "spherical", "--seed", "7"]);
+        assert_eq!(
+            cli.map(|c| c.geometry).ok(),
+            Some(Some(Geometry::Spherical))
+        );
+        assert!(Cli::try_parse_from(["antipode", "--geometry", "toroidal"]).is_err());
+    }
+
+    #[test]
+    fn common_options_may_follow_the_command() {
+        let cli = Cli::try_parse_from([
+            "antipode",
+            "script",
+            "-",
+            "--adapter",
+            "none",
+            "--size",
+            "320x200",
+        ]);
+        assert_eq!(
+            cli.map(|c| (c.common.adapter, c.common.size)).ok(),
+            Some((Adapter::None, (320, 200)))
+        );
+    }
+}

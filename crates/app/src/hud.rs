@@ -1,0 +1,84 @@
+//! From the scene to what the heads-up display shows.
+
+use antipode_geometry::Hemisphere;
+use antipode_scene::{CameraMode, Item, Scene};
+use antipode_ui::{CurvatureView, HudModel, SlotIcon, SlotView};
+
+/// What the display shows of a scene.
+pub fn model(scene: &Scene, fps: f32, notice: Option<String>) -> HudModel {
+    let feet = scene.feet();
+    let eye = scene.head();
+    let curved = scene.strategy().curved(&eye, feet);
+    let dial = scene.dial();
+    HudModel {
+        fps,
+        chart: feet.pos.to_array(),
+        curved: curved.to_array(),
+        curved_is_flat: !scene.strategy().radius_m().is_finite(),
+        slots: scene
+            .inventory()
+            .slots()
+            .iter()
+            .map(|stack| slot(stack.map(|s| (s.item, s.count))))
+            .collect(),
+        selected: usize::from(scene.inventory().selected()),
+        curvature: dial.range().map(|(min, max)| CurvatureView {
+            value: dial.value(),
+            min,
+            max,
+        }),
+        hemisphere: scene.strategy().rim_m().map(|_| {
+            if feet.hemisphere == Hemisphere::A {
+                'A'
+            } else {
+                'B'
+            }
+        }),
+        geometry: scene.setup().geometry.to_string(),
+        brush_radius_m: scene.inventory().held().map(|_| scene.brush_radius_m()),
+        show_crosshair: scene.camera_mode() == CameraMode::First
+            || scene.inventory().held().is_some(),
+        loading: None,
+        time_label: clock(scene.time_of_day_s()),
+        notice,
+    }
+}
+
+fn slot(held: Option<(Item, u32)>) -> SlotView {
+    match held {
+        None => SlotView {
+            label: String::new(),
+            icon: SlotIcon::Empty,
+            count: None,
+        },
+        Some((item, count)) => SlotView {
+            label: item.label().to_owned(),
+            icon: match item {
+                Item::PickaxeWood => SlotIcon::PickaxeWood,
+                Item::PickaxeIron => SlotIcon::PickaxeIron,
+                Item::PickaxeDiamond => SlotIcon::PickaxeDiamond,
+            },
+            count: (count > 1).then_some(count),
+        },
+    }
+}
+
+/// Time of day as a clock of 24 hours; the day begins with sunrise at six.
+pub fn clock(time_of_day_s: f64) -> String {
+    let minutes =
+        (time_of_day_s / antipode_scene::tuning::DAY_S * 1440.0 + 360.0).rem_euclid(1440.0) as u32;
+    format!("{:02}:{:02}", minutes / 60, minutes % 60)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noon_is_when_the_sun_stands_highest_and_midnight_wraps() {
+        assert_eq!(clock(0.0), "06:00");
+        assert_eq!(clock(150.0), "12:00");
+        assert_eq!(clock(450.0), "00:00");
+        assert_eq!(clock(599.9), "05:59");
+    }
+}

@@ -1,0 +1,134 @@
+//! Pictures without a window: the frame as the player sees it, display included, into memory.
+
+use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
+use antipode_scene::frame::Frame;
+use antipode_ui::HudModel;
+use image::RgbaImage;
+
+use crate::cli::{Adapter, Common};
+use crate::failure::Failure;
+use crate::overlay::Overlay;
+
+/// Format of pictures in memory.
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
+/// An adapter, a renderer and a picture of fixed size.
+#[derive(Debug)]
+pub struct Studio {
+    gpu: Gpu,
+    renderer: Renderer,
+    overlay: Overlay,
+    offscreen: Offscreen,
+    size: (u32, u32),
+}
+
+/// The renderer's choice of adapter for the command line's.
+pub fn adapter_choice(adapter: Adapter) -> AdapterChoice {
+    match adapter {
+        Adapter::Gpu => AdapterChoice::Gpu,
+        Adapter::Software => AdapterChoice::Software,
+        Adapter::Auto | Adapter::None => AdapterChoice::Auto,
+    }
+}
+
+impl Studio {
+    /// Opens an adapter and makes ready for pictures of the size the command line asks for.
+    ///
+    /// # Errors
+    /// When there is no adapter of the kind asked for.
+    pub fn new(common: &Common) -> Result<Self, Failure> {
+        let gpu = Gpu::headless(adapter_choice(common.adapter))?;
+        let options = Options {
+            samples: if gpu.is_software() { 1 } else { 4 },
+            scale: 1.0,
+            output_format: FORMAT,
+        };
+        let mut renderer = Renderer::new(&gpu, options)?;
+        renderer.resize(common.size.0, common.size.1);
+        let overlay = Overlay::new(&gpu, FORMAT);
+        let offscreen = Offscreen::new(&gpu, common.size.0, common.size.1, FORMAT);
+        Ok(Self {
+            gpu,
+            renderer,
+            overlay,
+            offscreen,
+            size: common.size,
+        })
+    }
+
+    /// The adapter's name.
+    pub fn adapter_name(&self) -> &str {
+        self.gpu.name()
+    }
+
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.size.0) / f64::from(self.size.1)
+    }
+
+    /// Draws a frame and waits until the adapter has finished it.
+    ///
+    /// # Errors
+    /// When the adapter fails.
+    pub fn draw(&mut self, frame: &Frame) -> Result<DrawStats, Failure> {
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let stats = self
+            .renderer
+            .draw(frame, &mut encoder, self.offscreen.view());
+        self.gpu.queue.submit([encoder.finish()]);
+        self.gpu.wait()?;
+        Ok(stats)
+    }
+
+    /// Takes a picture, with the display over it if there is one.
+    ///
+    /// # Errors
+    /// When the adapter fails.
+    pub fn shoot(
+        &mut self,
+        frame: &Frame,
+        display: Option<&HudModel>,
+    ) -> Result<RgbaImage, Failure> {
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.renderer
+            .draw(frame, &mut encoder, self.offscreen.view());
+        if let Some(display) = display {
+            let output = self.display(display);
+            self.overlay.paint(
+                &self.gpu,
+                &mut encoder,
+                self.offscreen.view(),
+                self.size,
+                output,
+            );
+        }
+        self.gpu.queue.submit([encoder.finish()]);
+        Ok(self.offscreen.read(&self.gpu)?)
+    }
+
+    fn display(&self, model: &HudModel) -> egui::FullOutput {
+        let scale = display_scale(self.size.1);
+        let size = egui::vec2(self.size.0 as f32, self.size.1 as f32) / scale;
+        let mut input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
+            ..Default::default()
+        };
+        if let Some(viewport) = input.viewports.get_mut(&egui::ViewportId::ROOT) {
+            viewport.native_pixels_per_point = Some(scale);
+        }
+        self.overlay
+            .context()
+            .run_pass(input, |context| antipode_ui::show_hud(context, model))
+    }
+}
+
+/// Pixels per point of the display on a picture of this height: it keeps its share of small pictures.
+fn display_scale(height: u32) -> f32 {
+    (height as f32 / 720.0).clamp(0.5, 3.0)
+}

@@ -1,0 +1,109 @@
+//! `antipode saves`: looking after worlds from the command line.
+
+use antipode_storage::WorldSummary;
+
+use crate::cli::{Common, SavesAction};
+use crate::failure::Failure;
+use crate::session::Worlds;
+
+/// Does what was asked with the saved worlds.
+///
+/// # Errors
+/// When the world is not there, is damaged, or the disk refuses.
+pub fn run(action: &SavesAction, common: &Common) -> Result<(), Failure> {
+    let worlds = Worlds::new(common);
+    let saves = worlds.saves();
+    let slug = |name: &str| saves.find(name).map(|summary| summary.slug);
+    match action {
+        SavesAction::List => {
+            for world in worlds.list()? {
+                println!("{}", row(&world));
+            }
+        }
+        SavesAction::Info { name } => println!("{}", particulars(&saves.find(name)?)),
+        SavesAction::Verify { name } => {
+            let report = saves.verify(&slug(name)?)?;
+            let state = if report.has_state {
+                "the player's state and "
+            } else {
+                ""
+            };
+            println!(
+                "\"{}\": {state}{} changed chunks are whole",
+                report.world, report.chunks
+            );
+            for problem in &report.problems {
+                println!("  {problem}");
+            }
+            if !report.is_sound() {
+                return Err(Failure::Runtime(format!(
+                    "\"{name}\" is damaged; `antipode saves repair` rescues what can be read"
+                )));
+            }
+        }
+        SavesAction::Repair { name } => {
+            let report = saves.repair(&slug(name)?)?;
+            match report.kept {
+                None => println!("\"{}\" is sound; nothing was changed", report.world),
+                Some(kept) => {
+                    println!(
+                        "\"{}\": {} changed chunks rescued",
+                        report.world, report.chunks
+                    );
+                    for loss in &report.losses {
+                        println!("  {loss}");
+                    }
+                    println!("The damaged file is kept as {}", kept.display());
+                }
+            }
+        }
+        SavesAction::Delete { name } => {
+            saves.delete(&slug(name)?)?;
+            println!("\"{name}\" is deleted");
+        }
+        SavesAction::Export { name, file } => {
+            saves.export(&slug(name)?, file)?;
+            println!("\"{name}\" is written to {}", file.display());
+        }
+        SavesAction::Import { file } => {
+            let slug = saves.import(file)?;
+            println!("The world is in {slug}");
+        }
+    }
+    Ok(())
+}
+
+fn row(world: &WorldSummary) -> String {
+    let state = world.problem.as_deref().unwrap_or("sound");
+    let geometry = world.meta.as_ref().map_or("?", |meta| &meta.geometry);
+    let minutes = world
+        .meta
+        .as_ref()
+        .map_or(0.0, |meta| (meta.played_s / 60.0).round());
+    format!(
+        "{:<40} {geometry:<11} {:>7.2} MB {minutes:>6} min  {state}",
+        world.name(),
+        world.size_bytes as f64 / 1e6
+    )
+}
+
+fn particulars(world: &WorldSummary) -> String {
+    let mut lines = vec![
+        format!("name      {}", world.name()),
+        format!("directory {}", world.slug),
+    ];
+    if let Some(meta) = &world.meta {
+        lines.push(format!("space     {}", meta.geometry));
+        lines.push(format!("biome     {}", meta.biome));
+        lines.push(format!("seed      {}", meta.seed));
+        if meta.radius_m.is_finite() {
+            lines.push(format!("radius    {} m", meta.radius_m));
+        }
+        lines.push(format!("played    {:.1} min", meta.played_s / 60.0));
+    }
+    lines.push(format!("size      {:.2} MB", world.size_bytes as f64 / 1e6));
+    if let Some(problem) = &world.problem {
+        lines.push(format!("problem   {problem}"));
+    }
+    lines.join("\n")
+}

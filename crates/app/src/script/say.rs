@@ -1,0 +1,63 @@
+//! What a script prints: one JSON object a line on standard output.
+
+use antipode_scene::Probe;
+use antipode_storage::WorldSummary;
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// A probe with what only the program around the scene knows.
+#[derive(Serialize)]
+struct FullProbe<'a> {
+    #[serde(flatten)]
+    scene: &'a Probe,
+    memory_mb: Option<f64>,
+    fps: Option<f64>,
+    adapter: &'a str,
+}
+
+/// One saved world in a list.
+#[derive(Serialize)]
+struct Listed<'a> {
+    name: &'a str,
+    slug: &'a str,
+    geometry: Option<&'a str>,
+    seed: Option<u64>,
+    size_bytes: u64,
+    problem: Option<&'a str>,
+}
+
+/// Prints a probe.
+pub fn probe(scene: &Probe, fps: Option<f64>, adapter: &str) -> Result<(), Failure> {
+    line(&FullProbe {
+        scene,
+        memory_mb: crate::perf::memory_mb(),
+        fps,
+        adapter,
+    })
+}
+
+/// Prints the saved worlds as one JSON array.
+pub fn list(worlds: &[WorldSummary]) -> Result<(), Failure> {
+    let listed: Vec<_> = worlds
+        .iter()
+        .map(|w| Listed {
+            name: w.name(),
+            slug: &w.slug,
+            geometry: w.meta.as_ref().map(|meta| meta.geometry.as_str()),
+            seed: w.meta.as_ref().map(|meta| meta.seed),
+            size_bytes: w.size_bytes,
+            problem: w.problem.as_deref(),
+        })
+        .collect();
+    line(&listed)
+}
+
+/// Prints any value as one line of JSON.
+pub fn line(value: &impl Serialize) -> Result<(), Failure> {
+    use std::io::Write;
+    let text = serde_json::to_string(value)
+        .map_err(|e| Failure::Runtime(format!("A line could not be written: {e}")))?;
+    writeln!(std::io::stdout().lock(), "{text}")
+        .map_err(|e| Failure::Runtime(format!("Standard output cannot be written: {e}")))
+}

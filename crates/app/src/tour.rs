@@ -1,0 +1,53 @@
+//! The built-in tour: a script through the three spaces that leaves pictures behind.
+
+use std::path::Path;
+
+use crate::cli::{Adapter, Common};
+use crate::failure::Failure;
+use crate::script::{Shooting, run_text};
+
+/// The tour's script.
+const SCRIPT: &str = include_str!("tour.script");
+
+/// Plays the tour and writes its pictures into a directory.
+///
+/// # Errors
+/// When the directory cannot be made, there is no adapter, or a picture cannot be written.
+pub fn run(out: &Path, common: &Common) -> Result<(), Failure> {
+    if common.adapter == Adapter::None {
+        return Err(Failure::Usage(
+            "The tour makes pictures; it cannot run with --adapter none".to_owned(),
+        ));
+    }
+    std::fs::create_dir_all(out).map_err(|e| {
+        Failure::Runtime(format!(
+            "The directory {} could not be made: {e}",
+            out.display()
+        ))
+    })?;
+    run_text(SCRIPT, common, Shooting::Into(out.to_owned()))?;
+    println!("The tour's pictures are in {}", out.display());
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::script::{Order, parse};
+
+    #[test]
+    fn the_tour_is_a_sound_script_that_photographs_every_space() {
+        let lines = parse(super::SCRIPT).expect("the tour parses");
+        let worlds = lines
+            .iter()
+            .filter(|line| matches!(line.order, Order::New(_)))
+            .count();
+        assert!(worlds >= 3);
+        assert!(
+            lines
+                .iter()
+                .filter(|line| matches!(line.order, Order::Shot(_)))
+                .count()
+                >= 6
+        );
+    }
+}

@@ -1,0 +1,235 @@
+//! The window with everything that draws into it.
+
+use std::sync::Arc;
+
+use antipode_render::{Gpu, Options, Renderer};
+use antipode_scene::frame::Frame;
+use winit::event_loop::OwnedDisplayHandle;
+use winit::window::Window;
+
+use crate::cli::Common;
+use crate::failure::Failure;
+use crate::overlay::Overlay;
+use crate::picture::adapter_choice;
+
+/// Share of the resolution drawn on a software adapter.
+const SOFTWARE_SCALE: f32 = 0.5;
+
+/// Colour behind the menu when no world is open, linear light.
+const BACKDROP: wgpu::Color = wgpu::Color {
+    r: 0.012,
+    g: 0.018,
+    b: 0.035,
+    a: 1.0,
+};
+
+/// Window, surface, renderer and interface.
+pub struct Stage {
+    /// The window.
+    pub window: Arc<Window>,
+    /// The interface over the picture.
+    pub overlay: Overlay,
+    /// What turns window events into the interface's input.
+    pub input: egui_winit::State,
+    gpu: Gpu,
+    surface: wgpu::Surface<'static>,
+    config: wgpu::SurfaceConfiguration,
+    renderer: Renderer,
+}
+
+impl std::fmt::Debug for Stage {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Stage")
+            .field("gpu", &self.gpu)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Stage {
+    /// Sets up drawing into a window.
+    ///
+    /// # Errors
+    /// When no adapter of the kind asked for can draw into it.
+    pub fn new(
+        window: Arc<Window>,
+        display: OwnedDisplayHandle,
+        common: &Common,
+    ) -> Result<Self, Failure> {
+        let (gpu, surface) = Gpu::for_window(
+            Box::new(display),
+            Arc::clone(&window),
+            adapter_choice(common.adapter),
+        )?;
+        let size = window.inner_size();
+        let (width, height) = (size.width.max(1), size.height.max(1));
+        let mut config = surface
+            .get_default_config(&gpu.adapter, width, height)
+            .ok_or_else(|| {
+                Failure::Runtime(format!(
+                    "The adapter {} cannot draw into a window.",
+                    gpu.name()
+                ))
+            })?;
+        let formats = surface.get_capabilities(&gpu.adapter).formats;
+        // The interface is designed for blending in display values, so a format without conversion is preferred.
+        config.format = formats
+            .iter()
+            .copied()
+            .find(|f| !f.is_srgb())
+            .unwrap_or(config.format);
+        config.present_mode = wgpu::PresentMode::AutoVsync;
+        surface.configure(&gpu.device, &config);
+        let software = gpu.is_software();
+        let options = Options {
+            samples: if software { 1 } else { 4 },
+            scale: if software { SOFTWARE_SCALE } else { 1.0 },
+            output_format: config.format,
+        };
+        let mut renderer = Renderer::new(&gpu, options)?;
+        renderer.resize(width, height);
+        let overlay = Overlay::new(&gpu, config.format);
+        let input = egui_winit::State::new(
+            overlay.context().clone(),
+            egui::ViewportId::ROOT,
+            &window,
+            Some(window.scale_factor() as f32),
+            None,
+            Some(gpu.device.limits().max_texture_dimension_2d as usize),
+        );
+        Ok(Self {
+            window,
+            overlay,
+            input,
+            gpu,
+            surface,
+            config,
+            renderer,
+        })
+    }
+
+    /// The adapter's name.
+    pub fn adapter_name(&self) -> &str {
+        self.gpu.name()
+    }
+
+    /// What a player should know of the adapter, if anything.
+    pub fn notice(&self) -> Option<String> {
+        self.gpu.is_software().then(|| {
+            format!(
+                "No graphics card was found: {} draws in software, at half resolution. It works, but slowly.",
+                self.gpu.name()
+            )
+        })
+    }
+
+    /// Width over height.
+    pub fn aspect(&self) -> f64 {
+        f64::from(self.config.width) / f64::from(self.config.height)
+    }
+
+    /// The window has a new size in pixels; a size of zero (minimised) changes nothing.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        if width == 0 || height == 0 {
+            return;
+        }
+        self.config.width = width;
+        self.config.height = height;
+        self.surface.configure(&self.gpu.device, &self.config);
+        self.renderer.resize(width, height);
+    }
+
+    /// Draws the world, if there is one, and the interface, and shows them.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    pub fn draw(
+        &mut self,
+        frame: Option<&Frame>,
+        interface: egui::FullOutput,
+    ) -> Result<(), Failure> {
+        use wgpu::CurrentSurfaceTexture as Current;
+        let texture = match self.surface.get_current_texture() {
+            Current::Success(texture) | Current::Suboptimal(texture) => texture,
+            Current::Outdated | Current::Lost => {
+                self.surface.configure(&self.gpu.device, &self.config);
+                match self.surface.get_current_texture() {
+                    Current::Success(texture) | Current::Suboptimal(texture) => texture,
+                    _ => return self.skip(frame, interface),
+                }
+            }
+            _ => return self.skip(frame, interface),
+        };
+        let target = texture
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        match frame {
+            Some(frame) => {
+                self.renderer.draw(frame, &mut encoder, &target);
+            }
+            None => clear(&mut encoder, &target),
+        }
+        let size = (self.config.width, self.config.height);
+        self.overlay
+            .paint(&self.gpu, &mut encoder, &target, size, interface);
+        self.gpu.queue.submit([encoder.finish()]);
+        self.window.pre_present_notify();
+        self.gpu.queue.present(texture);
+        match self.gpu.lost() {
+            Some(why) => Err(Failure::Runtime(format!(
+                "The graphics adapter was lost: {why}"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Nothing can be shown this time, but what the frame brings must not get lost: it is drawn unseen.
+    fn skip(&mut self, frame: Option<&Frame>, interface: egui::FullOutput) -> Result<(), Failure> {
+        let size = (self.config.width, self.config.height);
+        let unseen = self.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("unseen"),
+            size: wgpu::Extent3d {
+                width: size.0,
+                height: size.1,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.config.format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
+            view_formats: &[],
+        });
+        let target = unseen.create_view(&wgpu::TextureViewDescriptor::default());
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        if let Some(frame) = frame {
+            self.renderer.draw(frame, &mut encoder, &target);
+        }
+        self.overlay
+            .paint(&self.gpu, &mut encoder, &target, size, interface);
+        self.gpu.queue.submit([encoder.finish()]);
+        Ok(())
+    }
+}
+
+fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("backdrop"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: target,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(BACKDROP),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..Default::default()
+    });
+}

@@ -1,0 +1,101 @@
+//! Chunks: the cubes of 32 cells that terrain is made, saved and drawn in.
+
+use glam::{DVec3, IVec3};
+use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
+
+use crate::{ChartPoint, Hemisphere};
+
+/// Cells along each edge of a chunk; a cell is one metre.
+pub const CHUNK_CELLS: i32 = 32;
+
+/// A chunk's place: chart and index in whole chunks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+pub struct ChunkCoord {
+    /// The chart the chunk lies in.
+    pub hemisphere: Hemisphere,
+    /// Index in chunks: the chunk covers `32 * index ..= 32 * (index + 1)` metres.
+    pub index: IVec3,
+}
+
+impl ChunkCoord {
+    /// The chunk with that index in that chart.
+    pub const fn new(hemisphere: Hemisphere, index: IVec3) -> Self {
+        Self { hemisphere, index }
+    }
+
+    /// The chunk that holds the point. Points on a shared face belong to the chunk above it.
+    /// Places beyond the range of `i32` chunks saturate.
+    pub fn containing(point: ChartPoint) -> Self {
+        let index = (point.pos / f64::from(CHUNK_CELLS)).floor();
+        Self::new(point.hemisphere, index.as_ivec3())
+    }
+
+    /// The corner with the smallest coordinates, in chart metres.
+    pub fn origin(self) -> DVec3 {
+        self.index.as_dvec3() * f64::from(CHUNK_CELLS)
+    }
+
+    /// The box's least corner in chart metres; the same as [`ChunkCoord::origin`].
+    pub fn min(self) -> DVec3 {
+        self.origin()
+    }
+
+    /// The box's greatest corner in chart metres.
+    pub fn max(self) -> DVec3 {
+        self.origin() + DVec3::splat(f64::from(CHUNK_CELLS))
+    }
+
+    /// The box's middle in chart metres.
+    pub fn centre(self) -> DVec3 {
+        self.origin() + DVec3::splat(f64::from(CHUNK_CELLS) * 0.5)
+    }
+
+    /// The chunk that lies `step` chunks away in the same chart; indices saturate.
+    #[must_use]
+    pub fn offset(self, step: IVec3) -> Self {
+        Self::new(self.hemisphere, self.index.saturating_add(step))
+    }
+
+    fn key(self) -> (Hemisphere, [i32; 3]) {
+        (self.hemisphere, self.index.to_array())
+    }
+}
+
+impl PartialOrd for ChunkCoord {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for ChunkCoord {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.key().cmp(&other.key())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_chunk_contains_its_origin_and_not_its_far_corner() {
+        for index in [IVec3::ZERO, IVec3::new(-1, 2, -7), IVec3::new(40_000, -3, 0)] {
+            let chunk = ChunkCoord::new(Hemisphere::B, index);
+            let inside = ChartPoint::new(Hemisphere::B, chunk.origin());
+            assert_eq!(ChunkCoord::containing(inside), chunk);
+            let below = inside.moved(DVec3::splat(-1e-6));
+            assert_eq!(ChunkCoord::containing(below), chunk.offset(IVec3::NEG_ONE));
+            let far = ChartPoint::new(Hemisphere::B, chunk.max());
+            assert_eq!(ChunkCoord::containing(far), chunk.offset(IVec3::ONE));
+        }
+    }
+
+    #[test]
+    fn order_is_by_chart_then_index() {
+        let a = ChunkCoord::new(Hemisphere::A, IVec3::new(5, 5, 5));
+        let b = ChunkCoord::new(Hemisphere::B, IVec3::new(0, 0, 0));
+        assert!(a < b);
+        assert!(a.offset(IVec3::new(0, 0, -1)) < a);
+    }
+}

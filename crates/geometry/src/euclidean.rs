@@ -1,0 +1,73 @@
+//! Flat space: the chart itself, seen with an ordinary camera.
+
+use glam::{DMat3, DMat4, DVec3, DVec4};
+
+use crate::{
+    BoundingSphere, ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy,
+};
+
+/// Flat space.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Euclidean;
+
+/// The camera's rotation: chart directions to (right, up, back).
+pub(crate) fn rotation(eye: &Eye) -> DMat3 {
+    DMat3::from_cols(eye.right(), eye.up(), -eye.front()).transpose()
+}
+
+impl Strategy for Euclidean {
+    fn geometry(&self) -> Geometry {
+        Geometry::Euclidean
+    }
+
+    fn radius_m(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
+        eye.to_view(point.pos - eye.point.pos).extend(1.0)
+    }
+
+    fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {
+        ChartPoint::a(eye.point.pos + eye.to_chart(view.truncate()))
+    }
+
+    fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
+        self.chart_point(eye, (direction * distance_m).extend(1.0))
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        a.pos.distance(b.pos)
+    }
+
+    fn eye_distance_m(&self, view: DVec4) -> f64 {
+        view.truncate().length()
+    }
+
+    fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
+        point.pos.extend(1.0)
+    }
+
+    fn port_normal(&self, _eye: &Eye, _point: ChartPoint, normal: DVec3) -> DVec3 {
+        normal.normalize_or_zero()
+    }
+
+    fn bounding_sphere(
+        &self,
+        eye: &Eye,
+        hemisphere: Hemisphere,
+        min: DVec3,
+        max: DVec3,
+    ) -> BoundingSphere {
+        let centre = ChartPoint::new(hemisphere, 0.5 * (min + max));
+        BoundingSphere {
+            centre: self.view_point(eye, centre),
+            radius_m: 0.5 * (max - min).length(),
+        }
+    }
+
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+        let view = DMat4::from_mat3(rotation(eye));
+        SpaceUniform::new(SpaceUniform::FLAT, view, projection, f64::INFINITY, 0.0)
+    }
+}

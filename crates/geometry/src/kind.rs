@@ -1,0 +1,130 @@
+//! Which space a world is in, and which of the two charts a point is written in.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+/// The three spaces of constant curvature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Geometry {
+    /// Flat space, curvature 0.
+    Euclidean,
+    /// Hyperbolic space, curvature -1/R^2.
+    Hyperbolic,
+    /// The three-sphere, curvature +1/R^2.
+    Spherical,
+}
+
+impl Geometry {
+    /// All three, in menu order.
+    pub const ALL: [Self; 3] = [Self::Euclidean, Self::Hyperbolic, Self::Spherical];
+
+    /// The sign of the curvature: 0, -1 or +1.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::Euclidean => 0.0,
+            Self::Hyperbolic => -1.0,
+            Self::Spherical => 1.0,
+        }
+    }
+
+    /// The lower-case name, as in saves and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Euclidean => "euclidean",
+            Self::Hyperbolic => "hyperbolic",
+            Self::Spherical => "spherical",
+        }
+    }
+}
+
+impl fmt::Display for Geometry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A word that names none of the three spaces.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("\"{0}\" is no geometry; choose euclidean, hyperbolic or spherical")]
+pub struct ParseGeometryError(String);
+
+impl FromStr for Geometry {
+    type Err = ParseGeometryError;
+
+    /// Reads a lower-case name.
+    ///
+    /// # Errors
+    /// [`ParseGeometryError`] for any other word.
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::ALL
+            .into_iter()
+            .find(|geometry| geometry.name() == name)
+            .ok_or_else(|| ParseGeometryError(name.to_owned()))
+    }
+}
+
+/// One of the two charts that cover the sphere. The other spaces have one chart and use `A`.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
+)]
+pub enum Hemisphere {
+    /// About the pole (0, 0, 0, 1); the only chart of flat and hyperbolic worlds.
+    #[default]
+    A,
+    /// About the pole (0, 0, 0, -1).
+    B,
+}
+
+impl Hemisphere {
+    /// The hemisphere on the far side of the equator.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::A => Self::B,
+            Self::B => Self::A,
+        }
+    }
+
+    /// 0 for A, 1 for B: the number that shaders and saves know.
+    pub fn index(self) -> u32 {
+        match self {
+            Self::A => 0,
+            Self::B => 1,
+        }
+    }
+
+    /// The hemisphere with that number, if there is one.
+    pub fn from_index(index: u32) -> Option<Self> {
+        match index {
+            0 => Some(Self::A),
+            1 => Some(Self::B),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_read_back_and_others_are_refused() {
+        for geometry in Geometry::ALL {
+            assert_eq!(geometry.to_string().parse(), Ok(geometry));
+        }
+        let refused = "Spherical".parse::<Geometry>();
+        assert!(refused.is_err_and(|e| e.to_string().contains("\"Spherical\"")));
+    }
+
+    #[test]
+    fn hemisphere_numbers_read_back() {
+        for hemisphere in [Hemisphere::A, Hemisphere::B] {
+            assert_eq!(Hemisphere::from_index(hemisphere.index()), Some(hemisphere));
+            assert_ne!(hemisphere.other(), hemisphere);
+        }
+        assert_eq!(Hemisphere::from_index(2), None);
+    }
+}

@@ -1,0 +1,44 @@
+//! Curved-space mathematics: charts, strategies, views, projections, crossings.
+//!
+//! The game's world is authored, simulated and saved in flat *chart* metres with y up. Only the
+//! last step, the port, is curved: a [`Strategy`] turns a [`ChartPoint`] into a point of a
+//! Euclidean, hyperbolic or spherical space as seen by an [`Eye`]. Everything here is `f64`;
+//! it is cast once, when a [`SpaceUniform`] is made for `shaders/geometry.wgsl`, which mirrors
+//! this crate. There is no input, no output and no GPU here.
+//!
+//! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
+//! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
+
+pub mod charts;
+mod chunk;
+mod euclidean;
+mod eye;
+mod frustum;
+mod kind;
+mod point;
+mod projection;
+mod raised;
+pub mod scalar;
+mod spherical;
+mod strategy;
+mod uniform;
+
+pub use chunk::{CHUNK_CELLS, ChunkCoord};
+pub use euclidean::Euclidean;
+pub use eye::Eye;
+pub use frustum::{BoundingSphere, Frustum};
+pub use kind::{Geometry, Hemisphere, ParseGeometryError};
+pub use point::{ChartPoint, Crossing};
+pub use projection::Projection;
+pub use raised::Raised;
+pub use spherical::Spherical;
+pub use strategy::{
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII, HeightLimits,
+    SPHERE_RADIUS_RANGE_M, Strategy, strategy,
+};
+pub use uniform::SpaceUniform;
+
+/// The shader text that mirrors this crate: `struct Space` and the four functions that port,
+/// light, project and measure. It has no entry point and no binding; other shaders are
+/// appended to it.
+pub const WGSL: &str = include_str!("../../../shaders/geometry.wgsl");

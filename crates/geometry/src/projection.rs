@@ -1,0 +1,119 @@
+//! From view coordinates to the picture: focal factors and one depth rule per space.
+//!
+//! Depth is reversed: it is cleared to 0, nearer is greater, and the near distance gives 1.
+
+use glam::{DVec2, DVec4};
+
+use crate::Geometry;
+
+/// A perspective projection without a far plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Projection {
+    /// Horizontal focal factor: clip x per view x.
+    pub sx: f64,
+    /// Vertical focal factor: clip y per view y.
+    pub sy: f64,
+    /// Near distance in metres.
+    pub near_m: f64,
+}
+
+impl Projection {
+    /// `fov_y_rad` is the full vertical field of view, below a half turn; `aspect` is width by
+    /// height.
+    pub fn new(fov_y_rad: f64, aspect: f64, near_m: f64) -> Self {
+        let sy = 1.0 / (0.5 * fov_y_rad).tan();
+        let sx = sy / aspect;
+        Self { sx, sy, near_m }
+    }
+
+    /// Clip coordinates of a point in view coordinates.
+    ///
+    /// The depth of flat space is `n / -Z`. The hyperbolic `n / (W + k rho)` is
+    /// `n exp(-d)`, which keeps its relative precision to any distance where `W - k rho` loses
+    /// it all. The spherical `(n W - Z) / 2` is linear in the vertex and falls along a ray
+    /// through W = 0 to the antipode.
+    pub fn clip_from_view(&self, geometry: Geometry, radius_m: f64, view: DVec4) -> DVec4 {
+        let depth = match geometry {
+            Geometry::Euclidean => self.near_m,
+            Geometry::Hyperbolic => self.near_m / (view.w + view.truncate().length() / radius_m),
+            Geometry::Spherical => 0.5 * (self.near_m * view.w - view.z),
+        };
+        DVec4::new(self.sx * view.x, self.sy * view.y, depth, -view.z)
+    }
+
+    /// Where clip coordinates fall in the picture, -1 to 1 from left to right and from bottom
+    /// to top; `None` for what lies behind the eye.
+    pub fn screen(clip: DVec4) -> Option<DVec2> {
+        (clip.w > 0.0).then(|| DVec2::new(clip.x, clip.y) / clip.w)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_edges_of_the_field_of_view_are_the_edges_of_the_picture() {
+        let fov: f64 = 1.2;
+        let projection = Projection::new(fov, 1.6, 0.1);
+        let edge = DVec4::new(0.0, (0.5 * fov).tan() * 7.0, -7.0, 1.0);
+        let clip = projection.clip_from_view(Geometry::Euclidean, f64::INFINITY, edge);
+        assert!((Projection::screen(clip).unwrap() - DVec2::Y).length() < 1e-14);
+        assert!((projection.sy / projection.sx - 1.6).abs() < 1e-14);
+        let behind = DVec4::new(0.0, 0.0, 1.0, 1.0);
+        let clip = projection.clip_from_view(Geometry::Euclidean, f64::INFINITY, behind);
+        assert_eq!(Projection::screen(clip), None);
+    }
+
+    #[test]
+    fn the_near_distance_has_depth_one_in_every_space() {
+        let (near, radius) = (0.05, 20.0);
+        let projection = Projection::new(1.0, 1.0, near);
+        let t: f64 = near / radius;
+        let cases = [
+            (Geometry::Euclidean, -near, 1.0),
+            (Geometry::Hyperbolic, -radius * t.sinh(), t.cosh()),
+            (Geometry::Spherical, -radius * t.sin(), t.cos()),
+        ];
+        for (geometry, z, w) in cases {
+            let view = DVec4::new(0.0, 0.0, z, w);
+            let clip = projection.clip_from_view(geometry, radius, view);
+            assert!((clip.z / clip.w - 1.0).abs() < 0.003, "{geometry}");
+        }
+    }
+
+    #[test]
+    fn depth_falls_along_rays_in_f32() {
+        // To d = 20 in hyperbolic space, and through W = 0 to just before the antipode on the
+        // sphere. The f32 depth itself must order two surfaces a hundredth of a radius apart.
+        let (near, radius) = (0.05, 20.0);
+        let projection = Projection::new(1.0, 1.0, near);
+        let depth = |geometry, t: f64| {
+            let (z, w) = match geometry {
+                Geometry::Euclidean => (-radius * t, 1.0),
+                Geometry::Hyperbolic => (-radius * t.sinh(), t.cosh()),
+                Geometry::Spherical => (-radius * t.sin(), t.cos()),
+            };
+            let tilt: f64 = 0.4;
+            let view = DVec4::new(-z * tilt.sin(), 0.0, z * tilt.cos(), w);
+            let clip = projection.clip_from_view(geometry, radius, view);
+            (clip.z as f32) / (clip.w as f32)
+        };
+        let ends = [
+            (Geometry::Euclidean, 40.0),
+            (Geometry::Hyperbolic, 40.0),
+            (Geometry::Spherical, std::f64::consts::PI - near / radius),
+        ];
+        for (geometry, end) in ends {
+            let mut last = f32::INFINITY;
+            let mut t = 2.0 * near / radius;
+            while t < end {
+                let here = depth(geometry, t);
+                assert!(here < last && here > 0.0, "{geometry} at {t}: {here} {last}");
+                last = here;
+                t += 0.01;
+            }
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Trigonometry shared by the curved spaces, stable near zero.
+//!
+//! `sign` is the sign of the curvature: -1 hyperbolic, 0 flat, +1 spherical. Arguments are
+//! lengths in units of the radius of curvature.
+
+/// sin(t)/t, with 1 at t = 0.
+pub fn sinc(t: f64) -> f64 {
+    if t == 0.0 { 1.0 } else { t.sin() / t }
+}
+
+/// sinh(t)/t, with 1 at t = 0. Overflows to infinity past |t| = 710.
+pub fn sinhc(t: f64) -> f64 {
+    if t == 0.0 { 1.0 } else { t.sinh() / t }
+}
+
+/// The sine over its argument that belongs to the curvature's sign.
+pub fn sinc_s(sign: f64, t: f64) -> f64 {
+    if sign > 0.0 {
+        sinc(t)
+    } else if sign < 0.0 {
+        sinhc(t)
+    } else {
+        1.0
+    }
+}
+
+/// The sine that belongs to the curvature's sign: sinh, t or sin.
+pub fn sin_s(sign: f64, t: f64) -> f64 {
+    sinc_s(sign, t) * t
+}
+
+/// The cosine that belongs to the curvature's sign: cosh, 1 or cos.
+pub fn cos_s(sign: f64, t: f64) -> f64 {
+    if sign > 0.0 {
+        t.cos()
+    } else if sign < 0.0 {
+        t.cosh()
+    } else {
+        1.0
+    }
+}
+
+/// `(cos_s(t) - 1) / t^2`, which is `-sign/2 sinc_s(t/2)^2` and never cancels.
+pub fn cos_minus_one_over_square(sign: f64, t: f64) -> f64 {
+    let half = sinc_s(sign, 0.5 * t);
+    -0.5 * sign * half * half
+}
+
+/// `(sinc_s(t) - 1) / t^2`: a series near zero, where the difference would cancel.
+pub fn sinc_minus_one_over_square(sign: f64, t: f64) -> f64 {
+    let square = t * t;
+    if square > 0.25 {
+        return (sinc_s(sign, t) - 1.0) / square;
+    }
+    // sum over n >= 1 of (-sign)^n t^(2n-2) / (2n+1)!; seven terms leave 1e-18 at t = 1/2.
+    let x = -sign * square;
+    let mut sum = 0.0;
+    for n in (1..8_u32).rev() {
+        let factor = 1.0 / f64::from((2 * n + 2) * (2 * n + 3));
+        sum = 1.0 + sum * x * factor;
+    }
+    -sign * sum / 6.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_branches_of_the_series_meet() {
+        for sign in [-1.0, 1.0] {
+            let (below, above) = (0.5 - 1e-12, 0.5 + 1e-12);
+            let low = sinc_minus_one_over_square(sign, below);
+            let high = sinc_minus_one_over_square(sign, above);
+            assert!((low - high).abs() < 1e-13, "{low} {high}");
+            assert!((sinc_minus_one_over_square(sign, 0.0) + sign / 6.0).abs() < 1e-16);
+        }
+    }
+
+    #[test]
+    fn small_differences_keep_their_digits() {
+        // cosh(1e-9) - 1 is 5e-19: the difference itself would be zero in f64.
+        let c = cos_minus_one_over_square(-1.0, 1e-9);
+        assert!((c - 0.5).abs() < 1e-15);
+        assert_eq!(sinc(0.0), 1.0);
+        assert_eq!(sinhc(0.0), 1.0);
+    }
+
+    #[test]
+    fn pythagoras_holds_for_each_sign() {
+        for sign in [-1.0, 0.0, 1.0] {
+            for t in [1e-8, 0.1, 1.0, 2.5] {
+                let (s, c) = (sin_s(sign, t), cos_s(sign, t));
+                assert!((c * c + sign * s * s - 1.0).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! The three-sphere in two cylindrical charts that meet at the equator.
+//!
+//! The ground lies along the great sphere y = 0. Hemisphere A is the cylindrical chart about
+//! the pole (0, 0, 0, 1), B about (0, 0, 0, -1), each out to a quarter turn. For B the chart is
+//! first mirrored by G = diag(-1, 1, 1) and then w is negated: B = diag(-1, 1, 1, -1) A, a
+//! rotation, so orientation, winding and "up" are the same in both.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::{DMat4, DVec3, DVec4};
+
+use crate::charts::{cylindrical, cylindrical_direction};
+use crate::scalar::{sinc, sinc_minus_one_over_square};
+use crate::strategy::HeightLimits;
+use crate::{
+    BoundingSphere, ChartPoint, Crossing, Eye, Geometry, Hemisphere, Projection, SpaceUniform,
+    Strategy,
+};
+
+/// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
+/// exact; this only keeps a body that stands on the line from flipping to and fro.
+const CROSSING_HYSTERESIS_M: f64 = 0.2;
+
+/// The three-sphere of a given radius.
+#[derive(Debug, Clone, Copy)]
+pub struct Spherical {
+    radius_m: f64,
+}
+
+/// The mirror G of hemisphere B's chart.
+fn mirrored(hemisphere: Hemisphere, v: DVec3) -> DVec3 {
+    match hemisphere {
+        Hemisphere::A => v,
+        Hemisphere::B => DVec3::new(-v.x, v.y, v.z),
+    }
+}
+
+/// The 4-vector of hemisphere A moved to its place in the given hemisphere.
+fn placed(hemisphere: Hemisphere, v: DVec4) -> DVec4 {
+    match hemisphere {
+        Hemisphere::A => v,
+        Hemisphere::B => DVec4::new(v.x, v.y, v.z, -v.w),
+    }
+}
+
+impl Spherical {
+    /// `radius_m` is the sphere's radius in metres, positive and finite.
+    pub fn new(radius_m: f64) -> Self {
+        Self { radius_m }
+    }
+
+    /// The point of the unit three-sphere that a chart point is.
+    fn model(&self, point: ChartPoint) -> DVec4 {
+        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
+        placed(point.hemisphere, cylindrical(1.0, p))
+    }
+
+    /// A chart direction at a chart point as a tangent of the unit three-sphere.
+    fn tangent(&self, point: ChartPoint, direction: DVec3) -> DVec4 {
+        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
+        let v = mirrored(point.hemisphere, direction);
+        placed(point.hemisphere, cylindrical_direction(1.0, p, v))
+    }
+
+    /// The rotation that takes the model to view coordinates, in units of the radius.
+    fn view(&self, eye: &Eye) -> DMat4 {
+        DMat4::from_cols(
+            self.tangent(eye.point, eye.right()),
+            self.tangent(eye.point, eye.up()),
+            self.tangent(eye.point, -eye.front()),
+            self.model(eye.point),
+        )
+        .transpose()
+    }
+
+    fn metres(&self, unit: DVec4) -> DVec4 {
+        (unit.truncate() * self.radius_m).extend(unit.w)
+    }
+
+    fn units(&self, metres: DVec4) -> DVec4 {
+        (metres.truncate() / self.radius_m).extend(metres.w)
+    }
+
+    /// The chart point that a point of the unit three-sphere is, in the hemisphere it lies in.
+    fn unmodel(&self, x: DVec4) -> ChartPoint {
+        let level = x.x.hypot(x.z);
+        let y = x.y.atan2(level.hypot(x.w));
+        let hemisphere = if level.atan2(x.w) > FRAC_PI_2 {
+            Hemisphere::B
+        } else {
+            Hemisphere::A
+        };
+        let r = level.atan2(placed(hemisphere, x).w);
+        let per_level = if level > 0.0 { r / level } else { 0.0 };
+        let unit = DVec3::new(x.x * per_level, y, x.z * per_level);
+        ChartPoint::new(hemisphere, mirrored(hemisphere, unit) * self.radius_m)
+    }
+}
+
+impl Strategy for Spherical {
+    fn geometry(&self) -> Geometry {
+        Geometry::Spherical
+    }
+
+    fn radius_m(&self) -> f64 {
+        self.radius_m
+    }
+
+    fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
+        self.metres(self.view(eye) * self.model(point))
+    }
+
+    fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {
+        self.unmodel(self.view(eye).transpose() * self.units(view))
+    }
+
+    fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
+        let (sin, cos) = (distance_m / self.radius_m).sin_cos();
+        self.chart_point(eye, (direction * (self.radius_m * sin)).extend(cos))
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        let (a, b) = (self.model(a), self.model(b));
+        2.0 * self.radius_m * (a - b).length().atan2((a + b).length())
+    }
+
+    fn eye_distance_m(&self, view: DVec4) -> f64 {
+        let rho = view.truncate().length() / self.radius_m;
+        self.radius_m * rho.atan2(view.w)
+    }
+
+    fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
+        self.model(point)
+    }
+
+    /// Lengths along the radial, tangential and upward axes are cos y, cos y sinc r and 1 per
+    /// chart metre; a covector goes by their inverses, here times cos y sinc r.
+    fn port_normal(&self, _eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
+        let p = point.pos / self.radius_m;
+        let r = p.x.hypot(p.z);
+        let along = sinc_minus_one_over_square(1.0, r) * (normal.x * p.x + normal.z * p.z);
+        DVec3::new(
+            normal.x + along * p.x,
+            normal.y * p.y.cos() * sinc(r),
+            normal.z + along * p.z,
+        )
+        .normalize_or_zero()
+    }
+
+    fn cross(&self, point: ChartPoint) -> Option<Crossing> {
+        let r = point.pos.x.hypot(point.pos.z);
+        let past = r > FRAC_PI_2 * self.radius_m + CROSSING_HYSTERESIS_M;
+        if past { self.carry(point) } else { None }
+    }
+
+    /// With c the ground direction, the point goes to `G c (pi R - r)` and every vector by
+    /// `G (1 - 2 c c^T)`, the rotation about +y by `2 atan2(c.z, c.x)`. At the pole any c will
+    /// do; +x is taken.
+    fn carry(&self, point: ChartPoint) -> Option<Crossing> {
+        let level = DVec3::new(point.pos.x, 0.0, point.pos.z);
+        let r = level.length();
+        let c = if r > 0.0 { level / r } else { DVec3::X };
+        let across = c * (PI * self.radius_m - r);
+        let pos = DVec3::new(-across.x, point.pos.y, across.z);
+        Some(Crossing {
+            point: ChartPoint::new(point.hemisphere.other(), pos),
+            turn_rad: 2.0 * c.z.atan2(c.x),
+        })
+    }
+
+    fn rim_m(&self) -> Option<f64> {
+        Some(FRAC_PI_2 * self.radius_m)
+    }
+
+    /// The eye at height y has its antipode at -y, so with all ground above 0 every sight line
+    /// meets ground before it gets there, and everything is seen exactly once.
+    fn limits(&self) -> Option<HeightLimits> {
+        Some(HeightLimits {
+            bedrock_m: 0.1 * self.radius_m,
+            ground_min_m: 0.15 * self.radius_m,
+            ground_max_m: 0.5 * self.radius_m,
+            ceiling_m: 1.2 * self.radius_m,
+        })
+    }
+
+    fn noise_point(&self, point: ChartPoint) -> DVec3 {
+        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
+        let r = p.x.hypot(p.z);
+        let pole = match point.hemisphere {
+            Hemisphere::A => r.cos(),
+            Hemisphere::B => -r.cos(),
+        };
+        DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
+    }
+
+    /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
+    fn chart_origin_m(&self, hemisphere: Hemisphere) -> DVec3 {
+        match hemisphere {
+            Hemisphere::A => DVec3::ZERO,
+            Hemisphere::B => DVec3::X * (8.0 * self.radius_m).log2().ceil().exp2(),
+        }
+    }
+
+    fn has_sky(&self) -> bool {
+        false
+    }
+
+    fn reference(&self, _eye: &Eye, _hemisphere: Hemisphere) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    /// The chart never shrinks: lengths per chart metre are at most cos y level and 1 upright,
+    /// so the straight chart line from the middle bounds the distance to any point of the box.
+    fn bounding_sphere(
+        &self,
+        eye: &Eye,
+        hemisphere: Hemisphere,
+        min: DVec3,
+        max: DVec3,
+    ) -> BoundingSphere {
+        let half = 0.5 * (max - min);
+        let lowest = 0.0_f64.clamp(min.y.min(max.y), max.y.max(min.y)).abs();
+        let highest = min.y.abs().max(max.y.abs()) / self.radius_m;
+        // |cos y| falls from the sheet y = 0 to a quarter turn up, and rises again past it.
+        let level = if highest > FRAC_PI_2 {
+            1.0
+        } else {
+            (lowest / self.radius_m).cos()
+        };
+        let centre = ChartPoint::new(hemisphere, 0.5 * (min + max));
+        BoundingSphere {
+            centre: self.view_point(eye, centre),
+            radius_m: (half.x.hypot(half.z) * level).hypot(half.y),
+        }
+    }
+
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+        // The shader's points have xyz in metres and w without unit, before and after.
+        let metres = DVec4::new(self.radius_m, self.radius_m, self.radius_m, 1.0);
+        let view = DMat4::from_diagonal(metres)
+            * self.view(eye)
+            * DMat4::from_diagonal(metres.recip());
+        SpaceUniform::new(SpaceUniform::SPHERE, view, projection, self.radius_m, 0.0)
+    }
+}

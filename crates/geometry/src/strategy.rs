@@ -1,0 +1,200 @@
+//! The one trait through which the game knows its space.
+
+use std::fmt::Debug;
+use std::ops::RangeInclusive;
+use std::sync::Arc;
+
+use glam::{DVec3, DVec4};
+
+use crate::{
+    BoundingSphere, ChartPoint, Crossing, Euclidean, Eye, Frustum, Geometry, Hemisphere,
+    Projection, Raised, SpaceUniform, Spherical,
+};
+
+/// Radius of curvature of hyperbolic worlds unless a world says otherwise, in metres.
+pub const DEFAULT_HYPERBOLIC_RADIUS_M: f64 = 20.0;
+/// Radius of spherical worlds unless a world says otherwise, in metres.
+pub const DEFAULT_SPHERE_RADIUS_M: f64 = 32.0;
+/// Radii that a player may choose for a spherical world, in metres.
+pub const SPHERE_RADIUS_RANGE_M: RangeInclusive<f64> = 16.0..=64.0;
+/// Hyperbolic worlds draw nothing farther than this many radii from the eye: past it a
+/// hyperboloid coordinate in `f32` has no digits left to order two surfaces by.
+pub const FAR_LIMIT_RADII: f64 = 20.0;
+
+/// The range of the knob that a space offers the player, in metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dial {
+    /// Least value.
+    pub min: f64,
+    /// Greatest value.
+    pub max: f64,
+    /// Value of a new world.
+    pub default: f64,
+}
+
+/// Heights in chart metres between which a space can hold a world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeightLimits {
+    /// Nothing is dug below this.
+    pub bedrock_m: f64,
+    /// The natural ground lies no lower than this.
+    pub ground_min_m: f64,
+    /// The natural ground lies no higher than this.
+    pub ground_max_m: f64,
+    /// Nothing is built or flown above this.
+    pub ceiling_m: f64,
+}
+
+/// A space: how chart points look from an eye, and what the charts are like.
+///
+/// View coordinates are x right, y up, z back, in metres, and w without unit.
+pub trait Strategy: Debug + Send + Sync {
+    /// Which of the three spaces this is.
+    fn geometry(&self) -> Geometry;
+
+    /// Radius of curvature in metres; infinite in flat space.
+    fn radius_m(&self) -> f64;
+
+    /// The player's knob, where the space has one.
+    fn dial(&self) -> Option<Dial> {
+        None
+    }
+
+    /// The point as seen: view coordinates with the eye at (0, 0, 0, 1).
+    fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4;
+
+    /// The chart point that is seen at `view`: the inverse of [`Strategy::view_point`].
+    fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint;
+
+    /// The point `distance_m` metres along the geodesic that leaves the eye in `direction`, a
+    /// unit vector in view coordinates (right, up, back); (0, 0, -1) is straight ahead.
+    fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint;
+
+    /// Distance in the space between two points, in metres. In hyperbolic worlds it depends
+    /// on the eye, as the port does.
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64;
+
+    /// Distance in the space from the eye to a point in view coordinates, in metres.
+    fn eye_distance_m(&self, view: DVec4) -> f64;
+
+    /// The point of the model in units of the radius, before any camera: (x, y, z, 1) in chart
+    /// metres where the space is flat, the hyperboloid, or the unit three-sphere.
+    fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4;
+
+    /// A surface normal of the chart as a unit covector of the space, in the coordinates of
+    /// the chart's frame at the point: its dot product with a light's chart direction is N.L.
+    fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3;
+
+    /// The point in the other chart, once it is past the rim by more than the hysteresis that
+    /// keeps a body standing on the line from flipping to and fro.
+    fn cross(&self, _point: ChartPoint) -> Option<Crossing> {
+        None
+    }
+
+    /// The same point of the space in the other chart, wherever it is. `None` where there is
+    /// only one chart.
+    fn carry(&self, _point: ChartPoint) -> Option<Crossing> {
+        None
+    }
+
+    /// Chart radius of the equator in metres, where charts meet.
+    fn rim_m(&self) -> Option<f64> {
+        None
+    }
+
+    /// Heights that the space limits a world to.
+    fn limits(&self) -> Option<HeightLimits> {
+        None
+    }
+
+    /// Where the terrain noise is sampled, in metres: continuous over the whole space.
+    fn noise_point(&self, point: ChartPoint) -> DVec3 {
+        point.pos
+    }
+
+    /// Where the chart's centre stands in the one space that physics works in, in metres.
+    fn chart_origin_m(&self, _hemisphere: Hemisphere) -> DVec3 {
+        DVec3::ZERO
+    }
+
+    /// Whether sight lines can miss the ground for ever, so that a sky is seen.
+    fn has_sky(&self) -> bool {
+        true
+    }
+
+    /// The chart point that positions sent to the GPU are relative to.
+    fn reference(&self, eye: &Eye, _hemisphere: Hemisphere) -> DVec3 {
+        eye.point.pos
+    }
+
+    /// A sphere about everything that the chart box from `min` to `max` metres is ported to.
+    fn bounding_sphere(
+        &self,
+        eye: &Eye,
+        hemisphere: Hemisphere,
+        min: DVec3,
+        max: DVec3,
+    ) -> BoundingSphere;
+
+    /// The visible region, which spheres are tested against.
+    fn frustum(&self, projection: &Projection) -> Frustum {
+        Frustum::new(projection, self.geometry(), self.radius_m())
+    }
+
+    /// A point of the picture: clip coordinates of a point in view coordinates.
+    fn clip_from_view(&self, projection: &Projection, view: DVec4) -> DVec4 {
+        projection.clip_from_view(self.geometry(), self.radius_m(), view)
+    }
+
+    /// What the shaders need to know of the space, the eye and the projection.
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;
+}
+
+/// The space of that kind and radius in metres.
+///
+/// Flat space ignores the radius. A radius that is not a positive number is replaced by the
+/// default one; menus and commands check [`SPHERE_RADIUS_RANGE_M`] before.
+pub fn strategy(geometry: Geometry, radius_m: f64) -> Arc<dyn Strategy> {
+    let radius_or = |default_m: f64| {
+        if radius_m.is_finite() && radius_m > 0.0 {
+            radius_m
+        } else {
+            default_m
+        }
+    };
+    match geometry {
+        Geometry::Euclidean => Arc::new(Euclidean),
+        Geometry::Hyperbolic => Arc::new(Raised::new(radius_or(DEFAULT_HYPERBOLIC_RADIUS_M))),
+        Geometry::Spherical => Arc::new(Spherical::new(radius_or(DEFAULT_SPHERE_RADIUS_M))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_useless_radius_becomes_the_default() {
+        for radius in [0.0, -3.0, f64::NAN, f64::INFINITY] {
+            let sphere = strategy(Geometry::Spherical, radius);
+            assert_eq!(sphere.radius_m(), DEFAULT_SPHERE_RADIUS_M);
+            let raised = strategy(Geometry::Hyperbolic, radius);
+            assert_eq!(raised.radius_m(), DEFAULT_HYPERBOLIC_RADIUS_M);
+        }
+        assert_eq!(strategy(Geometry::Spherical, 48.0).radius_m(), 48.0);
+        assert_eq!(strategy(Geometry::Euclidean, 48.0).radius_m(), f64::INFINITY);
+    }
+
+    #[test]
+    fn only_the_sphere_has_a_rim_limits_and_no_sky() {
+        for geometry in Geometry::ALL {
+            let space = strategy(geometry, 32.0);
+            let sphere = geometry == Geometry::Spherical;
+            assert_eq!(space.geometry(), geometry);
+            assert_eq!(space.rim_m().is_some(), sphere);
+            assert_eq!(space.limits().is_some(), sphere);
+            assert_eq!(space.has_sky(), !sphere);
+            assert_eq!(space.dial().is_some(), geometry == Geometry::Hyperbolic);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! A walking, jumping, flying character: plain state, moved through the terrain of a world.
+
+use glam::DVec3;
+
+use crate::mover::{Mover, level};
+use crate::patch::{Capsule, Patch};
+use crate::{CharacterTuning, PhysicsWorld};
+
+/// Longer moves are cut to this, so that a hitch does not throw anyone through the world.
+const LONGEST_MOVE_S: f64 = 0.25;
+
+/// How far around a move terrain is looked at, beyond the move itself (m).
+const REACH_M: f64 = 0.3;
+
+/// Rises and drops of the feet in one move beyond the steepest slope, plus this (m), are stairs.
+const STAIR_SLACK_M: f64 = 0.02;
+
+/// Where a character is and how it moves. Nothing of it is kept in the world, so a clone is a
+/// complete copy and the same inputs repeat the same moves to the bit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Character {
+    /// The lowest point of the capsule, in physics space (m).
+    pub feet: DVec3,
+    /// Velocity in m/s; on the ground its vertical part is zero.
+    pub velocity: DVec3,
+    /// Whether the character stands or walks on something.
+    pub grounded: bool,
+    /// Speed (m/s) of the fall that ended in the last move, zero when none did.
+    pub impact_m_s: f64,
+    /// By how much (m) a stair set the feet up (or down, negative) at once in the last move; a
+    /// camera may ease over it.
+    pub stair_m: f64,
+    coyote_left_s: f64,
+    jump_left_s: f64,
+    jump_held: bool,
+}
+
+/// What a player wants of a character for one move.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct CharacterInput {
+    /// Horizontal direction to go in physics space, at most unit: its length scales the speed. The
+    /// vertical part is ignored.
+    pub wish: DVec3,
+    /// Go faster.
+    pub sprint: bool,
+    /// The jump key is down. The press counts, not the hold.
+    pub jump: bool,
+    /// Spectator flight: no gravity, nothing solid.
+    pub fly: bool,
+    /// Go up in flight.
+    pub rise: bool,
+    /// Go down in flight.
+    pub sink: bool,
+}
+
+impl CharacterInput {
+    /// The wish, made level and at most unit; zero when it is not finite.
+    fn level_wish(&self) -> DVec3 {
+        let wish = level(self.wish);
+        if wish.is_finite() { wish.clamp_length_max(1.0) } else { DVec3::ZERO }
+    }
+}
+
+impl Character {
+    /// A character at rest with its feet at `feet` (m), not yet on the ground.
+    pub fn at(feet: DVec3) -> Self {
+        Self { feet, ..Self::default() }
+    }
+
+    fn keep_time(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
+        let pressed = input.jump && !self.jump_held;
+        self.jump_held = input.jump;
+        self.jump_left_s = if pressed { tuning.jump_buffer_s } else { self.jump_left_s - dt_s };
+        self.coyote_left_s = if self.grounded { tuning.coyote_s } else { self.coyote_left_s - dt_s };
+    }
+
+    /// Jumps when one is asked for and there is, or just was, ground to jump from.
+    fn try_jump(&mut self, tuning: &CharacterTuning) {
+        if self.jump_left_s > 0.0 && self.coyote_left_s > 0.0 {
+            self.velocity.y = tuning.jump_speed_m_s();
+            self.grounded = false;
+            self.jump_left_s = 0.0;
+            self.coyote_left_s = 0.0;
+        }
+    }
+
+    fn follow_wish(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
+        let wish = input.level_wish();
+        let factor = if input.sprint { tuning.sprint_factor } else { 1.0 };
+        let rate = match (self.grounded, wish == DVec3::ZERO) {
+            (true, false) => tuning.ground_acceleration_m_s2,
+            (true, true) => tuning.ground_braking_m_s2,
+            (false, false) => tuning.air_acceleration_m_s2,
+            (false, true) => tuning.air_braking_m_s2,
+        };
+        let target = wish * (tuning.walk_speed_m_s * factor);
+        let followed = approach(level(self.velocity), target, rate * dt_s);
+        self.velocity = followed.with_y(self.velocity.y);
+    }
+
+    fn fly(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
+        let up = f64::from(i8::from(input.rise) - i8::from(input.sink));
+        let factor = if input.sprint { tuning.fly_sprint_factor } else { 1.0 };
+        let target = (input.level_wish() + DVec3::Y * up) * (tuning.fly_speed_m_s * factor);
+        self.velocity = approach(self.velocity, target, tuning.fly_acceleration_m_s2 * factor * dt_s);
+        self.feet += self.velocity * dt_s;
+        self.grounded = false;
+        (self.coyote_left_s, self.jump_left_s) = (0.0, 0.0);
+    }
+}
+
+impl PhysicsWorld {
+    /// Moves a character by one step of `dt_s` seconds (cut to 0.25). Takes no account of other
+    /// characters. State that is not finite, and a `dt_s` that is not above zero, leave it as it is.
+    pub fn move_character(
+        &self,
+        character: &mut Character,
+        tuning: &CharacterTuning,
+        input: &CharacterInput,
+        dt_s: f64,
+    ) {
+        let sound = character.feet.is_finite() && character.velocity.is_finite() && dt_s > 0.0;
+        if !sound {
+            return;
+        }
+        let dt_s = dt_s.min(LONGEST_MOVE_S);
+        (character.impact_m_s, character.stair_m) = (0.0, 0.0);
+        character.keep_time(tuning, input, dt_s);
+        if input.fly {
+            character.fly(tuning, input, dt_s);
+            return;
+        }
+        character.try_jump(tuning);
+        character.follow_wish(tuning, input, dt_s);
+        let patch = self.patch_around(character, tuning, dt_s);
+        travel(character, &Mover::new(patch, tuning), dt_s);
+    }
+
+    /// The terrain that a move can meet, relative to the feet.
+    fn patch_around(&self, character: &Character, tuning: &CharacterTuning, dt_s: f64) -> Patch {
+        let way = character.velocity * dt_s;
+        let fall = tuning.gravity_m_s2 * dt_s * dt_s;
+        let down = (fall - way.y.min(0.0)).max(if character.grounded { tuning.snap_m } else { 0.0 });
+        let up = way.y.max(0.0).max(tuning.step_height_m);
+        let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
+        let (min, max) = capsule.bounds(character.feet);
+        let (low, high) = (level(way).min(DVec3::ZERO), level(way).max(DVec3::ZERO));
+        let reach = DVec3::splat(REACH_M);
+        Patch::gather(
+            self,
+            character.feet,
+            min + low - reach - DVec3::Y * down,
+            max + high + reach + DVec3::Y * up,
+        )
+    }
+}
+
+/// Walks while there is floor, else flies through the air; in the mover's frame, whose zero is the
+/// character's feet.
+fn travel(character: &mut Character, mover: &Mover<'_>, dt_s: f64) {
+    let start = character.feet;
+    if character.grounded {
+        character.velocity.y = 0.0;
+        if let Some(walked) = mover.walk(DVec3::ZERO, character.velocity, dt_s) {
+            character.stair_m = stair(walked.feet, mover.tuning.max_slope_rad);
+            character.feet = start + walked.feet;
+            character.velocity = walked.velocity;
+            return;
+        }
+    }
+    let flown = mover.fly_through_air(DVec3::ZERO, character.velocity, dt_s);
+    character.feet = start + flown.feet;
+    character.velocity = flown.velocity;
+    character.grounded = flown.landed;
+    character.impact_m_s = flown.impact_m_s;
+}
+
+/// The part of a walk's rise that no walkable slope explains.
+fn stair(way: DVec3, max_slope_rad: f64) -> f64 {
+    let slope = level(way).length() * max_slope_rad.tan() + STAIR_SLACK_M;
+    if way.y.abs() > slope { way.y } else { 0.0 }
+}
+
+/// Moves `from` towards `to` by at most `most`.
+fn approach(from: DVec3, to: DVec3, most: f64) -> DVec3 {
+    let way = to - from;
+    if way.length() <= most { to } else { from + way.normalize_or_zero() * most }
+}

@@ -1,0 +1,179 @@
+//! The terrain that is loaded, and the frame in which Rapier sees it.
+//!
+//! Origins of chunks are kept in `f64`; Rapier's colliders stand relative to a floating origin, a
+//! multiple of 32 m, so that its `f32` positions stay below about 600 m near the player whatever the
+//! place in the world. Terrain has no body: it is a set of standalone colliders. Rapier's own
+//! query tree is refreshed only by a simulation step, so the world keeps a tree of its own that
+//! changes with every chunk and lends it to Rapier's query pipeline.
+
+use std::collections::HashMap;
+
+use antipode_geometry::ChunkCoord;
+use glam::DVec3;
+use rapier3d::dynamics::{IslandManager, RigidBodySet, SoftBodySet};
+use rapier3d::geometry::{ColliderBuilder, ColliderHandle, ColliderSet};
+use rapier3d::parry::bounding_volume::Aabb;
+use rapier3d::parry::partitioning::{Bvh, BvhBuildStrategy};
+use rapier3d::parry::query::DefaultQueryDispatcher;
+use rapier3d::pipeline::{QueryFilter, QueryPipeline};
+
+use crate::TerrainCollider;
+
+/// The floating origin moves when the focus is further than this from it along an axis.
+const RECENTRE_BEYOND_M: f64 = 512.0;
+
+/// The floating origin is a multiple of this, the edge of a chunk, so offsets stay whole numbers.
+const ORIGIN_STEP_M: f64 = 32.0;
+
+/// Boxes in the tree are grown by this against the rounding of `f32` at the reach of the frame.
+const BOX_SKIN_M: f32 = 0.01;
+
+/// One chunk's terrain where it stands.
+pub(crate) struct Ground {
+    pub coord: ChunkCoord,
+    pub origin: DVec3,
+    pub collider: TerrainCollider,
+}
+
+/// Everything solid, and the questions that can be asked of it.
+///
+/// Positions are metres in physics space. Queries take `&self` and change nothing.
+pub struct PhysicsWorld {
+    bodies: RigidBodySet,
+    soft_bodies: SoftBodySet,
+    islands: IslandManager,
+    colliders: ColliderSet,
+    tree: Bvh,
+    chunks: HashMap<ChunkCoord, ColliderHandle>,
+    grounds: HashMap<u32, Ground>,
+    origin: DVec3,
+}
+
+impl Default for PhysicsWorld {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl std::fmt::Debug for PhysicsWorld {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PhysicsWorld")
+            .field("chunks", &self.chunks.len())
+            .field("origin", &self.origin)
+            .finish_non_exhaustive()
+    }
+}
+
+impl PhysicsWorld {
+    /// An empty world around the origin of physics space.
+    pub fn new() -> Self {
+        Self {
+            bodies: RigidBodySet::new(),
+            soft_bodies: SoftBodySet::new(),
+            islands: IslandManager::new(),
+            colliders: ColliderSet::new(),
+            tree: Bvh::new(),
+            chunks: HashMap::new(),
+            grounds: HashMap::new(),
+            origin: DVec3::ZERO,
+        }
+    }
+
+    /// Puts a chunk's terrain with its origin at `origin` (m), replacing what the chunk had;
+    /// `None` leaves the chunk empty.
+    pub fn set_terrain(&mut self, coord: ChunkCoord, origin: DVec3, collider: Option<TerrainCollider>) {
+        self.take_out(coord);
+        let Some(collider) = collider else { return };
+        let at = (origin - self.origin).as_vec3();
+        let handle = self.colliders.insert(ColliderBuilder::new(collider.shape().clone()).translation(at));
+        let index = handle.into_raw_parts().0;
+        self.tree.insert(standing_box(&collider, origin - self.origin), index);
+        self.chunks.insert(coord, handle);
+        self.grounds.insert(index, Ground { coord, origin, collider });
+        self.forget_changes();
+    }
+
+    /// Whether a chunk has terrain to stand on or bump into.
+    pub fn has_terrain(&self, coord: ChunkCoord) -> bool {
+        self.chunks.contains_key(&coord)
+    }
+
+    /// How many chunks have terrain.
+    pub fn terrain_count(&self) -> usize {
+        self.chunks.len()
+    }
+
+    /// Removes all terrain; the floating origin returns to zero.
+    pub fn clear(&mut self) {
+        *self = Self::new();
+    }
+
+    /// Moves the floating origin to `focus` (m), usually the player's feet, when that is more than
+    /// 512 m away from it. Nothing moves in physics space. A focus that is not finite is ignored.
+    pub fn recentre(&mut self, focus: DVec3) {
+        if !focus.is_finite() || (focus - self.origin).abs().max_element() <= RECENTRE_BEYOND_M {
+            return;
+        }
+        self.origin = (focus / ORIGIN_STEP_M).round() * ORIGIN_STEP_M;
+        for (handle, collider) in self.colliders.iter_mut() {
+            if let Some(ground) = self.grounds.get(&handle.into_raw_parts().0) {
+                collider.set_translation((ground.origin - self.origin).as_vec3());
+            }
+        }
+        let mut boxes: Vec<(u32, Aabb)> = self
+            .grounds
+            .iter()
+            .map(|(&index, ground)| (index, standing_box(&ground.collider, ground.origin - self.origin)))
+            .collect();
+        boxes.sort_unstable_by_key(|&(index, _)| index);
+        let leaves = boxes.into_iter().map(|(index, bounds)| (index as usize, bounds));
+        self.tree = Bvh::from_iter(BvhBuildStrategy::default(), leaves);
+        self.forget_changes();
+    }
+
+    /// Where the floating origin stands in physics space (m); multiples of 32.
+    pub fn origin(&self) -> DVec3 {
+        self.origin
+    }
+
+    pub(crate) fn queries(&self) -> QueryPipeline<'_> {
+        QueryPipeline {
+            dispatcher: &DefaultQueryDispatcher,
+            bvh: &self.tree,
+            bodies: &self.bodies,
+            colliders: &self.colliders,
+            filter: QueryFilter::default(),
+        }
+    }
+
+    /// The terrain whose box touches a box of physics space, in the order of the chunks, so that
+    /// the answer does not depend on the order in which they were loaded.
+    pub(crate) fn grounds_in(&self, min: DVec3, max: DVec3) -> Vec<&Ground> {
+        let wanted = Aabb::new((min - self.origin).as_vec3(), (max - self.origin).as_vec3());
+        let mut found: Vec<&Ground> =
+            self.tree.intersect_aabb(&wanted).filter_map(|index| self.grounds.get(&index)).collect();
+        found.sort_unstable_by_key(|ground| ground.coord);
+        found
+    }
+
+    fn take_out(&mut self, coord: ChunkCoord) {
+        let Some(handle) = self.chunks.remove(&coord) else { return };
+        let index = handle.into_raw_parts().0;
+        self.tree.remove(index);
+        self.grounds.remove(&index);
+        self.colliders.remove(handle, &mut self.islands, &mut self.bodies, &mut self.soft_bodies, false);
+        self.forget_changes();
+    }
+
+    /// Rapier notes what changed for its next step. Nothing steps yet, so the notes would only grow.
+    fn forget_changes(&mut self) {
+        self.colliders.take_modified();
+        self.colliders.take_removed();
+    }
+}
+
+fn standing_box(collider: &TerrainCollider, at: DVec3) -> Aabb {
+    let bounds = collider.bounds();
+    let (skin, at) = (glam::Vec3::splat(BOX_SKIN_M), at.as_vec3());
+    Aabb::new(bounds.mins + at - skin, bounds.maxs + at + skin)
+}

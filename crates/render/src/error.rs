@@ -1,0 +1,40 @@
+//! What can go wrong between us and a graphics adapter, as sentences for the player.
+
+use thiserror::Error;
+
+/// A failure of the graphics adapter, or a request it cannot meet.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum RenderError {
+    /// There is no adapter of the kind asked for.
+    #[error("No {wanted} was found on this machine ({found}). {advice}")]
+    NoAdapter {
+        /// The kind asked for, as a noun.
+        wanted: &'static str,
+        /// What there is instead.
+        found: String,
+        /// What the player can do.
+        advice: &'static str,
+    },
+    /// The adapter is there but will not open.
+    #[error(
+        "The graphics adapter {adapter} could not be opened: {why}. Update its driver, or start with --adapter software."
+    )]
+    NoDevice {
+        /// The adapter's name.
+        adapter: String,
+        /// The driver's words.
+        why: String,
+    },
+    /// The window system gives no surface to draw on.
+    #[error("The window cannot be drawn into: {0}. Check that the display's graphics driver is installed.")]
+    NoSurface(String),
+    /// The adapter was lost or stopped answering.
+    #[error("The graphics adapter was lost: {0}. Your world is safe; start the game again.")]
+    Lost(String),
+    /// A picture could not be read back.
+    #[error("A picture could not be read back from the graphics adapter: {0}. Try again, or use a smaller size.")]
+    Readback(String),
+    /// The options are outside what can be drawn.
+    #[error("The renderer cannot be set up: {0}.")]
+    Options(String),
+}

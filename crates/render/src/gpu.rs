@@ -1,0 +1,239 @@
+//! Opening a graphics adapter, with or without a window, and keeping watch over it.
+
+use std::fmt::Debug;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use wgpu::rwh::HasDisplayHandle;
+use wgpu::{Adapter, Backends, Device, DeviceType, Instance, Queue, Surface};
+
+use crate::error::RenderError;
+
+/// Which adapter to draw with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum AdapterChoice {
+    /// The fastest there is, a software one if need be.
+    #[default]
+    Auto,
+    /// A graphics card or none.
+    Gpu,
+    /// A software adapter or none.
+    Software,
+}
+
+impl AdapterChoice {
+    fn noun(self) -> &'static str {
+        match self {
+            Self::Auto => "graphics adapter",
+            Self::Gpu => "graphics card",
+            Self::Software => "software graphics adapter",
+        }
+    }
+
+    fn advice(self) -> &'static str {
+        match self {
+            Self::Auto => "Install a Vulkan, Metal or Direct3D 12 driver; on Linux, mesa-vulkan-drivers draws in software.",
+            Self::Gpu => "Install its Vulkan, Metal or Direct3D 12 driver, or start with --adapter auto.",
+            Self::Software => "On Linux, install mesa-vulkan-drivers; or start with --adapter auto.",
+        }
+    }
+
+    /// Lower is better; none is refused.
+    fn rank(self, kind: DeviceType) -> Option<u8> {
+        let software = kind == DeviceType::Cpu;
+        if (self == Self::Gpu && software) || (self == Self::Software && !software) {
+            return None;
+        }
+        Some(match kind {
+            DeviceType::DiscreteGpu => 0,
+            DeviceType::IntegratedGpu => 1,
+            DeviceType::VirtualGpu => 2,
+            DeviceType::Other => 3,
+            DeviceType::Cpu => 4,
+        })
+    }
+}
+
+/// What the adapter has told us behind our back.
+#[derive(Debug, Default)]
+struct Watch {
+    lost: Option<String>,
+    error: Option<String>,
+}
+
+/// An open adapter.
+#[derive(Debug)]
+pub struct Gpu {
+    /// The entry point that the adapter came from.
+    pub instance: Instance,
+    /// The adapter.
+    pub adapter: Adapter,
+    /// The open device.
+    pub device: Device,
+    /// The device's queue.
+    pub queue: Queue,
+    /// What the adapter says of itself.
+    pub info: wgpu::AdapterInfo,
+    watch: Arc<Mutex<Watch>>,
+}
+
+impl Gpu {
+    /// Opens an adapter that draws into memory.
+    ///
+    /// # Errors
+    /// When there is no adapter of the kind asked for, or it will not open.
+    pub fn headless(choice: AdapterChoice) -> Result<Self, RenderError> {
+        let instance = Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        let adapter = pick(&instance, choice, None)?;
+        Self::open(instance, adapter)
+    }
+
+    /// Opens an adapter that can draw into a window, and the window's surface.
+    ///
+    /// # Errors
+    /// When the window gives no surface, no adapter of the kind asked for can draw into it, or it will not open.
+    pub fn for_window<D, W>(
+        display: Box<D>,
+        window: W,
+        choice: AdapterChoice,
+    ) -> Result<(Self, Surface<'static>), RenderError>
+    where
+        D: HasDisplayHandle + Debug + Send + Sync + 'static,
+        W: Into<wgpu::SurfaceTarget<'static>>,
+    {
+        let instance = Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
+        let surface = instance.create_surface(window).map_err(|e| RenderError::NoSurface(e.to_string()))?;
+        let gpu = Self::for_surface(instance, &surface, choice)?;
+        Ok((gpu, surface))
+    }
+
+    /// Opens an adapter of the instance that can draw into its surface.
+    ///
+    /// # Errors
+    /// When no adapter of the kind asked for can draw into the surface, or it will not open.
+    pub fn for_surface(instance: Instance, surface: &Surface<'_>, choice: AdapterChoice) -> Result<Self, RenderError> {
+        let adapter = pick(&instance, choice, Some(surface))?;
+        Self::open(instance, adapter)
+    }
+
+    fn open(instance: Instance, adapter: Adapter) -> Result<Self, RenderError> {
+        let info = adapter.get_info();
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("antipode"),
+            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_limits: limits(&adapter),
+            ..Default::default()
+        };
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
+            .map_err(|e| RenderError::NoDevice { adapter: info.name.clone(), why: e.to_string() })?;
+        let watch = Arc::new(Mutex::new(Watch::default()));
+        let seen = Arc::clone(&watch);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            tracing::error!("graphics adapter: {error}");
+            lock(&seen).error = Some(error.to_string());
+        }));
+        let seen = Arc::clone(&watch);
+        device.set_device_lost_callback(move |reason, words| {
+            // Dropping the device at the end of the program is reported as well.
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                tracing::error!("graphics adapter lost: {words}");
+                lock(&seen).lost = Some(if words.is_empty() { "it gave no reason".to_owned() } else { words });
+            }
+        });
+        tracing::info!("drawing with {} ({:?}, {:?})", info.name, info.device_type, info.backend);
+        Ok(Self { instance, adapter, device, queue, info, watch })
+    }
+
+    /// The adapter's name.
+    pub fn name(&self) -> &str {
+        &self.info.name
+    }
+
+    /// Whether the adapter draws on the processor.
+    pub fn is_software(&self) -> bool {
+        self.info.device_type == DeviceType::Cpu
+    }
+
+    /// Why the adapter was lost, if it was.
+    pub fn lost(&self) -> Option<String> {
+        lock(&self.watch).lost.clone()
+    }
+
+    /// The last error that nobody waited for, if any; asking clears it.
+    pub fn take_error(&self) -> Option<String> {
+        lock(&self.watch).error.take()
+    }
+
+    /// Waits until everything submitted has been done.
+    ///
+    /// # Errors
+    /// When the adapter is lost or stops answering.
+    pub fn wait(&self) -> Result<(), RenderError> {
+        let waited = self.device.poll(wgpu::PollType::wait_indefinitely());
+        match (self.lost(), waited) {
+            (Some(why), _) => Err(RenderError::Lost(why)),
+            (None, Err(e)) => Err(RenderError::Lost(e.to_string())),
+            (None, Ok(_)) => Ok(()),
+        }
+    }
+}
+
+/// A watcher that panicked has still written a whole value.
+fn lock(watch: &Mutex<Watch>) -> MutexGuard<'_, Watch> {
+    watch.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The richest of the standard sets of limits that the adapter meets, with its own texture sizes.
+fn limits(adapter: &Adapter) -> wgpu::Limits {
+    let own = adapter.limits();
+    [wgpu::Limits::default(), wgpu::Limits::downlevel_defaults()]
+        .into_iter()
+        .find(|limits| limits.check_limits(&own))
+        .unwrap_or_else(wgpu::Limits::downlevel_webgl2_defaults)
+        .using_resolution(own)
+}
+
+/// The best adapter of the kind; OpenGL is asked only where nothing better is there.
+fn pick(instance: &Instance, choice: AdapterChoice, surface: Option<&Surface<'_>>) -> Result<Adapter, RenderError> {
+    let mut found = Vec::new();
+    for backends in [Backends::PRIMARY, Backends::SECONDARY] {
+        let adapters = pollster::block_on(instance.enumerate_adapters(backends));
+        found.extend(adapters.iter().map(|adapter| adapter.get_info().name));
+        let best = adapters
+            .into_iter()
+            .filter(|adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface)))
+            .filter_map(|adapter| Some((choice.rank(adapter.get_info().device_type)?, adapter)))
+            .min_by_key(|(rank, _)| *rank);
+        if let Some((_, adapter)) = best {
+            return Ok(adapter);
+        }
+    }
+    found.dedup();
+    let found = if found.is_empty() { "no adapter at all".to_owned() } else { format!("only {}", found.join(", ")) };
+    Err(RenderError::NoAdapter { wanted: choice.noun(), found, advice: choice.advice() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn auto_prefers_cards_to_software_and_the_others_refuse() {
+        let auto = |kind| AdapterChoice::Auto.rank(kind);
+        assert!(auto(DeviceType::DiscreteGpu) < auto(DeviceType::IntegratedGpu));
+        assert!(auto(DeviceType::Other) < auto(DeviceType::Cpu));
+        assert_eq!(AdapterChoice::Gpu.rank(DeviceType::Cpu), None);
+        assert_eq!(AdapterChoice::Software.rank(DeviceType::DiscreteGpu), None);
+        assert!(AdapterChoice::Software.rank(DeviceType::Cpu).is_some());
+    }
+
+    #[test]
+    fn a_missing_adapter_is_told_in_a_sentence_with_advice() {
+        let error = RenderError::NoAdapter {
+            wanted: AdapterChoice::Gpu.noun(),
+            found: "only llvmpipe".to_owned(),
+            advice: AdapterChoice::Gpu.advice(),
+        };
+        let words = error.to_string();
+        assert!(words.contains("No graphics card") && words.contains("llvmpipe") && words.contains("--adapter auto"));
+    }
+}

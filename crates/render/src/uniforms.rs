@@ -1,0 +1,238 @@
+//! What the shaders are told each frame, laid out as they read it.
+
+use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
+use antipode_scene::frame::Frame;
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Vec3};
+
+/// Strength of the contour bands, where they are drawn.
+const CONTOUR_STRENGTH: f32 = 0.24;
+/// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
+const GRAIN_PERIOD_M: f64 = 256.0;
+
+/// `Scene` of common.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct SceneUniform {
+    space: SpaceUniform,
+    right: [f32; 4],
+    up: [f32; 4],
+    front: [f32; 4],
+    top: [f32; 4],
+    horizon: [f32; 4],
+    glare: [f32; 4],
+    sun: [f32; 4],
+    moon: [f32; 4],
+    key_direction: [f32; 4],
+    key_colour: [f32; 4],
+    ambient_sky: [f32; 4],
+    ambient_ground: [f32; 4],
+}
+
+impl SceneUniform {
+    /// Everything the shaders need to know of a frame.
+    pub fn new(frame: &Frame) -> Self {
+        let (eye, sky) = (&frame.eye, &frame.sky);
+        let [_, sun_y, sun_z] = sky.sun_direction;
+        // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
+        let (sin, cos) = (sun_y, -sun_z);
+        let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
+        let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
+        Self {
+            space: frame.strategy.uniform(eye, &frame.projection),
+            right: with(eye.right().as_vec3(), frame.time_s),
+            up: with(eye.up().as_vec3(), if frame.contour_bands { CONTOUR_STRENGTH } else { 0.0 }),
+            front: with(eye.front().as_vec3(), frame.fog_distance_m.max(1.0)),
+            top: with(sky.top.into(), sky.stars),
+            horizon: with(sky.horizon.into(), f32::from(u8::from(sky.dome))),
+            glare: with(sky.glare.into(), sin / length),
+            sun: with(sky.sun_direction.into(), cos / length),
+            moon: with(sky.moon_direction.into(), rim_m),
+            key_direction: with(sky.key_direction.into(), 0.0),
+            key_colour: with(sky.key_colour.into(), 0.0),
+            ambient_sky: with(sky.ambient_sky.into(), 0.0),
+            ambient_ground: with(sky.ambient_ground.into(), 0.0),
+        }
+    }
+}
+
+fn with(v: Vec3, w: f32) -> [f32; 4] {
+    v.extend(w).into()
+}
+
+/// Where a chunk stands; the instance attributes of terrain.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct ChunkInstance {
+    /// The chunk's corner from the reference, metres.
+    pub offset: [f32; 3],
+    /// 0 or 1.
+    pub hemisphere: u32,
+    /// The chunk's corner wrapped to [-128, 128) metres.
+    pub world: [f32; 3],
+}
+
+impl ChunkInstance {
+    /// The chunk with its corner at `origin`, for positions relative to `reference`; both in chart metres.
+    pub fn new(origin: DVec3, hemisphere: Hemisphere, reference: DVec3) -> Self {
+        Self {
+            offset: (origin - reference).as_vec3().into(),
+            hemisphere: hemisphere_index(hemisphere),
+            world: origin.map(wrap_m).as_vec3().into(),
+        }
+    }
+
+    /// Attributes from location 3 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x3];
+}
+
+/// Wraps to [-128, 128): charts of closed worlds are smaller than that and stay as they are.
+fn wrap_m(x: f64) -> f64 {
+    (x + GRAIN_PERIOD_M / 2.0).rem_euclid(GRAIN_PERIOD_M) - GRAIN_PERIOD_M / 2.0
+}
+
+/// Where and how a figure stands; the instance attributes of figure.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct FigureInstance {
+    /// The feet from the reference, metres.
+    pub offset: [f32; 3],
+    /// 0 or 1.
+    pub hemisphere: u32,
+    /// Cosine and sine of the heading, angle of the swing in radians, rise of the body in metres.
+    pub pose: [f32; 4],
+}
+
+impl FigureInstance {
+    /// Attributes from location 4 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![4 => Float32x3, 5 => Uint32, 6 => Float32x4];
+}
+
+/// One ball of the marker; the instance attributes of marker.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct MarkerInstance {
+    /// The centre from the reference, metres.
+    pub offset: [f32; 3],
+    /// 0 or 1.
+    pub hemisphere: u32,
+    /// Linear light; last, the opacity seen face on.
+    pub colour: [f32; 4],
+    /// Radius in metres, opacity seen edge on, and room.
+    pub shape: [f32; 4],
+}
+
+impl MarkerInstance {
+    /// Attributes from location 1 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+        wgpu::vertex_attr_array![1 => Float32x3, 2 => Uint32, 3 => Float32x4, 4 => Float32x4];
+}
+
+/// The shaders' number of a hemisphere.
+pub fn hemisphere_index(hemisphere: Hemisphere) -> u32 {
+    match hemisphere {
+        Hemisphere::A => 0,
+        Hemisphere::B => 1,
+    }
+}
+
+/// A point as the shaders take it: metres from the reference of its chart.
+pub fn offset_of(frame: &Frame, point: ChartPoint) -> [f32; 3] {
+    (point.pos - frame.strategy.reference(&frame.eye, point.hemisphere)).as_vec3().into()
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+    use std::mem::{offset_of, size_of};
+
+    use naga::{Binding, Module, TypeInner};
+
+    use super::*;
+    use crate::shaders::tests::parse;
+    use crate::shaders::{FIGURE, MARKER, TERRAIN};
+
+    fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
+        let (_, ty) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).unwrap();
+        let TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
+        (members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect(), *span as usize)
+    }
+
+    #[test]
+    fn the_scene_is_laid_out_as_the_shaders_read_it() {
+        let (found, span) = members(&parse(TERRAIN), "Scene");
+        let ours = [
+            ("space", offset_of!(SceneUniform, space)),
+            ("right", offset_of!(SceneUniform, right)),
+            ("up", offset_of!(SceneUniform, up)),
+            ("front", offset_of!(SceneUniform, front)),
+            ("top", offset_of!(SceneUniform, top)),
+            ("horizon", offset_of!(SceneUniform, horizon)),
+            ("glare", offset_of!(SceneUniform, glare)),
+            ("sun", offset_of!(SceneUniform, sun)),
+            ("moon", offset_of!(SceneUniform, moon)),
+            ("key_direction", offset_of!(SceneUniform, key_direction)),
+            ("key_colour", offset_of!(SceneUniform, key_colour)),
+            ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
+            ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+        ];
+        assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
+        assert_eq!(span, size_of::<SceneUniform>());
+    }
+
+    #[test]
+    fn the_space_is_laid_out_as_the_shaders_read_it() {
+        let (found, span) = members(&parse(TERRAIN), "Space");
+        let ours = [
+            ("view", offset_of!(SpaceUniform, view)),
+            ("project", offset_of!(SpaceUniform, project)),
+            ("curve", offset_of!(SpaceUniform, curve)),
+            ("kind", offset_of!(SpaceUniform, kind)),
+        ];
+        assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
+        assert_eq!(span, size_of::<SpaceUniform>());
+    }
+
+    /// Locations and widths (in bytes) that a vertex stage reads.
+    fn inputs(module: &Module) -> Vec<(u32, u64)> {
+        let (_, ty) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some("VertexIn")).unwrap();
+        let TypeInner::Struct { members, .. } = &ty.inner else { panic!("VertexIn is no struct") };
+        members
+            .iter()
+            .filter_map(|m| match m.binding {
+                Some(Binding::Location { location, .. }) => {
+                    Some((location, u64::from(module.types[m.ty].inner.size(module.to_ctx()))))
+                }
+                _ => None,
+            })
+            .collect()
+    }
+
+    /// Instance attributes are full-width, so the buffer and the shader must agree byte for byte.
+    #[test]
+    fn instances_are_laid_out_as_the_shaders_read_them() {
+        let cases = [
+            (inputs(&parse(TERRAIN)), ChunkInstance::ATTRIBUTES.to_vec(), size_of::<ChunkInstance>()),
+            (inputs(&parse(FIGURE)), FigureInstance::ATTRIBUTES.to_vec(), size_of::<FigureInstance>()),
+            (inputs(&parse(MARKER)), MarkerInstance::ATTRIBUTES.to_vec(), size_of::<MarkerInstance>()),
+        ];
+        for (read, attributes, size) in cases {
+            let first = attributes[0].shader_location;
+            let ours: Vec<_> = attributes.iter().map(|a| (a.shader_location, a.format.size())).collect();
+            assert_eq!(read.into_iter().filter(|(at, _)| *at >= first).collect::<Vec<_>>(), ours);
+            assert_eq!(attributes.iter().map(|a| a.format.size()).sum::<u64>() as usize, size);
+        }
+    }
+
+    #[test]
+    fn chunks_far_away_keep_their_place_and_grain() {
+        let origin = DVec3::new(1_000_000.0 * 32.0, -32.0, 96.0);
+        let instance = ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
+        assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
+        assert_eq!(instance.hemisphere, 1);
+        assert_eq!(instance.world, [0.0, -32.0, 96.0]);
+        assert_eq!(wrap_m(128.0), -128.0);
+    }
+}

@@ -1,0 +1,36 @@
+//! What the player asks for in one simulation step, after key bindings have been applied.
+//!
+//! The simulation is a pure function of the saved world, the seed and the sequence of these.
+
+/// One step's wishes. Held actions are levels; the rest are events that happened since the last step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Actions {
+    /// Forward minus backward, -1 to 1.
+    pub forward: f64,
+    /// Right minus left, -1 to 1.
+    pub strafe: f64,
+    /// Sprint held.
+    pub sprint: bool,
+    /// Jump held; rises in flight.
+    pub jump: bool,
+    /// Sink held; only flight uses it.
+    pub sink: bool,
+    /// Turn to the right in radians.
+    pub look_yaw: f64,
+    /// Turn upwards in radians.
+    pub look_pitch: f64,
+    /// Primary use held: mine.
+    pub primary: bool,
+    /// Secondary use held: build.
+    pub secondary: bool,
+    /// Notches of the curvature dial, up positive.
+    pub dial: f64,
+    /// Slots to move along the hotbar, right positive.
+    pub slot_step: i32,
+    /// Slot chosen directly, 0 to 9.
+    pub slot: Option<u8>,
+    /// Change of the brush radius, in steps of a metre.
+    pub brush_step: i32,
+    /// Switch between first and third person.
+    pub toggle_camera: bool,
+}

@@ -1,0 +1,58 @@
+//! The camera: in the head, or behind and above the shoulder and never inside the ground.
+
+use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_physics::PhysicsWorld;
+use glam::DVec3;
+
+use crate::tuning::{CAMERA_RADIUS_M, THIRD_PERSON_BACK_M, THIRD_PERSON_UP_M};
+
+/// From where the player sees the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum CameraMode {
+    /// From the head.
+    #[default]
+    First,
+    /// From behind.
+    Third,
+}
+
+impl CameraMode {
+    /// The name used by the probe.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::First => "first",
+            Self::Third => "third",
+        }
+    }
+}
+
+/// The eye a picture is taken from, given the eye in the player's head.
+pub fn place(mode: CameraMode, head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
+    match mode {
+        CameraMode::First => *head,
+        CameraMode::Third => behind(head, strategy, physics),
+    }
+}
+
+/// Backs away from the head in two legs, up and then back, each as far as a small sphere finds room.
+fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
+    let origin = strategy.chart_origin_m(head.point.hemisphere);
+    let above = leg(
+        physics,
+        head.point.pos + origin,
+        DVec3::Y,
+        THIRD_PERSON_UP_M,
+    );
+    let back = leg(physics, above, -head.front(), THIRD_PERSON_BACK_M);
+    Eye {
+        point: ChartPoint::new(head.point.hemisphere, back - origin),
+        ..*head
+    }
+}
+
+fn leg(physics: &PhysicsWorld, from: DVec3, way: DVec3, length_m: f64) -> DVec3 {
+    let free_m = physics
+        .cast_sphere(from, way, CAMERA_RADIUS_M, length_m)
+        .unwrap_or(length_m);
+    from + way * free_m
+}

@@ -1,0 +1,253 @@
+//! The day: ten minutes of sun, dusk, moon and dawn, as colours and directions of light.
+//!
+//! Phases and their times follow the theses' cycle; colours are tuned in linear light.
+//! The sun rises at -z, stands overhead at 150 s and sets at +z; the moon crosses from -x, overhead at 450 s.
+
+use std::f64::consts::PI;
+
+use antipode_geometry::Strategy;
+use glam::Vec3;
+
+use crate::frame::Sky;
+use crate::tuning::DAY_S;
+
+/// Colours of one moment of the day, linear light.
+#[derive(Clone, Copy)]
+struct Palette {
+    at_s: f64,
+    top: Vec3,
+    horizon: Vec3,
+    glare: Vec3,
+    stars: f32,
+}
+
+const fn moment(
+    at_s: f64,
+    top: [f32; 3],
+    horizon: [f32; 3],
+    glare: [f32; 3],
+    stars: f32,
+) -> Palette {
+    Palette {
+        at_s,
+        top: Vec3::from_array(top),
+        horizon: Vec3::from_array(horizon),
+        glare: Vec3::from_array(glare),
+        stars,
+    }
+}
+
+/// The moments between which the sky is interpolated; the last wraps round to the first.
+const MOMENTS: [Palette; 10] = [
+    moment(
+        0.0,
+        [0.10, 0.26, 0.50],
+        [0.78, 0.36, 0.14],
+        [1.00, 0.34, 0.08],
+        0.25,
+    ),
+    moment(
+        35.0,
+        [0.10, 0.27, 0.66],
+        [0.56, 0.70, 0.86],
+        [1.00, 0.88, 0.68],
+        0.0,
+    ),
+    moment(
+        150.0,
+        [0.08, 0.25, 0.68],
+        [0.52, 0.70, 0.90],
+        [1.00, 0.96, 0.88],
+        0.0,
+    ),
+    moment(
+        255.0,
+        [0.09, 0.25, 0.62],
+        [0.60, 0.66, 0.78],
+        [1.00, 0.84, 0.58],
+        0.0,
+    ),
+    moment(
+        300.0,
+        [0.035, 0.055, 0.16],
+        [0.80, 0.24, 0.10],
+        [1.00, 0.42, 0.10],
+        0.2,
+    ),
+    moment(
+        330.0,
+        [0.020, 0.018, 0.085],
+        [0.20, 0.080, 0.13],
+        [0.60, 0.22, 0.16],
+        0.6,
+    ),
+    moment(
+        390.0,
+        [0.0030, 0.0048, 0.016],
+        [0.012, 0.020, 0.046],
+        [0.05, 0.05, 0.08],
+        1.0,
+    ),
+    moment(
+        510.0,
+        [0.0030, 0.0048, 0.016],
+        [0.012, 0.020, 0.046],
+        [0.05, 0.05, 0.08],
+        1.0,
+    ),
+    moment(
+        560.0,
+        [0.018, 0.045, 0.15],
+        [0.12, 0.12, 0.22],
+        [0.50, 0.20, 0.16],
+        0.7,
+    ),
+    moment(
+        600.0,
+        [0.10, 0.26, 0.50],
+        [0.78, 0.36, 0.14],
+        [1.00, 0.34, 0.08],
+        0.25,
+    ),
+];
+
+const MOON_COLOUR: Vec3 = Vec3::new(0.30, 0.36, 0.52);
+/// Light over a spherical world, which has no sun: straight down, always.
+const ZENITH_LIGHT: Vec3 = Vec3::new(1.05, 1.0, 0.92);
+
+/// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) in the given space.
+pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy) -> Sky {
+    if strategy.has_sky() {
+        dome(time_of_day_s)
+    } else {
+        enclosed()
+    }
+}
+
+fn dome(time_of_day_s: f64) -> Sky {
+    let time_s = time_of_day_s.rem_euclid(DAY_S);
+    let now = palette_at(time_s);
+    let angle = time_s / (DAY_S / 2.0) * PI;
+    let sun = Vec3::new(0.28, angle.sin() as f32, -angle.cos() as f32).normalize();
+    let moon_angle = angle - PI;
+    let moon = Vec3::new(-moon_angle.cos() as f32, moon_angle.sin() as f32, 0.25).normalize();
+    // Each light fades as it nears the horizon, so the hand-over between sun and moon shows no step.
+    let sunlight = smooth(-0.05, 0.18, sun.y);
+    let moonlight = smooth(-0.02, 0.25, moon.y) * (1.0 - sunlight);
+    let sun_colour = now.glare * (2.6 * sunlight);
+    let moon_colour = MOON_COLOUR * (0.55 * moonlight);
+    let (key_direction, key_colour) = if sun_colour.length() >= moon_colour.length() {
+        (sun, sun_colour)
+    } else {
+        (moon, moon_colour)
+    };
+    let ambient_sky = now.top * 0.55 + now.horizon * 0.35 + Vec3::new(0.022, 0.026, 0.042);
+    let ambient_ground = now.horizon * 0.22 + Vec3::new(0.014, 0.013, 0.014);
+    Sky {
+        top: now.top.into(),
+        horizon: now.horizon.into(),
+        glare: now.glare.into(),
+        stars: now.stars,
+        sun_direction: sun.into(),
+        moon_direction: moon.into(),
+        key_direction: key_direction.into(),
+        key_colour: key_colour.into(),
+        ambient_sky: ambient_sky.into(),
+        ambient_ground: ambient_ground.into(),
+        dome: true,
+    }
+}
+
+fn enclosed() -> Sky {
+    let haze = [0.50, 0.62, 0.74];
+    Sky {
+        top: haze,
+        horizon: haze,
+        glare: [1.0, 0.96, 0.9],
+        stars: 0.0,
+        sun_direction: Vec3::Y.into(),
+        moon_direction: Vec3::NEG_Y.into(),
+        key_direction: Vec3::Y.into(),
+        key_colour: (ZENITH_LIGHT * 1.5).into(),
+        ambient_sky: [0.34, 0.40, 0.48],
+        ambient_ground: [0.20, 0.18, 0.16],
+        dome: false,
+    }
+}
+
+fn palette_at(time_s: f64) -> Palette {
+    let after = MOMENTS
+        .iter()
+        .position(|m| m.at_s > time_s)
+        .unwrap_or(MOMENTS.len() - 1)
+        .max(1);
+    let (a, b) = (MOMENTS[after - 1], MOMENTS[after]);
+    let t = (((time_s - a.at_s) / (b.at_s - a.at_s)) as f32).clamp(0.0, 1.0);
+    Palette {
+        at_s: time_s,
+        top: a.top.lerp(b.top, t),
+        horizon: a.horizon.lerp(b.horizon, t),
+        glare: a.glare.lerp(b.glare, t),
+        stars: a.stars + (b.stars - a.stars) * t,
+    }
+}
+
+fn smooth(from: f32, to: f32, x: f32) -> f32 {
+    let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    fn at(time_s: f64) -> Sky {
+        sky(time_s, &*strategy(Geometry::Euclidean, 0.0))
+    }
+
+    #[test]
+    fn the_sun_stands_overhead_at_noon_and_the_moon_at_midnight() {
+        assert!(at(150.0).sun_direction[1] > 0.95);
+        assert!(at(450.0).moon_direction[1] > 0.95);
+        assert!(at(450.0).sun_direction[1] < -0.95);
+    }
+
+    #[test]
+    fn the_sky_changes_without_a_step_all_day_and_over_midnight() {
+        for tick in 0..6000 {
+            let (a, b) = (at(f64::from(tick) * 0.1), at(f64::from(tick + 1) * 0.1));
+            for (x, y) in a.horizon.iter().zip(b.horizon) {
+                assert!(
+                    (x - y).abs() < 0.01,
+                    "horizon jumps at {} s",
+                    f64::from(tick) * 0.1
+                );
+            }
+            for (x, y) in a.ambient_sky.iter().zip(b.ambient_sky) {
+                assert!((x - y).abs() < 0.01);
+            }
+        }
+    }
+
+    #[test]
+    fn no_moment_is_without_light() {
+        for tick in 0..600 {
+            let sky = at(f64::from(tick));
+            assert!(
+                sky.ambient_sky.iter().all(|c| *c > 0.01),
+                "black at {tick} s"
+            );
+        }
+    }
+
+    #[test]
+    fn a_spherical_world_is_lit_from_above_at_every_hour() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let noon = sky(150.0, &*sphere);
+        assert_eq!(noon, sky(450.0, &*sphere));
+        assert_eq!(noon.key_direction, [0.0, 1.0, 0.0]);
+        assert!(!noon.dome);
+    }
+}

@@ -1,0 +1,102 @@
+//! The snapshot of one moment that the scene fills and the renderer draws: plain data, no behaviour of the game.
+//!
+//! Directions and positions are in chart coordinates; colours are linear light, not sRGB.
+
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Projection, Strategy};
+use antipode_terrain::ChunkMesh;
+
+/// Everything needed to draw one picture.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// Where the picture is taken from.
+    pub eye: Eye,
+    /// Field of view, aspect and near distance.
+    pub projection: Projection,
+    /// The space the picture is taken in.
+    pub strategy: Arc<dyn Strategy>,
+    /// Sky and light of the moment.
+    pub sky: Sky,
+    /// Terrain meshes that appeared, changed or went since the last frame, in order.
+    pub chunk_changes: Vec<ChunkChange>,
+    /// Figures standing in the world.
+    pub figures: Vec<Figure>,
+    /// The brush marker, when a tool is held and points at something.
+    pub marker: Option<Marker>,
+    /// Distance in metres, measured in the space, at which the fog is complete.
+    pub fog_distance_m: f32,
+    /// Whether faint contour bands are drawn on the land.
+    pub contour_bands: bool,
+    /// Simulated time since the world was made, in seconds.
+    pub time_s: f32,
+    /// Identifies the world; when it differs from the last frame's, every chunk of the old one is dropped first.
+    pub loaded_world: u64,
+}
+
+/// A change to the terrain meshes held by the renderer.
+#[derive(Clone, Debug)]
+pub enum ChunkChange {
+    /// Insert or replace the chunk's mesh; an empty mesh draws nothing.
+    Put(ChunkCoord, Arc<ChunkMesh>),
+    /// Forget the chunk.
+    Remove(ChunkCoord),
+}
+
+/// Sky and light of a moment. Colours are linear light; directions are unit vectors in the chart at the eye.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sky {
+    /// Colour straight up.
+    pub top: [f32; 3],
+    /// Colour at the horizon, and of the fog.
+    pub horizon: [f32; 3],
+    /// Colour of the sun's disc and glow.
+    pub glare: [f32; 3],
+    /// How visible the stars are, 0 to 1.
+    pub stars: f32,
+    /// Towards the sun.
+    pub sun_direction: [f32; 3],
+    /// Towards the moon.
+    pub moon_direction: [f32; 3],
+    /// Towards the light that casts the key (sun or moon).
+    pub key_direction: [f32; 3],
+    /// Key light's colour times strength.
+    pub key_colour: [f32; 3],
+    /// Ambient light from above.
+    pub ambient_sky: [f32; 3],
+    /// Ambient light from below.
+    pub ambient_ground: [f32; 3],
+    /// Whether there is a sky to draw at all; a spherical world has none.
+    pub dome: bool,
+}
+
+/// Which model a figure is drawn with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ModelId {
+    /// The player's astronaut.
+    Astronaut,
+}
+
+/// A figure standing in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Figure {
+    /// The model.
+    pub model: ModelId,
+    /// Where its feet are.
+    pub point: ChartPoint,
+    /// The way it faces, radians, 0 along +x and a quarter turn along +z.
+    pub yaw: f64,
+    /// Phase of the walk in radians; legs and arms swing with its sine.
+    pub stride: f32,
+}
+
+/// The brush marker.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Marker {
+    /// Centre of the brush.
+    pub point: ChartPoint,
+    /// Radius of the brush in metres.
+    pub radius_m: f64,
+    /// Whether it is digging or building at the moment.
+    pub active: bool,
+}

@@ -1,0 +1,27 @@
+//! The ECS-lite world and its rules, advanced one fixed step at a time.
+//!
+//! The scene is Euclidean: everything here is authored in chart metres. Which space a world is in is asked
+//! nowhere; the strategy answers where it matters.
+
+pub mod actions;
+pub mod camera;
+pub mod day;
+pub mod dial;
+pub mod frame;
+pub mod ground;
+pub mod item;
+pub mod persist;
+pub mod pick;
+pub mod player;
+pub mod probe;
+mod scene;
+mod spawn;
+mod step;
+mod stream;
+pub mod tuning;
+
+pub use actions::Actions;
+pub use camera::CameraMode;
+pub use item::{Inventory, Item};
+pub use probe::Probe;
+pub use scene::{Scene, SceneError, WorldSetup};

@@ -1,0 +1,207 @@
+//! The player's components and how they are carried over the equator.
+
+use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_physics::Character;
+use glam::DVec3;
+
+use crate::actions::Actions;
+use crate::frame::ModelId;
+use crate::tuning::{EYE_HEIGHT_M, FULL_HEALTH, PITCH_LIMIT_RAD, STRIDE_M_PER_RAD};
+
+/// Where an entity's feet are, in the chart of the hemisphere it is in.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Position(pub ChartPoint);
+
+/// The way an entity looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Heading in radians, 0 along +x, a quarter turn along +z; kept within (-pi, pi].
+    pub yaw: f64,
+    /// Elevation in radians, up positive.
+    pub pitch: f64,
+}
+
+impl Look {
+    /// Turns by the angles given in radians, keeping short of the vertical.
+    pub fn turn(&mut self, yaw: f64, pitch: f64) {
+        self.yaw = wrap_angle(self.yaw + yaw);
+        self.pitch = (self.pitch + pitch).clamp(-PITCH_LIMIT_RAD, PITCH_LIMIT_RAD);
+    }
+
+    /// The unit ground direction of the heading.
+    pub fn heading(&self) -> DVec3 {
+        DVec3::new(self.yaw.cos(), 0.0, self.yaw.sin())
+    }
+}
+
+/// An entity's capsule.
+#[derive(Clone, Debug)]
+pub struct Body(pub Character);
+
+/// How much harm an entity can take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Health(pub f64);
+
+/// What an entity is drawn as, and the phase of its walk.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Appearance {
+    /// The model.
+    pub model: ModelId,
+    /// Walk phase in radians.
+    pub stride: f64,
+}
+
+/// The components a player begins with at `point`, feet on the ground, looking along `yaw`.
+pub fn components(point: ChartPoint, yaw: f64) -> (Position, Look, Body, Health, Appearance) {
+    (
+        Position(point),
+        Look { yaw, pitch: 0.0 },
+        Body(Character::at(point.pos)),
+        Health(FULL_HEALTH),
+        Appearance {
+            model: ModelId::Astronaut,
+            stride: 0.0,
+        },
+    )
+}
+
+/// The unit-or-shorter ground direction the player wants to go, in the chart.
+pub fn wish(actions: &Actions, look: &Look) -> DVec3 {
+    let ahead = look.heading();
+    let right = DVec3::new(-ahead.z, 0.0, ahead.x);
+    (ahead * actions.forward + right * actions.strafe).clamp_length_max(1.0)
+}
+
+/// Carries a body over the equator when it has left its hemisphere; returns whether it did.
+/// Position, velocity and heading all turn with the chart, so in the space nothing changes.
+pub fn cross(
+    strategy: &dyn Strategy,
+    position: &mut Position,
+    look: &mut Look,
+    body: &mut Body,
+) -> bool {
+    let Some(crossing) = strategy.cross(position.0) else {
+        return false;
+    };
+    position.0 = crossing.point;
+    look.yaw = wrap_angle(look.yaw - crossing.turn_rad);
+    body.0.velocity = crossing.turn_vector(body.0.velocity);
+    true
+}
+
+/// The eye of a first-person view.
+pub fn eye(position: &Position, look: &Look, dial: f64) -> Eye {
+    let mut point = position.0;
+    point.pos.y += EYE_HEIGHT_M;
+    Eye {
+        point,
+        yaw: look.yaw,
+        pitch: look.pitch,
+        dial,
+    }
+}
+
+/// Advances the walk by the ground covered; standing still lets it come to rest.
+pub fn walk(appearance: &mut Appearance, ground_speed_m_s: f64, grounded: bool, dt_s: f64) {
+    if grounded && ground_speed_m_s > 0.3 {
+        appearance.stride = (appearance.stride + ground_speed_m_s * dt_s / STRIDE_M_PER_RAD)
+            .rem_euclid(std::f64::consts::TAU);
+    } else {
+        appearance.stride *= 1.0 - (8.0 * dt_s).min(1.0);
+    }
+}
+
+/// The angle within (-pi, pi].
+pub fn wrap_angle(angle_rad: f64) -> f64 {
+    use std::f64::consts::{PI, TAU};
+    PI - (PI - angle_rad).rem_euclid(TAU)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use antipode_geometry::{Geometry, Hemisphere, strategy};
+
+    use super::*;
+
+    #[test]
+    fn angles_wrap_to_one_turn() {
+        assert!((wrap_angle(3.0 * PI) - PI).abs() < 1e-12);
+        assert!((wrap_angle(-3.0 * PI) - PI).abs() < 1e-12);
+        assert!((wrap_angle(-0.5) + 0.5).abs() < 1e-15);
+    }
+
+    #[test]
+    fn forward_goes_where_one_looks_and_strafe_to_the_right_of_it() {
+        let look = Look {
+            yaw: FRAC_PI_2,
+            pitch: 0.3,
+        };
+        let go = wish(
+            &Actions {
+                forward: 1.0,
+                ..Actions::default()
+            },
+            &look,
+        );
+        assert!((go - DVec3::Z).length() < 1e-12);
+        let side = wish(
+            &Actions {
+                strafe: 1.0,
+                ..Actions::default()
+            },
+            &look,
+        );
+        assert!((side - DVec3::NEG_X).length() < 1e-12);
+        let both = wish(
+            &Actions {
+                forward: 1.0,
+                strafe: 1.0,
+                ..Actions::default()
+            },
+            &look,
+        );
+        assert!((both.length() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_view_never_passes_the_vertical() {
+        let mut look = Look {
+            yaw: 0.0,
+            pitch: 0.0,
+        };
+        look.turn(0.0, 10.0);
+        assert!(look.pitch < FRAC_PI_2);
+        look.turn(0.0, -20.0);
+        assert!(look.pitch > -FRAC_PI_2);
+    }
+
+    #[test]
+    fn over_the_equator_a_body_keeps_its_speed_and_its_way_through_the_space() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let rim = sphere.rim_m().unwrap_or(0.0);
+        let point = ChartPoint::a(DVec3::new(rim + 0.3, 8.0, 0.0));
+        let (mut position, mut look, mut body, ..) = components(point, 0.4);
+        body.0.velocity = DVec3::new(3.0, -1.0, 2.0);
+        let before = sphere.distance_m(
+            point,
+            ChartPoint::a(DVec3::new(rim - 5.0, 8.0, 0.0)),
+            &eye(&position, &look, 0.0),
+        );
+        assert!(cross(&*sphere, &mut position, &mut look, &mut body));
+        assert_eq!(position.0.hemisphere, Hemisphere::B);
+        assert!((body.0.velocity.length() - 14f64.sqrt()).abs() < 1e-9);
+        assert!((body.0.velocity.y + 1.0).abs() < 1e-12);
+        let after = sphere.distance_m(
+            position.0,
+            ChartPoint::a(DVec3::new(rim - 5.0, 8.0, 0.0)),
+            &eye(&position, &look, 0.0),
+        );
+        assert!((before - after).abs() < 1e-9);
+        assert!(
+            !cross(&*sphere, &mut position, &mut look, &mut body),
+            "stands firmly in the other hemisphere"
+        );
+    }
+}

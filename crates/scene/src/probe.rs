@@ -1,0 +1,113 @@
+//! The probe: what a script may ask of the simulation, as plain data with stable names.
+
+use serde::Serialize;
+
+use crate::item::Stack;
+
+/// State of the world at one moment. SI units, chart coordinates.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Probe {
+    /// Simulated time since the world was made, seconds.
+    pub t: f64,
+    /// The world's name.
+    pub world: String,
+    /// Its seed.
+    pub seed: u64,
+    /// Its geometry: `euclidean`, `hyperbolic` or `spherical`.
+    pub geometry: String,
+    /// Radius of curvature in metres; null where space is flat.
+    pub radius: Option<f64>,
+    /// Hyperbolic map in use; null elsewhere.
+    pub map: Option<&'static str>,
+    /// Curvature dial in metres; null where the space has none.
+    pub curvature: Option<f64>,
+    /// Time of day in seconds, 0 to 600.
+    pub time_of_day: f64,
+    /// The player.
+    pub player: PlayerProbe,
+    /// The camera.
+    pub camera: CameraProbe,
+    /// Id of the item in hand; null for an empty hand.
+    pub item: Option<&'static str>,
+    /// Filled slots of the hotbar.
+    pub inventory: Vec<SlotProbe>,
+    /// The brush marker.
+    pub marker: MarkerProbe,
+    /// Terrain chunks.
+    pub chunks: ChunkProbe,
+    /// The ground under the player.
+    pub terrain: TerrainProbe,
+}
+
+/// The player in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PlayerProbe {
+    /// Feet, metres.
+    pub pos: [f64; 3],
+    /// Velocity, metres per second.
+    pub vel: [f64; 3],
+    /// Heading, degrees.
+    pub yaw: f64,
+    /// Elevation of the view, degrees.
+    pub pitch: f64,
+    /// Whether the feet stand on ground.
+    pub grounded: bool,
+    /// Health, 0 to 20.
+    pub health: f64,
+    /// `A` or `B`.
+    pub hemisphere: char,
+    /// Whether the player sits in a car.
+    pub in_car: bool,
+    /// What the figure is doing: `idle`, `walk`, `run`, `jump` or `fly`.
+    pub animation: &'static str,
+}
+
+/// The camera in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CameraProbe {
+    /// Eye, metres.
+    pub pos: [f64; 3],
+    /// `first` or `third`.
+    pub mode: &'static str,
+    /// The eye as a point of the space's model, in units of the radius.
+    pub curved: [f64; 4],
+}
+
+/// One filled slot in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SlotProbe {
+    /// Slot, 0 to 9.
+    pub slot: u8,
+    /// The stack, as `item` and `count`.
+    #[serde(flatten)]
+    pub stack: Stack,
+}
+
+/// The brush marker in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MarkerProbe {
+    /// Centre, metres; null when no tool is in hand.
+    pub pos: Option<[f64; 3]>,
+    /// Brush radius, metres.
+    pub radius: f64,
+}
+
+/// Terrain chunks in a probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ChunkProbe {
+    /// Chunks with a surface that are resident.
+    pub resident: usize,
+    /// Work not finished yet.
+    pub pending: usize,
+    /// Triangles of all resident chunks.
+    pub triangles: usize,
+    /// Chunks the player changed.
+    pub edited: usize,
+}
+
+/// The ground under the player in a probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TerrainProbe {
+    /// Height of the first ground below the player's head, metres; null when there is none near.
+    pub ground_height: Option<f64>,
+}

@@ -1,0 +1,346 @@
+//! The scene: one world, its player and its ground, and what others may ask of it.
+
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
+use antipode_physics::{CharacterTuning, PhysicsWorld};
+use antipode_storage::{StorageError, WorldStore};
+use antipode_streaming::{Config, Streamer, StreamingError};
+use antipode_terrain::{Biome, Field};
+use hecs::Entity;
+use thiserror::Error;
+
+use crate::camera::{self, CameraMode};
+use crate::day;
+use crate::dial::CurvatureDial;
+use crate::frame::{Figure, Frame, Marker};
+use crate::ground::Ground;
+use crate::item::Inventory;
+use crate::player::{self, Appearance, Body, Health, Look, Position};
+use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, VIEW_DISTANCE_CHUNKS};
+
+/// Why a world could not be opened.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// Its save could not be read.
+    #[error(transparent)]
+    Storage(#[from] StorageError),
+    /// Its chunk workers could not be started.
+    #[error(transparent)]
+    Streaming(#[from] StreamingError),
+    /// Its save names a geometry this program does not know.
+    #[error(
+        "The world \"{name}\" is in a space this version does not know (\"{geometry}\"). A newer version of the game may open it."
+    )]
+    UnknownGeometry {
+        /// The world's name.
+        name: String,
+        /// What the save says.
+        geometry: String,
+    },
+}
+
+/// What makes a world the one it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldSetup {
+    /// Its name.
+    pub name: String,
+    /// Seed of its terrain.
+    pub seed: u64,
+    /// Its geometry.
+    pub geometry: Geometry,
+    /// Radius of curvature in metres; ignored where space is flat.
+    pub radius_m: f64,
+    /// How far chunks are loaded, in chunks.
+    pub view_distance: u32,
+}
+
+/// One world being played.
+pub struct Scene {
+    pub(crate) setup: WorldSetup,
+    pub(crate) strategy: Arc<dyn Strategy>,
+    pub(crate) streamer: Streamer,
+    pub(crate) physics: PhysicsWorld,
+    pub(crate) ground: Ground,
+    pub(crate) ecs: hecs::World,
+    pub(crate) player: Entity,
+    pub(crate) tuning: CharacterTuning,
+    pub(crate) inventory: Inventory,
+    pub(crate) dial: CurvatureDial,
+    pub(crate) camera: CameraMode,
+    pub(crate) brush_radius_m: f64,
+    pub(crate) marker: Option<Marker>,
+    pub(crate) flying: bool,
+    pub(crate) time_of_day_s: f64,
+    pub(crate) simulated_s: f64,
+    pub(crate) saved_at_s: f64,
+    pub(crate) contour_bands: bool,
+    pub(crate) notices: Vec<String>,
+    pub(crate) stored: bool,
+    pub(crate) save_problem: Option<String>,
+    pub(crate) created_unix_s: u64,
+}
+
+impl std::fmt::Debug for Scene {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Scene")
+            .field("setup", &self.setup)
+            .field("simulated_s", &self.simulated_s)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Scene {
+    /// Opens a world: the state its store holds if it has one, else a new player on fresh ground.
+    ///
+    /// # Errors
+    /// When the store cannot be read or the chunk workers cannot start.
+    pub fn open(setup: WorldSetup, store: Option<Arc<WorldStore>>) -> Result<Self, SceneError> {
+        let strategy = strategy(setup.geometry, setup.radius_m);
+        let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
+        let saved = store.as_ref().map(|s| s.state()).transpose()?.flatten();
+        let created_unix_s = store.as_ref().map_or(0, |s| s.meta().created_unix_s);
+        let stored = store.is_some();
+        let streamer = Streamer::start(
+            Arc::clone(&field),
+            Arc::clone(&strategy),
+            store,
+            Config::default(),
+        )?;
+        let mut ecs = hecs::World::new();
+        let start = crate::spawn::spawn_point(&field);
+        let player = ecs.spawn(player::components(start, crate::spawn::FIRST_YAW_RAD));
+        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
+        let view_distance = setup.view_distance.clamp(least, most);
+        let mut scene = Self {
+            setup: WorldSetup {
+                view_distance,
+                ..setup
+            },
+            ground: Ground::new(field, Arc::clone(&strategy)),
+            dial: CurvatureDial::new(strategy.dial()),
+            strategy,
+            streamer,
+            physics: PhysicsWorld::new(),
+            ecs,
+            player,
+            tuning: CharacterTuning::default(),
+            inventory: Inventory::default(),
+            camera: CameraMode::First,
+            brush_radius_m: BRUSH_RADIUS_M.2,
+            marker: None,
+            flying: false,
+            time_of_day_s: DAY_START_S,
+            simulated_s: 0.0,
+            saved_at_s: 0.0,
+            contour_bands: true,
+            notices: Vec::new(),
+            stored,
+            save_problem: None,
+            created_unix_s,
+        };
+        if let Some(state) = saved {
+            scene.restore(&state);
+        }
+        scene.request_ground();
+        Ok(scene)
+    }
+
+    /// What makes this world the one it is.
+    pub fn setup(&self) -> &WorldSetup {
+        &self.setup
+    }
+
+    /// Name of the biome of this seed.
+    pub fn biome(&self) -> &'static str {
+        Biome::from_seed(self.setup.seed).name
+    }
+
+    /// The space's strategy.
+    pub fn strategy(&self) -> &Arc<dyn Strategy> {
+        &self.strategy
+    }
+
+    /// The player's hotbar.
+    pub fn inventory(&self) -> &Inventory {
+        &self.inventory
+    }
+
+    /// The player's hotbar, to change it.
+    pub fn inventory_mut(&mut self) -> &mut Inventory {
+        &mut self.inventory
+    }
+
+    /// The curvature dial.
+    pub fn dial(&self) -> &CurvatureDial {
+        &self.dial
+    }
+
+    /// The curvature dial, to set it.
+    pub fn dial_mut(&mut self) -> &mut CurvatureDial {
+        &mut self.dial
+    }
+
+    /// Radius of the brush in metres.
+    pub fn brush_radius_m(&self) -> f64 {
+        self.brush_radius_m
+    }
+
+    /// Time of day in seconds, 0 to 600.
+    pub fn time_of_day_s(&self) -> f64 {
+        self.time_of_day_s
+    }
+
+    /// Sets the time of day in seconds; it wraps at a day's length.
+    pub fn set_time_of_day_s(&mut self, time_s: f64) {
+        self.time_of_day_s = time_s.rem_euclid(crate::tuning::DAY_S);
+    }
+
+    /// Simulated time since the world was made, in seconds.
+    pub fn simulated_s(&self) -> f64 {
+        self.simulated_s
+    }
+
+    /// Whether the player flies as a spectator.
+    pub fn flying(&self) -> bool {
+        self.flying
+    }
+
+    /// Lets the player fly as a spectator, through everything and without weight, or walk again.
+    pub fn set_flying(&mut self, flying: bool) {
+        self.flying = flying;
+    }
+
+    /// How far chunks are loaded.
+    pub fn view_distance(&self) -> u32 {
+        self.setup.view_distance
+    }
+
+    /// Sets how far chunks are loaded, within the allowed range.
+    pub fn set_view_distance(&mut self, chunks: u32) {
+        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
+        self.setup.view_distance = chunks.clamp(least, most);
+        self.request_ground();
+    }
+
+    /// Sets the player's health, kept within 0 and full.
+    pub fn set_health(&mut self, health: f64) {
+        if let Ok(mut own) = self.ecs.get::<&mut Health>(self.player) {
+            own.0 = health.clamp(0.0, crate::tuning::FULL_HEALTH);
+        }
+    }
+
+    /// Points the view, in radians.
+    pub fn aim(&mut self, yaw_rad: f64, pitch_rad: f64) {
+        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+            *look = Look {
+                yaw: 0.0,
+                pitch: 0.0,
+            };
+            look.turn(yaw_rad, pitch_rad);
+        }
+        self.update_marker();
+    }
+
+    /// Moves the player's feet to a point and stops it. Ground there is asked for at once.
+    pub fn teleport(&mut self, point: ChartPoint) {
+        if let Ok((position, body)) = self
+            .ecs
+            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+        {
+            position.0 = point;
+            body.0 = antipode_physics::Character::at(point.pos);
+        }
+        self.request_ground();
+    }
+
+    /// The player's feet, view and body.
+    pub(crate) fn player_parts(&self) -> (Position, Look, Body, Appearance) {
+        let fallback = || {
+            let (p, l, b, _, a) = player::components(ChartPoint::a(glam::DVec3::ZERO), 0.0);
+            (p, l, b, a)
+        };
+        self.ecs
+            .query_one::<(&Position, &Look, &Body, &Appearance)>(self.player)
+            .get()
+            .map_or_else(|_| fallback(), |(p, l, b, a)| (*p, *l, b.clone(), *a))
+    }
+
+    /// Where the player's feet are.
+    pub fn feet(&self) -> ChartPoint {
+        self.player_parts().0.0
+    }
+
+    /// The eye in the player's head.
+    pub fn head(&self) -> Eye {
+        let (position, look, ..) = self.player_parts();
+        player::eye(&position, &look, self.dial.value())
+    }
+
+    /// The eye the picture is taken from.
+    pub fn eye(&self) -> Eye {
+        camera::place(self.camera, &self.head(), &*self.strategy, &self.physics)
+    }
+
+    /// From where the player sees the world.
+    pub fn camera_mode(&self) -> CameraMode {
+        self.camera
+    }
+
+    /// The brush marker, if a tool is in hand.
+    pub fn marker(&self) -> Option<Marker> {
+        self.marker
+    }
+
+    /// Sentences for the player that have come up since they were last taken.
+    pub fn take_notices(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// The snapshot to draw. Terrain changes are handed over once.
+    pub fn frame(&mut self, fov_y_rad: f64, aspect: f64, world_id: u64) -> Frame {
+        let eye = self.eye();
+        Frame {
+            eye,
+            projection: Projection::new(fov_y_rad, aspect, NEAR_M),
+            strategy: Arc::clone(&self.strategy),
+            sky: day::sky(self.time_of_day_s, &*self.strategy),
+            chunk_changes: self.ground.take_changes(),
+            figures: self.figures(),
+            marker: self.marker,
+            fog_distance_m: self.fog_distance_m(),
+            contour_bands: self.contour_bands,
+            time_s: self.simulated_s as f32,
+            loaded_world: world_id,
+        }
+    }
+
+    fn figures(&self) -> Vec<Figure> {
+        let mut seen = Vec::new();
+        for (entity, position, look, appearance) in self
+            .ecs
+            .query::<(Entity, &Position, &Look, &Appearance)>()
+            .iter()
+        {
+            if entity == self.player && self.camera == CameraMode::First {
+                continue;
+            }
+            seen.push(Figure {
+                model: appearance.model,
+                point: position.0,
+                yaw: look.yaw,
+                stride: appearance.stride as f32,
+            });
+        }
+        seen
+    }
+
+    /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
+    /// only hazes towards the antipode.
+    fn fog_distance_m(&self) -> f32 {
+        match self.strategy.rim_m() {
+            Some(rim) => (rim * 3.0) as f32,
+            None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0) as f32,
+        }
+    }
+}

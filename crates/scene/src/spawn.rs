@@ -1,0 +1,93 @@
+//! Where a new player stands: on the surface, never in it, and on the gentlest ground nearby.
+
+use std::f64::consts::FRAC_PI_2;
+
+use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_terrain::Field;
+use glam::DVec3;
+
+/// Heading of a new player: along -z, towards the sunrise.
+pub const FIRST_YAW_RAD: f64 = -FRAC_PI_2;
+
+/// Columns considered around the world's centre: a spiral of rings, in metres.
+const RINGS_M: [f64; 4] = [0.0, 4.0, 8.0, 12.0];
+/// Gap left below the feet so that the capsule never begins inside a facet.
+const CLEARANCE_M: f64 = 0.15;
+
+/// The feet of a new player.
+pub fn spawn_point(field: &Field) -> ChartPoint {
+    let mut best: Option<(f64, DVec3)> = None;
+    for ring_m in RINGS_M {
+        for turn in 0..8 {
+            let angle = f64::from(turn) * FRAC_PI_2 / 2.0;
+            let (x, z) = (ring_m * angle.cos(), ring_m * angle.sin());
+            let (height, roughness) = column(field, x, z);
+            if best.is_none_or(|(least, _)| roughness < least - 0.05) {
+                best = Some((roughness, DVec3::new(x, height + CLEARANCE_M, z)));
+            }
+            if ring_m == 0.0 {
+                break;
+            }
+        }
+    }
+    ChartPoint::a(best.map_or(DVec3::ZERO, |(_, point)| point))
+}
+
+/// Height of a column, the highest of its close neighbourhood, and how far that neighbourhood spreads.
+fn column(field: &Field, x: f64, z: f64) -> (f64, f64) {
+    let near = 0.5;
+    let around = [
+        (0.0, 0.0),
+        (near, 0.0),
+        (-near, 0.0),
+        (0.0, near),
+        (0.0, -near),
+    ]
+    .map(|(dx, dz)| field.surface_height(Hemisphere::A, x + dx, z + dz));
+    let high = around.iter().copied().fold(f64::MIN, f64::max);
+    let low = around.iter().copied().fold(f64::MAX, f64::min);
+    (high, high - low)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn a_new_player_stands_clear_above_ground_in_every_space_and_biome() {
+        for geometry in [
+            Geometry::Euclidean,
+            Geometry::Hyperbolic,
+            Geometry::Spherical,
+        ] {
+            for seed in 0..20 {
+                let space = strategy(
+                    geometry,
+                    if geometry == Geometry::Spherical {
+                        32.0
+                    } else {
+                        20.0
+                    },
+                );
+                let field = Field::new(seed, Arc::clone(&space));
+                let feet = spawn_point(&field);
+                for rise in [0.0, 0.5, 1.0, 1.8] {
+                    let body = ChartPoint::a(feet.pos + DVec3::Y * rise);
+                    assert!(
+                        field.sample(body) > 0.0,
+                        "{geometry:?} seed {seed}: {rise} m above the feet is rock"
+                    );
+                }
+                let below = ChartPoint::a(feet.pos - DVec3::Y * 1.5);
+                assert!(
+                    field.sample(below) < 0.0,
+                    "{geometry:?} seed {seed}: floats"
+                );
+            }
+        }
+    }
+}

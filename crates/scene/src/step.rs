@@ -1,0 +1,161 @@
+//! One fixed step of the simulation.
+
+use antipode_physics::{Character, CharacterInput};
+use antipode_terrain::Stroke;
+use glam::DVec3;
+
+use crate::actions::Actions;
+use crate::camera::CameraMode;
+use crate::frame::Marker;
+use crate::ground::chunks_near;
+use crate::pick::{self, pick};
+use crate::player::{self, Appearance, Body, Look, Position};
+use crate::scene::Scene;
+use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S, THIRD_PERSON_BACK_M};
+
+/// Ground within this distance of a body must be there with its collider before the body moves, in metres.
+const NEEDED_AROUND_M: f64 = 4.0;
+
+impl Scene {
+    /// Advances the world by one step of [`STEP_S`] seconds.
+    ///
+    /// While the ground around the player is not there yet the body is held still; everything else goes on.
+    pub fn step(&mut self, actions: &Actions) {
+        self.handle_switches(actions);
+        self.dial.glide(STEP_S);
+        if self.is_ground_ready() {
+            self.move_player(actions);
+        }
+        self.time_of_day_s = (self.time_of_day_s + STEP_S).rem_euclid(DAY_S);
+        self.simulated_s += STEP_S;
+        self.update_marker();
+        self.use_tool(actions);
+        self.autosave();
+    }
+
+    /// Whether the ground around the player exists with its colliders.
+    pub fn is_ground_ready(&self) -> bool {
+        chunks_near(&*self.strategy, self.feet(), NEEDED_AROUND_M)
+            .into_iter()
+            .all(|c| self.streamer.is_resident(c))
+    }
+
+    fn handle_switches(&mut self, actions: &Actions) {
+        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+            look.turn(actions.look_yaw, actions.look_pitch);
+        }
+        if let Some(slot) = actions.slot {
+            self.inventory.select(slot);
+        }
+        self.inventory.step(actions.slot_step);
+        self.dial.turn(actions.dial);
+        let (least, most, _) = BRUSH_RADIUS_M;
+        self.brush_radius_m =
+            (self.brush_radius_m + f64::from(actions.brush_step)).clamp(least, most);
+        if actions.toggle_camera {
+            self.camera = match self.camera {
+                CameraMode::First => CameraMode::Third,
+                CameraMode::Third => CameraMode::First,
+            };
+        }
+    }
+
+    fn move_player(&mut self, actions: &Actions) {
+        let strategy = std::sync::Arc::clone(&self.strategy);
+        let flying = self.flying;
+        let Ok((position, look, body, appearance)) =
+            self.ecs
+                .query_one_mut::<(&mut Position, &mut Look, &mut Body, &mut Appearance)>(
+                    self.player,
+                )
+        else {
+            return;
+        };
+        let input = CharacterInput {
+            wish: player::wish(actions, look),
+            sprint: actions.sprint,
+            jump: actions.jump,
+            fly: flying,
+            rise: actions.jump,
+            sink: actions.sink,
+        };
+        let origin = strategy.chart_origin_m(position.0.hemisphere);
+        let character: &mut Character = &mut body.0;
+        character.feet = position.0.pos + origin;
+        self.physics.recentre(character.feet);
+        self.physics
+            .move_character(character, &self.tuning, &input, STEP_S);
+        position.0.pos = character.feet - origin;
+        if let Some(limits) = strategy.limits() {
+            position.0.pos.y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+        }
+        player::cross(&*strategy, position, look, body);
+        let speed = DVec3::new(body.0.velocity.x, 0.0, body.0.velocity.z).length();
+        player::walk(appearance, speed, body.0.grounded, STEP_S);
+    }
+
+    /// Points the marker anew, as after the view was set from outside a step.
+    pub fn refresh_marker(&mut self) {
+        self.update_marker();
+    }
+
+    /// Points the marker along the geodesic through the crosshair; an empty hand has none.
+    pub(crate) fn update_marker(&mut self) {
+        self.marker = self.inventory.held().map(|_| {
+            let past_head_m = if self.camera == CameraMode::Third {
+                THIRD_PERSON_BACK_M
+            } else {
+                0.0
+            };
+            let eye = self.eye();
+            let found: pick::Pick =
+                pick(&*self.strategy, &self.physics, &eye, past_head_m, REACH_M);
+            Marker {
+                point: found.point,
+                radius_m: self.brush_radius_m,
+                active: false,
+            }
+        });
+    }
+
+    fn use_tool(&mut self, actions: &Actions) {
+        let (Some(item), Some(marker)) = (self.inventory.held(), self.marker.as_mut()) else {
+            return;
+        };
+        let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
+        if sign == 0.0 {
+            return;
+        }
+        marker.active = true;
+        let amount = sign * item.brush_strength_per_s() * STEP_S as f32;
+        let stroke = Stroke {
+            centre: marker.point,
+            radius_m: self.brush_radius_m,
+            amount,
+        };
+        self.streamer.edit(stroke);
+    }
+
+    /// Lifts the player out of ground that was built over it.
+    pub(crate) fn lift_player_out(&mut self) {
+        if self.flying {
+            return;
+        }
+        let hemisphere = self.feet().hemisphere;
+        let origin = self.strategy.chart_origin_m(hemisphere);
+        let ground = &self.ground;
+        let solid = |at: DVec3| {
+            ground.is_solid(antipode_geometry::ChartPoint::new(hemisphere, at - origin))
+        };
+        let Ok((position, body)) = self
+            .ecs
+            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+        else {
+            return;
+        };
+        body.0.feet = position.0.pos + origin;
+        if self.physics.lift_out(&mut body.0, &solid) {
+            position.0.pos = body.0.feet - origin;
+        }
+    }
+}

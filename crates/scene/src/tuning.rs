@@ -1,0 +1,36 @@
+//! Figures of play that belong to no other crate, in one place, with their units.
+
+/// Length of one simulation step in seconds.
+pub const STEP_S: f64 = 1.0 / 60.0;
+/// How far a tool reaches along the geodesic through the crosshair, in metres.
+pub const REACH_M: f64 = 23.0;
+/// Height of the eye above the feet, in metres; the capsule is 1.8 m tall.
+pub const EYE_HEIGHT_M: f64 = 1.65;
+/// Largest pitch of the view, in radians: one degree short of the vertical.
+pub const PITCH_LIMIT_RAD: f64 = 89.0 * std::f64::consts::PI / 180.0;
+/// Brush radius in metres: smallest, largest, and at the start.
+pub const BRUSH_RADIUS_M: (f64, f64, f64) = (1.0, 10.0, 5.0);
+/// Length of the whole day, in seconds.
+pub const DAY_S: f64 = 600.0;
+/// Time of day at which a new world begins, in seconds.
+pub const DAY_START_S: f64 = 60.0;
+/// Share of the distance to its goal that the curvature dial keeps after one second: the glide of the scroll.
+pub const DIAL_REMAINDER_PER_S: f64 = 1e-4;
+/// Distance of the third-person camera behind the eye, in metres.
+pub const THIRD_PERSON_BACK_M: f64 = 4.5;
+/// Rise of the third-person camera above the eye, in metres.
+pub const THIRD_PERSON_UP_M: f64 = 0.6;
+/// Radius of the sphere that keeps the third-person camera out of the ground, in metres.
+pub const CAMERA_RADIUS_M: f64 = 0.25;
+/// Nearest distance drawn, in metres.
+pub const NEAR_M: f64 = 0.02;
+/// Vertical field of view, in radians.
+pub const FOV_Y_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
+/// Full health.
+pub const FULL_HEALTH: f64 = 20.0;
+/// Default view distance in chunks, and its allowed range.
+pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
+/// What changed is committed at least this often, in simulated seconds.
+pub const AUTOSAVE_S: f64 = 3.0;
+/// Metres walked per radian of the walking figure's stride.
+pub const STRIDE_M_PER_RAD: f64 = 0.28;

@@ -1,0 +1,270 @@
+//! A world as one file, for keeping and for giving away.
+//!
+//! Layout, little-endian: magic `ANTIPODE`, container version u16, number of files
+//! u8; per file: length of its name u8, name, length u64, blocks of at most 1 MiB,
+//! each: length u32, packed length u32, CRC-32 of the packed bytes, LZ4 block. Then the
+//! mark `END.`. Only the two file names a world has are believed, so an archive
+//! cannot write anywhere else.
+
+use std::fs::File;
+use std::io::{self, BufReader, BufWriter, Read, Write};
+use std::path::Path;
+
+use crate::codec::crc32;
+use crate::error::StorageError;
+use crate::{THUMBNAIL_FILE, WORLD_FILE};
+
+const MAGIC: [u8; 8] = *b"ANTIPODE";
+const CONTAINER_VERSION: u16 = 1;
+const END: [u8; 4] = *b"END.";
+const BLOCK_BYTES: usize = 1 << 20;
+const FILES: [&str; 2] = [WORLD_FILE, THUMBNAIL_FILE];
+
+/// Writes the world in `dir` into `archive`, which must not exist. A failure
+/// leaves no archive.
+pub(crate) fn pack(dir: &Path, archive: &Path) -> Result<(), StorageError> {
+    let out = StorageError::at("Making", archive, File::create_new(archive))?;
+    let packed = pack_into(dir, archive, out);
+    if packed.is_err() {
+        let _ = std::fs::remove_file(archive);
+    }
+    packed
+}
+
+fn pack_into(dir: &Path, archive: &Path, out: File) -> Result<(), StorageError> {
+    let mut out = BufWriter::new(out);
+    let present: Vec<_> = FILES
+        .into_iter()
+        .filter(|file| dir.join(file).is_file())
+        .collect();
+    let writing = |result: io::Result<()>| StorageError::at("Writing", archive, result);
+    writing(out.write_all(&MAGIC))?;
+    writing(out.write_all(&CONTAINER_VERSION.to_le_bytes()))?;
+    writing(out.write_all(&[present.len() as u8]))?;
+    for name in present {
+        let path = dir.join(name);
+        // Read as a whole: its length must be the one written before its blocks.
+        let bytes = StorageError::at("Reading", &path, std::fs::read(&path))?;
+        writing(pack_file(&mut out, name, &bytes))?;
+    }
+    writing(out.write_all(&END))?;
+    writing(out.flush())?;
+    writing(out.get_ref().sync_all())
+}
+
+fn pack_file(out: &mut impl Write, name: &str, bytes: &[u8]) -> io::Result<()> {
+    out.write_all(&[name.len() as u8])?;
+    out.write_all(name.as_bytes())?;
+    out.write_all(&(bytes.len() as u64).to_le_bytes())?;
+    for block in bytes.chunks(BLOCK_BYTES) {
+        let packed = lz4_flex::block::compress(block);
+        for number in [block.len() as u32, packed.len() as u32, crc32(&packed)] {
+            out.write_all(&number.to_le_bytes())?;
+        }
+        out.write_all(&packed)?;
+    }
+    Ok(())
+}
+
+/// Unpacks `archive` into the empty directory `dir`.
+pub(crate) fn unpack(archive: &Path, dir: &Path) -> Result<(), StorageError> {
+    let file = StorageError::at("Reading", archive, File::open(archive))?;
+    let mut input = Input {
+        archive,
+        reader: BufReader::new(file),
+    };
+    if input.bytes::<8>()? != MAGIC {
+        return Err(input.refuse("it is no exported world"));
+    }
+    let version = u16::from_le_bytes(input.bytes()?);
+    if version != CONTAINER_VERSION {
+        return Err(input.refuse(&format!(
+            "it was exported by a newer version of the game (format {version}); update the game first"
+        )));
+    }
+    let [count] = input.bytes()?;
+    for _ in 0..count {
+        let name = input.name()?;
+        let path = dir.join(name);
+        let out = StorageError::at("Making", &path, File::create_new(&path))?;
+        input.file(&path, out)?;
+    }
+    if input.bytes::<4>()? != END || input.reader.read(&mut [0]).unwrap_or(1) != 0 {
+        return Err(input.refuse("it does not end where it should"));
+    }
+    Ok(())
+}
+
+/// An archive being read.
+struct Input<'a> {
+    archive: &'a Path,
+    reader: BufReader<File>,
+}
+
+impl Input<'_> {
+    fn refuse(&self, reason: &str) -> StorageError {
+        StorageError::Archive {
+            path: self.archive.to_path_buf(),
+            reason: reason.to_owned(),
+        }
+    }
+
+    fn fill(&mut self, bytes: &mut [u8]) -> Result<(), StorageError> {
+        self.reader
+            .read_exact(bytes)
+            .map_err(|error| match error.kind() {
+                io::ErrorKind::UnexpectedEof => {
+                    self.refuse("a part of it is missing; copy or download it again")
+                }
+                _ => StorageError::io("Reading", self.archive, error),
+            })
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Result<[u8; N], StorageError> {
+        let mut bytes = [0; N];
+        self.fill(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn name(&mut self) -> Result<&'static str, StorageError> {
+        let [length] = self.bytes()?;
+        let mut name = vec![0; length as usize];
+        self.fill(&mut name)?;
+        let known = FILES.into_iter().find(|file| file.as_bytes() == name);
+        known.ok_or_else(|| {
+            let name = String::from_utf8_lossy(&name).escape_debug().to_string();
+            self.refuse(&format!("it holds a file \"{name}\", which no world has"))
+        })
+    }
+
+    fn file(&mut self, path: &Path, out: File) -> Result<(), StorageError> {
+        let mut out = BufWriter::new(out);
+        let mut left = u64::from_le_bytes(self.bytes()?);
+        while left > 0 {
+            let block = self.block()?;
+            left = left
+                .checked_sub(block.len() as u64)
+                .ok_or_else(|| self.damaged())?;
+            StorageError::at("Writing", path, out.write_all(&block))?;
+        }
+        StorageError::at("Writing", path, out.flush())?;
+        StorageError::at("Writing", path, out.get_ref().sync_all())
+    }
+
+    fn block(&mut self) -> Result<Vec<u8>, StorageError> {
+        let [length, packed_length] = [self.bytes::<4>()?, self.bytes::<4>()?]
+            .map(|bytes| u32::from_le_bytes(bytes) as usize);
+        let sum = u32::from_le_bytes(self.bytes()?);
+        let most = lz4_flex::block::get_maximum_output_size(BLOCK_BYTES);
+        if length == 0 || length > BLOCK_BYTES || packed_length > most {
+            return Err(self.damaged());
+        }
+        let mut packed = vec![0; packed_length];
+        self.fill(&mut packed)?;
+        let mut block = vec![0; length];
+        let unpacked = lz4_flex::block::decompress_into(&packed, &mut block).ok();
+        if unpacked != Some(length) || crc32(&packed) != sum {
+            return Err(self.damaged());
+        }
+        Ok(block)
+    }
+
+    fn damaged(&self) -> StorageError {
+        self.refuse("it is damaged; copy or download it again")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+    use std::fs;
+
+    fn made(world: &[u8]) -> (tempfile::TempDir, Vec<u8>) {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join(WORLD_FILE), world).unwrap();
+        fs::write(dir.path().join(THUMBNAIL_FILE), b"picture").unwrap();
+        fs::write(dir.path().join("other"), b"stays").unwrap();
+        let archive = dir.path().join("a.antipode-world");
+        pack(dir.path(), &archive).unwrap();
+        let bytes = fs::read(&archive).unwrap();
+        (dir, bytes)
+    }
+
+    fn unpacked(bytes: &[u8]) -> Result<(Vec<u8>, usize), String> {
+        let dir = tempfile::tempdir().unwrap();
+        let archive = dir.path().join("archive");
+        let target = dir.path().join("target");
+        fs::create_dir(&target).unwrap();
+        fs::write(&archive, bytes).unwrap();
+        unpack(&archive, &target).map_err(|e| e.to_string())?;
+        Ok((
+            fs::read(target.join(WORLD_FILE)).unwrap(),
+            fs::read_dir(target).unwrap().count(),
+        ))
+    }
+
+    #[test]
+    fn worlds_of_several_blocks_come_back_and_zeros_shrink() {
+        let world: Vec<u8> = (0..2 * BLOCK_BYTES + 77)
+            .map(|i| u8::from(i % 5000 == 3))
+            .collect();
+        let (_dir, bytes) = made(&world);
+        assert!(bytes.len() < 30_000, "{} bytes", bytes.len());
+        assert_eq!(unpacked(&bytes), Ok((world, 2)));
+    }
+
+    #[test]
+    fn cut_flipped_or_lengthened_archives_are_refused() {
+        let (_dir, bytes) = made(b"a small world with some text in it");
+        for cut in 0..bytes.len() {
+            assert!(unpacked(&bytes[..cut]).is_err(), "cut at {cut}");
+        }
+        for bit in 0..bytes.len() * 8 {
+            let mut flipped = bytes.clone();
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            assert!(unpacked(&flipped).is_err(), "bit {bit}");
+        }
+        assert!(unpacked(&[bytes, vec![0]].concat()).is_err());
+        assert!(
+            unpacked(b"not an archive at all")
+                .unwrap_err()
+                .contains("no exported world")
+        );
+    }
+
+    #[test]
+    fn paths_that_lead_out_are_refused() {
+        for name in [
+            "../evil",
+            "/etc/evil",
+            "a/b",
+            "world.redb/..",
+            "summary.bin",
+            "",
+        ] {
+            let mut bytes = [MAGIC.as_slice(), &CONTAINER_VERSION.to_le_bytes(), &[1]].concat();
+            pack_file(&mut bytes, name, b"evil").unwrap();
+            bytes.extend(END);
+            let refusal = unpacked(&bytes).unwrap_err();
+            assert!(refusal.contains("which no world has"), "{refusal}");
+        }
+    }
+
+    #[test]
+    fn an_existing_file_is_not_overwritten() {
+        let (dir, bytes) = made(b"world");
+        let archive = dir.path().join("a.antipode-world");
+        assert!(matches!(
+            pack(dir.path(), &archive),
+            Err(StorageError::Exists { .. })
+        ));
+        assert_eq!(fs::read(archive).unwrap(), bytes);
+    }
+}

@@ -1,0 +1,300 @@
+//! How a value becomes bytes: the sealed record around it, and the body of it.
+//!
+//! A record is, little-endian:
+//!
+//! | bytes | what |
+//! |---|---|
+//! | 0..2 | schema version of the body |
+//! | 2..4 | mark `Ap` |
+//! | 4 | kind |
+//! | 5 | length of the key |
+//! | 6..10 | length of the body |
+//! | 10..18 | number of the commit that wrote it |
+//! | 18..22 | CRC-32 of all the other bytes |
+//! | 22.. | key, then body |
+//!
+//! This layout is the one thing that never changes, whatever the version: so an
+//! older game can tell a newer world from a damaged one. The key is repeated
+//! inside so that a record found in the wrong place, or anywhere in a file whose
+//! index is lost, still says whose it is.
+//!
+//! bincode is used here and nowhere else.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// Bytes before the key.
+pub(crate) const HEADER_BYTES: usize = 22;
+const MARK: [u8; 2] = *b"Ap";
+/// No body is near this long; a longer one is a damaged length.
+const MAX_BODY_BYTES: usize = 1 << 20;
+
+/// What a record holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u8)]
+pub(crate) enum Kind {
+    /// What the world is.
+    Meta = 1,
+    /// What changes while it is played.
+    State = 2,
+    /// The edits of one chunk.
+    Chunk = 3,
+}
+
+impl Kind {
+    fn from_byte(byte: u8) -> Option<Self> {
+        [Self::Meta, Self::State, Self::Chunk]
+            .into_iter()
+            .find(|kind| *kind as u8 == byte)
+    }
+}
+
+/// An intact record, borrowed from its bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Record<'a> {
+    /// Schema version of the body.
+    pub version: u16,
+    /// What it holds.
+    pub kind: Kind,
+    /// The key it is stored under.
+    pub key: &'a [u8],
+    /// Number of the commit that wrote it.
+    pub sequence: u64,
+    /// The value, not decoded.
+    pub body: &'a [u8],
+}
+
+/// Why bytes are not an intact value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub(crate) enum Fault {
+    /// Too short, or too long, for what it says it is.
+    #[error("its length is wrong")]
+    Length,
+    /// No record of ours.
+    #[error("it does not begin as a stored value does")]
+    Mark,
+    /// Bits have changed.
+    #[error("its checksum does not match its bytes")]
+    Checksum,
+    /// The bytes are whole but make no value of this type.
+    #[error("its contents make no sense")]
+    Contents,
+}
+
+/// Wraps a body into a record. Keys are at most 255 bytes long.
+pub(crate) fn seal(version: u16, kind: Kind, key: &[u8], sequence: u64, body: &[u8]) -> Vec<u8> {
+    debug_assert!(u8::try_from(key.len()).is_ok(), "keys are short");
+    let mut record = Vec::with_capacity(HEADER_BYTES + key.len() + body.len());
+    record.extend(version.to_le_bytes());
+    record.extend(MARK);
+    record.extend([kind as u8, key.len() as u8]);
+    record.extend((body.len() as u32).to_le_bytes());
+    record.extend(sequence.to_le_bytes());
+    record.extend([0; 4]);
+    record.extend(key);
+    record.extend(body);
+    let sum = record_checksum(&record);
+    record[18..22].copy_from_slice(&sum.to_le_bytes());
+    record
+}
+
+/// Reads the record that fills `bytes` exactly.
+pub(crate) fn unseal(bytes: &[u8]) -> Result<Record<'_>, Fault> {
+    let (record, rest) = unseal_prefix(bytes)?;
+    if rest.is_empty() {
+        Ok(record)
+    } else {
+        Err(Fault::Length)
+    }
+}
+
+/// Reads the record that `bytes` begin with, and returns what follows it.
+pub(crate) fn unseal_prefix(bytes: &[u8]) -> Result<(Record<'_>, &[u8]), Fault> {
+    let header = bytes.first_chunk::<HEADER_BYTES>().ok_or(Fault::Length)?;
+    if header[2..4] != MARK {
+        return Err(Fault::Mark);
+    }
+    let kind = Kind::from_byte(header[4]).ok_or(Fault::Mark)?;
+    let key_len = header[5] as usize;
+    let body_len = u32::from_le_bytes([header[6], header[7], header[8], header[9]]) as usize;
+    if body_len > MAX_BODY_BYTES {
+        return Err(Fault::Length);
+    }
+    let end = HEADER_BYTES + key_len + body_len;
+    let (record, rest) = bytes.split_at_checked(end).ok_or(Fault::Length)?;
+    let sum = u32::from_le_bytes([header[18], header[19], header[20], header[21]]);
+    if sum != record_checksum(record) {
+        return Err(Fault::Checksum);
+    }
+    let (key, body) = record[HEADER_BYTES..].split_at(key_len);
+    let mut sequence = [0; 8];
+    sequence.copy_from_slice(&header[10..18]);
+    let record = Record {
+        version: u16::from_le_bytes([header[0], header[1]]),
+        kind,
+        key,
+        sequence: u64::from_le_bytes(sequence),
+        body,
+    };
+    Ok((record, rest))
+}
+
+/// Every intact record in `bytes`, wherever it begins: what is left of a store
+/// without its index, stale copies on freed pages included.
+pub(crate) fn carve(bytes: &[u8]) -> impl Iterator<Item = Record<'_>> {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        while let Some(offset) = bytes
+            .get(at + 2..)?
+            .windows(2)
+            .position(|pair| pair == MARK)
+        {
+            let start = at + offset;
+            if let Ok((record, rest)) = unseal_prefix(&bytes[start..]) {
+                at = bytes.len() - rest.len();
+                return Some(record);
+            }
+            at = start + 1;
+        }
+        None
+    })
+}
+
+/// The CRC of a record but for the four bytes that hold it.
+fn record_checksum(record: &[u8]) -> u32 {
+    let (before, after) = (&record[..18], &record[HEADER_BYTES..]);
+    !crc32_update(crc32_update(!0, before), after)
+}
+
+/// CRC-32 (IEEE 802.3, reflected polynomial 0xEDB88320), as in zip and PNG.
+pub(crate) fn crc32(bytes: &[u8]) -> u32 {
+    !crc32_update(!0, bytes)
+}
+
+fn crc32_update(mut crc: u32, bytes: &[u8]) -> u32 {
+    for &byte in bytes {
+        crc = CRC_TABLE[((crc ^ u32::from(byte)) & 0xff) as usize] ^ (crc >> 8);
+    }
+    crc
+}
+
+const CRC_TABLE: [u32; 256] = {
+    let mut table = [0; 256];
+    let mut index = 0;
+    while index < 256 {
+        let mut crc = index as u32;
+        let mut bit = 0;
+        while bit < 8 {
+            crc = if crc & 1 == 1 {
+                0xEDB8_8320 ^ (crc >> 1)
+            } else {
+                crc >> 1
+            };
+            bit += 1;
+        }
+        table[index] = crc;
+        index += 1;
+    }
+    table
+};
+
+fn config() -> impl bincode::config::Config {
+    // The limit keeps a wrong length from asking for gigabytes.
+    bincode::config::standard().with_limit::<MAX_BODY_BYTES>()
+}
+
+/// The body of a value: its fields in order, integers as varints, floats as eight bytes.
+pub(crate) fn encode<T: Serialize>(value: &T) -> Result<Vec<u8>, Fault> {
+    let body = bincode::serde::encode_to_vec(value, config()).map_err(|_| Fault::Contents)?;
+    if body.len() <= MAX_BODY_BYTES {
+        Ok(body)
+    } else {
+        Err(Fault::Length)
+    }
+}
+
+/// The inverse of [`encode`]; every byte must be used.
+pub(crate) fn decode<T: DeserializeOwned>(body: &[u8]) -> Result<T, Fault> {
+    let (value, used) =
+        bincode::serde::decode_from_slice(body, config()).map_err(|_| Fault::Contents)?;
+    if used == body.len() {
+        Ok(value)
+    } else {
+        Err(Fault::Contents)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn the_checksum_is_the_standard_one() {
+        assert_eq!(
+            crc32(b"123456789"),
+            0xCBF4_3926,
+            "the check value of CRC-32/ISO-HDLC"
+        );
+    }
+
+    #[test]
+    fn carving_finds_records_between_rubbish() {
+        let first = seal(1, Kind::Chunk, b"k1", 5, b"ApApAp body");
+        let second = seal(1, Kind::State, b"k2", 6, b"");
+        let mut cut = seal(1, Kind::Meta, b"k3", 7, b"cut short");
+        cut.truncate(25);
+        let file = [
+            b"Ap\0rubbish".as_slice(),
+            &first,
+            &cut,
+            b"A",
+            &second,
+            b"Ap",
+        ]
+        .concat();
+        let found: Vec<_> = carve(&file)
+            .map(|record| (record.key, record.sequence))
+            .collect();
+        assert_eq!(found, [(b"k1".as_slice(), 5), (b"k2".as_slice(), 6)]);
+    }
+
+    proptest! {
+        #[test]
+        fn sealed_records_come_back(
+            version: u16, sequence: u64,
+            key in prop::collection::vec(any::<u8>(), 0..20),
+            body in prop::collection::vec(any::<u8>(), 0..300),
+        ) {
+            let bytes = seal(version, Kind::Chunk, &key, sequence, &body);
+            let expected = Record { version, kind: Kind::Chunk, key: &key, sequence, body: &body };
+            prop_assert_eq!(unseal(&bytes), Ok(expected));
+        }
+
+        #[test]
+        fn every_flipped_bit_and_every_cut_is_noticed(
+            body in prop::collection::vec(any::<u8>(), 0..40), bit: prop::sample::Index, cut: prop::sample::Index,
+        ) {
+            let bytes = seal(1, Kind::State, b"state", 3, &body);
+            let mut flipped = bytes.clone();
+            let bit = bit.index(bytes.len() * 8);
+            flipped[bit / 8] ^= 1 << (bit % 8);
+            prop_assert!(unseal(&flipped).is_err());
+            prop_assert!(unseal(&bytes[..cut.index(bytes.len())]).is_err());
+        }
+
+        #[test]
+        fn rubbish_never_decodes_by_accident_or_panics(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+            prop_assert!(unseal(&bytes).is_err());
+            let _ = decode::<Vec<String>>(&bytes);
+            prop_assert_eq!(carve(&bytes).count(), 0);
+        }
+    }
+}

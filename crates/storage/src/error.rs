@@ -1,0 +1,223 @@
+//! Everything that can go wrong with a save, each as a sentence for the player:
+//! what happened, to which world or file, and what can be done.
+
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
+
+use crate::name::NameError;
+use crate::schema::SCHEMA_VERSION;
+
+/// What can go wrong with a save.
+#[derive(Debug, thiserror::Error)]
+pub enum StorageError {
+    /// Another process, or this one, has the world open.
+    #[error(
+        "The world \"{world}\" is in use: it is open in another window of the game or another program. Close it there and try again."
+    )]
+    InUse {
+        /// Name or directory of the world.
+        world: String,
+    },
+    /// The world was written by a newer game.
+    #[error(
+        "The world \"{world}\" was saved by a newer version of the game (save format {found}; this game knows up to {SCHEMA_VERSION}). Update the game to play it; nothing has been changed."
+    )]
+    Newer {
+        /// Name or directory of the world.
+        world: String,
+        /// The schema version found.
+        found: u16,
+    },
+    /// One stored value is damaged; the others may be whole.
+    #[error(
+        "In the world \"{world}\" {what} is damaged: {reason}. The rest can be used; `antipode saves repair` restores an older copy of it if there is one."
+    )]
+    Damaged {
+        /// Name or directory of the world.
+        world: String,
+        /// What the value is, such as `chunk A (1, 0, -2)`.
+        what: String,
+        /// Why it cannot be believed.
+        reason: String,
+    },
+    /// The store as a whole cannot be read.
+    #[error("The save {} cannot be read: {reason}. `antipode saves repair` salvages what is whole and keeps this file.", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A repair has found nothing to save.
+    #[error("Nothing could be salvaged from {}: {reason}. The file is as it was; if you have a copy of this world, import it.", path.display())]
+    Unsalvageable {
+        /// The file.
+        path: PathBuf,
+        /// What is missing.
+        reason: String,
+    },
+    /// There is no such world.
+    #[error("There is no world \"{world}\" in {}. `antipode saves list` shows those there are.", dir.display())]
+    NotFound {
+        /// What was asked for.
+        world: String,
+        /// The saves directory.
+        dir: PathBuf,
+    },
+    /// The name cannot be used.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A file or directory stands where a new one should be made.
+    #[error("{} exists already and is not overwritten. Choose another name or move it away.", path.display())]
+    Exists {
+        /// The path in the way.
+        path: PathBuf,
+    },
+    /// A file is no exported world, or a damaged one.
+    #[error("{} cannot be imported: {reason}.", path.display())]
+    Archive {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// The disk, or the player's share of it, is full.
+    #[error("There is no space left to write {}. Free some space and save again; what was saved before is safe.", path.display())]
+    DiskFull {
+        /// What was being written.
+        path: PathBuf,
+    },
+    /// The file system or the permissions forbid writing.
+    #[error("{} cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.", path.display())]
+    NotWritable {
+        /// What was being written.
+        path: PathBuf,
+    },
+    /// Any other failure of the file system.
+    #[error("{action} {} failed: {source}. Check the disk and try again.", path.display())]
+    Io {
+        /// What was being done, such as `Reading`.
+        action: &'static str,
+        /// To what.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// A value that the game hands over cannot be stored; a fault of the game.
+    #[error(
+        "{what} of the world \"{world}\" cannot be stored: {reason}. The save is as it was before; please report this."
+    )]
+    Unstorable {
+        /// Name or directory of the world.
+        world: String,
+        /// What the value is.
+        what: String,
+        /// Why it cannot be stored.
+        reason: String,
+    },
+}
+
+impl StorageError {
+    /// The sentence for a failed file operation.
+    pub(crate) fn io(action: &'static str, path: &Path, source: io::Error) -> Self {
+        let path = path.to_path_buf();
+        match source.kind() {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
+                Self::DiskFull { path }
+            }
+            ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+                Self::NotWritable { path }
+            }
+            ErrorKind::AlreadyExists => Self::Exists { path },
+            _ => Self::Io {
+                action,
+                path,
+                source,
+            },
+        }
+    }
+
+    /// The sentence for a failure of the store in `path`, of the world called `world`.
+    pub(crate) fn store(path: &Path, world: &str, error: impl Into<redb::Error>) -> Self {
+        match error.into() {
+            redb::Error::DatabaseAlreadyOpen => Self::InUse {
+                world: world.to_owned(),
+            },
+            // What a foreign, empty or shortened file gives.
+            redb::Error::Io(source)
+                if matches!(
+                    source.kind(),
+                    ErrorKind::InvalidData | ErrorKind::UnexpectedEof
+                ) =>
+            {
+                Self::unreadable(
+                    path,
+                    "it is no save of this game, or a part of it is missing",
+                )
+            }
+            redb::Error::Io(source) => Self::io("Writing or reading", path, source),
+            redb::Error::PreviousIo => Self::Io {
+                action: "Writing",
+                path: path.to_path_buf(),
+                source: io::Error::other("an earlier write failed"),
+            },
+            redb::Error::Corrupted(reason) => {
+                Self::unreadable(path, &format!("its index is damaged ({reason})"))
+            }
+            other => Self::unreadable(path, &other.to_string()),
+        }
+    }
+
+    /// The sentence for a store that cannot be read.
+    pub(crate) fn unreadable(path: &Path, reason: &str) -> Self {
+        Self::Unreadable {
+            path: path.to_path_buf(),
+            reason: reason.trim_end_matches('.').to_owned(),
+        }
+    }
+
+    /// Runs `work` and puts failures of the file system into words.
+    pub(crate) fn at<T>(
+        action: &'static str,
+        path: &Path,
+        result: io::Result<T>,
+    ) -> Result<T, Self> {
+        result.map_err(|source| Self::io(action, path, source))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+
+    #[test]
+    fn file_system_failures_are_told_apart() {
+        let path = Path::new("saves/x/world.redb");
+        let say = |kind| StorageError::io("Writing", path, io::Error::from(kind)).to_string();
+        assert!(say(ErrorKind::StorageFull).contains("no space left"));
+        assert!(say(ErrorKind::QuotaExceeded).contains("no space left"));
+        assert!(say(ErrorKind::ReadOnlyFilesystem).contains("read-only"));
+        assert!(say(ErrorKind::PermissionDenied).contains("--saves-dir"));
+        assert!(say(ErrorKind::TimedOut).starts_with("Writing saves/x/world.redb failed"));
+        assert!(say(ErrorKind::StorageFull).contains("saves/x/world.redb"));
+    }
+
+    #[test]
+    fn store_failures_name_the_world_or_the_file() {
+        let path = Path::new("saves/x/world.redb");
+        let say = |error| StorageError::store(path, "Foo", error).to_string();
+        assert!(say(redb::Error::DatabaseAlreadyOpen).contains("\"Foo\" is in use"));
+        assert!(say(redb::Error::Corrupted("x".to_owned())).contains("repair"));
+        assert!(
+            say(redb::Error::Io(ErrorKind::InvalidData.into())).contains("no save of this game")
+        );
+        assert!(say(redb::Error::Io(ErrorKind::StorageFull.into())).contains("no space left"));
+    }
+}

@@ -1,0 +1,51 @@
+//! What is on disk: versioned schema, atomic writes, recovery.
+//!
+//! A world is a directory `<saves>/<slug>/`:
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `world.redb` | everything, in one embedded ACID store ([`WorldStore`]) |
+//! | `thumbnail.png` | a picture for the menu, may be absent |
+//! | `summary.bin` | a copy of the meta record: lists a world that is in use, names one that is damaged |
+//! | `world.redb.damaged-N` | what a repair has kept of the file it replaced |
+//!
+//! Every stored value is a sealed record: schema version, checksum, its own key,
+//! the number of the commit that wrote it. So a flipped bit is noticed before it
+//! is believed, and records can be salvaged from a file whose index is lost.
+//! Nothing here knows how terrain is generated; a chunk is 32 768 numbers.
+
+mod archive;
+mod atomic_file;
+mod chunk_codec;
+mod codec;
+mod error;
+mod guard;
+mod listing;
+mod maintenance;
+mod name;
+mod saves;
+mod schema;
+mod scratch;
+mod slug;
+mod store;
+mod summary;
+mod survey;
+mod world;
+
+pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
+pub use error::StorageError;
+pub use guard::is_guarded;
+pub use listing::{WorldInfo, WorldSummary, saves_dir};
+pub use maintenance::{RepairReport, VerifyReport};
+pub use name::{MAX_NAME_CHARS, NameError};
+pub use saves::SavesDir;
+pub use schema::{ChunkKey, PlayerRecord, SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState};
+pub use slug::slug_of;
+pub use world::{Batch, WorldStore};
+
+/// Name of the store inside a world's directory.
+pub const WORLD_FILE: &str = "world.redb";
+/// Name of the menu picture inside a world's directory.
+pub const THUMBNAIL_FILE: &str = "thumbnail.png";
+/// File name extension of an exported world, without the dot.
+pub const ARCHIVE_EXTENSION: &str = "antipode-world";

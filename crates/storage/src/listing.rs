@@ -1,0 +1,169 @@
+//! Where the worlds are, and what can be told of each without opening it for play.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::error::StorageError;
+use crate::schema::{self, WorldMeta, WorldState};
+use crate::store::{self, META_KEY};
+use crate::survey::fault_in;
+use crate::world::{WorldStore, label};
+use crate::{THUMBNAIL_FILE, WORLD_FILE, summary};
+
+/// Where worlds are: `explicit` if given, else the environment's `ANTIPODE_SAVES`,
+/// else `./saves` if that is a directory, else the platform's place for such data.
+pub fn saves_dir(explicit: Option<&Path>) -> PathBuf {
+    let environment = std::env::var_os("ANTIPODE_SAVES").filter(|value| !value.is_empty());
+    let local = PathBuf::from("saves");
+    let platform = directories::ProjectDirs::from("", "", "antipode")
+        .map(|dirs| dirs.data_dir().join("saves"));
+    choose_dir(
+        explicit,
+        environment.map(PathBuf::from),
+        local.is_dir().then_some(local),
+        platform,
+    )
+}
+
+fn choose_dir(
+    explicit: Option<&Path>,
+    environment: Option<PathBuf>,
+    local: Option<PathBuf>,
+    platform: Option<PathBuf>,
+) -> PathBuf {
+    let chosen = explicit
+        .map(Path::to_path_buf)
+        .or(environment)
+        .or(local)
+        .or(platform);
+    chosen.unwrap_or_else(|| PathBuf::from("saves"))
+}
+
+/// One line of the list of worlds.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorldSummary {
+    /// Name of its directory.
+    pub slug: String,
+    /// What it is; `None` if nothing readable says so.
+    pub meta: Option<WorldMeta>,
+    /// Space it takes, bytes.
+    pub size_bytes: u64,
+    /// Its menu picture, if it has one.
+    pub thumbnail: Option<PathBuf>,
+    /// Whether it is open, here or elsewhere.
+    pub in_use: bool,
+    /// Why it cannot be opened, as a sentence; `None` as far as a look tells.
+    pub problem: Option<String>,
+}
+
+impl WorldSummary {
+    /// What to show as its name: the name, or the directory's if that is unreadable.
+    pub fn name(&self) -> &str {
+        self.meta.as_ref().map_or(&self.slug, |meta| &meta.name)
+    }
+}
+
+/// A closer look at one world.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorldInfo {
+    /// The line of the list.
+    pub summary: WorldSummary,
+    /// Player and so on; `None` if never played or damaged.
+    pub state: Option<WorldState>,
+    /// How many chunks are edited.
+    pub edited_chunks: usize,
+    /// The schema version that this game writes.
+    pub schema_version: u16,
+    /// What is damaged, a sentence each.
+    pub problems: Vec<String>,
+}
+
+/// Names of the directories in `saves` that hold a world.
+pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
+    let entries = match fs::read_dir(saves) {
+        Ok(entries) => entries,
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => return Err(StorageError::io("Reading", saves, error)),
+    };
+    let mut slugs = Vec::new();
+    for entry in entries {
+        let entry = StorageError::at("Reading", saves, entry)?;
+        let Ok(slug) = entry.file_name().into_string() else {
+            continue;
+        };
+        let dir = entry.path();
+        if !slug.starts_with('.')
+            && (dir.join(WORLD_FILE).exists() || summary::read(&dir).is_some())
+        {
+            slugs.push(slug);
+        }
+    }
+    Ok(slugs)
+}
+
+/// Looks at one world; never fails, a bad world has a `problem`.
+pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
+    let dir = saves.join(&slug);
+    let thumbnail = Some(dir.join(THUMBNAIL_FILE)).filter(|path| path.is_file());
+    let size_bytes = fs::read_dir(&dir).map_or(0, |entries| {
+        entries
+            .flatten()
+            .filter_map(|entry| entry.metadata().ok())
+            .map(|data| data.len())
+            .sum()
+    });
+    let (meta, in_use, problem) = match look(&dir) {
+        Ok(meta) => (Some(meta), false, None),
+        Err(StorageError::InUse { .. }) => (summary::read(&dir), true, None),
+        Err(error) => (summary::read(&dir), false, Some(error.to_string())),
+    };
+    WorldSummary {
+        slug,
+        meta,
+        size_bytes,
+        thumbnail,
+        in_use,
+        problem,
+    }
+}
+
+/// What a world is, without changing it where possible.
+fn look(dir: &Path) -> Result<WorldMeta, StorageError> {
+    let path = dir.join(WORLD_FILE);
+    let label = label(dir);
+    if !path.is_file() {
+        return Err(StorageError::unreadable(&path, "the file is missing"));
+    }
+    match store::peek_meta(&path, &label)? {
+        Some(bytes) => schema::read(&bytes, META_KEY.as_bytes())
+            .map_err(|fault| fault_in(&label, "what the world is", fault)),
+        // Not closed properly: opening will recover it, and a look need not wait for that.
+        None => {
+            summary::read(dir).map_or_else(|| WorldStore::open(dir).map(|world| world.meta()), Ok)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+
+    #[test]
+    fn the_directory_is_chosen_in_the_documented_order() {
+        let [a, b, c, d] = ["a", "b", "c", "d"].map(PathBuf::from);
+        let some = |path: &PathBuf| Some(path.clone());
+        assert_eq!(choose_dir(Some(&a), some(&b), some(&c), some(&d)), a);
+        assert_eq!(choose_dir(None, some(&b), some(&c), some(&d)), b);
+        assert_eq!(choose_dir(None, None, some(&c), some(&d)), c);
+        assert_eq!(choose_dir(None, None, None, some(&d)), d);
+        assert_eq!(choose_dir(None, None, None, None), PathBuf::from("saves"));
+        assert_eq!(saves_dir(Some(&a)), a);
+    }
+}

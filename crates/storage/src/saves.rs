@@ -1,0 +1,356 @@
+//! The directory of worlds: list, find, make, delete, give and take.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Component, Path, PathBuf};
+
+use crate::error::StorageError;
+use crate::listing::{self, WorldInfo, WorldSummary};
+use crate::maintenance::{self, RepairReport, VerifyReport};
+use crate::name::{self, NameError};
+use crate::schema::{SCHEMA_VERSION, WorldMeta};
+use crate::scratch::Scratch;
+use crate::slug::{numbered, slug_of};
+use crate::world::{self, Batch, WorldStore};
+use crate::{MAX_NAME_CHARS, THUMBNAIL_FILE, WORLD_FILE, archive, atomic_file, store, summary};
+
+/// A directory of worlds. Need not exist until the first world is made.
+#[derive(Debug, Clone)]
+pub struct SavesDir {
+    path: PathBuf,
+}
+
+impl SavesDir {
+    /// The worlds in `path`.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self { path: path.into() }
+    }
+
+    /// The directory.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// All worlds, the last played first. Never fails for one bad world: that has a `problem`.
+    ///
+    /// # Errors
+    /// If the directory itself cannot be read; a missing one is empty.
+    pub fn list(&self) -> Result<Vec<WorldSummary>, StorageError> {
+        let mut worlds: Vec<_> = listing::slugs(&self.path)?
+            .into_iter()
+            .map(|slug| listing::summarise(&self.path, slug))
+            .collect();
+        worlds.sort_by_key(|world| {
+            let played = world
+                .meta
+                .as_ref()
+                .map_or(0, |meta| meta.last_played_unix_s);
+            (std::cmp::Reverse(played), world.slug.clone())
+        });
+        Ok(worlds)
+    }
+
+    /// Finds a world by its name, ignoring case, or by its directory.
+    ///
+    /// # Errors
+    /// [`StorageError::NotFound`], or if the directory cannot be read.
+    pub fn find(&self, name_or_slug: &str) -> Result<WorldSummary, StorageError> {
+        let wanted = name::folded(name_or_slug);
+        let worlds = self.list()?;
+        let by_name = worlds
+            .iter()
+            .find(|world| name::folded(world.name()) == wanted);
+        let found = by_name.or_else(|| {
+            worlds
+                .iter()
+                .find(|world| world.slug == name_or_slug.trim())
+        });
+        found.cloned().ok_or_else(|| self.not_found(name_or_slug))
+    }
+
+    /// Whether a new world may have this name.
+    ///
+    /// # Errors
+    /// The reason in words, for the form. An unreadable directory is no reason here:
+    /// making the world will say so.
+    pub fn check_name(&self, name: &str) -> Result<(), NameError> {
+        name::check(name)?;
+        let wanted = name::folded(name);
+        let worlds = self.list().unwrap_or_default();
+        match worlds
+            .iter()
+            .find(|world| name::folded(world.name()) == wanted)
+        {
+            Some(world) => Err(NameError::Taken {
+                existing: world.name().to_owned(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Makes a world, or nothing: it appears whole, under a directory made from its
+    /// name. Blanks around the name are dropped.
+    ///
+    /// # Errors
+    /// [`StorageError::Name`], failures of the file system.
+    pub fn create(&self, meta: &WorldMeta) -> Result<(String, WorldStore), StorageError> {
+        self.check_name(&meta.name)?;
+        let meta = WorldMeta {
+            name: meta.name.trim().to_owned(),
+            ..meta.clone()
+        };
+        let scratch = Scratch::new(&self.path, "new")?;
+        drop(WorldStore::create(scratch.path(), &meta)?);
+        let slug = self.settle(&scratch, &meta.name)?;
+        let world = self.open(&slug)?;
+        Ok((slug, world))
+    }
+
+    /// Opens a world by its directory.
+    ///
+    /// # Errors
+    /// As [`WorldStore::open`].
+    pub fn open(&self, slug: &str) -> Result<WorldStore, StorageError> {
+        WorldStore::open(&self.world_dir(slug)?)
+    }
+
+    /// Deletes a world for good. It is moved aside first, so a half-deleted one is
+    /// never listed.
+    ///
+    /// # Errors
+    /// [`StorageError::InUse`] for a world that is open, here or elsewhere;
+    /// failures of the file system.
+    pub fn delete(&self, slug: &str) -> Result<(), StorageError> {
+        let dir = self.world_dir(slug)?;
+        refuse_if_in_use(&dir)?;
+        let aside = Scratch::new(&self.path, "trash")?;
+        let moved = aside.path().join(slug);
+        StorageError::at("Moving", &dir, fs::rename(&dir, &moved))?;
+        atomic_file::sync_dir(&self.path);
+        match fs::remove_dir_all(&moved) {
+            // Another process has swept it meanwhile.
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+            result => StorageError::at("Deleting", &moved, result),
+        }
+    }
+
+    /// A closer look at a world.
+    ///
+    /// # Errors
+    /// As [`WorldStore::open`] but for damage, which is in `problems`.
+    pub fn info(&self, slug: &str) -> Result<WorldInfo, StorageError> {
+        let dir = self.world_dir(slug)?;
+        let summary = listing::summarise(&self.path, slug.to_owned());
+        let mut info = WorldInfo {
+            summary,
+            state: None,
+            edited_chunks: 0,
+            schema_version: SCHEMA_VERSION,
+            problems: Vec::new(),
+        };
+        match WorldStore::open(&dir) {
+            Ok(world) => {
+                info.problems = world.problems();
+                info.state = world.state().unwrap_or_default();
+                info.edited_chunks = world.edited_chunks().map_or(0, |keys| keys.len());
+            }
+            Err(error @ (StorageError::Unreadable { .. } | StorageError::Damaged { .. })) => {
+                info.problems.push(error.to_string());
+            }
+            Err(error) => return Err(error),
+        }
+        Ok(info)
+    }
+
+    /// Reads every value of a world and says what is damaged.
+    ///
+    /// # Errors
+    /// As [`WorldStore::open`] but for damage, which is in the report.
+    pub fn verify(&self, slug: &str) -> Result<VerifyReport, StorageError> {
+        maintenance::verify(&self.world_dir(slug)?)
+    }
+
+    /// Salvages what is readable of a damaged world into a fresh store, and keeps the
+    /// damaged file beside it. A sound world is left as it is.
+    ///
+    /// # Errors
+    /// [`StorageError::Unsalvageable`] (nothing is changed then),
+    /// [`StorageError::InUse`], [`StorageError::Newer`], failures of the file system.
+    pub fn repair(&self, slug: &str) -> Result<RepairReport, StorageError> {
+        let dir = self.world_dir(slug)?;
+        let scratch = Scratch::new(&self.path, "repair")?;
+        maintenance::repair(&dir, scratch.path())
+    }
+
+    /// Writes a world into one file, which must not exist.
+    ///
+    /// # Errors
+    /// [`StorageError::InUse`], [`StorageError::Unreadable`] (repair it first),
+    /// [`StorageError::Exists`], failures of the file system.
+    pub fn export(&self, slug: &str, file: &Path) -> Result<(), StorageError> {
+        let dir = self.world_dir(slug)?;
+        // Opening recovers a world that was not closed, and refuses a damaged one.
+        drop(WorldStore::open(&dir)?);
+        archive::pack(&dir, file)
+    }
+
+    /// Adds a world from an exported file and returns its directory's name. Nothing
+    /// is overwritten: if its name is taken it gets a number.
+    ///
+    /// # Errors
+    /// [`StorageError::Archive`], [`StorageError::Newer`], failures of the file system.
+    pub fn import(&self, file: &Path) -> Result<String, StorageError> {
+        let scratch = Scratch::new(&self.path, "import")?;
+        archive::unpack(file, scratch.path())?;
+        let world = WorldStore::open(scratch.path()).map_err(|error| match error {
+            StorageError::Damaged { .. }
+            | StorageError::Unreadable { .. }
+            | StorageError::NotFound { .. } => StorageError::Archive {
+                path: file.to_path_buf(),
+                reason: "the world in it is damaged or missing".to_owned(),
+            },
+            // Its name cannot be read then, and its directory here is none.
+            StorageError::Newer { found, .. } => StorageError::Newer {
+                world: file.display().to_string(),
+                found,
+            },
+            other => other,
+        })?;
+        let mut meta = world.meta();
+        meta.name = self.free_name(&meta.name)?;
+        let renamed = Batch {
+            meta: Some(meta.clone()),
+            ..Batch::default()
+        };
+        world.commit(&renamed)?;
+        drop(world);
+        self.settle(&scratch, &meta.name)
+    }
+
+    /// Where a world's menu picture is or would be.
+    ///
+    /// # Errors
+    /// [`StorageError::NotFound`].
+    pub fn thumbnail_path(&self, slug: &str) -> Result<PathBuf, StorageError> {
+        Ok(self.world_dir(slug)?.join(THUMBNAIL_FILE))
+    }
+
+    /// A name like `name` that may be used: itself, or with a number.
+    fn free_name(&self, wanted: &str) -> Result<String, StorageError> {
+        let mut number = 1;
+        loop {
+            let suffix = if number == 1 {
+                String::new()
+            } else {
+                format!(" {number}")
+            };
+            let room = MAX_NAME_CHARS - suffix.len();
+            let stem: String = wanted.trim().chars().take(room).collect();
+            let candidate = format!("{}{suffix}", stem.trim_end());
+            match self.check_name(&candidate) {
+                Ok(()) => return Ok(candidate),
+                Err(NameError::Taken { .. }) => number += 1,
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+
+    fn not_found(&self, world: &str) -> StorageError {
+        StorageError::NotFound {
+            world: world.to_owned(),
+            dir: self.path.clone(),
+        }
+    }
+
+    /// The directory of an existing world. A slug is one plain directory name.
+    fn world_dir(&self, slug: &str) -> Result<PathBuf, StorageError> {
+        let mut parts = Path::new(slug).components();
+        let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == slug);
+        let dir = self.path.join(slug);
+        if plain
+            && !slug.starts_with('.')
+            && (dir.join(WORLD_FILE).exists() || summary::read(&dir).is_some())
+        {
+            Ok(dir)
+        } else {
+            Err(self.not_found(slug))
+        }
+    }
+
+    /// Moves a finished world to the first free directory name for `name`.
+    fn settle(&self, scratch: &Scratch, name: &str) -> Result<String, StorageError> {
+        let base = slug_of(name);
+        let mut number = 1;
+        loop {
+            let slug = numbered(&base, number);
+            let target = self.path.join(&slug);
+            // The check keeps an empty directory; the rename refuses a full one made meanwhile.
+            if !target.exists() {
+                match fs::rename(scratch.path(), &target) {
+                    Ok(()) => {
+                        atomic_file::sync_dir(&self.path);
+                        return Ok(slug);
+                    }
+                    Err(_) if target.exists() => {}
+                    Err(error) => return Err(StorageError::io("Making", &target, error)),
+                }
+            }
+            number += 1;
+        }
+    }
+}
+
+/// Refuses a world that is open anywhere; any other fault of it is no matter.
+fn refuse_if_in_use(dir: &Path) -> Result<(), StorageError> {
+    match store::peek_meta(&dir.join(WORLD_FILE), &world::label(dir)) {
+        Err(error @ StorageError::InUse { .. }) => Err(error),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+
+    #[test]
+    fn only_plain_directory_names_are_slugs() {
+        let dir = tempfile::tempdir().unwrap();
+        let saves = SavesDir::new(dir.path().join("saves"));
+        drop(
+            WorldStore::create(
+                &dir.path().join("outside"),
+                &WorldMeta {
+                    name: "x".to_owned(),
+                    ..WorldMeta::default()
+                },
+            )
+            .unwrap(),
+        );
+        for slug in [
+            "../outside",
+            "..",
+            ".",
+            "",
+            "a/../../outside",
+            "saves/../outside",
+            "missing",
+        ] {
+            assert!(
+                matches!(saves.open(slug), Err(StorageError::NotFound { .. })),
+                "{slug}"
+            );
+            assert!(
+                matches!(saves.delete(slug), Err(StorageError::NotFound { .. })),
+                "{slug}"
+            );
+        }
+        assert!(dir.path().join("outside").join(WORLD_FILE).exists());
+    }
+}

@@ -1,0 +1,356 @@
+//! Every version of every stored value, and the way from an old one to today's.
+//!
+//! The structs below are today's shapes and are stored field by field in their
+//! order, without names: changing a field, its type or its place is a new schema
+//! version. To make one: copy the struct as it was into `mod v1` here, raise
+//! [`SCHEMA_VERSION`], and let [`Versioned::upgrade`] decode the old shape and
+//! convert it. `tests/saves/v1` keeps a world of each version for ever.
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use crate::codec::{self, Fault, Kind, Record};
+
+/// The schema version this build writes.
+pub const SCHEMA_VERSION: u16 = 1;
+
+/// What a world is: fixed at its creation, but for the name and the times.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct WorldMeta {
+    /// The name the player gave, printable, 1 to 40 characters.
+    pub name: String,
+    /// Seed of the terrain.
+    pub seed: u64,
+    /// `euclidean`, `hyperbolic` or `spherical`.
+    pub geometry: String,
+    /// Radius of curvature in metres; 0 or infinite in a flat world.
+    pub radius_m: f64,
+    /// The biome's identifier, empty if it follows from the seed.
+    pub biome: String,
+    /// When the world was made, seconds since 1970 UTC.
+    pub created_unix_s: u64,
+    /// When it was last played, seconds since 1970 UTC.
+    pub last_played_unix_s: u64,
+    /// Time spent in it, seconds.
+    pub played_s: f64,
+}
+
+/// The player's body.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlayerRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Feet, chart metres.
+    pub pos: [f64; 3],
+    /// Velocity, metres per second.
+    pub vel: [f64; 3],
+    /// Heading, radians.
+    pub yaw: f64,
+    /// Elevation of the view, radians.
+    pub pitch: f64,
+    /// Health, 0 to 100.
+    pub health: f64,
+    /// Whether the view is from behind.
+    pub third_person: bool,
+    /// Whether the spectator's flight is on.
+    pub flying: bool,
+    /// Whether the feet stood on something.
+    pub grounded: bool,
+}
+
+/// One filled slot of the inventory.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct SlotRecord {
+    /// Which slot, 0 is the first.
+    pub slot: u8,
+    /// The item's identifier, such as `pickaxe-iron`.
+    pub item: String,
+    /// How many.
+    pub count: u32,
+}
+
+/// Everything that changes while a world is played, but for the terrain.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct WorldState {
+    /// The player's body.
+    pub player: PlayerRecord,
+    /// The slot in the hand.
+    pub item_slot: u8,
+    /// The filled slots.
+    pub inventory: Vec<SlotRecord>,
+    /// Time of day, seconds.
+    pub time_of_day_s: f64,
+    /// The hyperbolic dial, metres; without meaning elsewhere.
+    pub curvature: f64,
+    /// Radius of the brush, metres.
+    pub brush_radius_m: f64,
+    /// Simulated time since the world was made, seconds.
+    pub simulated_s: f64,
+    /// View distance, chunks.
+    pub view_distance: u32,
+}
+
+/// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
+)]
+pub struct ChunkKey {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Index along x.
+    pub x: i32,
+    /// Index along y (up).
+    pub y: i32,
+    /// Index along z.
+    pub z: i32,
+}
+
+impl ChunkKey {
+    /// Length of [`Self::to_bytes`].
+    pub(crate) const BYTES: usize = 13;
+
+    /// A key whose order as bytes is the order of `ChunkKey`: big-endian with the
+    /// sign flipped, so that neighbours along z lie side by side in the store.
+    pub(crate) fn to_bytes(self) -> [u8; Self::BYTES] {
+        let mut bytes = [0; Self::BYTES];
+        bytes[0] = self.hemisphere;
+        for (slot, index) in bytes[1..].chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
+            slot.copy_from_slice(&((index as u32) ^ 0x8000_0000).to_be_bytes());
+        }
+        bytes
+    }
+
+    /// The inverse of [`Self::to_bytes`]; `None` for any other length.
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        let (&hemisphere, rest) = bytes.split_first()?;
+        let (words, []) = rest.as_chunks::<4>() else {
+            return None;
+        };
+        let &[x, y, z] = words else { return None };
+        let index = |word| (u32::from_be_bytes(word) ^ 0x8000_0000) as i32;
+        Some(Self {
+            hemisphere,
+            x: index(x),
+            y: index(y),
+            z: index(z),
+        })
+    }
+}
+
+impl std::fmt::Display for ChunkKey {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let chart = if self.hemisphere == 0 { 'A' } else { 'B' };
+        write!(f, "chunk {chart} ({}, {}, {})", self.x, self.y, self.z)
+    }
+}
+
+/// Why a stored value could not be turned into today's shape.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum SchemaFault {
+    /// Written by a newer game.
+    Newer(u16),
+    /// Not what was written: a checksum, a shape or a key is wrong.
+    Damaged(String),
+}
+
+impl From<Fault> for SchemaFault {
+    fn from(fault: Fault) -> Self {
+        Self::Damaged(fault.to_string())
+    }
+}
+
+/// A stored value with a history of shapes.
+pub(crate) trait Versioned: Sized {
+    /// What the record is marked as.
+    const KIND: Kind;
+    /// The newest version this build knows.
+    const VERSION: u16 = SCHEMA_VERSION;
+
+    /// Decodes a body of `version`, which is in `1..=VERSION`, and brings it up to today.
+    fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault>;
+}
+
+impl Versioned for WorldMeta {
+    const KIND: Kind = Kind::Meta;
+
+    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        decode(body)
+    }
+}
+
+impl Versioned for WorldState {
+    const KIND: Kind = Kind::State;
+
+    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        decode(body)
+    }
+}
+
+/// A chunk's edits as stored; see [`crate::chunk_codec`].
+pub(crate) struct ChunkBody(pub Vec<i16>);
+
+impl Versioned for ChunkBody {
+    const KIND: Kind = Kind::Chunk;
+
+    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        Ok(Self(
+            crate::chunk_codec::unpack_chunk(body).map_err(SchemaFault::Damaged)?,
+        ))
+    }
+}
+
+fn decode<T: DeserializeOwned>(body: &[u8]) -> Result<T, SchemaFault> {
+    codec::decode(body).map_err(SchemaFault::from)
+}
+
+/// Checks that a record is of `T`, stored under `key`, of a version we know.
+pub(crate) fn check<T: Versioned>(record: &Record<'_>, key: &[u8]) -> Result<(), SchemaFault> {
+    if record.version > T::VERSION {
+        return Err(SchemaFault::Newer(record.version));
+    }
+    if record.version == 0 {
+        return Err(SchemaFault::Damaged(
+            "its schema version 0 was never used".to_owned(),
+        ));
+    }
+    if record.kind != T::KIND || record.key != key {
+        return Err(SchemaFault::Damaged("it belongs somewhere else".to_owned()));
+    }
+    Ok(())
+}
+
+/// Reads a sealed value stored under `key`: seal, version, kind, key, then the body.
+pub(crate) fn read<T: Versioned>(bytes: &[u8], key: &[u8]) -> Result<T, SchemaFault> {
+    let record = codec::unseal(bytes)?;
+    check::<T>(&record, key)?;
+    T::upgrade(record.version, record.body)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A value whose first version counted in whole seconds and whose second in milliseconds.
+    #[derive(Debug, PartialEq)]
+    struct Clock {
+        millis: u64,
+    }
+
+    impl Versioned for Clock {
+        const KIND: Kind = Kind::State;
+        const VERSION: u16 = 2;
+
+        fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+            let value: u64 = decode(body)?;
+            Ok(Self {
+                millis: if version == 1 { value * 1000 } else { value },
+            })
+        }
+    }
+
+    fn sealed(version: u16, value: u64) -> Vec<u8> {
+        codec::seal(
+            version,
+            Kind::State,
+            b"clock",
+            1,
+            &codec::encode(&value).unwrap(),
+        )
+    }
+
+    #[test]
+    fn older_versions_are_migrated() {
+        assert_eq!(
+            read::<Clock>(&sealed(1, 7), b"clock"),
+            Ok(Clock { millis: 7000 })
+        );
+        assert_eq!(
+            read::<Clock>(&sealed(2, 7), b"clock"),
+            Ok(Clock { millis: 7 })
+        );
+    }
+
+    #[test]
+    fn newer_versions_are_refused_as_such() {
+        assert_eq!(
+            read::<Clock>(&sealed(3, 7), b"clock"),
+            Err(SchemaFault::Newer(3))
+        );
+        assert_eq!(
+            read::<Clock>(&sealed(u16::MAX, 7), b"clock"),
+            Err(SchemaFault::Newer(u16::MAX))
+        );
+    }
+
+    #[test]
+    fn version_zero_and_foreign_places_are_damage() {
+        let cases = [
+            read::<Clock>(&sealed(0, 7), b"clock"),
+            read::<Clock>(&sealed(1, 7), b"other"),
+            read::<Clock>(&codec::seal(1, Kind::Meta, b"clock", 1, &[7]), b"clock"),
+            read::<Clock>(&codec::seal(1, Kind::State, b"clock", 1, &[]), b"clock"),
+            read::<Clock>(&codec::seal(1, Kind::State, b"clock", 1, &[7, 7]), b"clock"),
+        ];
+        for case in cases {
+            assert!(matches!(case, Err(SchemaFault::Damaged(_))), "{case:?}");
+        }
+    }
+
+    #[test]
+    fn a_flipped_version_bit_is_damage_and_not_a_newer_game() {
+        let mut bytes = sealed(1, 7);
+        bytes[1] ^= 1;
+        assert!(matches!(
+            read::<Clock>(&bytes, b"clock"),
+            Err(SchemaFault::Damaged(_))
+        ));
+    }
+
+    #[test]
+    fn the_bytes_of_version_1_are_frozen() {
+        let meta = WorldMeta {
+            name: "Aé".to_owned(),
+            seed: 300,
+            geometry: "spherical".to_owned(),
+            radius_m: 32.0,
+            biome: String::new(),
+            created_unix_s: 1,
+            last_played_unix_s: 2,
+            played_s: 0.5,
+        };
+        let body = codec::encode(&meta).unwrap();
+        let mut expected = vec![3, b'A', 0xc3, 0xa9, 251, 44, 1, 9];
+        expected.extend(b"spherical");
+        expected.extend(32.0_f64.to_le_bytes());
+        expected.extend([0, 1, 2]);
+        expected.extend(0.5_f64.to_le_bytes());
+        assert_eq!(body, expected);
+        assert_eq!(WorldMeta::upgrade(1, &body), Ok(meta));
+    }
+
+    proptest! {
+        #[test]
+        fn chunk_keys_survive_and_keep_their_order(a: (u8, i32, i32, i32), b: (u8, i32, i32, i32)) {
+            let key = |(hemisphere, x, y, z)| ChunkKey { hemisphere, x, y, z };
+            let (a, b) = (key(a), key(b));
+            prop_assert_eq!(ChunkKey::from_bytes(&a.to_bytes()), Some(a));
+            prop_assert_eq!(a.cmp(&b), a.to_bytes().cmp(&b.to_bytes()));
+        }
+
+        #[test]
+        fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            let read = read::<WorldState>(&bytes, b"state");
+            prop_assert!(read.is_err());
+            let _ = WorldState::upgrade(1, &bytes);
+            let _ = WorldMeta::upgrade(1, &bytes);
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! The embedded store as this crate uses it: two tables of sealed records.
+//!
+//! Every call goes through [`guard`], because the store trusts its file.
+
+use std::path::{Path, PathBuf};
+
+use redb::{
+    Builder, Database, ReadTransaction, ReadableDatabase, ReadableTable, ReadableTableMetadata,
+    TableDefinition, TableError,
+};
+
+use crate::codec::Kind;
+use crate::error::StorageError;
+use crate::guard::guard;
+use crate::schema::ChunkKey;
+
+/// `world` and `state`.
+pub(crate) const VALUES: TableDefinition<'static, &str, &[u8]> = TableDefinition::new("values");
+/// One record per edited chunk.
+pub(crate) const CHUNKS: TableDefinition<'static, &[u8; ChunkKey::BYTES], &[u8]> =
+    TableDefinition::new("chunks");
+/// Key of the [`crate::WorldMeta`].
+pub(crate) const META_KEY: &str = "world";
+/// Key of the [`crate::WorldState`].
+pub(crate) const STATE_KEY: &str = "state";
+
+/// Memory the store may keep pages in; it would take a gigabyte by itself.
+const CACHE_BYTES: usize = 32 << 20;
+
+/// A value as stored: which, under which key, its sealed bytes.
+pub(crate) struct Raw {
+    /// What it should be, by the table it is in.
+    pub kind: Kind,
+    /// Its key.
+    pub key: Vec<u8>,
+    /// The sealed record.
+    pub bytes: Vec<u8>,
+}
+
+/// An open store.
+pub(crate) struct Store {
+    path: PathBuf,
+    /// The world's name, or its directory's until that is known.
+    world: String,
+    // Some until drop.
+    db: Option<Database>,
+}
+
+impl Store {
+    /// Makes a store in a file that must not exist.
+    pub(crate) fn create(path: &Path, world: &str) -> Result<Self, StorageError> {
+        let file = std::fs::File::options()
+            .read(true)
+            .write(true)
+            .create_new(true)
+            .open(path);
+        let file = StorageError::at("Making", path, file)?;
+        let db = guard(path, || {
+            let mut builder = Builder::new();
+            builder
+                .set_cache_size(CACHE_BYTES)
+                .create_file(file)
+                .map_err(|e| StorageError::store(path, world, e))
+        })?;
+        Ok(Self {
+            path: path.to_path_buf(),
+            world: world.to_owned(),
+            db: Some(db),
+        })
+    }
+
+    /// Opens a store, recovering it if it was not closed.
+    pub(crate) fn open(path: &Path, world: &str) -> Result<Self, StorageError> {
+        let db = guard(path, || {
+            let mut builder = Builder::new();
+            builder
+                .set_cache_size(CACHE_BYTES)
+                .open(path)
+                .map_err(|e| StorageError::store(path, world, e))
+        })?;
+        Ok(Self {
+            path: path.to_path_buf(),
+            world: world.to_owned(),
+            db: Some(db),
+        })
+    }
+
+    fn db(&self) -> Result<&Database, StorageError> {
+        self.db
+            .as_ref()
+            .ok_or_else(|| StorageError::unreadable(&self.path, "it has been closed"))
+    }
+
+    /// What an error of the store means for this world.
+    fn error(&self, error: impl Into<redb::Error>) -> StorageError {
+        StorageError::store(&self.path, &self.world, error)
+    }
+
+    /// The sealed bytes of one chunk.
+    pub(crate) fn chunk(
+        &self,
+        key: &[u8; ChunkKey::BYTES],
+    ) -> Result<Option<Vec<u8>>, StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
+                return Ok(None);
+            };
+            let value = table.get(key).map_err(|e| self.error(e))?;
+            Ok(value.map(|value| value.value().to_vec()))
+        })
+    }
+
+    /// The sealed bytes under one key of [`VALUES`].
+    pub(crate) fn value(&self, key: &str) -> Result<Option<Vec<u8>>, StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            value_in(&read, key).map_err(|e| self.error(e))
+        })
+    }
+
+    /// Hands over every stored value in order of the keys. Ends with an error where
+    /// the index is damaged; what was handed over until then stands.
+    pub(crate) fn scan(&self, mut each: impl FnMut(Raw)) -> Result<(), StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            for (kind, key) in [(Kind::Meta, META_KEY), (Kind::State, STATE_KEY)] {
+                if let Some(bytes) = value_in(&read, key).map_err(|e| self.error(e))? {
+                    each(Raw {
+                        kind,
+                        key: key.as_bytes().to_vec(),
+                        bytes,
+                    });
+                }
+            }
+            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
+                return Ok(());
+            };
+            let mut left = table.len().map_err(|e| self.error(e))?;
+            for entry in table.iter().map_err(|e| self.error(e))? {
+                let (key, value) = entry.map_err(|e| self.error(e))?;
+                let (key, bytes) = (key.value().to_vec(), value.value().to_vec());
+                each(Raw {
+                    kind: Kind::Chunk,
+                    key,
+                    bytes,
+                });
+                left = left.wrapping_sub(1);
+            }
+            if left == 0 {
+                Ok(())
+            } else {
+                Err(StorageError::unreadable(
+                    &self.path,
+                    "its index does not hold as many chunks as it says",
+                ))
+            }
+        })
+    }
+
+    /// Writes sealed values in one durable transaction: all of them or none.
+    pub(crate) fn write(
+        &self,
+        values: &[(&str, Vec<u8>)],
+        chunks: &[([u8; ChunkKey::BYTES], Vec<u8>)],
+    ) -> Result<(), StorageError> {
+        guard(&self.path, || {
+            let write = self.db()?.begin_write().map_err(|e| self.error(e))?;
+            {
+                let mut table = write.open_table(VALUES).map_err(|e| self.error(e))?;
+                for (key, bytes) in values {
+                    table
+                        .insert(*key, bytes.as_slice())
+                        .map_err(|e| self.error(e))?;
+                }
+                let mut table = write.open_table(CHUNKS).map_err(|e| self.error(e))?;
+                for (key, bytes) in chunks {
+                    table
+                        .insert(key, bytes.as_slice())
+                        .map_err(|e| self.error(e))?;
+                }
+            }
+            write.commit().map_err(|e| self.error(e))
+        })
+    }
+
+    /// Walks every page and compares its checksum; false if the store had to mend itself.
+    pub(crate) fn check_pages(&mut self) -> Result<bool, StorageError> {
+        let (path, world) = (self.path.clone(), self.world.clone());
+        guard(&path, || match self.db.as_mut() {
+            Some(db) => db
+                .check_integrity()
+                .map_err(|e| StorageError::store(&path, &world, e)),
+            None => Ok(true),
+        })
+    }
+}
+
+impl Drop for Store {
+    fn drop(&mut self) {
+        let db = self.db.take();
+        // Closing writes; on a damaged file that may panic as reading may.
+        let closed = guard(&self.path, || {
+            drop(db);
+            Ok(())
+        });
+        if closed.is_err() {
+            tracing::warn!(path = %self.path.display(), "the save was not closed cleanly");
+        }
+    }
+}
+
+/// Reads the meta record without writing to the file: `None` if the world was
+/// not closed (its recovery writes) or holds none.
+pub(crate) fn peek_meta(path: &Path, world: &str) -> Result<Option<Vec<u8>>, StorageError> {
+    guard(path, || {
+        let mut builder = Builder::new();
+        let db = match builder.set_cache_size(CACHE_BYTES).open_read_only(path) {
+            Ok(db) => db,
+            Err(redb::DatabaseError::RepairAborted) => return Ok(None),
+            Err(error) => return Err(StorageError::store(path, world, error)),
+        };
+        let read = db
+            .begin_read()
+            .map_err(|e| StorageError::store(path, world, e))?;
+        value_in(&read, META_KEY).map_err(|e| StorageError::store(path, world, e))
+    })
+}
+
+fn value_in(read: &ReadTransaction, key: &str) -> Result<Option<Vec<u8>>, redb::Error> {
+    let Some(table) = absent(read.open_table(VALUES))? else {
+        return Ok(None);
+    };
+    Ok(table.get(key)?.map(|value| value.value().to_vec()))
+}
+
+/// A table that nothing was written to yet does not exist; that is no error.
+fn absent<T>(table: Result<T, TableError>) -> Result<Option<T>, TableError> {
+    match table {
+        Ok(table) => Ok(Some(table)),
+        Err(TableError::TableDoesNotExist(_)) => Ok(None),
+        Err(error) => Err(error),
+    }
+}

@@ -1,0 +1,246 @@
+//! The look at every record of a world as it is opened.
+
+use std::collections::BTreeMap;
+
+use crate::codec::{self, Kind};
+use crate::error::StorageError;
+use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, WorldMeta, WorldState};
+use crate::store::{META_KEY, Raw, Store};
+
+/// What is kept in memory of an open world.
+pub(crate) struct Known {
+    /// What the world is, as last committed.
+    pub meta: WorldMeta,
+    /// Chunks whose record cannot be believed, with the reason.
+    pub damaged: BTreeMap<ChunkKey, String>,
+    /// What else is wrong, as sentences.
+    pub problems: Vec<String>,
+}
+
+/// Looks at every record: is it whole, of a known version, and found by its key?
+pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), StorageError> {
+    let meta_bytes = store.value(META_KEY)?;
+    let Some(meta_bytes) = meta_bytes else {
+        return Err(fault_in(
+            label,
+            "what the world is",
+            SchemaFault::Damaged("it is missing".to_owned()),
+        ));
+    };
+    let meta: WorldMeta = schema::read(&meta_bytes, META_KEY.as_bytes())
+        .map_err(|fault| fault_in(label, "what the world is", fault))?;
+    let mut known = Known {
+        meta,
+        damaged: BTreeMap::new(),
+        problems: Vec::new(),
+    };
+    let mut last = 0;
+    let mut newer = None;
+    let mut unfound = Vec::new();
+    let scanned = store.scan(|raw| {
+        match record_fault(&raw) {
+            Ok(sequence) => last = last.max(sequence),
+            Err(SchemaFault::Newer(version)) => newer = Some(version),
+            Err(SchemaFault::Damaged(reason)) => known.note(&raw, reason),
+        }
+        if raw.kind == Kind::Chunk {
+            unfound.extend(ChunkKey::from_bytes(&raw.key));
+        }
+    });
+    if let Some(found) = newer {
+        return Err(StorageError::Newer {
+            world: known.meta.name,
+            found,
+        });
+    }
+    if let Err(error) = scanned {
+        known.problems.push(error.to_string());
+    }
+    // A damaged branch of the index can hide a record that walking the leaves finds.
+    for key in unfound {
+        if !matches!(store.chunk(&key.to_bytes()), Ok(Some(_))) {
+            known
+                .damaged
+                .insert(key, "the index does not lead to it".to_owned());
+        }
+    }
+    Ok((known, last))
+}
+
+impl Known {
+    /// Remembers a damaged record.
+    fn note(&mut self, raw: &Raw, reason: String) {
+        match ChunkKey::from_bytes(&raw.key) {
+            Some(key) if raw.kind == Kind::Chunk => {
+                self.damaged.insert(key, reason);
+            }
+            _ => {
+                let world = self.meta.name.clone();
+                self.problems.push(
+                    fault_in(&world, "the player's state", SchemaFault::Damaged(reason))
+                        .to_string(),
+                );
+            }
+        }
+    }
+}
+
+/// Checks a stored record without decoding its body; its commit number if it is whole.
+fn record_fault(raw: &Raw) -> Result<u64, SchemaFault> {
+    let record = codec::unseal(&raw.bytes)?;
+    match raw.kind {
+        Kind::Meta => schema::check::<WorldMeta>(&record, &raw.key)?,
+        Kind::State => schema::check::<WorldState>(&record, &raw.key)?,
+        Kind::Chunk => schema::check::<ChunkBody>(&record, &raw.key)?,
+    }
+    Ok(record.sequence)
+}
+
+/// The error for a value that could not be read.
+pub(crate) fn fault_in(world: &str, what: &str, fault: SchemaFault) -> StorageError {
+    let world = world.to_owned();
+    match fault {
+        SchemaFault::Newer(found) => StorageError::Newer { world, found },
+        SchemaFault::Damaged(reason) => StorageError::Damaged {
+            world,
+            what: what.to_owned(),
+            reason,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+    use crate::SavesDir;
+    use crate::store::STATE_KEY;
+    use crate::world::sealed;
+    use crate::{WORLD_FILE, pack_chunk, summary};
+    use std::fs;
+
+    /// A world whose meta, state and one chunk are stored with these schema versions.
+    fn planted(versions: [u16; 3]) -> (tempfile::TempDir, SavesDir) {
+        let root = tempfile::tempdir().unwrap();
+        let dir = root.path().join("future");
+        fs::create_dir(&dir).unwrap();
+        let meta = WorldMeta {
+            name: "Future".to_owned(),
+            ..WorldMeta::default()
+        };
+        let body = codec::encode(&meta).unwrap();
+        let state = codec::encode(&WorldState::default()).unwrap();
+        let chunk = pack_chunk(&vec![3; crate::CHUNK_SAMPLES]).unwrap();
+        let key = ChunkKey::default().to_bytes();
+        let values = [
+            (
+                META_KEY,
+                codec::seal(versions[0], Kind::Meta, META_KEY.as_bytes(), 1, &body),
+            ),
+            (
+                STATE_KEY,
+                codec::seal(versions[1], Kind::State, STATE_KEY.as_bytes(), 1, &state),
+            ),
+        ];
+        let chunks = [(key, codec::seal(versions[2], Kind::Chunk, &key, 1, &chunk))];
+        Store::create(&dir.join(WORLD_FILE), "Future")
+            .unwrap()
+            .write(&values, &chunks)
+            .unwrap();
+        let saves = SavesDir::new(root.path());
+        (root, saves)
+    }
+
+    #[test]
+    fn a_newer_world_is_refused_by_name_and_left_alone() {
+        for versions in [[2, 1, 1], [1, 2, 1], [1, 1, 2], [900, 900, 900]] {
+            let (root, saves) = planted(versions);
+            let path = root.path().join("future").join(WORLD_FILE);
+            let refusals = [
+                saves.open("future").map(drop),
+                saves.repair("future").map(drop),
+                saves.verify("future").map(drop),
+            ];
+            for refusal in refusals.map(Result::unwrap_err) {
+                assert!(
+                    matches!(refusal, StorageError::Newer { .. }),
+                    "{versions:?}: {refusal}"
+                );
+                let sentence = refusal.to_string().to_lowercase();
+                assert!(
+                    sentence.contains("\"future\"") && sentence.contains("update the game"),
+                    "{sentence}"
+                );
+            }
+            assert!(path.is_file());
+            assert_eq!(fs::read_dir(root.path().join("future")).unwrap().count(), 1);
+            let problem = saves.list().unwrap().remove(0).problem;
+            assert_eq!(problem.is_some(), versions[0] > 1, "{problem:?}");
+        }
+    }
+
+    #[test]
+    fn values_of_an_unknown_version_are_damage() {
+        let (_root, saves) = planted([0, 1, 1]);
+        assert!(matches!(
+            saves.open("future"),
+            Err(StorageError::Damaged { .. })
+        ));
+        let (_root, saves) = planted([1, 0, 0]);
+        let world = saves.open("future").unwrap();
+        assert!(matches!(world.state(), Err(StorageError::Damaged { .. })));
+        assert!(matches!(
+            world.chunk(&ChunkKey::default()),
+            Err(StorageError::Damaged { .. })
+        ));
+        assert_eq!(world.problems().len(), 2);
+    }
+
+    #[test]
+    fn a_copied_record_does_not_pass_for_another_chunk() {
+        let (root, saves) = planted([1, 1, 1]);
+        let elsewhere = ChunkKey {
+            x: 5,
+            ..ChunkKey::default()
+        };
+        let store = Store::open(&root.path().join("future").join(WORLD_FILE), "Future").unwrap();
+        let bytes = store
+            .chunk(&ChunkKey::default().to_bytes())
+            .unwrap()
+            .unwrap();
+        store.write(&[], &[(elsewhere.to_bytes(), bytes)]).unwrap();
+        drop(store);
+        let world = saves.open("future").unwrap();
+        assert_eq!(
+            world.chunk(&ChunkKey::default()).unwrap(),
+            Some(vec![3; crate::CHUNK_SAMPLES])
+        );
+        assert!(matches!(
+            world.chunk(&elsewhere),
+            Err(StorageError::Damaged { .. })
+        ));
+    }
+
+    #[test]
+    fn a_world_without_its_meta_is_repaired_from_its_summary() {
+        let (root, saves) = planted([1, 1, 1]);
+        let dir = root.path().join("future");
+        let meta = saves.open("future").unwrap().meta();
+        summary::write(&dir, &sealed(&meta, META_KEY, 1, "Future").unwrap());
+        fs::write(dir.join(WORLD_FILE), b"nothing of it is left").unwrap();
+        let listed = saves.find("FUTURE").unwrap();
+        assert!(listed.problem.is_some());
+        let report = saves.repair("future").unwrap();
+        assert_eq!(
+            (report.chunks, report.has_state, report.losses.len()),
+            (0, false, 1)
+        );
+        assert_eq!(saves.open("future").unwrap().meta(), meta);
+    }
+}

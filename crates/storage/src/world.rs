@@ -1,0 +1,313 @@
+//! One world on disk: open it, read it, commit to it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
+
+use crate::codec::{self, Kind};
+use crate::error::StorageError;
+use crate::schema::{
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
+};
+use crate::store::{META_KEY, STATE_KEY, Store};
+use crate::survey::{Known, fault_in, survey};
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, pack_chunk, summary};
+
+/// What one commit writes: all of it or none.
+#[derive(Debug, Clone, Default)]
+pub struct Batch {
+    /// The new meta record, if it changed.
+    pub meta: Option<WorldMeta>,
+    /// The new state, if it changed.
+    pub state: Option<WorldState>,
+    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
+    pub chunks: Vec<(ChunkKey, Vec<i16>)>,
+}
+
+impl Batch {
+    /// Whether there is nothing to write.
+    pub fn is_empty(&self) -> bool {
+        self.meta.is_none() && self.state.is_none() && self.chunks.is_empty()
+    }
+}
+
+/// An open world. Reading and committing are possible from several threads; one
+/// commit runs at a time. The world is closed when this is dropped.
+pub struct WorldStore {
+    dir: PathBuf,
+    // None after a failed commit, until the next use opens it again.
+    store: RwLock<Option<Store>>,
+    known: Mutex<Known>,
+    /// Number of the last commit; held during one. Apart from `known`, so that
+    /// reading never waits for the disk.
+    sequence: Mutex<u64>,
+}
+
+impl std::fmt::Debug for WorldStore {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("WorldStore")
+            .field("dir", &self.dir)
+            .finish_non_exhaustive()
+    }
+}
+
+impl WorldStore {
+    /// Makes a new world in `dir`, which is made too if need be.
+    ///
+    /// # Errors
+    /// [`StorageError::Exists`] if there is a world already; failures of the file system.
+    pub fn create(dir: &Path, meta: &WorldMeta) -> Result<Self, StorageError> {
+        StorageError::at("Making", dir, fs::create_dir_all(dir))?;
+        let store = Store::create(&dir.join(WORLD_FILE), &meta.name)?;
+        let world = Self {
+            dir: dir.to_path_buf(),
+            store: RwLock::new(Some(store)),
+            known: Mutex::new(Known {
+                meta: meta.clone(),
+                damaged: BTreeMap::new(),
+                problems: Vec::new(),
+            }),
+            sequence: Mutex::new(0),
+        };
+        world.commit(&Batch {
+            meta: Some(meta.clone()),
+            ..Batch::default()
+        })?;
+        atomic_file::sync_dir(dir);
+        Ok(world)
+    }
+
+    /// Opens a world and looks at every record in it. Damaged chunks and a damaged
+    /// state do not keep it from opening; see [`Self::problems`].
+    ///
+    /// # Errors
+    /// [`StorageError::InUse`] if it is open anywhere, [`StorageError::Newer`],
+    /// [`StorageError::NotFound`], [`StorageError::Unreadable`] or
+    /// [`StorageError::Damaged`] if it cannot be told what world it is.
+    pub fn open(dir: &Path) -> Result<Self, StorageError> {
+        let path = dir.join(WORLD_FILE);
+        let label = label(dir);
+        if !path.is_file() {
+            return Err(StorageError::NotFound {
+                world: label,
+                dir: dir.parent().unwrap_or(dir).to_path_buf(),
+            });
+        }
+        let store = Store::open(&path, &label)?;
+        let (known, sequence) = survey(&store, &label)?;
+        Ok(Self {
+            dir: dir.to_path_buf(),
+            store: RwLock::new(Some(store)),
+            known: Mutex::new(known),
+            sequence: Mutex::new(sequence),
+        })
+    }
+
+    /// The world's directory.
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
+    /// What the world is, as last committed.
+    pub fn meta(&self) -> WorldMeta {
+        self.known().meta.clone()
+    }
+
+    /// What was found damaged on opening, a sentence each; empty for a sound world.
+    pub fn problems(&self) -> Vec<String> {
+        let known = self.known();
+        let chunks = known.damaged.iter().map(|(key, reason)| {
+            fault_in(
+                &known.meta.name,
+                &key.to_string(),
+                SchemaFault::Damaged(reason.clone()),
+            )
+            .to_string()
+        });
+        known.problems.iter().cloned().chain(chunks).collect()
+    }
+
+    /// The player and the rest that changes; `None` in a world never played.
+    ///
+    /// # Errors
+    /// [`StorageError::Damaged`] if it cannot be believed, failures of the file system.
+    pub fn state(&self) -> Result<Option<WorldState>, StorageError> {
+        let bytes = self.with_store(|store| store.value(STATE_KEY))?;
+        let name = self.known().meta.name.clone();
+        bytes
+            .map(|bytes| schema::read(&bytes, STATE_KEY.as_bytes()))
+            .transpose()
+            .map_err(|fault| fault_in(&name, "the player's state", fault))
+    }
+
+    /// The edits of a chunk; `None` if it was never edited.
+    ///
+    /// # Errors
+    /// [`StorageError::Damaged`] if its record cannot be believed: go on with the
+    /// chunk as generated, and say so. Failures of the file system.
+    pub fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, StorageError> {
+        let stored_key = key.to_bytes();
+        let name = {
+            let known = self.known();
+            if let Some(reason) = known.damaged.get(key) {
+                return Err(fault_in(
+                    &known.meta.name,
+                    &key.to_string(),
+                    SchemaFault::Damaged(reason.clone()),
+                ));
+            }
+            known.meta.name.clone()
+        };
+        let bytes = self.with_store(|store| store.chunk(&stored_key))?;
+        bytes
+            .map(|bytes| schema::read(&bytes, &stored_key))
+            .transpose()
+            .map(|chunk| chunk.map(|ChunkBody(samples)| samples))
+            .map_err(|fault| fault_in(&name, &key.to_string(), fault))
+    }
+
+    /// Every chunk that was ever edited, in order.
+    ///
+    /// # Errors
+    /// [`StorageError::Unreadable`] if the index is damaged, failures of the file system.
+    pub fn edited_chunks(&self) -> Result<Vec<ChunkKey>, StorageError> {
+        let mut keys = Vec::new();
+        self.with_store(|store| {
+            keys.clear();
+            store.scan(|raw| {
+                if raw.kind == Kind::Chunk {
+                    keys.extend(ChunkKey::from_bytes(&raw.key));
+                }
+            })
+        })?;
+        Ok(keys)
+    }
+
+    /// Writes a batch in one durable transaction. When this returns, `kill -9` and a
+    /// power cut leave it whole; when it fails, the world is as before, and calling
+    /// again (after making space, say) tries again.
+    ///
+    /// # Errors
+    /// [`StorageError::DiskFull`], [`StorageError::NotWritable`] and other failures
+    /// of the file system; [`StorageError::Unstorable`] for a chunk of a wrong size.
+    pub fn commit(&self, batch: &Batch) -> Result<(), StorageError> {
+        if batch.is_empty() {
+            return Ok(());
+        }
+        let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
+        let sequence = *last + 1;
+        let name = self.known().meta.name.clone();
+        let mut values = Vec::new();
+        if let Some(meta) = &batch.meta {
+            values.push((META_KEY, sealed(meta, META_KEY, sequence, &name)?));
+        }
+        if let Some(state) = &batch.state {
+            values.push((STATE_KEY, sealed(state, STATE_KEY, sequence, &name)?));
+        }
+        let chunks = batch.chunks.iter().map(|(key, samples)| {
+            let body = pack_chunk(samples)
+                .map_err(|reason| unstorable(&name, &key.to_string(), reason))?;
+            let key = key.to_bytes();
+            Ok((
+                key,
+                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
+            ))
+        });
+        let chunks: Vec<_> = chunks.collect::<Result<_, StorageError>>()?;
+        if let Err(error) = self.with_store(|store| store.write(&values, &chunks)) {
+            // After a failed write the store refuses everything until it is opened again.
+            *self.store.write().unwrap_or_else(PoisonError::into_inner) = None;
+            return Err(error);
+        }
+        *last = sequence;
+        let mut known = self.known();
+        for (key, _) in &batch.chunks {
+            known.damaged.remove(key);
+        }
+        if let Some(meta) = &batch.meta {
+            known.meta = meta.clone();
+            drop(known);
+            summary::write(&self.dir, &values[0].1);
+        }
+        Ok(())
+    }
+
+    /// Writes the menu picture, replacing the old one.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn write_thumbnail(&self, png: &[u8]) -> Result<(), StorageError> {
+        let path = self.dir.join(THUMBNAIL_FILE);
+        StorageError::at("Writing", &path, atomic_file::replace(&path, png))
+    }
+
+    /// Walks every page of the store too, for `verify`.
+    pub(crate) fn check_pages(&self) -> Result<bool, StorageError> {
+        let mut store = self.store.write().unwrap_or_else(PoisonError::into_inner);
+        store.as_mut().map_or(Ok(true), Store::check_pages)
+    }
+
+    /// Runs `work` on the store, opening it first if a failed commit has closed it.
+    fn with_store<T>(
+        &self,
+        work: impl FnOnce(&Store) -> Result<T, StorageError>,
+    ) -> Result<T, StorageError> {
+        if let Some(store) = self
+            .store
+            .read()
+            .unwrap_or_else(PoisonError::into_inner)
+            .as_ref()
+        {
+            return work(store);
+        }
+        let mut slot = self.store.write().unwrap_or_else(PoisonError::into_inner);
+        let store = match slot.take() {
+            Some(store) => store,
+            None => Store::open(&self.dir.join(WORLD_FILE), &label(&self.dir))?,
+        };
+        work(slot.insert(store))
+    }
+
+    fn known(&self) -> MutexGuard<'_, Known> {
+        self.known.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// What to call a world whose name is not known yet.
+pub(crate) fn label(dir: &Path) -> String {
+    summary::read(dir).map_or_else(
+        || {
+            dir.file_name().map_or_else(
+                || dir.display().to_string(),
+                |name| name.to_string_lossy().into_owned(),
+            )
+        },
+        |meta| meta.name,
+    )
+}
+
+fn unstorable(world: &str, what: &str, reason: String) -> StorageError {
+    StorageError::Unstorable {
+        world: world.to_owned(),
+        what: what.to_owned(),
+        reason,
+    }
+}
+
+/// Seals a value for the key it is stored under.
+pub(crate) fn sealed<T: Versioned + serde::Serialize>(
+    value: &T,
+    key: &str,
+    sequence: u64,
+    world: &str,
+) -> Result<Vec<u8>, StorageError> {
+    let body = codec::encode(value).map_err(|fault| unstorable(world, key, fault.to_string()))?;
+    Ok(codec::seal(
+        T::VERSION,
+        T::KIND,
+        key.as_bytes(),
+        sequence,
+        &body,
+    ))
+}

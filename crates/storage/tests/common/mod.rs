@@ -1,0 +1,90 @@
+//! Worlds for the tests of saves.
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    reason = "each test file uses a part; tests fail by panicking"
+)]
+
+use antipode_storage::{
+    Batch, CHUNK_SAMPLES, ChunkKey, PlayerRecord, SlotRecord, WorldMeta, WorldState,
+};
+
+/// A meta record with every field set.
+pub fn meta(name: &str) -> WorldMeta {
+    WorldMeta {
+        name: name.to_owned(),
+        seed: 0x0123_4567_89ab_cdef,
+        geometry: "spherical".to_owned(),
+        radius_m: 32.0,
+        biome: "desert".to_owned(),
+        created_unix_s: 1_700_000_000,
+        last_played_unix_s: 1_700_000_600,
+        played_s: 600.25,
+    }
+}
+
+/// A state with every field set, its clock at `simulated_s`.
+pub fn state(simulated_s: f64) -> WorldState {
+    WorldState {
+        player: PlayerRecord {
+            hemisphere: 1,
+            pos: [1.5, -2.25, 1e6],
+            vel: [0.125, -9.81, 0.0],
+            yaw: 3.0,
+            pitch: -0.5,
+            health: 87.5,
+            third_person: true,
+            flying: false,
+            grounded: true,
+        },
+        item_slot: 2,
+        inventory: vec![
+            SlotRecord {
+                slot: 0,
+                item: "gun".to_owned(),
+                count: 1,
+            },
+            SlotRecord {
+                slot: 5,
+                item: "bullet".to_owned(),
+                count: 64,
+            },
+        ],
+        time_of_day_s: 43_200.5,
+        curvature: 12.5,
+        brush_radius_m: 5.0,
+        simulated_s,
+        view_distance: 6,
+    }
+}
+
+/// The chunk `x` chunks along x in hemisphere A.
+pub fn key(x: i32) -> ChunkKey {
+    ChunkKey {
+        hemisphere: 0,
+        x,
+        y: -1,
+        z: 3,
+    }
+}
+
+/// Edits that tell which chunk and which commit they are of.
+pub fn samples(x: i32, commit: i32) -> Vec<i16> {
+    let sample = |i: usize| {
+        if i % 64 < 20 {
+            ((x * 31 + commit * 7) as i16).wrapping_add(i as i16)
+        } else {
+            0
+        }
+    };
+    (0..CHUNK_SAMPLES).map(sample).collect()
+}
+
+/// A batch that writes the chunks `0..chunks` and the state, all marked with `commit`.
+pub fn batch(chunks: i32, commit: i32) -> Batch {
+    Batch {
+        meta: None,
+        state: Some(state(f64::from(commit))),
+        chunks: (0..chunks).map(|x| (key(x), samples(x, commit))).collect(),
+    }
+}

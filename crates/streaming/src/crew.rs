@@ -1,0 +1,145 @@
+//! The threads and the game's ends of their channels.
+
+use std::convert::Infallible;
+use std::io;
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use std::time::Duration;
+
+use antipode_geometry::ChunkCoord;
+use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
+
+use crate::outcome::Outcome;
+use crate::round::EditBatch;
+use crate::saver::{self, Parts};
+use crate::shared::Shared;
+use crate::worker::{Desk, EditJob};
+
+/// Loads handed to each worker at a time: enough to keep it busy for a frame, few enough that the
+/// order can still change.
+const LOADS_PER_WORKER: usize = 4;
+
+/// How long a stopped crew may take before it is left alone; a job takes some ten milliseconds and
+/// a commit is the disk's business.
+const LEAVE_LIMIT: Duration = Duration::from_secs(10);
+
+/// The running threads.
+pub(crate) struct Crew {
+    shared: Arc<Shared>,
+    ends: Option<Ends>,
+    results: Receiver<Outcome>,
+    /// Closes once every thread has ended.
+    alive: Receiver<Infallible>,
+    threads: Vec<JoinHandle<()>>,
+    most_loads: usize,
+}
+
+struct Ends {
+    loads: Sender<ChunkCoord>,
+    edits: Sender<EditJob>,
+    saves: Sender<Parts>,
+}
+
+impl Crew {
+    /// Starts the workers (at least one) and the saver.
+    pub(crate) fn start(shared: Arc<Shared>, workers: usize) -> io::Result<Self> {
+        let workers = workers.max(1);
+        let most_loads = workers * LOADS_PER_WORKER;
+        let (loads, load_jobs) = bounded(most_loads);
+        // One batch, and calls for help to everybody else.
+        let (edits, edit_jobs) = bounded(workers + 1);
+        let (saves, save_jobs) = bounded(1);
+        // Room for every load, the batch and the save that can be in flight.
+        let (send_results, results) = bounded(most_loads + 2);
+        let (living, alive) = bounded(0);
+        let mut crew = Self {
+            shared: Arc::clone(&shared),
+            ends: Some(Ends { loads, edits: edits.clone(), saves }),
+            results,
+            alive,
+            threads: Vec::with_capacity(workers + 1),
+            most_loads,
+        };
+        let desk = Desk { edits: edit_jobs, call: edits, loads: load_jobs, results: send_results.clone(), colleagues: workers - 1 };
+        crew.hire(workers, &desk, living, move || saver::run(&shared, &save_jobs, &send_results))?;
+        Ok(crew)
+    }
+
+    /// Takes `living` by value: were it still there when a refused thread ends the start, the
+    /// others would be waited for in vain.
+    fn hire(
+        &mut self,
+        workers: usize,
+        desk: &Desk,
+        living: Sender<Infallible>,
+        saver: impl FnOnce() + Send + 'static,
+    ) -> io::Result<()> {
+        for number in 1..=workers {
+            let (desk, shared) = (desk.clone(), Arc::clone(&self.shared));
+            self.spawn(format!("antipode-chunk-{number}"), living.clone(), move || desk.work(&shared))?;
+        }
+        self.spawn("antipode-save".to_owned(), living, saver)
+    }
+
+    fn spawn(&mut self, name: String, living: Sender<Infallible>, job: impl FnOnce() + Send + 'static) -> io::Result<()> {
+        let thread = thread::Builder::new().name(name).spawn(move || {
+            job();
+            drop(living);
+        })?;
+        self.threads.push(thread);
+        Ok(())
+    }
+
+    /// Loads that may be in flight at once.
+    pub(crate) fn most_loads(&self) -> usize {
+        self.most_loads
+    }
+
+    /// Hands over a load; false if there is no room.
+    pub(crate) fn load(&self, coord: ChunkCoord) -> bool {
+        self.ends.as_ref().is_some_and(|ends| ends.loads.try_send(coord).is_ok())
+    }
+
+    /// Hands over a batch, or gives it back if there is no room.
+    pub(crate) fn edit(&self, batch: EditBatch) -> Result<(), EditBatch> {
+        let Some(ends) = &self.ends else { return Err(batch) };
+        ends.edits.try_send(EditJob::Begin(batch)).or_else(|refused| match refused.into_inner() {
+            EditJob::Begin(batch) => Err(batch),
+            EditJob::Help(_) => Ok(()),
+        })
+    }
+
+    /// Hands over a save, or gives it back if there is no room.
+    pub(crate) fn save(&self, parts: Parts) -> Result<(), Parts> {
+        let Some(ends) = &self.ends else { return Err(parts) };
+        ends.saves.try_send(parts).map_err(crossbeam_channel::TrySendError::into_inner)
+    }
+
+    /// Finished jobs.
+    pub(crate) fn results(&self) -> &Receiver<Outcome> {
+        &self.results
+    }
+
+    /// Stops and joins every thread; the saver commits what is unsaved. False if a thread did not
+    /// end in time and was left alone.
+    pub(crate) fn leave(&mut self) -> bool {
+        self.shared.stop();
+        self.ends = None;
+        let left = matches!(self.alive.recv_timeout(LEAVE_LIMIT), Err(RecvTimeoutError::Disconnected));
+        if !left {
+            tracing::error!("a chunk worker or the saver did not end in time");
+            self.threads.clear();
+        }
+        for thread in self.threads.drain(..) {
+            // A panic outside the guarded jobs has been printed already; nothing is left to mend.
+            let _ = thread.join();
+        }
+        left
+    }
+}
+
+impl Drop for Crew {
+    fn drop(&mut self) {
+        self.leave();
+    }
+}

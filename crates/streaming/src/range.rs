@@ -1,0 +1,140 @@
+//! Which chunks are wanted: a cube around the player, or the whole of a spherical world.
+
+use std::ops::RangeInclusive;
+
+use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use antipode_terrain::RIM_REACH_M;
+use glam::IVec3;
+
+/// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
+/// not load and unload.
+const KEPT_BEYOND: i32 = 1;
+
+/// The largest distance in chunks that a wish can ask for.
+const LARGEST_DISTANCE: u32 = 64;
+
+/// A set of wanted chunks.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Range {
+    /// Nothing has been wished yet.
+    Nothing,
+    /// All chunks within a Chebyshev distance, in chunks.
+    Around { centre: ChunkCoord, distance: i32 },
+    /// Both hemispheres to `reach_m` from their axes, in the layers `layers` (chunk y).
+    Sphere { reach_m: f64, layers: RangeInclusive<i32> },
+}
+
+impl Range {
+    /// The range of a wish in the given space.
+    pub(crate) fn wished(strategy: &dyn Strategy, centre: ChartPoint, distance: u32) -> Self {
+        if let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) {
+            let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
+            // One cell more on either side: a chunk's border is meshed by the chunk below.
+            let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
+            return Self::Sphere { reach_m: rim_m + RIM_REACH_M, layers };
+        }
+        let distance = distance.clamp(1, LARGEST_DISTANCE) as i32;
+        Self::Around { centre: ChunkCoord::containing(centre), distance }
+    }
+
+    /// Is the chunk to be loaded?
+    pub(crate) fn contains(&self, coord: ChunkCoord) -> bool {
+        self.within(coord, 0)
+    }
+
+    /// Is the chunk to be kept if it is there already?
+    pub(crate) fn keeps(&self, coord: ChunkCoord) -> bool {
+        self.within(coord, KEPT_BEYOND)
+    }
+
+    fn within(&self, coord: ChunkCoord, beyond: i32) -> bool {
+        match self {
+            Self::Nothing => false,
+            Self::Around { centre, distance } => {
+                let apart = (coord.index - centre.index).abs().max_element();
+                coord.hemisphere == centre.hemisphere && apart <= distance + beyond
+            }
+            Self::Sphere { reach_m, layers } => {
+                layers.contains(&coord.index.y) && axis_distance_m(coord.index) <= *reach_m
+            }
+        }
+    }
+
+    /// Every chunk to be loaded.
+    pub(crate) fn all(&self) -> Vec<ChunkCoord> {
+        match self {
+            Self::Nothing => Vec::new(),
+            Self::Around { centre, distance } => {
+                let span = IVec3::splat(*distance);
+                boxed(centre.hemisphere, centre.index - span, centre.index + span).collect()
+            }
+            Self::Sphere { reach_m, layers } => {
+                let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
+                let (low, high) = (IVec3::new(-side, *layers.start(), -side), IVec3::new(side, *layers.end(), side));
+                [Hemisphere::A, Hemisphere::B]
+                    .into_iter()
+                    .flat_map(|hemisphere| boxed(hemisphere, low, high))
+                    .filter(|&coord| self.contains(coord))
+                    .collect()
+            }
+        }
+    }
+}
+
+/// Metres from the chart's vertical axis to the nearest point of a chunk.
+fn axis_distance_m(index: IVec3) -> f64 {
+    let near = |i: i32| f64::from(i.max(-1 - i).max(0) * CHUNK_CELLS);
+    near(index.x).hypot(near(index.z))
+}
+
+fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
+    (low.x..=high.x).flat_map(move |x| {
+        (low.y..=high.y).flat_map(move |y| {
+            (low.z..=high.z).map(move |z| ChunkCoord { hemisphere, index: IVec3::new(x, y, z) })
+        })
+    })
+}
+
+/// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart.
+pub(crate) fn around(coord: ChunkCoord, low: i32, high: i32) -> impl Iterator<Item = ChunkCoord> {
+    boxed(coord.hemisphere, coord.index + IVec3::splat(low), coord.index + IVec3::splat(high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use antipode_geometry::{Geometry, strategy};
+    use glam::DVec3;
+
+    fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
+        ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+    }
+
+    #[test]
+    fn a_flat_range_is_a_cube_and_keeps_one_chunk_more() {
+        let space = strategy(Geometry::Euclidean, f64::INFINITY);
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(-1.0, 40.0, 5.0)), 2);
+        assert_eq!(range.all().len(), 125);
+        assert!(range.contains(chunk(1, 3, -2)) && !range.contains(chunk(2, 1, 0)));
+        assert!(range.keeps(chunk(2, 1, 0)) && !range.keeps(chunk(3, 1, 0)));
+        assert!(range.all().iter().all(|&coord| range.contains(coord)));
+    }
+
+    #[test]
+    fn a_sphere_is_wanted_whole_wherever_the_player_is() {
+        let space = strategy(Geometry::Spherical, 32.0);
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(3.0, 9.0, 1.0)), 1);
+        let away = ChartPoint::new(Hemisphere::B, DVec3::new(-40.0, 9.0, 1.0));
+        assert_eq!(range, Range::wished(&*space, away, 7));
+        let all = range.all();
+        // The equator lies 50.3 m out, the margin ends at 58.3: two chunks on either side.
+        assert_eq!(all.iter().filter(|c| c.hemisphere == Hemisphere::B).count() * 2, all.len());
+        assert!(range.contains(chunk(1, 0, 1)) && range.contains(chunk(-2, 0, -2)));
+        assert!(!range.contains(chunk(2, 0, 0)) && !range.contains(chunk(0, 9, 0)));
+    }
+
+    #[test]
+    fn nothing_is_wanted_before_the_first_wish() {
+        assert!(Range::Nothing.all().is_empty() && !Range::Nothing.keeps(chunk(0, 0, 0)));
+    }
+}

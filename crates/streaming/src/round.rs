@@ -1,0 +1,163 @@
+//! One edit batch among the workers: the strokes are applied by one of them, then all that are
+//! free make the chunks anew, and whoever makes the last one reports the batch whole.
+
+use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use antipode_geometry::ChunkCoord;
+use antipode_terrain::Stroke;
+
+use crate::api::Chunk;
+use crate::book::Change;
+use crate::outcome::Edited;
+use crate::range::around;
+use crate::shared::{Shared, Step};
+use crate::worker::guarded;
+
+/// What the game hands over.
+#[derive(Debug)]
+pub(crate) struct EditBatch {
+    /// In the order in which they were made.
+    pub(crate) strokes: Vec<Stroke>,
+    /// Chunks whose meshes an earlier batch could not make.
+    pub(crate) overdue: Vec<ChunkCoord>,
+}
+
+/// A batch that has entered the book and is being meshed.
+pub(crate) struct Round {
+    coords: Vec<ChunkCoord>,
+    next: AtomicUsize,
+    result: Mutex<Progress>,
+}
+
+struct Progress {
+    finished: usize,
+    edited: Edited,
+}
+
+impl Round {
+    /// Applies the strokes. On a panic nothing has entered the book.
+    pub(crate) fn begin(shared: &Shared, batch: &EditBatch) -> Self {
+        let mut problems = Vec::new();
+        let tried = guarded(&mut problems, "changing the terrain", || apply(shared, batch));
+        if tried.is_none() {
+            problems.push("The last change to the terrain could not be made and is left out; try it again.".to_owned());
+        }
+        let applied = tried.unwrap_or_default();
+        shared.at(Step::Entered);
+        problems.extend(applied.problems);
+        let coords: Vec<_> = applied.remeshed.into_iter().collect();
+        let edited = Edited {
+            chunks: Vec::with_capacity(coords.len()),
+            touched: applied.touched,
+            remeshed: coords.clone(),
+            revision: applied.revision,
+            complete: true,
+            problems,
+        };
+        Self { coords, next: AtomicUsize::new(0), result: Mutex::new(Progress { finished: 0, edited }) }
+    }
+
+    /// The chunks to make.
+    pub(crate) fn len(&self) -> usize {
+        self.coords.len()
+    }
+
+    /// Makes chunks until none is left; returns the batch to the worker that made the last.
+    pub(crate) fn help(&self, shared: &Shared) -> Option<Edited> {
+        if self.coords.is_empty() {
+            return Some(std::mem::take(&mut self.lock().edited));
+        }
+        while !shared.is_stopped() {
+            let coord = *self.coords.get(self.next.fetch_add(1, Ordering::Relaxed))?;
+            let mut problems = Vec::new();
+            let made = guarded(&mut problems, &format!("making chunk {}", coord.index), || {
+                let mut problems = Vec::new();
+                shared.at(Step::Remesh(coord));
+                let edits = shared.book.snapshot(coord, &mut problems);
+                (shared.make(coord, &edits, true), problems)
+            });
+            if let Some(edited) = self.finish(made, problems) {
+                return Some(edited);
+            }
+        }
+        None
+    }
+
+    fn finish(&self, made: Option<(Chunk, Vec<String>)>, problems: Vec<String>) -> Option<Edited> {
+        let mut progress = self.lock();
+        progress.finished += 1;
+        progress.edited.problems.extend(problems);
+        match made {
+            Some((chunk, problems)) => {
+                progress.edited.chunks.push(chunk);
+                progress.edited.problems.extend(problems);
+            }
+            None => progress.edited.complete = false,
+        }
+        (progress.finished == self.coords.len()).then(|| {
+            let mut edited = std::mem::take(&mut progress.edited);
+            edited.chunks.sort_unstable_by_key(|chunk| chunk.coord);
+            edited
+        })
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Progress> {
+        self.result.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[derive(Default)]
+struct Applied {
+    touched: Vec<ChunkCoord>,
+    remeshed: BTreeSet<ChunkCoord>,
+    revision: u64,
+    problems: Vec<String>,
+}
+
+fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
+    shared.at(Step::Apply);
+    let mut problems = Vec::new();
+    let mut seen = BTreeSet::new();
+    let changed = changes(shared, &batch.strokes, &mut seen, &mut problems).unwrap_or_else(|| {
+        problems.push(
+            "The last change to the terrain is left out, since it would overwrite stored changes that cannot be \
+             read now. See that the disk is there and try again."
+                .to_owned(),
+        );
+        Vec::new()
+    });
+    let touched: Vec<_> = changed.iter().filter(|change| change.visible).map(|change| change.coord).collect();
+    let beside: BTreeSet<_> = touched.iter().flat_map(|&coord| around(coord, -1, 1)).collect();
+    seen.retain(|coord| beside.contains(coord));
+    seen.extend(&batch.overdue);
+    Applied { touched, remeshed: seen, revision: shared.book.enter(changed), problems }
+}
+
+/// The new edits of every chunk that a stroke reaches, and in `seen` the chunks that show them;
+/// `None` if one of them is stored and cannot be read now.
+fn changes(
+    shared: &Shared,
+    strokes: &[Stroke],
+    seen: &mut BTreeSet<ChunkCoord>,
+    problems: &mut Vec<String>,
+) -> Option<Vec<Change>> {
+    let strategy = &*shared.strategy;
+    let mut pages: BTreeMap<ChunkCoord, Change> = BTreeMap::new();
+    for stroke in strokes {
+        for coord in stroke.touched(strategy) {
+            let change = match pages.entry(coord) {
+                Entry::Occupied(page) => page.into_mut(),
+                Entry::Vacant(page) => {
+                    let edits = shared.book.edits(coord, problems)?;
+                    page.insert(Change { coord, edits, visible: false })
+                }
+            };
+            change.visible |= stroke.apply(coord, &mut change.edits, strategy);
+        }
+        seen.extend(stroke.remeshed(strategy));
+    }
+    Some(pages.into_values().collect())
+}

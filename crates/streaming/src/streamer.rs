@@ -1,0 +1,286 @@
+//! The game's handle.
+
+use std::collections::{HashSet, VecDeque};
+use std::fmt;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_storage::{WorldMeta, WorldState, WorldStore};
+use antipode_terrain::{Field, Stroke};
+
+use crate::api::{Chunk, Config, StreamingError, Update, Wish};
+use crate::bases::Bases;
+use crate::book::Book;
+use crate::crew::Crew;
+use crate::ledger::{Ledger, Verdict};
+use crate::outcome::{Edited, Loaded, Outcome, SaveReport};
+use crate::round::EditBatch;
+use crate::saver::Parts;
+use crate::shared::{Shared, Watch};
+use crate::strokes::Strokes;
+use crate::vault::{Vault, coord_of};
+
+/// What the game itself spends on a byte of a delivered mesh (upload and insertion), nanoseconds,
+/// counted against the budget of [`Streamer::poll`]: about a gigabyte a second.
+const GAME_NS_PER_BYTE: usize = 1;
+
+/// Loads, edits and saves chunks in the background. See the crate's documentation.
+pub struct Streamer {
+    pub(crate) crew: Crew,
+    pub(crate) ledger: Ledger,
+    pub(crate) strokes: Strokes,
+    pub(crate) batch_in_flight: bool,
+    /// Meshes that an earlier batch could not make.
+    overdue: HashSet<ChunkCoord>,
+    /// Loads that include a batch not shown yet.
+    held: Vec<Loaded>,
+    pub(crate) saves: Saves,
+    /// Updates that arose outside `poll`.
+    ready: VecDeque<Update>,
+}
+
+/// Where saving stands.
+#[derive(Default)]
+pub(crate) struct Saves {
+    /// Asked for while another was under way.
+    wanted: Option<Parts>,
+    pub(crate) in_flight: bool,
+    /// Not on disk because the commit failed; tried again with the next save.
+    unsaved: Parts,
+    /// Why the last commit failed.
+    pub(crate) last_failure: Option<String>,
+}
+
+impl fmt::Debug for Streamer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Streamer")
+            .field("pending", &self.pending())
+            .field("resident", &self.resident_count())
+            .field("edited", &self.edited_count())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Streamer {
+    /// Starts the workers and the saver. Without a `store` edits live only as long as the streamer.
+    ///
+    /// # Errors
+    /// If the store's list of edited chunks cannot be read or the system refuses a thread.
+    pub fn start(
+        field: Arc<Field>,
+        strategy: Arc<dyn Strategy>,
+        store: Option<Arc<WorldStore>>,
+        config: Config,
+    ) -> Result<Self, StreamingError> {
+        let vault = store.map(|store| store as Arc<dyn Vault>);
+        Self::start_watched(field, strategy, vault, config, None)
+    }
+
+    /// As [`start`](Self::start), with any vault and a test's look into the workers.
+    pub(crate) fn start_watched(
+        field: Arc<Field>,
+        strategy: Arc<dyn Strategy>,
+        vault: Option<Arc<dyn Vault>>,
+        config: Config,
+        watch: Option<Watch>,
+    ) -> Result<Self, StreamingError> {
+        let keys = vault.as_ref().map_or(Ok(Vec::new()), |vault| vault.edited()).map_err(StreamingError::Store)?;
+        let edited: HashSet<_> = keys.iter().filter_map(coord_of).collect();
+        let mut ready = VecDeque::new();
+        if edited.len() < keys.len() {
+            let strange = keys.len() - edited.len();
+            ready.push_back(Update::Problem(format!(
+                "{strange} stored changes of the terrain belong to no place in this world and are not shown."
+            )));
+        }
+        let ledger = Ledger::new(Arc::clone(&field), Arc::clone(&strategy), edited.clone());
+        let shared =
+            Shared::new(field, strategy, Book::new(vault, edited), Bases::new(config.kept_samples), watch);
+        let crew = Crew::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
+        Ok(Self {
+            crew,
+            ledger,
+            strokes: Strokes::default(),
+            batch_in_flight: false,
+            overdue: HashSet::new(),
+            held: Vec::new(),
+            saves: Saves::default(),
+            ready,
+        })
+    }
+
+    /// Says what the player needs now. Cheap: call it every frame. Loads that are no longer in
+    /// range and not begun are dropped, chunks more than one beyond the range are unloaded.
+    pub fn wish(&mut self, wish: &Wish) {
+        let gone = self.ledger.wish(wish);
+        self.ready.extend(gone.into_iter().map(Update::Unloaded));
+        self.feed();
+    }
+
+    /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
+    pub fn edit(&mut self, stroke: Stroke) {
+        self.strokes.add(stroke);
+        self.feed();
+    }
+
+    /// Saves every edit shown so far and the given parts in one commit, on the saver's thread;
+    /// [`Update::Saved`] or [`Update::Problem`] tells the end. Parts that could not be saved are
+    /// tried again with the next save unless that brings newer ones.
+    pub fn save(&mut self, meta: Option<WorldMeta>, state: Option<WorldState>) {
+        let older = self.saves.wanted.take().unwrap_or_default();
+        self.saves.wanted = Some(Parts { meta, state }.or(older));
+        self.feed();
+    }
+
+    /// Takes finished work until about `budget` is spent, counting what the game itself will spend
+    /// on each mesh; at least one result if there is any. A batch is always delivered whole.
+    pub fn poll(&mut self, budget: Duration) -> Vec<Update> {
+        let started = Instant::now();
+        let mut updates = Vec::from(std::mem::take(&mut self.ready));
+        let mut spent = Duration::ZERO;
+        while let Ok(outcome) = self.crew.results().try_recv() {
+            let before = updates.len();
+            self.take(outcome, &mut updates);
+            spent += updates[before..].iter().map(game_cost).sum::<Duration>();
+            self.feed();
+            if started.elapsed() + spent >= budget {
+                break;
+            }
+        }
+        self.feed();
+        updates
+    }
+
+    /// Chunks to be loaded, and one more while an edit is under way.
+    pub fn pending(&self) -> usize {
+        self.ledger.coming() + usize::from(self.is_editing())
+    }
+
+    /// Is everything of this chunk there? Chunks in range without a surface always are.
+    pub fn is_resident(&self, coord: ChunkCoord) -> bool {
+        self.ledger.is_resident(coord)
+    }
+
+    /// Number of chunks with a mesh that are there.
+    pub fn resident_count(&self) -> usize {
+        self.ledger.resident_count()
+    }
+
+    /// Number of chunks of the world that the player has changed.
+    pub fn edited_count(&self) -> usize {
+        self.ledger.edited_count()
+    }
+
+    /// Number of saves asked for and not ended.
+    pub fn saves_in_flight(&self) -> usize {
+        usize::from(self.saves.in_flight) + usize::from(self.saves.wanted.is_some())
+    }
+
+    #[cfg(test)]
+    pub(crate) fn held_loads(&self) -> usize {
+        self.held.len()
+    }
+
+    pub(crate) fn is_editing(&self) -> bool {
+        self.batch_in_flight || !self.strokes.is_empty()
+    }
+
+    pub(crate) fn take_ready(&mut self) -> Vec<Update> {
+        Vec::from(std::mem::take(&mut self.ready))
+    }
+
+    /// Hands over whatever there is room for: the batch first.
+    pub(crate) fn feed(&mut self) {
+        if !self.batch_in_flight && !self.strokes.is_empty() {
+            let batch = EditBatch { strokes: self.strokes.take(), overdue: self.overdue.iter().copied().collect() };
+            match self.crew.edit(batch) {
+                Ok(()) => self.batch_in_flight = true,
+                Err(batch) => self.strokes.put_back(batch.strokes),
+            }
+        }
+        while let Some(coord) = self.ledger.next_load(self.crew.most_loads()) {
+            if !self.crew.load(coord) {
+                self.ledger.not_sent(coord);
+                break;
+            }
+        }
+        if !self.saves.in_flight
+            && let Some(wanted) = self.saves.wanted.take()
+        {
+            match self.crew.save(wanted.or(std::mem::take(&mut self.saves.unsaved))) {
+                Ok(()) => self.saves.in_flight = true,
+                Err(parts) => self.saves.wanted = Some(parts),
+            }
+        }
+    }
+
+    /// Turns a finished job into updates.
+    pub(crate) fn take(&mut self, outcome: Outcome, updates: &mut Vec<Update>) {
+        match outcome {
+            Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
+            Outcome::Edited(edited) => self.take_edited(edited, updates),
+            Outcome::Saved(report) => self.take_saved(report, updates),
+        }
+    }
+
+    fn take_loaded(&mut self, mut loaded: Loaded, updates: &mut Vec<Update>) {
+        updates.extend(std::mem::take(&mut loaded.problems).into_iter().map(Update::Problem));
+        let Some(chunk) = loaded.chunk else {
+            self.ledger.give_up(loaded.coord);
+            return;
+        };
+        match self.ledger.loaded(loaded.coord, loaded.revision) {
+            Verdict::Show => updates.push(Update::Loaded(chunk)),
+            Verdict::Hold => self.held.push(Loaded { chunk: Some(chunk), ..loaded }),
+            Verdict::Drop => {}
+        }
+    }
+
+    fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
+        self.batch_in_flight = false;
+        updates.extend(edited.problems.into_iter().map(Update::Problem));
+        self.ledger.batch_ended(&edited.touched, &edited.remeshed, edited.revision);
+        if edited.complete {
+            let done: HashSet<_> = edited.remeshed.iter().collect();
+            self.overdue.retain(|coord| !done.contains(coord));
+            let mut chunks = edited.chunks;
+            chunks.retain(|chunk| self.ledger.show_edited(chunk.coord));
+            if !chunks.is_empty() {
+                updates.push(Update::Edited(chunks));
+            }
+        } else {
+            self.overdue.extend(edited.remeshed);
+            updates.push(Update::Problem(
+                "The last change to the terrain is kept but cannot be shown yet; the next change shows it."
+                    .to_owned(),
+            ));
+        }
+        for loaded in std::mem::take(&mut self.held) {
+            self.take_loaded(loaded, updates);
+        }
+    }
+
+    fn take_saved(&mut self, report: SaveReport, updates: &mut Vec<Update>) {
+        self.saves.in_flight = false;
+        self.saves.last_failure = None;
+        match report.failed {
+            None => updates.push(Update::Saved),
+            Some((why, parts)) => {
+                updates.push(Update::Problem(format!("The world could not be saved; the next save tries again. {why}")));
+                self.saves.last_failure = Some(why);
+                self.saves.unsaved = parts;
+            }
+        }
+    }
+}
+
+fn game_cost(update: &Update) -> Duration {
+    let bytes = |chunk: &Chunk| size_of_val(&*chunk.mesh.vertices) + size_of_val(&*chunk.mesh.indices);
+    let bytes = match update {
+        Update::Loaded(chunk) => bytes(chunk),
+        Update::Edited(chunks) => chunks.iter().map(bytes).sum(),
+        Update::Unloaded(_) | Update::Saved | Update::Problem(_) => 0,
+    };
+    Duration::from_nanos((bytes * GAME_NS_PER_BYTE) as u64)
+}

@@ -1,0 +1,191 @@
+//! Saves: everything comes back, failures lose nothing, damage is told.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+
+use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
+use antipode_storage::{WorldMeta, WorldStore};
+use glam::DVec3;
+
+use super::{Game, Memory, chunk};
+use crate::api::{StreamingError, Until};
+use crate::vault::{Vault, key_of};
+
+fn open(memory: &Arc<Memory>) -> Game {
+    let mut game = Game::new(Geometry::Euclidean, 2, Some(Arc::clone(memory) as Arc<dyn Vault>), None);
+    let at = game.ground(0.0, 0.0);
+    game.wish(at, 1);
+    game.wait(Until::Idle);
+    game
+}
+
+fn meta() -> WorldMeta {
+    WorldMeta {
+        name: "Test".to_owned(),
+        seed: super::SEED,
+        geometry: "euclidean".to_owned(),
+        radius_m: 20.0,
+        biome: String::new(),
+        created_unix_s: 1,
+        last_played_unix_s: 2,
+        played_s: 3.0,
+    }
+}
+
+#[test]
+fn what_was_dug_is_there_after_closing_and_opening() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("world");
+    let store = Arc::new(WorldStore::create(&path, &meta()).unwrap());
+    let mut game = Game::new(Geometry::Euclidean, 2, Some(store as Arc<dyn Vault>), None);
+    let at = game.ground(0.0, 0.0);
+    game.wish(at, 1);
+    game.wait(Until::Idle);
+    for n in 0..10 {
+        game.edit(at + DVec3::new(f64::from(n) - 5.0, 0.0, 1.0), 3.0);
+    }
+    game.wait(Until::Edits);
+    // A stroke that is not even waited for is drained by closing.
+    game.edit(at - DVec3::Y * 3.0, 4.0);
+    let closed = game.streamer;
+    let first = game.chunks;
+    closed.close().unwrap();
+
+    let store = Arc::new(WorldStore::open(&path).unwrap());
+    let mut again = Game::new(Geometry::Euclidean, 1, Some(store as Arc<dyn Vault>), None);
+    again.wish(at, 1);
+    again.wait(Until::Idle);
+    assert!(again.problems.is_empty() && again.streamer.edited_count() > 0);
+    assert_eq!(again.chunks.len(), first.len());
+    let deep = (at - DVec3::Y * 3.0).round();
+    let base = again.field.sample(ChartPoint::a(deep));
+    assert!(again.sample(deep.as_ivec3()) > base + 3.0);
+    let beside = (at + DVec3::new(-9.0, 0.0, 1.0)).round();
+    let coord = ChunkCoord::containing(ChartPoint::a(beside));
+    let local = beside - coord.origin();
+    assert_eq!(again.chunks[&coord].samples.density(local), first[&coord].samples.density(local));
+}
+
+#[test]
+fn a_save_takes_meta_and_every_changed_chunk_once() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    game.wait(Until::Edits);
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Saved);
+    game.streamer.save(None, None);
+    game.wait(Until::Saved);
+    let commits = memory.commits();
+    assert_eq!((commits.len(), game.saved), (1, 2), "nothing new means no commit");
+    assert!(commits[0].0 && !commits[0].1);
+    assert_eq!(commits[0].2.len(), game.streamer.edited_count());
+    game.streamer.close().unwrap();
+    assert_eq!(memory.commits().len(), 1);
+}
+
+#[test]
+fn a_failed_save_is_told_and_made_up_for_by_the_next() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    game.wait(Until::Edits);
+    memory.fail(true);
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Saved);
+    assert!(game.saved == 0 && game.problems[0].contains("the disk is full"), "{:?}", game.problems);
+    memory.fail(false);
+    game.streamer.save(None, None);
+    game.wait(Until::Saved);
+    let commits = memory.commits();
+    assert_eq!((commits.len(), game.saved), (1, 1));
+    assert!(commits[0].0 && !commits[0].2.is_empty());
+}
+
+#[test]
+fn closing_tells_that_the_last_commit_failed() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    memory.fail(true);
+    let end = game.streamer.close();
+    assert!(matches!(&end, Err(StreamingError::NotSaved(why)) if why.contains("full")), "{end:?}");
+    assert!(memory.full.load(Ordering::SeqCst) && memory.commits().is_empty());
+}
+
+#[test]
+fn a_damaged_record_is_told_and_kept_until_the_player_digs_there() {
+    let memory = Arc::new(Memory::default());
+    let at = Game::flat(1).ground(16.0, 16.0);
+    let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
+    memory.chunks.lock().unwrap().insert(key, vec![5; 32 * 32 * 32]);
+    *memory.damaged.lock().unwrap() = Some(key);
+    let mut game = open(&memory);
+    assert!(game.problems.len() == 1 && game.problems[0].contains("checksum"), "{:?}", game.problems);
+    let here = at.round();
+    assert_eq!(game.sample(here.as_ivec3()), game.field.sample(ChartPoint::a(here)));
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Saved);
+    assert!(memory.commits()[0].2.is_empty(), "the damaged record was overwritten");
+    game.edit(at, 5.0);
+    game.streamer.close().unwrap();
+    assert!(memory.commits()[1].2.contains(&key));
+}
+
+#[test]
+fn a_record_out_of_reach_is_never_overwritten() {
+    let memory = Arc::new(Memory::default());
+    let at = Game::flat(1).ground(16.0, 16.0);
+    let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
+    memory.chunks.lock().unwrap().insert(key, vec![5; 32 * 32 * 32]);
+    memory.absent.store(true, Ordering::SeqCst);
+    let mut game = open(&memory);
+    assert_eq!(game.problems.len(), 1, "told once: {:?}", game.problems);
+    game.edit(at, 5.0);
+    assert!(game.wait(Until::Edits).batches.is_empty());
+    assert!(game.problems.len() == 2 && game.problems[1].contains("left out"), "{:?}", game.problems);
+    memory.absent.store(false, Ordering::SeqCst);
+    game.edit(at, 5.0);
+    assert_eq!(game.wait(Until::Edits).batches.len(), 1);
+    game.streamer.close().unwrap();
+    let stored = memory.chunks.lock().unwrap();
+    assert!(stored[&key].iter().all(|&delta| delta >= 5) && stored[&key].iter().any(|&delta| delta > 5));
+}
+
+#[test]
+fn a_record_of_the_wrong_length_or_place_is_told() {
+    let memory = Arc::new(Memory::default());
+    let at = Game::flat(1).ground(16.0, 16.0);
+    let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
+    memory.chunks.lock().unwrap().insert(key, vec![5; 7]);
+    memory.chunks.lock().unwrap().insert(antipode_storage::ChunkKey { hemisphere: 9, ..key }, vec![5; 7]);
+    let game = open(&memory);
+    assert_eq!(game.problems.len(), 2, "{:?}", game.problems);
+    assert_eq!(game.streamer.edited_count(), 1);
+}
+
+#[test]
+fn dropping_without_closing_ends_at_once_and_saves_the_edits() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    game.wait(Until::Edits);
+    game.wish(at, 8);
+    assert!(game.streamer.pending() > 50);
+    drop(game);
+    assert_eq!(memory.commits().len(), 1);
+}
+
+#[test]
+fn without_a_store_saving_is_no_work() {
+    let mut game = Game::flat(1);
+    game.edit(chunk(0, 0, 0).origin(), 5.0);
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Idle);
+    assert_eq!((game.saved, game.streamer.saves_in_flight()), (1, 0));
+    game.streamer.close().unwrap();
+}

@@ -1,0 +1,71 @@
+//! Waiting for the workers: for scripts, which replay exactly, and for the end of a game.
+
+use std::time::{Duration, Instant};
+
+use crossbeam_channel::RecvTimeoutError;
+
+use crate::api::{StreamingError, Until, Update};
+use crate::streamer::Streamer;
+
+/// Longest sleep between two looks at what could not be handed over before.
+const LOOK_AGAIN: Duration = Duration::from_millis(20);
+
+/// How long closing waits for the last edits and for the disk, each.
+const CLOSE_LIMIT: Duration = Duration::from_secs(60);
+
+impl Streamer {
+    /// Waits until `what` holds or `timeout` has passed, and returns everything that happened
+    /// meanwhile, as [`poll`](Self::poll) does. For scripts and loading screens, never for a frame.
+    pub fn wait(&mut self, what: Until<'_>, timeout: Duration) -> Vec<Update> {
+        let end = Instant::now() + timeout;
+        let mut updates = self.take_ready();
+        loop {
+            self.feed();
+            if self.holds(what) {
+                return updates;
+            }
+            let left = end.saturating_duration_since(Instant::now());
+            match self.crew.results().recv_timeout(left.min(LOOK_AGAIN)) {
+                Ok(outcome) => self.take(outcome, &mut updates),
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => return updates,
+            }
+            if left.is_zero() {
+                return updates;
+            }
+        }
+    }
+
+    fn holds(&self, what: Until<'_>) -> bool {
+        match what {
+            Until::Edits => !self.is_editing(),
+            Until::Chunks(coords) => !coords.iter().any(|&coord| self.ledger.is_coming(coord)),
+            Until::Saved => self.saves_in_flight() == 0,
+            Until::Idle => self.pending() == 0 && self.saves_in_flight() == 0,
+        }
+    }
+
+    /// Finishes the edits, commits everything, and joins every thread.
+    ///
+    /// # Errors
+    /// [`StreamingError::NotSaved`] if the last commit failed, [`StreamingError::Unfinished`] if an edit
+    /// or the commit took too long to wait for.
+    pub fn close(mut self) -> Result<(), StreamingError> {
+        self.ledger.clear_queue();
+        let mut updates = self.wait(Until::Edits, CLOSE_LIMIT);
+        let edits_done = !self.is_editing();
+        self.save(None, None);
+        updates.extend(self.wait(Until::Saved, CLOSE_LIMIT));
+        let saved = self.saves_in_flight() == 0;
+        for update in updates {
+            if let Update::Problem(problem) = update {
+                tracing::warn!("{problem}");
+            }
+        }
+        let left = self.crew.leave();
+        if let Some(why) = self.saves.last_failure.take() {
+            return Err(StreamingError::NotSaved(why));
+        }
+        if edits_done && saved && left { Ok(()) } else { Err(StreamingError::Unfinished) }
+    }
+}

@@ -1,0 +1,71 @@
+//! How long a field sample, a chunk's samples, its mesh and a stroke take.
+
+use std::hint::black_box;
+
+use antipode_geometry::{
+    ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry,
+    Hemisphere, strategy,
+};
+use antipode_terrain::{ChunkEdits, Field, Stroke, march};
+use divan::Bencher;
+use glam::{DVec3, IVec3};
+
+const GEOMETRIES: [Geometry; 2] = [Geometry::Euclidean, Geometry::Spherical];
+
+fn main() {
+    divan::main();
+}
+
+/// A volcanic world, of four octaves.
+fn field(geometry: Geometry) -> Field {
+    let radius_m = match geometry {
+        Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
+        _ => DEFAULT_HYPERBOLIC_RADIUS_M,
+    };
+    Field::new(20, strategy(geometry, radius_m))
+}
+
+fn chunk() -> ChunkCoord {
+    ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::ZERO,
+    }
+}
+
+#[divan::bench(args = GEOMETRIES)]
+fn sample(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let field = field(geometry);
+    let point = ChartPoint::a(DVec3::new(3.7, 9.1, -20.4));
+    bencher.bench_local(|| field.sample(black_box(point)));
+}
+
+#[divan::bench(args = GEOMETRIES)]
+fn content(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let field = field(geometry);
+    bencher.bench_local(|| field.content(black_box(chunk())));
+}
+
+#[divan::bench(args = GEOMETRIES)]
+fn chunk_samples(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let field = field(geometry);
+    bencher.bench_local(|| field.samples(black_box(chunk())));
+}
+
+#[divan::bench(args = GEOMETRIES)]
+fn chunk_mesh(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let field = field(geometry);
+    let samples = field.samples(chunk());
+    bencher.bench_local(|| march(black_box(&samples), &field, chunk()));
+}
+
+#[divan::bench(args = [1.0, 5.0, 10.0])]
+fn stroke_into_a_chunk(bencher: Bencher<'_, '_>, radius_m: f64) {
+    let strategy = strategy(Geometry::Spherical, DEFAULT_SPHERE_RADIUS_M);
+    let stroke = Stroke {
+        centre: ChartPoint::a(DVec3::new(14.0, 12.0, 15.0)),
+        radius_m,
+        amount: 0.05,
+    };
+    let mut edits = ChunkEdits::new();
+    bencher.bench_local(|| stroke.apply(chunk(), &mut edits, &*strategy));
+}

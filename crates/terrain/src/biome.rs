@@ -1,0 +1,185 @@
+//! The five biomes: octaves, frequencies, amplitudes, height levels and colours.
+//!
+//! Octaves, frequencies, amplitudes and levels are the reference game's; its colours
+//! are the starting point of the palettes, which are tuned for linear light.
+
+use crate::fractal::Octave;
+
+/// Frequencies double from octave to octave.
+const FREQUENCY_RATIO: f64 = 2.0;
+/// Amplitudes halve from octave to octave.
+const AMPLITUDE_RATIO: f64 = 0.5;
+/// The largest number of octaves of any biome.
+
+/// The colours of a biome's ground, sRGB.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Palette {
+    /// Ground below the middle level: low land and the inside of pits.
+    pub bottom: [u8; 3],
+    /// Ground between the levels.
+    pub middle: [u8; 3],
+    /// Ground above the top level.
+    pub top: [u8; 3],
+    /// Steep faces.
+    pub rock: [u8; 3],
+    /// The lighter or darker beds that run through steep faces.
+    pub strata: [u8; 3],
+}
+
+/// A kind of land, chosen by a world's seed.
+#[derive(Debug)]
+pub struct Biome {
+    name: &'static str,
+    octaves: usize,
+    first_frequency: f64,
+    first_amplitude_m: f64,
+    middle_m: f64,
+    top_m: f64,
+    pub(crate) palette: Palette,
+}
+
+static BIOMES: [Biome; 5] = [
+    Biome {
+        name: "volcanic",
+        octaves: 4,
+        first_frequency: 0.30,
+        first_amplitude_m: 20.0,
+        middle_m: 15.0,
+        top_m: 23.0,
+        palette: Palette {
+            bottom: [226, 88, 30],
+            middle: [84, 62, 66],
+            top: [128, 112, 120],
+            rock: [56, 46, 56],
+            strata: [150, 66, 48],
+        },
+    },
+    Biome {
+        name: "desert",
+        octaves: 2,
+        first_frequency: 0.27,
+        first_amplitude_m: 17.0,
+        middle_m: 10.0,
+        top_m: 14.0,
+        palette: Palette {
+            bottom: [166, 96, 66],
+            middle: [220, 164, 102],
+            top: [244, 214, 156],
+            rock: [178, 88, 58],
+            strata: [228, 148, 98],
+        },
+    },
+    Biome {
+        name: "forest",
+        octaves: 3,
+        first_frequency: 0.20,
+        first_amplitude_m: 18.0,
+        middle_m: 10.0,
+        top_m: 18.0,
+        palette: Palette {
+            bottom: [108, 70, 46],
+            middle: [118, 134, 58],
+            top: [74, 148, 66],
+            rock: [120, 88, 64],
+            strata: [168, 128, 88],
+        },
+    },
+    Biome {
+        name: "toxic",
+        octaves: 3,
+        first_frequency: 0.25,
+        first_amplitude_m: 16.0,
+        middle_m: 10.0,
+        top_m: 18.0,
+        palette: Palette {
+            bottom: [70, 86, 58],
+            middle: [138, 160, 42],
+            top: [206, 214, 48],
+            rock: [92, 78, 98],
+            strata: [150, 176, 70],
+        },
+    },
+    Biome {
+        name: "jungle",
+        octaves: 4,
+        first_frequency: 0.22,
+        first_amplitude_m: 20.0,
+        middle_m: 10.0,
+        top_m: 18.0,
+        palette: Palette {
+            bottom: [92, 74, 50],
+            middle: [48, 98, 54],
+            top: [30, 132, 68],
+            rock: [88, 84, 72],
+            strata: [136, 112, 74],
+        },
+    },
+];
+
+impl Biome {
+    /// The biome of the world with this seed: `seed % 5`, as in the reference game.
+    pub fn from_seed(seed: u64) -> &'static Self {
+        &BIOMES[(seed % BIOMES.len() as u64) as usize]
+    }
+
+    /// The biome's lower-case English name.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// Half of the greatest relief, metres: flat worlds have ground between 0 and twice
+    /// this height, and this high on average.
+    pub fn max_amplitude_m(&self) -> f64 {
+        self.octaves().iter().map(|o| o.amplitude_m / 2.0).sum()
+    }
+
+    /// Height where low ground turns into middle ground, metres in flat worlds.
+    pub fn middle_m(&self) -> f64 {
+        self.middle_m
+    }
+
+    /// Height where middle ground turns into high ground, metres in flat worlds.
+    pub fn top_m(&self) -> f64 {
+        self.top_m
+    }
+
+    pub(crate) fn octaves(&self) -> Vec<Octave> {
+        let mut octave = Octave {
+            frequency: self.first_frequency,
+            amplitude_m: self.first_amplitude_m,
+        };
+        let mut octaves = Vec::with_capacity(self.octaves);
+        for _ in 0..self.octaves {
+            octaves.push(octave);
+            octave.frequency *= FREQUENCY_RATIO;
+            octave.amplitude_m *= AMPLITUDE_RATIO;
+        }
+        octaves
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seeds_choose_biomes_in_order() {
+        let names: Vec<_> = (10..15).map(|seed| Biome::from_seed(seed).name()).collect();
+        assert_eq!(names, ["volcanic", "desert", "forest", "toxic", "jungle"]);
+        assert_eq!(Biome::from_seed(u64::MAX).name(), "volcanic");
+    }
+
+    #[test]
+    fn reliefs_are_the_references() {
+        let reliefs: Vec<_> = BIOMES.iter().map(Biome::max_amplitude_m).collect();
+        assert_eq!(reliefs, [18.75, 12.75, 15.75, 14.0, 18.75]);
+    }
+
+    #[test]
+    fn octaves_double_in_frequency_and_halve_in_amplitude() {
+        let octaves = Biome::from_seed(0).octaves();
+        assert_eq!(octaves.len(), 4);
+        assert_eq!(octaves[3].frequency, 2.4);
+        assert_eq!(octaves[3].amplitude_m, 2.5);
+    }
+}

@@ -1,0 +1,227 @@
+//! What players changed: bounded fixed-point offsets to a chunk's samples.
+//!
+//! A chunk owns the 32^3 samples at its origin plus `0..32`; its border belongs to its
+//! neighbours. Sums are kept to a 256th of [`EDIT_STEP`], so that sixty small changes a second
+//! amount to the same as thirty twice their size; samples and saves see whole steps only, so
+//! a chunk looks the same before and after it was saved.
+
+use std::sync::Arc;
+
+use antipode_geometry::ChunkCoord;
+use glam::IVec3;
+use thiserror::Error;
+
+use crate::samples::{SAMPLES, Samples, index};
+
+/// Metres per stored unit.
+pub const EDIT_STEP: f32 = 1.0 / 2048.0;
+/// Edits are held to this on either side of zero, metres: twice the field's band, enough to
+/// turn the deepest ground to the clearest air and back.
+pub const EDIT_LIMIT_M: f32 = i16::MAX as f32 * EDIT_STEP;
+/// Samples owned along an edge of a chunk.
+const OWNED: usize = 32;
+const COUNT: usize = OWNED * OWNED * OWNED;
+/// Parts of a stored unit that sums are kept in.
+const PARTS: i32 = 256;
+const LIMIT: i32 = i16::MAX as i32 * PARTS;
+
+/// Stored edits that cannot be read.
+#[derive(Debug, Error, PartialEq, Eq)]
+pub enum EditsError {
+    /// The wrong number of samples.
+    #[error(
+        "the edits of a chunk hold {found} samples where {COUNT} belong: the saved chunk is damaged; restore the world from a copy, or repair it, which drops this chunk's edits"
+    )]
+    Length {
+        /// Samples found.
+        found: usize,
+    },
+    /// Half a sample at the end.
+    #[error(
+        "the edits of a chunk take {found} bytes, which is no whole number of samples: the saved chunk is damaged; restore the world from a copy, or repair it, which drops this chunk's edits"
+    )]
+    OddBytes {
+        /// Bytes found.
+        found: usize,
+    },
+}
+
+/// Edits of the 32^3 samples that one chunk owns; those of an untouched chunk take no memory.
+#[derive(Debug, Clone, Default)]
+pub struct ChunkEdits {
+    /// Sums in parts of a unit by `(i * 32 + k) * 32 + j`, or nothing.
+    parts: Box<[i32]>,
+}
+
+impl PartialEq for ChunkEdits {
+    /// Equal when they look and save the same.
+    fn eq(&self, other: &Self) -> bool {
+        (0..COUNT).all(|at| self.unit(at) == other.unit(at))
+    }
+}
+
+impl Eq for ChunkEdits {}
+
+/// Index of owned sample `(i, j, k)`.
+pub(crate) const fn owned_index(i: usize, j: usize, k: usize) -> usize {
+    (i * OWNED + k) * OWNED + j
+}
+
+fn rounded(parts: i32) -> i16 {
+    ((parts + PARTS / 2).div_euclid(PARTS)) as i16
+}
+
+impl ChunkEdits {
+    /// No edits.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether no sample is changed.
+    pub fn is_empty(&self) -> bool {
+        self.parts.iter().all(|&parts| rounded(parts) == 0)
+    }
+
+    /// The edit of owned sample `(i, j, k)`, each in `0..32`, in units of [`EDIT_STEP`];
+    /// zero outside.
+    pub fn get(&self, i: usize, j: usize, k: usize) -> i16 {
+        if i.max(j).max(k) >= OWNED {
+            return 0;
+        }
+        self.unit(owned_index(i, j, k))
+    }
+
+    /// The edit of owned sample `(i, j, k)` in metres of field.
+    pub fn delta(&self, i: usize, j: usize, k: usize) -> f32 {
+        f32::from(self.get(i, j, k)) * EDIT_STEP
+    }
+
+    /// Adds `amount` metres of field to owned sample `(i, j, k)`, each in `0..32`: positive
+    /// digs. Sums stop at [`EDIT_LIMIT_M`]; samples outside are left alone, and what is not a
+    /// number is not added. Says whether [`Self::get`] changed.
+    pub fn add(&mut self, i: usize, j: usize, k: usize, amount: f32) -> bool {
+        if i.max(j).max(k) >= OWNED {
+            return false;
+        }
+        self.add_at(owned_index(i, j, k), amount)
+    }
+
+    pub(crate) fn add_at(&mut self, at: usize, amount: f32) -> bool {
+        // The cast saturates, and takes NaN to zero.
+        let change = (amount / EDIT_STEP * PARTS as f32).round() as i32;
+        if change == 0 {
+            return false;
+        }
+        if self.parts.is_empty() {
+            self.parts = vec![0; COUNT].into_boxed_slice();
+        }
+        let Some(parts) = self.parts.get_mut(at) else {
+            return false;
+        };
+        let before = rounded(*parts);
+        *parts = parts.saturating_add(change).clamp(-LIMIT, LIMIT);
+        rounded(*parts) != before
+    }
+
+    fn unit(&self, at: usize) -> i16 {
+        self.parts.get(at).map_or(0, |&parts| rounded(parts))
+    }
+
+    /// All 32^3 edits in units of [`EDIT_STEP`], by `(i * 32 + k) * 32 + j`.
+    pub fn to_units(&self) -> Vec<i16> {
+        (0..COUNT).map(|at| self.unit(at)).collect()
+    }
+
+    /// The edits that [`Self::to_units`] gave.
+    ///
+    /// # Errors
+    /// [`EditsError::Length`] unless there are 32^3 of them.
+    pub fn from_units(units: &[i16]) -> Result<Self, EditsError> {
+        if units.len() != COUNT {
+            return Err(EditsError::Length { found: units.len() });
+        }
+        let sums = units
+            .iter()
+            .map(|&unit| (i32::from(unit) * PARTS).max(-LIMIT));
+        Ok(Self {
+            parts: sums.collect(),
+        })
+    }
+
+    /// The units as little-endian bytes, 65,536 of them.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        self.to_units()
+            .into_iter()
+            .flat_map(i16::to_le_bytes)
+            .collect()
+    }
+
+    /// The edits that [`Self::to_bytes`] gave.
+    ///
+    /// # Errors
+    /// [`EditsError`] where the number of bytes is not 65,536.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, EditsError> {
+        let (pairs, rest) = bytes.as_chunks::<2>();
+        if !rest.is_empty() {
+            return Err(EditsError::OddBytes { found: bytes.len() });
+        }
+        let units: Vec<_> = pairs.iter().map(|&pair| i16::from_le_bytes(pair)).collect();
+        Self::from_units(&units)
+    }
+}
+
+/// The part of a padded axis that the neighbour at `offset` owns: first sample of the block,
+/// first owned sample, and how many.
+const fn overlap(offset: i32) -> (usize, usize, usize) {
+    match offset {
+        0 => (1, 0, OWNED),
+        o if o < 0 => (0, OWNED - 1, 1),
+        _ => (OWNED + 1, 0, SAMPLES - OWNED - 1),
+    }
+}
+
+/// Adds the edits of the chunk at `coord` and of its 26 neighbours to the chunk's block, its
+/// border included. Samples of bedrock and above the ceiling stay as they are.
+pub fn apply_edits(
+    samples: &mut Samples,
+    coord: ChunkCoord,
+    lookup: impl Fn(ChunkCoord) -> Option<Arc<ChunkEdits>>,
+) {
+    for x in -1..=1 {
+        for y in -1..=1 {
+            for z in -1..=1 {
+                let offset = IVec3::new(x, y, z);
+                let owner = ChunkCoord {
+                    hemisphere: coord.hemisphere,
+                    index: coord.index.saturating_add(offset),
+                };
+                if let Some(edits) = lookup(owner) {
+                    add_neighbour(samples, coord, offset, &edits);
+                }
+            }
+        }
+    }
+}
+
+fn add_neighbour(samples: &mut Samples, coord: ChunkCoord, offset: IVec3, edits: &ChunkEdits) {
+    if edits.parts.is_empty() {
+        return;
+    }
+    let (low, high) = samples.editable_y_m();
+    let first_m = coord.origin().y - 1.0;
+    let (i0, a0, na) = overlap(offset.x);
+    let (j0, b0, nb) = overlap(offset.y);
+    let (k0, c0, nc) = overlap(offset.z);
+    for a in 0..na {
+        for c in 0..nc {
+            for b in 0..nb {
+                let y = first_m + (j0 + b) as f64;
+                if y >= low && y <= high {
+                    let unit = edits.unit(owned_index(a0 + a, b0 + b, c0 + c));
+                    samples.values_mut()[index(i0 + a, j0 + b, k0 + c)] +=
+                        f32::from(unit) * EDIT_STEP;
+                }
+            }
+        }
+    }
+}

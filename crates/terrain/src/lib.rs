@@ -1,0 +1,30 @@
+//! Scalar field, biomes, edits, brushes and marching cubes.
+//!
+//! Everything here is a pure function of the world's seed, a chunk and its edits;
+//! nothing reads a file, a clock or a thread. Lengths are metres of a chart
+//! ([`antipode_geometry`]), `y` is up, and a value below zero is solid ground.
+//!
+//! A chunk becomes a mesh in four steps: [`Field::content`] says whether it can hold
+//! surface at all, [`Field::samples`] fills its block with one sample of border,
+//! [`apply_edits`] adds what players dug and built, and [`march`] meshes the result.
+
+mod biome;
+mod colour;
+mod content;
+mod edits;
+mod field;
+mod fractal;
+mod march;
+mod mesh;
+mod samples;
+mod stroke;
+mod tables;
+
+pub use biome::Biome;
+pub use content::Content;
+pub use edits::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, apply_edits};
+pub use field::{FIELD_BAND_M, Field, RIM_REACH_M};
+pub use march::march;
+pub use mesh::{ChunkMesh, Vertex};
+pub use samples::{SAMPLES, Samples};
+pub use stroke::{FALLOFF_PER_M2, Stroke};

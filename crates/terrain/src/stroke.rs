@@ -1,0 +1,217 @@
+//! Strokes: what a pickaxe does in one step of time.
+
+use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
+
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use glam::{DVec2, DVec3, IVec3};
+
+use crate::edits::{ChunkEdits, owned_index};
+use crate::field::{RIM_REACH_M, editable_y_m};
+
+/// How fast a stroke weakens: `exp(-FALLOFF_PER_M2 d^2)`, as in the reference game.
+pub const FALLOFF_PER_M2: f64 = 0.1;
+/// Radii are held to this, metres, so that no input can ask for a world's worth of work.
+const MAX_RADIUS_M: f64 = 16.0;
+/// Samples of a hemisphere this far past its rim are the last that any mesh looks at: the
+/// meshed cells' far corners and the border that their normals need.
+const EDITED_PAST_RIM_M: f64 = RIM_REACH_M + 4.0;
+
+/// One push of the brush: a Gaussian added to the field's samples within `radius_m`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stroke {
+    /// The brush's middle; distances are measured in this point's chart.
+    pub centre: ChartPoint,
+    /// Nothing changes farther from the middle than this, metres; 1 to 10 in the game.
+    pub radius_m: f64,
+    /// Metres of field at the middle: positive digs, negative builds. Strength per second
+    /// times the time that the stroke stands for.
+    pub amount: f32,
+}
+
+/// A square of lattice columns of one hemisphere that holds all that a stroke changes there.
+struct Window {
+    hemisphere: Hemisphere,
+    x: RangeInclusive<i64>,
+    z: RangeInclusive<i64>,
+}
+
+/// A column of samples that a stroke reaches.
+struct Reached {
+    x: i64,
+    z: i64,
+    /// Squared horizontal distance in the stroke's chart, m^2.
+    distance2_m2: f64,
+    y: RangeInclusive<i64>,
+}
+
+/// How far below and above itself, in samples, a sample is seen from chunks.
+#[derive(Clone, Copy)]
+struct Seen {
+    back: i64,
+    ahead: i64,
+}
+
+/// By its owner only.
+const OWNED: Seen = Seen { back: 0, ahead: 0 };
+/// By every chunk whose block of 35 holds it: samples -1..=33 of chunk 0.
+const PADDED: Seen = Seen { back: 2, ahead: 1 };
+
+impl Seen {
+    fn chunks(self, samples: &RangeInclusive<i64>) -> RangeInclusive<i32> {
+        let first = (samples.start() - self.back).div_euclid(32);
+        let last = (samples.end() + self.ahead).div_euclid(32);
+        first as i32..=last as i32
+    }
+}
+
+fn whole(low: f64, high: f64) -> RangeInclusive<i64> {
+    low.ceil() as i64..=high.floor() as i64
+}
+
+fn common(a: &RangeInclusive<i64>, b: &RangeInclusive<i64>) -> RangeInclusive<i64> {
+    *a.start().max(b.start())..=*a.end().min(b.end())
+}
+
+impl Stroke {
+    /// Chunks that own a sample within the stroke, of both hemispheres where it nears the
+    /// equator, in ascending order. The chunks to [`Self::apply`] it to.
+    pub fn touched(&self, strategy: &dyn Strategy) -> Vec<ChunkCoord> {
+        self.chunks(strategy, OWNED)
+    }
+
+    /// Chunks whose block of samples, border included, holds a sample within the stroke:
+    /// [`Self::touched`] and the neighbours that see it. The chunks to mesh again.
+    pub fn remeshed(&self, strategy: &dyn Strategy) -> Vec<ChunkCoord> {
+        self.chunks(strategy, PADDED)
+    }
+
+    /// Adds the stroke to the edits of the chunk at `coord`; says whether any edit's stored
+    /// value changed. Edits must be kept either way: what is less than a stored unit adds up.
+    pub fn apply(
+        &self,
+        coord: ChunkCoord,
+        edits: &mut ChunkEdits,
+        strategy: &dyn Strategy,
+    ) -> bool {
+        let [x0, y0, z0] = coord.index.to_array().map(|c| i64::from(c) * 32);
+        let mut changed = false;
+        for mut window in self.windows(strategy) {
+            if window.hemisphere != coord.hemisphere {
+                continue;
+            }
+            window.x = common(&window.x, &(x0..=x0 + 31));
+            window.z = common(&window.z, &(z0..=z0 + 31));
+            for column in self.columns(strategy, &window) {
+                for y in common(&column.y, &(y0..=y0 + 31)) {
+                    let dy = y as f64 - self.centre.pos.y;
+                    let d2 = column.distance2_m2 + dy * dy;
+                    let amount = f64::from(self.amount) * (-FALLOFF_PER_M2 * d2).exp();
+                    let local = [column.x - x0, y - y0, column.z - z0].map(|c| c as usize);
+                    changed |= edits.add_at(owned_index(local[0], local[1], local[2]), amount as f32);
+                }
+            }
+        }
+        changed
+    }
+
+    fn radius_m(&self) -> f64 {
+        self.radius_m.clamp(0.0, MAX_RADIUS_M)
+    }
+
+    fn chunks(&self, strategy: &dyn Strategy, seen: Seen) -> Vec<ChunkCoord> {
+        let mut found = BTreeSet::new();
+        for window in self.windows(strategy) {
+            for column in self.columns(strategy, &window) {
+                for x in seen.chunks(&(column.x..=column.x)) {
+                    for z in seen.chunks(&(column.z..=column.z)) {
+                        for y in seen.chunks(&column.y) {
+                            found.insert(ChunkCoord {
+                                hemisphere: window.hemisphere,
+                                index: IVec3::new(x, y, z),
+                            });
+                        }
+                    }
+                }
+            }
+        }
+        found.into_iter().collect()
+    }
+
+    /// Where columns may be reached: around the middle, and near the equator around the same
+    /// point in the other chart.
+    fn windows(&self, strategy: &dyn Strategy) -> Vec<Window> {
+        if !self.centre.pos.is_finite() || !self.radius_m.is_finite() {
+            return Vec::new();
+        }
+        let around = |point: ChartPoint, half: f64| Window {
+            hemisphere: point.hemisphere,
+            x: whole(point.pos.x - half, point.pos.x + half),
+            z: whole(point.pos.z - half, point.pos.z + half),
+        };
+        let radius = self.radius_m();
+        let mut windows = vec![around(self.centre, radius)];
+        if let (Some(rim_m), Some(there)) = (strategy.rim_m(), strategy.carry(self.centre)) {
+            let r = DVec2::new(self.centre.pos.x, self.centre.pos.z).length();
+            if r + radius >= rim_m - EDITED_PAST_RIM_M {
+                // Carrying keeps radial lengths and angles about the pole, so the disc's width
+                // there is at most its angle here times the largest radius that it gets.
+                let angle = if radius < r {
+                    (radius / r).asin()
+                } else {
+                    std::f64::consts::PI
+                };
+                let farthest = (2.0 * rim_m - (r - radius)).min(rim_m + EDITED_PAST_RIM_M);
+                windows.push(around(there.point, radius + farthest * angle));
+            }
+        }
+        windows
+    }
+
+    fn columns(&self, strategy: &dyn Strategy, window: &Window) -> Vec<Reached> {
+        let (low, high) = editable_y_m(strategy);
+        let editable = whole(low, high);
+        let farthest2 = strategy
+            .rim_m()
+            .map_or(f64::INFINITY, |rim_m| (rim_m + EDITED_PAST_RIM_M).powi(2));
+        let radius2 = self.radius_m().powi(2);
+        let mut reached = Vec::new();
+        for x in window.x.clone() {
+            for z in window.z.clone() {
+                let here = DVec2::new(x as f64, z as f64);
+                if here.length_squared() > farthest2 {
+                    continue;
+                }
+                let Some(distance2_m2) = self.distance2(strategy, window.hemisphere, here) else {
+                    continue;
+                };
+                if distance2_m2 > radius2 {
+                    continue;
+                }
+                let half = (radius2 - distance2_m2).sqrt();
+                let centre_y = self.centre.pos.y;
+                let y = common(&whole(centre_y - half, centre_y + half), &editable);
+                if !y.is_empty() {
+                    reached.push(Reached { x, z, distance2_m2, y });
+                }
+            }
+        }
+        reached
+    }
+
+    /// Squared horizontal distance from the middle to a column, in the middle's chart. Carrying
+    /// moves columns as wholes: it keeps heights and does not look at them.
+    fn distance2(
+        &self,
+        strategy: &dyn Strategy,
+        hemisphere: Hemisphere,
+        column: DVec2,
+    ) -> Option<f64> {
+        let mut point = ChartPoint::new(hemisphere, DVec3::new(column.x, 0.0, column.y));
+        if hemisphere != self.centre.hemisphere {
+            point = strategy.carry(point)?.point;
+        }
+        let offset = point.pos - self.centre.pos;
+        Some(offset.x * offset.x + offset.z * offset.z)
+    }
+}

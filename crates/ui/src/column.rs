@@ -1,0 +1,90 @@
+//! The left column: the title and the buttons that lead everywhere.
+
+use egui::{FontId, RichText, Ui, UiBuilder};
+
+use crate::layout::{inset, scroll};
+use crate::model::{Intent, Screen};
+use crate::shell::Pass;
+use crate::theme::{ACCENT, GRID, PANEL, WEAK, small};
+use crate::widgets::column_button;
+
+/// Draws the column; `current` is marked.
+pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
+    let regions = pass.regions;
+    let painter = ui.painter().clone();
+    painter.rect_filled(regions.column, 0, PANEL);
+    let inner = inset(
+        regions.column,
+        if regions.compact { GRID } else { 2.0 * GRID },
+    );
+    let mut ui = ui.new_child(UiBuilder::new().id_salt("column").max_rect(inner));
+    ui.set_clip_rect(regions.column);
+    ui.spacing_mut().interact_size.y = if regions.compact { 32.0 } else { 40.0 };
+    scroll(&mut ui, inner.height(), |ui| {
+        title(ui, pass);
+        buttons(ui, pass, current);
+        notes(ui, pass);
+    });
+}
+
+fn title(ui: &mut Ui, pass: &Pass<'_>) {
+    let size = if pass.regions.compact { 28.0 } else { 40.0 };
+    let title = RichText::new("Antipode")
+        .font(FontId::proportional(size))
+        .color(ACCENT);
+    ui.label(title);
+    if let Some(world) = pass.model.running_world {
+        ui.add(egui::Label::new(RichText::new(world).font(small()).color(WEAK)).truncate());
+    }
+    if !pass.regions.compact {
+        ui.add_space(GRID);
+    }
+}
+
+fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
+    let running = pass.model.running_world.is_some();
+    let in_world = [
+        ("Resume", Intent::Resume),
+        ("Save", Intent::Save),
+        ("Save and quit to menu", Intent::SaveAndQuitToMenu),
+    ];
+    for (label, intent) in in_world.into_iter().filter(|_| running) {
+        let response = column_button(ui, label, false);
+        offer(pass, current, &response);
+        if response.clicked() {
+            pass.intents.push(intent);
+        }
+    }
+    let screens = [
+        ("New Game", Screen::NewGame),
+        ("Load", Screen::Load),
+        ("Delete", Screen::Delete),
+        ("Controls", Screen::Controls),
+    ];
+    for (label, screen) in screens {
+        let response = column_button(ui, label, *current == screen);
+        offer(pass, current, &response);
+        if response.clicked() {
+            pass.go = Some(screen);
+        }
+    }
+    if column_button(ui, "Quit", false).clicked() {
+        pass.intents.push(Intent::Quit);
+    }
+}
+
+/// With another screen beside the column, the focus belongs there.
+fn offer(pass: &mut Pass<'_>, current: &Screen, response: &egui::Response) {
+    if *current == Screen::Main {
+        pass.offer_focus(response);
+    }
+}
+
+/// The version, and what there is to know about the graphics device.
+fn notes(ui: &mut Ui, pass: &Pass<'_>) {
+    let version = format!("Version {}", pass.model.version);
+    ui.label(RichText::new(version).font(small()).color(WEAK));
+    if let Some(notice) = pass.model.adapter_notice {
+        ui.label(RichText::new(notice).font(small()).color(WEAK));
+    }
+}

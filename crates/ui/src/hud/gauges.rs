@@ -1,0 +1,160 @@
+//! The small instruments beside the hotbar: curvature, hemisphere, brush.
+
+use std::f32::consts::TAU;
+
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+use super::{CurvatureView, HudModel, plate::plate};
+use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
+
+/// Side of an instrument without its caption, in points.
+const SIDE: f32 = 56.0;
+/// Width an instrument needs beside the hotbar, its caption included.
+const WIDTH: f32 = 112.0;
+
+/// Draws those the model asks for: beside the hotbar where there is room, else
+/// above it.
+pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, model: &HudModel) {
+    let beside = screen.max.x - bar.max.x >= WIDTH;
+    let bottom = if beside {
+        screen.max.y
+    } else {
+        bar.min.y - GRID
+    };
+    // They give way to the rest on screens too small for everything.
+    if bottom - 2.0 * SIDE < screen.min.y {
+        return;
+    }
+    let mut right = pos2(screen.max.x, bottom);
+    if let Some(curvature) = model.curvature {
+        let dial = |centre| curvature_dial(painter, centre, curvature);
+        right.y = instrument(
+            painter,
+            screen,
+            right,
+            Align2::RIGHT_BOTTOM,
+            "Curvature",
+            dial,
+        );
+    }
+    if let Some(hemisphere) = model.hemisphere {
+        let ball = |centre| hemisphere_ball(painter, centre, hemisphere);
+        let words = format!("Hemisphere {hemisphere}");
+        instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, ball);
+    }
+    if let Some(radius_m) = model.brush_radius_m {
+        let words = format!("Brush {radius_m:.1} m");
+        let ring = |centre| brush_ring(painter, centre, radius_m);
+        instrument(
+            painter,
+            screen,
+            pos2(screen.min.x, bottom),
+            Align2::LEFT_BOTTOM,
+            &words,
+            ring,
+        );
+    }
+}
+
+/// A caption at the corner and the instrument over it; returns where the next
+/// one may end.
+fn instrument(
+    painter: &Painter,
+    screen: Rect,
+    corner: Pos2,
+    anchor: Align2,
+    words: &str,
+    draw: impl FnOnce(Pos2),
+) -> f32 {
+    let caption = plate(painter, screen, corner, anchor, words, small(), TEXT);
+    let centre = pos2(caption.center().x, caption.min.y - 4.0 - 0.5 * SIDE);
+    painter.circle_filled(centre, 0.5 * SIDE, PLATE);
+    draw(centre);
+    centre.y - 0.5 * SIDE - GRID
+}
+
+/// Three quarters of a turn from bottom left to bottom right, lit up to the value.
+fn curvature_dial(painter: &Painter, centre: Pos2, view: CurvatureView) {
+    let part = dial_part(view);
+    let radius = 0.5 * SIDE - 6.0;
+    let direction = |part: f32| {
+        let angle = TAU * (0.375 + 0.75 * part);
+        vec2(angle.cos(), angle.sin())
+    };
+    let arc = |to: f32| -> Vec<Pos2> {
+        let at = |step: i32| centre + radius * direction(to * step as f32 / 24.0);
+        (0..=24).map(at).collect()
+    };
+    painter.add(Shape::line(arc(1.0), Stroke::new(4.0, LINE)));
+    painter.add(Shape::line(arc(part), Stroke::new(4.0, ACCENT)));
+    painter.circle_filled(centre + radius * direction(part), 4.0, TEXT);
+    let value = format!("{:.1}", view.value);
+    painter.text(
+        centre,
+        Align2::CENTER_CENTER,
+        value,
+        FontId::monospace(13.0),
+        TEXT,
+    );
+}
+
+/// Where the needle stands, 0 to 1, whatever the numbers.
+fn dial_part(view: CurvatureView) -> f32 {
+    let part = (view.value - view.min) / (view.max - view.min);
+    if part.is_finite() {
+        part.clamp(0.0, 1.0) as f32
+    } else {
+        0.0
+    }
+}
+
+/// The world as a ball, the half with the player lit: A above, B below.
+fn hemisphere_ball(painter: &Painter, centre: Pos2, hemisphere: char) {
+    let radius = 0.5 * SIDE - 8.0;
+    let start = if hemisphere == 'B' { 0.0 } else { 0.5 };
+    let half = (0..=24)
+        .map(|step| {
+            let angle = TAU * (start + 0.5 * step as f32 / 24.0);
+            centre + radius * vec2(angle.cos(), angle.sin())
+        })
+        .collect();
+    painter.add(Shape::convex_polygon(half, ACCENT, Stroke::NONE));
+    painter.circle_stroke(centre, radius, Stroke::new(1.5, TEXT));
+    let equator = (0..=24).map(|step| {
+        let angle = TAU * 0.5 * step as f32 / 24.0;
+        centre + radius * vec2(angle.cos(), 0.3 * angle.sin())
+    });
+    painter.add(Shape::line(equator.collect(), Stroke::new(1.5, TEXT)));
+}
+
+/// A ring that grows with the brush, 1 to 10 m.
+fn brush_ring(painter: &Painter, centre: Pos2, radius_m: f64) {
+    let widest = 0.5 * SIDE - 6.0;
+    let part = if radius_m.is_finite() {
+        (radius_m / 10.0).clamp(0.1, 1.0) as f32
+    } else {
+        0.1
+    };
+    painter.circle(
+        centre,
+        part * widest,
+        Color32::from_white_alpha(30),
+        Stroke::new(2.0, ACCENT),
+    );
+    painter.circle_filled(centre, 1.5, TEXT);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_needle_stays_on_the_dial() {
+        let part = |value, min, max| dial_part(CurvatureView { value, min, max });
+        assert_eq!(part(15.0, 10.0, 20.0), 0.5);
+        assert_eq!(part(-3.0, 10.0, 20.0), 0.0);
+        assert_eq!(part(99.0, 10.0, 20.0), 1.0);
+        assert_eq!(part(1.0, 1.0, 1.0), 0.0);
+        assert_eq!(part(f64::NAN, 0.0, 1.0), 0.0);
+    }
+}

@@ -1,0 +1,205 @@
+//! The heads-up display over the world, painted and never clickable.
+
+mod gauges;
+mod hotbar;
+mod plate;
+
+use egui::{Align2, Context, FontId, LayerId, Painter, Pos2, Rect, Stroke, pos2, vec2};
+
+use crate::layout::inset;
+use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
+use plate::plate;
+
+/// What a slot of the hotbar shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SlotIcon {
+    /// Nothing.
+    #[default]
+    Empty,
+    /// The weak pickaxe.
+    PickaxeWood,
+    /// The medium pickaxe.
+    PickaxeIron,
+    /// The strong pickaxe.
+    PickaxeDiamond,
+}
+
+/// One slot of the hotbar.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SlotView {
+    /// The item's name, shown while its slot is selected; may be empty.
+    pub label: String,
+    /// Its picture.
+    pub icon: SlotIcon,
+    /// How many, where that matters.
+    pub count: Option<u32>,
+}
+
+/// The curvature dial of a hyperbolic world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvatureView {
+    /// The present value.
+    pub value: f64,
+    /// The value at the dial's left end.
+    pub min: f64,
+    /// The value at the dial's right end.
+    pub max: f64,
+}
+
+/// Everything the display shows in one frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct HudModel {
+    /// Frames per second, already smoothed.
+    pub fps: f32,
+    /// Where the player is in the chart, in metres.
+    pub chart: [f64; 3],
+    /// The same place in the curved model, in units of its radius.
+    pub curved: [f64; 4],
+    /// Whether space is flat, so that the curved coordinates say nothing new.
+    pub curved_is_flat: bool,
+    /// The hotbar: ten slots, keys 1 to 9 and 0.
+    pub slots: Vec<SlotView>,
+    /// Index of the slot in hand, from 0.
+    pub selected: usize,
+    /// The dial, in hyperbolic worlds.
+    pub curvature: Option<CurvatureView>,
+    /// 'A' or 'B', in spherical worlds.
+    pub hemisphere: Option<char>,
+    /// The space in a word.
+    pub geometry: String,
+    /// Radius of the brush in metres, while a tool with one is in hand.
+    pub brush_radius_m: Option<f64>,
+    /// Whether to mark the middle of the screen.
+    pub show_crosshair: bool,
+    /// Share of the land around that is there, 0 to 1, while some is missing.
+    pub loading: Option<f32>,
+    /// Time of day in words, e.g. "12:40".
+    pub time_label: String,
+    /// Something to tell the player, as a sentence.
+    pub notice: Option<String>,
+}
+
+/// Draws the display; call it before [`crate::Shell::show`].
+pub fn show_hud(ctx: &Context, model: &HudModel) {
+    let screen = inset(ctx.content_rect(), GRID);
+    let painter = ctx.layer_painter(LayerId::background());
+    if model.show_crosshair {
+        crosshair(&painter, ctx.content_rect().center());
+    }
+    let position = position(&painter, screen, model);
+    let figures = figures(&painter, screen, position, model);
+    let top = position.max.y.max(figures.max.y) + GRID;
+    notices(&painter, screen, top, model);
+    let bar = hotbar::show(&painter, screen, model);
+    gauges::show(&painter, screen, bar, model);
+}
+
+/// A small cross with a gap, dark under light so it shows on snow and at night.
+fn crosshair(painter: &Painter, centre: Pos2) {
+    for (width, colour) in [(4.0, egui::Color32::from_black_alpha(130)), (1.6, TEXT)] {
+        for arm in [
+            vec2(1.0, 0.0),
+            vec2(-1.0, 0.0),
+            vec2(0.0, 1.0),
+            vec2(0.0, -1.0),
+        ] {
+            // The dark outline reaches past the ends of the light arm.
+            let (from, to) = if width > 2.0 {
+                (3.0, 11.0)
+            } else {
+                (4.0, 10.0)
+            };
+            painter.line_segment(
+                [centre + from * arm, centre + to * arm],
+                Stroke::new(width, colour),
+            );
+        }
+    }
+    painter.circle_filled(centre, 1.2, TEXT);
+}
+
+/// Top left: where the player is, in both kinds of coordinates.
+fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
+    let [x, y, z] = model.chart;
+    let chart = format!("x {x:.2}  y {y:.2}  z {z:.2} m");
+    let curved = if model.curved_is_flat {
+        "flat space: the same".to_owned()
+    } else {
+        let [x, y, z, w] = model.curved;
+        format!("({x:.3}, {y:.3}, {z:.3}, {w:.3})")
+    };
+    let text = format!("{:<7}{chart}\n{:<7}{curved}", "chart", "curved");
+    plate(
+        painter,
+        screen,
+        screen.min,
+        Align2::LEFT_TOP,
+        &text,
+        mono(),
+        TEXT,
+    )
+}
+
+/// Top right, under the position where both do not fit side by side.
+fn figures(painter: &Painter, screen: Rect, position: Rect, model: &HudModel) -> Rect {
+    let mut lines = vec![format!("{:.0} fps", model.fps)];
+    lines.extend(
+        [&model.geometry, &model.time_label]
+            .into_iter()
+            .filter(|text| !text.is_empty())
+            .cloned(),
+    );
+    let text = lines.join("\n");
+    let width = painter.layout_no_wrap(text.clone(), mono(), TEXT).size().x + 3.0 * GRID;
+    let fits = position.max.x + width <= screen.max.x;
+    let y = if fits {
+        screen.min.y
+    } else {
+        position.max.y + 4.0
+    };
+    plate(
+        painter,
+        screen,
+        pos2(screen.max.x, y),
+        Align2::RIGHT_TOP,
+        &text,
+        mono(),
+        TEXT,
+    )
+}
+
+/// In the middle below `top`: what is loading, and what there is to know.
+fn notices(painter: &Painter, screen: Rect, top: f32, model: &HudModel) {
+    let mut at = pos2(screen.center().x, top);
+    if let Some(part) = model.loading {
+        let part = part.clamp(0.0, 1.0);
+        let words = format!("The land is coming: {:.0} %", part * 100.0);
+        let rect = plate(
+            painter,
+            screen,
+            at,
+            Align2::CENTER_TOP,
+            &words,
+            small(),
+            TEXT,
+        );
+        let rail = Rect::from_min_max(
+            pos2(rect.min.x + 6.0, rect.max.y - 3.0),
+            rect.max - vec2(6.0, 0.0),
+        );
+        painter.rect_filled(rail, 1, LINE);
+        painter.rect_filled(rail.with_max_x(rail.min.x + part * rail.width()), 1, ACCENT);
+        at.y = rect.max.y + GRID;
+    }
+    if let Some(notice) = &model.notice {
+        plate(
+            painter,
+            screen,
+            at,
+            Align2::CENTER_TOP,
+            notice,
+            FontId::proportional(16.0),
+            TEXT,
+        );
+    }
+}

@@ -1,0 +1,212 @@
+//! Where things stand on screens from a phone's size to a wall's: rectangles
+//! that never turn inside out, and the pane that every sub-screen is drawn in.
+
+use std::cmp::Ordering;
+
+use egui::{Context, Id, Key, Rect, Response, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+
+use crate::theme::{GRID, panel};
+
+/// Under this width the column and the pane take turns instead of standing
+/// side by side, in points.
+const TWO_PANE_WIDTH: f32 = 600.0;
+/// A pane is not drawn wider than this: lines of text get hard to follow.
+const PANE_WIDTH: f32 = 720.0;
+/// Room for the focus ring, which stands outside a widget, in points.
+const RING: f32 = 4.0;
+
+/// The rectangles of one frame of the menu.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Regions {
+    pub whole: Rect,
+    pub column: Rect,
+    pub pane: Rect,
+    /// Whether column and pane stand side by side.
+    pub wide: bool,
+    /// Whether height is scarce: smaller buttons, smaller gaps.
+    pub compact: bool,
+}
+
+impl Regions {
+    pub(crate) fn of(ctx: &Context) -> Self {
+        Self::new(ctx.content_rect())
+    }
+
+    fn new(whole: Rect) -> Self {
+        let wide = whole.width() >= TWO_PANE_WIDTH;
+        let compact = whole.height() < 520.0;
+        let margin = if compact { GRID } else { 2.0 * GRID };
+        if !wide {
+            let pane = inset(whole, margin.min(GRID));
+            return Self {
+                whole,
+                column: whole,
+                pane,
+                wide,
+                compact,
+            };
+        }
+        let width = if whole.width() < 900.0 { 216.0 } else { 264.0 };
+        let mut column = whole;
+        column.set_width(width);
+        let mut pane = inset(whole.with_min_x(column.max.x), margin);
+        pane.set_width(pane.width().min(PANE_WIDTH));
+        Self {
+            whole,
+            column,
+            pane,
+            wide,
+            compact,
+        }
+    }
+}
+
+/// `rect` made smaller on all sides, but never inside out.
+pub(crate) fn inset(rect: Rect, margin: f32) -> Rect {
+    let x = margin.min(rect.width() * 0.5).max(0.0);
+    let y = margin.min(rect.height() * 0.5).max(0.0);
+    Rect::from_min_max(
+        pos2(rect.min.x + x, rect.min.y + y),
+        pos2(rect.max.x - x, rect.max.y - y),
+    )
+}
+
+/// What in a pane's body can hold the focus. egui looks for the next widget by
+/// where it lies, scrolled out of sight or not, and so would step from the last
+/// visible row to the footer; within a body the arrows go through here first.
+#[derive(Default)]
+pub(crate) struct Stops(Vec<(Id, Rect)>);
+
+impl Stops {
+    pub(crate) fn add(&mut self, response: &Response) {
+        self.0.push((response.id, response.rect));
+    }
+
+    /// Moves the focus up or down if an arrow asks for it and there is a stop.
+    fn step(&self, ui: &Ui) {
+        let pressed = |key| ui.input(|input| input.key_pressed(key));
+        let down = pressed(Key::ArrowDown);
+        let focused = ui.ctx().memory(egui::Memory::focused);
+        let from = self.0.iter().find(|(id, _)| Some(*id) == focused);
+        let Some((_, from)) = from.filter(|_| down != pressed(Key::ArrowUp)) else {
+            return;
+        };
+        if let Some((id, rect)) = self.nearest(*from, down) {
+            ui.ctx().memory_mut(|memory| {
+                memory.request_focus(id);
+                memory.move_focus(egui::FocusDirection::None);
+            });
+            ui.scroll_to_rect(rect.expand(GRID), None);
+        }
+    }
+
+    /// The stop that is next below (or above) `from`, and nearest sideways.
+    fn nearest(&self, from: Rect, down: bool) -> Option<(Id, Rect)> {
+        let distance = |rect: &Rect| {
+            let along = if down {
+                rect.min.y - from.max.y
+            } else {
+                from.min.y - rect.max.y
+            };
+            (along, (rect.center().x - from.center().x).abs())
+        };
+        self.0
+            .iter()
+            .filter(|(_, rect)| distance(rect).0 >= 0.0)
+            .min_by(|(_, a), (_, b)| {
+                distance(a)
+                    .partial_cmp(&distance(b))
+                    .unwrap_or(Ordering::Equal)
+            })
+            .copied()
+    }
+}
+
+/// A panel filling `rect`: title, a body that scrolls, and a footer that always
+/// stays in view.
+pub(crate) fn pane<R>(
+    ui: &mut Ui,
+    rect: Rect,
+    title: &str,
+    body: impl FnOnce(&mut Ui, &mut Stops) -> R,
+    footer: impl FnOnce(&mut Ui),
+) -> R {
+    let margin = if rect.height() < 480.0 { 12.0 } else { 16.0 };
+    ui.painter().add(panel(rect));
+    let inner = inset(rect, margin);
+    let mut ui = ui.new_child(UiBuilder::new().id_salt(title).max_rect(inner));
+    ui.set_clip_rect(rect);
+    ui.label(RichText::new(title).heading());
+    let footer_height = ui.spacing().interact_size.y + GRID;
+    let body_height = (inner.max.y - ui.cursor().min.y - footer_height).max(24.0);
+    let result = scroll(&mut ui, body_height, |ui| {
+        let mut stops = Stops::default();
+        let result = body(ui, &mut stops);
+        stops.step(ui);
+        result
+    });
+    ui.horizontal(footer);
+    result
+}
+
+/// A vertical scroll area of that height, which PageUp, PageDown, Home and End
+/// move as well: not everything worth reading can hold the focus.
+pub(crate) fn scroll<R>(ui: &mut Ui, height: f32, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    // Home and End belong to a text field while one is being edited.
+    let editing = ui.ctx().text_edit_focused();
+    let pages = ui.input(|input| {
+        let pressed = |key, amount: f32| if input.key_pressed(key) { amount } else { 0.0 };
+        let page = pressed(Key::PageUp, 1.0) + pressed(Key::PageDown, -1.0);
+        let all = pressed(Key::Home, 1e5) + pressed(Key::End, -1e5);
+        if editing { page } else { page + all }
+    });
+    let mut rect = ui.available_rect_before_wrap();
+    rect.set_height(height.max(0.0));
+    // The margin that holds focus rings hangs over the edge: the text in it
+    // lines up with the text outside.
+    let area = rect.expand2(vec2(RING, 0.0));
+    let mut child = ui.new_child(UiBuilder::new().id_salt("scroll").max_rect(area));
+    let result = ScrollArea::vertical()
+        .max_height(rect.height())
+        .min_scrolled_height(rect.height())
+        .auto_shrink(false)
+        .content_margin(RING)
+        .show(&mut child, |ui| {
+            if pages != 0.0 {
+                ui.scroll_with_delta(vec2(0.0, pages * (height - 4.0 * GRID).max(GRID)));
+            }
+            contents(ui)
+        })
+        .inner;
+    ui.advance_cursor_after_rect(rect);
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_region_is_ever_inside_out() {
+        for (width, height) in [
+            (0.0, 0.0),
+            (1.0, 1.0),
+            (320.0, 200.0),
+            (600.0, 3.0),
+            (2560.0, 1440.0),
+        ] {
+            let regions = Regions::new(Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)));
+            for rect in [regions.column, regions.pane] {
+                assert!(rect.width() >= 0.0 && rect.height() >= 0.0, "{regions:?}");
+                assert!(regions.whole.contains_rect(rect), "{regions:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn column_and_pane_stand_side_by_side_where_there_is_room() {
+        let regions = Regions::new(Rect::from_min_size(pos2(0.0, 0.0), vec2(640.0, 360.0)));
+        assert!(regions.wide && regions.compact);
+        assert!(!regions.column.intersects(regions.pane));
+    }
+}

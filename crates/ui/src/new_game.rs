@@ -1,0 +1,323 @@
+//! The form for a new world: what is wrong is said in words while typing.
+
+use egui::{
+    Align2, Color32, EventFilter, FontId, Key, Pos2, Rect, Response, RichText, Role, Sense, Shape,
+    Slider, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::layout::{Stops, pane};
+use crate::model::{GeometryChoice, Intent, Screen};
+use crate::seed::parse_seed;
+use crate::shell::Pass;
+use crate::theme::{ACCENT, BAD, GOOD, GRID, TEXT, WEAK, small};
+use crate::widgets::{button, focus_ring, paint_card, primary_button};
+
+/// Radii of spherical worlds that the player may choose, in metres.
+const RADIUS_M: std::ops::RangeInclusive<f64> = 16.0..=64.0;
+const DEFAULT_RADIUS_M: f64 = 32.0;
+/// Longest text a field takes: far beyond what is valid, so that too long is
+/// said and not silently cut, but a pasted book stays out.
+const FIELD_LIMIT: usize = 200;
+
+/// What the player has filled in so far.
+pub(crate) struct NewGameForm {
+    name: String,
+    geometry: GeometryChoice,
+    seed: String,
+    radius_m: f64,
+    /// Whether the name was ever touched: an empty field is no error at first.
+    touched: bool,
+}
+
+/// The fields in which Enter makes the world.
+struct Fields {
+    name: Response,
+    seed: Response,
+    radius: Option<Response>,
+}
+
+impl Fields {
+    /// Enter takes the focus off a line of text, so losing it counts.
+    fn any_in_use(&self) -> bool {
+        [Some(&self.name), Some(&self.seed), self.radius.as_ref()]
+            .into_iter()
+            .flatten()
+            .any(|field| field.has_focus() || field.lost_focus())
+    }
+}
+
+impl Default for NewGameForm {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            geometry: GeometryChoice::default(),
+            seed: String::new(),
+            radius_m: DEFAULT_RADIUS_M,
+            touched: false,
+        }
+    }
+}
+
+impl NewGameForm {
+    /// Draws the form; Create, or Enter in a field, makes the world.
+    pub(crate) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) {
+        let nothing_focused = ui.ctx().memory(egui::Memory::focused).is_none();
+        let regions = pass.regions;
+        let mut create = false;
+        let mut back = false;
+        let name = (pass.model.check_name)(self.name.trim());
+        let seed = parse_seed(&self.seed);
+        let missing = match (&name, &seed) {
+            (Err(_), _) => Some("Needs a valid name"),
+            (_, Err(_)) => Some("Needs a valid seed"),
+            _ => None,
+        };
+        let body = |ui: &mut Ui, stops: &mut Stops| {
+            let name = self.name_field(ui, pass, &name);
+            stops.add(&name);
+            self.cards(ui, stops);
+            let seed = self.seed_field(ui, seed.map_err(|error| error.to_string()));
+            stops.add(&seed);
+            let spherical = self.geometry == GeometryChoice::Spherical;
+            let radius = spherical.then(|| self.radius_slider(ui));
+            if let Some(radius) = &radius {
+                stops.add(radius);
+            }
+            Fields { name, seed, radius }
+        };
+        let fields = pane(ui, regions.pane, "New Game", body, |ui| {
+            create = primary_button(ui, "Create", missing.is_none()).clicked();
+            back = button(ui, "Back").clicked();
+            if let Some(missing) = missing {
+                ui.label(RichText::new(missing).font(small()).color(WEAK));
+            }
+        });
+        let enter = ui.input(|input| input.key_pressed(Key::Enter));
+        create |= enter && (nothing_focused || fields.any_in_use());
+        if back {
+            pass.go = Some(Screen::Main);
+        } else if create {
+            self.create(pass, &fields);
+        }
+    }
+
+    /// Asks for the world, or sends the player back to what is wrong. Everything is
+    /// checked anew: it may have changed in this very frame.
+    fn create(&mut self, pass: &mut Pass<'_>, fields: &Fields) {
+        self.touched = true;
+        let name = (pass.model.check_name)(self.name.trim());
+        match (name, parse_seed(&self.seed)) {
+            (Ok(()), Ok(seed)) => pass.intents.push(self.intent(seed)),
+            (Err(_), _) => fields.name.request_focus(),
+            (_, Err(_)) => fields.seed.request_focus(),
+        }
+    }
+
+    fn intent(&self, seed: Option<u64>) -> Intent {
+        let spherical = self.geometry == GeometryChoice::Spherical;
+        Intent::NewGame {
+            name: self.name.trim().to_owned(),
+            geometry: self.geometry,
+            seed,
+            radius_m: spherical.then_some(self.radius_m),
+        }
+    }
+
+    fn name_field(
+        &mut self,
+        ui: &mut Ui,
+        pass: &mut Pass<'_>,
+        check: &Result<(), String>,
+    ) -> Response {
+        let label = ui.label("Name");
+        let field =
+            text_field(ui, &mut self.name, "What shall it be called?").labelled_by(label.id);
+        pass.offer_focus(&field);
+        self.touched |= field.changed();
+        match check {
+            Ok(()) => verdict(ui, "This name is free.", GOOD),
+            Err(reason) => verdict(ui, reason, if self.touched { BAD } else { WEAK }),
+        }
+        field
+    }
+
+    fn seed_field(&mut self, ui: &mut Ui, seed: Result<Option<u64>, String>) -> Response {
+        let label = ui.label("Seed (optional)");
+        let field = text_field(ui, &mut self.seed, "A number or words").labelled_by(label.id);
+        match seed {
+            Ok(None) => verdict(ui, "Left empty, it is drawn at random.", WEAK),
+            Ok(Some(seed)) => verdict(ui, &format!("The seed is {seed}."), GOOD),
+            Err(reason) => verdict(ui, &reason, BAD),
+        }
+        field
+    }
+
+    fn radius_slider(&mut self, ui: &mut Ui) -> Response {
+        let label = ui.label("Radius of the world");
+        // Rail and number stand on one line.
+        ui.spacing_mut().slider_width = (ui.available_width() - 88.0).clamp(24.0, 320.0);
+        let slider = Slider::new(&mut self.radius_m, RADIUS_M)
+            .step_by(1.0)
+            .suffix(" m");
+        let response = ui.add(slider).labelled_by(label.id);
+        focus_ring(ui, &response);
+        response
+    }
+
+    fn cards(&mut self, ui: &mut Ui, stops: &mut Stops) {
+        ui.label("Space");
+        let across = ui.available_width() >= 480.0;
+        let width = if across {
+            (ui.available_width() - 2.0 * GRID) / 3.0
+        } else {
+            ui.available_width()
+        };
+        let height = GeometryChoice::ALL
+            .map(|choice| card_height(ui, choice, width, across))
+            .into_iter()
+            .fold(0.0, f32::max);
+        let size = vec2(width, height);
+        let mut draw = |ui: &mut Ui| {
+            for choice in GeometryChoice::ALL {
+                let response = card(ui, choice, self.geometry == choice, size, across);
+                stops.add(&response);
+                if response.clicked() {
+                    self.geometry = choice;
+                }
+            }
+        };
+        if across {
+            ui.horizontal(draw);
+        } else {
+            draw(ui);
+        }
+    }
+}
+
+/// A line of text that up and down leave: in a single line they mean nothing.
+fn text_field(ui: &mut Ui, text: &mut String, hint: &str) -> Response {
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        ..Default::default()
+    };
+    let edit = TextEdit::singleline(text)
+        .hint_text(hint)
+        .char_limit(FIELD_LIMIT)
+        .desired_width(f32::INFINITY)
+        .event_filter(filter);
+    let response = ui.add(edit);
+    if response.gained_focus() {
+        response.scroll_to_me(None);
+    }
+    response
+}
+
+fn verdict(ui: &mut Ui, words: &str, colour: Color32) {
+    ui.label(RichText::new(words).font(small()).color(colour));
+}
+
+/// Side of a card's picture, in points.
+const ICON: f32 = 40.0;
+
+/// Width left for a card's words.
+fn card_wrap(width: f32, across: bool) -> f32 {
+    let beside = if across { 0.0 } else { ICON + 12.0 };
+    (width - 24.0 - beside).max(1.0)
+}
+
+fn card_height(ui: &Ui, choice: GeometryChoice, width: f32, across: bool) -> f32 {
+    let words = ui
+        .painter()
+        .layout(
+            choice.description().to_owned(),
+            small(),
+            WEAK,
+            card_wrap(width, across),
+        )
+        .size()
+        .y;
+    let words = words + 24.0 + 20.0;
+    if across {
+        words + ICON + GRID
+    } else {
+        words.max(ICON + 20.0)
+    }
+}
+
+fn card(
+    ui: &mut Ui,
+    choice: GeometryChoice,
+    chosen: bool,
+    size: egui::Vec2,
+    across: bool,
+) -> Response {
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, choice.label()));
+    paint_card(ui, &response, chosen);
+    let painter = ui.painter().with_clip_rect(ui.clip_rect().intersect(rect));
+    let corner = rect.min + vec2(12.0, 10.0);
+    let icon = Rect::from_min_size(corner, vec2(ICON, ICON));
+    let colour = if chosen { ACCENT } else { TEXT };
+    ui.painter()
+        .extend(icon_shapes(choice, icon, Stroke::new(1.5, colour)));
+    let words = if across {
+        corner + vec2(0.0, ICON + GRID)
+    } else {
+        corner + vec2(ICON + 12.0, 0.0)
+    };
+    painter.text(
+        words,
+        Align2::LEFT_TOP,
+        choice.label(),
+        FontId::proportional(16.0),
+        TEXT,
+    );
+    let wrap = card_wrap(size.x, across);
+    let text = painter.layout(choice.description().to_owned(), small(), WEAK, wrap);
+    painter.galley(words + vec2(0.0, 22.0), text, WEAK);
+    response
+}
+
+/// A patch of each space in lines: geodesics that part, stay apart, or meet.
+fn icon_shapes(choice: GeometryChoice, rect: Rect, stroke: Stroke) -> Vec<Shape> {
+    let bend = match choice {
+        GeometryChoice::Hyperbolic => -0.45,
+        GeometryChoice::Euclidean => 0.0,
+        GeometryChoice::Spherical => 1.0,
+    };
+    let at = |x: f32, y: f32| -> Pos2 {
+        pos2(
+            rect.center().x + 0.5 * x * rect.width(),
+            rect.center().y + 0.5 * y * rect.height(),
+        )
+    };
+    // A line at offset d runs at d * width(t): narrow ends where geodesics meet.
+    let width = |t: f32| {
+        if bend > 0.0 {
+            (1.0 - t * t).max(0.0).sqrt()
+        } else {
+            0.62 - bend * (t * t - 0.4)
+        }
+    };
+    let mut shapes = Vec::new();
+    for d in [-1.0, -0.5, 0.0, 0.5, 1.0_f32] {
+        let steps = (-8..=8).map(|step| step as f32 / 8.0);
+        shapes.push(Shape::line(
+            steps.clone().map(|t| at(d * width(t), t)).collect(),
+            stroke,
+        ));
+        if bend <= 0.0 {
+            shapes.push(Shape::line(
+                steps.map(|t| at(t, d * width(t))).collect(),
+                stroke,
+            ));
+        } else if d.abs() < 1.0 {
+            let half = (1.0 - d * d).sqrt();
+            shapes.push(Shape::line(
+                steps.map(|t| at(t * half, d)).collect(),
+                stroke,
+            ));
+        }
+    }
+    shapes
+}

@@ -1,0 +1,277 @@
+//! The menus' state: which screen is up, where Esc leads, who gets the focus.
+
+use egui::{Context, Event, Id, Key, LayerId, Ui, UiBuilder};
+
+use crate::layout::Regions;
+use crate::model::{Intent, MenuModel, Screen, ToastKind};
+use crate::new_game::NewGameForm;
+use crate::theme::SCRIM;
+use crate::toasts::Toasts;
+use crate::{backdrop, column, controls, dialog, worlds};
+
+/// The menus. It starts on the main menu.
+///
+/// The game forwards Esc to [`Shell::escape`] itself, since Esc must work
+/// while no menu is up, and takes no input for the world while
+/// [`Shell::is_open`].
+pub struct Shell {
+    screen: Screen,
+    /// Where a message leads back to: the last screen that was neither work in
+    /// progress nor a message.
+    behind: Screen,
+    form: NewGameForm,
+    /// The world (slug, name) whose deletion is being asked about.
+    confirming: Option<(String, String)>,
+    toasts: Toasts,
+    /// The next widget that is first on its screen takes the focus.
+    focus_first: bool,
+    /// Whether the player last used keys rather than the pointer.
+    by_keyboard: bool,
+    /// What Esc asked for since the last frame.
+    queued: Vec<Intent>,
+}
+
+/// What the screens read and write while one frame is drawn.
+pub(crate) struct Pass<'a> {
+    pub model: &'a MenuModel<'a>,
+    pub regions: Regions,
+    pub intents: Vec<Intent>,
+    /// The screen to go to when the frame is over.
+    pub go: Option<Screen>,
+    focus_first: bool,
+}
+
+impl Pass<'_> {
+    /// Gives the focus to this widget if its screen has just been opened.
+    pub(crate) fn offer_focus(&mut self, response: &egui::Response) {
+        if std::mem::take(&mut self.focus_first) {
+            response.request_focus();
+        }
+    }
+}
+
+impl Default for Shell {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Shell {
+    /// The main menu, with the focus on its first button.
+    pub fn new() -> Self {
+        Self {
+            screen: Screen::Main,
+            behind: Screen::Main,
+            form: NewGameForm::default(),
+            confirming: None,
+            toasts: Toasts::default(),
+            focus_first: true,
+            by_keyboard: true,
+            queued: Vec::new(),
+        }
+    }
+
+    /// The screen that is up.
+    pub fn screen(&self) -> &Screen {
+        &self.screen
+    }
+
+    /// Whether any screen is up: the world is paused and takes no input.
+    pub fn is_open(&self) -> bool {
+        self.screen != Screen::Hidden
+    }
+
+    /// Shows a screen. May be called every frame to move a progress bar on.
+    pub fn open(&mut self, screen: Screen) {
+        let both_busy = matches!(
+            (&self.screen, &screen),
+            (Screen::Busy { .. }, Screen::Busy { .. })
+        );
+        if self.screen == screen || both_busy {
+            self.screen = screen;
+            return;
+        }
+        if screen == Screen::NewGame {
+            self.form = NewGameForm::default();
+        }
+        self.switch(screen);
+        self.focus_first = true;
+    }
+
+    /// Esc: one level back; out of the pause menu into the world if one is
+    /// `running`; from the world into the pause menu. Work in progress stays.
+    pub fn escape(&mut self, running: bool) {
+        self.by_keyboard = true;
+        if self.confirming.take().is_some() {
+            self.focus_first = true;
+            return;
+        }
+        match self.screen {
+            Screen::Busy { .. } => {}
+            Screen::Message { .. } => {
+                self.queued.push(Intent::DismissMessage);
+                self.dismiss(running);
+            }
+            Screen::Main if running => self.switch(Screen::Hidden),
+            Screen::Main => self.focus_first = true,
+            Screen::Hidden | Screen::NewGame | Screen::Load | Screen::Delete | Screen::Controls => {
+                self.switch(Screen::Main);
+                self.focus_first = true;
+            }
+        }
+    }
+
+    /// Puts a line up for some seconds, over whatever is on the screen.
+    pub fn toast(&mut self, text: impl Into<String>, kind: ToastKind) {
+        self.toasts.push(text.into(), kind);
+    }
+
+    /// Draws what is up and returns what the player asked for, in order.
+    pub fn show(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
+        let mut intents = std::mem::take(&mut self.queued);
+        if self.is_open() {
+            intents.append(&mut self.show_open(ctx, model));
+        }
+        self.toasts.show(ctx);
+        intents
+    }
+
+    fn show_open(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
+        self.read_input(ctx);
+        let mut pass = Pass {
+            model,
+            regions: Regions::of(ctx),
+            intents: Vec::new(),
+            go: None,
+            focus_first: std::mem::take(&mut self.focus_first),
+        };
+        let builder = UiBuilder::new()
+            .layer_id(LayerId::background())
+            .max_rect(pass.regions.whole);
+        let mut ui = Ui::new(ctx.clone(), Id::unique("antipode-menu"), builder);
+        if pass.regions.compact {
+            ui.spacing_mut().item_spacing.y = 4.0;
+        }
+        if model.running_world.is_some() {
+            ui.painter().rect_filled(pass.regions.whole, 0, SCRIM);
+        } else {
+            backdrop::paint(ui.painter(), pass.regions.whole);
+        }
+        self.draw(&mut ui, &mut pass);
+        self.finish(pass)
+    }
+
+    fn draw(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) {
+        if let Some((slug, name)) = &self.confirming {
+            if let Some(sure) = dialog::confirm_delete(ui, pass, name) {
+                if sure {
+                    pass.intents.push(Intent::Delete { slug: slug.clone() });
+                }
+                self.confirming = None;
+                self.focus_first = self.by_keyboard;
+            }
+            return;
+        }
+        match &self.screen {
+            Screen::Busy {
+                title,
+                progress,
+                detail,
+            } => {
+                return dialog::busy(ui, pass, title, *progress, detail);
+            }
+            Screen::Message { title, text } => {
+                return dialog::message(ui, pass, title, text);
+            }
+            _ => {}
+        }
+        if pass.regions.wide || self.screen == Screen::Main {
+            column::show(ui, pass, &self.screen);
+        }
+        match &self.screen {
+            Screen::NewGame => self.form.show(ui, pass),
+            Screen::Load => worlds::load(ui, pass),
+            Screen::Delete => {
+                if let Some(asked) = worlds::delete(ui, pass) {
+                    self.confirming = Some(asked);
+                    self.focus_first = true;
+                }
+            }
+            Screen::Controls => controls::show(ui, pass),
+            _ => {}
+        }
+    }
+
+    /// Carries out what the screens asked for. Screens change between frames
+    /// only, so that one key press is never seen by two of them.
+    fn finish(&mut self, pass: Pass<'_>) -> Vec<Intent> {
+        let running = pass.model.running_world.is_some();
+        if pass.intents.contains(&Intent::DismissMessage) {
+            self.dismiss(running);
+        } else if pass.intents.contains(&Intent::Resume) {
+            self.switch(Screen::Hidden);
+        } else if let Some(screen) = pass.go {
+            self.open(screen);
+            self.focus_first = self.by_keyboard || self.screen == Screen::NewGame;
+        } else if pass.focus_first {
+            // Nobody took it: whatever comes up next on this screen may.
+            self.focus_first = true;
+        }
+        pass.intents
+    }
+
+    fn switch(&mut self, screen: Screen) {
+        if !matches!(self.screen, Screen::Busy { .. } | Screen::Message { .. }) {
+            self.behind = self.screen.clone();
+        }
+        self.confirming = None;
+        self.screen = screen;
+    }
+
+    fn dismiss(&mut self, running: bool) {
+        let back = match std::mem::replace(&mut self.behind, Screen::Main) {
+            Screen::Hidden if !running => Screen::Main,
+            screen => screen,
+        };
+        self.switch(back);
+        self.focus_first = true;
+    }
+
+    /// Notes whether keys or the pointer are in use, and drops repeats of the
+    /// keys that press buttons: a key held down must not run through screens.
+    fn read_input(&mut self, ctx: &Context) {
+        let mut arrow = false;
+        ctx.input_mut(|input| {
+            for event in &input.events {
+                match event {
+                    Event::Key {
+                        key, pressed: true, ..
+                    } => {
+                        self.by_keyboard = true;
+                        arrow |= matches!(
+                            key,
+                            Key::ArrowUp | Key::ArrowDown | Key::ArrowLeft | Key::ArrowRight
+                        );
+                    }
+                    Event::PointerButton { .. } => self.by_keyboard = false,
+                    _ => {}
+                }
+            }
+            input.events.retain(|event| {
+                !matches!(
+                    event,
+                    Event::Key {
+                        key: Key::Enter | Key::Space,
+                        pressed: true,
+                        repeat: true,
+                        ..
+                    }
+                )
+            });
+        });
+        // egui moves the focus by arrows only once something has it.
+        if arrow && ctx.memory(egui::Memory::focused).is_none() {
+            self.focus_first = true;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Lines that come and go: something was done, or went wrong.
+
+use egui::{Context, Id, Label, LayerId, Order, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+
+use crate::model::ToastKind;
+use crate::theme::{BAD, GRID, TEXT, panel};
+
+/// How many are shown at once; older ones give way.
+const MOST: usize = 4;
+/// Widest a toast gets, in points.
+const WIDTH: f32 = 400.0;
+
+/// The toasts that are up, oldest first.
+#[derive(Default)]
+pub(crate) struct Toasts {
+    up: Vec<Toast>,
+}
+
+struct Toast {
+    text: String,
+    kind: ToastKind,
+    /// When it goes, in egui's seconds; set when it is first drawn, so that a
+    /// long load does not swallow it.
+    until_s: Option<f64>,
+}
+
+impl Toasts {
+    pub(crate) fn push(&mut self, text: String, kind: ToastKind) {
+        self.up.retain(|toast| toast.text != text);
+        self.up.push(Toast {
+            text,
+            kind,
+            until_s: None,
+        });
+        let over = self.up.len().saturating_sub(MOST);
+        self.up.drain(..over);
+    }
+
+    /// Draws them at the right, from the middle of the screen upwards.
+    pub(crate) fn show(&mut self, ctx: &Context) {
+        let now_s = ctx.input(|input| input.time);
+        self.up
+            .retain(|toast| toast.until_s.is_none_or(|until| now_s < until));
+        let screen = ctx.content_rect();
+        let width = WIDTH.min(screen.width() - 2.0 * GRID).max(1.0);
+        let mut bottom = screen.min.y + 0.6 * screen.height();
+        for (index, toast) in self.up.iter_mut().enumerate().rev() {
+            let until = *toast.until_s.get_or_insert(now_s + stay_s(toast.kind));
+            ctx.request_repaint_after_secs((until - now_s) as f32);
+            let words = ctx.fonts_mut(|fonts| {
+                let font = egui::FontId::proportional(16.0);
+                fonts
+                    .layout(
+                        toast.text.clone(),
+                        font,
+                        TEXT,
+                        (width - 3.0 * GRID).max(1.0),
+                    )
+                    .size()
+            });
+            let size = vec2(words.x + 3.0 * GRID, words.y + 2.0 * GRID);
+            let rect =
+                Rect::from_min_size(pos2(screen.max.x - GRID - size.x, bottom - size.y), size);
+            paint(ctx, index, rect, toast);
+            bottom -= size.y + GRID;
+        }
+    }
+}
+
+fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast) {
+    let id = Id::unique(("antipode-toast", index));
+    let layer = LayerId::new(Order::Foreground, Id::unique("antipode-toasts"));
+    let colour = match toast.kind {
+        ToastKind::Info => TEXT,
+        ToastKind::Problem => BAD,
+    };
+    let mut ui = Ui::new(
+        ctx.clone(),
+        id,
+        UiBuilder::new().layer_id(layer).max_rect(rect),
+    );
+    ui.painter().add(panel(rect));
+    let inner = Rect::from_min_max(
+        rect.min + vec2(1.5 * GRID, GRID),
+        rect.max - vec2(GRID, GRID),
+    );
+    let label = Label::new(RichText::new(&toast.text).color(colour)).wrap();
+    ui.put(inner, label);
+}
+
+fn stay_s(kind: ToastKind) -> f64 {
+    match kind {
+        ToastKind::Info => 4.0,
+        ToastKind::Problem => 8.0,
+    }
+}

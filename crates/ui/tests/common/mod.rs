@@ -1,0 +1,159 @@
+//! A game of two fields round the menus, and what tests read from a frame.
+#![allow(
+    dead_code,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking; no test file uses all of this"
+)]
+
+use antipode_ui::{Binding, Intent, MenuModel, Shell, WorldRow, apply_theme};
+use egui::{Key, Rect, Shape, Vec2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+/// What the game round the menus knows, and every intent they returned.
+pub struct Game {
+    pub shell: Shell,
+    pub worlds: Vec<WorldRow>,
+    pub bindings: Vec<Binding>,
+    pub running: Option<String>,
+    pub intents: Vec<Intent>,
+}
+
+impl Game {
+    pub fn new() -> Self {
+        Self {
+            shell: Shell::new(),
+            worlds: Vec::new(),
+            bindings: Vec::new(),
+            running: None,
+            intents: Vec::new(),
+        }
+    }
+
+    pub fn show(&mut self, ctx: &egui::Context) {
+        let model = MenuModel {
+            running_world: self.running.as_deref(),
+            worlds: &self.worlds,
+            bindings: &self.bindings,
+            check_name: &check_name,
+            adapter_notice: Some("No GPU was found: drawing in software, at half resolution."),
+            version: "0.1.0",
+        };
+        let mut intents = self.shell.show(ctx, &model);
+        self.intents.append(&mut intents);
+    }
+}
+
+pub fn check_name(name: &str) -> Result<(), String> {
+    if name.is_empty() {
+        return Err("Give the world a name.".to_owned());
+    }
+    if name.chars().count() > 40 {
+        return Err("At most 40 characters.".to_owned());
+    }
+    if name.eq_ignore_ascii_case("taken") {
+        return Err("There is a world of that name already.".to_owned());
+    }
+    Ok(())
+}
+
+pub fn harness(game: Game, size: Vec2) -> Harness<'static, Game> {
+    Harness::builder()
+        .with_size(size)
+        .with_max_steps(8)
+        .allow_missing_glyphs()
+        .with_context_setup(apply_theme)
+        .build_ui_state(|ui, game: &mut Game| game.show(ui.ctx()), game)
+}
+
+pub fn window(game: Game) -> Harness<'static, Game> {
+    harness(game, vec2(1280.0, 720.0))
+}
+
+/// Clicks the one widget of that name and lets the menu settle.
+pub fn click(harness: &mut Harness<'_, Game>, label: &str) {
+    harness.get_by_label(label).click();
+    harness.run();
+}
+
+pub fn press(harness: &mut Harness<'_, Game>, key: Key) {
+    harness.key_press(key);
+    harness.run();
+}
+
+pub fn type_text(harness: &mut Harness<'_, Game>, text: &str) {
+    harness.event(egui::Event::Text(text.to_owned()));
+    harness.run();
+}
+
+/// The accessible name of what has the focus; empty when nothing has.
+pub fn focused(harness: &Harness<'_, Game>) -> String {
+    use egui_kittest::kittest::NodeT as _;
+    harness
+        .root()
+        .children_recursive()
+        .map(|node| node.accesskit_node())
+        .find(|node| node.is_focused() && node.role() != egui::Role::Window)
+        .and_then(|node| node.label())
+        .unwrap_or_default()
+}
+
+/// Intents since the last call.
+pub fn intents(harness: &mut Harness<'_, Game>) -> Vec<Intent> {
+    std::mem::take(&mut harness.state_mut().intents)
+}
+
+pub fn world(index: usize) -> WorldRow {
+    WorldRow {
+        slug: format!("world-{index}"),
+        name: format!("World {index}"),
+        geometry: "Spherical".to_owned(),
+        played: "12 min".to_owned(),
+        last_played: "2026-01-31".to_owned(),
+        size: "1.2 MB".to_owned(),
+        problem: None,
+        running: false,
+    }
+}
+
+pub fn bindings() -> Vec<Binding> {
+    let groups = ["Moving", "Digging", "Looking", "The rest"];
+    (0..40)
+        .map(|index| Binding {
+            action: format!("Action number {index}"),
+            keys: format!("Key{index} or MouseButton{index}"),
+            group: groups[index % groups.len()].to_owned(),
+        })
+        .collect()
+}
+
+/// A text on the screen: what it covers, what it is clipped to, what it says,
+/// and whether it was ended by an ellipsis.
+pub struct Painted {
+    pub rect: Rect,
+    pub clip: Rect,
+    pub text: String,
+    pub elided: bool,
+}
+
+pub fn painted(output: &egui::FullOutput) -> Vec<Painted> {
+    fn gather(shape: &Shape, clip: Rect, into: &mut Vec<Painted>) {
+        match shape {
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, clip, into)),
+            Shape::Text(text) => into.push(Painted {
+                rect: text.galley.rect.translate(text.pos.to_vec2()),
+                clip,
+                text: text.galley.text().to_owned(),
+                elided: text.galley.elided,
+            }),
+            _ => {}
+        }
+    }
+    let mut all = Vec::new();
+    for clipped in &output.shapes {
+        gather(&clipped.shape, clipped.clip_rect, &mut all);
+    }
+    all
+}

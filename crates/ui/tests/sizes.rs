@@ -1,0 +1,261 @@
+//! Every screen on every size of window: nothing panics, no words are cut off.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+
+use antipode_ui::{
+    CurvatureView, HudModel, Screen, SlotIcon, SlotView, ToastKind, apply_theme, show_hud,
+};
+use common::{Game, bindings, painted, world};
+use egui::{Pos2, Rect, Vec2, vec2};
+use egui_kittest::Harness;
+
+const SIZES: [Vec2; 6] = [
+    vec2(640.0, 360.0),
+    vec2(427.0, 240.0),
+    vec2(320.0, 200.0),
+    vec2(1280.0, 720.0),
+    vec2(3840.0, 2160.0),
+    vec2(700.0, 1400.0),
+];
+const SMALLEST: [Vec2; 4] = [
+    vec2(1.0, 1.0),
+    vec2(1.0, 400.0),
+    vec2(900.0, 2.0),
+    vec2(40.0, 30.0),
+];
+
+fn screens() -> Vec<Screen> {
+    let sentence = "The world could not be opened: its file was written by a newer version. ";
+    vec![
+        Screen::Main,
+        Screen::NewGame,
+        Screen::Load,
+        Screen::Delete,
+        Screen::Controls,
+        Screen::Busy {
+            title: "Loading Ωμέγα".to_owned(),
+            progress: Some(f32::NAN),
+            detail: "Making land".to_owned(),
+        },
+        Screen::Message {
+            title: "No".repeat(60),
+            text: sentence.repeat(12),
+        },
+    ]
+}
+
+fn crowded(running: bool) -> Game {
+    let mut game = Game::new();
+    game.worlds = (0..50).map(world).collect();
+    game.worlds[0].name = "Ж".repeat(40);
+    game.worlds[1].name = "界".repeat(40);
+    game.worlds[2].name = "W".repeat(40);
+    game.worlds[2].problem = Some("Its file ends too early. ".repeat(6));
+    game.worlds[3].running = running;
+    game.bindings = bindings();
+    game.running = running.then(|| "👩‍🚀".repeat(40));
+    game
+}
+
+#[test]
+fn no_size_makes_any_screen_panic() {
+    for size in SIZES.into_iter().chain(SMALLEST) {
+        for screen in screens() {
+            let mut game = crowded(true);
+            game.shell.open(screen);
+            game.shell.toast(
+                "A toast that is rather long for so small a window.",
+                ToastKind::Info,
+            );
+            common::harness(game, size).run_ok();
+        }
+    }
+}
+
+#[test]
+fn no_words_are_cut_off_sideways() {
+    for size in SIZES {
+        let window = Rect::from_min_size(Pos2::ZERO, size);
+        for (screen, running) in screens()
+            .into_iter()
+            .flat_map(|screen| [(screen.clone(), false), (screen, true)])
+        {
+            let mut game = crowded(running);
+            game.shell.open(screen.clone());
+            let mut harness = common::harness(game, size);
+            harness.run_ok();
+            let texts = painted(harness.output());
+            assert!(!texts.is_empty(), "{screen:?} at {size} is bare");
+            for text in texts {
+                let seen = text.clip.intersect(window).expand(0.5).x_range();
+                let whole = seen.contains(text.rect.min.x) && seen.contains(text.rect.max.x);
+                assert!(whole, "“{}” is cut off on {screen:?} at {size}", text.text);
+                let names = text.text.chars().count() == 40 || text.text.contains("🚀");
+                assert!(
+                    !text.elided || names,
+                    "“{}” is shortened on {screen:?} at {size}",
+                    text.text
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_main_menu_needs_no_scrolling_at_640_by_360() {
+    let mut harness = common::harness(crowded(true), vec2(640.0, 360.0));
+    harness.run();
+    let quit = painted(harness.output())
+        .into_iter()
+        .find(|text| text.text == "Quit")
+        .unwrap();
+    assert!(quit.rect.max.y < 356.0, "{:?}", quit.rect);
+}
+
+fn pickaxe(label: &str, icon: SlotIcon) -> SlotView {
+    SlotView {
+        label: label.to_owned(),
+        icon,
+        count: Some(1),
+    }
+}
+
+fn full_hud() -> HudModel {
+    let mut slots = vec![SlotView::default(); 10];
+    slots[1] = pickaxe("Wooden pickaxe", SlotIcon::PickaxeWood);
+    slots[2] = pickaxe("Iron pickaxe", SlotIcon::PickaxeIron);
+    slots[3] = pickaxe("Diamond pickaxe", SlotIcon::PickaxeDiamond);
+    HudModel {
+        fps: 59.7,
+        chart: [-12.344, 1.7, 3.0],
+        curved: [0.1, -0.2, 0.3, 1.066],
+        curved_is_flat: false,
+        slots,
+        selected: 3,
+        curvature: Some(CurvatureView {
+            value: 20.0,
+            min: 5.0,
+            max: 40.0,
+        }),
+        hemisphere: None,
+        geometry: "hyperbolic".to_owned(),
+        brush_radius_m: Some(5.0),
+        show_crosshair: true,
+        loading: Some(0.43),
+        time_label: "12:40".to_owned(),
+        notice: Some("You are near the edge of the loaded land.".to_owned()),
+    }
+}
+
+fn hud(model: HudModel, size: Vec2) -> Harness<'static, HudModel> {
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_context_setup(apply_theme)
+        .build_ui_state(|ui, model: &mut HudModel| show_hud(ui.ctx(), model), model);
+    harness.run();
+    harness
+}
+
+fn says(harness: &Harness<'_, HudModel>, words: &str) -> bool {
+    painted(harness.output())
+        .iter()
+        .any(|text| text.text.contains(words))
+}
+
+#[test]
+fn the_display_shows_every_figure() {
+    let harness = hud(full_hud(), vec2(1280.0, 720.0));
+    let all = [
+        "60 fps",
+        "hyperbolic",
+        "12:40",
+        "x -12.34  y 1.70  z 3.00 m",
+        "(0.100, -0.200, 0.300, 1.066)",
+        "Diamond pickaxe",
+        "20.0",
+        "Curvature",
+        "Brush 5.0 m",
+        "43 %",
+        "near the edge",
+        "0",
+        "9",
+    ];
+    for words in all {
+        assert!(says(&harness, words), "{words}");
+    }
+    assert!(!says(&harness, "Hemisphere"));
+}
+
+#[test]
+fn the_display_leaves_out_what_a_world_has_not() {
+    let model = HudModel {
+        hemisphere: Some('B'),
+        curvature: None,
+        brush_radius_m: None,
+        curved_is_flat: true,
+        ..full_hud()
+    };
+    let harness = hud(model, vec2(1280.0, 720.0));
+    assert!(says(&harness, "Hemisphere B") && says(&harness, "flat space"));
+    assert!(!says(&harness, "Curvature") && !says(&harness, "Brush") && !says(&harness, "1.066"));
+}
+
+#[test]
+fn the_display_neither_overlaps_nor_leaves_the_screen() {
+    for size in [
+        vec2(640.0, 360.0),
+        vec2(427.0, 240.0),
+        vec2(1280.0, 720.0),
+        vec2(800.0, 600.0),
+    ] {
+        let harness = hud(full_hud(), size);
+        let texts = painted(harness.output());
+        let window = Rect::from_min_size(Pos2::ZERO, size);
+        for (index, text) in texts.iter().enumerate() {
+            assert!(
+                window.contains_rect(text.rect),
+                "“{}” leaves {size}",
+                text.text
+            );
+            for other in &texts[..index] {
+                assert!(
+                    !text.rect.shrink(1.0).intersects(other.rect.shrink(1.0)),
+                    "“{}” lies on “{}” at {size}",
+                    text.text,
+                    other.text
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_display_survives_any_size_and_any_number() {
+    let odd = HudModel {
+        fps: f32::INFINITY,
+        chart: [f64::NAN, 1e300, -1e300],
+        curved: [f64::INFINITY; 4],
+        slots: Vec::new(),
+        selected: 99,
+        curvature: Some(CurvatureView {
+            value: f64::NAN,
+            min: 1.0,
+            max: 1.0,
+        }),
+        hemisphere: Some('B'),
+        brush_radius_m: Some(f64::INFINITY),
+        loading: Some(f32::NAN),
+        ..full_hud()
+    };
+    for size in SIZES.into_iter().chain(SMALLEST) {
+        hud(odd.clone(), size);
+        hud(full_hud(), size);
+        hud(HudModel::default(), size);
+    }
+}

@@ -1,0 +1,317 @@
+//! The system packages that the game and its tests need, and which are missing.
+//!
+//! The game loads all of these libraries at run time, so it builds without any
+//! of them; only a C linker has to be there, and Rust itself needed that.
+
+use std::fmt::Write as _;
+
+use crate::display::Session;
+use crate::machine::Machine;
+
+/// What shows that a package is there.
+#[derive(Debug, Clone, Copy)]
+enum Sign {
+    /// A shared library by its file name.
+    Library(&'static str),
+    /// A program on the PATH.
+    Program(&'static str),
+    /// Any Vulkan driver that has something to draw with.
+    VulkanDriver,
+}
+
+/// A Debian package and the reason for it.
+#[derive(Debug)]
+pub struct Package {
+    /// Its name in Debian and Ubuntu.
+    pub name: &'static str,
+    sign: Sign,
+    why: &'static str,
+}
+
+/// What the packages are for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Purpose {
+    /// The game itself, on the display there is.
+    Play(Session),
+    /// Every test, the ones that click in a window included.
+    Test,
+}
+
+const VULKAN: [Package; 2] = [
+    library("libvulkan1", "libvulkan.so.1", "finds the graphics driver"),
+    Package {
+        name: "mesa-vulkan-drivers",
+        sign: Sign::VulkanDriver,
+        why: "graphics drivers, among them lavapipe, which draws without a graphics card",
+    },
+];
+
+const X11: [Package; 7] = [
+    library("libx11-6", "libX11.so.6", "opens a window on X11"),
+    library("libx11-xcb1", "libX11-xcb.so.1", "opens a window on X11"),
+    library("libxcursor1", "libXcursor.so.1", "the pointer on X11"),
+    library("libxi6", "libXi.so.6", "raw mouse motion on X11"),
+    library(
+        "libxrender1",
+        "libXrender.so.1",
+        "the pointer's picture on X11",
+    ),
+    library("libxfixes3", "libXfixes.so.3", "hides the pointer on X11"),
+    library(
+        "libxkbcommon-x11-0",
+        "libxkbcommon-x11.so.0",
+        "the keyboard's layout on X11",
+    ),
+];
+
+const WAYLAND: [Package; 2] = [
+    library(
+        "libwayland-client0",
+        "libwayland-client.so.0",
+        "opens a window on Wayland",
+    ),
+    library(
+        "libxkbcommon0",
+        "libxkbcommon.so.0",
+        "the keyboard's layout on Wayland",
+    ),
+];
+
+const TESTING: [Package; 4] = [
+    program("xvfb", "Xvfb", "a display in memory for the window tests"),
+    program(
+        "xdotool",
+        "xdotool",
+        "presses keys and clicks in the window tests",
+    ),
+    program(
+        "imagemagick",
+        "import",
+        "takes the window tests' pictures of the screen",
+    ),
+    program(
+        "x11-utils",
+        "xwininfo",
+        "finds the game's window in the window tests",
+    ),
+];
+
+const fn library(name: &'static str, file: &'static str, why: &'static str) -> Package {
+    Package {
+        name,
+        sign: Sign::Library(file),
+        why,
+    }
+}
+
+const fn program(name: &'static str, command: &'static str, why: &'static str) -> Package {
+    Package {
+        name,
+        sign: Sign::Program(command),
+        why,
+    }
+}
+
+fn needed(purpose: Purpose) -> Vec<&'static Package> {
+    let (x11, wayland, testing) = match purpose {
+        Purpose::Play(session) => (session.x11, session.wayland, false),
+        Purpose::Test => (true, false, true),
+    };
+    let mut packages: Vec<_> = VULKAN.iter().collect();
+    packages.extend(X11.iter().filter(|_| x11));
+    packages.extend(WAYLAND.iter().filter(|_| wayland));
+    packages.extend(TESTING.iter().filter(|_| testing));
+    packages
+}
+
+fn is_present(package: &Package, machine: &Machine) -> bool {
+    match package.sign {
+        Sign::Library(file) => {
+            machine.libraries.contains(file) || machine.debian_packages.contains(package.name)
+        }
+        Sign::Program(command) => {
+            machine.programs.contains(command) || machine.debian_packages.contains(package.name)
+        }
+        Sign::VulkanDriver => machine.has_vulkan_driver(),
+    }
+}
+
+/// The packages that `purpose` needs and `machine` lacks.
+pub fn missing(purpose: Purpose, machine: &Machine) -> Vec<&'static Package> {
+    needed(purpose)
+        .into_iter()
+        .filter(|package| !is_present(package, machine))
+        .collect()
+}
+
+/// Says what is missing and why, one line for each package.
+pub fn listing(missing: &[&Package], purpose: Purpose) -> String {
+    let what = match purpose {
+        Purpose::Play(_) => "the game",
+        Purpose::Test => "the tests",
+    };
+    if missing.is_empty() {
+        return format!("Every system package for {what} is here.\n");
+    }
+    let mut text = format!("Missing system packages for {what}:\n");
+    for package in missing {
+        line(&mut text, package, "");
+    }
+    text
+}
+
+/// Every package that anything here may need, and whether it is there.
+pub fn inventory(machine: &Machine) -> String {
+    let mut text = String::new();
+    for (heading, packages) in [
+        ("Graphics", VULKAN.as_slice()),
+        ("A window on X11", X11.as_slice()),
+        ("A window on Wayland", WAYLAND.as_slice()),
+        ("Tests", TESTING.as_slice()),
+    ] {
+        let _ = writeln!(text, "{heading}:");
+        for package in packages {
+            let state = if is_present(package, machine) {
+                "here     "
+            } else {
+                "missing  "
+            };
+            line(&mut text, package, state);
+        }
+    }
+    text
+}
+
+fn line(text: &mut String, package: &Package, state: &str) {
+    // Writing to a String cannot fail.
+    let _ = match package.sign {
+        Sign::Library(file) => {
+            writeln!(
+                text,
+                "  {state}{:<20} {} ({file})",
+                package.name, package.why
+            )
+        }
+        Sign::Program(command) => {
+            writeln!(
+                text,
+                "  {state}{:<20} {} ({command})",
+                package.name, package.why
+            )
+        }
+        Sign::VulkanDriver => writeln!(text, "  {state}{:<20} {}", package.name, package.why),
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    const HEADLESS: Session = Session {
+        x11: false,
+        wayland: false,
+    };
+
+    fn names(packages: &[&Package]) -> Vec<&'static str> {
+        packages.iter().map(|package| package.name).collect()
+    }
+
+    fn set(names: &[&str]) -> BTreeSet<String> {
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
+    #[test]
+    fn without_a_display_only_graphics_are_needed() {
+        let bare = Machine::default();
+        assert_eq!(
+            names(&missing(Purpose::Play(HEADLESS), &bare)),
+            ["libvulkan1", "mesa-vulkan-drivers"]
+        );
+    }
+
+    #[test]
+    fn each_display_server_brings_its_own_libraries() {
+        let bare = Machine::default();
+        let wayland = names(&missing(
+            Purpose::Play(Session {
+                wayland: true,
+                ..HEADLESS
+            }),
+            &bare,
+        ));
+        assert!(wayland.contains(&"libwayland-client0") && !wayland.contains(&"libx11-6"));
+        let x11 = names(&missing(
+            Purpose::Play(Session {
+                x11: true,
+                ..HEADLESS
+            }),
+            &bare,
+        ));
+        assert!(x11.contains(&"libx11-6") && !x11.contains(&"libwayland-client0"));
+    }
+
+    #[test]
+    fn testing_needs_the_window_tools_and_playing_does_not() {
+        let bare = Machine::default();
+        let test = names(&missing(Purpose::Test, &bare));
+        let play = names(&missing(
+            Purpose::Play(Session {
+                x11: true,
+                wayland: true,
+            }),
+            &bare,
+        ));
+        for tool in ["xvfb", "xdotool", "imagemagick", "x11-utils"] {
+            assert!(test.contains(&tool) && !play.contains(&tool), "{tool}");
+        }
+    }
+
+    #[test]
+    fn a_library_counts_by_its_file_or_by_its_package() {
+        let by_file = Machine {
+            libraries: set(&["libvulkan.so.1"]),
+            ..Machine::default()
+        };
+        let by_package = Machine {
+            debian_packages: set(&["libvulkan1"]),
+            ..Machine::default()
+        };
+        for machine in [by_file, by_package] {
+            assert_eq!(
+                names(&missing(Purpose::Play(HEADLESS), &machine)),
+                ["mesa-vulkan-drivers"]
+            );
+        }
+    }
+
+    #[test]
+    fn mesa_is_left_out_where_a_card_has_its_driver() {
+        let machine = Machine {
+            libraries: set(&["libvulkan.so.1"]),
+            vulkan_manifests: set(&["nvidia_icd.json"]),
+            graphics_devices: set(&["nvidiactl"]),
+            ..Machine::default()
+        };
+        assert!(missing(Purpose::Play(HEADLESS), &machine).is_empty());
+    }
+
+    #[test]
+    fn the_listing_has_one_line_and_a_reason_for_each_package() {
+        let packages = missing(Purpose::Test, &Machine::default());
+        let text = listing(&packages, Purpose::Test);
+        assert_eq!(text.lines().count(), packages.len() + 1);
+        assert!(text.contains("Xvfb") && text.contains("a display in memory"));
+        assert!(listing(&[], Purpose::Test).contains("is here"));
+    }
+
+    #[test]
+    fn the_inventory_marks_what_is_there() {
+        let text = inventory(&Machine {
+            programs: set(&["xdotool"]),
+            ..Machine::default()
+        });
+        assert_eq!(text.matches("here   ").count(), 1);
+        assert!(text.contains("missing  xvfb"));
+    }
+}

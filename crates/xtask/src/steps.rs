@@ -1,0 +1,243 @@
+//! Running cargo: the game, the tests, and the steps of CI.
+//!
+//! Everything is built in the release profile, so that the dependencies are
+//! compiled once for the game, the tests and the benches. The tests come last
+//! and nothing is printed after them: the last line is the runner's summary.
+
+use std::ffi::OsStr;
+use std::path::Path;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use crate::error::Error;
+use crate::testbed::TestBed;
+
+/// The root of the checkout.
+pub fn root() -> &'static Path {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.ancestors().nth(2).unwrap_or(here)
+}
+
+/// Runs the game with `arguments` and returns its exit status.
+///
+/// # Errors
+/// When cargo cannot be started.
+pub fn game(arguments: &[impl AsRef<OsStr>]) -> Result<u8, Error> {
+    let mut command = cargo(&["run", "--release", "--package", "antipode", "--"]);
+    command.args(arguments);
+    let status = command
+        .status()
+        .map_err(|source| start_error(&command, source))?;
+    // Any other end is a failure too: a build that broke, or a signal.
+    Ok(match status.code() {
+        Some(0) => 0,
+        Some(2) => 2,
+        _ => 1,
+    })
+}
+
+/// Measures the benches, all or those that `arguments` name.
+///
+/// # Errors
+/// When cargo cannot be started or a bench fails.
+pub fn bench(arguments: &[String]) -> Result<(), Error> {
+    let mut command = cargo(&["bench", "--workspace", "--bench", "*", "--"]);
+    Steps::new(1).run("benches", command.args(arguments))
+}
+
+/// Runs every test, and every bench once; with a `filter`, only the tests that
+/// cargo's own filter arguments select.
+///
+/// # Errors
+/// When the surroundings of the tests cannot be made, or a test fails.
+pub fn test(filter: &[String]) -> Result<(), Error> {
+    let bed = TestBed::make()?;
+    if filter.is_empty() {
+        return every_test(&mut Steps::new(3), &bed);
+    }
+    let mut command = cargo(&TESTS);
+    command.args(filter);
+    Steps::new(1).run("the chosen tests", bed.surround(&mut command))
+}
+
+/// Every check there is.
+///
+/// # Errors
+/// At the first step that fails.
+pub fn ci() -> Result<(), Error> {
+    let mut steps = Steps::new(7);
+    steps.run("format", &mut cargo(&["fmt", "--all", "--check"]))?;
+    steps.run(
+        "lints",
+        &mut cargo(&[
+            "clippy",
+            "--release",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ]),
+    )?;
+    let mut docs = cargo(&["doc", "--release", "--workspace", "--no-deps"]);
+    steps.run("docs", docs.env("RUSTDOCFLAGS", "-D warnings"))?;
+    if is_installed("deny") {
+        steps.run("licences and advisories", &mut cargo(&["deny", "check"]))?;
+    } else {
+        steps.skip("licences and advisories", "cargo-deny is not installed");
+    }
+    every_test(&mut steps, &TestBed::make()?)
+}
+
+const TESTS: [&str; 8] = [
+    "test",
+    "--release",
+    "--workspace",
+    "--no-fail-fast",
+    "--lib",
+    "--bins",
+    "--tests",
+    "--examples",
+];
+
+/// Three steps. rustdoc prints a time after its summary and the benches print
+/// no summary at all, so the ordinary tests are the last.
+fn every_test(steps: &mut Steps, bed: &TestBed) -> Result<(), Error> {
+    let mut examples = cargo(&["test", "--release", "--workspace", "--doc"]);
+    steps.run("the docs' examples", bed.surround(&mut examples))?;
+    // Under `cargo test` a bench runs each of its functions once.
+    let mut benches = cargo(&["test", "--release", "--workspace", "--bench", "*"]);
+    steps.run("every bench once", bed.surround(&mut benches))?;
+    steps.run("tests", bed.surround(&mut cargo(&TESTS)))
+}
+
+/// The very cargo that started us, in the root of the checkout.
+fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(root());
+    command
+}
+
+fn is_installed(subcommand: &str) -> bool {
+    cargo(&[subcommand, "--version"])
+        .output()
+        .is_ok_and(|output| output.status.success())
+}
+
+/// The command as one could type it.
+fn typed(command: &Command) -> String {
+    let mut words = vec![
+        Path::new(command.get_program())
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy(),
+    ];
+    words.extend(command.get_args().map(OsStr::to_string_lossy));
+    let quoted: Vec<String> = words
+        .iter()
+        .map(|word| {
+            if word.contains(['*', ' ']) {
+                format!("'{word}'")
+            } else {
+                word.to_string()
+            }
+        })
+        .collect();
+    quoted.join(" ")
+}
+
+fn start_error(command: &Command, source: std::io::Error) -> Error {
+    Error::Start {
+        program: command.get_program().to_string_lossy().into_owned(),
+        source,
+    }
+}
+
+/// Tells on stderr which step begins, and how long all before it took.
+struct Steps {
+    began: Instant,
+    count: usize,
+    total: usize,
+}
+
+impl Steps {
+    fn new(total: usize) -> Self {
+        Self {
+            began: Instant::now(),
+            count: 0,
+            total,
+        }
+    }
+
+    fn announce(&mut self, what: &str) {
+        self.count += 1;
+        eprintln!(
+            "[{}/{}, {}] {what}",
+            self.count,
+            self.total,
+            clock(self.began.elapsed())
+        );
+    }
+
+    fn skip(&mut self, name: &str, why: &str) {
+        self.announce(&format!("{name}: skipped, {why}"));
+    }
+
+    fn run(&mut self, name: &str, command: &mut Command) -> Result<(), Error> {
+        self.announce(name);
+        let status = command
+            .status()
+            .map_err(|source| start_error(command, source))?;
+        if status.success() {
+            return Ok(());
+        }
+        Err(Error::Step {
+            name: name.into(),
+            command: typed(command),
+        })
+    }
+}
+
+/// Minutes and seconds.
+fn clock(elapsed: Duration) -> String {
+    format!("{}:{:02}", elapsed.as_secs() / 60, elapsed.as_secs() % 60)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use super::*;
+    use std::process::Stdio;
+
+    #[test]
+    fn the_root_is_where_the_workspace_is() {
+        let manifest = std::fs::read_to_string(root().join("Cargo.toml")).unwrap();
+        assert!(manifest.contains("[workspace]"));
+    }
+
+    #[test]
+    fn a_command_can_be_typed_again() {
+        let mut command = Command::new("/opt/rust/bin/cargo");
+        command.args(["test", "--bench", "*"]);
+        assert_eq!(typed(&command), "cargo test --bench '*'");
+    }
+
+    #[test]
+    fn the_clock_shows_minutes_and_seconds() {
+        assert_eq!(clock(Duration::from_secs(9)), "0:09");
+        assert_eq!(clock(Duration::from_secs(3605)), "60:05");
+    }
+
+    #[test]
+    fn a_failing_step_is_an_error_that_names_it() {
+        let mut steps = Steps::new(2);
+        let mut good = cargo(&["--version"]);
+        assert!(steps.run("good", good.stdout(Stdio::null())).is_ok());
+        let mut bad = cargo(&["no-such-subcommand"]);
+        let error = steps.run("bad", bad.stderr(Stdio::null())).unwrap_err();
+        assert!(
+            error.to_string().contains("\"bad\"")
+                && error.to_string().contains("no-such-subcommand")
+        );
+    }
+}

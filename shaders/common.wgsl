@@ -1,0 +1,86 @@
+// What every pass over the scene shares: the light and sky of the moment, haze, and value noise.
+// Follows geometry.wgsl. Colours are linear light; directions are unit vectors in the chart at the eye.
+
+struct Scene {
+    space: Space,
+    right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
+    up: vec4<f32>,             // xyz: upwards in the picture; w: strength of the contour bands
+    front: vec4<f32>,          // xyz: into the picture; w: distance at which the fog is complete, m
+    top: vec4<f32>,            // rgb: sky overhead; w: strength of the stars
+    horizon: vec4<f32>,        // rgb: sky at the horizon; w: 1 under a sky, 0 in a closed world
+    glare: vec4<f32>,          // rgb: the sun's disc and glow; w: sine of the turn of the stars about x
+    sun: vec4<f32>,            // xyz: towards the sun; w: cosine of that turn
+    moon: vec4<f32>,           // xyz: towards the moon; w: chart radius of the equator, m, or 0
+    key_direction: vec4<f32>,  // xyz: towards the key light
+    key_colour: vec4<f32>,
+    ambient_sky: vec4<f32>,
+    ambient_ground: vec4<f32>,
+}
+
+@group(0) @binding(0) var<uniform> scene: Scene;
+
+// Chart direction, at the eye, in which a view point is seen.
+fn direction_of(view: vec3<f32>) -> vec3<f32> {
+    return normalize(scene.right.xyz * view.x + scene.up.xyz * view.y - scene.front.xyz * view.z);
+}
+
+// The sky without disc, moon and stars; land fades into it, so that its edge never shows.
+fn haze(direction: vec3<f32>) -> vec3<f32> {
+    let low = 1.0 - clamp(direction.y, 0.0, 1.0);
+    let low2 = low * low;
+    let gradient = mix(scene.top.rgb, scene.horizon.rgb, low2 * low2);
+    let toward = max(dot(direction, scene.sun.xyz), 0.0);
+    let toward2 = toward * toward;
+    let toward4 = toward2 * toward2;
+    let toward8 = toward4 * toward4;
+    let glow = 0.10 * toward2 * low2 + 0.22 * toward8;
+    return gradient + scene.glare.rgb * (glow * scene.horizon.w);
+}
+
+// Share of the fog at a distance in the space: little at first, complete at the fog distance.
+fn fog_at(distance_m: f32) -> f32 {
+    let x = clamp(distance_m / scene.front.w, 0.0, 1.0);
+    let x2 = x * x;
+    let x4 = x2 * x2;
+    return 0.42 * x2 + 0.58 * x4 * x2;
+}
+
+// Warm key and cool ambient from above, bounce from below: nothing is black.
+fn light_on(normal: vec3<f32>) -> vec3<f32> {
+    let facing = dot(normal, scene.key_direction.xyz);
+    let key = max(facing, 0.0);
+    let wrap = 0.12 * (1.0 - abs(facing)) + 0.06;
+    let sky = 0.5 + 0.5 * normal.y;
+    return scene.key_colour.rgb * (key + wrap) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
+}
+
+// sRGB to linear light; cubic fit of the standard's curve, within 0.003.
+fn to_linear(c: vec3<f32>) -> vec3<f32> {
+    return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+fn mix_bits(h: u32) -> f32 {
+    let a = (h ^ (h >> 15u)) * 0x2c1b3c6du;
+    return f32((a ^ (a >> 13u)) & 0xffffu) * (1.0 / 65535.0);
+}
+
+// Value noise from 0 to 1 on the unit lattice, repeating after `mask + 1` cells (a power of two).
+fn value_noise(p: vec3<f32>, mask: u32) -> f32 {
+    let base = floor(p);
+    let f = p - base;
+    let s = f * f * (3.0 - 2.0 * f);
+    let c0 = vec3<u32>(vec3<i32>(base)) & vec3<u32>(mask);
+    let c1 = (c0 + vec3<u32>(1u)) & vec3<u32>(mask);
+    let prime = vec3<u32>(0x9e3779b1u, 0x85ebca77u, 0xc2b2ae3du);
+    let h0 = c0 * prime;
+    let h1 = c1 * prime;
+    let a = h0.y ^ h0.z;
+    let b = h1.y ^ h0.z;
+    let c = h0.y ^ h1.z;
+    let d = h1.y ^ h1.z;
+    let x00 = mix(mix_bits(h0.x ^ a), mix_bits(h1.x ^ a), s.x);
+    let x10 = mix(mix_bits(h0.x ^ b), mix_bits(h1.x ^ b), s.x);
+    let x01 = mix(mix_bits(h0.x ^ c), mix_bits(h1.x ^ c), s.x);
+    let x11 = mix(mix_bits(h0.x ^ d), mix_bits(h1.x ^ d), s.x);
+    return mix(mix(x00, x10, s.y), mix(x01, x11, s.y), s.z);
+}

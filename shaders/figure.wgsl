@@ -1,0 +1,67 @@
+// Figures: limbs swing in the model, the model stands in the chart, and every vertex is carried into the space
+// like the land it stands on.
+
+struct VertexIn {
+    @location(0) position: vec3<f32>,   // metres; x ahead, y up from the feet, z to the right
+    @location(1) normal: vec4<f32>,
+    @location(2) colour: vec4<f32>,     // sRGB; a: gloss
+    @location(3) swing: vec2<f32>,      // height of the joint, m; share of the swing, signed
+    @location(4) offset: vec3<f32>,     // the feet from the reference, metres
+    @location(5) hemisphere: u32,
+    @location(6) pose: vec4<f32>,       // cosine and sine of the heading, angle of the swing, rise of the body m
+}
+
+struct VertexOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) normal: vec3<f32>,
+    @location(1) albedo: vec4<f32>,     // a: gloss
+    @location(2) toward_eye: vec3<f32>,
+    @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
+}
+
+// Turns about the axis to the right: a positive angle moves what hangs from the joint ahead.
+fn turn_limb(v: vec3<f32>, angle: f32) -> vec3<f32> {
+    let c = cos(angle);
+    let s = sin(angle);
+    return vec3<f32>(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+}
+
+fn face(v: vec3<f32>, heading: vec2<f32>) -> vec3<f32> {
+    return vec3<f32>(heading.x * v.x - heading.y * v.z, v.y, heading.y * v.x + heading.x * v.z);
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    let joint = vec3<f32>(0.0, in.swing.x, 0.0);
+    let angle = in.pose.z * in.swing.y;
+    let bent = turn_limb(in.position - joint, angle) + joint + vec3<f32>(0.0, in.pose.w, 0.0);
+    let normal = face(turn_limb(in.normal.xyz, angle), in.pose.xy);
+    let p = in.offset + face(bent, in.pose.xy);
+    let view = port_to_view(scene.space, p, in.hemisphere);
+    let fog = fog_at(eye_distance(scene.space, view));
+    let direction = direction_of(view.xyz);
+    var out: VertexOut;
+    out.clip = clip_from_view(scene.space, view);
+    out.normal = port_normal(scene.space, p, normalize(normal), in.hemisphere);
+    out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
+    out.toward_eye = -direction;
+    out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
+    return out;
+}
+
+@fragment
+fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    let normal = normalize(in.normal);
+    let toward_eye = normalize(in.toward_eye);
+    let gloss = in.albedo.a;
+    let edge = 1.0 - max(dot(normal, toward_eye), 0.0);
+    let edge2 = edge * edge;
+    let halfway = normalize(scene.key_direction.xyz + toward_eye);
+    let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
+    let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
+    var colour = in.albedo.rgb * light_on(normal);
+    // A soft bright edge keeps the figure readable against land of its own brightness.
+    colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
+    colour += (scene.key_colour.rgb * shine + sky * 0.35) * gloss;
+    return vec4<f32>(colour * in.veil.a + in.veil.rgb, 1.0);
+}

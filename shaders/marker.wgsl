@@ -1,0 +1,49 @@
+// The brush marker: a translucent ball at the point aimed at, and the faint shell of all that the brush reaches.
+
+struct VertexIn {
+    @location(0) position: vec3<f32>,   // on the unit sphere
+    @location(1) offset: vec3<f32>,     // the centre from the reference, metres
+    @location(2) hemisphere: u32,
+    @location(3) colour: vec4<f32>,     // linear light; a: opacity face on
+    @location(4) shape: vec4<f32>,      // radius m; opacity edge on
+}
+
+struct VertexOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) outward: vec3<f32>,
+    @location(1) toward_eye: vec3<f32>,
+    @location(2) colour: vec4<f32>,
+    @location(3) edge: f32,
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    let view = port_to_view(scene.space, in.offset + in.position * in.shape.x, in.hemisphere);
+    let centre = port_to_view(scene.space, in.offset, in.hemisphere);
+    var out: VertexOut;
+    out.clip = clip_from_view(scene.space, view);
+    // Over so small a ball, view coordinates are as good as flat.
+    out.outward = (view.xyz - centre.xyz) / in.shape.x;
+    out.toward_eye = -normalize(view.xyz);
+    out.colour = in.colour;
+    out.edge = in.shape.y;
+    return out;
+}
+
+fn shade(in: VertexOut, share: f32) -> vec4<f32> {
+    let facing = abs(dot(normalize(in.outward), normalize(in.toward_eye)));
+    let edge = 1.0 - facing;
+    let opacity = mix(in.colour.a, in.edge, edge * edge) * share;
+    return vec4<f32>(in.colour.rgb * opacity, opacity);
+}
+
+@fragment
+fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    return shade(in, 1.0);
+}
+
+// What lies behind the land still shows, faintly.
+@fragment
+fn fragment_hidden(in: VertexOut) -> @location(0) vec4<f32> {
+    return shade(in, 0.28);
+}

@@ -1,0 +1,92 @@
+// The land: each vertex is translated and then carried into the space, lit by sun or moon and the sky,
+// grained in world space so that scale can be read, and faded into the haze behind it.
+
+struct VertexIn {
+    @location(0) position: vec3<f32>,   // metres from the chunk's corner
+    @location(1) normal: vec4<f32>,
+    @location(2) colour: vec4<f32>,     // sRGB
+    @location(3) offset: vec3<f32>,     // the chunk's corner from the reference, metres
+    @location(4) hemisphere: u32,
+    @location(5) world: vec3<f32>,      // the chunk's corner, wrapped to 256 m
+}
+
+struct VertexOut {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) normal: vec3<f32>,
+    @location(1) albedo: vec3<f32>,
+    @location(2) grain: vec3<f32>,      // where grain is read
+    @location(3) veil: vec3<f32>,       // the fog's share of the colour
+    @location(4) land: vec4<f32>,       // share of the land's own colour, distance m, steepness, height m
+    @location(5) beyond_rim_m: f32,
+}
+
+// Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
+fn grain_point(world: vec3<f32>, hemisphere: u32) -> vec3<f32> {
+    let radius = scene.space.project.w;
+    if radius <= 0.0 {
+        return world;
+    }
+    let r = max(length(world.xz), 1e-3);
+    let sine = sin(r / radius) / r;
+    let side = select(1.0, -1.0, hemisphere == 1u);
+    return (radius + world.y) * vec3<f32>(side * sine * world.x, side * cos(r / radius), sine * world.z);
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    let p = in.offset + in.position;
+    let authored = normalize(in.normal.xyz);
+    let view = port_to_view(scene.space, p, in.hemisphere);
+    let distance_m = eye_distance(scene.space, view);
+    let world = in.world + in.position;
+    let grain = grain_point(world, in.hemisphere);
+    let patches = value_noise(grain * 0.125, 31u) - 0.5;
+    let tufts = value_noise(grain * 0.5, 127u) - 0.5;
+    let fog = fog_at(distance_m);
+    var out: VertexOut;
+    out.clip = clip_from_view(scene.space, view);
+    out.normal = port_normal(scene.space, p, authored, in.hemisphere);
+    out.albedo = to_linear(in.colour.rgb) * (1.0 + 0.30 * patches + 0.22 * tufts);
+    out.grain = grain;
+    out.veil = haze(direction_of(view.xyz)) * fog;
+    out.land = vec4<f32>(1.0 - fog, distance_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
+    out.beyond_rim_m = length(world.xz) - scene.moon.w;
+    return out;
+}
+
+fn shade(in: VertexOut) -> vec4<f32> {
+    let distance_m = in.land.y;
+    let steep = in.land.z;
+    let height = in.land.w;
+    var tone = 1.0;
+    // Fine grain, gone where a pixel would hold several of its cells.
+    let near = 1.0 - clamp(distance_m * (1.0 / 48.0), 0.0, 1.0);
+    if near > 0.0 {
+        tone += (value_noise(in.grain * 4.0, 1023u) - 0.5) * (0.26 * near * near);
+    }
+    // Cuts show layers, about 1.1 m apart.
+    let cut = smoothstep(0.62, 0.86, steep);
+    let layer = abs(fract(height * 0.9) - 0.5) + 0.7 * abs(fract(height * 0.37) - 0.5);
+    tone *= 1.0 - cut * (0.42 * layer);
+    // Contour bands keep their width along the ground, and a pixel's width far away.
+    let to_contour = abs(fract(height * 0.125 + 0.5) - 0.5) * 8.0;
+    let width = (0.05 + 0.0022 * distance_m) * max(steep, 0.06);
+    let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
+    tone *= 1.0 - line * scene.up.w;
+    let lit = in.albedo * light_on(normalize(in.normal));
+    return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
+}
+
+@fragment
+fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    return shade(in);
+}
+
+// For chunks that reach over the equator: the other chart draws what lies more than 5 cm beyond it.
+@fragment
+fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
+    if in.beyond_rim_m > 0.05 {
+        discard;
+    }
+    return shade(in);
+}

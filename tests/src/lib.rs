@@ -1,0 +1,5 @@
+//! Helpers shared by the tests: running the program, reading its probes, comparing pictures.
+
+pub mod program;
+pub mod seam;
+pub mod window;

@@ -1,0 +1,177 @@
+//! The game in a real window under a virtual display, driven by real clicks and keys.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "a helper of tests fails by panicking"
+)]
+
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use image::RgbImage;
+
+use crate::program::game;
+
+/// Longest wait for something to appear; a deadline for a hung program, not a measure of speed.
+const PATIENCE: Duration = Duration::from_secs(120);
+/// Pause between looks at the screen.
+const GLANCE: Duration = Duration::from_millis(150);
+
+/// A game in a window on the test display.
+#[derive(Debug)]
+pub struct Window {
+    child: Child,
+    display: String,
+    id: String,
+}
+
+/// The display for window tests, or `None` where nobody provides one.
+pub fn display() -> Option<String> {
+    std::env::var("ANTIPODE_TEST_DISPLAY").ok().filter(|name| !name.is_empty())
+}
+
+impl Window {
+    /// Starts the game and waits for its window, which gets the keyboard.
+    ///
+    /// # Panics
+    /// When it does not appear.
+    pub fn open(display: &str, saves: &Path, options: &[&str]) -> Self {
+        let child = game(saves)
+            .args(options)
+            .env("DISPLAY", display)
+            .env_remove("WAYLAND_DISPLAY")
+            .stderr(Stdio::inherit())
+            .spawn()
+            .expect("the program starts");
+        let mut window = Self { child, display: display.to_owned(), id: String::new() };
+        let began = Instant::now();
+        while window.id.is_empty() {
+            window.give_up_after(began, "the window never appeared");
+            let found = window.tool("xdotool", &["search", "--name", "^Antipode$"]);
+            let listed = String::from_utf8_lossy(&found.stdout).into_owned();
+            window.id = listed.lines().next().unwrap_or_default().to_owned();
+            sleep(GLANCE);
+        }
+        window.xdotool(&["windowfocus", "--sync", &window.id.clone()]);
+        window
+    }
+
+    /// Clicks a button at a place of the window, in pixels.
+    pub fn click(&self, x: u32, y: u32) {
+        self.xdotool(&["mousemove", "--window", &self.id, &x.to_string(), &y.to_string()]);
+        sleep(GLANCE);
+        self.xdotool(&["mousedown", "1"]);
+        sleep(GLANCE);
+        self.xdotool(&["mouseup", "1"]);
+        sleep(GLANCE);
+    }
+
+    /// Types a text.
+    pub fn write(&self, text: &str) {
+        self.xdotool(&["type", "--delay", "60", text]);
+        sleep(GLANCE);
+    }
+
+    /// Presses and lets go of a key, by its X name.
+    pub fn key(&self, name: &str) {
+        self.xdotool(&["keydown", name]);
+        sleep(GLANCE);
+        self.xdotool(&["keyup", name]);
+        sleep(GLANCE);
+    }
+
+    /// Holds a key for a while.
+    pub fn hold_key(&self, name: &str, time: Duration) {
+        self.xdotool(&["keydown", name]);
+        sleep(time);
+        self.xdotool(&["keyup", name]);
+    }
+
+    /// Holds the left button for a while.
+    pub fn hold_left(&self, time: Duration) {
+        self.xdotool(&["mousedown", "1"]);
+        sleep(time);
+        self.xdotool(&["mouseup", "1"]);
+    }
+
+    /// Moves the mouse by pixels.
+    pub fn turn(&self, dx: i32, dy: i32) {
+        self.xdotool(&["mousemove_relative", "--", &dx.to_string(), &dy.to_string()]);
+        sleep(GLANCE);
+    }
+
+    /// What the window shows.
+    ///
+    /// # Panics
+    /// When no picture can be taken.
+    pub fn look(&self) -> RgbImage {
+        let shot = self.tool("import", &["-window", &self.id, "png:-"]);
+        image::load_from_memory(&shot.stdout).expect("a picture of the window").to_rgb8()
+    }
+
+    /// Looks until the picture is as wanted.
+    ///
+    /// # Panics
+    /// When it does not become so.
+    pub fn wait_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
+        let began = Instant::now();
+        loop {
+            let picture = self.look();
+            if wanted(&picture) {
+                return picture;
+            }
+            self.give_up_after(began, what);
+            sleep(GLANCE);
+        }
+    }
+
+    /// Waits until the program has ended by itself; its exit status.
+    ///
+    /// # Panics
+    /// When it does not end.
+    pub fn ended(mut self) -> Option<i32> {
+        let began = Instant::now();
+        loop {
+            if let Some(status) = self.child.try_wait().expect("the program can be waited for") {
+                return status.code();
+            }
+            self.give_up_after(began, "the program did not end");
+            sleep(GLANCE);
+        }
+    }
+
+    fn give_up_after(&mut self, began: Instant, what: &str) {
+        if began.elapsed() > PATIENCE {
+            let picture = std::env::temp_dir().join("antipode-window-test.png");
+            let path = picture.display().to_string();
+            if !self.id.is_empty() {
+                self.tool("import", &["-window", &self.id.clone(), &path]);
+            }
+            let _ = self.child.kill();
+            panic!("{what} (picture: {path})");
+        }
+    }
+
+    fn xdotool(&self, arguments: &[&str]) {
+        let output = self.tool("xdotool", arguments);
+        assert!(output.status.success(), "xdotool {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+
+    fn tool(&self, name: &str, arguments: &[&str]) -> Output {
+        Command::new(name)
+            .args(arguments)
+            .env("DISPLAY", &self.display)
+            .output()
+            .unwrap_or_else(|e| panic!("{name} cannot be run: {e}"))
+    }
+}
+
+impl Drop for Window {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
