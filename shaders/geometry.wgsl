@@ -1,150 +1,238 @@
-// The curved-space mathematics of crates/geometry, for the GPU. No entry points, no bindings.
+// The port: from flat chart metres to the curved space, in single precision.
 //
-// Positions come relative to the eye (flat, hyperbolic) or to their hemisphere's centre (spherical), in metres.
-// View coordinates are right, up, back in metres and w without unit; the eye is (0, 0, 0, 1).
-// WGSL promises little of its trigonometric and hyperbolic built-ins, so none is used: series in t^2 near
-// zero, the exponential away from it.
+// Mirrors crates/geometry; docs/geometry.md has the mathematics. No entry points and no
+// bindings: other shaders are appended to this file. Every name but the four functions, the
+// struct and its constants begins with `geo_`.
+//
+// WGSL's own sin, cos, sinh, cosh, asinh and atan2 may be off by thousands of units in the last
+// place, so series in t^2 take their places: only + - * are exact enough everywhere. View
+// coordinates are x right, y up, z back in metres and w without unit.
 
 struct Space {
-    view: mat4x4<f32>,    // takes a ported point to view coordinates
-    project: vec4<f32>,   // sx, sy, near distance in metres, radius of the sphere in metres or 0
-    curve: vec4<f32>,     // k = 1/R, h, sinh h, cosh h
-    kind: vec4<u32>,      // 0 flat, 1 raised, 2 sphere
+    // Applied to the ported point, xyz in metres and w without unit.
+    view: mat4x4<f32>,
+    // Focal factors sx and sy, near distance in metres, radius in metres (0 where flat).
+    project: vec4<f32>,
+    // Curvature k per metre, offset h in radii, sinh h, cosh h.
+    curve: vec4<f32>,
+    // x: GEO_FLAT, GEO_RAISED or GEO_SPHERE.
+    kind: vec4<u32>,
 }
 
-const FLAT: u32 = 0u;
-const RAISED: u32 = 1u;
+const GEO_FLAT: u32 = 0u;
+const GEO_RAISED: u32 = 1u;
+const GEO_SPHERE: u32 = 2u;
 
-// sinh(t) / t. Series to t^10 below 1.5, where the first term left out is 2e-8; the exponential above,
-// where sinh no longer cancels.
-fn sinhc(t: f32) -> f32 {
-    let s = t * t;
-    let near = 1.0 + s * (1.0 / 6.0 + s * (1.0 / 120.0 + s * (1.0 / 5040.0
-        + s * (1.0 / 362880.0 + s * (1.0 / 39916800.0)))));
-    let e = exp(min(abs(t), 80.0));
-    let far = 0.5 * (e - 1.0 / e) / max(abs(t), 1.0);
-    return select(far, near, s < 2.25);
+const GEO_PI: f32 = 3.14159265;
+const GEO_LOG2_E: f32 = 1.44269504;
+// ln 2 in two parts; a whole number up to 2^14 times the first is exact, fused or not.
+const GEO_LN2_HIGH: f32 = 0.693359375;
+const GEO_LN2_LOW: f32 = -2.12194440e-4;
+// Hyperboloid coordinates stay in range of f32 up to here, in radii.
+const GEO_FAR: f32 = 79.0;
+
+// sin(t)/t for t^2 = s, t up to pi/2: Taylor, next term 2e-12.
+fn geo_sinc_quarter(s: f32) -> f32 {
+    return 1.0 + s * (-1.66666667e-1 + s * (8.33333333e-3 + s * (-1.98412698e-4
+        + s * (2.75573192e-6 + s * (-2.50521084e-8 + s * 1.60590438e-10)))));
 }
 
-// cosh(t), the same way.
-fn cosh_own(t: f32) -> f32 {
-    let s = t * t;
-    let near = 1.0 + s * (0.5 + s * (1.0 / 24.0 + s * (1.0 / 720.0
-        + s * (1.0 / 40320.0 + s * (1.0 / 3628800.0)))));
-    let e = exp(min(abs(t), 80.0));
-    let far = 0.5 * (e + 1.0 / e);
-    return select(far, near, s < 2.25);
+// cos(t) for t^2 = s, t up to pi/2: Taylor, next term 7e-11.
+fn geo_cos_quarter(s: f32) -> f32 {
+    return 1.0 + s * (-0.5 + s * (4.16666667e-2 + s * (-1.38888889e-3
+        + s * (2.48015873e-5 + s * (-2.75573192e-7 + s * (2.08767570e-9
+        + s * -1.14707456e-11))))));
 }
 
-// sin(t) / t for |t| <= 4; the first term left out is below 1e-7 there.
-fn sinc(t: f32) -> f32 {
-    let s = t * t;
-    return 1.0 - s / 6.0 * (1.0 - s / 20.0 * (1.0 - s / 42.0 * (1.0 - s / 72.0 * (1.0 - s / 110.0
-        * (1.0 - s / 156.0 * (1.0 - s / 210.0 * (1.0 - s / 272.0 * (1.0 - s / 342.0))))))));
+// (sin(t)/t, cos(t)) for t^2 = s, t up to pi, from the half angle.
+fn geo_sinc_cos(s: f32) -> vec2<f32> {
+    let q = 0.25 * s;
+    let sinc = geo_sinc_quarter(q);
+    return vec2<f32>(sinc * geo_cos_quarter(q), 1.0 - 2.0 * q * sinc * sinc);
 }
 
-// cos(t) for |t| <= 4.
-fn cos_own(t: f32) -> f32 {
-    let s = t * t;
-    return 1.0 - s / 2.0 * (1.0 - s / 12.0 * (1.0 - s / 30.0 * (1.0 - s / 56.0 * (1.0 - s / 90.0
-        * (1.0 - s / 132.0 * (1.0 - s / 182.0 * (1.0 - s / 240.0 * (1.0 - s / 306.0
-        * (1.0 - s / 380.0)))))))));
+// exp(t) for 0 <= t < 88: a power of two times a Taylor series on half a binade.
+fn geo_exp(t: f32) -> f32 {
+    let n = floor(t * GEO_LOG2_E + 0.5);
+    let x = (t - n * GEO_LN2_HIGH) - n * GEO_LN2_LOW;
+    let e = 1.0 + x * (1.0 + x * (0.5 + x * (1.66666667e-1 + x * (4.16666667e-2
+        + x * (8.33333333e-3 + x * (1.38888889e-3 + x * 1.98412698e-4))))));
+    // The power of two goes on in two halves: 2^127 times a mantissa of 1 is the last one.
+    let half = i32(n) / 2;
+    let low = bitcast<f32>(u32(half + 127) << 23u);
+    let high = bitcast<f32>(u32(i32(n) - half + 127) << 23u);
+    return e * low * high;
 }
 
-// Raised map: port and boost in one closed form, derived in crates/geometry/src/raised.rs.
-fn port_raised(curve: vec4<f32>, p: vec3<f32>) -> vec4<f32> {
-    let k = curve.x;
-    let h = curve.y;
-    let u = p * k;
-    let q_y = u.y + h;
+// (sinh(t)/t, cosh(t)) for |t| <= 81: Taylor in t^2 up to 2, where nothing cancels, then exp.
+fn geo_sinhc_cosh(t: f32) -> vec2<f32> {
+    let a = abs(t);
+    if a < 2.0 {
+        let s = a * a;
+        let sinhc = 1.0 + s * (1.66666667e-1 + s * (8.33333333e-3 + s * (1.98412698e-4
+            + s * (2.75573192e-6 + s * (2.50521084e-8 + s * (1.60590438e-10
+            + s * 7.64716373e-13))))));
+        let cosh = 1.0 + s * (0.5 + s * (4.16666667e-2 + s * (1.38888889e-3
+            + s * (2.48015873e-5 + s * (2.75573192e-7 + s * (2.08767570e-9
+            + s * 1.14707456e-11))))));
+        return vec2<f32>(sinhc, cosh);
+    }
+    let e = 0.5 * geo_exp(a);
+    let r = 0.25 / e;
+    return vec2<f32>((e - r) / a, e + r);
+}
+
+// (sinc(t) - 1)/t^2 for t^2 = s up to 4, `flip` -1 for sin and 1 for sinh: Taylor.
+fn geo_sinc_bend(s: f32, flip: f32) -> f32 {
+    let x = flip * s;
+    return flip * (1.66666667e-1 + x * (8.33333333e-3 + x * (1.98412698e-4
+        + x * (2.75573192e-6 + x * (2.50521084e-8 + x * (1.60590438e-10
+        + x * 7.64716373e-13))))));
+}
+
+// atan2(s, c) for s >= 0: halved twice, so that the series runs to tan(pi/8) only.
+fn geo_angle(s: f32, c: f32) -> f32 {
+    let r = sqrt(s * s + c * c);
+    if r == 0.0 {
+        return 0.0;
+    }
+    let half = s / (r + abs(c));
+    let t = half / (1.0 + sqrt(1.0 + half * half));
+    let x = t * t;
+    let quarter = t * (1.0 + x * (-3.33333333e-1 + x * (0.2 + x * (-1.42857143e-1
+        + x * (1.11111111e-1 + x * (-9.09090909e-2 + x * (7.69230769e-2
+        + x * (-6.66666667e-2 + x * 5.88235294e-2))))))));
+    let angle = 4.0 * quarter;
+    return select(angle, GEO_PI - angle, c < 0.0);
+}
+
+// asinh(x) for x >= 0: series where log(1 + small) would lose digits, after two halvings.
+fn geo_asinh(x: f32) -> f32 {
+    if x > 1.0e4 {
+        return log(x) + 0.693147181;
+    }
+    if x > 0.5 {
+        return log(x + sqrt(x * x + 1.0));
+    }
+    // sinh(t/2) = sinh t / sqrt(2 (1 + cosh t)).
+    let y = x / sqrt(2.0 * (1.0 + sqrt(1.0 + x * x)));
+    let z = y / sqrt(2.0 * (1.0 + sqrt(1.0 + y * y)));
+    let s = z * z;
+    return 4.0 * z * (1.0 + s * (-1.66666667e-1 + s * (7.5e-2 + s * (-4.46428571e-2
+        + s * 3.03819444e-2))));
+}
+
+// Points too far for f32 are drawn in towards the eye; they are never on the picture.
+fn geo_within_range(space: Space, p: vec3<f32>) -> vec3<f32> {
+    // Half of f32's range in decades, before the length is squared.
+    let bounded = clamp(p, vec3<f32>(-1.0e18), vec3<f32>(1.0e18));
+    let far = length(bounded) * space.curve.x;
+    return select(bounded, bounded * (GEO_FAR / far), far > GEO_FAR);
+}
+
+// Raised map, ported and boosted in closed form; p in metres from the eye.
+fn geo_port_raised(space: Space, p: vec3<f32>) -> vec4<f32> {
+    let k = space.curve.x;
+    let c = space.curve.y * space.project.w;
+    let u = geo_within_range(space, p);
+    let q_y = u.y + c;
     let rho_square = u.x * u.x + u.z * u.z;
     let d = sqrt(rho_square + q_y * q_y);
-    let sum = d + h;
-    let delta = select(0.0, (u.y * (u.y + 2.0 * h) + rho_square) / sum, sum > 0.0);
-    let m = select(d - q_y, rho_square / max(d + q_y, 1e-30), q_y > 0.0);
-    let stretch = sinhc(d);
-    let y = sinhc(delta) * delta - curve.w * stretch * m;
-    let w = cosh_own(delta) + curve.z * stretch * m;
-    return vec4<f32>(stretch * p.x, y / k, stretch * p.z, w);
+    if d + c == 0.0 {
+        return vec4<f32>(0.0, 0.0, 0.0, 1.0);
+    }
+    let delta = (u.y * (u.y + 2.0 * c) + rho_square) / (d + c);
+    // Both sides of `select` are computed, and the first divides by d + q_y.
+    let above = rho_square / select(1.0, d + q_y, q_y > 0.0);
+    let m = select(d - q_y, above, q_y > 0.0);
+    let across = geo_sinhc_cosh(k * d).x;
+    let along = geo_sinhc_cosh(k * delta);
+    return vec4<f32>(
+        across * u.x,
+        delta * along.x - space.curve.w * across * m,
+        across * u.z,
+        along.y + space.curve.z * across * (k * m),
+    );
 }
 
-// Cylindrical chart of the sphere; B is chart A turned by diag(-1, 1, 1, -1).
-fn port_sphere(k: f32, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
-    let u = p * k;
-    let r = length(u.xz);
-    let cos_y = cos_own(u.y);
-    let ground = cos_y * sinc(r);
-    let side = select(1.0, -1.0, hemisphere == 1u);
-    return vec4<f32>(side * ground * p.x, sinc(u.y) * p.y, ground * p.z, side * cos_y * cos_own(r));
+// Cylindrical chart of the sphere; p in metres from the hemisphere's pole.
+fn geo_port_sphere(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
+    let k = space.curve.x;
+    let u = k * p;
+    let level = geo_sinc_cos(u.x * u.x + u.z * u.z);
+    let upright = geo_sinc_cos(u.y * u.y);
+    let flip = select(1.0, -1.0, hemisphere == 1u);
+    return vec4<f32>(
+        upright.y * level.x * p.x * flip,
+        upright.x * p.y,
+        upright.y * level.x * p.z,
+        upright.y * level.y * flip,
+    );
 }
 
-// A chart position as the eye sees it.
+// A chart point in view coordinates. p is in metres relative to the space's reference: the eye,
+// or the hemisphere's pole on the sphere.
 fn port_to_view(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
-    if space.kind.x == FLAT {
-        return space.view * vec4<f32>(p, 1.0);
+    var x = vec4<f32>(p, 1.0);
+    if space.kind.x == GEO_RAISED {
+        x = geo_port_raised(space, p);
+    } else if space.kind.x == GEO_SPHERE {
+        x = geo_port_sphere(space, p, hemisphere);
     }
-    if space.kind.x == RAISED {
-        return space.view * port_raised(space.curve, p);
-    }
-    return space.view * port_sphere(space.curve.x, p, hemisphere);
+    return space.view * x;
 }
 
-// The exact normal of a ported surface, as unit frame coordinates: normals are covectors, so they take the
-// inverse transpose of the map's differential. Dot it with the light's chart direction.
+// A chart normal as a unit covector of the space, in the coordinates of the chart's frame at
+// the point, whose y is up: its dot product with a light's chart direction is N.L. It is
+// normalised here, in three dimensions: under the model's inner product f32 would lose it.
 fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec3<f32> {
-    if space.kind.x == FLAT {
-        return normalize(n);
+    if space.kind.x == GEO_RAISED {
+        let q = space.curve.x * geo_within_range(space, p) + vec3<f32>(0.0, space.curve.y, 0.0);
+        let s = dot(q, q);
+        let d = sqrt(s);
+        // Past 1e12 the part across the ray is below f32's reach of the part along it.
+        let stretch = min(geo_sinhc_cosh(d).x, 1.0e12);
+        let bend = select((stretch - 1.0) / max(s, 1.0), geo_sinc_bend(s, 1.0), s < 1.0);
+        return normalize(n / stretch + q * (bend / stretch * dot(n, q)));
     }
-    let u = p * space.curve.x;
-    if space.kind.x == RAISED {
-        // Exponential about the point (0, -h, 0): lengths stretch by sinh(d)/d across the ray, not along it.
-        let q = u + vec3<f32>(0.0, space.curve.y, 0.0);
-        let square = max(dot(q, q), 1e-20);
-        return normalize(n + q * (dot(n, q) * (sinhc(sqrt(square)) - 1.0) / square));
+    if space.kind.x == GEO_SPHERE {
+        // The mirror of hemisphere B leaves the formula as it is.
+        let u = space.curve.x * p;
+        let s = u.x * u.x + u.z * u.z;
+        let level = geo_sinc_cos(s);
+        let upright = geo_sinc_cos(u.y * u.y);
+        let direct = (level.x - 1.0) / max(s, 1.0);
+        let bend = select(direct, geo_sinc_bend(s, -1.0), s < 1.0) * (n.x * u.x + n.z * u.z);
+        return normalize(vec3<f32>(
+            n.x + bend * u.x,
+            n.y * upright.y * level.x,
+            n.z + bend * u.z,
+        ));
     }
-    let r = length(u.xz);
-    let stretch = sinc(r);
-    let square = max(r * r, 1e-20);
-    let along = dot(n.xz, u.xz) * (stretch - 1.0) / square;
-    let ground = n.xz + u.xz * along;
-    return normalize(vec3<f32>(ground.x, n.y * cos_own(u.y) * stretch, ground.y));
+    return normalize(n);
 }
 
-// Clip coordinates; reversed depth, near at 1.
+// Reversed depth, nearer is greater: n/d where flat, n exp(-d) over the hyperbolic distance,
+// and on the sphere a line through W = 0 to the antipode.
 fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
     let near = space.project.z;
     var depth = near;
-    if space.kind.x == RAISED {
+    if space.kind.x == GEO_RAISED {
         depth = near / (v.w + space.curve.x * length(v.xyz));
-    } else if space.kind.x != FLAT {
+    } else if space.kind.x == GEO_SPHERE {
         depth = 0.5 * (near * v.w - v.z);
     }
     return vec4<f32>(space.project.x * v.x, space.project.y * v.y, depth, -v.z);
 }
 
-// An arc tangent of y / x for y >= 0, to 1e-6: a minimax polynomial on [0, 1] and reflection.
-fn angle_of(y: f32, x: f32) -> f32 {
-    let a = abs(x);
-    let t = min(y, a) / max(max(y, a), 1e-30);
-    let s = t * t;
-    let near = t * (0.99999934 + s * (-0.33329856 + s * (0.19946536 + s * (-0.13908534
-        + s * (0.09642004 + s * (-0.05590986 + s * (0.02186123 + s * -0.00405406)))))));
-    let first = select(near, 1.57079633 - near, y > a);
-    return select(first, 3.14159265 - first, x < 0.0);
-}
-
 // Distance from the eye in the space, in metres.
 fn eye_distance(space: Space, v: vec4<f32>) -> f32 {
-    let chord = length(v.xyz);
-    if space.kind.x == FLAT {
-        return chord;
+    let rho = length(v.xyz);
+    if space.kind.x == GEO_RAISED {
+        return space.project.w * geo_asinh(rho * space.curve.x);
     }
-    let x = chord * space.curve.x;
-    if space.kind.x == RAISED {
-        // asinh(x) = log(x + sqrt(x^2 + 1)); below 1/8 the series, where the logarithm would lose digits.
-        let s = x * x;
-        let near = x * (1.0 - s / 6.0 * (1.0 - s * 0.45 * (1.0 - s * 0.5952381)));
-        return select(log(x + sqrt(s + 1.0)), near, x < 0.125) / space.curve.x;
+    if space.kind.x == GEO_SPHERE {
+        return space.project.w * geo_angle(rho * space.curve.x, v.w);
     }
-    return angle_of(x, v.w) / space.curve.x;
+    return rho;
 }

@@ -43,8 +43,10 @@ impl Overlay {
             pixels_per_point: output.pixels_per_point,
         };
         for (id, deltas) in &output.textures_delta.set {
-            self.renderer
-                .update_texture(&gpu.device, &gpu.queue, *id, deltas);
+            for delta in deltas {
+                self.renderer
+                    .update_texture(&gpu.device, &gpu.queue, *id, delta);
+            }
         }
         let shapes = self
             .context

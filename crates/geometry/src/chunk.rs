@@ -80,7 +80,11 @@ mod tests {
 
     #[test]
     fn a_chunk_contains_its_origin_and_not_its_far_corner() {
-        for index in [IVec3::ZERO, IVec3::new(-1, 2, -7), IVec3::new(40_000, -3, 0)] {
+        for index in [
+            IVec3::ZERO,
+            IVec3::new(-1, 2, -7),
+            IVec3::new(40_000, -3, 0),
+        ] {
             let chunk = ChunkCoord::new(Hemisphere::B, index);
             let inside = ChartPoint::new(Hemisphere::B, chunk.origin());
             assert_eq!(ChunkCoord::containing(inside), chunk);

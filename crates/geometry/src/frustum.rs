@@ -29,9 +29,8 @@ impl BoundingSphere {
     pub fn reach_m(&self, geometry: Geometry, radius_m: f64, view: DVec4) -> f64 {
         match geometry {
             Geometry::Euclidean => self.centre.truncate().distance(view.truncate()),
-            Geometry::Hyperbolic => {
-                normal_coordinates(radius_m, self.centre).distance(normal_coordinates(radius_m, view))
-            }
+            Geometry::Hyperbolic => normal_coordinates(radius_m, self.centre)
+                .distance(normal_coordinates(radius_m, view)),
             Geometry::Spherical => {
                 let unit = |v: DVec4| (v.truncate() / radius_m).extend(v.w);
                 let (a, b) = (unit(self.centre), unit(view));

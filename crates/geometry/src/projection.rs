@@ -110,7 +110,10 @@ mod tests {
             let mut t = 2.0 * near / radius;
             while t < end {
                 let here = depth(geometry, t);
-                assert!(here < last && here > 0.0, "{geometry} at {t}: {here} {last}");
+                assert!(
+                    here < last && here > 0.0,
+                    "{geometry} at {t}: {here} {last}"
+                );
                 last = here;
                 t += 0.01;
             }

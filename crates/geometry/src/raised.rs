@@ -41,7 +41,8 @@ impl Raised {
 
     /// The offset c in metres.
     fn offset_m(eye: &Eye) -> f64 {
-        eye.dial.clamp(Self::DIAL.min, Self::DIAL.max)
+        // Not `clamp`: this order turns NaN into the least value.
+        eye.dial.max(Self::DIAL.min).min(Self::DIAL.max)
     }
 
     /// The offset h in radii.
@@ -103,7 +104,12 @@ impl Raised {
         let centre_low = nearest(low + offset, high + offset).length();
         let centre_high = farthest(low + offset, high + offset).length();
         let eye_high = centre_high + h;
-        let p = sinhc(eye_high + h) / sinhc(eye_high);
+        // The ratio rises with dE towards exp h.
+        let p = if eye_high < OVERFLOW_GUARD_RADII {
+            sinhc(eye_high + h) / sinhc(eye_high)
+        } else {
+            h.exp()
+        };
         let sin_alpha = if eye_low > 0.0 {
             (h.sinh() / eye_low.sinh()).min(1.0)
         } else {
@@ -115,7 +121,6 @@ impl Raised {
         } else {
             sinhc(centre_high)
         };
-        let p = p.max(1.0);
         let lean = sin_alpha / sinhc(eye_low);
         let a = 1.0 + shear * shear + lean * lean;
         let sum = a + p * p;
@@ -215,7 +220,11 @@ impl Strategy for Raised {
         BoundingSphere {
             centre: self.view_point(eye, centre),
             // Past the range of f64 nothing is known, and everything must be kept.
-            radius_m: if radius_m.is_finite() { radius_m } else { f64::MAX },
+            radius_m: if radius_m.is_finite() {
+                radius_m
+            } else {
+                f64::MAX
+            },
         }
     }
 

@@ -209,7 +209,7 @@ impl Strategy for Spherical {
         DVec3::ZERO
     }
 
-    /// The chart never shrinks: lengths per chart metre are at most cos y level and 1 upright,
+    /// The port never stretches the chart: lengths per chart metre are at most cos y level and 1 upright,
     /// so the straight chart line from the middle bounds the distance to any point of the box.
     fn bounding_sphere(
         &self,
@@ -219,7 +219,7 @@ impl Strategy for Spherical {
         max: DVec3,
     ) -> BoundingSphere {
         let half = 0.5 * (max - min);
-        let lowest = 0.0_f64.clamp(min.y.min(max.y), max.y.max(min.y)).abs();
+        let lowest = 0.0_f64.max(min.y).min(max.y).abs();
         let highest = min.y.abs().max(max.y.abs()) / self.radius_m;
         // |cos y| falls from the sheet y = 0 to a quarter turn up, and rises again past it.
         let level = if highest > FRAC_PI_2 {
@@ -237,9 +237,8 @@ impl Strategy for Spherical {
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         // The shader's points have xyz in metres and w without unit, before and after.
         let metres = DVec4::new(self.radius_m, self.radius_m, self.radius_m, 1.0);
-        let view = DMat4::from_diagonal(metres)
-            * self.view(eye)
-            * DMat4::from_diagonal(metres.recip());
+        let view =
+            DMat4::from_diagonal(metres) * self.view(eye) * DMat4::from_diagonal(metres.recip());
         SpaceUniform::new(SpaceUniform::SPHERE, view, projection, self.radius_m, 0.0)
     }
 }

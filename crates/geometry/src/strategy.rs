@@ -182,7 +182,10 @@ mod tests {
             assert_eq!(raised.radius_m(), DEFAULT_HYPERBOLIC_RADIUS_M);
         }
         assert_eq!(strategy(Geometry::Spherical, 48.0).radius_m(), 48.0);
-        assert_eq!(strategy(Geometry::Euclidean, 48.0).radius_m(), f64::INFINITY);
+        assert_eq!(
+            strategy(Geometry::Euclidean, 48.0).radius_m(),
+            f64::INFINITY
+        );
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mover::{Mover, TOUCH_M, clip, level};
+use crate::mover::{Mover, clip, level};
 use crate::patch::Contact;
 
 /// How often one part of a flight is pushed out of what it overlaps.
@@ -79,7 +79,7 @@ impl Mover<'_> {
 
     fn leave_contacts(&self, before: DVec3, flown: &mut Flown, way: &mut DVec3, slides: &mut Slides) {
         for _ in 0..PUSHES {
-            let Some(contact) = self.patch.deepest(&self.capsule, flown.feet, TOUCH_M, |_| true) else { return };
+            let Some(contact) = self.overlap(flown.feet) else { return };
             if self.carries(contact.normal.y, contact.face.y, LEAST_LANDING_LIP_UP) {
                 flown.feet.y += (contact.depth / contact.normal.y).min(self.capsule.radius_m);
                 if flown.velocity.y <= 0.0 {
@@ -95,8 +95,8 @@ impl Mover<'_> {
             flown.velocity = slide(flown.velocity, contact.normal);
             *way = slide(*way, contact.normal);
         }
-        let left = self.patch.deepest(&self.capsule, flown.feet, LEFT_OVER_M, |_| true);
-        let had = self.patch.deepest(&self.capsule, before, 0.0, |_| true);
+        let left = self.patch.deepest(&self.capsule, flown.feet, LEFT_OVER_M);
+        let had = self.patch.deepest(&self.capsule, before, 0.0);
         if left.is_some_and(|left| left.depth > had.map_or(0.0, |had| had.depth)) {
             flown.feet = before;
             flown.velocity = DVec3::ZERO;
@@ -108,7 +108,7 @@ impl Mover<'_> {
     fn settle(&self, mut flown: Flown) -> Flown {
         let near = 0.5 * self.capsule.radius_m;
         if let Some(y) = self.floor(flown.feet, flown.feet.y, near, near)
-            && self.wall(flown.feet.with_y(y)).is_none()
+            && self.overlap(flown.feet.with_y(y)).is_none()
         {
             flown.feet.y = y;
         }

@@ -70,8 +70,8 @@ impl Character {
     fn keep_time(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
         let pressed = input.jump && !self.jump_held;
         self.jump_held = input.jump;
-        self.jump_left_s = if pressed { tuning.jump_buffer_s } else { self.jump_left_s - dt_s };
-        self.coyote_left_s = if self.grounded { tuning.coyote_s } else { self.coyote_left_s - dt_s };
+        self.jump_left_s = if pressed { tuning.jump_buffer_s } else { (self.jump_left_s - dt_s).max(0.0) };
+        self.coyote_left_s = if self.grounded { tuning.coyote_s } else { (self.coyote_left_s - dt_s).max(0.0) };
     }
 
     /// Jumps when one is asked for and there is, or just was, ground to jump from.

@@ -11,7 +11,7 @@ use crate::CharacterTuning;
 use crate::patch::{Capsule, Contact, Patch};
 
 /// Contacts shallower than this (m) are touches and are left alone.
-pub(crate) const TOUCH_M: f64 = 1e-5;
+const TOUCH_M: f64 = 1e-5;
 
 /// A ball must be at least this much above the edge of a walkable face to be carried by it.
 const LEAST_LIP_UP: f64 = 0.02;
@@ -21,13 +21,13 @@ pub(crate) struct Mover<'a> {
     pub patch: Patch,
     pub capsule: Capsule,
     pub tuning: &'a CharacterTuning,
-    least_ground_up: f64,
+    least_up: f64,
 }
 
 impl<'a> Mover<'a> {
     pub fn new(patch: Patch, tuning: &'a CharacterTuning) -> Self {
         let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
-        Self { patch, capsule, tuning, least_ground_up: tuning.max_slope_rad.cos() }
+        Self { patch, capsule, tuning, least_up: tuning.max_slope_rad.cos() }
     }
 
     /// Into how many parts a displacement is cut.
@@ -38,7 +38,7 @@ impl<'a> Mover<'a> {
     /// Whether a contact carries: its own direction is gentle enough, as on a ridge, or it is the lip
     /// of a walkable face under the lower ball, as on a step.
     pub fn carries(&self, normal_up: f64, face_up: f64, least_lip_up: f64) -> bool {
-        normal_up >= self.least_ground_up || (face_up >= self.least_ground_up && normal_up > least_lip_up)
+        normal_up >= self.least_up || (face_up >= self.least_up && normal_up > least_lip_up)
     }
 
     /// The height at which the feet stand over `at`, no more than `up` above and `down` below
@@ -55,11 +55,10 @@ impl<'a> Mover<'a> {
         Some(touch.centre_y - radius)
     }
 
-    /// The deepest contact that does not carry.
-    pub fn wall(&self, feet: DVec3) -> Option<Contact> {
-        self.patch.deepest(&self.capsule, feet, TOUCH_M, |contact| {
-            !self.carries(contact.normal.y, contact.face.y, LEAST_LIP_UP)
-        })
+    /// The deepest overlap with the feet at `feet`. Whatever the floor could carry is only touched
+    /// there, so this is a wall, a ceiling, or a lip too high for a step.
+    pub fn overlap(&self, feet: DVec3) -> Option<Contact> {
+        self.patch.deepest(&self.capsule, feet, TOUCH_M)
     }
 }
 

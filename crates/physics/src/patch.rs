@@ -82,20 +82,13 @@ impl Patch {
         self.triangles.iter().filter(move |triangle| triangle.min.cmple(max).all() && triangle.max.cmpge(min).all())
     }
 
-    /// The deepest contact, deeper than `tolerance`, that `wanted` picks.
-    pub fn deepest(
-        &self,
-        capsule: &Capsule,
-        feet: DVec3,
-        tolerance: f64,
-        wanted: impl Fn(&Contact) -> bool,
-    ) -> Option<Contact> {
+    /// The deepest contact, if one is deeper than `tolerance` (m).
+    pub fn deepest(&self, capsule: &Capsule, feet: DVec3, tolerance: f64) -> Option<Contact> {
         let mut deepest: Option<Contact> = None;
         for triangle in self.near(capsule, feet) {
             let least = deepest.map_or(tolerance, |contact| contact.depth);
             if let Some(contact) = contact(triangle, capsule, feet)
                 && contact.depth > least
-                && wanted(&contact)
             {
                 deepest = Some(contact);
             }
@@ -112,8 +105,7 @@ impl Patch {
         })
     }
 
-    /// The highest place of a falling ball's touches over `at` that `wanted` picks, given each touch
-    /// with the height of its contact and of the ball's normal and the triangle's own normal.
+    /// The highest place of a falling ball's touches over `at` that `wanted` picks.
     pub fn highest_touch(
         &self,
         at: DVec3,

@@ -42,14 +42,14 @@ impl Mover<'_> {
 
     fn walk_part(&self, from: &Walked, part_s: f64) -> Option<Walked> {
         let tuning = self.tuning;
-        let allowed = self.wall(from.feet).map_or(0.0, |contact| contact.depth);
+        let allowed = self.overlap(from.feet).map_or(0.0, |contact| contact.depth);
         for rise in [tuning.step_height_m, SLOPE_RISE_M.min(tuning.step_height_m)] {
             if let Some(outcome) = self.push_through(from, part_s, rise, allowed) {
                 return outcome;
             }
         }
         let y = self.floor(from.feet, from.feet.y, tuning.step_height_m, tuning.snap_m)?;
-        let feet = if self.wall(from.feet.with_y(y)).is_some() { from.feet } else { from.feet.with_y(y) };
+        let feet = if self.overlap(from.feet.with_y(y)).is_some() { from.feet } else { from.feet.with_y(y) };
         Some(Walked { feet, velocity: DVec3::ZERO })
     }
 
@@ -63,7 +63,7 @@ impl Mover<'_> {
             let floor = self.floor(at, from.feet.y, rise, self.tuning.snap_m);
             let feet = at.with_y(floor.unwrap_or(from.feet.y));
             let ending = floor.map(|_| Walked { feet, velocity });
-            let Some(wall) = self.wall(feet) else { return Some(ending) };
+            let Some(wall) = self.overlap(feet) else { return Some(ending) };
             let sideways = level(wall.normal);
             let share = sideways.length();
             if push == PUSHES || share < LEAST_SIDEWAYS {

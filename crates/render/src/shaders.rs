@@ -1,6 +1,7 @@
 //! The shaders' sources, embedded, and how they are put together.
 
-const GEOMETRY: &str = include_str!("../../../shaders/geometry.wgsl");
+use antipode_geometry::WGSL as GEOMETRY;
+
 const COMMON: &str = include_str!("../../../shaders/common.wgsl");
 
 /// The land.

@@ -42,7 +42,7 @@ impl Ground {
     pub fn put(&mut self, chunk: Chunk, physics: &mut PhysicsWorld) {
         let origin = chunk.coord.origin() + self.strategy.chart_origin_m(chunk.coord.hemisphere);
         physics.set_terrain(chunk.coord, origin, chunk.collider);
-        let triangles = chunk.mesh.triangles();
+        let triangles = chunk.mesh.triangles().len();
         self.chunks.insert(
             chunk.coord,
             Resident {

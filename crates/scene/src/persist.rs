@@ -50,7 +50,7 @@ impl WorldSetup {
             seed: self.seed,
             geometry: self.geometry.to_string(),
             radius_m: self.radius_m,
-            biome: Biome::from_seed(self.seed).name.to_owned(),
+            biome: Biome::from_seed(self.seed).name().to_owned(),
             created_unix_s: now,
             last_played_unix_s: now,
             played_s: 0.0,

@@ -153,7 +153,7 @@ impl Scene {
 
     /// Name of the biome of this seed.
     pub fn biome(&self) -> &'static str {
-        Biome::from_seed(self.setup.seed).name
+        Biome::from_seed(self.setup.seed).name()
     }
 
     /// The space's strategy.

@@ -53,7 +53,7 @@ pub(crate) fn check(name: &str) -> Result<(), NameError> {
 /// What two names have in common if they may not both be used.
 pub(crate) fn folded(name: &str) -> String {
     // By way of upper case, so that `ß` meets `SS` and both sigmas meet.
-    name.to_owned()
+    name.trim().to_uppercase().to_lowercase()
 }
 
 /// Controls, line ends, and the invisible characters that turn the order of text

@@ -68,6 +68,23 @@ impl SavesDir {
         found.cloned().ok_or_else(|| self.not_found(name_or_slug))
     }
 
+    /// Whether a new world may be called `name` when the worlds of the given names are there. Reads no
+    /// disk, so a form can ask with every letter typed.
+    ///
+    /// # Errors
+    /// The reason in words.
+    pub fn check_name_among<'a>(
+        name: &str,
+        taken: impl IntoIterator<Item = &'a str>,
+    ) -> Result<(), NameError> {
+        name::check(name)?;
+        let wanted = name::folded(name);
+        match taken.into_iter().find(|existing| name::folded(existing) == wanted) {
+            Some(existing) => Err(NameError::Taken { existing: existing.to_owned() }),
+            None => Ok(()),
+        }
+    }
+
     /// Whether a new world may have this name.
     ///
     /// # Errors

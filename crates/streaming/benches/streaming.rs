@@ -1,5 +1,9 @@
 //! How long a player waits: for an edit to show, and for the ground of a new world.
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a bench fails by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "a bench fails by panicking"
+)]
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -22,7 +26,11 @@ fn world(config: Config) -> (Streamer, DVec3) {
     let ground_m = field.surface_height(Hemisphere::A, 0.0, 0.0);
     let corner = DVec3::new(0.0, (ground_m / 32.0).round() * 32.0, 0.0);
     let mut streamer = Streamer::start(field, space, None, config).expect("threads");
-    streamer.wish(&Wish { centre: ChartPoint::a(corner), front: DVec3::X, view_distance: 1 });
+    streamer.wish(&Wish {
+        centre: ChartPoint::a(corner),
+        front: DVec3::X,
+        view_distance: 1,
+    });
     let loaded = streamer.wait(Until::Idle, LIMIT);
     assert!(!loaded.is_empty());
     (streamer, corner)
@@ -35,7 +43,11 @@ fn edit_over_eight_chunks(bencher: divan::Bencher<'_, '_>, radius_m: f64) {
     let mut amount = 4.0;
     bencher.bench_local(|| {
         amount = -amount;
-        streamer.edit(Stroke { centre: ChartPoint::a(corner), radius_m, amount });
+        streamer.edit(Stroke {
+            centre: ChartPoint::a(corner),
+            radius_m,
+            amount,
+        });
         streamer.wait(Until::Edits, LIMIT)
     });
 }
@@ -48,8 +60,29 @@ fn main_thread_wish_and_poll(bencher: divan::Bencher<'_, '_>) {
     bencher.bench_local(|| {
         turn += 0.3;
         let front = DVec3::new(turn.cos(), 0.0, turn.sin());
-        streamer.wish(&Wish { centre: ChartPoint::a(corner), front, view_distance: 1 });
+        streamer.wish(&Wish {
+            centre: ChartPoint::a(corner),
+            front,
+            view_distance: 1,
+        });
         streamer.poll(Duration::from_millis(1))
+    });
+}
+
+/// The main thread's share when the player crosses a chunk's border at the default view distance:
+/// one layer of chunks comes into range and, every other time, one goes.
+#[divan::bench]
+fn main_thread_walk_over_a_border(bencher: divan::Bencher<'_, '_>) {
+    let (mut streamer, corner) = world(Config::default());
+    let mut chunk = 0.0_f64;
+    bencher.bench_local(|| {
+        chunk += 1.0;
+        let centre = ChartPoint::a(corner + DVec3::X * (32.0 * chunk + 16.0));
+        streamer.wish(&Wish {
+            centre,
+            front: DVec3::X,
+            view_distance: 4,
+        });
     });
 }
 

@@ -23,7 +23,10 @@ impl Default for Config {
     /// One worker per core but the main thread's, and 96 kept chunks.
     fn default() -> Self {
         let cores = thread::available_parallelism().map_or(2, std::num::NonZero::get);
-        Self { workers: cores.saturating_sub(1).max(1), kept_samples: 96 }
+        Self {
+            workers: cores.saturating_sub(1).max(1),
+            kept_samples: 96,
+        }
     }
 }
 
@@ -103,6 +106,8 @@ pub enum StreamingError {
     #[error("The last changes to the world are not saved. {0}")]
     NotSaved(String),
     /// An edit did not finish in time, so it is not in the save.
-    #[error("The last change to the terrain or its save did not finish in time; everything saved before is safe.")]
+    #[error(
+        "The last change to the terrain or its save did not finish in time; everything saved before is safe."
+    )]
     Unfinished,
 }

@@ -26,7 +26,10 @@ struct Inner {
 impl Bases {
     /// Keeps at most `most_kept` chunks alive by itself.
     pub(crate) fn new(most_kept: usize) -> Self {
-        Self { inner: Mutex::default(), most_kept: most_kept.max(1) }
+        Self {
+            inner: Mutex::default(),
+            most_kept: most_kept.max(1),
+        }
     }
 
     /// The generated samples, if anyone still has them.
@@ -45,7 +48,9 @@ impl Bases {
     pub(crate) fn note(&self, coord: ChunkCoord, samples: &Arc<Samples>) {
         let mut inner = self.inner.lock().unwrap_or_else(PoisonError::into_inner);
         if inner.elsewhere.len() >= MOST_NAMES {
-            inner.elsewhere.retain(|_, samples| samples.strong_count() > 0);
+            inner
+                .elsewhere
+                .retain(|_, samples| samples.strong_count() > 0);
         }
         inner.elsewhere.insert(coord, Arc::downgrade(samples));
     }
@@ -57,7 +62,11 @@ impl Bases {
         let now = inner.clock;
         inner.kept.insert(coord, (now, Arc::clone(samples)));
         if inner.kept.len() > self.most_kept {
-            let oldest = inner.kept.iter().min_by_key(|(_, (used, _))| *used).map(|(coord, _)| *coord);
+            let oldest = inner
+                .kept
+                .iter()
+                .min_by_key(|(_, (used, _))| *used)
+                .map(|(coord, _)| *coord);
             if let Some(oldest) = oldest {
                 inner.kept.remove(&oldest);
             }

@@ -25,7 +25,10 @@ pub(crate) struct Snapshot {
 impl Snapshot {
     /// The edits of one chunk, if it has any.
     pub(crate) fn of(&self, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
-        self.near.iter().find(|(near, _)| *near == coord).map(|(_, edits)| Arc::clone(edits))
+        self.near
+            .iter()
+            .find(|(near, _)| *near == coord)
+            .map(|(_, edits)| Arc::clone(edits))
     }
 }
 
@@ -57,7 +60,13 @@ struct Pages {
 impl Book {
     /// A book whose stored chunks are `on_disk`.
     pub(crate) fn new(vault: Option<Arc<dyn Vault>>, on_disk: HashSet<ChunkCoord>) -> Self {
-        Self { pages: RwLock::new(Pages { on_disk, ..Pages::default() }), vault }
+        Self {
+            pages: RwLock::new(Pages {
+                on_disk,
+                ..Pages::default()
+            }),
+            vault,
+        }
     }
 
     /// The store, if the world has one.
@@ -72,15 +81,25 @@ impl Book {
         let near = around(coord, -1, 1)
             .filter_map(|near| Some((near, Arc::clone(pages.chunks.get(&near)?))))
             .collect();
-        Snapshot { revision: pages.revision, near }
+        Snapshot {
+            revision: pages.revision,
+            near,
+        }
     }
 
     /// The edits of one chunk, empty if there are none; reads the store where it must. `None` if
     /// the store has some that cannot be read now: to change the chunk would overwrite them.
-    pub(crate) fn edits(&self, coord: ChunkCoord, problems: &mut Vec<String>) -> Option<ChunkEdits> {
+    pub(crate) fn edits(
+        &self,
+        coord: ChunkCoord,
+        problems: &mut Vec<String>,
+    ) -> Option<ChunkEdits> {
         self.fetch(std::iter::once(coord), problems);
         let pages = self.read();
-        let known = pages.chunks.get(&coord).map(|edits| ChunkEdits::clone(edits));
+        let known = pages
+            .chunks
+            .get(&coord)
+            .map(|edits| ChunkEdits::clone(edits));
         known.or_else(|| (!pages.on_disk.contains(&coord)).then(ChunkEdits::default))
     }
 
@@ -91,7 +110,12 @@ impl Book {
         if batch.iter().any(|change| change.visible) {
             pages.revision += 1;
         }
-        for Change { coord, edits, visible } in batch {
+        for Change {
+            coord,
+            edits,
+            visible,
+        } in batch
+        {
             pages.chunks.insert(coord, Arc::new(edits));
             if visible {
                 pages.dirty.insert(coord);
@@ -104,8 +128,10 @@ impl Book {
     pub(crate) fn take_dirty(&self) -> Vec<(ChunkCoord, Arc<ChunkEdits>)> {
         let mut pages = self.write();
         let dirty = std::mem::take(&mut pages.dirty);
-        let mut taken: Vec<_> =
-            dirty.into_iter().filter_map(|coord| Some((coord, Arc::clone(pages.chunks.get(&coord)?)))).collect();
+        let mut taken: Vec<_> = dirty
+            .into_iter()
+            .filter_map(|coord| Some((coord, Arc::clone(pages.chunks.get(&coord)?))))
+            .collect();
         taken.sort_unstable_by_key(|(coord, _)| *coord);
         taken
     }
@@ -125,7 +151,9 @@ impl Book {
             if pages.on_disk.is_empty() {
                 return;
             }
-            coords.filter(|coord| pages.on_disk.contains(coord)).collect()
+            coords
+                .filter(|coord| pages.on_disk.contains(coord))
+                .collect()
         };
         for coord in missing {
             let found = read_record(vault, coord);
@@ -162,10 +190,16 @@ impl Book {
 
 fn read_record(vault: &dyn Vault, coord: ChunkCoord) -> Result<Option<ChunkEdits>, ReadFault> {
     let units = vault.chunk(&key_of(coord))?;
-    units.map(|units| ChunkEdits::from_units(&units)).transpose().map_err(|why| ReadFault::Damaged(why.into()))
+    units
+        .map(|units| ChunkEdits::from_units(&units))
+        .transpose()
+        .map_err(|why| ReadFault::Damaged(why.into()))
 }
 
 fn not_shown(coord: ChunkCoord, why: &(dyn Error + Send + Sync)) -> String {
     let at = coord.index;
-    format!("The terrain of chunk {} {} {} is shown without what you changed there. {why}", at.x, at.y, at.z)
+    format!(
+        "The terrain of chunk {} {} {} is shown without what you changed there. {why}",
+        at.x, at.y, at.z
+    )
 }

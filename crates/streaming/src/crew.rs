@@ -37,7 +37,7 @@ pub(crate) struct Crew {
 struct Ends {
     loads: Sender<ChunkCoord>,
     edits: Sender<EditJob>,
-    saves: Sender<Parts>,
+    saves: Sender<Box<Parts>>,
 }
 
 impl Crew {
@@ -54,14 +54,26 @@ impl Crew {
         let (living, alive) = bounded(0);
         let mut crew = Self {
             shared: Arc::clone(&shared),
-            ends: Some(Ends { loads, edits: edits.clone(), saves }),
+            ends: Some(Ends {
+                loads,
+                edits: edits.clone(),
+                saves,
+            }),
             results,
             alive,
             threads: Vec::with_capacity(workers + 1),
             most_loads,
         };
-        let desk = Desk { edits: edit_jobs, call: edits, loads: load_jobs, results: send_results.clone(), colleagues: workers - 1 };
-        crew.hire(workers, &desk, living, move || saver::run(&shared, &save_jobs, &send_results))?;
+        let desk = Desk {
+            edits: edit_jobs,
+            call: edits,
+            loads: load_jobs,
+            results: send_results.clone(),
+            colleagues: workers - 1,
+        };
+        crew.hire(workers, &desk, living, move || {
+            saver::run(&shared, &save_jobs, &send_results);
+        })?;
         Ok(crew)
     }
 
@@ -76,12 +88,21 @@ impl Crew {
     ) -> io::Result<()> {
         for number in 1..=workers {
             let (desk, shared) = (desk.clone(), Arc::clone(&self.shared));
-            self.spawn(format!("antipode-chunk-{number}"), living.clone(), move || desk.work(&shared))?;
+            self.spawn(
+                format!("antipode-chunk-{number}"),
+                living.clone(),
+                move || desk.work(&shared),
+            )?;
         }
         self.spawn("antipode-save".to_owned(), living, saver)
     }
 
-    fn spawn(&mut self, name: String, living: Sender<Infallible>, job: impl FnOnce() + Send + 'static) -> io::Result<()> {
+    fn spawn(
+        &mut self,
+        name: String,
+        living: Sender<Infallible>,
+        job: impl FnOnce() + Send + 'static,
+    ) -> io::Result<()> {
         let thread = thread::Builder::new().name(name).spawn(move || {
             job();
             drop(living);
@@ -97,22 +118,32 @@ impl Crew {
 
     /// Hands over a load; false if there is no room.
     pub(crate) fn load(&self, coord: ChunkCoord) -> bool {
-        self.ends.as_ref().is_some_and(|ends| ends.loads.try_send(coord).is_ok())
+        self.ends
+            .as_ref()
+            .is_some_and(|ends| ends.loads.try_send(coord).is_ok())
     }
 
     /// Hands over a batch, or gives it back if there is no room.
     pub(crate) fn edit(&self, batch: EditBatch) -> Result<(), EditBatch> {
-        let Some(ends) = &self.ends else { return Err(batch) };
-        ends.edits.try_send(EditJob::Begin(batch)).or_else(|refused| match refused.into_inner() {
-            EditJob::Begin(batch) => Err(batch),
-            EditJob::Help(_) => Ok(()),
-        })
+        let Some(ends) = &self.ends else {
+            return Err(batch);
+        };
+        ends.edits
+            .try_send(EditJob::Begin(batch))
+            .or_else(|refused| match refused.into_inner() {
+                EditJob::Begin(batch) => Err(batch),
+                EditJob::Help(_) => Ok(()),
+            })
     }
 
     /// Hands over a save, or gives it back if there is no room.
-    pub(crate) fn save(&self, parts: Parts) -> Result<(), Parts> {
-        let Some(ends) = &self.ends else { return Err(parts) };
-        ends.saves.try_send(parts).map_err(crossbeam_channel::TrySendError::into_inner)
+    pub(crate) fn save(&self, parts: Box<Parts>) -> Result<(), Box<Parts>> {
+        let Some(ends) = &self.ends else {
+            return Err(parts);
+        };
+        ends.saves
+            .try_send(parts)
+            .map_err(crossbeam_channel::TrySendError::into_inner)
     }
 
     /// Finished jobs.
@@ -125,7 +156,10 @@ impl Crew {
     pub(crate) fn leave(&mut self) -> bool {
         self.shared.stop();
         self.ends = None;
-        let left = matches!(self.alive.recv_timeout(LEAVE_LIMIT), Err(RecvTimeoutError::Disconnected));
+        let left = matches!(
+            self.alive.recv_timeout(LEAVE_LIMIT),
+            Err(RecvTimeoutError::Disconnected)
+        );
         if !left {
             tracing::error!("a chunk worker or the saver did not end in time");
             self.threads.clear();

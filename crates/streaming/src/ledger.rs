@@ -41,9 +41,16 @@ pub(crate) struct Ledger {
 
 impl Ledger {
     /// Books of a world whose stored edits lie in `edited`.
-    pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Strategy>, edited: HashSet<ChunkCoord>) -> Self {
+    pub(crate) fn new(
+        field: Arc<Field>,
+        strategy: Arc<dyn Strategy>,
+        edited: HashSet<ChunkCoord>,
+    ) -> Self {
         // The cells of a chunk use its own samples and the first layer of the next ones.
-        let near_edits = edited.iter().flat_map(|&coord| around(coord, -1, 0)).collect();
+        let near_edits = edited
+            .iter()
+            .flat_map(|&coord| around(coord, -1, 0))
+            .collect();
         Self {
             field,
             strategy,
@@ -69,7 +76,10 @@ impl Ledger {
         let range = &self.range;
         self.queue.retain(|coord| range.contains(coord));
         self.given_up.retain(|&coord| range.keeps(coord));
-        let mut gone: Vec<_> = self.resident.extract_if(|&coord| !range.keeps(coord)).collect();
+        let mut gone: Vec<_> = self
+            .resident
+            .extract_if(|&coord| !range.keeps(coord))
+            .collect();
         gone.sort_unstable();
         for coord in self.range.all() {
             // What was wanted before is waiting, being made, there or given up already.
@@ -134,7 +144,12 @@ impl Ledger {
     }
 
     /// Notes a finished batch, shown or not: from now on nothing older of these chunks will do.
-    pub(crate) fn batch_ended(&mut self, touched: &[ChunkCoord], remeshed: &[ChunkCoord], revision: u64) {
+    pub(crate) fn batch_ended(
+        &mut self,
+        touched: &[ChunkCoord],
+        remeshed: &[ChunkCoord],
+        revision: u64,
+    ) {
         self.shown = self.shown.max(revision);
         self.edited.extend(touched);
         self.near_edits.extend(remeshed);
@@ -201,11 +216,18 @@ mod tests {
     }
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
-        ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+        ChunkCoord {
+            hemisphere: Hemisphere::A,
+            index: IVec3::new(x, y, z),
+        }
     }
 
     fn wish_at(x: f64, view_distance: u32) -> Wish {
-        Wish { centre: ChartPoint::a(DVec3::new(x, 16.0, 16.0)), front: DVec3::X, view_distance }
+        Wish {
+            centre: ChartPoint::a(DVec3::new(x, 16.0, 16.0)),
+            front: DVec3::X,
+            view_distance,
+        }
     }
 
     fn take_all(ledger: &mut Ledger) -> Vec<ChunkCoord> {
@@ -219,8 +241,17 @@ mod tests {
         let first = take_all(&mut ledger);
         ledger.wish(&wish_at(16.0 + 96.0, 1));
         ledger.wish(&wish_at(16.0, 1));
-        assert!(take_all(&mut ledger).iter().all(|coord| !first.contains(coord)), "a chunk is made twice");
-        assert!(first.iter().all(|&coord| ledger.loaded(coord, 0) == Verdict::Show));
+        assert!(
+            take_all(&mut ledger)
+                .iter()
+                .all(|coord| !first.contains(coord)),
+            "a chunk is made twice"
+        );
+        assert!(
+            first
+                .iter()
+                .all(|&coord| ledger.loaded(coord, 0) == Verdict::Show)
+        );
         assert_eq!(ledger.resident_count(), first.len());
     }
 
@@ -229,11 +260,17 @@ mod tests {
         let mut ledger = ledger(&[]);
         ledger.wish(&wish_at(16.0, 1));
         let first = take_all(&mut ledger);
-        first.iter().for_each(|&coord| assert_eq!(ledger.loaded(coord, 0), Verdict::Show));
+        for &coord in &first {
+            assert_eq!(ledger.loaded(coord, 0), Verdict::Show);
+        }
         assert!(ledger.wish(&wish_at(16.0 + 32.0, 1)).is_empty());
         let gone = ledger.wish(&wish_at(16.0 + 64.0, 1));
         let want: Vec<_> = first.iter().filter(|coord| coord.index.x == -1).collect();
-        assert!(!want.is_empty() && gone.len() == want.len() && gone.iter().all(|coord| coord.index.x == -1));
+        assert!(
+            !want.is_empty()
+                && gone.len() == want.len()
+                && gone.iter().all(|coord| coord.index.x == -1)
+        );
     }
 
     #[test]
@@ -262,7 +299,11 @@ mod tests {
         let sky = chunk(0, 60, 0);
         let mut plain = ledger(&[]);
         let mut built = ledger(&[sky]);
-        let wish = Wish { centre: ChartPoint::a(sky.origin()), front: DVec3::X, view_distance: 2 };
+        let wish = Wish {
+            centre: ChartPoint::a(sky.origin()),
+            front: DVec3::X,
+            view_distance: 2,
+        };
         plain.wish(&wish);
         built.wish(&wish);
         assert!(plain.is_resident(sky) && plain.coming() == 0);

@@ -3,7 +3,7 @@
 use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
-use crate::saver::Parts;
+use crate::saver::Unsaved;
 
 /// A finished job.
 pub(crate) enum Outcome {
@@ -11,8 +11,8 @@ pub(crate) enum Outcome {
     Loaded(Loaded),
     /// One batch, whole.
     Edited(Edited),
-    /// One commit.
-    Saved(SaveReport),
+    /// One commit, and what failed of it.
+    Saved(Option<Unsaved>),
 }
 
 /// The end of a load.
@@ -38,10 +38,4 @@ pub(crate) struct Edited {
     /// False if a chunk was given up; then none may be shown.
     pub(crate) complete: bool,
     pub(crate) problems: Vec<String>,
-}
-
-/// The end of a commit.
-pub(crate) struct SaveReport {
-    /// Why it failed, and the parts that are not on disk.
-    pub(crate) failed: Option<(String, Parts)>,
 }

@@ -77,12 +77,20 @@ impl Queue {
     fn sort(&mut self, strategy: &dyn Strategy) {
         self.sorted = true;
         let Some(aim) = self.aim else { return };
-        let mut ranked: Vec<_> = self.order.iter().map(|&coord| (rank(strategy, aim, coord), coord)).collect();
+        let mut ranked: Vec<_> = self
+            .order
+            .iter()
+            .map(|&coord| (rank(strategy, aim, coord), coord))
+            .collect();
         ranked.sort_unstable_by(|((group_a, far_a), a), ((group_b, far_b), b)| {
-            group_b.cmp(group_a).then(far_b.total_cmp(far_a)).then(b.cmp(a))
+            group_b
+                .cmp(group_a)
+                .then(far_b.total_cmp(far_a))
+                .then(b.cmp(a))
         });
         self.order.clear();
-        self.order.extend(ranked.into_iter().map(|(_, coord)| coord));
+        self.order
+            .extend(ranked.into_iter().map(|(_, coord)| coord));
     }
 }
 
@@ -109,13 +117,21 @@ fn rank(strategy: &dyn Strategy, aim: Aim, coord: ChunkCoord) -> (u8, f64) {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
     use super::*;
     use antipode_geometry::{Geometry, Hemisphere, strategy};
     use glam::IVec3;
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
-        ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+        ChunkCoord {
+            hemisphere: Hemisphere::A,
+            index: IVec3::new(x, y, z),
+        }
     }
 
     fn drain(queue: &mut Queue) -> Vec<ChunkCoord> {
@@ -127,10 +143,24 @@ mod tests {
     fn at_hand_then_seen_then_the_rest_each_nearest_first() {
         let mut queue = Queue::default();
         queue.look(ChartPoint::a(DVec3::splat(16.0)), DVec3::X);
-        for coord in [chunk(-3, 0, 0), chunk(4, 0, 0), chunk(0, -1, 0), chunk(3, 0, 0), chunk(0, 0, 0), chunk(-2, 0, 0)] {
+        for coord in [
+            chunk(-3, 0, 0),
+            chunk(4, 0, 0),
+            chunk(0, -1, 0),
+            chunk(3, 0, 0),
+            chunk(0, 0, 0),
+            chunk(-2, 0, 0),
+        ] {
             queue.push(coord);
         }
-        let want = [chunk(0, 0, 0), chunk(0, -1, 0), chunk(3, 0, 0), chunk(4, 0, 0), chunk(-2, 0, 0), chunk(-3, 0, 0)];
+        let want = [
+            chunk(0, 0, 0),
+            chunk(0, -1, 0),
+            chunk(3, 0, 0),
+            chunk(4, 0, 0),
+            chunk(-2, 0, 0),
+            chunk(-3, 0, 0),
+        ];
         assert_eq!(drain(&mut queue), want);
     }
 
@@ -154,9 +184,15 @@ mod tests {
         let rim = space.rim_m().unwrap();
         let mut queue = Queue::default();
         queue.look(ChartPoint::a(DVec3::new(0.0, 8.0, rim - 1.0)), DVec3::ZERO);
-        let across = space.carry(ChartPoint::a(DVec3::new(0.0, 8.0, rim + 4.0))).unwrap().point;
+        let across = space
+            .carry(ChartPoint::a(DVec3::new(0.0, 8.0, rim + 4.0)))
+            .unwrap()
+            .point;
         let near = ChunkCoord::containing(across);
-        let far = ChunkCoord { hemisphere: near.hemisphere, index: IVec3::new(near.index.x, near.index.y, -1 - near.index.z) };
+        let far = ChunkCoord {
+            hemisphere: near.hemisphere,
+            index: IVec3::new(near.index.x, near.index.y, -1 - near.index.z),
+        };
         queue.push(near);
         queue.push(far);
         assert_eq!(queue.pop(&*space), Some(near));

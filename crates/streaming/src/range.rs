@@ -21,7 +21,10 @@ pub(crate) enum Range {
     /// All chunks within a Chebyshev distance, in chunks.
     Around { centre: ChunkCoord, distance: i32 },
     /// Both hemispheres to `reach_m` from their axes, in the layers `layers` (chunk y).
-    Sphere { reach_m: f64, layers: RangeInclusive<i32> },
+    Sphere {
+        reach_m: f64,
+        layers: RangeInclusive<i32>,
+    },
 }
 
 impl Range {
@@ -31,10 +34,16 @@ impl Range {
             let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
             // One cell more on either side: a chunk's border is meshed by the chunk below.
             let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
-            return Self::Sphere { reach_m: rim_m + RIM_REACH_M, layers };
+            return Self::Sphere {
+                reach_m: rim_m + RIM_REACH_M,
+                layers,
+            };
         }
         let distance = distance.clamp(1, LARGEST_DISTANCE) as i32;
-        Self::Around { centre: ChunkCoord::containing(centre), distance }
+        Self::Around {
+            centre: ChunkCoord::containing(centre),
+            distance,
+        }
     }
 
     /// Is the chunk to be loaded?
@@ -70,7 +79,10 @@ impl Range {
             }
             Self::Sphere { reach_m, layers } => {
                 let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
-                let (low, high) = (IVec3::new(-side, *layers.start(), -side), IVec3::new(side, *layers.end(), side));
+                let (low, high) = (
+                    IVec3::new(-side, *layers.start(), -side),
+                    IVec3::new(side, *layers.end(), side),
+                );
                 [Hemisphere::A, Hemisphere::B]
                     .into_iter()
                     .flat_map(|hemisphere| boxed(hemisphere, low, high))
@@ -90,14 +102,21 @@ fn axis_distance_m(index: IVec3) -> f64 {
 fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
     (low.x..=high.x).flat_map(move |x| {
         (low.y..=high.y).flat_map(move |y| {
-            (low.z..=high.z).map(move |z| ChunkCoord { hemisphere, index: IVec3::new(x, y, z) })
+            (low.z..=high.z).map(move |z| ChunkCoord {
+                hemisphere,
+                index: IVec3::new(x, y, z),
+            })
         })
     })
 }
 
 /// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart.
 pub(crate) fn around(coord: ChunkCoord, low: i32, high: i32) -> impl Iterator<Item = ChunkCoord> {
-    boxed(coord.hemisphere, coord.index + IVec3::splat(low), coord.index + IVec3::splat(high))
+    boxed(
+        coord.hemisphere,
+        coord.index + IVec3::splat(low),
+        coord.index + IVec3::splat(high),
+    )
 }
 
 #[cfg(test)]
@@ -107,7 +126,10 @@ mod tests {
     use glam::DVec3;
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
-        ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+        ChunkCoord {
+            hemisphere: Hemisphere::A,
+            index: IVec3::new(x, y, z),
+        }
     }
 
     #[test]
@@ -128,7 +150,10 @@ mod tests {
         assert_eq!(range, Range::wished(&*space, away, 7));
         let all = range.all();
         // The equator lies 50.3 m out, the margin ends at 58.3: two chunks on either side.
-        assert_eq!(all.iter().filter(|c| c.hemisphere == Hemisphere::B).count() * 2, all.len());
+        assert_eq!(
+            all.iter().filter(|c| c.hemisphere == Hemisphere::B).count() * 2,
+            all.len()
+        );
         assert!(range.contains(chunk(1, 0, 1)) && range.contains(chunk(-2, 0, -2)));
         assert!(!range.contains(chunk(2, 0, 0)) && !range.contains(chunk(0, 9, 0)));
     }

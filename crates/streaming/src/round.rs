@@ -41,9 +41,14 @@ impl Round {
     /// Applies the strokes. On a panic nothing has entered the book.
     pub(crate) fn begin(shared: &Shared, batch: &EditBatch) -> Self {
         let mut problems = Vec::new();
-        let tried = guarded(&mut problems, "changing the terrain", || apply(shared, batch));
+        let tried = guarded(&mut problems, "changing the terrain", || {
+            apply(shared, batch)
+        });
         if tried.is_none() {
-            problems.push("The last change to the terrain could not be made and is left out; try it again.".to_owned());
+            problems.push(
+                "The last change to the terrain could not be made and is left out; try it again."
+                    .to_owned(),
+            );
         }
         let applied = tried.unwrap_or_default();
         shared.at(Step::Entered);
@@ -57,7 +62,14 @@ impl Round {
             complete: true,
             problems,
         };
-        Self { coords, next: AtomicUsize::new(0), result: Mutex::new(Progress { finished: 0, edited }) }
+        Self {
+            coords,
+            next: AtomicUsize::new(0),
+            result: Mutex::new(Progress {
+                finished: 0,
+                edited,
+            }),
+        }
     }
 
     /// The chunks to make.
@@ -73,12 +85,16 @@ impl Round {
         while !shared.is_stopped() {
             let coord = *self.coords.get(self.next.fetch_add(1, Ordering::Relaxed))?;
             let mut problems = Vec::new();
-            let made = guarded(&mut problems, &format!("making chunk {}", coord.index), || {
-                let mut problems = Vec::new();
-                shared.at(Step::Remesh(coord));
-                let edits = shared.book.snapshot(coord, &mut problems);
-                (shared.make(coord, &edits, true), problems)
-            });
+            let made = guarded(
+                &mut problems,
+                &format!("making chunk {}", coord.index),
+                || {
+                    let mut problems = Vec::new();
+                    shared.at(Step::Remesh(coord));
+                    let edits = shared.book.snapshot(coord, &mut problems);
+                    (shared.make(coord, &edits, true), problems)
+                },
+            );
             if let Some(edited) = self.finish(made, problems) {
                 return Some(edited);
             }
@@ -129,11 +145,23 @@ fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
         );
         Vec::new()
     });
-    let touched: Vec<_> = changed.iter().filter(|change| change.visible).map(|change| change.coord).collect();
-    let beside: BTreeSet<_> = touched.iter().flat_map(|&coord| around(coord, -1, 1)).collect();
+    let touched: Vec<_> = changed
+        .iter()
+        .filter(|change| change.visible)
+        .map(|change| change.coord)
+        .collect();
+    let beside: BTreeSet<_> = touched
+        .iter()
+        .flat_map(|&coord| around(coord, -1, 1))
+        .collect();
     seen.retain(|coord| beside.contains(coord));
     seen.extend(&batch.overdue);
-    Applied { touched, remeshed: seen, revision: shared.book.enter(changed), problems }
+    Applied {
+        touched,
+        remeshed: seen,
+        revision: shared.book.enter(changed),
+        problems,
+    }
 }
 
 /// The new edits of every chunk that a stroke reaches, and in `seen` the chunks that show them;
@@ -152,7 +180,11 @@ fn changes(
                 Entry::Occupied(page) => page.into_mut(),
                 Entry::Vacant(page) => {
                     let edits = shared.book.edits(coord, problems)?;
-                    page.insert(Change { coord, edits, visible: false })
+                    page.insert(Change {
+                        coord,
+                        edits,
+                        visible: false,
+                    })
                 }
             };
             change.visible |= stroke.apply(coord, &mut change.edits, strategy);

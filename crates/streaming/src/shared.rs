@@ -13,7 +13,6 @@ use crate::book::{Book, Snapshot};
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(not(test), expect(dead_code, reason = "only tests look at the coordinate"))]
 pub(crate) enum Step {
     /// About to apply a batch of strokes.
     Apply,
@@ -47,7 +46,14 @@ impl Shared {
         bases: Bases,
         watch: Option<Watch>,
     ) -> Self {
-        Self { field, strategy, book, bases, watch, stopped: AtomicBool::new(false) }
+        Self {
+            field,
+            strategy,
+            book,
+            bases,
+            watch,
+            stopped: AtomicBool::new(false),
+        }
     }
 
     /// Tells the workers to leave what they have not begun.
@@ -80,11 +86,19 @@ impl Shared {
         };
         let mesh = march(&samples, &self.field, coord);
         let collider = collider(&mesh);
-        Chunk { coord, mesh: Arc::new(mesh), collider, samples }
+        Chunk {
+            coord,
+            mesh: Arc::new(mesh),
+            collider,
+            samples,
+        }
     }
 
     fn base(&self, coord: ChunkCoord, keep: bool) -> Arc<Samples> {
-        let base = self.bases.get(coord).unwrap_or_else(|| Arc::new(self.field.samples(coord)));
+        let base = self
+            .bases
+            .get(coord)
+            .unwrap_or_else(|| Arc::new(self.field.samples(coord)));
         if keep {
             self.bases.keep(coord, &base);
         } else {

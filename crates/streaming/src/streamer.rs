@@ -14,9 +14,9 @@ use crate::bases::Bases;
 use crate::book::Book;
 use crate::crew::Crew;
 use crate::ledger::{Ledger, Verdict};
-use crate::outcome::{Edited, Loaded, Outcome, SaveReport};
+use crate::outcome::{Edited, Loaded, Outcome};
 use crate::round::EditBatch;
-use crate::saver::Parts;
+use crate::saver::{Parts, Unsaved};
 use crate::shared::{Shared, Watch};
 use crate::strokes::Strokes;
 use crate::vault::{Vault, coord_of};
@@ -85,7 +85,10 @@ impl Streamer {
         config: Config,
         watch: Option<Watch>,
     ) -> Result<Self, StreamingError> {
-        let keys = vault.as_ref().map_or(Ok(Vec::new()), |vault| vault.edited()).map_err(StreamingError::Store)?;
+        let keys = vault
+            .as_ref()
+            .map_or(Ok(Vec::new()), |vault| vault.edited())
+            .map_err(StreamingError::Store)?;
         let edited: HashSet<_> = keys.iter().filter_map(coord_of).collect();
         let mut ready = VecDeque::new();
         if edited.len() < keys.len() {
@@ -95,9 +98,15 @@ impl Streamer {
             )));
         }
         let ledger = Ledger::new(Arc::clone(&field), Arc::clone(&strategy), edited.clone());
-        let shared =
-            Shared::new(field, strategy, Book::new(vault, edited), Bases::new(config.kept_samples), watch);
-        let crew = Crew::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
+        let shared = Shared::new(
+            field,
+            strategy,
+            Book::new(vault, edited),
+            Bases::new(config.kept_samples),
+            watch,
+        );
+        let crew =
+            Crew::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
         Ok(Self {
             crew,
             ledger,
@@ -193,7 +202,10 @@ impl Streamer {
     /// Hands over whatever there is room for: the batch first.
     pub(crate) fn feed(&mut self) {
         if !self.batch_in_flight && !self.strokes.is_empty() {
-            let batch = EditBatch { strokes: self.strokes.take(), overdue: self.overdue.iter().copied().collect() };
+            let batch = EditBatch {
+                strokes: self.strokes.take(),
+                overdue: self.overdue.iter().copied().collect(),
+            };
             match self.crew.edit(batch) {
                 Ok(()) => self.batch_in_flight = true,
                 Err(batch) => self.strokes.put_back(batch.strokes),
@@ -208,9 +220,10 @@ impl Streamer {
         if !self.saves.in_flight
             && let Some(wanted) = self.saves.wanted.take()
         {
-            match self.crew.save(wanted.or(std::mem::take(&mut self.saves.unsaved))) {
+            let parts = wanted.or(std::mem::take(&mut self.saves.unsaved));
+            match self.crew.save(Box::new(parts)) {
                 Ok(()) => self.saves.in_flight = true,
-                Err(parts) => self.saves.wanted = Some(parts),
+                Err(parts) => self.saves.wanted = Some(*parts),
             }
         }
     }
@@ -220,19 +233,26 @@ impl Streamer {
         match outcome {
             Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
             Outcome::Edited(edited) => self.take_edited(edited, updates),
-            Outcome::Saved(report) => self.take_saved(report, updates),
+            Outcome::Saved(failed) => self.take_saved(failed, updates),
         }
     }
 
     fn take_loaded(&mut self, mut loaded: Loaded, updates: &mut Vec<Update>) {
-        updates.extend(std::mem::take(&mut loaded.problems).into_iter().map(Update::Problem));
+        updates.extend(
+            std::mem::take(&mut loaded.problems)
+                .into_iter()
+                .map(Update::Problem),
+        );
         let Some(chunk) = loaded.chunk else {
             self.ledger.give_up(loaded.coord);
             return;
         };
         match self.ledger.loaded(loaded.coord, loaded.revision) {
             Verdict::Show => updates.push(Update::Loaded(chunk)),
-            Verdict::Hold => self.held.push(Loaded { chunk: Some(chunk), ..loaded }),
+            Verdict::Hold => self.held.push(Loaded {
+                chunk: Some(chunk),
+                ..loaded
+            }),
             Verdict::Drop => {}
         }
     }
@@ -240,7 +260,8 @@ impl Streamer {
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
         updates.extend(edited.problems.into_iter().map(Update::Problem));
-        self.ledger.batch_ended(&edited.touched, &edited.remeshed, edited.revision);
+        self.ledger
+            .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
         if edited.complete {
             let done: HashSet<_> = edited.remeshed.iter().collect();
             self.overdue.retain(|coord| !done.contains(coord));
@@ -261,22 +282,24 @@ impl Streamer {
         }
     }
 
-    fn take_saved(&mut self, report: SaveReport, updates: &mut Vec<Update>) {
+    fn take_saved(&mut self, failed: Option<Unsaved>, updates: &mut Vec<Update>) {
         self.saves.in_flight = false;
         self.saves.last_failure = None;
-        match report.failed {
-            None => updates.push(Update::Saved),
-            Some((why, parts)) => {
-                updates.push(Update::Problem(format!("The world could not be saved; the next save tries again. {why}")));
-                self.saves.last_failure = Some(why);
-                self.saves.unsaved = parts;
-            }
-        }
+        let Some(Unsaved { why, parts }) = failed else {
+            updates.push(Update::Saved);
+            return;
+        };
+        updates.push(Update::Problem(format!(
+            "The world could not be saved; the next save tries again. {why}"
+        )));
+        self.saves.last_failure = Some(why);
+        self.saves.unsaved = parts;
     }
 }
 
 fn game_cost(update: &Update) -> Duration {
-    let bytes = |chunk: &Chunk| size_of_val(&*chunk.mesh.vertices) + size_of_val(&*chunk.mesh.indices);
+    let bytes =
+        |chunk: &Chunk| size_of_val(&*chunk.mesh.vertices) + size_of_val(&*chunk.mesh.indices);
     let bytes = match update {
         Update::Loaded(chunk) => bytes(chunk),
         Update::Edited(chunks) => chunks.iter().map(bytes).sum(),

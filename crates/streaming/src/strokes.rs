@@ -28,7 +28,9 @@ impl Strokes {
 
     /// Takes the strokes of the next batch.
     pub(crate) fn take(&mut self) -> Vec<Stroke> {
-        let rest = self.waiting.split_off(self.waiting.len().min(MOST_PER_BATCH));
+        let rest = self
+            .waiting
+            .split_off(self.waiting.len().min(MOST_PER_BATCH));
         std::mem::replace(&mut self.waiting, rest)
     }
 
@@ -45,7 +47,8 @@ impl Strokes {
 }
 
 fn meaningful(stroke: &Stroke) -> bool {
-    let finite = stroke.centre.pos.is_finite() && stroke.radius_m.is_finite() && stroke.amount.is_finite();
+    let finite =
+        stroke.centre.pos.is_finite() && stroke.radius_m.is_finite() && stroke.amount.is_finite();
     finite && stroke.radius_m > 0.0 && stroke.amount != 0.0
 }
 
@@ -61,7 +64,11 @@ mod tests {
     use glam::DVec3;
 
     fn stroke(x: f64, amount: f32) -> Stroke {
-        Stroke { centre: ChartPoint::a(DVec3::new(x, 0.0, 0.0)), radius_m: 5.0, amount }
+        Stroke {
+            centre: ChartPoint::a(DVec3::new(x, 0.0, 0.0)),
+            radius_m: 5.0,
+            amount,
+        }
     }
 
     #[test]
@@ -98,7 +105,10 @@ mod tests {
         strokes.add(stroke(f64::NAN, 1.0));
         strokes.add(stroke(0.0, f32::INFINITY));
         strokes.add(stroke(0.0, 0.0));
-        strokes.add(Stroke { radius_m: -1.0, ..stroke(0.0, 1.0) });
+        strokes.add(Stroke {
+            radius_m: -1.0,
+            ..stroke(0.0, 1.0)
+        });
         assert!(strokes.is_empty());
     }
 }

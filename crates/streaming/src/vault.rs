@@ -50,7 +50,12 @@ pub(crate) fn key_of(coord: ChunkCoord) -> ChunkKey {
         Hemisphere::A => 0,
         Hemisphere::B => 1,
     };
-    ChunkKey { hemisphere, x: coord.index.x, y: coord.index.y, z: coord.index.z }
+    ChunkKey {
+        hemisphere,
+        x: coord.index.x,
+        y: coord.index.y,
+        z: coord.index.z,
+    }
 }
 
 /// The chunk of a stored name; `None` for a hemisphere that does not exist.
@@ -60,7 +65,10 @@ pub(crate) fn coord_of(key: &ChunkKey) -> Option<ChunkCoord> {
         1 => Hemisphere::B,
         _ => return None,
     };
-    Some(ChunkCoord { hemisphere, index: IVec3::new(key.x, key.y, key.z) })
+    Some(ChunkCoord {
+        hemisphere,
+        index: IVec3::new(key.x, key.y, key.z),
+    })
 }
 
 #[cfg(test)]
@@ -69,8 +77,17 @@ mod tests {
 
     #[test]
     fn names_translate_both_ways_and_strange_ones_are_refused() {
-        let coord = ChunkCoord { hemisphere: Hemisphere::B, index: IVec3::new(-3, 0, i32::MAX) };
+        let coord = ChunkCoord {
+            hemisphere: Hemisphere::B,
+            index: IVec3::new(-3, 0, i32::MAX),
+        };
         assert_eq!(coord_of(&key_of(coord)), Some(coord));
-        assert_eq!(coord_of(&ChunkKey { hemisphere: 2, ..key_of(coord) }), None);
+        assert_eq!(
+            coord_of(&ChunkKey {
+                hemisphere: 2,
+                ..key_of(coord)
+            }),
+            None
+        );
     }
 }

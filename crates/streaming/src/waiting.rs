@@ -11,7 +11,7 @@ use crate::streamer::Streamer;
 const LOOK_AGAIN: Duration = Duration::from_millis(20);
 
 /// How long closing waits for the last edits and for the disk, each.
-const CLOSE_LIMIT: Duration = Duration::from_secs(60);
+const CLOSE_LIMIT: Duration = Duration::from_mins(1);
 
 impl Streamer {
     /// Waits until `what` holds or `timeout` has passed, and returns everything that happened
@@ -66,6 +66,10 @@ impl Streamer {
         if let Some(why) = self.saves.last_failure.take() {
             return Err(StreamingError::NotSaved(why));
         }
-        if edits_done && saved && left { Ok(()) } else { Err(StreamingError::Unfinished) }
+        if edits_done && saved && left {
+            Ok(())
+        } else {
+            Err(StreamingError::Unfinished)
+        }
     }
 }

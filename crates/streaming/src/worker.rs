@@ -73,42 +73,65 @@ impl Desk {
 
 fn load(shared: &Shared, coord: ChunkCoord) -> Loaded {
     let mut problems = Vec::new();
-    let made = guarded(&mut problems, &format!("making chunk {}", coord.index), || {
-        let mut problems = Vec::new();
-        let edits = shared.book.snapshot(coord, &mut problems);
-        shared.at(Step::Load(coord));
-        (shared.make(coord, &edits, false), edits.revision, problems)
-    });
-    match made {
-        Some((chunk, revision, more)) => {
-            problems.extend(more);
-            Loaded { coord, chunk: Some(chunk), revision, problems }
-        }
-        None => {
-            problems.push(format!(
-                "Chunk {} could not be made and is left out. Walk away and come back, or load the world again.",
-                coord.index
-            ));
-            Loaded { coord, chunk: None, revision: 0, problems }
-        }
+    let made = guarded(
+        &mut problems,
+        &format!("making chunk {}", coord.index),
+        || {
+            let mut problems = Vec::new();
+            let edits = shared.book.snapshot(coord, &mut problems);
+            shared.at(Step::Load(coord));
+            (shared.make(coord, &edits, false), edits.revision, problems)
+        },
+    );
+    let Some((chunk, revision, more)) = made else {
+        problems.push(format!(
+            "Chunk {} could not be made and is left out. Walk away and come back, or load the world again.",
+            coord.index
+        ));
+        return Loaded {
+            coord,
+            chunk: None,
+            revision: 0,
+            problems,
+        };
+    };
+    problems.extend(more);
+    Loaded {
+        coord,
+        chunk: Some(chunk),
+        revision,
+        problems,
     }
 }
 
 /// Runs a job, once more if it panics; `None` when it is given up. Each panic is a problem.
-pub(crate) fn guarded<T>(problems: &mut Vec<String>, doing: &str, job: impl Fn() -> T) -> Option<T> {
+pub(crate) fn guarded<T>(
+    problems: &mut Vec<String>,
+    doing: &str,
+    job: impl Fn() -> T,
+) -> Option<T> {
     for tried in 1..=TRIES {
         match catch_unwind(AssertUnwindSafe(&job)) {
             Ok(done) => return Some(done),
             Err(panic) => {
-                let then = if tried < TRIES { "It is tried again" } else { "It is given up" };
-                problems.push(format!("A chunk worker failed while {doing}: {}. {then}.", reason(&*panic)));
+                let then = if tried < TRIES {
+                    "It is tried again"
+                } else {
+                    "It is given up"
+                };
+                problems.push(format!(
+                    "A chunk worker failed while {doing}: {}. {then}.",
+                    reason(&*panic)
+                ));
             }
         }
     }
     None
 }
 
-fn reason(panic: &(dyn Any + Send)) -> &str {
+/// What a panic said.
+pub(crate) fn reason(panic: &(dyn Any + Send)) -> &str {
     let text = panic.downcast_ref::<&str>().copied();
-    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no reason given")
+    text.or_else(|| panic.downcast_ref::<String>().map(String::as_str))
+        .unwrap_or("no reason given")
 }

@@ -9,8 +9,6 @@ use crate::fractal::Octave;
 const FREQUENCY_RATIO: f64 = 2.0;
 /// Amplitudes halve from octave to octave.
 const AMPLITUDE_RATIO: f64 = 0.5;
-/// The largest number of octaves of any biome.
-
 /// The colours of a biome's ground, sRGB.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Palette {

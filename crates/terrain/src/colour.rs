@@ -135,7 +135,9 @@ mod tests {
     fn borders_rise_smoothly_and_once() {
         assert_eq!(rises(10.0, 15.0, 9.9), 0.0);
         assert_eq!(rises(10.0, 15.0, 15.1), 1.0);
-        let values: Vec<_> = (0..50).map(|n| rises(10.0, 15.0, 10.0 + 0.1 * n as f32)).collect();
+        let values: Vec<_> = (0..50)
+            .map(|n| rises(10.0, 15.0, 10.0 + 0.1 * n as f32))
+            .collect();
         assert!(values.is_sorted());
         assert!((values[25] - 0.5).abs() < 1e-5);
     }

@@ -44,7 +44,7 @@ impl Field {
     pub fn new(seed: u64, strategy: Arc<dyn Strategy>) -> Self {
         let biome = Biome::from_seed(seed);
         let squeeze = strategy.limits().map(|limits| {
-            let middle = (limits.ground_min_m + limits.ground_max_m) / 2.0;
+            let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
             let half = (limits.ground_max_m - limits.ground_min_m) / 2.0;
             (middle, half * SPHERE_SHARE)
         });
@@ -153,8 +153,7 @@ impl Field {
                 Some((middle, half)) => middle - half * f64::from(self.squeezed(*value)),
                 None => f64::from(self.relief_m - *value),
             };
-            // `max` before `min`: a coordinate that is not a number is solid, not contagious.
-            *value = ((y - height) as f32).max(-FIELD_BAND_M).min(FIELD_BAND_M);
+            *value = banded((y - height) as f32);
         }
     }
 
@@ -162,6 +161,15 @@ impl Field {
     fn squeezed(&self, sum: f32) -> f32 {
         let t = SPHERE_GAIN * sum / self.relief_m;
         t / (1.0 + t * t).sqrt()
+    }
+}
+
+/// A value held to the band. A place that is not a number is solid, not contagious.
+fn banded(value: f32) -> f32 {
+    if value.is_nan() {
+        -FIELD_BAND_M
+    } else {
+        value.clamp(-FIELD_BAND_M, FIELD_BAND_M)
     }
 }
 

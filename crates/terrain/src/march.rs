@@ -84,6 +84,17 @@ fn case(columns: [u64; 4], bit: usize) -> usize {
     layer(0) | layer(1) << 4
 }
 
+/// Where the field is zero between the samples at an edge's lower and upper end, as a share of
+/// the edge. Samples that are not finite still give a place on it.
+fn place_on_edge(low: f32, high: f32) -> f32 {
+    let share = low / (low - high);
+    if share.is_nan() {
+        0.5
+    } else {
+        share.clamp(END_SHARE, 1.0 - END_SHARE)
+    }
+}
+
 struct Mesher<'a> {
     samples: &'a Samples,
     coord: ChunkCoord,
@@ -135,8 +146,7 @@ impl Mesher<'_> {
         let mut high = low;
         high[axis] += 1;
         let (a, b) = (self.value(low), self.value(high));
-        // `max` first: samples that are not finite still give a place on the edge.
-        let share = (a / (a - b)).max(END_SHARE).min(1.0 - END_SHARE);
+        let share = place_on_edge(a, b);
         let mut position = corner.map(|c| c as f32);
         position[axis] += share;
         let slope = self.slope(low);

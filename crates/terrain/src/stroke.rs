@@ -108,7 +108,8 @@ impl Stroke {
                     let d2 = column.distance2_m2 + dy * dy;
                     let amount = f64::from(self.amount) * (-FALLOFF_PER_M2 * d2).exp();
                     let local = [column.x - x0, y - y0, column.z - z0].map(|c| c as usize);
-                    changed |= edits.add_at(owned_index(local[0], local[1], local[2]), amount as f32);
+                    changed |=
+                        edits.add_at(owned_index(local[0], local[1], local[2]), amount as f32);
                 }
             }
         }
@@ -192,7 +193,12 @@ impl Stroke {
                 let centre_y = self.centre.pos.y;
                 let y = common(&whole(centre_y - half, centre_y + half), &editable);
                 if !y.is_empty() {
-                    reached.push(Reached { x, z, distance2_m2, y });
+                    reached.push(Reached {
+                        x,
+                        z,
+                        distance2_m2,
+                        y,
+                    });
                 }
             }
         }

@@ -25,7 +25,10 @@ fn assert_watertight(mesh: &ChunkMesh) {
         }
     }
     for (&(a, b), &count) in &sides {
-        let (p, q) = (mesh.vertices[a as usize].position, mesh.vertices[b as usize].position);
+        let (p, q) = (
+            mesh.vertices[a as usize].position,
+            mesh.vertices[b as usize].position,
+        );
         let on_face = (0..3).any(|n| p[n] == q[n] && (p[n] == 0.0 || p[n] == 32.0));
         assert_eq!(count, 1, "{p:?} {q:?}");
         assert_eq!(sides.contains_key(&(b, a)), !on_face, "{p:?} {q:?}");
@@ -91,7 +94,10 @@ fn a_ball_is_closed_round_and_faces_outward() {
         }
     }
     let expected = 4.0 / 3.0 * std::f32::consts::PI * 11.0_f32.powi(3);
-    assert!((volume / expected - 1.0).abs() < 0.01, "{volume} {expected}");
+    assert!(
+        (volume / expected - 1.0).abs() < 0.01,
+        "{volume} {expected}"
+    );
 }
 
 #[test]
@@ -146,7 +152,11 @@ fn the_sphere_is_meshed_to_its_reach_and_no_farther() {
 fn solid_and_empty_blocks_have_no_mesh() {
     let field = Field::new(0, flat());
     for value in [-1.0, 0.0, 1.0, f32::NAN] {
-        let mesh = march(&Samples::from_fn(|_| value), &field, chunk(Hemisphere::A, 0, 0, 0));
+        let mesh = march(
+            &Samples::from_fn(|_| value),
+            &field,
+            chunk(Hemisphere::A, 0, 0, 0),
+        );
         assert!(mesh.is_empty() && mesh.vertices.is_empty());
     }
     assert_eq!(size_of::<antipode_terrain::Vertex>(), 24);

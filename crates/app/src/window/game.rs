@@ -179,6 +179,9 @@ impl Game {
         self.last_tick = Some(now);
         self.fps.frame(passed);
         self.list.poll();
+        if let Some(problem) = self.list.take_problem() {
+            self.shell.toast(problem, antipode_ui::ToastKind::Problem);
+        }
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Opening(task) => self.opening(task),
             Phase::Loading(session) => self.loading(session),

@@ -19,8 +19,12 @@ fn corner(game: &Game) -> DVec3 {
 /// The vertices of a mesh in one plane, exactly, without that plane's own coordinate.
 fn on_face(mesh: &ChunkMesh, axis: usize, plane: f32) -> BTreeSet<[u32; 2]> {
     let others = [[1, 2], [0, 2], [0, 1]][axis];
-    let on = mesh.vertices.iter().filter(|vertex| vertex.position[axis] == plane);
-    on.map(|vertex| others.map(|other| vertex.position[other].to_bits())).collect()
+    let on = mesh
+        .vertices
+        .iter()
+        .filter(|vertex| vertex.position[axis] == plane);
+    on.map(|vertex| others.map(|other| vertex.position[other].to_bits()))
+        .collect()
 }
 
 #[test]
@@ -38,12 +42,19 @@ fn an_edit_at_a_corner_of_eight_chunks_is_one_batch_whose_faces_match() {
     let mut compared = 0;
     for &coord in &batch {
         for axis in 0..3 {
-            let next = ChunkCoord { index: coord.index + IVec3::AXES[axis], ..coord };
+            let next = ChunkCoord {
+                index: coord.index + IVec3::AXES[axis],
+                ..coord
+            };
             if !batch.contains(&next) {
                 continue;
             }
             let here = on_face(&game.chunks[&coord].mesh, axis, 32.0);
-            assert_eq!(here, on_face(&game.chunks[&next].mesh, axis, 0.0), "{coord:?} axis {axis}");
+            assert_eq!(
+                here,
+                on_face(&game.chunks[&next].mesh, axis, 0.0),
+                "{coord:?} axis {axis}"
+            );
             compared += here.len();
         }
     }
@@ -66,7 +77,11 @@ fn strokes_made_while_a_batch_is_in_flight_add_up() {
     }
     gate.open();
     let seen = game.wait(Until::Edits);
-    assert_eq!(seen.batches.len(), 2, "the first stroke, then all the others at once");
+    assert_eq!(
+        seen.batches.len(),
+        2,
+        "the first stroke, then all the others at once"
+    );
     let change = game.sample(at.as_ivec3()) - before;
     assert!((change - 10.0).abs() <= 2.0 * EDIT_STEP, "{change}");
 }
@@ -74,7 +89,9 @@ fn strokes_made_while_a_batch_is_in_flight_add_up() {
 #[test]
 fn two_hundred_rapid_strokes_are_all_there() {
     let mut game = Game::flat(2);
-    let places: Vec<_> = (0..20).map(|n| game.ground(f64::from(n) * 3.0 - 30.0, 5.0)).collect();
+    let places: Vec<_> = (0..20)
+        .map(|n| game.ground(f64::from(n) * 3.0 - 30.0, 5.0))
+        .collect();
     game.wish(places[10], 1);
     game.wait(Until::Idle);
     let middle = places[10].round().as_ivec3();
@@ -95,7 +112,10 @@ fn two_hundred_rapid_strokes_are_all_there() {
     let change = f64::from(game.sample(middle) - before);
     // Each of the strokes that reach the sample is rounded once.
     let rounding = 10.0 * places.iter().filter(inside).count() as f64 * f64::from(EDIT_STEP);
-    assert!(want > 1.0 && (change - want).abs() <= rounding, "{change} instead of {want}");
+    assert!(
+        want > 1.0 && (change - want).abs() <= rounding,
+        "{change} instead of {want}"
+    );
     assert!((1..=200).contains(&batches));
 }
 
@@ -107,7 +127,10 @@ fn an_edit_outside_the_limits_blocks_nothing() {
     let high = game.space.limits().unwrap().ceiling_m + 30.0;
     game.edit(DVec3::new(2.0, high, 2.0), -9.0);
     assert!(game.wait(Until::Edits).batches.is_empty());
-    assert_eq!((game.streamer.pending(), game.streamer.edited_count()), (0, 0));
+    assert_eq!(
+        (game.streamer.pending(), game.streamer.edited_count()),
+        (0, 0)
+    );
     let at = game.ground(2.0, 2.0);
     game.edit(at, 9.0);
     assert_eq!(game.wait(Until::Edits).batches.len(), 1);
@@ -139,17 +162,30 @@ fn mining_in_a_solid_chunk_gives_it_a_mesh_that_comes_back() {
 fn build_or_mine(content: Content, step: i32, amount: f32) {
     let mut game = Game::flat(1);
     let ground = ChunkCoord::containing(ChartPoint::a(game.ground(16.0, 16.0)));
-    let find = |n: i32| ChunkCoord { index: ground.index + IVec3::Y * n * step.signum(), ..ground };
-    let coord = (1..=step.abs()).map(find).find(|&coord| game.field.content(coord) == content).unwrap();
+    let find = |n: i32| ChunkCoord {
+        index: ground.index + IVec3::Y * n * step.signum(),
+        ..ground
+    };
+    let coord = (1..=step.abs())
+        .map(find)
+        .find(|&coord| game.field.content(coord) == content)
+        .unwrap();
     let middle = coord.origin() + DVec3::splat(16.0);
     game.wish(middle, 2);
     game.wait(Until::Idle);
     assert!(game.streamer.is_resident(coord) && !game.chunks.contains_key(&coord));
     // A deep chunk may be denser than one stroke can take away.
-    while !game.chunks.get(&coord).is_some_and(|chunk| chunk.collider.is_some()) {
+    while game
+        .chunks
+        .get(&coord)
+        .is_none_or(|chunk| chunk.collider.is_none())
+    {
         game.edit(middle, amount);
         assert_eq!(game.wait(Until::Edits).batches, [[coord]]);
-        assert!(game.sample(middle.as_ivec3()).abs() < 1.0e4, "the edits never reach the surface");
+        assert!(
+            game.sample(middle.as_ivec3()).abs() < 1.0e4,
+            "the edits never reach the surface"
+        );
     }
     let triangles = game.chunks[&coord].mesh.triangles().len();
     game.wish(middle + DVec3::X * 320.0, 1);

@@ -19,17 +19,35 @@ fn middle_distance(coord: ChunkCoord, at: DVec3) -> f64 {
 fn chunks_come_nearest_first_and_all_that_have_a_surface() {
     let mut game = Game::flat(1);
     let at = game.ground(16.0, 16.0);
-    game.streamer.wish(&Wish { centre: ChartPoint::a(at), front: DVec3::ZERO, view_distance: 2 });
+    game.streamer.wish(&Wish {
+        centre: ChartPoint::a(at),
+        front: DVec3::ZERO,
+        view_distance: 2,
+    });
     let seen = game.wait(Until::Idle);
-    let far: Vec<_> = seen.loaded.iter().map(|&coord| middle_distance(coord, at)).collect();
+    let far: Vec<_> = seen
+        .loaded
+        .iter()
+        .map(|&coord| middle_distance(coord, at))
+        .collect();
     assert!(far.len() >= 25 && far.is_sorted(), "{far:?}");
     let wanted = Range::wished(&*game.space, ChartPoint::a(at), 2).all();
     for coord in wanted {
         assert!(game.streamer.is_resident(coord));
-        assert_eq!(game.chunks.contains_key(&coord), game.field.content(coord) == Content::Surface);
+        assert_eq!(
+            game.chunks.contains_key(&coord),
+            game.field.content(coord) == Content::Surface
+        );
     }
-    assert_eq!((game.streamer.pending(), game.streamer.resident_count()), (0, game.chunks.len()));
-    assert!(game.chunks.values().all(|chunk| chunk.collider.is_some() == !chunk.mesh.indices.is_empty()));
+    assert_eq!(
+        (game.streamer.pending(), game.streamer.resident_count()),
+        (0, game.chunks.len())
+    );
+    assert!(
+        game.chunks
+            .values()
+            .all(|chunk| chunk.collider.is_none() == chunk.mesh.is_empty())
+    );
     assert!(game.chunks.values().any(|chunk| chunk.collider.is_some()));
 }
 
@@ -39,7 +57,12 @@ fn what_is_in_view_comes_before_what_is_behind() {
     let at = game.ground(16.0, 16.0);
     game.wish(at, 3);
     let loaded = game.wait(Until::Idle).loaded;
-    let place = |x| loaded.iter().position(|coord| coord.index.x == x && coord.index.z == 0).unwrap();
+    let place = |x| {
+        loaded
+            .iter()
+            .position(|coord| coord.index.x == x && coord.index.z == 0)
+            .unwrap()
+    };
     assert!(place(3) < place(-2), "the view goes along +x");
 }
 
@@ -54,7 +77,11 @@ fn chunks_go_one_beyond_the_range_and_come_back() {
     assert!(game.wait(Until::Idle).unloaded.is_empty());
     game.wish(at + DVec3::X * 64.0, 1);
     let gone = game.wait(Until::Idle).unloaded;
-    let want: Vec<_> = first.iter().copied().filter(|coord| coord.index.x < 0).collect();
+    let want: Vec<_> = first
+        .iter()
+        .copied()
+        .filter(|coord| coord.index.x < 0)
+        .collect();
     assert_eq!(gone, want);
     game.wish(at, 1);
     game.wait(Until::Idle);
@@ -73,7 +100,10 @@ fn loads_no_longer_wanted_are_dropped() {
     game.wish(away, 1);
     gate.open();
     let loaded = game.wait(Until::Idle).loaded;
-    assert!(!loaded.is_empty() && loaded.iter().all(|coord| coord.index.x >= 99), "{loaded:?}");
+    assert!(
+        !loaded.is_empty() && loaded.iter().all(|coord| coord.index.x >= 99),
+        "{loaded:?}"
+    );
 }
 
 #[test]
@@ -83,10 +113,15 @@ fn a_sphere_is_there_whole_and_stays() {
     game.wait(Until::Idle);
     let all = Range::wished(&*game.space, ChartPoint::a(DVec3::ZERO), 1).all();
     assert!(all.iter().all(|&coord| game.streamer.is_resident(coord)));
-    let sides = [Hemisphere::A, Hemisphere::B].map(|h| game.chunks.keys().filter(|c| c.hemisphere == h).count());
+    let sides = [Hemisphere::A, Hemisphere::B]
+        .map(|h| game.chunks.keys().filter(|c| c.hemisphere == h).count());
     assert!(sides[0] >= 4 && sides[1] >= 4, "{sides:?}");
     let across = ChartPoint::new(Hemisphere::B, DVec3::new(10.0, 8.0, 3.0));
-    game.streamer.wish(&Wish { centre: across, front: DVec3::X, view_distance: 1 });
+    game.streamer.wish(&Wish {
+        centre: across,
+        front: DVec3::X,
+        view_distance: 1,
+    });
     let seen = game.wait(Until::Idle);
     assert!(seen.loaded.is_empty() && seen.unloaded.is_empty());
 }
@@ -124,13 +159,20 @@ fn a_poll_without_time_takes_one_result_at_most() {
 fn workers_carry_their_names() {
     let names = Arc::new(Mutex::new(Vec::new()));
     let list = Arc::clone(&names);
-    let watch: Watch = Arc::new(move |_| list.lock().unwrap().extend(std::thread::current().name().map(str::to_owned)));
+    let watch: Watch = Arc::new(move |_| {
+        list.lock()
+            .unwrap()
+            .extend(std::thread::current().name().map(str::to_owned));
+    });
     let mut game = Game::new(Geometry::Euclidean, 1, None, Some(watch));
     let at = game.ground(16.0, 16.0);
     game.wish(at, 1);
     game.wait(Until::Idle);
     let names = names.lock().unwrap();
-    assert!(!names.is_empty() && names.iter().all(|name| name == "antipode-chunk-1"), "{names:?}");
+    assert!(
+        !names.is_empty() && names.iter().all(|name| name == "antipode-chunk-1"),
+        "{names:?}"
+    );
 }
 
 #[test]

@@ -1,5 +1,10 @@
 //! What the game sees of the streamer, in worlds made for the purpose.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 mod editing;
 mod failing;
@@ -24,7 +29,7 @@ use crate::streamer::Streamer;
 use crate::vault::{Failure, ReadFault, Vault};
 
 /// Far more than any test needs; it only ends a test that would hang.
-const LIMIT: Duration = Duration::from_secs(120);
+const LIMIT: Duration = Duration::from_mins(2);
 
 const SEED: u64 = 11;
 
@@ -39,14 +44,34 @@ struct Game {
 }
 
 impl Game {
-    fn new(geometry: Geometry, workers: usize, vault: Option<Arc<dyn Vault>>, watch: Option<Watch>) -> Self {
-        let radius_m = if geometry == Geometry::Spherical { 16.0 } else { 20.0 };
+    fn new(
+        geometry: Geometry,
+        workers: usize,
+        vault: Option<Arc<dyn Vault>>,
+        watch: Option<Watch>,
+    ) -> Self {
+        let radius_m = if geometry == Geometry::Spherical {
+            16.0
+        } else {
+            20.0
+        };
         let space = strategy(geometry, radius_m);
         let field = Arc::new(Field::new(SEED, Arc::clone(&space)));
-        let config = Config { workers, ..Config::default() };
+        let config = Config {
+            workers,
+            ..Config::default()
+        };
         let streamer =
-            Streamer::start_watched(Arc::clone(&field), Arc::clone(&space), vault, config, watch).unwrap();
-        Self { streamer, field, space, chunks: BTreeMap::new(), problems: Vec::new(), saved: 0 }
+            Streamer::start_watched(Arc::clone(&field), Arc::clone(&space), vault, config, watch)
+                .unwrap();
+        Self {
+            streamer,
+            field,
+            space,
+            chunks: BTreeMap::new(),
+            problems: Vec::new(),
+            saved: 0,
+        }
     }
 
     fn flat(workers: usize) -> Self {
@@ -59,7 +84,11 @@ impl Game {
     }
 
     fn wish(&mut self, at: DVec3, view_distance: u32) {
-        self.streamer.wish(&Wish { centre: ChartPoint::a(at), front: DVec3::X, view_distance });
+        self.streamer.wish(&Wish {
+            centre: ChartPoint::a(at),
+            front: DVec3::X,
+            view_distance,
+        });
     }
 
     fn edit(&mut self, at: DVec3, amount: f32) {
@@ -81,12 +110,17 @@ impl Game {
                     self.chunks.insert(chunk.coord, chunk);
                 }
                 Update::Edited(chunks) => {
-                    seen.batches.push(chunks.iter().map(|chunk| chunk.coord).collect());
-                    self.chunks.extend(chunks.into_iter().map(|chunk| (chunk.coord, chunk)));
+                    seen.batches
+                        .push(chunks.iter().map(|chunk| chunk.coord).collect());
+                    self.chunks
+                        .extend(chunks.into_iter().map(|chunk| (chunk.coord, chunk)));
                 }
                 Update::Unloaded(coord) => {
                     seen.unloaded.push(coord);
-                    assert!(self.chunks.remove(&coord).is_some(), "{coord:?} was unloaded but never there");
+                    assert!(
+                        self.chunks.remove(&coord).is_some(),
+                        "{coord:?} was unloaded but never there"
+                    );
                 }
                 Update::Saved => self.saved += 1,
                 Update::Problem(problem) => self.problems.push(problem),
@@ -98,12 +132,16 @@ impl Game {
     /// The field at a sample of the grid, edits included, in a chunk that is there.
     fn sample(&self, at: IVec3) -> f32 {
         let coord = ChunkCoord::containing(ChartPoint::a(at.as_dvec3()));
-        self.chunks[&coord].samples.density(at.as_dvec3() - coord.origin())
+        self.chunks[&coord]
+            .samples
+            .density(at.as_dvec3() - coord.origin())
     }
 
     fn sum(&self, coord: ChunkCoord) -> f64 {
-        let grid = (0..32).flat_map(|x| (0..32).flat_map(move |y| (0..32).map(move |z| IVec3::new(x, y, z))));
-        grid.map(|local| f64::from(self.chunks[&coord].samples.density(local.as_dvec3()))).sum()
+        let grid = (0..32)
+            .flat_map(|x| (0..32).flat_map(move |y| (0..32).map(move |z| IVec3::new(x, y, z))));
+        grid.map(|local| f64::from(self.chunks[&coord].samples.density(local.as_dvec3())))
+            .sum()
     }
 }
 
@@ -115,11 +153,18 @@ struct Seen {
 }
 
 fn stroke(at: DVec3, amount: f32) -> Stroke {
-    Stroke { centre: ChartPoint::a(at), radius_m: 5.0, amount }
+    Stroke {
+        centre: ChartPoint::a(at),
+        radius_m: 5.0,
+        amount,
+    }
 }
 
 fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
-    ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+    ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::new(x, y, z),
+    }
 }
 
 /// Stops the first worker that comes to a step, until it is let go.
@@ -143,7 +188,9 @@ impl Gate {
     }
 
     fn wait(&self) {
-        self.reached.recv_timeout(LIMIT).expect("a worker comes to the gate");
+        self.reached
+            .recv_timeout(LIMIT)
+            .expect("a worker comes to the gate");
     }
 
     fn open(&self) {
@@ -158,6 +205,7 @@ struct Memory {
     commits: Mutex<Vec<(bool, bool, Vec<ChunkKey>)>>,
     full: AtomicBool,
     damaged: Mutex<Option<ChunkKey>>,
+    broken: AtomicBool,
     /// Chunks cannot be read, but are sound.
     absent: AtomicBool,
 }
@@ -188,12 +236,19 @@ impl Vault for Memory {
     }
 
     fn commit(&self, batch: &Batch) -> Result<(), Failure> {
+        assert!(!self.broken.load(Ordering::SeqCst), "a broken store");
         if self.full.load(Ordering::SeqCst) {
             return Err("the disk is full".into());
         }
         let keys = batch.chunks.iter().map(|(key, _)| *key).collect();
-        self.commits.lock().unwrap().push((batch.meta.is_some(), batch.state.is_some(), keys));
-        self.chunks.lock().unwrap().extend(batch.chunks.iter().cloned());
+        self.commits
+            .lock()
+            .unwrap()
+            .push((batch.meta.is_some(), batch.state.is_some(), keys));
+        self.chunks
+            .lock()
+            .unwrap()
+            .extend(batch.chunks.iter().cloned());
         Ok(())
     }
 }

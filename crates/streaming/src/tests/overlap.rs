@@ -28,7 +28,10 @@ fn a_load_from_before_an_edit_never_replaces_it() {
     let edited = game.sum(under);
     gate.open();
     let loaded = game.wait(Until::Idle).loaded;
-    assert!(!loaded.contains(&under), "the chunk came again, without the edit");
+    assert!(
+        !loaded.contains(&under),
+        "the chunk came again, without the edit"
+    );
     assert_eq!(game.sum(under), edited);
 }
 
@@ -42,7 +45,12 @@ fn a_stale_load_of_a_chunk_that_left_and_came_back_is_made_again() {
     let away = game.ground(16.0 + 640.0, 16.0);
     game.wish(away, 1);
     game.edit(at, 30.0);
-    assert!(game.wait(Until::Edits).batches.iter().all(|batch| !batch.contains(&under)));
+    assert!(
+        game.wait(Until::Edits)
+            .batches
+            .iter()
+            .all(|batch| !batch.contains(&under))
+    );
     game.wish(at, 1);
     gate.open();
     game.wait(Until::Idle);
@@ -64,10 +72,15 @@ fn a_load_that_knows_an_edit_waits_until_the_edit_is_shown() {
         early.extend(game.streamer.poll(LIMIT));
         std::thread::yield_now();
     }
-    assert!(early.is_empty(), "a chunk with half an edit around it: {early:?}");
+    assert!(
+        early.is_empty(),
+        "a chunk with half an edit around it: {early:?}"
+    );
     gate.open();
     let updates = game.streamer.wait(Until::Idle, LIMIT);
-    assert!(matches!(updates.first(), Some(Update::Edited(chunks)) if chunks.iter().any(|c| c.coord == under)));
+    assert!(
+        matches!(updates.first(), Some(Update::Edited(chunks)) if chunks.iter().any(|c| c.coord == under))
+    );
     let seen = game.apply(updates);
     assert!(!seen.loaded.contains(&under) && seen.loaded.len() >= 3);
 }
@@ -84,13 +97,26 @@ fn the_same_strokes_give_the_same_world_whoever_makes_it() {
             game.wait(Until::Edits);
         }
         game.wait(Until::Idle);
-        let meshes: Vec<_> = game.chunks.into_values().map(|chunk| (chunk.coord, Arc::clone(&chunk.mesh))).collect();
+        let meshes: Vec<_> = game
+            .chunks
+            .into_values()
+            .map(|chunk| (chunk.coord, Arc::clone(&chunk.mesh)))
+            .collect();
         meshes
     };
     let (one, three) = (run(1), run(3));
     assert_eq!(one.len(), three.len(), "seed {SEED}");
     for ((coord, a), (_, b)) in one.iter().zip(&three) {
-        assert!(a.indices == b.indices && a.vertices.len() == b.vertices.len(), "{coord:?}");
-        assert!(a.vertices.iter().zip(&b.vertices).all(|(a, b)| a.position == b.position), "{coord:?}");
+        assert!(
+            a.indices == b.indices && a.vertices.len() == b.vertices.len(),
+            "{coord:?}"
+        );
+        assert!(
+            a.vertices
+                .iter()
+                .zip(&b.vertices)
+                .all(|(a, b)| a.position == b.position),
+            "{coord:?}"
+        );
     }
 }

@@ -12,7 +12,12 @@ use crate::api::{StreamingError, Until};
 use crate::vault::{Vault, key_of};
 
 fn open(memory: &Arc<Memory>) -> Game {
-    let mut game = Game::new(Geometry::Euclidean, 2, Some(Arc::clone(memory) as Arc<dyn Vault>), None);
+    let mut game = Game::new(
+        Geometry::Euclidean,
+        2,
+        Some(Arc::clone(memory) as Arc<dyn Vault>),
+        None,
+    );
     let at = game.ground(0.0, 0.0);
     game.wish(at, 1);
     game.wait(Until::Idle);
@@ -63,7 +68,10 @@ fn what_was_dug_is_there_after_closing_and_opening() {
     let beside = (at + DVec3::new(-9.0, 0.0, 1.0)).round();
     let coord = ChunkCoord::containing(ChartPoint::a(beside));
     let local = beside - coord.origin();
-    assert_eq!(again.chunks[&coord].samples.density(local), first[&coord].samples.density(local));
+    assert_eq!(
+        again.chunks[&coord].samples.density(local),
+        first[&coord].samples.density(local)
+    );
 }
 
 #[test]
@@ -78,7 +86,11 @@ fn a_save_takes_meta_and_every_changed_chunk_once() {
     game.streamer.save(None, None);
     game.wait(Until::Saved);
     let commits = memory.commits();
-    assert_eq!((commits.len(), game.saved), (1, 2), "nothing new means no commit");
+    assert_eq!(
+        (commits.len(), game.saved),
+        (1, 2),
+        "nothing new means no commit"
+    );
     assert!(commits[0].0 && !commits[0].1);
     assert_eq!(commits[0].2.len(), game.streamer.edited_count());
     game.streamer.close().unwrap();
@@ -95,13 +107,37 @@ fn a_failed_save_is_told_and_made_up_for_by_the_next() {
     memory.fail(true);
     game.streamer.save(Some(meta()), None);
     game.wait(Until::Saved);
-    assert!(game.saved == 0 && game.problems[0].contains("the disk is full"), "{:?}", game.problems);
+    assert!(
+        game.saved == 0 && game.problems[0].contains("the disk is full"),
+        "{:?}",
+        game.problems
+    );
     memory.fail(false);
     game.streamer.save(None, None);
     game.wait(Until::Saved);
     let commits = memory.commits();
     assert_eq!((commits.len(), game.saved), (1, 1));
     assert!(commits[0].0 && !commits[0].2.is_empty());
+}
+
+#[test]
+fn a_store_that_panics_is_a_failed_save() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    game.wait(Until::Edits);
+    memory.broken.store(true, Ordering::SeqCst);
+    game.streamer.save(None, None);
+    game.wait(Until::Saved);
+    assert!(
+        game.saved == 0 && game.problems[0].contains("a broken store"),
+        "{:?}",
+        game.problems
+    );
+    memory.broken.store(false, Ordering::SeqCst);
+    game.streamer.close().unwrap();
+    assert_eq!(memory.commits().len(), 1);
 }
 
 #[test]
@@ -112,7 +148,10 @@ fn closing_tells_that_the_last_commit_failed() {
     game.edit(at, 5.0);
     memory.fail(true);
     let end = game.streamer.close();
-    assert!(matches!(&end, Err(StreamingError::NotSaved(why)) if why.contains("full")), "{end:?}");
+    assert!(
+        matches!(&end, Err(StreamingError::NotSaved(why)) if why.contains("full")),
+        "{end:?}"
+    );
     assert!(memory.full.load(Ordering::SeqCst) && memory.commits().is_empty());
 }
 
@@ -121,15 +160,29 @@ fn a_damaged_record_is_told_and_kept_until_the_player_digs_there() {
     let memory = Arc::new(Memory::default());
     let at = Game::flat(1).ground(16.0, 16.0);
     let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
-    memory.chunks.lock().unwrap().insert(key, vec![5; 32 * 32 * 32]);
+    memory
+        .chunks
+        .lock()
+        .unwrap()
+        .insert(key, vec![5; 32 * 32 * 32]);
     *memory.damaged.lock().unwrap() = Some(key);
     let mut game = open(&memory);
-    assert!(game.problems.len() == 1 && game.problems[0].contains("checksum"), "{:?}", game.problems);
+    assert!(
+        game.problems.len() == 1 && game.problems[0].contains("checksum"),
+        "{:?}",
+        game.problems
+    );
     let here = at.round();
-    assert_eq!(game.sample(here.as_ivec3()), game.field.sample(ChartPoint::a(here)));
+    assert_eq!(
+        game.sample(here.as_ivec3()),
+        game.field.sample(ChartPoint::a(here))
+    );
     game.streamer.save(Some(meta()), None);
     game.wait(Until::Saved);
-    assert!(memory.commits()[0].2.is_empty(), "the damaged record was overwritten");
+    assert!(
+        memory.commits()[0].2.is_empty(),
+        "the damaged record was overwritten"
+    );
     game.edit(at, 5.0);
     game.streamer.close().unwrap();
     assert!(memory.commits()[1].2.contains(&key));
@@ -140,19 +193,29 @@ fn a_record_out_of_reach_is_never_overwritten() {
     let memory = Arc::new(Memory::default());
     let at = Game::flat(1).ground(16.0, 16.0);
     let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
-    memory.chunks.lock().unwrap().insert(key, vec![5; 32 * 32 * 32]);
+    memory
+        .chunks
+        .lock()
+        .unwrap()
+        .insert(key, vec![5; 32 * 32 * 32]);
     memory.absent.store(true, Ordering::SeqCst);
     let mut game = open(&memory);
     assert_eq!(game.problems.len(), 1, "told once: {:?}", game.problems);
     game.edit(at, 5.0);
     assert!(game.wait(Until::Edits).batches.is_empty());
-    assert!(game.problems.len() == 2 && game.problems[1].contains("left out"), "{:?}", game.problems);
+    assert!(
+        game.problems.len() == 2 && game.problems[1].contains("left out"),
+        "{:?}",
+        game.problems
+    );
     memory.absent.store(false, Ordering::SeqCst);
     game.edit(at, 5.0);
     assert_eq!(game.wait(Until::Edits).batches.len(), 1);
     game.streamer.close().unwrap();
     let stored = memory.chunks.lock().unwrap();
-    assert!(stored[&key].iter().all(|&delta| delta >= 5) && stored[&key].iter().any(|&delta| delta > 5));
+    assert!(
+        stored[&key].iter().all(|&delta| delta >= 5) && stored[&key].iter().any(|&delta| delta > 5)
+    );
 }
 
 #[test]
@@ -161,7 +224,13 @@ fn a_record_of_the_wrong_length_or_place_is_told() {
     let at = Game::flat(1).ground(16.0, 16.0);
     let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
     memory.chunks.lock().unwrap().insert(key, vec![5; 7]);
-    memory.chunks.lock().unwrap().insert(antipode_storage::ChunkKey { hemisphere: 9, ..key }, vec![5; 7]);
+    memory.chunks.lock().unwrap().insert(
+        antipode_storage::ChunkKey {
+            hemisphere: 9,
+            ..key
+        },
+        vec![5; 7],
+    );
     let game = open(&memory);
     assert_eq!(game.problems.len(), 2, "{:?}", game.problems);
     assert_eq!(game.streamer.edited_count(), 1);

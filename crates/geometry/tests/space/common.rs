@@ -1,0 +1,77 @@
+//! Eyes, points and spaces that the tests share.
+
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere, Projection, Strategy, strategy};
+use glam::{DVec2, DVec3, DVec4};
+use proptest::prelude::{Strategy as Generator, any, prop};
+
+/// Height of the tests' picture in pixels.
+pub const PICTURE_HEIGHT_PX: f64 = 720.0;
+
+/// The tests' camera: 16:9, 0.05 m near.
+pub fn projection() -> Projection {
+    Projection::new(1.2, 16.0 / 9.0, 0.05)
+}
+
+/// Each space at its default size.
+pub fn spaces() -> Vec<Arc<dyn Strategy>> {
+    Geometry::ALL
+        .into_iter()
+        .map(|geometry| {
+            strategy(
+                geometry,
+                if geometry == Geometry::Spherical {
+                    32.0
+                } else {
+                    20.0
+                },
+            )
+        })
+        .collect()
+}
+
+/// A point's place in the picture in pixels from its middle; `None` behind the eye.
+pub fn pixel(space: &dyn Strategy, view: DVec4) -> Option<DVec2> {
+    let clip = space.clip_from_view(&projection(), view);
+    let screen = Projection::screen(clip)?;
+    Some(screen * DVec2::new(16.0 / 9.0, 1.0) * (0.5 * PICTURE_HEIGHT_PX))
+}
+
+/// A chart point of either hemisphere; level distance up to `range_m`, height 2 to 38 m.
+pub fn chart_point(range_m: f64) -> impl Generator<Value = ChartPoint> {
+    let angle = -3.2..3.2_f64;
+    (any::<bool>(), 0.0..range_m, 2.0..38.0_f64, angle).prop_map(|(b, r, y, angle)| {
+        let hemisphere = if b { Hemisphere::B } else { Hemisphere::A };
+        ChartPoint::new(hemisphere, DVec3::new(r * angle.cos(), y, r * angle.sin()))
+    })
+}
+
+/// An eye at any chart point, heading, pitch and dial.
+pub fn eye(range_m: f64) -> impl Generator<Value = Eye> {
+    (
+        chart_point(range_m),
+        -9.0..9.0_f64,
+        -1.57..1.57_f64,
+        0.0..20.0_f64,
+    )
+        .prop_map(|(point, yaw, pitch, dial)| Eye {
+            point,
+            yaw,
+            pitch,
+            dial,
+        })
+}
+
+/// A vector with coordinates between `-range` and `range`.
+pub fn vector(range: f64) -> impl Generator<Value = DVec3> {
+    prop::array::uniform3(-range..range).prop_map(DVec3::from_array)
+}
+
+/// The point in chart A, where the space has no other.
+pub fn in_space(space: &dyn Strategy, point: ChartPoint) -> ChartPoint {
+    match space.rim_m() {
+        Some(_) => point,
+        None => ChartPoint::a(point.pos),
+    }
+}

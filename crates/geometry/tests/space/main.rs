@@ -1,0 +1,17 @@
+//! What must hold of the curved spaces: golden values, identities and round trips.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+mod crossing;
+mod culling;
+mod golden;
+mod limits;
+mod picking;
+mod round_trip;
+mod shader;
+mod theses;

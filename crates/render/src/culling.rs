@@ -1,0 +1,54 @@
+//! Which chunks a frame shows, nearest first, so that what is hidden is never shaded.
+
+use antipode_geometry::{ChunkCoord, Frustum};
+use antipode_scene::frame::Frame;
+
+use crate::chunk_store::{ChunkStore, GpuChunk};
+use crate::uniforms::ChunkInstance;
+
+/// A chunk to draw.
+#[derive(Debug)]
+pub struct Visible<'a> {
+    /// Its buffers.
+    pub chunk: &'a GpuChunk,
+    /// Where it stands.
+    pub instance: ChunkInstance,
+    /// Whether it reaches over the equator and must be trimmed there.
+    pub at_rim: bool,
+    distance_m: f64,
+}
+
+/// The chunks in the picture and before the fog, nearest first.
+pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
+    let strategy = frame.strategy.as_ref();
+    let frustum = Frustum::new(&frame.projection, strategy.geometry(), strategy.radius_m());
+    let fog_m = f64::from(frame.fog_distance_m);
+    let mut list: Vec<_> = store
+        .iter()
+        .filter_map(|(coord, chunk)| {
+            let (min, max) = (coord.origin() + chunk.min.as_dvec3(), coord.origin() + chunk.max.as_dvec3());
+            let sphere = strategy.bounding_sphere(&frame.eye, coord.hemisphere, min, max);
+            let distance_m = strategy.eye_distance_m(sphere.centre);
+            if distance_m - sphere.radius_m > fog_m || !frustum.sees(&sphere) {
+                return None;
+            }
+            let reference = strategy.reference(&frame.eye, coord.hemisphere);
+            Some(Visible {
+                chunk,
+                instance: ChunkInstance::new(coord.origin(), coord.hemisphere, reference),
+                at_rim: strategy.rim_m().is_some_and(|rim_m| reach_m(*coord, chunk) > rim_m),
+                distance_m,
+            })
+        })
+        .collect();
+    list.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
+    list
+}
+
+/// Largest distance of the chunk's mesh from its chart's axis, metres.
+fn reach_m(coord: ChunkCoord, chunk: &GpuChunk) -> f64 {
+    let low = (coord.origin() + chunk.min.as_dvec3()).abs();
+    let high = (coord.origin() + chunk.max.as_dvec3()).abs();
+    let far = low.max(high);
+    far.x.hypot(far.z)
+}

@@ -1,0 +1,93 @@
+//! The brush marker: a small ball at the point aimed at and the faint shell of the brush's reach.
+
+use antipode_scene::frame::{Frame, Marker};
+use glam::Vec3;
+use wgpu::util::{BufferInitDescriptor, DeviceExt};
+use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+
+use crate::solids::{Part, Solid};
+use crate::uniforms::{MarkerInstance, hemisphere_index, offset_of};
+
+/// The ball's radius as a share of the brush's.
+const BALL_SHARE: f64 = 0.2;
+/// Linear light of the marker at rest, and while it digs or builds.
+const AT_REST: [f32; 3] = [0.55, 0.85, 1.0];
+const AT_WORK: [f32; 3] = [1.25, 0.52, 0.12];
+/// Opacity of the ball, face on and edge on; then of the shell.
+const BALL_OPACITY: (f32, f32) = (0.34, 0.95);
+const SHELL_OPACITY: (f32, f32) = (0.0, 0.34);
+/// Rate of the glow while at work, radians per second.
+const PULSE_RAD_S: f32 = 9.0;
+const RINGS: u16 = 20;
+const SIDES: u16 = 32;
+
+/// A unit sphere on the adapter and this frame's marker.
+#[derive(Debug)]
+pub struct MarkerBalls {
+    vertices: Buffer,
+    indices: Buffer,
+    index_count: u32,
+    instances: Buffer,
+    shown: bool,
+}
+
+impl MarkerBalls {
+    /// Uploads the sphere.
+    pub fn new(device: &Device) -> Self {
+        let mut solid = Solid::default();
+        let unit = Part { centre: Vec3::ZERO, radii: Vec3::ONE, roundness: 1.0, colour: [0; 4], swing: [0.0; 2] };
+        solid.add(&unit, RINGS, SIDES);
+        let positions: Vec<[f32; 3]> = solid.vertices.iter().map(|v| v.position).collect();
+        let vertices = device.create_buffer_init(&BufferInitDescriptor {
+            label: Some("marker vertices"),
+            contents: bytemuck::cast_slice(&positions),
+            usage: BufferUsages::VERTEX,
+        });
+        let indices = device.create_buffer_init(&BufferInitDescriptor {
+            label: Some("marker indices"),
+            contents: bytemuck::cast_slice(&solid.indices),
+            usage: BufferUsages::INDEX,
+        });
+        let instances = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("marker"),
+            size: 2 * size_of::<MarkerInstance>() as u64,
+            usage: BufferUsages::VERTEX | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Self { vertices, indices, index_count: solid.indices.len() as u32, instances, shown: false }
+    }
+
+    /// Takes this frame's marker.
+    pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
+        self.shown = frame.marker.is_some();
+        if let Some(marker) = &frame.marker {
+            queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&balls(frame, marker)));
+        }
+    }
+
+    /// Whether there is a marker to draw.
+    pub fn shown(&self) -> bool {
+        self.shown
+    }
+
+    /// Draws both balls; returns triangles and draw calls.
+    pub fn draw(&self, pass: &mut RenderPass<'_>) -> (usize, usize) {
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_vertex_buffer(1, self.instances.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
+        pass.draw_indexed(0..self.index_count, 0, 0..2);
+        (self.index_count as usize / 3 * 2, 1)
+    }
+}
+
+fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
+    let glow = if marker.active { 1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin() } else { 1.0 };
+    let [r, g, b] = if marker.active { AT_WORK } else { AT_REST }.map(|channel| channel * glow);
+    let ball = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
+        offset: offset_of(frame, marker.point),
+        hemisphere: hemisphere_index(marker.point.hemisphere),
+        colour: [r, g, b, face],
+        shape: [radius_m as f32, edge, 0.0, 0.0],
+    };
+    [ball(marker.radius_m, SHELL_OPACITY), ball(marker.radius_m * BALL_SHARE, BALL_OPACITY)]
+}

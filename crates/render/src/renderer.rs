@@ -1,0 +1,238 @@
+//! Draws one frame after another: the scene as light, then the light as a picture.
+
+use antipode_scene::frame::Frame;
+use wgpu::{
+    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue, RenderPassColorAttachment,
+    RenderPassDepthStencilAttachment, RenderPassDescriptor, Sampler, StoreOp, TextureFormat, TextureView,
+};
+
+use crate::chunk_store::ChunkStore;
+use crate::culling::{Visible, visible};
+use crate::error::RenderError;
+use crate::figures::Figures;
+use crate::gpu::Gpu;
+use crate::marker::MarkerBalls;
+use crate::pipelines::Pipelines;
+use crate::targets::{Targets, drawn_size};
+use crate::timing::Timing;
+use crate::uniforms::SceneUniform;
+
+/// How pictures are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Samples a pixel: 4, or 1 where fill is dear, as on software adapters.
+    pub samples: u32,
+    /// Share of the target's resolution that is drawn along each side, 0.1 to 1; scaled up to the target.
+    pub scale: f32,
+    /// Format of the targets.
+    pub output_format: TextureFormat,
+}
+
+/// What drawing a frame took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DrawStats {
+    /// Triangles sent.
+    pub triangles: usize,
+    /// Draw calls.
+    pub draws: usize,
+    /// Chunks with land that were left out.
+    pub culled: usize,
+    /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
+    pub gpu_ms: Option<f32>,
+}
+
+impl DrawStats {
+    fn add(&mut self, (triangles, draws): (usize, usize)) {
+        self.triangles += triangles;
+        self.draws += draws;
+    }
+}
+
+/// Holds everything on the adapter that outlives a frame.
+#[derive(Debug)]
+pub struct Renderer {
+    device: Device,
+    queue: Queue,
+    options: Options,
+    pipelines: Pipelines,
+    uniform: Buffer,
+    scene_bindings: BindGroup,
+    sampler: Sampler,
+    targets: Targets,
+    tonemap_bindings: BindGroup,
+    chunks: ChunkStore,
+    figures: Figures,
+    marker: MarkerBalls,
+    timing: Option<Timing>,
+}
+
+impl Renderer {
+    /// A renderer for targets of one pixel; [`Renderer::resize`] gives it their size.
+    ///
+    /// # Errors
+    /// When the options are out of range.
+    pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
+        check(&options)?;
+        let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
+        let pipelines = Pipelines::new(&device, options.samples, options.output_format, options.scale != 1.0);
+        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("scene"),
+            size: size_of::<SceneUniform>() as u64,
+            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let scene_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("scene"),
+            layout: &pipelines.scene_layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() }],
+        });
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("light"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        let targets = Targets::new(&device, (1, 1), options.samples);
+        let tonemap_bindings = tonemap_bindings(&device, &pipelines, &targets, &sampler);
+        Ok(Self {
+            chunks: ChunkStore::new(&device),
+            figures: Figures::new(&device),
+            marker: MarkerBalls::new(&device),
+            timing: Timing::new(&device, &queue),
+            device,
+            queue,
+            options,
+            pipelines,
+            uniform,
+            scene_bindings,
+            sampler,
+            targets,
+            tonemap_bindings,
+        })
+    }
+
+    /// Makes ready for targets of `width` by `height` pixels.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        let most = self.device.limits().max_texture_dimension_2d;
+        let size = drawn_size(width, height, self.options.scale, most);
+        self.targets = Targets::new(&self.device, size, self.options.samples);
+        self.tonemap_bindings = tonemap_bindings(&self.device, &self.pipelines, &self.targets, &self.sampler);
+    }
+
+    /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
+    ///
+    /// The encoder is to be submitted before the next frame is drawn: a frame's data lies in buffers that the
+    /// next one overwrites.
+    pub fn draw(&mut self, frame: &Frame, encoder: &mut CommandEncoder, target: &TextureView) -> DrawStats {
+        let gpu_ms = self.timing.as_mut().and_then(|timing| timing.collect(&self.device));
+        self.chunks.apply(&self.device, frame);
+        self.chunks.reserve(&self.device);
+        self.figures.prepare(&self.device, &self.queue, frame);
+        self.marker.prepare(&self.queue, frame);
+        self.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&SceneUniform::new(frame)));
+        let visible = visible(&self.chunks, frame);
+        self.chunks.upload(&self.queue, &visible);
+        let mut stats = DrawStats { culled: self.chunks.len() - visible.len(), gpu_ms, ..DrawStats::default() };
+        self.draw_scene(frame, &visible, encoder, &mut stats);
+        self.draw_picture(encoder, target);
+        if let Some(timing) = &self.timing {
+            timing.record(encoder);
+        }
+        stats
+    }
+
+    fn draw_scene(&self, frame: &Frame, visible: &[Visible<'_>], encoder: &mut CommandEncoder, stats: &mut DrawStats) {
+        let [r, g, b] = frame.sky.horizon.map(f64::from);
+        let (view, resolve_target) = match &self.targets.samples {
+            Some(samples) => (samples, Some(&self.targets.light)),
+            None => (&self.targets.light, None),
+        };
+        let store = if resolve_target.is_some() { StoreOp::Discard } else { StoreOp::Store };
+        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+            label: Some("scene"),
+            color_attachments: &[Some(RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: Operations { load: LoadOp::Clear(Color { r, g, b, a: 1.0 }), store },
+            })],
+            depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
+                view: &self.targets.depth,
+                depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
+                stencil_ops: None,
+            }),
+            timestamp_writes: self.timing.as_ref().map(Timing::begin),
+            ..Default::default()
+        });
+        let pipelines = &self.pipelines;
+        pass.set_bind_group(0, &self.scene_bindings, &[]);
+        // Figures stand before the land more often than behind it.
+        pass.set_pipeline(&pipelines.figure);
+        stats.add(self.figures.draw(&mut pass));
+        stats.add(self.chunks.draw(&mut pass, visible, &pipelines.terrain, &pipelines.terrain_rim));
+        if frame.sky.dome {
+            pass.set_pipeline(&pipelines.sky);
+            pass.draw(0..3, 0..1);
+            stats.add((1, 1));
+        }
+        if self.marker.shown() {
+            for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
+                pass.set_pipeline(pipeline);
+                stats.add(self.marker.draw(&mut pass));
+            }
+        }
+    }
+
+    fn draw_picture(&self, encoder: &mut CommandEncoder, target: &TextureView) {
+        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: Operations { load: LoadOp::Clear(Color::BLACK), store: StoreOp::Store },
+            })],
+            timestamp_writes: self.timing.as_ref().map(Timing::end),
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipelines.tonemap);
+        pass.set_bind_group(0, &self.tonemap_bindings, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+fn check(options: &Options) -> Result<(), RenderError> {
+    if !matches!(options.samples, 1 | 4) {
+        return Err(RenderError::Options(format!("{} samples a pixel were asked for, and only 1 or 4 work", options.samples)));
+    }
+    if !(0.1..=1.0).contains(&options.scale) {
+        return Err(RenderError::Options(format!("a scale of {} was asked for, and only 0.1 to 1 work", options.scale)));
+    }
+    Ok(())
+}
+
+fn tonemap_bindings(device: &Device, pipelines: &Pipelines, targets: &Targets, sampler: &Sampler) -> BindGroup {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("tonemap"),
+        layout: &pipelines.tonemap_layout,
+        entries: &[
+            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&targets.light) },
+            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(sampler) },
+        ],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_out_of_range_are_refused_in_words() {
+        let good = Options { samples: 4, scale: 0.5, output_format: TextureFormat::Bgra8UnormSrgb };
+        assert_eq!(check(&good), Ok(()));
+        for bad in [Options { samples: 2, ..good }, Options { scale: 0.0, ..good }, Options { scale: f32::NAN, ..good }] {
+            let words = check(&bad).err().map(|e| e.to_string()).unwrap_or_default();
+            assert!(words.starts_with("The renderer cannot be set up"), "{words}");
+        }
+    }
+}
