@@ -215,7 +215,7 @@ fn mistakes_stop_a_script_with_their_line_and_status_two() {
             run.stderr
         );
     }
-    let missing = antipode_tests::program::run(saves.path(), "load Nowhere");
+    let missing = run(saves.path(), "load Nowhere");
     assert_eq!(missing.status, Some(1), "{}", missing.stderr);
     assert!(missing.stderr.contains("Nowhere"), "{}", missing.stderr);
 }

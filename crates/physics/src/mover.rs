@@ -11,7 +11,7 @@ use crate::CharacterTuning;
 use crate::patch::{Capsule, Contact, Patch};
 
 /// Contacts shallower than this (m) are touches and are left alone.
-const TOUCH_M: f64 = 1e-5;
+pub(crate) const TOUCH_M: f64 = 1e-4;
 
 /// A ball must be at least this much above the edge of a walkable face to be carried by it.
 const LEAST_LIP_UP: f64 = 0.02;

@@ -174,5 +174,5 @@ fn catch_on_edge(p: DVec3, q: DVec3, at: DVec2, radius: f64) -> Option<Touch> {
     }
     let y = (half_b + root2.sqrt()) / a;
     let s = along + y * u.y;
-    (0.0..=length).contains(&s).then(|| Touch { centre_y: p.y + y, contact_y: p.y + s * u.y })
+    (0.0..=length).contains(&s).then_some(Touch { centre_y: p.y + y, contact_y: p.y + s * u.y })
 }

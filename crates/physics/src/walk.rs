@@ -6,10 +6,13 @@
 
 use glam::DVec3;
 
-use crate::mover::{Mover, clip, level};
+use crate::mover::{Mover, TOUCH_M, clip, level};
 
 /// How often one part of a walk is pushed out of walls before it is given up.
 const PUSHES: usize = 8;
+
+/// The most that the pushes out of one wall are hurried.
+const LARGEST_HURRY: f64 = 10.0;
 
 /// The longest push out of one wall (m).
 const LONGEST_PUSH_M: f64 = 0.25;
@@ -19,6 +22,18 @@ const LEAST_SIDEWAYS: f64 = 0.1;
 
 /// A part of a walk that is too low for a step tries once more with this rise (m) only.
 const SLOPE_RISE_M: f64 = 0.15;
+
+/// Cosine and sine of the turns that are tried in order where the straight way ends in a place too
+/// tight to be pushed out of, as between a rising floor and a sinking roof: 0, 25, 50 and 75 degrees.
+const DETOURS: [(f64, f64); 7] = [
+    (1.0, 0.0),
+    (0.906_307_787, 0.422_618_262),
+    (0.906_307_787, -0.422_618_262),
+    (0.642_787_610, 0.766_044_443),
+    (0.642_787_610, -0.766_044_443),
+    (0.258_819_045, 0.965_925_826),
+    (0.258_819_045, -0.965_925_826),
+];
 
 /// Where a walk got to.
 pub(crate) struct Walked {
@@ -43,9 +58,13 @@ impl Mover<'_> {
     fn walk_part(&self, from: &Walked, part_s: f64) -> Option<Walked> {
         let tuning = self.tuning;
         let allowed = self.overlap(from.feet).map_or(0.0, |contact| contact.depth);
-        for rise in [tuning.step_height_m, SLOPE_RISE_M.min(tuning.step_height_m)] {
-            if let Some(outcome) = self.push_through(from, part_s, rise, allowed) {
-                return outcome;
+        let rises = [tuning.step_height_m, SLOPE_RISE_M.min(tuning.step_height_m)];
+        for (cos, sin) in DETOURS {
+            let v = from.velocity;
+            let velocity = DVec3::new(v.x * cos - v.z * sin, 0.0, v.x * sin + v.z * cos) * cos;
+            let start = Walked { feet: from.feet, velocity };
+            if let Some(ending) = rises.iter().find_map(|&rise| self.push_through(&start, part_s, rise, allowed)) {
+                return ending;
             }
         }
         let y = self.floor(from.feet, from.feet.y, tuning.step_height_m, tuning.snap_m)?;
@@ -59,20 +78,51 @@ impl Mover<'_> {
     fn push_through(&self, from: &Walked, part_s: f64, rise: f64, allowed: f64) -> Option<Option<Walked>> {
         let mut velocity = from.velocity;
         let mut at = from.feet + velocity * part_s;
-        for push in 0..=PUSHES {
+        let mut last: Option<(DVec3, f64)> = None;
+        for _ in 0..PUSHES {
             let floor = self.floor(at, from.feet.y, rise, self.tuning.snap_m);
             let feet = at.with_y(floor.unwrap_or(from.feet.y));
             let ending = floor.map(|_| Walked { feet, velocity });
             let Some(wall) = self.overlap(feet) else { return Some(ending) };
             let sideways = level(wall.normal);
             let share = sideways.length();
-            if push == PUSHES || share < LEAST_SIDEWAYS {
-                return (wall.depth <= allowed).then_some(ending);
+            if wall.depth <= allowed {
+                return Some(ending);
+            }
+            if share < LEAST_SIDEWAYS {
+                break;
             }
             let way = sideways / share;
-            at += way * (wall.depth / share).min(LONGEST_PUSH_M);
+            at += way * (wall.depth / share * hurry(last, way, wall.depth)).min(LONGEST_PUSH_M);
             velocity = clip(velocity, way);
+            last = Some((way, wall.depth));
         }
-        None
+        let slid = Walked { feet: from.feet, velocity };
+        self.lean(from, part_s, allowed).or_else(|| self.lean(&slid, part_s, allowed)).map(Some)
+    }
+
+    /// In a gully the way off a steep side can lead down as fast as it leads away. There the ball
+    /// leans on the side instead, above the floor, so long as that does not climb.
+    fn lean(&self, from: &Walked, part_s: f64, allowed: f64) -> Option<Walked> {
+        let at = from.feet + from.velocity * part_s;
+        let radius = self.capsule.radius_m;
+        let touch = self.patch.highest_touch(at, radius, |touch, _| {
+            touch.contact_y <= from.feet.y + self.tuning.step_height_m
+        })?;
+        let feet = at.with_y(touch.centre_y - radius);
+        let gentle = feet.y <= from.feet.y + TOUCH_M && feet.y >= from.feet.y - self.tuning.snap_m;
+        let free = || self.overlap(feet).is_none_or(|wall| wall.depth <= allowed);
+        (gentle && free()).then_some(Walked { feet, velocity: from.velocity })
+    }
+}
+
+/// A floor that falls with every push takes back a fixed share of it, so that the depths fall in a
+/// geometric row; its sum is taken at once (Aitken's delta-squared).
+fn hurry(last: Option<(DVec3, f64)>, way: DVec3, depth: f64) -> f64 {
+    match last {
+        Some((last_way, last_depth)) if last_way.dot(way) > 0.99 && depth < last_depth => {
+            (1.0 / (1.0 - depth / last_depth)).min(LARGEST_HURRY)
+        }
+        _ => 1.0,
     }
 }

@@ -1,9 +1,8 @@
 //! Draws stills of generated land in every space into a folder, and says how long frames take.
 //!
-//! `cargo run --release -p antipode-render --example still -- FOLDER [SEED] [SCALE] [SPACE] [HOUR]`
-//! where HOUR is one of day, evening, night.
+//! `cargo run --release -p antipode-render --example still -- FOLDER [SEED] [SCALE] [SPACE] [HOUR] [FRAMES]`
+//! where HOUR is one of morning, day, evening, dusk, night, and SPACE may be `all`.
 
-extern crate antipode_render as antipode_scene;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
@@ -13,14 +12,14 @@ use antipode_geometry::{
     Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
-use antipode_scene::frame::{ChunkChange, Figure, Frame, Marker, ModelId, Sky};
+use antipode_scene::day::sky;
+use antipode_scene::frame::{ChunkChange, Figure, Frame, Marker, ModelId};
 use antipode_terrain::{Content, Field, march};
-use glam::{DVec3, IVec3, Vec3};
+use glam::{DVec3, IVec3};
 
 const SIZE: (u32, u32) = (1280, 720);
 const VIEW_CHUNKS: i32 = 4;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-const TIMED_FRAMES: usize = 40;
 
 struct Wanted {
     folder: PathBuf,
@@ -28,6 +27,7 @@ struct Wanted {
     scale: f32,
     space: Option<Geometry>,
     hour: String,
+    frames: usize,
 }
 
 fn wanted() -> Wanted {
@@ -39,65 +39,18 @@ fn wanted() -> Wanted {
         scale: word(2).parse().unwrap_or(1.0),
         space: word(3).parse().ok(),
         hour: word(4).to_owned(),
+        frames: word(5).parse().unwrap_or(40),
     }
 }
 
-fn sky(hour: &str, enclosed: bool) -> Sky {
-    let towards = |x: f32, y: f32, z: f32| Vec3::new(x, y, z).normalize().to_array();
-    let day = Sky {
-        top: [0.08, 0.25, 0.68],
-        horizon: [0.52, 0.70, 0.90],
-        glare: [1.0, 0.92, 0.78],
-        stars: 0.0,
-        sun_direction: towards(0.75, 0.55, -0.35),
-        moon_direction: towards(-1.0, -0.3, 0.2),
-        key_direction: towards(0.75, 0.55, -0.35),
-        key_colour: [2.6, 2.3, 1.9],
-        ambient_sky: [0.25, 0.42, 0.73],
-        ambient_ground: [0.13, 0.17, 0.21],
-        dome: true,
-    };
-    if enclosed {
-        let haze = [0.50, 0.62, 0.74];
-        return Sky {
-            top: haze,
-            horizon: haze,
-            sun_direction: [0.0, 1.0, 0.0],
-            key_direction: [0.0, 1.0, 0.0],
-            key_colour: [1.57, 1.5, 1.38],
-            ambient_sky: [0.34, 0.40, 0.48],
-            ambient_ground: [0.20, 0.18, 0.16],
-            dome: false,
-            ..day
-        };
-    }
+/// Time of day, seconds after sunrise.
+fn time_of_day_s(hour: &str) -> f64 {
     match hour {
-        "evening" => Sky {
-            top: [0.06, 0.10, 0.30],
-            horizon: [0.75, 0.34, 0.16],
-            glare: [1.0, 0.48, 0.14],
-            stars: 0.1,
-            sun_direction: towards(0.9, 0.10, 0.25),
-            key_direction: towards(0.9, 0.10, 0.25),
-            key_colour: [1.9, 0.9, 0.3],
-            ambient_sky: [0.32, 0.20, 0.27],
-            ambient_ground: [0.17, 0.09, 0.05],
-            ..day
-        },
-        "night" => Sky {
-            top: [0.0030, 0.0048, 0.016],
-            horizon: [0.012, 0.020, 0.046],
-            glare: [0.05, 0.05, 0.08],
-            stars: 1.0,
-            sun_direction: towards(-0.3, -0.8, 0.4),
-            moon_direction: towards(0.8, 0.42, 0.12),
-            key_direction: towards(0.8, 0.42, 0.12),
-            key_colour: [0.165, 0.198, 0.286],
-            ambient_sky: [0.028, 0.036, 0.067],
-            ambient_ground: [0.017, 0.017, 0.024],
-            ..day
-        },
-        _ => day,
+        "morning" => 12.0,
+        "evening" => 285.0,
+        "dusk" => 312.0,
+        "night" => 430.0,
+        _ => 70.0,
     }
 }
 
@@ -157,11 +110,11 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
     Frame {
         eye,
         projection,
-        sky: sky(&wanted.hour, !space.has_sky()),
+        sky: sky(time_of_day_s(&wanted.hour), space.as_ref()),
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
         marker: Some(Marker { point: marker, radius_m: 3.0, active: false }),
-        fog_distance_m: if space.has_sky() { reach_m as f32 } else { radius_m as f32 * 3.5 },
+        fog_distance_m: space.rim_m().map_or(reach_m - 8.0, |rim_m| rim_m * 3.0) as f32,
         contour_bands: true,
         time_s: 1.0,
         loaded_world: geometry as u64,
@@ -197,16 +150,18 @@ impl Studio {
         }
     }
 
-    fn time(&mut self, frame: &Frame) -> Result<(), RenderError> {
+    fn time(&mut self, frame: &Frame, frames: usize) -> Result<(), RenderError> {
         let mut times = Vec::new();
         let mut stats = antipode_render::DrawStats::default();
-        for _ in 0..TIMED_FRAMES {
+        for _ in 0..frames {
             let begin = Instant::now();
             stats = self.draw(frame)?;
             times.push(begin.elapsed().as_secs_f64() * 1e3);
         }
         times.sort_by(f64::total_cmp);
-        println!("  median {:.1} ms, p95 {:.1} ms, {stats:?}", times[TIMED_FRAMES / 2], times[TIMED_FRAMES * 95 / 100]);
+        if let (Some(median), Some(p95)) = (times.get(frames / 2), times.get(frames * 95 / 100)) {
+            println!("  median {median:.1} ms, p95 {p95:.1} ms, {stats:?}");
+        }
         Ok(())
     }
 }
@@ -227,7 +182,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let path = wanted.folder.join(format!("{geometry}-{name}{}.png", wanted.hour));
             studio.offscreen.read(&studio.gpu)?.save(&path)?;
             println!("{}", path.display());
-            studio.time(&frame)?;
+            studio.time(&frame, wanted.frames)?;
         }
     }
     Ok(())

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::PhysicsWorld;
 use antipode_streaming::Chunk;
-use antipode_terrain::{Field, Samples};
-use glam::{DVec3, IVec3};
+use antipode_terrain::{Field, RIM_REACH_M, Samples};
+use glam::{DVec2, DVec3, IVec3, Vec3Swizzles};
 
 use crate::frame::ChunkChange;
 
@@ -118,8 +118,8 @@ impl Ground {
     }
 }
 
-/// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it,
-/// in the other chart too where the equator is near.
+/// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it, in the other
+/// chart too where the equator is near. Chunks that a closed world does not have are left out.
 pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
     let mut near = chunks_in_box(point, reach_m);
     if let (Some(rim), Some(over)) = (strategy.rim_m(), strategy.carry(point)) {
@@ -127,7 +127,19 @@ pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> 
             near.extend(chunks_in_box(over.point, reach_m));
         }
     }
+    near.retain(|coord| exists(strategy, *coord));
     near
+}
+
+/// Whether a world has this chunk: an open one has all, a closed one those between bedrock and ceiling that
+/// reach into its hemisphere.
+fn exists(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
+    let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) else {
+        return true;
+    };
+    let (low, high) = (coord.min(), coord.max());
+    let axis_m = DVec2::ZERO.clamp(low.xz(), high.xz()).length();
+    axis_m <= rim_m + RIM_REACH_M && high.y >= limits.bedrock_m && low.y <= limits.ceiling_m
 }
 
 fn chunks_in_box(point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
@@ -184,6 +196,14 @@ mod tests {
         assert!(near.iter().any(|c| c.hemisphere == Hemisphere::B));
         let far = chunks_near(&*sphere, ChartPoint::a(DVec3::new(0.0, 10.0, 0.0)), 4.0);
         assert!(far.iter().all(|c| c.hemisphere == Hemisphere::A));
+    }
+
+    #[test]
+    fn a_small_closed_world_needs_no_chunk_it_does_not_have() {
+        let sphere = strategy(Geometry::Spherical, 16.0);
+        let near = chunks_near(&*sphere, ChartPoint::a(DVec3::new(0.0, 3.0, 0.0)), 30.0);
+        assert!(!near.is_empty());
+        assert!(near.iter().all(|c| (0..=1).contains(&c.index.y) && c.index.x.abs() <= 1));
     }
 
     #[test]

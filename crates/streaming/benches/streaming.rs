@@ -13,7 +13,7 @@ use antipode_streaming::{Config, Streamer, Until, Wish};
 use antipode_terrain::{Field, Stroke};
 use glam::DVec3;
 
-const LIMIT: Duration = Duration::from_secs(60);
+const LIMIT: Duration = Duration::from_mins(1);
 
 fn main() {
     divan::main();

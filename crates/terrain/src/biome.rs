@@ -76,8 +76,8 @@ static BIOMES: [Biome; 5] = [
         top_m: 18.0,
         palette: Palette {
             bottom: [108, 70, 46],
-            middle: [118, 134, 58],
-            top: [74, 148, 66],
+            middle: [128, 134, 60],
+            top: [88, 156, 58],
             rock: [120, 88, 64],
             strata: [168, 128, 88],
         },
@@ -106,8 +106,8 @@ static BIOMES: [Biome; 5] = [
         top_m: 18.0,
         palette: Palette {
             bottom: [92, 74, 50],
-            middle: [48, 98, 54],
-            top: [30, 132, 68],
+            middle: [52, 96, 46],
+            top: [36, 122, 50],
             rock: [88, 84, 72],
             strata: [136, 112, 74],
         },

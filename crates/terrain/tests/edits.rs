@@ -9,8 +9,9 @@
 mod common;
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Stroke};
 use common::{Random, World, chunk, flat, sphere};
 use glam::{DVec2, DVec3};
@@ -200,9 +201,50 @@ fn both_charts_hold_the_same_hole() {
     assert!(compared > 100);
 }
 
+/// The list of columns that a stroke visits in the other chart must not be too short: every
+/// sample there that the carrying map puts within the radius is looked at.
+#[test]
+fn a_stroke_misses_no_sample_of_the_other_chart() {
+    let space = sphere();
+    let rim = space.rim_m().unwrap();
+    for (from_rim, radius) in [(-2.0, 10.0), (-9.0, 10.0), (0.1, 4.0)] {
+        let ground = DVec2::from_angle(2.2) * (rim + from_rim);
+        let centre = DVec3::new(ground.x, 11.0, ground.y);
+        let mut world = World::new(8, space.clone());
+        world.apply(&stroke(centre, radius, 4.0));
+        let mut within = 0;
+        for x in -58..=58 {
+            for z in -58..=58 {
+                let p = DVec3::new(f64::from(x), 11.0, f64::from(z));
+                let carried = space.carry(ChartPoint::new(Hemisphere::B, p)).unwrap();
+                let d2 = carried.point.pos.distance_squared(centre);
+                if d2 > radius * radius || p.length() > rim + 11.0 {
+                    continue;
+                }
+                let coord = ChunkCoord::containing(ChartPoint::new(Hemisphere::B, p));
+                let [i, j, k] = (p - coord.origin()).to_array().map(|c| c as usize);
+                let found = world.edits.get(&coord).map_or(0.0, |e| e.delta(i, j, k));
+                let expected = (4.0 * (-0.1 * d2).exp()) as f32;
+                assert!(
+                    (found - expected).abs() < EDIT_STEP,
+                    "{p}: {found} {expected}"
+                );
+                within += 1;
+            }
+        }
+        assert!(within > 20, "{within}");
+    }
+}
+
 #[test]
 fn bedrock_stays_solid_and_the_sky_stays_open() {
-    let space = sphere();
+    // Bedrock at 3.2 m, and at 2.9 m, just below a sample.
+    for radius in [32.0, 29.0] {
+        dig_and_build_as_far_as_it_goes(&strategy(Geometry::Spherical, radius));
+    }
+}
+
+fn dig_and_build_as_far_as_it_goes(space: &Arc<dyn Strategy>) {
     let limits = space.limits().unwrap();
     let mut world = World::new(6, space.clone());
     for y in 0..12 {
@@ -212,6 +254,7 @@ fn bedrock_stays_solid_and_the_sky_stays_open() {
             world.apply(&stroke(DVec3::new(16.0, top, 16.0), 10.0, -5.0));
         }
     }
+    assert!(limits.ceiling_m > 34.0 && limits.ceiling_m < 64.0);
     let low = world.samples(chunk(Hemisphere::A, 0, 0, 0));
     let high = world.samples(chunk(Hemisphere::A, 0, 1, 0));
     for n in 0..=32 {

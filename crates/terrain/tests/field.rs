@@ -200,11 +200,20 @@ fn content_costs_layers_only_where_ground_can_be() {
     let field = Field::new(0, flat());
     let at = |y| field.content(chunk(Hemisphere::A, 7, y, -3));
     assert_eq!(at(-2), Content::Solid);
+    assert_eq!(at(-1), Content::Surface, "its border reaches up to y = 1");
     assert_eq!(at(0), Content::Surface);
     assert_eq!(at(2), Content::Air);
     assert!(
         field.biome().max_amplitude_m() * 2.0 > 33.0,
         "layer 1 holds peaks"
+    );
+
+    let forest = Field::new(2, flat());
+    let above = chunk(Hemisphere::A, 7, 1, -3);
+    assert_eq!(
+        forest.content(above),
+        Content::Surface,
+        "peaks reach 31.5 m, its border 31 m"
     );
 
     let field = Field::new(0, sphere());

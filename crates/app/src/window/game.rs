@@ -301,15 +301,17 @@ impl Game {
     }
 
     fn pause(&mut self) {
-        if let Phase::Playing(mut session) = std::mem::replace(&mut self.phase, Phase::Over) {
-            self.controls.release_all();
-            session.scene.save();
-            self.owed_s = 0.0;
-            self.list.refresh();
-            self.shell.open(Screen::Main);
-            self.phase = Phase::Paused(session);
-            return;
-        }
+        self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
+            Phase::Playing(mut session) => {
+                self.controls.release_all();
+                session.scene.save();
+                self.owed_s = 0.0;
+                self.list.refresh();
+                self.shell.open(Screen::Main);
+                Phase::Paused(session)
+            }
+            other => other,
+        };
     }
 
     fn resume(&mut self) {

@@ -2,7 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Euclidean, Eye, Hemisphere, Raised, Spherical, Strategy};
 use glam::{DVec3, DVec4};
-use proptest::prelude::{ProptestConfig, prop_assert, proptest};
+use proptest::prelude::{ProptestConfig, prop_assert, prop_assert_eq, proptest};
 
 use crate::common::{chart_point, eye, pixel, vector};
 
