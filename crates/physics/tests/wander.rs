@@ -37,10 +37,10 @@ impl Dice {
 }
 
 #[test]
-fn an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
+fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
     let world = land();
-    let (mut deepest, mut longest_stay) = (0.0_f64, 0);
-    for seed in 0..30 {
+    let (mut deepest, mut stays) = (f64::MAX, 0);
+    for seed in 0..15 {
         let mut dice = Dice(seed);
         let mut walker = Walker::at(&world, dice.roll() * 8.0 - 4.0, 9.0, dice.roll() * 8.0 - 4.0);
         let mut stay = 0;
@@ -58,11 +58,12 @@ fn an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
                 assert!(walker.feet().y > -7.5, "seed {seed}, leg {leg}: fell through at {from}");
             }
             stay = if walker.feet().distance(from) < 0.05 { stay + 1 } else { 0 };
-            longest_stay = longest_stay.max(stay);
-            if stay >= 2 { println!("seed {seed} leg {leg} stay {stay} {:?} moved {}", walker.character, walker.feet()-from); }
-            assert!(stay < 12, "seed {seed}, leg {leg}: stuck at {:?}", walker.character);
+            stays += usize::from(stay > 0);
+            assert!(stay < 10, "seed {seed}, leg {leg}: stuck at {:?}", walker.character);
         }
     }
-    assert!(deepest > -0.25, "the body's middle was {deepest} in the ground");
-    println!("deepest {deepest}, longest stay {longest_stay} s");
+    assert!(deepest > 0.0, "the body's middle was {deepest} in the ground");
+    // Pits with walls too steep to walk hold a leg without jumps now and then, nothing else does.
+    assert!(stays < 90, "{stays} of 1800 legs led nowhere");
+    println!("deepest {deepest}, stays {stays}");
 }

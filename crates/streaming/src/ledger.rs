@@ -152,7 +152,7 @@ impl Ledger {
     ) {
         self.shown = self.shown.max(revision);
         self.edited.extend(touched);
-        
+        self.near_edits.extend(remeshed);
         for coord in remeshed {
             if let Some(least) = self.in_flight.get_mut(coord) {
                 *least = revision.max(*least);

@@ -163,7 +163,7 @@ impl Stroke {
                     std::f64::consts::PI
                 };
                 let farthest = (2.0 * rim_m - (r - radius)).min(rim_m + EDITED_PAST_RIM_M);
-                windows.push(around(there.point, radius));
+                windows.push(around(there.point, radius + farthest * angle));
             }
         }
         windows
