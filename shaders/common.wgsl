@@ -11,8 +11,8 @@ struct Scene {
     glare: vec4<f32>,          // rgb: the sun's disc and glow; w: sine of the turn of the stars about x
     sun: vec4<f32>,            // xyz: towards the sun; w: cosine of that turn
     moon: vec4<f32>,           // xyz: towards the moon; w: chart radius of the equator, m, or 0
-    key_direction: vec4<f32>,  // xyz: towards the key light
-    key_colour: vec4<f32>,
+    key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
+    key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,
     ambient_ground: vec4<f32>,
 }
@@ -49,9 +49,9 @@ fn fog_at(distance_m: f32) -> f32 {
 fn light_on(normal: vec3<f32>) -> vec3<f32> {
     let facing = dot(normal, scene.key_direction.xyz);
     let key = max(facing, 0.0);
-    let wrap = 0.12 * (1.0 - abs(facing)) + 0.06;
+    let wrap = 0.06 * (1.0 - abs(facing)) + 0.03;
     let sky = 0.5 + 0.5 * normal.y;
-    return scene.key_colour.rgb * (key + wrap) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
+    return scene.key_colour.rgb * (0.78 * key + wrap) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
 }
 
 // sRGB to linear light; cubic fit of the standard's curve, within 0.003.

@@ -122,6 +122,15 @@ fn geo_asinh(x: f32) -> f32 {
         + s * 3.03819444e-2))));
 }
 
+// The length of a vector whose squares may be out of range.
+fn geo_length(v: vec3<f32>) -> f32 {
+    let most = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    if most < 1.0e15 {
+        return length(v);
+    }
+    return most * length(v / most);
+}
+
 // Points too far for f32 are drawn in towards the eye; they are never on the picture.
 fn geo_within_range(space: Space, p: vec3<f32>) -> vec3<f32> {
     // Half of f32's range in decades, before the length is squared.
@@ -145,11 +154,23 @@ fn geo_port_raised(space: Space, p: vec3<f32>) -> vec4<f32> {
     // Both sides of `select` are computed, and the first divides by d + q_y.
     let above = rho_square / select(1.0, d + q_y, q_y > 0.0);
     let m = select(d - q_y, above, q_y > 0.0);
-    let across = geo_sinhc_cosh(k * d).x;
-    let along = geo_sinhc_cosh(k * delta);
+    var across: f32;
+    var along: vec2<f32>;
+    if k * delta > 2.0 {
+        // delta = d - h: with one exponential for both, its error scales the whole point and
+        // leaves the direction alone.
+        let e = 0.5 * geo_exp(k * d);
+        let f = e / (space.curve.w + space.curve.z);
+        across = (e - 0.25 / e) / (k * d);
+        along = vec2<f32>(space.project.w * (f - 0.25 / f), f + 0.25 / f);
+    } else {
+        across = geo_sinhc_cosh(k * d).x;
+        let near = geo_sinhc_cosh(k * delta);
+        along = vec2<f32>(delta * near.x, near.y);
+    }
     return vec4<f32>(
         across * u.x,
-        delta * along.x - space.curve.w * across * m,
+        along.x - space.curve.w * across * m,
         across * u.z,
         along.y + space.curve.z * across * (k * m),
     );
@@ -218,7 +239,7 @@ fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
     let near = space.project.z;
     var depth = near;
     if space.kind.x == GEO_RAISED {
-        depth = near / (v.w + space.curve.x * length(v.xyz));
+        depth = near / (v.w + space.curve.x * geo_length(v.xyz));
     } else if space.kind.x == GEO_SPHERE {
         depth = 0.5 * (near * v.w - v.z);
     }
@@ -227,7 +248,7 @@ fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
 
 // Distance from the eye in the space, in metres.
 fn eye_distance(space: Space, v: vec4<f32>) -> f32 {
-    let rho = length(v.xyz);
+    let rho = geo_length(v.xyz);
     if space.kind.x == GEO_RAISED {
         return space.project.w * geo_asinh(rho * space.curve.x);
     }

@@ -21,17 +21,16 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
     return out;
 }
 
-// K. Narkowicz's fit of the ACES reference curve, exposed so that 0.5 stays near the middle.
-fn filmic(light: vec3<f32>) -> vec3<f32> {
-    let x = max(light, vec3<f32>(0.0)) * 0.86;
-    return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), vec3<f32>(0.0), vec3<f32>(1.0));
+// Light to display values in one step: K. Narkowicz's fit of the ACES reference curve at exposure 0.86 and the
+// sRGB curve after it, together a ratio of quadratics in the root, within 0.004. Powers are dear in software.
+fn display(light: vec3<f32>) -> vec3<f32> {
+    let s = sqrt(max(light, vec3<f32>(0.0)));
+    return clamp(s * (5.0722800 * s - 0.0913628) / (s * (5.1017517 * s - 0.5063058) + 1.0), vec3<f32>(0.0), vec3<f32>(1.0));
 }
 
-// The sRGB curve by square roots (I. Taylor's fit), within 0.004: powers are dear in software.
-fn encode(c: vec3<f32>) -> vec3<f32> {
-    let a = sqrt(c);
-    let b = sqrt(a);
-    return max(0.662002687 * a + 0.684122060 * b - 0.323583601 * sqrt(b) - 0.022541147 * c, vec3<f32>(0.0));
+// The sRGB curve backwards, for targets that apply it themselves.
+fn decode(c: vec3<f32>) -> vec3<f32> {
+    return select(pow((c + 0.055) / 1.055, vec3<f32>(2.4)), c / 12.92, c <= vec3<f32>(0.04045));
 }
 
 @fragment
@@ -42,14 +41,11 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     } else {
         light = textureLoad(picture, vec2<i32>(in.clip.xy), 0).rgb;
     }
-    var colour = filmic(light);
-    // Interleaved gradient noise (J. Jimenez), in steps of the display.
+    // Interleaved gradient noise (J. Jimenez), one step of the display wide.
     let noise = fract(52.9829189 * fract(dot(in.clip.xy, vec2<f32>(0.06711056, 0.00583715)))) - 0.5;
+    let colour = display(light) + noise * (1.0 / 255.0);
     if ENCODED {
-        colour = encode(colour) + noise / 255.0;
-    } else {
-        // A step of the display is this wide in linear light, by the slope of the sRGB curve.
-        colour += noise / 255.0 * (0.08 + 2.1 * sqrt(colour));
+        return vec4<f32>(colour, 1.0);
     }
-    return vec4<f32>(colour, 1.0);
+    return vec4<f32>(decode(max(colour, vec3<f32>(0.0))), 1.0);
 }

@@ -100,9 +100,11 @@ static GPU: LazyLock<Option<Gpu>> = LazyLock::new(|| {
 });
 
 fn open() -> Option<Gpu> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+    let instance =
+        wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
     let adapter =
-        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default())).ok()?;
+        pollster::block_on(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
+            .ok()?;
     eprintln!("adapter: {}", adapter.get_info().name);
     let wanted = wgpu::DeviceDescriptor {
         required_limits: adapter.limits(),
@@ -124,10 +126,12 @@ impl Gpu {
 
     fn pipeline(&self, shader: &str) -> wgpu::ComputePipeline {
         let source = format!("{WGSL}\n{shader}");
-        let module = self.device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some("geometry"),
-            source: wgpu::ShaderSource::Wgsl(source.into()),
-        });
+        let module = self
+            .device
+            .create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("geometry"),
+                source: wgpu::ShaderSource::Wgsl(source.into()),
+            });
         self.device
             .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
                 label: Some("geometry"),
@@ -153,11 +157,19 @@ impl Gpu {
             label: None,
             layout: &pipeline.get_bind_group_layout(0),
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: source.as_entire_binding() },
-                wgpu::BindGroupEntry { binding: 1, resource: target.as_entire_binding() },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: source.as_entire_binding(),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 1,
+                    resource: target.as_entire_binding(),
+                },
             ],
         });
-        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&pipeline);
@@ -167,7 +179,9 @@ impl Gpu {
         encoder.copy_buffer_to_buffer(&target, 0, &mapped, 0, size);
         self.queue.submit([encoder.finish()]);
         mapped.map_async(wgpu::MapMode::Read, .., |result| result.unwrap());
-        self.device.poll(wgpu::PollType::wait_indefinitely()).unwrap();
+        self.device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .unwrap();
         let view = mapped.get_mapped_range(..).unwrap();
         bytemuck::pod_collect_to_vec(&view[..])
     }
@@ -183,6 +197,21 @@ struct Probe {
     distance: f64,
 }
 
+impl Probe {
+    /// What a rounding of the inputs is multiplied by in the normal, inverted. Far off in
+    /// hyperbolic space, the part of a normal across the ray shrinks by sinh d / d, so that a
+    /// normal nearly across it turns by that much more than its inputs do.
+    fn normal_condition(&self) -> f64 {
+        if self.space.geometry() != Geometry::Hyperbolic {
+            return 1.0;
+        }
+        let curve = self.case.space.curve.map(f64::from);
+        let q = self.case.p.as_dvec3() * curve[0] + DVec3::Y * curve[1];
+        let along = self.case.n.as_dvec3().dot(q.normalize_or_zero());
+        along.hypot(1.0 / antipode_geometry::scalar::sinhc(q.length()))
+    }
+}
+
 fn vec3(value: &Value) -> DVec3 {
     let at = |i: usize| value[i].as_f64().unwrap();
     DVec3::new(at(0), at(1), at(2))
@@ -194,7 +223,10 @@ fn vec4(value: &Value) -> DVec4 {
 
 fn chart_point(value: &Value) -> ChartPoint {
     let b = value["hemisphere"].as_str() == Some("B");
-    ChartPoint::new(if b { Hemisphere::B } else { Hemisphere::A }, vec3(&value["pos"]))
+    ChartPoint::new(
+        if b { Hemisphere::B } else { Hemisphere::A },
+        vec3(&value["pos"]),
+    )
 }
 
 fn eye(value: &Value) -> Eye {
@@ -208,7 +240,13 @@ fn eye(value: &Value) -> Eye {
 }
 
 /// A case as a renderer would send it: relative to the reference, cast once.
-fn case(space: &dyn Strategy, eye: &Eye, projection: &Projection, point: ChartPoint, n: DVec3) -> Case {
+fn case(
+    space: &dyn Strategy,
+    eye: &Eye,
+    projection: &Projection,
+    point: ChartPoint,
+    n: DVec3,
+) -> Case {
     let reference = space.reference(eye, point.hemisphere);
     Case {
         space: space.uniform(eye, projection),
@@ -232,7 +270,13 @@ fn golden() -> Vec<Probe> {
             let space = strategy(geometry, row["radius"].as_f64().unwrap());
             let (eye, point) = (eye(&row["eye"]), chart_point(&row["point"]));
             Probe {
-                case: case(space.as_ref(), &eye, &projection, point, vec3(&row["normal"])),
+                case: case(
+                    space.as_ref(),
+                    &eye,
+                    &projection,
+                    point,
+                    vec3(&row["normal"]),
+                ),
                 view: vec4(&row["view"]),
                 clip: vec4(&row["clip"]),
                 normal: vec3(&row["frame_normal"]),
@@ -248,7 +292,10 @@ struct Numbers(u64);
 
 impl Numbers {
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
@@ -287,12 +334,19 @@ fn dense(count: u32) -> Vec<Probe> {
                 DVec3::new(level * angle.cos(), height, level * angle.sin())
             };
             let (at, to) = (spot(&mut rng), spot(&mut rng));
-            let b = if i % 4 < 2 { Hemisphere::B } else { Hemisphere::A };
+            let b = if i % 4 < 2 {
+                Hemisphere::B
+            } else {
+                Hemisphere::A
+            };
             (rng.eye(at), ChartPoint::new(b, to.as_vec3().as_dvec3()))
         } else {
             let eye = rng.eye(DVec3::ZERO);
             let distance = 10.0_f64.powf(rng.between(-3.0, 2.5));
-            (eye, ChartPoint::a((rng.direction() * distance).as_vec3().as_dvec3()))
+            (
+                eye,
+                ChartPoint::a((rng.direction() * distance).as_vec3().as_dvec3()),
+            )
         };
         let normal = rng.direction().as_vec3().as_dvec3();
         let view = space.view_point(&eye, point);
@@ -329,17 +383,28 @@ fn compare(probes: &[Probe], answers: &[Answer]) -> [Worst; 3] {
         let (a, b) = (ours.xyz(), probe.view.truncate());
         // A direction on the sphere has the error of the point, which is a part of the radius.
         let sphere = geometry == Geometry::Spherical;
-        let scale = if sphere { probe.space.radius_m() } else { b.length() };
-        let angle = if sphere { (a - b).length() / scale } else { (a.normalize() - b.normalize()).length() };
+        let scale = if sphere {
+            probe.space.radius_m()
+        } else {
+            b.length()
+        };
+        let angle = if sphere {
+            (a - b).length() / scale
+        } else {
+            (a.normalize() - b.normalize()).length()
+        };
         worst.angle_rad = worst.angle_rad.max(angle);
         let span = if sphere { scale } else { probe.distance };
         let distance = (f64::from(answer.distance) - probe.distance).abs() / span;
         worst.distance = worst.distance.max(distance);
         let depth_scale = if sphere { scale } else { probe.clip.z };
-        worst.depth = worst.depth.max((f64::from(answer.clip.z) - probe.clip.z).abs() / depth_scale);
+        worst.depth = worst
+            .depth
+            .max((f64::from(answer.clip.z) - probe.clip.z).abs() / depth_scale);
         let normal = answer.normal.as_dvec3();
         assert!((normal.length() - 1.0).abs() < 1e-6);
-        worst.normal_rad = worst.normal_rad.max((normal - probe.normal).length());
+        let turned = (normal - probe.normal).length() * probe.normal_condition();
+        worst.normal_rad = worst.normal_rad.max(turned);
         let w = f64::from(answer.clip.w);
         assert_eq!(w, -ours.z, "clip w is the distance ahead");
     }
@@ -352,10 +417,10 @@ fn check(probes: &[Probe]) {
     let worst = compare(probes, &gpu.compute(PORT_SHADER, &cases));
     for (geometry, worst) in Geometry::ALL.into_iter().zip(worst) {
         eprintln!("{geometry}: {worst:?}");
-        assert!(worst.angle_rad < 4e-6, "{geometry}: {worst:?}");
-        assert!(worst.distance < 4e-6, "{geometry}: {worst:?}");
-        assert!(worst.depth < 3e-5, "{geometry}: {worst:?}");
-        assert!(worst.normal_rad < 4e-6, "{geometry}: {worst:?}");
+        assert!(worst.angle_rad < 2e-6, "{geometry}: {worst:?}");
+        assert!(worst.distance < 2e-6, "{geometry}: {worst:?}");
+        assert!(worst.depth < 1e-5, "{geometry}: {worst:?}");
+        assert!(worst.normal_rad < 1e-6, "{geometry}: {worst:?}");
     }
 }
 
@@ -377,7 +442,7 @@ fn the_shader_is_finite_at_every_magnitude() {
     let mut cases = Vec::new();
     let mut far = Vec::new();
     for i in 0..4000 {
-        let space = strategy(Geometry::Hyperbolic, if i % 2 == 0 { 20.0 } else { 1e9 });
+        let space = strategy(Geometry::Hyperbolic, if i % 2 == 0 { 20.0 } else { 1024.0 });
         let mut eye = rng.eye(DVec3::ZERO);
         if i % 5 == 0 {
             eye.dial = 0.0;
@@ -385,12 +450,23 @@ fn the_shader_is_finite_at_every_magnitude() {
         let p = rng.direction() * 10.0_f64.powf(rng.between(-37.0, 37.0));
         let p = if i % 7 == 0 { DVec3::ZERO } else { p };
         far.push(p.length() > (FAR_LIMIT_RADII + 2.0) * space.radius_m());
-        cases.push(case(space.as_ref(), &eye, &projection, ChartPoint::a(p), rng.direction()));
+        cases.push(case(
+            space.as_ref(),
+            &eye,
+            &projection,
+            ChartPoint::a(p),
+            rng.direction(),
+        ));
     }
     let answers: Vec<Answer> = gpu.compute(PORT_SHADER, &cases);
     for ((answer, case), far) in answers.iter().zip(&cases).zip(far) {
-        let finite = answer.view.is_finite() && answer.clip.is_finite() && answer.normal.is_finite();
-        assert!(finite && answer.distance.is_finite(), "{} {answer:?}", case.p, answer = answer.view);
+        let finite = answer.view.is_finite() && answer.clip.is_finite();
+        assert!(finite, "{} {} {}", case.p, answer.view, answer.clip);
+        assert!(
+            answer.normal.is_finite() && answer.distance.is_finite(),
+            "{}",
+            case.p
+        );
         assert!((answer.normal.length() - 1.0).abs() < 1e-5, "{}", case.p);
         assert!(!far || answer.clip.z < 1e-8, "{} {}", case.p, answer.clip);
     }
@@ -416,12 +492,18 @@ fn the_shaders_own_trigonometry_is_exact_to_a_few_ulp() {
             note(1, absolute(row.trig[1], t.cos()));
         }
         // exp's own condition number is t: half an ulp of t is t/2 ulp of the result.
-        note(2, relative(row.hyper[0], t.sinh() / t).max(relative(row.hyper[1], t.cosh())) / t.max(1.0));
+        note(
+            2,
+            relative(row.hyper[0], t.sinh() / t).max(relative(row.hyper[1], t.cosh())) / t.max(1.0),
+        );
         note(3, relative(row.angle, t.atan()));
         note(4, relative(row.asinh, t.asinh()));
         if t < 1.0 {
             let bend = |sign| antipode_geometry::scalar::sinc_minus_one_over_square(sign, t);
-            note(5, relative(row.bends[0], bend(1.0)).max(relative(row.bends[1], bend(-1.0))));
+            note(
+                5,
+                relative(row.bends[0], bend(1.0)).max(relative(row.bends[1], bend(-1.0))),
+            );
         }
     }
     eprintln!("ulp: sinc, cos, sinh and cosh / t, atan, asinh, bends: {worst:?}");

@@ -9,16 +9,17 @@
 use std::time::Duration;
 
 use antipode_tests::program::{field, may_skip, number, run};
-use antipode_tests::seam::{colours, compare};
+use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display};
 
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
+const NAME: (u32, u32) = (640, 114);
 const SPHERICAL: (u32, u32) = (870, 250);
 const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
-const FIRST_WORLD: (u32, u32) = (640, 120);
+const FIRST_WORLD: (u32, u32) = (640, 100);
 const QUIT: (u32, u32) = (132, 294);
 
 /// The brightness of the middle of the menu's picture: bright dusk while no world is open.
@@ -27,20 +28,30 @@ fn shows_main_menu(picture: &image::RgbImage) -> bool {
     r > 150 && r > g && g > b
 }
 
-/// A world in the middle of the window: no panel, no dusk, some land.
+/// A world: where the menu's dark column and panel stand there is bright land, and the hotbar has its icons.
 fn shows_world(picture: &image::RgbImage) -> bool {
-    let hotbar = picture.view_colours(390, 650, 500, 60);
-    !shows_main_menu(picture) && hotbar > 40 && colours(picture) > 2000
+    let bright = |x, y, width, height| {
+        let part = image::imageops::crop_imm(picture, x, y, width, height).to_image();
+        let sum: u64 = part.pixels().map(|p| p.0.iter().map(|c| u64::from(*c)).sum::<u64>()).sum();
+        sum / u64::from(3 * width * height) > 55
+    };
+    !shows_main_menu(picture) && bright(20, 420, 220, 200) && bright(320, 480, 200, 100)
 }
 
-trait View {
-    fn view_colours(&self, x: u32, y: u32, width: u32, height: u32) -> usize;
+/// The New Game form with a valid name: its hint is green.
+fn shows_free_name(picture: &image::RgbImage) -> bool {
+    let hint = image::imageops::crop_imm(picture, 290, 136, 130, 20).to_image();
+    hint.pixels().filter(|p| p.0[1] > 150 && p.0[1] > p.0[0].saturating_add(40)).count() > 20
 }
 
-impl View for image::RgbImage {
-    fn view_colours(&self, x: u32, y: u32, width: u32, height: u32) -> usize {
-        colours(&image::imageops::crop_imm(self, x, y, width, height).to_image())
-    }
+/// The empty New Game form: its fields are darker than anything in the picture behind it.
+fn shows_new_game(picture: &image::RgbImage) -> bool {
+    [(900, 114), (900, 359)].iter().all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 14))
+}
+
+/// The list of worlds: its first row is lighter than the panel.
+fn shows_row(picture: &image::RgbImage) -> bool {
+    picture.get_pixel(FIRST_WORLD.0, FIRST_WORLD.1).0[0] > 30 && !shows_new_game(picture)
 }
 
 #[test]
@@ -53,7 +64,10 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     let mut game = Window::open(&display, saves.path(), &["--size", "1280x720", "--view-distance", "2"]);
     game.wait_until("the main menu", shows_main_menu);
     game.click(NEW_GAME.0, NEW_GAME.1);
+    game.wait_until("the New Game form", shows_new_game);
+    game.click(NAME.0, NAME.1);
     game.write("Digs");
+    game.wait_until("a free name", shows_free_name);
     game.click(SPHERICAL.0, SPHERICAL.1);
     game.click(CREATE.0, CREATE.1);
     let fresh = game.wait_until("the new world", shows_world);
@@ -77,7 +91,7 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     let mut game = Window::open(&display, saves.path(), &["--size", "1280x720", "--view-distance", "2"]);
     game.wait_until("the main menu", shows_main_menu);
     game.click(LOAD.0, LOAD.1);
-    std::thread::sleep(Duration::from_millis(500));
+    game.wait_until("the list of worlds", shows_row);
     game.click(FIRST_WORLD.0, FIRST_WORLD.1);
     let back = game.wait_until("the loaded world", shows_world);
     game.key("Escape");

@@ -94,7 +94,18 @@ mod tests {
         Ok(())
     }
 
+    /// The same cases on every run.
+    fn fixed() -> ProptestConfig {
+        ProptestConfig {
+            rng_seed: proptest::test_runner::RngSeed::Fixed(20),
+            failure_persistence: None,
+            ..ProptestConfig::default()
+        }
+    }
+
     proptest! {
+        #![proptest_config(fixed())]
+
         #[test]
         fn spherical_points_and_tangents_obey_the_model(
             q in vector(3.0), v in vector(1.0), w in vector(1.0),

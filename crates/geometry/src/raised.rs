@@ -41,23 +41,25 @@ impl Raised {
 
     /// The offset c in metres.
     fn offset_m(eye: &Eye) -> f64 {
-        // Not `clamp`: this order turns NaN into the least value.
-        eye.dial.max(Self::DIAL.min).min(Self::DIAL.max)
+        if eye.dial.is_nan() {
+            return Self::DIAL.min;
+        }
+        eye.dial.clamp(Self::DIAL.min, Self::DIAL.max)
     }
 
     /// The offset h in radii.
-    fn offset(&self, eye: &Eye) -> f64 {
+    fn offset(self, eye: &Eye) -> f64 {
         Self::offset_m(eye) / self.radius_m
     }
 
     /// A chart displacement from the eye, in metres, drawn in where it is too far to port.
-    fn within_guard(&self, u: DVec3) -> DVec3 {
+    fn within_guard(self, u: DVec3) -> DVec3 {
         u.clamp_length_max(OVERFLOW_GUARD_RADII * self.radius_m)
     }
 
     /// The closed form: ported and boosted, before the camera's rotation. `u` is the chart
     /// displacement from the eye in metres.
-    fn boosted(&self, eye: &Eye, u: DVec3) -> DVec4 {
+    fn boosted(self, eye: &Eye, u: DVec3) -> DVec4 {
         let (k, c, h) = (1.0 / self.radius_m, Self::offset_m(eye), self.offset(eye));
         let u = self.within_guard(u);
         let q_y = u.y + c;
@@ -80,11 +82,6 @@ impl Raised {
             across * u.z,
             (k * delta).cosh() + h.sinh() * across * k * m,
         )
-    }
-
-    /// Geodesic distance from the eye to a point in view coordinates, in metres.
-    fn distance_to_eye_m(&self, view: DVec4) -> f64 {
-        self.radius_m * (view.truncate().length() / self.radius_m).asinh()
     }
 
     /// An upper bound on how much the map from the chart to the eye's normal coordinates
@@ -186,7 +183,7 @@ impl Strategy for Raised {
     }
 
     fn eye_distance_m(&self, view: DVec4) -> f64 {
-        self.distance_to_eye_m(view)
+        self.radius_m * (view.truncate().length() / self.radius_m).asinh()
     }
 
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {

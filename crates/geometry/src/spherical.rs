@@ -50,20 +50,20 @@ impl Spherical {
     }
 
     /// The point of the unit three-sphere that a chart point is.
-    fn model(&self, point: ChartPoint) -> DVec4 {
+    fn model(self, point: ChartPoint) -> DVec4 {
         let p = mirrored(point.hemisphere, point.pos / self.radius_m);
         placed(point.hemisphere, cylindrical(1.0, p))
     }
 
     /// A chart direction at a chart point as a tangent of the unit three-sphere.
-    fn tangent(&self, point: ChartPoint, direction: DVec3) -> DVec4 {
+    fn tangent(self, point: ChartPoint, direction: DVec3) -> DVec4 {
         let p = mirrored(point.hemisphere, point.pos / self.radius_m);
         let v = mirrored(point.hemisphere, direction);
         placed(point.hemisphere, cylindrical_direction(1.0, p, v))
     }
 
     /// The rotation that takes the model to view coordinates, in units of the radius.
-    fn view(&self, eye: &Eye) -> DMat4 {
+    fn view(self, eye: &Eye) -> DMat4 {
         DMat4::from_cols(
             self.tangent(eye.point, eye.right()),
             self.tangent(eye.point, eye.up()),
@@ -73,16 +73,16 @@ impl Spherical {
         .transpose()
     }
 
-    fn metres(&self, unit: DVec4) -> DVec4 {
+    fn metres(self, unit: DVec4) -> DVec4 {
         (unit.truncate() * self.radius_m).extend(unit.w)
     }
 
-    fn units(&self, metres: DVec4) -> DVec4 {
+    fn units(self, metres: DVec4) -> DVec4 {
         (metres.truncate() / self.radius_m).extend(metres.w)
     }
 
     /// The chart point that a point of the unit three-sphere is, in the hemisphere it lies in.
-    fn unmodel(&self, x: DVec4) -> ChartPoint {
+    fn unmodel(self, x: DVec4) -> ChartPoint {
         let level = x.x.hypot(x.z);
         let y = x.y.atan2(level.hypot(x.w));
         let hemisphere = if level.atan2(x.w) > FRAC_PI_2 {

@@ -153,5 +153,7 @@ mod tests {
     fn a_ceiling_stops_a_rise_but_not_a_run() {
         let after = slide(DVec3::new(3.0, 4.0, 0.0), DVec3::NEG_Y);
         assert_eq!(after, DVec3::new(3.0, 0.0, 0.0));
+        let under_a_slant = slide(DVec3::new(0.0, 4.0, 0.0), DVec3::new(0.5, -0.75f64.sqrt(), 0.0));
+        assert!(under_a_slant.y <= 0.0, "{under_a_slant}");
     }
 }

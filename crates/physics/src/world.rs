@@ -177,3 +177,30 @@ fn standing_box(collider: &TerrainCollider, at: DVec3) -> Aabb {
     let (skin, at) = (glam::Vec3::splat(BOX_SKIN_M), at.as_vec3());
     Aabb::new(bounds.mins + at - skin, bounds.maxs + at + skin)
 }
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use antipode_geometry::Hemisphere;
+    use glam::IVec3;
+
+    use super::*;
+
+    #[test]
+    fn terrain_is_found_in_the_order_of_the_chunks_not_of_their_arrival() {
+        let positions = [[0.0, 0.0, 0.0], [0.0, 0.0, 32.0], [32.0, 0.0, 0.0]];
+        let collider = TerrainCollider::build(&positions, &[[0, 1, 2]]).unwrap();
+        let mut world = PhysicsWorld::new();
+        for x in [3, -2, 1, 0, -1, 2] {
+            let coord = ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, 0, 0) };
+            world.set_terrain(coord, DVec3::X * f64::from(x) * 32.0, Some(collider.clone()));
+        }
+        let found = |min: f64, max: f64| -> Vec<i32> {
+            let grounds = world.grounds_in(DVec3::new(min, -1.0, 1.0), DVec3::new(max, 1.0, 2.0));
+            grounds.iter().map(|ground| ground.coord.index.x).collect()
+        };
+        assert_eq!(found(-500.0, 500.0), [-2, -1, 0, 1, 2, 3]);
+        assert_eq!(found(-40.0, 40.0), [-2, -1, 0, 1]);
+        assert_eq!(found(500.0, 900.0), [0; 0]);
+    }
+}

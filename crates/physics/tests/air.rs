@@ -133,6 +133,19 @@ fn the_fastest_fall_does_not_pass_thin_ground() {
 }
 
 #[test]
+fn someone_hurled_at_a_thin_wall_stays_on_this_side() {
+    let mut soup = plain();
+    soup.cuboid([3.0, -1.0, -5.0], [3.2, 9.0, 5.0]);
+    let world = soup.world();
+    for start in [0.0, 0.2, 0.45, 0.7, 0.9] {
+        let mut walker = Walker::at(&world, start, 2.0, 0.2);
+        walker.character.velocity = DVec3::new(60.0, 3.0, 4.0);
+        walker.steps(30, still());
+        assert!(walker.feet().x < 2.66, "{:?}", walker.character);
+    }
+}
+
+#[test]
 fn falls_end_at_the_terminal_speed() {
     let world = antipode_physics::PhysicsWorld::new();
     let mut walker = Walker::at(&world, 0.0, 0.0, 0.0);

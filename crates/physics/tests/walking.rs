@@ -146,6 +146,8 @@ fn a_wall_is_slid_along_at_the_speed_that_is_left() {
     let before = walker.feet();
     walker.steps(60, go(diagonal, diagonal));
     assert!((walker.feet().x - 2.65).abs() < 1e-3, "{:?}", walker.character);
+    let velocity = walker.character.velocity;
+    assert!(velocity.x.abs() < 1e-9 && (velocity.z - 4.5 * diagonal).abs() < 1e-9, "{velocity}");
     assert!((walker.feet().z - before.z - 4.5 * diagonal).abs() < 0.02, "{} after {before}", walker.feet());
 }
 
@@ -197,6 +199,17 @@ fn a_cave_is_walked_through_with_its_floor_and_its_roof() {
     assert!(walker.character.grounded, "{:?}", walker.character);
     walker.steps(500, go(1.0, 0.0));
     assert!(walker.feet().x > 30.0 && walker.feet().z.abs() < 1.5, "{:?}", walker.character);
+}
+
+#[test]
+fn ground_is_nothing_to_someone_behind_it() {
+    let mut soup = plain();
+    soup.field(1, 9, |_, _| 1.6);
+    let world = soup.world();
+    let mut walker = Walker::at(&world, -1.0, 0.0, 3.0).rested();
+    walker.steps(60, go(0.96, 0.28));
+    assert!((walker.character.velocity.length() - 4.5).abs() < 1e-9, "{:?}", walker.character);
+    assert!(walker.character.grounded && walker.feet().y.abs() < 1e-6, "{:?}", walker.character);
 }
 
 #[test]

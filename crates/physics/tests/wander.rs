@@ -39,7 +39,7 @@ impl Dice {
 #[test]
 fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
     let world = land();
-    let (mut deepest, mut stays) = (f64::MAX, 0);
+    let (mut deepest, mut stays, mut blocked) = (f64::MAX, 0, 0);
     for seed in 0..15 {
         let mut dice = Dice(seed);
         let mut walker = Walker::at(&world, dice.roll() * 8.0 - 4.0, 9.0, dice.roll() * 8.0 - 4.0);
@@ -52,6 +52,7 @@ fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
                 let wish = DVec3::new(turn.cos(), 0.0, turn.sin());
                 let jump = jumps && step % 20 < 3;
                 walker.step(CharacterInput { wish, sprint, jump, ..CharacterInput::default() });
+                blocked += usize::from(walker.character.velocity.length() < 0.1);
                 assert!(walker.feet().is_finite());
                 let middle = walker.feet() + DVec3::Y * 0.9;
                 deepest = deepest.min(f64::from(rough(middle.as_vec3())));
@@ -65,5 +66,5 @@ fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
     assert!(deepest > 0.0, "the body's middle was {deepest} in the ground");
     // Pits with walls too steep to walk hold a leg without jumps now and then, nothing else does.
     assert!(stays < 90, "{stays} of 1800 legs led nowhere");
-    println!("deepest {deepest}, stays {stays}");
+    println!("deepest {deepest}, stays {stays}, blocked {blocked}");
 }

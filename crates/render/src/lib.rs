@@ -5,6 +5,7 @@
 //! Nothing here opens a window, loads a world or asks which space the world is in.
 
 mod astronaut;
+mod celestial;
 mod chunk_store;
 mod culling;
 mod error;
@@ -18,6 +19,7 @@ mod shaders;
 mod solids;
 mod targets;
 mod timing;
+mod tonemap;
 mod uniforms;
 
 pub use error::RenderError;

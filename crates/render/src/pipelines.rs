@@ -1,17 +1,18 @@
-//! The pipelines: one for each way of drawing something.
+//! The pipelines of the scene pass: one for each way of drawing something.
 
 use wgpu::{
-    BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction, Device, RenderPipeline,
-    ShaderModule, ShaderStages, TextureFormat, VertexAttribute, VertexBufferLayout, VertexStepMode,
+    BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction, Device, PipelineLayout,
+    RenderPipeline, ShaderModule, ShaderStages, VertexAttribute, VertexBufferLayout, VertexStepMode,
 };
 
+use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
-use crate::shaders::{FIGURE, MARKER, SKY, TERRAIN, TONEMAP};
+use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, TERRAIN};
 use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
 
-/// Everything a frame is drawn with.
+/// Everything the scene is drawn with.
 #[derive(Debug)]
 pub struct Pipelines {
     /// Land.
@@ -22,93 +23,158 @@ pub struct Pipelines {
     pub figure: RenderPipeline,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// Sun, moon and stars.
+    pub celestial: CelestialPipelines,
     /// The marker where it is seen.
     pub marker: RenderPipeline,
     /// The marker where land hides it.
     pub marker_hidden: RenderPipeline,
-    /// Light to display.
-    pub tonemap: RenderPipeline,
     /// Binds the scene's uniform.
     pub scene_layout: BindGroupLayout,
-    /// Binds the light and its sampler.
-    pub tonemap_layout: BindGroupLayout,
-}
-
-/// Colours come multiplied by their opacity.
-const TRANSLUCENT: BlendState = BlendState {
-    color: BlendComponent {
-        src_factor: BlendFactor::One,
-        dst_factor: BlendFactor::OneMinusSrcAlpha,
-        operation: BlendOperation::Add,
-    },
-    alpha: BlendComponent::OVER,
-};
-
-/// How one pipeline of the scene pass differs from the others.
-struct Recipe<'a> {
-    module: &'a ShaderModule,
-    fragment: &'static str,
-    buffers: &'a [Option<VertexBufferLayout<'a>>],
-    depth_compare: CompareFunction,
-    depth_write: bool,
-    blend: Option<BlendState>,
-    culled: bool,
 }
 
 impl Pipelines {
-    /// Compiles all shaders for the given samples a pixel and target format. `scaled` says whether the light
-    /// is drawn at another resolution than it is shown at.
-    pub fn new(device: &Device, samples: u32, output: TextureFormat, scaled: bool) -> Self {
+    /// Compiles the scene's shaders for so many samples a pixel.
+    pub fn new(device: &Device, samples: u32) -> Self {
         let scene_layout = scene_layout(device);
-        let land = [buffer(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES), instance::<ChunkInstance>(&ChunkInstance::ATTRIBUTES)];
-        let figure = [model(), instance::<FigureInstance>(&FigureInstance::ATTRIBUTES)];
+        let maker = Maker::new(device, &scene_layout, samples);
+        let [land, figure, sky, celestial, marker] =
+            [TERRAIN, FIGURE, SKY, CELESTIAL, MARKER].map(|shader| shader.compile(device));
+        let land_buffers = [
+            layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
+            instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
+        ];
+        let figure_buffers = [
+            layout(size_of::<ModelVertex>() as u64, VertexStepMode::Vertex, &ModelVertex::ATTRIBUTES),
+            instances::<FigureInstance>(&FigureInstance::ATTRIBUTES),
+        ];
         let position = wgpu::vertex_attr_array![0 => Float32x3];
-        let marker = [buffer(12, VertexStepMode::Vertex, &position), instance::<MarkerInstance>(&MarkerInstance::ATTRIBUTES)];
-        let [terrain_module, figure_module, sky_module, marker_module] =
-            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| shader.compile(device));
-        let make = |recipe: &Recipe<'_>| scene_pipeline(device, &scene_layout, samples, recipe);
-        let solid = |module, fragment, buffers| Recipe {
-            module,
-            fragment,
-            buffers,
-            depth_compare: CompareFunction::Greater,
-            depth_write: true,
-            blend: None,
-            culled: true,
+        let marker_buffers = [
+            layout(position[0].format.size(), VertexStepMode::Vertex, &position),
+            instances::<MarkerInstance>(&MarkerInstance::ATTRIBUTES),
+        ];
+        let star_buffers = [instances::<Star>(&Star::ATTRIBUTES)];
+        let solid = |module, fragment, buffers| maker.make(module, ["vertex", fragment], buffers, SOLID);
+        let glass = |fragment, compare| {
+            maker.make(&marker, ["vertex", fragment], &marker_buffers, Way { compare, ..GLASS })
         };
-        let glass = |fragment, depth_compare| Recipe {
-            depth_compare,
-            depth_write: false,
-            blend: Some(TRANSLUCENT),
-            ..solid(&marker_module, fragment, &marker)
-        };
-        let sky =
-            Recipe { depth_compare: CompareFunction::GreaterEqual, depth_write: false, culled: false, ..solid(&sky_module, "fragment", &[]) };
-        let (tonemap, tonemap_layout) = tonemap_pipeline(device, output, scaled);
         Self {
-            terrain: make(&solid(&terrain_module, "fragment", &land)),
-            terrain_rim: make(&solid(&terrain_module, "fragment_rim", &land)),
-            figure: make(&solid(&figure_module, "fragment", &figure)),
-            sky: make(&sky),
-            marker: make(&glass("fragment", CompareFunction::GreaterEqual)),
-            marker_hidden: make(&glass("fragment_hidden", CompareFunction::Less)),
-            tonemap,
+            terrain: solid(&land, "fragment", &land_buffers),
+            terrain_rim: solid(&land, "fragment_rim", &land_buffers),
+            figure: solid(&figure, "fragment", &figure_buffers),
+            sky: maker.make(&sky, ["vertex", "fragment"], &[], Way { blend: None, ..SHINE }),
+            celestial: CelestialPipelines {
+                sun: maker.make(&celestial, ["vertex_sun", "fragment_sun"], &[], SHINE),
+                moon: maker.make(&celestial, ["vertex_moon", "fragment_moon"], &[], SHINE),
+                star: maker.make(&celestial, ["vertex_star", "fragment_star"], &star_buffers, SHINE),
+            },
+            marker: glass("fragment", CompareFunction::GreaterEqual),
+            marker_hidden: glass("fragment_hidden", CompareFunction::Less),
             scene_layout,
-            tonemap_layout,
         }
     }
 }
 
-fn buffer(array_stride: u64, step_mode: VertexStepMode, attributes: &[VertexAttribute]) -> Option<VertexBufferLayout<'_>> {
+/// How something meets what is drawn already.
+#[derive(Clone, Copy)]
+struct Way {
+    compare: CompareFunction,
+    writes_depth: bool,
+    blend: Option<BlendState>,
+    culled: bool,
+}
+
+const SOLID: Way = Way { compare: CompareFunction::Greater, writes_depth: true, blend: None, culled: true };
+
+/// Colours come multiplied by their opacity.
+const GLASS: Way = Way {
+    compare: CompareFunction::GreaterEqual,
+    writes_depth: false,
+    blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+    culled: true,
+};
+
+/// Added at infinity, where depth is 0.
+const SHINE: Way = Way {
+    compare: CompareFunction::GreaterEqual,
+    writes_depth: false,
+    blend: Some(BlendState { color: ADDED, alpha: ADDED }),
+    culled: false,
+};
+
+const ADDED: BlendComponent =
+    BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::One, operation: BlendOperation::Add };
+
+type BufferLayout<'a> = Option<VertexBufferLayout<'a>>;
+
+/// What all pipelines of the scene pass have in common.
+struct Maker<'a> {
+    device: &'a Device,
+    layout: PipelineLayout,
+    samples: u32,
+}
+
+impl<'a> Maker<'a> {
+    fn new(device: &'a Device, scene_layout: &BindGroupLayout, samples: u32) -> Self {
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("scene"),
+            bind_group_layouts: &[Some(scene_layout)],
+            immediate_size: 0,
+        });
+        Self { device, layout, samples }
+    }
+
+    fn make(
+        &self,
+        module: &ShaderModule,
+        [vertex, fragment]: [&str; 2],
+        buffers: &[BufferLayout<'_>],
+        way: Way,
+    ) -> RenderPipeline {
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(fragment),
+            layout: Some(&self.layout),
+            vertex: wgpu::VertexState {
+                module,
+                entry_point: Some(vertex),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers,
+            },
+            primitive: wgpu::PrimitiveState {
+                front_face: wgpu::FrontFace::Ccw,
+                cull_mode: way.culled.then_some(wgpu::Face::Back),
+                ..Default::default()
+            },
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: DEPTH_FORMAT,
+                depth_write_enabled: Some(way.writes_depth),
+                depth_compare: Some(way.compare),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState { count: self.samples, ..Default::default() },
+            fragment: Some(wgpu::FragmentState {
+                module,
+                entry_point: Some(fragment),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(wgpu::ColorTargetState {
+                    format: LIGHT_FORMAT,
+                    blend: way.blend,
+                    write_mask: wgpu::ColorWrites::ALL,
+                })],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+}
+
+fn layout(array_stride: u64, step_mode: VertexStepMode, attributes: &[VertexAttribute]) -> BufferLayout<'_> {
     Some(VertexBufferLayout { array_stride, step_mode, attributes })
 }
 
-fn instance<T>(attributes: &[VertexAttribute]) -> Option<VertexBufferLayout<'_>> {
-    buffer(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
-}
-
-fn model() -> Option<VertexBufferLayout<'static>> {
-    buffer(size_of::<ModelVertex>() as u64, VertexStepMode::Vertex, &ModelVertex::ATTRIBUTES)
+fn instances<T>(attributes: &[VertexAttribute]) -> BufferLayout<'_> {
+    layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
 fn scene_layout(device: &Device) -> BindGroupLayout {
@@ -125,94 +191,4 @@ fn scene_layout(device: &Device) -> BindGroupLayout {
             count: None,
         }],
     })
-}
-
-fn scene_pipeline(device: &Device, layout: &BindGroupLayout, samples: u32, recipe: &Recipe<'_>) -> RenderPipeline {
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("scene"),
-        bind_group_layouts: &[Some(layout)],
-        immediate_size: 0,
-    });
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(recipe.fragment),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: recipe.module,
-            entry_point: Some("vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: recipe.buffers,
-        },
-        primitive: wgpu::PrimitiveState {
-            front_face: wgpu::FrontFace::Ccw,
-            cull_mode: recipe.culled.then_some(wgpu::Face::Back),
-            ..Default::default()
-        },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: DEPTH_FORMAT,
-            depth_write_enabled: Some(recipe.depth_write),
-            depth_compare: Some(recipe.depth_compare),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState::default(),
-        }),
-        multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
-        fragment: Some(wgpu::FragmentState {
-            module: recipe.module,
-            entry_point: Some(recipe.fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(wgpu::ColorTargetState {
-                format: LIGHT_FORMAT,
-                blend: recipe.blend,
-                write_mask: wgpu::ColorWrites::ALL,
-            })],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
-}
-
-fn tonemap_layout(device: &Device) -> BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: ShaderStages::FRAGMENT, ty, count: None };
-    let texture = wgpu::BindingType::Texture {
-        sample_type: wgpu::TextureSampleType::Float { filterable: true },
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("tonemap"),
-        entries: &[entry(0, texture), entry(1, sampler)],
-    })
-}
-
-fn tonemap_pipeline(device: &Device, output: TextureFormat, scaled: bool) -> (RenderPipeline, BindGroupLayout) {
-    let bindings = tonemap_layout(device);
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("tonemap"),
-        bind_group_layouts: &[Some(&bindings)],
-        immediate_size: 0,
-    });
-    let module = TONEMAP.compile(device);
-    let constants = [("SCALED", f64::from(u8::from(scaled))), ("ENCODED", f64::from(u8::from(!output.is_srgb())))];
-    let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("tonemap"),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
-            targets: &[Some(output.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    });
-    (pipeline, bindings)
 }

@@ -3,9 +3,10 @@
 use antipode_scene::frame::Frame;
 use wgpu::{
     BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue, RenderPassColorAttachment,
-    RenderPassDepthStencilAttachment, RenderPassDescriptor, Sampler, StoreOp, TextureFormat, TextureView,
+    RenderPassDepthStencilAttachment, RenderPassDescriptor, StoreOp, TextureFormat, TextureView,
 };
 
+use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
 use crate::culling::{Visible, visible};
 use crate::error::RenderError;
@@ -15,6 +16,7 @@ use crate::marker::MarkerBalls;
 use crate::pipelines::Pipelines;
 use crate::targets::{Targets, drawn_size};
 use crate::timing::Timing;
+use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
 
 /// How pictures are drawn.
@@ -57,12 +59,13 @@ pub struct Renderer {
     pipelines: Pipelines,
     uniform: Buffer,
     scene_bindings: BindGroup,
-    sampler: Sampler,
     targets: Targets,
-    tonemap_bindings: BindGroup,
+    tonemap: Tonemap,
+    light: BindGroup,
     chunks: ChunkStore,
     figures: Figures,
     marker: MarkerBalls,
+    celestial: Celestial,
     timing: Option<Timing>,
 }
 
@@ -74,7 +77,7 @@ impl Renderer {
     pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
         check(&options)?;
         let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
-        let pipelines = Pipelines::new(&device, options.samples, options.output_format, options.scale != 1.0);
+        let pipelines = Pipelines::new(&device, options.samples);
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("scene"),
             size: size_of::<SceneUniform>() as u64,
@@ -86,18 +89,14 @@ impl Renderer {
             layout: &pipelines.scene_layout,
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() }],
         });
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("light"),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            ..Default::default()
-        });
         let targets = Targets::new(&device, (1, 1), options.samples);
-        let tonemap_bindings = tonemap_bindings(&device, &pipelines, &targets, &sampler);
+        let tonemap = Tonemap::new(&device, options.output_format, options.scale != 1.0);
+        let light = tonemap.bind(&device, &targets.light);
         Ok(Self {
             chunks: ChunkStore::new(&device),
             figures: Figures::new(&device),
             marker: MarkerBalls::new(&device),
+            celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
             device,
             queue,
@@ -105,9 +104,9 @@ impl Renderer {
             pipelines,
             uniform,
             scene_bindings,
-            sampler,
             targets,
-            tonemap_bindings,
+            tonemap,
+            light,
         })
     }
 
@@ -116,7 +115,7 @@ impl Renderer {
         let most = self.device.limits().max_texture_dimension_2d;
         let size = drawn_size(width, height, self.options.scale, most);
         self.targets = Targets::new(&self.device, size, self.options.samples);
-        self.tonemap_bindings = tonemap_bindings(&self.device, &self.pipelines, &self.targets, &self.sampler);
+        self.light = self.tonemap.bind(&self.device, &self.targets.light);
     }
 
     /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
@@ -129,12 +128,12 @@ impl Renderer {
         self.chunks.reserve(&self.device);
         self.figures.prepare(&self.device, &self.queue, frame);
         self.marker.prepare(&self.queue, frame);
-        self.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&SceneUniform::new(frame)));
+        self.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&SceneUniform::new(frame, self.targets.size)));
         let visible = visible(&self.chunks, frame);
         self.chunks.upload(&self.queue, &visible);
         let mut stats = DrawStats { culled: self.chunks.len() - visible.len(), gpu_ms, ..DrawStats::default() };
         self.draw_scene(frame, &visible, encoder, &mut stats);
-        self.draw_picture(encoder, target);
+        self.tonemap.draw(encoder, &self.light, target, self.timing.as_ref().map(Timing::end));
         if let Some(timing) = &self.timing {
             timing.record(encoder);
         }
@@ -174,6 +173,7 @@ impl Renderer {
             pass.set_pipeline(&pipelines.sky);
             pass.draw(0..3, 0..1);
             stats.add((1, 1));
+            stats.add(self.celestial.draw(&mut pass, &frame.sky, &pipelines.celestial));
         }
         if self.marker.shown() {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
@@ -181,23 +181,6 @@ impl Renderer {
                 stats.add(self.marker.draw(&mut pass));
             }
         }
-    }
-
-    fn draw_picture(&self, encoder: &mut CommandEncoder, target: &TextureView) {
-        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
-            label: Some("picture"),
-            color_attachments: &[Some(RenderPassColorAttachment {
-                view: target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: Operations { load: LoadOp::Clear(Color::BLACK), store: StoreOp::Store },
-            })],
-            timestamp_writes: self.timing.as_ref().map(Timing::end),
-            ..Default::default()
-        });
-        pass.set_pipeline(&self.pipelines.tonemap);
-        pass.set_bind_group(0, &self.tonemap_bindings, &[]);
-        pass.draw(0..3, 0..1);
     }
 }
 
@@ -209,17 +192,6 @@ fn check(options: &Options) -> Result<(), RenderError> {
         return Err(RenderError::Options(format!("a scale of {} was asked for, and only 0.1 to 1 work", options.scale)));
     }
     Ok(())
-}
-
-fn tonemap_bindings(device: &Device, pipelines: &Pipelines, targets: &Targets, sampler: &Sampler) -> BindGroup {
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("tonemap"),
-        layout: &pipelines.tonemap_layout,
-        entries: &[
-            wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&targets.light) },
-            wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(sampler) },
-        ],
-    })
 }
 
 #[cfg(test)]

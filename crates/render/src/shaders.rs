@@ -12,6 +12,9 @@ pub const FIGURE: Shader = Shader { name: "figure", own: include_str!("../../../
 pub const MARKER: Shader = Shader { name: "marker", own: include_str!("../../../shaders/marker.wgsl"), space: true };
 /// The sky.
 pub const SKY: Shader = Shader { name: "sky", own: include_str!("../../../shaders/sky.wgsl"), space: true };
+/// Sun, moon and stars.
+pub const CELESTIAL: Shader =
+    Shader { name: "celestial", own: include_str!("../../../shaders/celestial.wgsl"), space: true };
 /// From light to display.
 pub const TONEMAP: Shader = Shader { name: "tonemap", own: include_str!("../../../shaders/tonemap.wgsl"), space: false };
 
@@ -55,7 +58,7 @@ pub mod tests {
 
     #[test]
     fn every_shader_is_valid() {
-        for shader in [TERRAIN, FIGURE, MARKER, SKY, TONEMAP] {
+        for shader in [TERRAIN, FIGURE, MARKER, SKY, CELESTIAL, TONEMAP] {
             let module = parse(shader);
             let checked = Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
             assert!(checked.is_ok(), "{}: {:?}", shader.name, checked.err());
@@ -65,7 +68,7 @@ pub mod tests {
     #[test]
     fn every_file_of_shaders_is_used() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders");
-        let known = ["geometry", "common", TERRAIN.name, FIGURE.name, MARKER.name, SKY.name, TONEMAP.name];
+        let known = ["geometry", "common", TERRAIN.name, FIGURE.name, MARKER.name, SKY.name, CELESTIAL.name, TONEMAP.name];
         for file in std::fs::read_dir(folder).unwrap() {
             let path = file.unwrap().path();
             let name = path.file_stem().unwrap().to_str().unwrap().to_owned();

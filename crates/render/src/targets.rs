@@ -10,6 +10,8 @@ pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 /// Light and depth of one size.
 #[derive(Debug)]
 pub struct Targets {
+    /// Pixels drawn.
+    pub size: (u32, u32),
     /// Light of one sample a pixel; what is shown.
     pub light: TextureView,
     /// Light of several samples a pixel, where there are several.
@@ -24,6 +26,7 @@ impl Targets {
         let shown = TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING;
         let unshown = TextureUsages::RENDER_ATTACHMENT;
         Self {
+            size,
             light: view(device, "light", size, 1, LIGHT_FORMAT, shown),
             samples: (samples > 1).then(|| view(device, "light samples", size, samples, LIGHT_FORMAT, unshown)),
             depth: view(device, "depth", size, samples, DEPTH_FORMAT, unshown),

@@ -30,8 +30,8 @@ pub struct SceneUniform {
 }
 
 impl SceneUniform {
-    /// Everything the shaders need to know of a frame.
-    pub fn new(frame: &Frame) -> Self {
+    /// Everything the shaders need to know of a frame drawn `size` pixels large.
+    pub fn new(frame: &Frame, size: (u32, u32)) -> Self {
         let (eye, sky) = (&frame.eye, &frame.sky);
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
@@ -48,8 +48,8 @@ impl SceneUniform {
             glare: with(sky.glare.into(), sin / length),
             sun: with(sky.sun_direction.into(), cos / length),
             moon: with(sky.moon_direction.into(), rim_m),
-            key_direction: with(sky.key_direction.into(), 0.0),
-            key_colour: with(sky.key_colour.into(), 0.0),
+            key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
+            key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
         }

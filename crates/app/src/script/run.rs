@@ -371,6 +371,9 @@ impl Runner {
             .frame(antipode_scene::tuning::FOV_Y_RAD, aspect, id);
         let built = building.elapsed();
         times.step.push(stepped);
+        if self.scene()?.marker().is_some_and(|marker| marker.active) {
+            times.edit.push(stepped + waited);
+        }
         times.wait.push(waited);
         times.main.push(stepped + built);
         if let Some(studio) = self.studio.as_mut() {
@@ -394,6 +397,7 @@ struct PerfTimes {
     main: Times,
     gpu: Times,
     wait: Times,
+    edit: Times,
     triangles: u64,
     draws: u64,
 }
@@ -412,7 +416,7 @@ impl PerfTimes {
             wait_ms: self.wait.percentiles(),
             triangles: self.triangles,
             draws: self.draws,
-            edit_latency_ms: None,
+            edit_latency_ms: self.edit.percentiles(),
         }
     }
 }

@@ -241,7 +241,10 @@ impl Game {
     fn running(&self) -> Option<(String, String)> {
         match &self.phase {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                Some((session.slug.clone(), session.scene.setup().name.clone()))
+                Some((
+                    session.slug.clone(),
+                    format!("{} · seed {}", session.scene.setup().name, session.scene.setup().seed),
+                ))
             }
             _ => None,
         }

@@ -4,7 +4,18 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere, Projection, Strategy, strategy};
 use glam::{DVec2, DVec3, DVec4};
-use proptest::prelude::{Strategy as Generator, any, prop};
+use proptest::prelude::{ProptestConfig, Strategy as Generator, any, prop};
+use proptest::test_runner::RngSeed;
+
+/// That many cases, the same on every run.
+pub fn cases(count: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases: count,
+        rng_seed: RngSeed::Fixed(20),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
 
 /// Height of the tests' picture in pixels.
 pub const PICTURE_HEIGHT_PX: f64 = 720.0;

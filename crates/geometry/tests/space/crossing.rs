@@ -2,9 +2,9 @@
 
 use antipode_geometry::{ChartPoint, Euclidean, Eye, Hemisphere, Raised, Spherical, Strategy};
 use glam::{DVec3, DVec4};
-use proptest::prelude::{ProptestConfig, prop_assert, prop_assert_eq, proptest};
+use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
-use crate::common::{chart_point, eye, pixel, vector};
+use crate::common::{cases, chart_point, eye, pixel, vector};
 
 const RADIUS_M: f64 = 32.0;
 
@@ -23,7 +23,7 @@ fn crossed(eye: &Eye) -> Eye {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    #![proptest_config(cases(512))]
 
     #[test]
     fn the_picture_is_the_same_before_and_after(eye in eye(70.0), point in chart_point(70.0)) {

@@ -7,10 +7,10 @@ use antipode_geometry::{
     Strategy, strategy,
 };
 use glam::{DVec3, IVec3};
-use proptest::prelude::{ProptestConfig, prop_assert, proptest};
+use proptest::prelude::{prop_assert, proptest};
 use proptest::strategy::Strategy as _;
 
-use crate::common::{eye, in_space, projection, vector};
+use crate::common::{cases, eye, in_space, projection, vector};
 
 fn spaces() -> Vec<Arc<dyn Strategy>> {
     let mut spaces: Vec<Arc<dyn Strategy>> = [16.0, 32.0, 64.0]
@@ -44,7 +44,7 @@ fn shown(space: &dyn Strategy, eye: &Eye, point: ChartPoint) -> bool {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
     #[test]
     fn spheres_hold_their_boxes_and_nothing_seen_is_culled(

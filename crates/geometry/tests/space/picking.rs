@@ -2,12 +2,12 @@
 
 use antipode_geometry::{ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy};
 use glam::DVec3;
-use proptest::prelude::{ProptestConfig, prop_assert, proptest};
+use proptest::prelude::{prop_assert, proptest};
 
-use crate::common::{eye, in_space, pixel, projection, spaces, vector};
+use crate::common::{cases, eye, in_space, pixel, projection, spaces, vector};
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    #![proptest_config(cases(512))]
 
     #[test]
     fn the_geodesic_ahead_stays_under_the_crosshair(eye in eye(50.0), distance in 0.1..60.0_f64) {

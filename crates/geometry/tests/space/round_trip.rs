@@ -2,12 +2,12 @@
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, Spherical, Strategy};
 use glam::DVec3;
-use proptest::prelude::{ProptestConfig, prop_assert, prop_assert_eq, proptest};
+use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
-use crate::common::{chart_point, eye, in_space, spaces, vector};
+use crate::common::{cases, chart_point, eye, in_space, spaces, vector};
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
+    #![proptest_config(cases(512))]
 
     #[test]
     fn chart_points_come_back(eye in eye(50.0), step in vector(150.0)) {

@@ -61,7 +61,8 @@ fn what_was_dug_is_there_after_closing_and_opening() {
     again.wish(at, 1);
     again.wait(Until::Idle);
     assert!(again.problems.is_empty() && again.streamer.edited_count() > 0);
-    assert_eq!(again.chunks.len(), first.len());
+    let mut with_ground = first.values().filter(|chunk| !chunk.mesh.is_empty());
+    assert!(with_ground.all(|chunk| again.chunks.contains_key(&chunk.coord)));
     let deep = (at - DVec3::Y * 3.0).round();
     let base = again.field.sample(ChartPoint::a(deep));
     assert!(again.sample(deep.as_ivec3()) > base + 3.0);

@@ -1,0 +1,114 @@
+//! From the light of the scene to the picture shown.
+
+use wgpu::{
+    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations, RenderPassColorAttachment,
+    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, Sampler, ShaderStages, StoreOp, TextureFormat,
+    TextureView,
+};
+
+use crate::shaders::TONEMAP;
+
+/// The tone-map pass.
+#[derive(Debug)]
+pub struct Tonemap {
+    pipeline: RenderPipeline,
+    layout: BindGroupLayout,
+    sampler: Sampler,
+}
+
+impl Tonemap {
+    /// For targets of the format. `scaled` says whether the light is drawn at another resolution than it is
+    /// shown at.
+    pub fn new(device: &Device, output: TextureFormat, scaled: bool) -> Self {
+        let layout = layout(device);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("light"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            ..Default::default()
+        });
+        Self { pipeline: pipeline(device, &layout, output, scaled), layout, sampler }
+    }
+
+    /// Binds the light that is to be shown.
+    pub fn bind(&self, device: &Device, light: &TextureView) -> BindGroup {
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("tonemap"),
+            layout: &self.layout,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(light) },
+                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+            ],
+        })
+    }
+
+    /// Records the pass.
+    pub fn draw(
+        &self,
+        encoder: &mut CommandEncoder,
+        light: &BindGroup,
+        target: &TextureView,
+        timestamp_writes: Option<RenderPassTimestampWrites<'_>>,
+    ) {
+        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(RenderPassColorAttachment {
+                view: target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: Operations { load: LoadOp::Clear(Color::BLACK), store: StoreOp::Store },
+            })],
+            timestamp_writes,
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, light, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+fn layout(device: &Device) -> BindGroupLayout {
+    let entry =
+        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: ShaderStages::FRAGMENT, ty, count: None };
+    let texture = wgpu::BindingType::Texture {
+        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("tonemap"),
+        entries: &[entry(0, texture), entry(1, sampler)],
+    })
+}
+
+fn pipeline(device: &Device, layout: &BindGroupLayout, output: TextureFormat, scaled: bool) -> RenderPipeline {
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("tonemap"),
+        bind_group_layouts: &[Some(layout)],
+        immediate_size: 0,
+    });
+    let module = TONEMAP.compile(device);
+    let constants = [("SCALED", f64::from(u8::from(scaled))), ("ENCODED", f64::from(u8::from(!output.is_srgb())))];
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("tonemap"),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vertex"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("fragment"),
+            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
+            targets: &[Some(output.into())],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
