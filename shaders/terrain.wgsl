@@ -16,7 +16,7 @@ struct VertexOut {
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour
-    @location(4) land: vec4<f32>,       // share of the land's own colour, distance m, steepness, height m
+    @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) beyond_rim_m: f32,
 }
 
@@ -37,40 +37,41 @@ fn vertex(in: VertexIn) -> VertexOut {
     let p = in.offset + in.position;
     let authored = normalize(in.normal.xyz);
     let view = port_to_view(scene.space, p, in.hemisphere);
-    let distance_m = eye_distance(scene.space, view);
     let world = in.world + in.position;
     let grain = grain_point(world, in.hemisphere);
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.5, 127u) - 0.5;
-    let fog = fog_at(distance_m);
+    let fog = fog_at(eye_distance(scene.space, view));
+    // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
+    // closed world comes to look larger again, this falls.
+    let spread_m = length(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(scene.space, view);
     out.normal = port_normal(scene.space, p, authored, in.hemisphere);
-    out.albedo = to_linear(in.colour.rgb) * (1.0 + 0.30 * patches + 0.22 * tufts);
+    out.albedo = to_linear(in.colour.rgb) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
     out.veil = haze(direction_of(view.xyz)) * fog;
-    out.land = vec4<f32>(1.0 - fog, distance_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
+    out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     out.beyond_rim_m = length(world.xz) - scene.moon.w;
     return out;
 }
 
 fn shade(in: VertexOut) -> vec4<f32> {
-    let distance_m = in.land.y;
+    let spread_m = in.land.y;
     let steep = in.land.z;
     let height = in.land.w;
     var tone = 1.0;
     // Fine grain, gone where a pixel would hold several of its cells.
-    let near = 1.0 - clamp(distance_m * (1.0 / 48.0), 0.0, 1.0);
-    if near > 0.0 {
-        tone += (value_noise(in.grain * 4.0, 1023u) - 0.5) * (0.26 * near * near);
-    }
+    let near = 1.0 - clamp(spread_m * (1.0 / 56.0), 0.0, 1.0);
+    let dapple = smoothstep(0.30, 0.70, value_noise(in.grain * 4.0, 1023u)) - 0.5;
+    tone += dapple * (0.24 * near * near);
     // Cuts show layers, about 1.1 m apart.
     let cut = smoothstep(0.62, 0.86, steep);
     let layer = abs(fract(height * 0.9) - 0.5) + 0.7 * abs(fract(height * 0.37) - 0.5);
     tone *= 1.0 - cut * (0.42 * layer);
     // Contour bands keep their width along the ground, and a pixel's width far away.
     let to_contour = abs(fract(height * 0.125 + 0.5) - 0.5) * 8.0;
-    let width = (0.05 + 0.0022 * distance_m) * max(steep, 0.06);
+    let width = (0.04 + 0.0020 * spread_m) * max(steep, 0.06);
     let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
     tone *= 1.0 - line * scene.up.w;
     let lit = in.albedo * light_on(normalize(in.normal));

@@ -16,7 +16,9 @@ fn main() {
 /// A chunk of hilly ground, about 7200 triangles.
 fn hills() -> Soup {
     let mut soup = Soup::default();
-    soup.march(IVec3::ZERO, IVec3::new(32, 12, 23), |at| bumps(at - Vec3::Y * 4.0));
+    soup.march(IVec3::ZERO, IVec3::new(32, 12, 23), |at| {
+        bumps(at - Vec3::Y * 4.0)
+    });
     soup
 }
 
@@ -45,7 +47,12 @@ fn land() -> PhysicsWorld {
 fn player(world: &PhysicsWorld) -> Character {
     let mut character = Character::at(DVec3::new(16.0, 6.0, 16.0));
     for _ in 0..120 {
-        world.move_character(&mut character, &CharacterTuning::default(), &CharacterInput::default(), STEP_S);
+        world.move_character(
+            &mut character,
+            &CharacterTuning::default(),
+            &CharacterInput::default(),
+            STEP_S,
+        );
     }
     assert!(character.grounded, "{character:?}");
     character
@@ -54,7 +61,9 @@ fn player(world: &PhysicsWorld) -> Character {
 #[divan::bench]
 fn build_collider(bencher: Bencher<'_, '_>) {
     let soup = hills();
-    bencher.counter(divan::counter::ItemsCount::new(soup.triangles.len())).bench(|| black_box(&soup).build());
+    bencher
+        .counter(divan::counter::ItemsCount::new(soup.triangles.len()))
+        .bench(|| black_box(&soup).build());
 }
 
 #[divan::bench]
@@ -72,7 +81,11 @@ fn sprint_one_step(bencher: Bencher<'_, '_>) {
     bencher.bench_local(|| {
         step += 1.0;
         let wish = DVec3::new((step * 0.02).cos(), 0.0, (step * 0.02).sin());
-        let input = CharacterInput { wish, sprint: true, ..CharacterInput::default() };
+        let input = CharacterInput {
+            wish,
+            sprint: true,
+            ..CharacterInput::default()
+        };
         world.move_character(&mut character, &tuning, &input, STEP_S);
     });
 }
@@ -81,7 +94,9 @@ fn sprint_one_step(bencher: Bencher<'_, '_>) {
 fn stand_one_step(bencher: Bencher<'_, '_>) {
     let (world, tuning) = (land(), CharacterTuning::default());
     let mut character = player(&world);
-    bencher.bench_local(|| world.move_character(&mut character, &tuning, &CharacterInput::default(), STEP_S));
+    bencher.bench_local(|| {
+        world.move_character(&mut character, &tuning, &CharacterInput::default(), STEP_S);
+    });
 }
 
 #[divan::bench]
@@ -103,7 +118,11 @@ fn ray_of_100_m(bencher: Bencher<'_, '_>) {
     let mut turn = 0.0_f64;
     bencher.bench_local(|| {
         turn += 0.1;
-        world.cast_ray(DVec3::new(16.0, 6.5, 16.0), DVec3::new(turn.cos(), -0.03, turn.sin()), 100.0)
+        world.cast_ray(
+            DVec3::new(16.0, 6.5, 16.0),
+            DVec3::new(turn.cos(), -0.03, turn.sin()),
+            100.0,
+        )
     });
 }
 
@@ -113,6 +132,11 @@ fn camera_ball_of_4_m(bencher: Bencher<'_, '_>) {
     let mut turn = 0.0_f64;
     bencher.bench_local(|| {
         turn += 0.1;
-        world.cast_sphere(DVec3::new(16.0, 6.5, 16.0), DVec3::new(turn.cos(), -0.4, turn.sin()), 0.2, 4.0)
+        world.cast_sphere(
+            DVec3::new(16.0, 6.5, 16.0),
+            DVec3::new(turn.cos(), -0.4, turn.sin()),
+            0.2,
+            4.0,
+        )
     });
 }

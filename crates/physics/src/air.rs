@@ -46,7 +46,10 @@ impl Slides {
     }
 
     fn facing(&self) -> bool {
-        self.ways.iter().enumerate().any(|(i, a)| self.ways[..i].iter().any(|b| a.dot(*b) < 0.0))
+        self.ways
+            .iter()
+            .enumerate()
+            .any(|(i, a)| self.ways[..i].iter().any(|b| a.dot(*b) < 0.0))
     }
 }
 
@@ -57,7 +60,12 @@ impl Mover<'_> {
         let end_y = (velocity.y + gravity.y * dt_s).max(-self.tuning.terminal_speed_m_s);
         // The mean of both ends is exact under constant acceleration: apexes come out as designed.
         let mut way = level(velocity) * dt_s + DVec3::Y * (0.5 * (velocity.y + end_y) * dt_s);
-        let mut flown = Flown { feet, velocity: velocity.with_y(end_y), landed: false, impact_m_s: 0.0 };
+        let mut flown = Flown {
+            feet,
+            velocity: velocity.with_y(end_y),
+            landed: false,
+            impact_m_s: 0.0,
+        };
         let (parts, wanted_drop) = (self.parts(way), -way.y);
         let mut slides = Slides::default();
         for _ in 0..parts {
@@ -77,9 +85,17 @@ impl Mover<'_> {
         flown
     }
 
-    fn leave_contacts(&self, before: DVec3, flown: &mut Flown, way: &mut DVec3, slides: &mut Slides) {
+    fn leave_contacts(
+        &self,
+        before: DVec3,
+        flown: &mut Flown,
+        way: &mut DVec3,
+        slides: &mut Slides,
+    ) {
         for _ in 0..PUSHES {
-            let Some(contact) = self.overlap(flown.feet) else { return };
+            let Some(contact) = self.overlap(flown.feet) else {
+                return;
+            };
             if self.carries(contact.normal.y, contact.face.y, LEAST_LANDING_LIP_UP) {
                 flown.feet.y += (contact.depth / contact.normal.y).min(self.capsule.radius_m);
                 if flown.velocity.y <= 0.0 {
@@ -139,21 +155,30 @@ mod tests {
         let normal = DVec3::new(-55f64.to_radians().sin(), 55f64.to_radians().cos(), 0.0);
         let after = slide(DVec3::new(6.0, 0.0, 1.0), normal);
         assert!(after.y <= 1e-12, "{after}");
-        assert!((after.z - 1.0).abs() < 1e-12, "along the slope it goes on: {after}");
+        assert!(
+            (after.z - 1.0).abs() < 1e-12,
+            "along the slope it goes on: {after}"
+        );
     }
 
     #[test]
     fn a_fall_onto_a_steep_slope_slides_down_along_it() {
         let normal = DVec3::new(-0.8, 0.6, 0.0);
         let after = slide(DVec3::new(0.0, -5.0, 0.0), normal);
-        assert!(after.dot(normal).abs() < 1e-12 && after.y < -1.0 && after.x < -1.0, "{after}");
+        assert!(
+            after.dot(normal).abs() < 1e-12 && after.y < -1.0 && after.x < -1.0,
+            "{after}"
+        );
     }
 
     #[test]
     fn a_ceiling_stops_a_rise_but_not_a_run() {
         let after = slide(DVec3::new(3.0, 4.0, 0.0), DVec3::NEG_Y);
         assert_eq!(after, DVec3::new(3.0, 0.0, 0.0));
-        let under_a_slant = slide(DVec3::new(0.0, 4.0, 0.0), DVec3::new(0.5, -0.75f64.sqrt(), 0.0));
+        let under_a_slant = slide(
+            DVec3::new(0.0, 4.0, 0.0),
+            DVec3::new(0.5, -0.75f64.sqrt(), 0.0),
+        );
         assert!(under_a_slant.y <= 0.0, "{under_a_slant}");
     }
 }

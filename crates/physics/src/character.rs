@@ -57,21 +57,36 @@ impl CharacterInput {
     /// The wish, made level and at most unit; zero when it is not finite.
     fn level_wish(&self) -> DVec3 {
         let wish = level(self.wish);
-        if wish.is_finite() { wish.clamp_length_max(1.0) } else { DVec3::ZERO }
+        if wish.is_finite() {
+            wish.clamp_length_max(1.0)
+        } else {
+            DVec3::ZERO
+        }
     }
 }
 
 impl Character {
     /// A character at rest with its feet at `feet` (m), not yet on the ground.
     pub fn at(feet: DVec3) -> Self {
-        Self { feet, ..Self::default() }
+        Self {
+            feet,
+            ..Self::default()
+        }
     }
 
     fn keep_time(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
         let pressed = input.jump && !self.jump_held;
         self.jump_held = input.jump;
-        self.jump_left_s = if pressed { tuning.jump_buffer_s } else { (self.jump_left_s - dt_s).max(0.0) };
-        self.coyote_left_s = if self.grounded { tuning.coyote_s } else { (self.coyote_left_s - dt_s).max(0.0) };
+        self.jump_left_s = if pressed {
+            tuning.jump_buffer_s
+        } else {
+            (self.jump_left_s - dt_s).max(0.0)
+        };
+        self.coyote_left_s = if self.grounded {
+            tuning.coyote_s
+        } else {
+            (self.coyote_left_s - dt_s).max(0.0)
+        };
     }
 
     /// Jumps when one is asked for and there is, or just was, ground to jump from.
@@ -86,7 +101,11 @@ impl Character {
 
     fn follow_wish(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
         let wish = input.level_wish();
-        let factor = if input.sprint { tuning.sprint_factor } else { 1.0 };
+        let factor = if input.sprint {
+            tuning.sprint_factor
+        } else {
+            1.0
+        };
         let rate = match (self.grounded, wish == DVec3::ZERO) {
             (true, false) => tuning.ground_acceleration_m_s2,
             (true, true) => tuning.ground_braking_m_s2,
@@ -100,9 +119,17 @@ impl Character {
 
     fn fly(&mut self, tuning: &CharacterTuning, input: &CharacterInput, dt_s: f64) {
         let up = f64::from(i8::from(input.rise) - i8::from(input.sink));
-        let factor = if input.sprint { tuning.fly_sprint_factor } else { 1.0 };
+        let factor = if input.sprint {
+            tuning.fly_sprint_factor
+        } else {
+            1.0
+        };
         let target = (input.level_wish() + DVec3::Y * up) * (tuning.fly_speed_m_s * factor);
-        self.velocity = approach(self.velocity, target, tuning.fly_acceleration_m_s2 * factor * dt_s);
+        self.velocity = approach(
+            self.velocity,
+            target,
+            tuning.fly_acceleration_m_s2 * factor * dt_s,
+        );
         self.feet += self.velocity * dt_s;
         self.grounded = false;
         (self.coyote_left_s, self.jump_left_s) = (0.0, 0.0);
@@ -140,7 +167,11 @@ impl PhysicsWorld {
     fn patch_around(&self, character: &Character, tuning: &CharacterTuning, dt_s: f64) -> Patch {
         let way = character.velocity * dt_s;
         let fall = tuning.gravity_m_s2 * dt_s * dt_s;
-        let down = (fall - way.y.min(0.0)).max(if character.grounded { tuning.snap_m } else { 0.0 });
+        let down = (fall - way.y.min(0.0)).max(if character.grounded {
+            tuning.snap_m
+        } else {
+            0.0
+        });
         let up = way.y.max(0.0).max(tuning.step_height_m);
         let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
         let (min, max) = capsule.bounds(character.feet);
@@ -184,5 +215,9 @@ fn stair(way: DVec3, max_slope_rad: f64) -> f64 {
 /// Moves `from` towards `to` by at most `most`.
 fn approach(from: DVec3, to: DVec3, most: f64) -> DVec3 {
     let way = to - from;
-    if way.length() <= most { to } else { from + way.normalize_or_zero() * most }
+    if way.length() <= most {
+        to
+    } else {
+        from + way.normalize_or_zero() * most
+    }
 }

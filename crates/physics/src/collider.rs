@@ -26,13 +26,20 @@ impl TerrainCollider {
     /// are left out. Returns `None` when no triangle remains.
     pub fn build(positions: &[[f32; 3]], triangles: &[[u32; 3]]) -> Option<Self> {
         let vertices: Vec<Vec3> = positions.iter().copied().map(Vec3::from_array).collect();
-        let kept: Vec<[u32; 3]> =
-            triangles.iter().copied().filter(|&triangle| is_sound(&vertices, triangle)).collect();
+        let kept: Vec<[u32; 3]> = triangles
+            .iter()
+            .copied()
+            .filter(|&triangle| is_sound(&vertices, triangle))
+            .collect();
         // A vertex that no kept triangle uses still counts in no bound: the tree holds triangles.
         let mesh = TriMesh::new(vertices, kept).ok()?;
         let bounds = mesh.local_aabb();
         let triangles = mesh.num_triangles();
-        Some(Self { shape: SharedShape::new(mesh), bounds, triangles })
+        Some(Self {
+            shape: SharedShape::new(mesh),
+            bounds,
+            triangles,
+        })
     }
 
     /// How many triangles the mesh holds.
@@ -55,12 +62,16 @@ impl TerrainCollider {
 
 impl std::fmt::Debug for TerrainCollider {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("TerrainCollider").field("triangles", &self.triangles).finish_non_exhaustive()
+        f.debug_struct("TerrainCollider")
+            .field("triangles", &self.triangles)
+            .finish_non_exhaustive()
     }
 }
 
 fn is_sound(vertices: &[Vec3], triangle: [u32; 3]) -> bool {
-    let [Some(a), Some(b), Some(c)] = triangle.map(|index| vertices.get(index as usize)) else { return false };
+    let [Some(a), Some(b), Some(c)] = triangle.map(|index| vertices.get(index as usize)) else {
+        return false;
+    };
     let double_area = (*b - *a).cross(*c - *a).length();
     double_area.is_finite() && double_area > LEAST_DOUBLE_AREA_M2
 }
@@ -70,7 +81,12 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use super::*;
 
-    const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0]];
+    const SQUARE: [[f32; 3]; 4] = [
+        [0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [1.0, 0.0, 1.0],
+        [1.0, 0.0, 0.0],
+    ];
 
     #[test]
     fn a_collider_crosses_threads_and_shares_its_mesh() {
@@ -78,7 +94,10 @@ mod tests {
         let collider = TerrainCollider::build(&SQUARE, &[[0, 1, 2], [0, 2, 3]]).unwrap();
         crosses(&collider);
         let copy = collider.clone();
-        assert!(std::ptr::addr_eq(copy.shape().0.as_ref(), collider.shape().0.as_ref()));
+        assert!(std::ptr::addr_eq(
+            copy.shape().0.as_ref(),
+            collider.shape().0.as_ref()
+        ));
         assert_eq!(copy.triangle_count(), 2);
     }
 
@@ -87,7 +106,12 @@ mod tests {
         let mut points = SQUARE.to_vec();
         points.push([f32::NAN, 0.0, 0.0]);
         let triangles = [[0, 1, 2], [0, 0, 1], [0, 1, 4], [0, 1, 99]];
-        assert_eq!(TerrainCollider::build(&points, &triangles).unwrap().triangle_count(), 1);
+        assert_eq!(
+            TerrainCollider::build(&points, &triangles)
+                .unwrap()
+                .triangle_count(),
+            1
+        );
     }
 
     #[test]

@@ -49,7 +49,10 @@ impl PhysicsWorld {
         let steps = (HIGHEST_LIFT_M / LIFT_STEP_M).round() as usize;
         let raised = |lift_m: f64| feet + DVec3::Y * lift_m;
         let free = |lift_m: f64| self.is_free(&capsule, raised(lift_m), TOUCH_M, inside);
-        let Some(mut high) = (1..=steps).map(|step| step as f64 * LIFT_STEP_M).find(|&lift_m| free(lift_m)) else {
+        let Some(mut high) = (1..=steps)
+            .map(|step| step as f64 * LIFT_STEP_M)
+            .find(|&lift_m| free(lift_m))
+        else {
             return false;
         };
         let mut low = high - LIFT_STEP_M;
@@ -66,10 +69,17 @@ impl PhysicsWorld {
         true
     }
 
-    fn is_free(&self, capsule: &Capsule, feet: DVec3, depth_m: f64, inside: &dyn Fn(DVec3) -> bool) -> bool {
+    fn is_free(
+        &self,
+        capsule: &Capsule,
+        feet: DVec3,
+        depth_m: f64,
+        inside: &dyn Fn(DVec3) -> bool,
+    ) -> bool {
         let span = capsule.height_m - 2.0 * DEEP_M;
         let points = (span / POINT_SPACING_M).ceil().max(1.0) as usize;
-        let solid = (0..=points).any(|i| inside(feet + DVec3::Y * (DEEP_M + span * i as f64 / points as f64)));
+        let solid = (0..=points)
+            .any(|i| inside(feet + DVec3::Y * (DEEP_M + span * i as f64 / points as f64)));
         if solid {
             return false;
         }

@@ -27,12 +27,19 @@ pub(crate) struct Mover<'a> {
 impl<'a> Mover<'a> {
     pub fn new(patch: Patch, tuning: &'a CharacterTuning) -> Self {
         let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
-        Self { patch, capsule, tuning, least_up: tuning.max_slope_rad.cos() }
+        Self {
+            patch,
+            capsule,
+            tuning,
+            least_up: tuning.max_slope_rad.cos(),
+        }
     }
 
     /// Into how many parts a displacement is cut.
     pub fn parts(&self, displacement: DVec3) -> usize {
-        (displacement.length() / (0.5 * self.capsule.radius_m)).ceil().clamp(1.0, 256.0) as usize
+        (displacement.length() / (0.5 * self.capsule.radius_m))
+            .ceil()
+            .clamp(1.0, 256.0) as usize
     }
 
     /// Whether a contact carries: its own direction is gentle enough, as on a ridge, or it is the lip

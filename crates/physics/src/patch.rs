@@ -25,18 +25,27 @@ pub(crate) struct Capsule {
 impl Capsule {
     pub fn new(height_m: f64, radius_m: f64) -> Self {
         let radius_m = radius_m.max(0.01);
-        Self { height_m: height_m.max(2.0 * radius_m), radius_m }
+        Self {
+            height_m: height_m.max(2.0 * radius_m),
+            radius_m,
+        }
     }
 
     /// The ends of the axis for feet at `feet`.
     pub fn axis(&self, feet: DVec3) -> (DVec3, DVec3) {
-        (feet + DVec3::Y * self.radius_m, feet + DVec3::Y * (self.height_m - self.radius_m))
+        (
+            feet + DVec3::Y * self.radius_m,
+            feet + DVec3::Y * (self.height_m - self.radius_m),
+        )
     }
 
     /// The box around the capsule with its feet at `feet`.
     pub fn bounds(&self, feet: DVec3) -> (DVec3, DVec3) {
         let r = self.radius_m;
-        (feet - DVec3::new(r, 0.0, r), feet + DVec3::new(r, self.height_m, r))
+        (
+            feet - DVec3::new(r, 0.0, r),
+            feet + DVec3::new(r, self.height_m, r),
+        )
     }
 }
 
@@ -63,14 +72,22 @@ impl Patch {
         let mut triangles = Vec::new();
         let mut found: Vec<u32> = Vec::new();
         for ground in world.grounds_in(min - skin, max + skin) {
-            let Some(mesh) = ground.collider.mesh() else { continue };
+            let Some(mesh) = ground.collider.mesh() else {
+                continue;
+            };
             let (low, high) = (min - skin - ground.origin, max + skin - ground.origin);
             found.clear();
-            found.extend(mesh.bvh().intersect_aabb(&Aabb::new(low.as_vec3(), high.as_vec3())));
+            found.extend(
+                mesh.bvh()
+                    .intersect_aabb(&Aabb::new(low.as_vec3(), high.as_vec3())),
+            );
             found.sort_unstable();
-            let (vertices, indices, offset) = (mesh.vertices(), mesh.indices(), ground.origin - anchor);
+            let (vertices, indices, offset) =
+                (mesh.vertices(), mesh.indices(), ground.origin - anchor);
             triangles.extend(found.iter().filter_map(|&id| {
-                let corners = indices.get(id as usize)?.map(|index| vertices[index as usize].as_dvec3() + offset);
+                let corners = indices
+                    .get(id as usize)?
+                    .map(|index| vertices[index as usize].as_dvec3() + offset);
                 Triangle::new(corners)
             }));
         }
@@ -79,7 +96,9 @@ impl Patch {
 
     fn near<'a>(&'a self, capsule: &Capsule, feet: DVec3) -> impl Iterator<Item = &'a Triangle> {
         let (min, max) = capsule.bounds(feet);
-        self.triangles.iter().filter(move |triangle| triangle.min.cmple(max).all() && triangle.max.cmpge(min).all())
+        self.triangles
+            .iter()
+            .filter(move |triangle| triangle.min.cmple(max).all() && triangle.max.cmpge(min).all())
     }
 
     /// The deepest contact, if one is deeper than `tolerance` (m).
@@ -99,10 +118,11 @@ impl Patch {
     /// How deep any triangle reaches into the capsule, from whichever side; at most its radius.
     pub fn depth_any_side(&self, capsule: &Capsule, feet: DVec3) -> f64 {
         let (foot, top) = capsule.axis(feet);
-        self.near(capsule, feet).fold(0.0, |deepest: f64, triangle| {
-            let nearest = triangle.nearest_to_upright(foot, top);
-            deepest.max(capsule.radius_m - nearest.on_axis.distance(nearest.on_triangle))
-        })
+        self.near(capsule, feet)
+            .fold(0.0, |deepest: f64, triangle| {
+                let nearest = triangle.nearest_to_upright(foot, top);
+                deepest.max(capsule.radius_m - nearest.on_axis.distance(nearest.on_triangle))
+            })
     }
 
     /// The highest place of a falling ball's touches over `at` that `wanted` picks.
@@ -120,7 +140,9 @@ impl Patch {
                 || triangle.max.z < at.z - radius_m;
             if !apart
                 && let Some(touch) = triangle.catch_ball(at.xz(), radius_m)
-                && highest.as_ref().is_none_or(|best| touch.centre_y > best.centre_y)
+                && highest
+                    .as_ref()
+                    .is_none_or(|best| touch.centre_y > best.centre_y)
                 && wanted(&touch, triangle)
             {
                 highest = Some(touch);
@@ -137,14 +159,28 @@ fn contact(triangle: &Triangle, capsule: &Capsule, feet: DVec3) -> Option<Contac
     let nearest = triangle.nearest_to_upright(foot, top);
     let face = triangle.normal;
     if nearest.pierced {
-        let behind = (foot - nearest.on_axis).dot(face).min((top - nearest.on_axis).dot(face));
-        return Some(Contact { normal: face, face, depth: capsule.radius_m - behind });
+        let behind = (foot - nearest.on_axis)
+            .dot(face)
+            .min((top - nearest.on_axis).dot(face));
+        return Some(Contact {
+            normal: face,
+            face,
+            depth: capsule.radius_m - behind,
+        });
     }
     let away = nearest.on_axis - nearest.on_triangle;
     let distance = away.length();
     if distance >= capsule.radius_m || away.dot(face) < -NO_DISTANCE_M {
         return None;
     }
-    let normal = if distance > NO_DISTANCE_M { away / distance } else { face };
-    Some(Contact { normal, face, depth: capsule.radius_m - distance })
+    let normal = if distance > NO_DISTANCE_M {
+        away / distance
+    } else {
+        face
+    };
+    Some(Contact {
+        normal,
+        face,
+        depth: capsule.radius_m - distance,
+    })
 }

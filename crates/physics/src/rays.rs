@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 use rapier3d::math::Pose;
-use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::query::Ray;
+use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::shape::Ball;
 
 use crate::PhysicsWorld;
@@ -30,7 +30,9 @@ impl PhysicsWorld {
     pub fn cast_ray(&self, origin: DVec3, direction: DVec3, max_m: f64) -> Option<RayHit> {
         let direction = sound_way(origin, direction, max_m)?;
         let ray = Ray::new((origin - self.origin()).as_vec3(), direction.as_vec3());
-        let (_, hit) = self.queries().cast_ray_and_get_normal(&ray, max_m as f32, false)?;
+        let (_, hit) = self
+            .queries()
+            .cast_ray_and_get_normal(&ray, max_m as f32, false)?;
         let distance_m = f64::from(hit.time_of_impact);
         Some(RayHit {
             distance_m,
@@ -41,15 +43,25 @@ impl PhysicsWorld {
 
     /// How far (m) a ball of `radius_m` at `origin` can go along `direction` before it touches
     /// terrain; `None` when it is free for `max_m` metres, 0 when it touches from the start.
-    pub fn cast_sphere(&self, origin: DVec3, direction: DVec3, radius_m: f64, max_m: f64) -> Option<f64> {
+    pub fn cast_sphere(
+        &self,
+        origin: DVec3,
+        direction: DVec3,
+        radius_m: f64,
+        max_m: f64,
+    ) -> Option<f64> {
         let direction = sound_way(origin, direction, max_m)?;
         if !(radius_m > 0.0 && radius_m.is_finite()) {
-            return self.cast_ray(origin, direction, max_m).map(|hit| hit.distance_m);
+            return self
+                .cast_ray(origin, direction, max_m)
+                .map(|hit| hit.distance_m);
         }
         let from = Pose::from_translation((origin - self.origin()).as_vec3());
         let options = ShapeCastOptions::with_max_time_of_impact(max_m as f32);
         let ball = Ball::new(radius_m as f32);
-        let (_, hit) = self.queries().cast_shape(&from, direction.as_vec3(), &ball, options)?;
+        let (_, hit) = self
+            .queries()
+            .cast_shape(&from, direction.as_vec3(), &ball, options)?;
         Some(f64::from(hit.time_of_impact).clamp(0.0, max_m))
     }
 
@@ -66,5 +78,9 @@ impl PhysicsWorld {
 }
 
 fn sound_way(origin: DVec3, direction: DVec3, max_m: f64) -> Option<DVec3> {
-    if origin.is_finite() && max_m > 0.0 { direction.try_normalize() } else { None }
+    if origin.is_finite() && max_m > 0.0 {
+        direction.try_normalize()
+    } else {
+        None
+    }
 }

@@ -39,7 +39,12 @@ impl Triangle {
     pub fn new(corners: [DVec3; 3]) -> Option<Self> {
         let [a, b, c] = corners;
         let normal = (b - a).cross(c - a).try_normalize()?;
-        Some(Self { corners, normal, min: a.min(b).min(c), max: a.max(b).max(c) })
+        Some(Self {
+            corners,
+            normal,
+            min: a.min(b).min(c),
+            max: a.max(b).max(c),
+        })
     }
 
     fn edges(&self) -> [(DVec3, DVec3); 3] {
@@ -88,7 +93,10 @@ impl Triangle {
         }
         let turn = self.normal.y.signum();
         // Seen from above with z down the page, counter-clockwise corners have a negative cross.
-        let within = self.edges().iter().all(|(p, q)| (q.xz() - p.xz()).perp_dot(at - p.xz()) * turn <= 0.0);
+        let within = self
+            .edges()
+            .iter()
+            .all(|(p, q)| (q.xz() - p.xz()).perp_dot(at - p.xz()) * turn <= 0.0);
         let [a, ..] = self.corners;
         let slide = at - a.xz();
         within.then(|| a.y - (self.normal.x * slide.x + self.normal.z * slide.y) / self.normal.y)
@@ -106,7 +114,11 @@ impl Triangle {
             && y < top.y
         {
             let through = DVec3::new(at.x, y, at.y);
-            return Nearest { on_axis: through, on_triangle: through, pierced: true };
+            return Nearest {
+                on_axis: through,
+                on_triangle: through,
+                pierced: true,
+            };
         }
         let mut best = (foot, self.closest_point(foot));
         let mut best_d2 = best.0.distance_squared(best.1);
@@ -120,15 +132,26 @@ impl Triangle {
         for (p, q) in self.edges() {
             let run = (q - p).xz();
             let run2 = run.length_squared();
-            let t = if run2 > LEAST_RUN_M * LEAST_RUN_M { ((at - p.xz()).dot(run) / run2).clamp(0.0, 1.0) } else { 0.0 };
+            let t = if run2 > LEAST_RUN_M * LEAST_RUN_M {
+                ((at - p.xz()).dot(run) / run2).clamp(0.0, 1.0)
+            } else {
+                0.0
+            };
             let on_edge = p + (q - p) * t;
             if on_edge.y > foot.y && on_edge.y < top.y {
                 offer(DVec3::new(at.x, on_edge.y, at.y), on_edge);
-            } else if run2 <= LEAST_RUN_M * LEAST_RUN_M && p.y.min(q.y) < foot.y && p.y.max(q.y) > top.y {
+            } else if run2 <= LEAST_RUN_M * LEAST_RUN_M
+                && p.y.min(q.y) < foot.y
+                && p.y.max(q.y) > top.y
+            {
                 offer(foot, DVec3::new(p.x, foot.y, p.z));
             }
         }
-        Nearest { on_axis: best.0, on_triangle: best.1, pierced: false }
+        Nearest {
+            on_axis: best.0,
+            on_triangle: best.1,
+            pierced: false,
+        }
     }
 
     /// Where a ball of `radius` that falls straight down over `at` (x, z) touches this triangle
@@ -139,12 +162,17 @@ impl Triangle {
         }
         let on_face = at - self.normal.xz() * radius;
         if let Some(contact_y) = self.height_at(on_face) {
-            return Some(Touch { centre_y: contact_y + self.normal.y * radius, contact_y });
+            return Some(Touch {
+                centre_y: contact_y + self.normal.y * radius,
+                contact_y,
+            });
         }
         let mut highest: Option<Touch> = None;
         let mut offer = |touch: Option<Touch>| {
             if let Some(touch) = touch
-                && highest.as_ref().is_none_or(|best| touch.centre_y > best.centre_y)
+                && highest
+                    .as_ref()
+                    .is_none_or(|best| touch.centre_y > best.centre_y)
             {
                 highest = Some(touch);
             }
@@ -152,7 +180,10 @@ impl Triangle {
         for (p, q) in self.edges() {
             offer(catch_on_edge(p, q, at, radius));
             let rise2 = radius * radius - at.distance_squared(p.xz());
-            offer((rise2 >= 0.0).then(|| Touch { centre_y: p.y + rise2.sqrt(), contact_y: p.y }));
+            offer((rise2 >= 0.0).then(|| Touch {
+                centre_y: p.y + rise2.sqrt(),
+                contact_y: p.y,
+            }));
         }
         highest
     }
@@ -174,5 +205,94 @@ fn catch_on_edge(p: DVec3, q: DVec3, at: DVec2, radius: f64) -> Option<Touch> {
     }
     let y = (half_b + root2.sqrt()) / a;
     let s = along + y * u.y;
-    (0.0..=length).contains(&s).then_some(Touch { centre_y: p.y + y, contact_y: p.y + s * u.y })
+    (0.0..=length).contains(&s).then_some(Touch {
+        centre_y: p.y + y,
+        contact_y: p.y + s * u.y,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use super::*;
+
+    fn triangles() -> impl Iterator<Item = Triangle> {
+        let value = |n: i32| f64::from((n * n * 31 + n * 17).rem_euclid(2003) - 1001) / 700.0;
+        (0..40).map(move |i| {
+            let corner =
+                |k: i32| DVec3::new(value(9 * i + k), value(9 * i + k + 1), value(9 * i + k + 2));
+            let corners = [corner(0), corner(3), corner(6)];
+            let upward = (corners[1] - corners[0]).cross(corners[2] - corners[0]).y > 0.0;
+            Triangle::new(if upward {
+                corners
+            } else {
+                [corners[0], corners[2], corners[1]]
+            })
+            .unwrap()
+        })
+    }
+
+    /// Points all over a triangle.
+    fn samples(triangle: &Triangle) -> impl Iterator<Item = DVec3> {
+        const CUTS: i32 = 120;
+        let [a, b, c] = triangle.corners;
+        (0..=CUTS).flat_map(move |i| {
+            let u = f64::from(i) / f64::from(CUTS);
+            (0..=CUTS - i)
+                .map(move |j| a + (b - a) * u + (c - a) * (f64::from(j) / f64::from(CUTS)))
+        })
+    }
+
+    #[test]
+    fn the_nearest_points_of_an_axis_are_those_that_a_search_finds() {
+        let (foot, top) = (DVec3::new(0.2, -0.4, -0.1), DVec3::new(0.2, 0.7, -0.1));
+        for triangle in triangles() {
+            let nearest = triangle.nearest_to_upright(foot, top);
+            let found = samples(&triangle)
+                .map(|p| p.distance(DVec3::new(foot.x, p.y.clamp(foot.y, top.y), foot.z)))
+                .fold(f64::MAX, f64::min);
+            let distance = nearest.on_axis.distance(nearest.on_triangle);
+            assert!(
+                distance <= found + 1e-9 && found < distance + 0.03,
+                "{distance} {found} {triangle:?}"
+            );
+            assert_eq!(nearest.pierced, distance == 0.0);
+        }
+    }
+
+    #[test]
+    fn an_upright_edge_beside_the_whole_axis_is_found() {
+        let corners = [
+            DVec3::new(1.0, -5.0, 0.0),
+            DVec3::new(1.0, 5.0, 0.0),
+            DVec3::new(2.0, 0.0, 1.0),
+        ];
+        let nearest = Triangle::new(corners)
+            .unwrap()
+            .nearest_to_upright(DVec3::ZERO, DVec3::Y);
+        assert!((nearest.on_axis.distance(nearest.on_triangle) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_falling_ball_is_caught_where_a_search_says() {
+        let (at, radius) = (DVec2::new(0.2, -0.1), 0.6);
+        let mut caught = 0;
+        for triangle in triangles() {
+            let found = samples(&triangle)
+                .filter_map(|p| {
+                    let rise2 = radius * radius - at.distance_squared(p.xz());
+                    (rise2 >= 0.0).then(|| p.y + rise2.sqrt())
+                })
+                .fold(f64::MIN, f64::max);
+            match triangle.catch_ball(at, radius) {
+                Some(touch) => {
+                    caught += 1;
+                    let near = touch.centre_y >= found - 1e-9 && found > touch.centre_y - 0.05;
+                    assert!(near, "{} {found} {triangle:?}", touch.centre_y);
+                }
+                None => assert!(found == f64::MIN, "{found} {triangle:?}"),
+            }
+        }
+        assert!(caught > 10, "{caught}");
+    }
 }

@@ -9,10 +9,7 @@ use glam::DVec3;
 use crate::mover::{Mover, TOUCH_M, clip, level};
 
 /// How often one part of a walk is pushed out of walls before it is given up.
-const PUSHES: usize = 16;
-
-/// The most that the pushes out of one wall are hurried.
-const LARGEST_HURRY: f64 = 10.0;
+const PUSHES: usize = 12;
 
 /// The longest push out of one wall (m).
 const LONGEST_PUSH_M: f64 = 0.25;
@@ -48,7 +45,10 @@ impl Mover<'_> {
     pub fn walk(&self, feet: DVec3, velocity: DVec3, dt_s: f64) -> Option<Walked> {
         let parts = self.parts(velocity * dt_s);
         let part_s = dt_s / parts as f64;
-        let mut walked = Walked { feet, velocity: level(velocity) };
+        let mut walked = Walked {
+            feet,
+            velocity: level(velocity),
+        };
         for _ in 0..parts {
             walked = self.walk_part(&walked, part_s)?;
         }
@@ -59,31 +59,54 @@ impl Mover<'_> {
         let tuning = self.tuning;
         let allowed = self.overlap(from.feet).map_or(0.0, |contact| contact.depth);
         let rises = [tuning.step_height_m, SLOPE_RISE_M.min(tuning.step_height_m)];
-        for (cos, sin) in [DETOURS[0]] {
+        for (cos, sin) in DETOURS {
             let v = from.velocity;
             let velocity = DVec3::new(v.x * cos - v.z * sin, 0.0, v.x * sin + v.z * cos) * cos;
-            let start = Walked { feet: from.feet, velocity };
-            if let Some(ending) = rises.iter().find_map(|&rise| self.push_through(&start, part_s, rise, allowed)) {
+            let start = Walked {
+                feet: from.feet,
+                velocity,
+            };
+            if let Some(ending) = rises
+                .iter()
+                .find_map(|&rise| self.push_through(&start, part_s, rise, allowed))
+            {
                 return ending;
             }
         }
         let y = self.floor(from.feet, from.feet.y, tuning.step_height_m, tuning.snap_m)?;
-        let feet = if self.overlap(from.feet.with_y(y)).is_some() { from.feet } else { from.feet.with_y(y) };
-        Some(Walked { feet, velocity: DVec3::ZERO })
+        let feet = if self.overlap(from.feet.with_y(y)).is_some() {
+            from.feet
+        } else {
+            from.feet.with_y(y)
+        };
+        Some(Walked {
+            feet,
+            velocity: DVec3::ZERO,
+        })
     }
 
     /// `None` when walls on all sides, or the ceiling, leave no place; `Some(None)` when the place
     /// has no floor.
-    #[expect(clippy::option_option, reason = "no place and no floor are different endings")]
-    fn push_through(&self, from: &Walked, part_s: f64, rise: f64, allowed: f64) -> Option<Option<Walked>> {
+    #[expect(
+        clippy::option_option,
+        reason = "no place and no floor are different endings"
+    )]
+    fn push_through(
+        &self,
+        from: &Walked,
+        part_s: f64,
+        rise: f64,
+        allowed: f64,
+    ) -> Option<Option<Walked>> {
         let mut velocity = from.velocity;
         let mut at = from.feet + velocity * part_s;
-        let mut last: Option<(DVec3, f64)> = None;
         for _ in 0..PUSHES {
             let floor = self.floor(at, from.feet.y, rise, self.tuning.snap_m);
             let feet = at.with_y(floor.unwrap_or(from.feet.y));
             let ending = floor.map(|_| Walked { feet, velocity });
-            let Some(wall) = self.overlap(feet) else { return Some(ending) };
+            let Some(wall) = self.overlap(feet) else {
+                return Some(ending);
+            };
             let sideways = level(wall.normal);
             let share = sideways.length();
             if wall.depth <= allowed {
@@ -93,12 +116,16 @@ impl Mover<'_> {
                 break;
             }
             let way = sideways / share;
-            at += way * (wall.depth / share * hurry(last, way, wall.depth)).min(LONGEST_PUSH_M);
+            at += way * (wall.depth / share).min(LONGEST_PUSH_M);
             velocity = clip(velocity, way);
-            last = Some((way, wall.depth));
         }
-        let slid = Walked { feet: from.feet, velocity };
-        { let _ = (slid, Self::lean); None }
+        let slid = Walked {
+            feet: from.feet,
+            velocity,
+        };
+        self.lean(from, part_s, allowed)
+            .or_else(|| self.lean(&slid, part_s, allowed))
+            .map(Some)
     }
 
     /// In a gully the way off a steep side can lead down as fast as it leads away. There the ball
@@ -112,17 +139,9 @@ impl Mover<'_> {
         let feet = at.with_y(touch.centre_y - radius);
         let gentle = feet.y <= from.feet.y + TOUCH_M && feet.y >= from.feet.y - self.tuning.snap_m;
         let free = || self.overlap(feet).is_none_or(|wall| wall.depth <= allowed);
-        (gentle && free()).then_some(Walked { feet, velocity: from.velocity })
-    }
-}
-
-/// A floor that falls with every push takes back a fixed share of it, so that the depths fall in a
-/// geometric row; its sum is taken at once (Aitken's delta-squared).
-fn hurry(last: Option<(DVec3, f64)>, way: DVec3, depth: f64) -> f64 {
-    match last {
-        Some((last_way, last_depth)) if last_way.dot(way) > 0.99 && depth < last_depth => {
-            1.0_f64.min(LARGEST_HURRY)
-        }
-        _ => 1.0,
+        (gentle && free()).then_some(Walked {
+            feet,
+            velocity: from.velocity,
+        })
     }
 }

@@ -81,15 +81,30 @@ impl PhysicsWorld {
 
     /// Puts a chunk's terrain with its origin at `origin` (m), replacing what the chunk had;
     /// `None` leaves the chunk empty.
-    pub fn set_terrain(&mut self, coord: ChunkCoord, origin: DVec3, collider: Option<TerrainCollider>) {
+    pub fn set_terrain(
+        &mut self,
+        coord: ChunkCoord,
+        origin: DVec3,
+        collider: Option<TerrainCollider>,
+    ) {
         self.take_out(coord);
         let Some(collider) = collider else { return };
         let at = (origin - self.origin).as_vec3();
-        let handle = self.colliders.insert(ColliderBuilder::new(collider.shape().clone()).translation(at));
+        let handle = self
+            .colliders
+            .insert(ColliderBuilder::new(collider.shape().clone()).translation(at));
         let index = handle.into_raw_parts().0;
-        self.tree.insert(standing_box(&collider, origin - self.origin), index);
+        self.tree
+            .insert(standing_box(&collider, origin - self.origin), index);
         self.chunks.insert(coord, handle);
-        self.grounds.insert(index, Ground { coord, origin, collider });
+        self.grounds.insert(
+            index,
+            Ground {
+                coord,
+                origin,
+                collider,
+            },
+        );
         self.forget_changes();
     }
 
@@ -123,10 +138,17 @@ impl PhysicsWorld {
         let mut boxes: Vec<(u32, Aabb)> = self
             .grounds
             .iter()
-            .map(|(&index, ground)| (index, standing_box(&ground.collider, ground.origin - self.origin)))
+            .map(|(&index, ground)| {
+                (
+                    index,
+                    standing_box(&ground.collider, ground.origin - self.origin),
+                )
+            })
             .collect();
         boxes.sort_unstable_by_key(|&(index, _)| index);
-        let leaves = boxes.into_iter().map(|(index, bounds)| (index as usize, bounds));
+        let leaves = boxes
+            .into_iter()
+            .map(|(index, bounds)| (index as usize, bounds));
         self.tree = Bvh::from_iter(BvhBuildStrategy::default(), leaves);
         self.forget_changes();
     }
@@ -150,18 +172,29 @@ impl PhysicsWorld {
     /// the answer does not depend on the order in which they were loaded.
     pub(crate) fn grounds_in(&self, min: DVec3, max: DVec3) -> Vec<&Ground> {
         let wanted = Aabb::new((min - self.origin).as_vec3(), (max - self.origin).as_vec3());
-        let mut found: Vec<&Ground> =
-            self.tree.intersect_aabb(&wanted).filter_map(|index| self.grounds.get(&index)).collect();
+        let mut found: Vec<&Ground> = self
+            .tree
+            .intersect_aabb(&wanted)
+            .filter_map(|index| self.grounds.get(&index))
+            .collect();
         found.sort_unstable_by_key(|ground| ground.coord);
         found
     }
 
     fn take_out(&mut self, coord: ChunkCoord) {
-        let Some(handle) = self.chunks.remove(&coord) else { return };
+        let Some(handle) = self.chunks.remove(&coord) else {
+            return;
+        };
         let index = handle.into_raw_parts().0;
         self.tree.remove(index);
         self.grounds.remove(&index);
-        self.colliders.remove(handle, &mut self.islands, &mut self.bodies, &mut self.soft_bodies, false);
+        self.colliders.remove(
+            handle,
+            &mut self.islands,
+            &mut self.bodies,
+            &mut self.soft_bodies,
+            false,
+        );
         self.forget_changes();
     }
 
@@ -192,8 +225,15 @@ mod tests {
         let collider = TerrainCollider::build(&positions, &[[0, 1, 2]]).unwrap();
         let mut world = PhysicsWorld::new();
         for x in [3, -2, 1, 0, -1, 2] {
-            let coord = ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, 0, 0) };
-            world.set_terrain(coord, DVec3::X * f64::from(x) * 32.0, Some(collider.clone()));
+            let coord = ChunkCoord {
+                hemisphere: Hemisphere::A,
+                index: IVec3::new(x, 0, 0),
+            };
+            world.set_terrain(
+                coord,
+                DVec3::X * f64::from(x) * 32.0,
+                Some(collider.clone()),
+            );
         }
         let found = |min: f64, max: f64| -> Vec<i32> {
             let grounds = world.grounds_in(DVec3::new(min, -1.0, 1.0), DVec3::new(max, 1.0, 2.0));

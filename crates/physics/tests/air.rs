@@ -1,5 +1,10 @@
 //! Jumping, falling, ceilings, flight and being lifted out of the ground.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 mod common;
 
@@ -20,7 +25,11 @@ fn a_jump_rises_its_height_whether_tapped_or_held() {
         }
         assert!((apex - 1.2).abs() < 0.01, "{apex}");
         let back = (walker.feet().y - ground).abs() < 1e-9;
-        assert!(walker.character.grounded && back, "a held key jumps once: {:?}", walker.character);
+        assert!(
+            walker.character.grounded && back,
+            "a held key jumps once: {:?}",
+            walker.character
+        );
     }
 }
 
@@ -31,7 +40,12 @@ fn a_jump_is_as_high_at_other_rates() {
         let mut character = Walker::at(&world, 0.0, 0.1, 0.0).rested().character;
         let mut apex = 0.0_f64;
         for _ in 0..rate as usize {
-            world.move_character(&mut character, &CharacterTuning::default(), &jump(), 1.0 / rate);
+            world.move_character(
+                &mut character,
+                &CharacterTuning::default(),
+                &jump(),
+                1.0 / rate,
+            );
             apex = apex.max(character.feet.y);
         }
         assert!((apex - 1.2).abs() < 0.036, "{apex} at {rate} Hz");
@@ -48,7 +62,10 @@ fn late_jump(late: usize) -> Character {
         walker.step(go(1.0, 0.0));
     }
     walker.steps(late - 1, go(1.0, 0.0));
-    walker.step(CharacterInput { jump: true, ..go(1.0, 0.0) });
+    walker.step(CharacterInput {
+        jump: true,
+        ..go(1.0, 0.0)
+    });
     walker.character
 }
 
@@ -102,7 +119,10 @@ fn a_ceiling_stops_the_rise_at_once() {
     let mut walker = Walker::at(&world, 0.0, 0.1, 0.0).rested();
     let mut apex = 0.0_f64;
     let mut airborne = 0;
-    walker.step(CharacterInput { jump: true, ..go(0.3, 0.0) });
+    walker.step(CharacterInput {
+        jump: true,
+        ..go(0.3, 0.0)
+    });
     while !walker.character.grounded {
         apex = apex.max(walker.feet().y);
         walker.step(still());
@@ -111,13 +131,18 @@ fn a_ceiling_stops_the_rise_at_once() {
     }
     assert!((apex - 0.5).abs() < 0.02, "{apex}");
     // Up at 4.85 m/s for 0.12 s, then down from rest: sqrt(2 * 0.5 / 9.81) = 0.32 s.
-    assert!((22..=30).contains(&airborne), "no hanging at the ceiling: {airborne}");
+    assert!(
+        (22..=30).contains(&airborne),
+        "no hanging at the ceiling: {airborne}"
+    );
 }
 
 #[test]
 fn the_fastest_fall_does_not_pass_thin_ground() {
     let mut soup = Soup::default();
-    soup.field(-8, 8, |x, z| 0.05 * (x * 3.0).sin() + 0.05 * (z * 2.0).cos());
+    soup.field(-8, 8, |x, z| {
+        0.05 * (x * 3.0).sin() + 0.05 * (z * 2.0).cos()
+    });
     let world = soup.world();
     for start in [0.0, 0.13, 0.37, 0.61, 0.97] {
         let mut walker = Walker::at(&world, 0.3, 40.0 + start, 0.2);
@@ -127,7 +152,11 @@ fn the_fastest_fall_does_not_pass_thin_ground() {
             walker.step(still());
             impact = impact.max(walker.character.impact_m_s);
         }
-        assert!(walker.character.grounded && walker.feet().y > -0.2, "{:?}", walker.character);
+        assert!(
+            walker.character.grounded && walker.feet().y > -0.2,
+            "{:?}",
+            walker.character
+        );
         assert!((impact - 60.0).abs() < 1e-9, "{impact}");
     }
 }
@@ -160,7 +189,11 @@ fn the_air_steers_less_than_the_ground() {
     walker.step(jump());
     walker.steps(5, go(1.0, 0.0));
     let expected = 12.0 * 5.0 * STEP_S;
-    assert!((walker.character.velocity.x - expected).abs() < 1e-9, "{}", walker.character.velocity);
+    assert!(
+        (walker.character.velocity.x - expected).abs() < 1e-9,
+        "{}",
+        walker.character.velocity
+    );
 }
 
 #[test]
@@ -169,14 +202,36 @@ fn spectators_fly_through_anything() {
     soup.cuboid([3.0, -1.0, -5.0], [4.0, 5.0, 5.0]);
     let world = soup.world();
     let mut walker = Walker::at(&world, 0.0, 0.1, 0.0).rested();
-    let input = CharacterInput { fly: true, sprint: true, sink: true, ..go(1.0, 0.0) };
+    let input = CharacterInput {
+        fly: true,
+        sprint: true,
+        sink: true,
+        ..go(1.0, 0.0)
+    };
     walker.steps(60, input);
     assert!((walker.character.velocity.x - 24.0).abs() < 1e-9);
     assert!((walker.character.velocity.y + 24.0).abs() < 1e-9);
-    assert!(walker.feet().x > 15.0 && walker.feet().y < -15.0, "{}", walker.feet());
-    walker.steps(60, CharacterInput { fly: true, ..still() });
+    assert!(
+        walker.feet().x > 15.0 && walker.feet().y < -15.0,
+        "{}",
+        walker.feet()
+    );
+    walker.steps(
+        60,
+        CharacterInput {
+            fly: true,
+            ..still()
+        },
+    );
     assert_eq!(walker.character.velocity, DVec3::ZERO);
-    walker.steps(60, CharacterInput { fly: true, rise: true, ..still() });
+    walker.steps(
+        60,
+        CharacterInput {
+            fly: true,
+            rise: true,
+            ..still()
+        },
+    );
     assert!((walker.character.velocity.y - 8.0).abs() < 1e-9);
 }
 
@@ -192,7 +247,10 @@ fn a_hill_built_over_someone_lifts_them_onto_it() {
     assert!(world.lift_out(&mut character, &inside));
     assert!(character.velocity.y >= 0.0);
     assert!(!world.overlaps_capsule(character.feet, 1.8, 0.35));
-    assert!((character.feet.y - hill(0.7, 0.2)).abs() < 0.25, "{character:?}");
+    assert!(
+        (character.feet.y - hill(0.7, 0.2)).abs() < 0.25,
+        "{character:?}"
+    );
     assert_eq!((character.feet.x, character.feet.z), (0.7, 0.2));
     let lifted = character.clone();
     assert!(!world.lift_out(&mut character, &inside), "once is enough");

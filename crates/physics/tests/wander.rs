@@ -1,5 +1,10 @@
 //! Long random walks through rough, cavernous land: nobody falls through it, nobody gets stuck.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 mod common;
 
@@ -19,7 +24,11 @@ fn rough(at: Vec3) -> f32 {
 
 fn land() -> PhysicsWorld {
     let mut soup = Soup::default();
-    soup.march(IVec3::new(-HALF_M, -8, -HALF_M), IVec3::new(HALF_M, 12, HALF_M), rough);
+    soup.march(
+        IVec3::new(-HALF_M, -8, -HALF_M),
+        IVec3::new(HALF_M, 12, HALF_M),
+        rough,
+    );
     soup.world()
 }
 
@@ -39,10 +48,16 @@ impl Dice {
 #[test]
 fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
     let world = land();
+    let mut times: Vec<u64> = vec![];
     let (mut deepest, mut stays, mut blocked) = (f64::MAX, 0, 0);
     for seed in 0..15 {
         let mut dice = Dice(seed);
-        let mut walker = Walker::at(&world, dice.roll() * 8.0 - 4.0, 9.0, dice.roll() * 8.0 - 4.0);
+        let mut walker = Walker::at(
+            &world,
+            dice.roll() * 8.0 - 4.0,
+            9.0,
+            dice.roll() * 8.0 - 4.0,
+        );
         let mut stay = 0;
         for leg in 0..120 {
             let turn = dice.roll() * std::f64::consts::TAU;
@@ -51,20 +66,43 @@ fn half_an_hour_of_wandering_stays_in_the_air_and_never_sticks() {
             for step in 0..60 {
                 let wish = DVec3::new(turn.cos(), 0.0, turn.sin());
                 let jump = jumps && step % 20 < 3;
-                walker.step(CharacterInput { wish, sprint, jump, ..CharacterInput::default() });
-                blocked += usize::from(walker.character.velocity.length() < 0.1);
+                let t=std::time::Instant::now();
+walker.step(CharacterInput {
+                    wish,
+                    sprint,
+                    jump,
+                    ..CharacterInput::default()
+                });
+                times.push(t.elapsed().as_nanos() as u64);
+blocked += usize::from(walker.character.velocity.length() < 0.1);
                 assert!(walker.feet().is_finite());
                 let middle = walker.feet() + DVec3::Y * 0.9;
                 deepest = deepest.min(f64::from(rough(middle.as_vec3())));
-                assert!(walker.feet().y > -7.5, "seed {seed}, leg {leg}: fell through at {from}");
+                assert!(
+                    walker.feet().y > -7.5,
+                    "seed {seed}, leg {leg}: fell through at {from}"
+                );
             }
-            stay = if walker.feet().distance(from) < 0.05 { stay + 1 } else { 0 };
+            stay = if walker.feet().distance(from) < 0.05 {
+                stay + 1
+            } else {
+                0
+            };
             stays += usize::from(stay > 0);
-            assert!(stay < 10, "seed {seed}, leg {leg}: stuck at {:?}", walker.character);
+            assert!(
+                stay < 10,
+                "seed {seed}, leg {leg}: stuck at {:?}",
+                walker.character
+            );
         }
     }
-    assert!(deepest > 0.0, "the body's middle was {deepest} in the ground");
-    // Pits with walls too steep to walk hold a leg without jumps now and then, nothing else does.
-    assert!(stays < 90, "{stays} of 1800 legs led nowhere");
-    println!("deepest {deepest}, stays {stays}, blocked {blocked}");
+    times.sort(); let n=times.len(); println!("median {} p99 {} p999 {} max {}", times[n/2], times[n*99/100], times[n*999/1000], times[n-1]);
+    assert!(
+        deepest > 0.0,
+        "the body's middle was {deepest} in the ground"
+    );
+    // Walls met head on and pits too steep to walk out of hold a walker up now and then. Without the
+    // detours, or without leaning in gullies, both counts double.
+    assert!(stays < 50, "{stays} of 1800 legs led nowhere");
+    assert!(blocked < 5500, "{blocked} of 108000 steps led nowhere");
 }

@@ -1,5 +1,10 @@
 //! Rays, casts, the floating origin and repeatability.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 mod common;
 
@@ -21,7 +26,12 @@ fn ramble(world: &mut PhysicsWorld, from: DVec3, recentre: bool) -> Vec<Characte
         .map(|step| {
             let turn = f64::from(step) * 0.01;
             let wish = DVec3::new(turn.cos().abs(), 0.0, 0.4 * (turn * 3.0).sin());
-            let input = CharacterInput { wish, sprint: step % 100 > 60, jump: step % 45 == 0, ..Default::default() };
+            let input = CharacterInput {
+                wish,
+                sprint: step % 100 > 60,
+                jump: step % 45 == 0,
+                ..Default::default()
+            };
             if recentre {
                 world.recentre(character.feet);
             }
@@ -50,7 +60,10 @@ fn the_order_in_which_chunks_came_does_not_matter() {
     backward.set_terrain(coord(1, 0, 0), DVec3::NEG_Y, Some(right));
     backward.set_terrain(coord(0, 0, 0), DVec3::ZERO, Some(left));
     backward.set_terrain(coord(5, 5, 5), DVec3::ZERO, None);
-    assert_eq!(ramble(&mut forward, DVec3::ZERO, false), ramble(&mut backward, DVec3::ZERO, false));
+    assert_eq!(
+        ramble(&mut forward, DVec3::ZERO, false),
+        ramble(&mut backward, DVec3::ZERO, false)
+    );
 }
 
 #[test]
@@ -61,7 +74,10 @@ fn a_million_metres_out_the_walk_is_the_same() {
     let away = ramble(&mut world, far, true);
     assert!((world.origin() - far).length() < 600.0 && world.origin() % 32.0 == DVec3::ZERO);
     for (near, away) in near.iter().zip(&away) {
-        assert!((away.feet - far).distance(near.feet) < 1e-3, "{near:?} {away:?}");
+        assert!(
+            (away.feet - far).distance(near.feet) < 1e-3,
+            "{near:?} {away:?}"
+        );
     }
 }
 
@@ -69,7 +85,11 @@ fn a_million_metres_out_the_walk_is_the_same() {
 fn moving_the_floating_origin_moves_nothing() {
     let at = DVec3::new(700.0, 0.0, 0.0);
     let mut world = plain().world_at(at);
-    let hit = |world: &PhysicsWorld| world.cast_ray(at + DVec3::new(3.3, 9.0, 1.7), DVec3::NEG_Y, 50.0).unwrap();
+    let hit = |world: &PhysicsWorld| {
+        world
+            .cast_ray(at + DVec3::new(3.3, 9.0, 1.7), DVec3::NEG_Y, 50.0)
+            .unwrap()
+    };
     let before = hit(&world);
     world.recentre(at);
     assert_eq!(world.origin(), DVec3::new(704.0, 0.0, 0.0));
@@ -78,7 +98,11 @@ fn moving_the_floating_origin_moves_nothing() {
     world.recentre(DVec3::new(f64::NAN, 0.0, 0.0));
     assert_eq!(world.origin(), DVec3::new(704.0, 0.0, 0.0));
     world.recentre(at + 500.0);
-    assert_eq!(world.origin(), DVec3::new(704.0, 0.0, 0.0), "only a long way moves it");
+    assert_eq!(
+        world.origin(),
+        DVec3::new(704.0, 0.0, 0.0),
+        "only a long way moves it"
+    );
 }
 
 #[test]
@@ -86,13 +110,36 @@ fn rays_find_the_nearest_surface_with_its_normal() {
     let mut soup = plain();
     soup.cuboid([5.0, -1.0, -2.0], [6.0, 3.0, 2.0]);
     let world = soup.world();
-    let hit = world.cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::X * 7.0, 50.0).unwrap();
-    assert!((hit.distance_m - 5.0).abs() < 1e-5, "the direction's length does not matter: {hit:?}");
-    assert!(hit.normal.distance(DVec3::NEG_X) < 1e-6 && hit.point.distance(DVec3::new(5.0, 1.0, 0.1)) < 1e-5);
-    assert!(world.cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 4.9).is_none(), "too short");
-    assert!(world.cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::Y, 500.0).is_none(), "into the sky");
-    let slant = world.cast_ray(DVec3::new(-3.0, 4.0, 0.3), DVec3::new(0.0, -1.0, 1.0), 50.0).unwrap();
-    assert!((slant.distance_m - 32f64.sqrt()).abs() < 1e-4 && slant.normal.distance(DVec3::Y) < 1e-6, "{slant:?}");
+    let hit = world
+        .cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::X * 7.0, 50.0)
+        .unwrap();
+    assert!(
+        (hit.distance_m - 5.0).abs() < 1e-5,
+        "the direction's length does not matter: {hit:?}"
+    );
+    assert!(
+        hit.normal.distance(DVec3::NEG_X) < 1e-6
+            && hit.point.distance(DVec3::new(5.0, 1.0, 0.1)) < 1e-5
+    );
+    assert!(
+        world
+            .cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 4.9)
+            .is_none(),
+        "too short"
+    );
+    assert!(
+        world
+            .cast_ray(DVec3::new(0.0, 1.0, 0.1), DVec3::Y, 500.0)
+            .is_none(),
+        "into the sky"
+    );
+    let slant = world
+        .cast_ray(DVec3::new(-3.0, 4.0, 0.3), DVec3::new(0.0, -1.0, 1.0), 50.0)
+        .unwrap();
+    assert!(
+        (slant.distance_m - 32f64.sqrt()).abs() < 1e-4 && slant.normal.distance(DVec3::Y) < 1e-6,
+        "{slant:?}"
+    );
 }
 
 #[test]
@@ -105,7 +152,10 @@ fn rays_that_are_no_rays_hit_nothing() {
         (DVec3::Y, DVec3::NEG_Y, -1.0),
         (DVec3::Y, DVec3::NEG_Y, f64::NAN),
     ] {
-        assert!(world.cast_ray(origin, way, far).is_none(), "{origin} {way} {far}");
+        assert!(
+            world.cast_ray(origin, way, far).is_none(),
+            "{origin} {way} {far}"
+        );
         assert!(world.cast_sphere(origin, way, 0.2, far).is_none());
     }
 }
@@ -115,10 +165,18 @@ fn a_ball_stops_its_radius_before_the_wall() {
     let mut soup = plain();
     soup.cuboid([5.0, -1.0, -2.0], [6.0, 3.0, 2.0]);
     let world = soup.world();
-    let free = world.cast_sphere(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 0.2, 50.0).unwrap();
+    let free = world
+        .cast_sphere(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 0.2, 50.0)
+        .unwrap();
     assert!((free - 4.8).abs() < 1e-3, "{free}");
-    assert!(world.cast_sphere(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 0.2, 4.0).is_none());
-    let touching = world.cast_sphere(DVec3::new(4.9, 1.0, 0.1), DVec3::X, 0.2, 4.0).unwrap();
+    assert!(
+        world
+            .cast_sphere(DVec3::new(0.0, 1.0, 0.1), DVec3::X, 0.2, 4.0)
+            .is_none()
+    );
+    let touching = world
+        .cast_sphere(DVec3::new(4.9, 1.0, 0.1), DVec3::X, 0.2, 4.0)
+        .unwrap();
     assert!(touching < 1e-6, "{touching}");
     let along = world.cast_sphere(DVec3::new(0.0, 0.5, 0.1), DVec3::NEG_X, 0.2, 40.0);
     assert!(along.is_none(), "level over the plain: {along:?}");
@@ -127,9 +185,15 @@ fn a_ball_stops_its_radius_before_the_wall() {
 #[test]
 fn capsules_overlap_what_they_cut() {
     let world = plain().world();
-    assert!(!world.overlaps_capsule(DVec3::new(0.0, 0.0, 0.0), 1.8, 0.35), "standing is no overlap");
+    assert!(
+        !world.overlaps_capsule(DVec3::new(0.0, 0.0, 0.0), 1.8, 0.35),
+        "standing is no overlap"
+    );
     assert!(world.overlaps_capsule(DVec3::new(0.0, -0.05, 0.0), 1.8, 0.35));
-    assert!(world.overlaps_capsule(DVec3::new(0.0, -1.7, 0.0), 1.8, 0.35), "from below as well");
+    assert!(
+        world.overlaps_capsule(DVec3::new(0.0, -1.7, 0.0), 1.8, 0.35),
+        "from below as well"
+    );
     assert!(!world.overlaps_capsule(DVec3::new(0.0, -2.0, 0.0), 1.8, 0.35));
 }
 
@@ -137,7 +201,9 @@ fn capsules_overlap_what_they_cut() {
 fn terrain_is_replaced_removed_and_cleared() {
     let mut world = plain().world();
     let height = |world: &PhysicsWorld| {
-        world.cast_ray(DVec3::new(0.4, 20.0, 0.2), DVec3::NEG_Y, 50.0).map(|hit| (hit.point.y * 1e3).round() / 1e3)
+        world
+            .cast_ray(DVec3::new(0.4, 20.0, 0.2), DVec3::NEG_Y, 50.0)
+            .map(|hit| (hit.point.y * 1e3).round() / 1e3)
     };
     assert_eq!(height(&world), Some(0.0));
     world.set_terrain(coord(0, 0, 0), DVec3::Y * 2.0, Some(plain().build()));

@@ -134,7 +134,7 @@ fn dome(time_of_day_s: f64) -> Sky {
     // Each light fades as it nears the horizon, so the hand-over between sun and moon shows no step.
     let sunlight = smooth(-0.05, 0.18, sun.y);
     let moonlight = smooth(-0.02, 0.25, moon.y) * (1.0 - sunlight);
-    let sun_colour = now.glare * (2.6 * sunlight);
+    let sun_colour = now.glare * (1.8 * sunlight);
     let moon_colour = MOON_COLOUR * (0.55 * moonlight);
     let (key_direction, key_colour) = if sun_colour.length() >= moon_colour.length() {
         (sun, sun_colour)
@@ -168,9 +168,9 @@ fn enclosed() -> Sky {
         sun_direction: Vec3::Y.into(),
         moon_direction: Vec3::NEG_Y.into(),
         key_direction: Vec3::Y.into(),
-        key_colour: (ZENITH_LIGHT * 1.5).into(),
-        ambient_sky: [0.34, 0.40, 0.48],
-        ambient_ground: [0.20, 0.18, 0.16],
+        key_colour: (ZENITH_LIGHT * 1.15).into(),
+        ambient_sky: [0.26, 0.32, 0.40],
+        ambient_ground: [0.17, 0.16, 0.15],
         dome: false,
     }
 }

@@ -1,6 +1,11 @@
 //! Terrain to walk on, and a walker: shared by the tests and the benches of this crate.
 #![allow(dead_code, reason = "no test uses every kind of terrain")]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 use antipode_geometry::{ChunkCoord, Hemisphere};
 use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld, TerrainCollider};
@@ -19,9 +24,14 @@ impl Soup {
     /// Adds a triangle whose air side is the one `towards` points to.
     pub fn triangle(&mut self, corners: [Vec3; 3], towards: Vec3) {
         let [a, b, c] = corners;
-        let corners = if (b - a).cross(c - a).dot(towards) < 0.0 { [a, c, b] } else { corners };
+        let corners = if (b - a).cross(c - a).dot(towards) < 0.0 {
+            [a, c, b]
+        } else {
+            corners
+        };
         let first = self.positions.len() as u32;
-        self.positions.extend(corners.map(|corner| corner.to_array()));
+        self.positions
+            .extend(corners.map(|corner| corner.to_array()));
         self.triangles.push([first, first + 1, first + 2]);
     }
 
@@ -33,16 +43,33 @@ impl Soup {
     /// The surface of a box, solid inside.
     pub fn cuboid(&mut self, min: [f32; 3], max: [f32; 3]) {
         let corner = |i: usize| {
-            let pick = |axis: usize| if i >> axis & 1 == 1 { max[axis] } else { min[axis] };
+            let pick = |axis: usize| {
+                if i >> axis & 1 == 1 {
+                    max[axis]
+                } else {
+                    min[axis]
+                }
+            };
             Vec3::new(pick(0), pick(1), pick(2))
         };
         for axis in 0..3 {
             let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
             for side in [0, 1 << axis] {
                 let out = corner(1 << axis) - corner(0);
-                let out = Vec3::from_array(std::array::from_fn(|k| if k == axis { out[k] } else { 0.0 }));
+                let out =
+                    Vec3::from_array(std::array::from_fn(
+                        |k| if k == axis { out[k] } else { 0.0 },
+                    ));
                 let towards = if side == 0 { -out } else { out };
-                self.quad([corner(side), corner(side + u), corner(side + u + v), corner(side + v)], towards);
+                self.quad(
+                    [
+                        corner(side),
+                        corner(side + u),
+                        corner(side + u + v),
+                        corner(side + v),
+                    ],
+                    towards,
+                );
             }
         }
     }
@@ -52,7 +79,10 @@ impl Soup {
         let at = |x: i32, z: i32| Vec3::new(x as f32, height(x as f32, z as f32), z as f32);
         for x in from..to {
             for z in from..to {
-                self.quad([at(x, z), at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)], Vec3::Y);
+                self.quad(
+                    [at(x, z), at(x + 1, z), at(x + 1, z + 1), at(x, z + 1)],
+                    Vec3::Y,
+                );
             }
         }
     }
@@ -60,8 +90,14 @@ impl Soup {
     /// The zero surface of a density (negative is solid) over a box of 1 m cells, each cut into six
     /// tetrahedra: as closed as marching cubes, with more and worse slivers.
     pub fn march(&mut self, min: IVec3, max: IVec3, density: impl Fn(Vec3) -> f32) {
-        const PATHS: [[usize; 4]; 6] =
-            [[0, 1, 3, 7], [0, 1, 5, 7], [0, 2, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 4, 6, 7]];
+        const PATHS: [[usize; 4]; 6] = [
+            [0, 1, 3, 7],
+            [0, 1, 5, 7],
+            [0, 2, 3, 7],
+            [0, 2, 6, 7],
+            [0, 4, 5, 7],
+            [0, 4, 6, 7],
+        ];
         for x in min.x..max.x {
             for y in min.y..max.y {
                 for z in min.z..max.z {
@@ -78,7 +114,8 @@ impl Soup {
     }
 
     fn tetrahedron(&mut self, corners: [Vec3; 4], density: &impl Fn(Vec3) -> f32) {
-        let (solid, air): (Vec<Vec3>, Vec<Vec3>) = corners.into_iter().partition(|&at| density(at) < 0.0);
+        let (solid, air): (Vec<Vec3>, Vec<Vec3>) =
+            corners.into_iter().partition(|&at| density(at) < 0.0);
         if solid.is_empty() || air.is_empty() {
             return;
         }
@@ -113,7 +150,10 @@ impl Soup {
 }
 
 pub fn coord(x: i32, y: i32, z: i32) -> ChunkCoord {
-    ChunkCoord { hemisphere: Hemisphere::A, index: IVec3::new(x, y, z) }
+    ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::new(x, y, z),
+    }
 }
 
 /// Level ground at y = 0, 128 m across.
@@ -138,7 +178,11 @@ pub struct Walker<'a> {
 impl<'a> Walker<'a> {
     pub fn at(world: &'a PhysicsWorld, x: f64, y: f64, z: f64) -> Self {
         let character = Character::at(DVec3::new(x, y, z));
-        Self { world, character, tuning: CharacterTuning::default() }
+        Self {
+            world,
+            character,
+            tuning: CharacterTuning::default(),
+        }
     }
 
     /// Lets the walker come to rest.
@@ -148,7 +192,8 @@ impl<'a> Walker<'a> {
     }
 
     pub fn step(&mut self, input: CharacterInput) {
-        self.world.move_character(&mut self.character, &self.tuning, &input, STEP_S);
+        self.world
+            .move_character(&mut self.character, &self.tuning, &input, STEP_S);
     }
 
     pub fn steps(&mut self, count: usize, input: CharacterInput) {
@@ -163,11 +208,17 @@ impl<'a> Walker<'a> {
 }
 
 pub fn go(x: f64, z: f64) -> CharacterInput {
-    CharacterInput { wish: DVec3::new(x, 0.0, z), ..CharacterInput::default() }
+    CharacterInput {
+        wish: DVec3::new(x, 0.0, z),
+        ..CharacterInput::default()
+    }
 }
 
 pub fn jump() -> CharacterInput {
-    CharacterInput { jump: true, ..CharacterInput::default() }
+    CharacterInput {
+        jump: true,
+        ..CharacterInput::default()
+    }
 }
 
 pub fn still() -> CharacterInput {

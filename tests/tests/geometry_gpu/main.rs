@@ -1,0 +1,224 @@
+//! `shaders/geometry.wgsl` on a real adapter, against 80-digit numbers and the f64 port.
+//!
+//! Without an adapter the test says so and passes, unless `ANTIPODE_REQUIRE_GPU=1`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stderr,
+    reason = "tests fail by panicking, and say which adapter they ran on"
+)]
+
+mod gpu;
+mod probes;
+
+use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry, Projection, scalar, strategy};
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Vec3, Vec4, Vec4Swizzles};
+
+use crate::gpu::GPU;
+use crate::probes::{Case, Numbers, Probe, case, dense, golden};
+
+/// Runs each of the four functions once per case.
+const PORT_SHADER: &str = "
+struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }
+struct Answer { view: vec4<f32>, clip: vec4<f32>, normal: vec3<f32>, distance: f32 }
+@group(0) @binding(0) var<storage, read> cases: array<Case>;
+@group(0) @binding(1) var<storage, read_write> answers: array<Answer>;
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let i = id.x;
+    if i >= arrayLength(&cases) { return; }
+    let space = cases[i].space;
+    let view = port_to_view(space, cases[i].p, cases[i].hemisphere);
+    answers[i].view = view;
+    answers[i].clip = clip_from_view(space, view);
+    answers[i].normal = port_normal(space, cases[i].p, cases[i].n, cases[i].hemisphere);
+    answers[i].distance = eye_distance(space, view);
+}";
+
+/// Runs the shader's own trigonometry.
+const SCALAR_SHADER: &str = "
+struct Row { trig: vec2<f32>, hyper: vec2<f32>, angle: f32, asinh: f32, bends: vec2<f32> }
+@group(0) @binding(0) var<storage, read> ts: array<f32>;
+@group(0) @binding(1) var<storage, read_write> rows: array<Row>;
+@compute @workgroup_size(64)
+fn main(@builtin(global_invocation_id) id: vec3<u32>) {
+    let i = id.x;
+    if i >= arrayLength(&ts) { return; }
+    let t = ts[i];
+    rows[i].trig = geo_sinc_cos(t * t);
+    rows[i].hyper = geo_sinhc_cosh(t);
+    rows[i].angle = geo_angle(t, 1.0);
+    rows[i].asinh = geo_asinh(t);
+    rows[i].bends = vec2<f32>(geo_sinc_bend(t * t, -1.0), geo_sinc_bend(t * t, 1.0));
+}";
+
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Answer {
+    view: Vec4,
+    clip: Vec4,
+    normal: Vec3,
+    distance: f32,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct Row {
+    trig: [f32; 2],
+    hyper: [f32; 2],
+    angle: f32,
+    asinh: f32,
+    bends: [f32; 2],
+}
+
+/// The greatest errors of a run.
+#[derive(Default, Debug)]
+struct Worst {
+    angle_rad: f64,
+    distance: f64,
+    depth: f64,
+    normal_rad: f64,
+}
+
+/// Compares within the bounds that f32 inputs allow: the angle of sight everywhere, distances
+/// relative to the distance, and on the sphere both relative to the radius.
+fn compare(probes: &[Probe], answers: &[Answer]) -> [Worst; 3] {
+    let mut worst = [Worst::default(), Worst::default(), Worst::default()];
+    for (probe, answer) in probes.iter().zip(answers) {
+        let geometry = probe.space.geometry();
+        let ours = answer.view.as_dvec4();
+        assert!(ours.is_finite() && answer.normal.is_finite() && answer.distance.is_finite());
+        let worst = &mut worst[geometry as usize];
+        let (a, b) = (ours.xyz(), probe.view.truncate());
+        // A direction on the sphere has the error of the point, which is a part of the radius.
+        let sphere = geometry == Geometry::Spherical;
+        let scale = if sphere {
+            probe.space.radius_m()
+        } else {
+            b.length()
+        };
+        let angle = if sphere {
+            (a - b).length() / scale
+        } else {
+            (a.normalize() - b.normalize()).length()
+        };
+        worst.angle_rad = worst.angle_rad.max(angle);
+        let span = if sphere { scale } else { probe.distance };
+        let distance = (f64::from(answer.distance) - probe.distance).abs() / span;
+        worst.distance = worst.distance.max(distance);
+        let depth_scale = if sphere { scale } else { probe.clip.z };
+        worst.depth = worst
+            .depth
+            .max((f64::from(answer.clip.z) - probe.clip.z).abs() / depth_scale);
+        let normal = answer.normal.as_dvec3();
+        assert!((normal.length() - 1.0).abs() < 1e-6);
+        let turned = (normal - probe.normal).length() * probe.normal_condition();
+        worst.normal_rad = worst.normal_rad.max(turned);
+        let w = f64::from(answer.clip.w);
+        assert_eq!(w, -ours.z, "clip w is the distance ahead");
+    }
+    worst
+}
+
+fn check(probes: &[Probe]) {
+    let Some(gpu) = GPU.as_ref() else { return };
+    let cases: Vec<Case> = probes.iter().map(|probe| probe.case).collect();
+    let worst = compare(probes, &gpu.compute(PORT_SHADER, &cases));
+    for (geometry, worst) in Geometry::ALL.into_iter().zip(worst) {
+        eprintln!("{geometry}: {worst:?}");
+        assert!(worst.angle_rad < 2e-6, "{geometry}: {worst:?}");
+        assert!(worst.distance < 2e-6, "{geometry}: {worst:?}");
+        assert!(worst.depth < 1e-5, "{geometry}: {worst:?}");
+        assert!(worst.normal_rad < 1e-6, "{geometry}: {worst:?}");
+    }
+}
+
+#[test]
+fn the_shader_agrees_with_eighty_digits() {
+    check(&golden());
+}
+
+#[test]
+fn the_shader_agrees_with_the_f64_port() {
+    check(&dense(30_000));
+}
+
+#[test]
+fn the_shader_is_finite_at_every_magnitude() {
+    let Some(gpu) = GPU.as_ref() else { return };
+    let mut rng = Numbers(11);
+    let projection = Projection::new(1.2, 1.6, 0.05);
+    let mut cases = Vec::new();
+    let mut far = Vec::new();
+    for i in 0..4000 {
+        let space = strategy(Geometry::Hyperbolic, if i % 2 == 0 { 20.0 } else { 1024.0 });
+        let mut eye = rng.eye(DVec3::ZERO);
+        if i % 5 == 0 {
+            eye.dial = 0.0;
+        }
+        let p = rng.direction() * 10.0_f64.powf(rng.between(-37.0, 37.0));
+        let p = if i % 7 == 0 { DVec3::ZERO } else { p };
+        far.push(p.length() > (FAR_LIMIT_RADII + 2.0) * space.radius_m());
+        cases.push(case(
+            space.as_ref(),
+            &eye,
+            &projection,
+            ChartPoint::a(p),
+            rng.direction(),
+        ));
+    }
+    let answers: Vec<Answer> = gpu.compute(PORT_SHADER, &cases);
+    for ((answer, case), far) in answers.iter().zip(&cases).zip(far) {
+        let finite = answer.view.is_finite() && answer.clip.is_finite();
+        assert!(finite, "{} {} {}", case.p, answer.view, answer.clip);
+        assert!(
+            answer.normal.is_finite() && answer.distance.is_finite(),
+            "{}",
+            case.p
+        );
+        assert!((answer.normal.length() - 1.0).abs() < 1e-5, "{}", case.p);
+        assert!(!far || answer.clip.z < 1e-8, "{} {}", case.p, answer.clip);
+    }
+}
+
+#[test]
+fn the_shaders_own_trigonometry_is_exact_to_a_few_ulp() {
+    let Some(gpu) = GPU.as_ref() else { return };
+    let ts: Vec<f32> = (0..20_000)
+        .map(|i| (1e-6_f64 * (8e7_f64).powf(f64::from(i) / 19_999.0)) as f32)
+        .collect();
+    let rows: Vec<Row> = gpu.compute(SCALAR_SHADER, &ts);
+    let ulp = f64::from(f32::EPSILON);
+    let mut worst = [0.0_f64; 6];
+    for (t, row) in ts.iter().zip(rows) {
+        let t = f64::from(*t);
+        let relative = |ours: f32, exact: f64| (f64::from(ours) / exact - 1.0).abs() / ulp;
+        let absolute = |ours: f32, exact: f64| (f64::from(ours) - exact).abs() / ulp;
+        let mut note = |i: usize, error: f64| worst[i] = worst[i].max(error);
+        if t < std::f64::consts::PI {
+            // The argument is t^2 rounded, which moves t by half an ulp.
+            note(0, absolute(row.trig[0], t.sin() / t));
+            note(1, absolute(row.trig[1], t.cos()));
+        }
+        // exp's own condition number is t: half an ulp of t is t/2 ulp of the result.
+        note(
+            2,
+            relative(row.hyper[0], t.sinh() / t).max(relative(row.hyper[1], t.cosh())) / t.max(1.0),
+        );
+        note(3, relative(row.angle, t.atan()));
+        note(4, relative(row.asinh, t.asinh()));
+        if t < 1.0 {
+            let bend = |sign| scalar::sinc_minus_one_over_square(sign, t);
+            note(
+                5,
+                relative(row.bends[0], bend(1.0)).max(relative(row.bends[1], bend(-1.0))),
+            );
+        }
+    }
+    eprintln!("ulp: sinc, cos, sinh and cosh / t, atan, asinh, bends: {worst:?}");
+    for (error, most) in worst.into_iter().zip([4.0, 4.0, 3.0, 6.0, 12.0, 3.0]) {
+        assert!(error < most, "{worst:?}");
+    }
+}
