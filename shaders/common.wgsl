@@ -49,7 +49,7 @@ fn fog_at(distance_m: f32) -> f32 {
 fn light_on(normal: vec3<f32>) -> vec3<f32> {
     let facing = dot(normal, scene.key_direction.xyz);
     let key = max(facing, 0.0);
-    let wrap = 0.06 * (1.0 - abs(facing)) + 0.03;
+    let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
     let sky = 0.5 + 0.5 * normal.y;
     return scene.key_colour.rgb * (0.78 * key + wrap) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
 }

@@ -62,9 +62,9 @@ fn shade(in: VertexOut) -> vec4<f32> {
     let height = in.land.w;
     var tone = 1.0;
     // Fine grain, gone where a pixel would hold several of its cells.
-    let near = 1.0 - clamp(spread_m * (1.0 / 56.0), 0.0, 1.0);
-    let dapple = smoothstep(0.30, 0.70, value_noise(in.grain * 4.0, 1023u)) - 0.5;
-    tone += dapple * (0.24 * near * near);
+    let near = 1.0 - clamp(spread_m * (1.0 / 44.0), 0.0, 1.0);
+    let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
+    tone += dapple * (0.22 * near * near);
     // Cuts show layers, about 1.1 m apart.
     let cut = smoothstep(0.62, 0.86, steep);
     let layer = abs(fract(height * 0.9) - 0.5) + 0.7 * abs(fract(height * 0.37) - 0.5);

@@ -1,5 +1,11 @@
 //! The program as a child process: scripts in, probes out.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a helper of tests fails by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::missing_panics_doc,
+    reason = "a helper of tests fails by panicking"
+)]
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -32,15 +38,27 @@ impl Run {
 /// When it is not there: tests are run over the whole workspace so that it is.
 pub fn binary() -> PathBuf {
     let test = std::env::current_exe().expect("the test knows its own path");
-    let path = test.parent().and_then(Path::parent).expect("tests live in target/PROFILE/deps").join("antipode");
-    assert!(path.exists(), "{} is missing; run the tests of the whole workspace (--workspace)", path.display());
+    let path = test
+        .parent()
+        .and_then(Path::parent)
+        .expect("tests live in target/PROFILE/deps")
+        .join("antipode");
+    assert!(
+        path.exists(),
+        "{} is missing; run the tests of the whole workspace (--workspace)",
+        path.display()
+    );
     path
 }
 
 /// The game with a saves directory of its own and nothing of this machine's configuration.
 pub fn game(saves: &Path) -> Command {
     let mut command = Command::new(binary());
-    command.env_remove("ANTIPODE_SAVES").arg("--saves-dir").arg(saves).current_dir(saves);
+    command
+        .env_remove("ANTIPODE_SAVES")
+        .arg("--saves-dir")
+        .arg(saves)
+        .current_dir(saves);
     command
 }
 
@@ -70,7 +88,11 @@ pub fn run_with(saves: &Path, script: &str, options: &[&str]) -> Run {
         .lines()
         .map(|line| serde_json::from_str(line).unwrap_or_else(|e| panic!("not JSON ({e}): {line}")))
         .collect();
-    Run { status: output.status.code(), lines, stderr: String::from_utf8_lossy(&output.stderr).into_owned() }
+    Run {
+        status: output.status.code(),
+        lines,
+        stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
+    }
 }
 
 /// A number in a probe, by a path such as `player.pos.1`.
@@ -78,7 +100,9 @@ pub fn run_with(saves: &Path, script: &str, options: &[&str]) -> Run {
 /// # Panics
 /// When there is no number there.
 pub fn number(probe: &Value, path: &str) -> f64 {
-    field(probe, path).as_f64().unwrap_or_else(|| panic!("{path} is no number in {probe}"))
+    field(probe, path)
+        .as_f64()
+        .unwrap_or_else(|| panic!("{path} is no number in {probe}"))
 }
 
 /// A value in a probe, by a path such as `player.pos.1`.
@@ -87,7 +111,9 @@ pub fn number(probe: &Value, path: &str) -> f64 {
 /// When there is none.
 pub fn field<'a>(probe: &'a Value, path: &str) -> &'a Value {
     let pointer = format!("/{}", path.replace('.', "/"));
-    probe.pointer(&pointer).unwrap_or_else(|| panic!("no {path} in {probe}"))
+    probe
+        .pointer(&pointer)
+        .unwrap_or_else(|| panic!("no {path} in {probe}"))
 }
 
 /// A probe without the fields in which two runs of one script may differ.

@@ -1,5 +1,11 @@
 //! How far two pictures differ.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a helper of tests fails by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::missing_panics_doc,
+    reason = "a helper of tests fails by panicking"
+)]
 
 use std::path::Path;
 
@@ -19,7 +25,9 @@ pub struct Difference {
 /// # Panics
 /// When it cannot be read.
 pub fn picture(path: &Path) -> RgbImage {
-    image::open(path).unwrap_or_else(|e| panic!("{}: {e}", path.display())).to_rgb8()
+    image::open(path)
+        .unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+        .to_rgb8()
 }
 
 /// Compares two pictures.
@@ -35,12 +43,19 @@ pub fn compare(a: &RgbImage, b: &RgbImage) -> Difference {
         far += u64::from(steps.iter().any(|s| *s > 12));
     }
     let pixels = f64::from(a.width()) * f64::from(a.height());
-    Difference { mean: sum as f64 / (3.0 * pixels), far_off: far as f64 / pixels }
+    Difference {
+        mean: sum as f64 / (3.0 * pixels),
+        far_off: far as f64 / pixels,
+    }
 }
 
 /// How many different colours a picture holds, as a sign that it shows something.
 pub fn colours(picture: &RgbImage) -> usize {
-    picture.pixels().map(|p| p.0).collect::<std::collections::HashSet<_>>().len()
+    picture
+        .pixels()
+        .map(|p| p.0)
+        .collect::<std::collections::HashSet<_>>()
+        .len()
 }
 
 #[cfg(test)]
@@ -51,10 +66,18 @@ mod tests {
     fn equal_pictures_differ_by_nothing_and_one_pixel_counts() {
         let black = RgbImage::new(10, 10);
         let mut dotted = black.clone();
-        assert_eq!(compare(&black, &dotted), Difference { mean: 0.0, far_off: 0.0 });
+        assert_eq!(
+            compare(&black, &dotted),
+            Difference {
+                mean: 0.0,
+                far_off: 0.0
+            }
+        );
         dotted.put_pixel(3, 4, image::Rgb([255, 0, 0]));
         let difference = compare(&black, &dotted);
-        assert!((difference.mean - 0.85).abs() < 1e-12 && (difference.far_off - 0.01).abs() < 1e-12);
+        assert!(
+            (difference.mean - 0.85).abs() < 1e-12 && (difference.far_off - 0.01).abs() < 1e-12
+        );
         assert_eq!(colours(&dotted), 2);
     }
 }

@@ -3,6 +3,7 @@
     clippy::unwrap_used,
     clippy::expect_used,
     clippy::panic,
+    clippy::missing_panics_doc,
     reason = "a helper of tests fails by panicking"
 )]
 
@@ -16,7 +17,7 @@ use image::RgbImage;
 use crate::program::game;
 
 /// Longest wait for something to appear; a deadline for a hung program, not a measure of speed.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_mins(2);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
@@ -30,7 +31,9 @@ pub struct Window {
 
 /// The display for window tests, or `None` where nobody provides one.
 pub fn display() -> Option<String> {
-    std::env::var("ANTIPODE_TEST_DISPLAY").ok().filter(|name| !name.is_empty())
+    std::env::var("ANTIPODE_TEST_DISPLAY")
+        .ok()
+        .filter(|name| !name.is_empty())
 }
 
 impl Window {
@@ -46,13 +49,21 @@ impl Window {
             .stderr(Stdio::inherit())
             .spawn()
             .expect("the program starts");
-        let mut window = Self { child, display: display.to_owned(), id: String::new() };
+        let mut window = Self {
+            child,
+            display: display.to_owned(),
+            id: String::new(),
+        };
         let began = Instant::now();
         while window.id.is_empty() {
             window.give_up_after(began, "the window never appeared");
             let found = window.tool("xdotool", &["search", "--name", "^Antipode$"]);
             let listed = String::from_utf8_lossy(&found.stdout).into_owned();
-            window.id = listed.lines().next().unwrap_or_default().to_owned();
+            listed
+                .lines()
+                .next()
+                .unwrap_or_default()
+                .clone_into(&mut window.id);
             sleep(GLANCE);
         }
         window.xdotool(&["windowfocus", "--sync", &window.id.clone()]);
@@ -61,7 +72,13 @@ impl Window {
 
     /// Clicks a button at a place of the window, in pixels.
     pub fn click(&self, x: u32, y: u32) {
-        self.xdotool(&["mousemove", "--window", &self.id, &x.to_string(), &y.to_string()]);
+        self.xdotool(&[
+            "mousemove",
+            "--window",
+            &self.id,
+            &x.to_string(),
+            &y.to_string(),
+        ]);
         sleep(GLANCE);
         self.xdotool(&["mousedown", "1"]);
         sleep(GLANCE);
@@ -109,7 +126,9 @@ impl Window {
     /// When no picture can be taken.
     pub fn look(&self) -> RgbImage {
         let shot = self.tool("import", &["-window", &self.id, "png:-"]);
-        image::load_from_memory(&shot.stdout).expect("a picture of the window").to_rgb8()
+        image::load_from_memory(&shot.stdout)
+            .expect("a picture of the window")
+            .to_rgb8()
     }
 
     /// Looks until the picture is as wanted.
@@ -135,7 +154,11 @@ impl Window {
     pub fn ended(mut self) -> Option<i32> {
         let began = Instant::now();
         loop {
-            if let Some(status) = self.child.try_wait().expect("the program can be waited for") {
+            if let Some(status) = self
+                .child
+                .try_wait()
+                .expect("the program can be waited for")
+            {
                 return status.code();
             }
             self.give_up_after(began, "the program did not end");
@@ -157,7 +180,11 @@ impl Window {
 
     fn xdotool(&self, arguments: &[&str]) {
         let output = self.tool("xdotool", arguments);
-        assert!(output.status.success(), "xdotool {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(
+            output.status.success(),
+            "xdotool {arguments:?}: {}",
+            String::from_utf8_lossy(&output.stderr)
+        );
     }
 
     fn tool(&self, name: &str, arguments: &[&str]) -> Output {

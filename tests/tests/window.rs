@@ -32,7 +32,10 @@ fn shows_main_menu(picture: &image::RgbImage) -> bool {
 fn shows_world(picture: &image::RgbImage) -> bool {
     let bright = |x, y, width, height| {
         let part = image::imageops::crop_imm(picture, x, y, width, height).to_image();
-        let sum: u64 = part.pixels().map(|p| p.0.iter().map(|c| u64::from(*c)).sum::<u64>()).sum();
+        let sum: u64 = part
+            .pixels()
+            .map(|p| p.0.iter().map(|c| u64::from(*c)).sum::<u64>())
+            .sum();
         sum / u64::from(3 * width * height) > 55
     };
     !shows_main_menu(picture) && bright(20, 420, 220, 200) && bright(320, 480, 200, 100)
@@ -41,12 +44,17 @@ fn shows_world(picture: &image::RgbImage) -> bool {
 /// The New Game form with a valid name: its hint is green.
 fn shows_free_name(picture: &image::RgbImage) -> bool {
     let hint = image::imageops::crop_imm(picture, 290, 136, 130, 20).to_image();
-    hint.pixels().filter(|p| p.0[1] > 150 && p.0[1] > p.0[0].saturating_add(40)).count() > 20
+    hint.pixels()
+        .filter(|p| p.0[1] > 150 && p.0[1] > p.0[0].saturating_add(40))
+        .count()
+        > 20
 }
 
 /// The empty New Game form: its fields are darker than anything in the picture behind it.
 fn shows_new_game(picture: &image::RgbImage) -> bool {
-    [(900, 114), (900, 359)].iter().all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 14))
+    [(900, 114), (900, 359)]
+        .iter()
+        .all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 14))
 }
 
 /// The list of worlds: its first row is lighter than the panel.
@@ -61,7 +69,11 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
         return;
     };
     let saves = tempfile::tempdir().unwrap();
-    let mut game = Window::open(&display, saves.path(), &["--size", "1280x720", "--view-distance", "2"]);
+    let mut game = Window::open(
+        &display,
+        saves.path(),
+        &["--size", "1280x720", "--view-distance", "2"],
+    );
     game.wait_until("the main menu", shows_main_menu);
     game.click(NEW_GAME.0, NEW_GAME.1);
     game.wait_until("the New Game form", shows_new_game);
@@ -78,7 +90,9 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.hold_left(Duration::from_secs(3));
     let dug = game.wait_until("the hole", |picture| compare(picture, &fresh).mean > 5.0);
     game.key("Escape");
-    game.wait_until("the pause menu", |picture| compare(picture, &dug).mean > 10.0);
+    game.wait_until("the pause menu", |picture| {
+        compare(picture, &dug).mean > 10.0
+    });
     game.click(SAVE_AND_QUIT.0, SAVE_AND_QUIT.1);
     game.wait_until("the main menu after saving", shows_main_menu);
     game.click(QUIT.0, QUIT.1);
@@ -86,24 +100,43 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
 
     let saved = run(saves.path(), "load Digs\nprobe");
     assert_eq!(field(saved.probe(0), "geometry"), "spherical");
-    assert!(number(saved.probe(0), "chunks.edited") >= 1.0, "the hole is not in the save");
+    assert!(
+        number(saved.probe(0), "chunks.edited") >= 1.0,
+        "the hole is not in the save"
+    );
 
-    let mut game = Window::open(&display, saves.path(), &["--size", "1280x720", "--view-distance", "2"]);
+    let mut game = Window::open(
+        &display,
+        saves.path(),
+        &["--size", "1280x720", "--view-distance", "2"],
+    );
     game.wait_until("the main menu", shows_main_menu);
     game.click(LOAD.0, LOAD.1);
     game.wait_until("the list of worlds", shows_row);
     game.click(FIRST_WORLD.0, FIRST_WORLD.1);
     let back = game.wait_until("the loaded world", shows_world);
     game.key("Escape");
-    game.wait_until("the pause menu", |picture| compare(picture, &back).mean > 10.0);
+    game.wait_until("the pause menu", |picture| {
+        compare(picture, &back).mean > 10.0
+    });
     game.click(SAVE_AND_QUIT.0, SAVE_AND_QUIT.1);
     game.wait_until("the main menu after saving", shows_main_menu);
     game.click(QUIT.0, QUIT.1);
     assert_eq!(game.ended(), Some(0));
 
     let again = run(saves.path(), "load Digs\nprobe");
-    for path in ["player.yaw", "player.pitch", "player.hemisphere", "chunks.edited", "seed"] {
-        assert_eq!(field(saved.probe(0), path), field(again.probe(0), path), "{path}");
+    for path in [
+        "player.yaw",
+        "player.pitch",
+        "player.hemisphere",
+        "chunks.edited",
+        "seed",
+    ] {
+        assert_eq!(
+            field(saved.probe(0), path),
+            field(again.probe(0), path),
+            "{path}"
+        );
     }
     for axis in ["player.pos.0", "player.pos.1", "player.pos.2"] {
         let (a, b) = (number(saved.probe(0), axis), number(again.probe(0), axis));

@@ -97,10 +97,10 @@ pub fn key_named(name: &str) -> Option<KeyCode> {
 pub fn key_label(code: KeyCode) -> String {
     let name = format!("{code:?}");
     for (side, word) in [("Left", "Left "), ("Right", "Right ")] {
-        if let Some(stem) = name.strip_suffix(side) {
-            if ["Shift", "Control", "Alt", "Super"].contains(&stem) {
-                return format!("{word}{stem}");
-            }
+        if let Some(stem) = name.strip_suffix(side)
+            && ["Shift", "Control", "Alt", "Super"].contains(&stem)
+        {
+            return format!("{word}{stem}");
         }
     }
     for prefix in ["Key", "Digit"] {

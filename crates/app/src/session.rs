@@ -108,7 +108,7 @@ impl Worlds {
 
     /// A name nobody has taken yet.
     pub fn free_name(&self) -> String {
-        (1u32..)
+        (1..100_000)
             .map(|n| format!("World {n}"))
             .find(|name| self.saves.check_name(name).is_ok())
             .unwrap_or_else(|| "World".to_owned())

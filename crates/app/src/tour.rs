@@ -32,6 +32,8 @@ pub fn run(out: &Path, common: &Common) -> Result<(), Failure> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::expect_used, reason = "tests fail by panicking")]
+
     use crate::script::{Order, parse};
 
     #[test]

@@ -11,6 +11,10 @@ use crate::mover::{Mover, TOUCH_M, clip, level};
 /// How often one part of a walk is pushed out of walls before it is given up.
 const PUSHES: usize = 12;
 
+/// How often a push may go against the one before: between walls that face each other, pushes only
+/// go back and forth.
+const MOST_RETURNS: usize = 1;
+
 /// The longest push out of one wall (m).
 const LONGEST_PUSH_M: f64 = 0.25;
 
@@ -100,6 +104,7 @@ impl Mover<'_> {
     ) -> Option<Option<Walked>> {
         let mut velocity = from.velocity;
         let mut at = from.feet + velocity * part_s;
+        let (mut last_way, mut returns) = (DVec3::ZERO, 0);
         for _ in 0..PUSHES {
             let floor = self.floor(at, from.feet.y, rise, self.tuning.snap_m);
             let feet = at.with_y(floor.unwrap_or(from.feet.y));
@@ -116,6 +121,11 @@ impl Mover<'_> {
                 break;
             }
             let way = sideways / share;
+            returns += usize::from(way.dot(last_way) < 0.0);
+            if returns > MOST_RETURNS {
+                break;
+            }
+            last_way = way;
             at += way * (wall.depth / share).min(LONGEST_PUSH_M);
             velocity = clip(velocity, way);
         }

@@ -67,7 +67,7 @@ impl Ground {
     }
 
     /// Number of resident chunks with a surface.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.chunks.len()
     }
 
@@ -105,9 +105,9 @@ impl Ground {
                 for _ in 0..24 {
                     let middle = f64::midpoint(air, rock);
                     if self.is_solid(at(middle)) {
-                        rock = middle
+                        rock = middle;
                     } else {
-                        air = middle
+                        air = middle;
                     }
                 }
                 return Some(f64::midpoint(air, rock));
@@ -122,10 +122,10 @@ impl Ground {
 /// chart too where the equator is near. Chunks that a closed world does not have are left out.
 pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
     let mut near = chunks_in_box(point, reach_m);
-    if let (Some(rim), Some(over)) = (strategy.rim_m(), strategy.carry(point)) {
-        if point.pos.x.hypot(point.pos.z) > rim - 2.0 * reach_m {
-            near.extend(chunks_in_box(over.point, reach_m));
-        }
+    if let (Some(rim), Some(over)) = (strategy.rim_m(), strategy.carry(point))
+        && point.pos.x.hypot(point.pos.z) > rim - 2.0 * reach_m
+    {
+        near.extend(chunks_in_box(over.point, reach_m));
     }
     near.retain(|coord| exists(strategy, *coord));
     near
@@ -162,6 +162,8 @@ fn chunks_in_box(point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::expect_used, reason = "tests fail by panicking")]
+
     use antipode_geometry::{Geometry, Hemisphere, strategy};
 
     use super::*;
@@ -203,7 +205,10 @@ mod tests {
         let sphere = strategy(Geometry::Spherical, 16.0);
         let near = chunks_near(&*sphere, ChartPoint::a(DVec3::new(0.0, 3.0, 0.0)), 30.0);
         assert!(!near.is_empty());
-        assert!(near.iter().all(|c| (0..=1).contains(&c.index.y) && c.index.x.abs() <= 1));
+        assert!(
+            near.iter()
+                .all(|c| (0..=1).contains(&c.index.y) && c.index.x.abs() <= 1)
+        );
     }
 
     #[test]

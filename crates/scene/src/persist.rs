@@ -199,7 +199,7 @@ impl Scene {
                 radius: self.brush_radius_m,
             },
             chunks: ChunkProbe {
-                resident: self.ground.len(),
+                resident: self.ground.count(),
                 pending: self.streamer.pending(),
                 triangles: self.ground.triangles(),
                 edited: self.streamer.edited_count(),

@@ -317,10 +317,8 @@ impl Scene {
 
     fn figures(&self) -> Vec<Figure> {
         let mut seen = Vec::new();
-        for (entity, position, look, appearance) in self
-            .ecs
-            .query::<(Entity, &Position, &Look, &Appearance)>()
-            .iter()
+        for (entity, position, look, appearance) in
+            &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
         {
             if entity == self.player && self.camera == CameraMode::First {
                 continue;

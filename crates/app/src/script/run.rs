@@ -20,7 +20,7 @@ use crate::picture::Studio;
 use crate::session::{NewWorld, Session, Worlds};
 
 /// Longest time a step may wait for the chunk workers before the script is stopped.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// A running script.
 #[derive(Debug)]
@@ -63,8 +63,9 @@ impl Runner {
                 break;
             }
             self.obey(order).map_err(|failure| match failure {
-                Failure::Usage(what) => Failure::Script(format!("line {number}: {what}")),
-                Failure::Script(what) => Failure::Script(format!("line {number}: {what}")),
+                Failure::Usage(what) | Failure::Script(what) => {
+                    Failure::Script(format!("line {number}: {what}"))
+                }
                 other => Failure::Runtime(format!("line {number}: {other}")),
             })?;
         }

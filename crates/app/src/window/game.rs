@@ -240,12 +240,14 @@ impl Game {
 
     fn running(&self) -> Option<(String, String)> {
         match &self.phase {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                Some((
-                    session.slug.clone(),
-                    format!("{} · seed {}", session.scene.setup().name, session.scene.setup().seed),
-                ))
-            }
+            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => Some((
+                session.slug.clone(),
+                format!(
+                    "{} · seed {}",
+                    session.scene.setup().name,
+                    session.scene.setup().seed
+                ),
+            )),
             _ => None,
         }
     }
@@ -332,7 +334,7 @@ impl Game {
     fn leave(&mut self, next: Next) {
         match std::mem::replace(&mut self.phase, Phase::Menu) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.close(session, next)
+                self.close(session, next);
             }
             Phase::Menu => self.go_on(next),
             other => self.phase = other,

@@ -243,7 +243,7 @@ impl Open {
         };
         let pressed = key.state == ElementState::Pressed;
         if self.game.is_playing() {
-            if !key.repeat && !(synthetic && pressed) {
+            if !(key.repeat || synthetic && pressed) {
                 self.game.input(Input::Key(code), pressed);
             }
         } else if code == KeyCode::Escape {

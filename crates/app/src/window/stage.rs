@@ -147,37 +147,18 @@ impl Stage {
         frame: Option<&Frame>,
         interface: egui::FullOutput,
     ) -> Result<(), Failure> {
-        use wgpu::CurrentSurfaceTexture as Current;
-        let texture = match self.surface.get_current_texture() {
-            Current::Success(texture) | Current::Suboptimal(texture) => texture,
-            Current::Outdated | Current::Lost => {
-                self.surface.configure(&self.gpu.device, &self.config);
-                match self.surface.get_current_texture() {
-                    Current::Success(texture) | Current::Suboptimal(texture) => texture,
-                    _ => return self.skip(frame, interface),
-                }
-            }
-            _ => return self.skip(frame, interface),
-        };
-        let target = texture
-            .texture
-            .create_view(&wgpu::TextureViewDescriptor::default());
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        match frame {
-            Some(frame) => {
-                self.renderer.draw(frame, &mut encoder, &target);
-            }
-            None => clear(&mut encoder, &target),
+        if let Some(texture) = self.next_texture() {
+            let target = texture
+                .texture
+                .create_view(&wgpu::TextureViewDescriptor::default());
+            self.paint(frame, interface, &target);
+            self.window.pre_present_notify();
+            self.gpu.queue.present(texture);
+        } else {
+            // Nothing can be shown this time, but the chunks a frame brings must not get lost.
+            let unseen = self.unseen_target();
+            self.paint(frame, interface, &unseen);
         }
-        let size = (self.config.width, self.config.height);
-        self.overlay
-            .paint(&self.gpu, &mut encoder, &target, size, interface);
-        self.gpu.queue.submit([encoder.finish()]);
-        self.window.pre_present_notify();
-        self.gpu.queue.present(texture);
         match self.gpu.lost() {
             Some(why) => Err(Failure::Runtime(format!(
                 "The graphics adapter was lost: {why}"
@@ -186,14 +167,50 @@ impl Stage {
         }
     }
 
-    /// Nothing can be shown this time, but what the frame brings must not get lost: it is drawn unseen.
-    fn skip(&mut self, frame: Option<&Frame>, interface: egui::FullOutput) -> Result<(), Failure> {
+    /// The texture to show next; none while the window is hidden or its surface is being made anew.
+    fn next_texture(&mut self) -> Option<wgpu::SurfaceTexture> {
+        use wgpu::CurrentSurfaceTexture as Current;
+        match self.surface.get_current_texture() {
+            Current::Success(texture) | Current::Suboptimal(texture) => return Some(texture),
+            Current::Outdated | Current::Lost => {
+                self.surface.configure(&self.gpu.device, &self.config);
+            }
+            _ => return None,
+        }
+        match self.surface.get_current_texture() {
+            Current::Success(texture) | Current::Suboptimal(texture) => Some(texture),
+            _ => None,
+        }
+    }
+
+    fn paint(
+        &mut self,
+        frame: Option<&Frame>,
+        interface: egui::FullOutput,
+        target: &wgpu::TextureView,
+    ) {
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        match frame {
+            Some(frame) => {
+                self.renderer.draw(frame, &mut encoder, target);
+            }
+            None => clear(&mut encoder, target),
+        }
         let size = (self.config.width, self.config.height);
+        self.overlay
+            .paint(&self.gpu, &mut encoder, target, size, interface);
+        self.gpu.queue.submit([encoder.finish()]);
+    }
+
+    fn unseen_target(&self) -> wgpu::TextureView {
         let unseen = self.gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("unseen"),
             size: wgpu::Extent3d {
-                width: size.0,
-                height: size.1,
+                width: self.config.width,
+                height: self.config.height,
                 depth_or_array_layers: 1,
             },
             mip_level_count: 1,
@@ -203,18 +220,7 @@ impl Stage {
             usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
             view_formats: &[],
         });
-        let target = unseen.create_view(&wgpu::TextureViewDescriptor::default());
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        if let Some(frame) = frame {
-            self.renderer.draw(frame, &mut encoder, &target);
-        }
-        self.overlay
-            .paint(&self.gpu, &mut encoder, &target, size, interface);
-        self.gpu.queue.submit([encoder.finish()]);
-        Ok(())
+        unseen.create_view(&wgpu::TextureViewDescriptor::default())
     }
 }
 

@@ -58,7 +58,7 @@ impl WorldList {
         match Task::start("list", work) {
             Ok(task) => self.reading = Some(task),
             Err(error) => {
-                self.problem = Some(format!("The list of worlds could not be read: {error}"))
+                self.problem = Some(format!("The list of worlds could not be read: {error}"));
             }
         }
     }
@@ -75,7 +75,7 @@ impl WorldList {
             Progress::Done(Err(failure)) => self.problem = Some(failure.to_string()),
             Progress::Died => {
                 self.problem =
-                    Some("The list of worlds could not be read; the log has the rest.".to_owned())
+                    Some("The list of worlds could not be read; the log has the rest.".to_owned());
             }
         }
         self.reading = None;
@@ -99,7 +99,7 @@ impl WorldList {
     /// # Errors
     /// The reason in words.
     pub fn check_name(&self, name: &str) -> Result<(), String> {
-        let taken = self.known.iter().map(|world| world.name());
+        let taken = self.known.iter().map(WorldSummary::name);
         SavesDir::check_name_among(name, taken).map_err(|error| error.to_string())
     }
 }

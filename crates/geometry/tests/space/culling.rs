@@ -163,7 +163,8 @@ fn a_ball_as_wide_as_a_right_angle_is_always_kept() {
         ..Eye::default()
     };
     let frustum = space.frustum(&projection());
-    let wide = space.bounding_sphere(&eye, Hemisphere::A, DVec3::splat(-16.0), DVec3::splat(16.0));
+    // Nearly a half turn: the sine of its radius is small again, and its middle is behind.
+    let wide = space.bounding_sphere(&eye, Hemisphere::A, DVec3::splat(-28.0), DVec3::splat(28.0));
     assert!(wide.radius_m > std::f64::consts::FRAC_PI_2 * 16.0);
     assert!(frustum.sees(&wide));
     let behind = DVec3::new(0.0, 1.0, 0.0);

@@ -137,3 +137,20 @@ fn raised_is_exact_at_the_eye() {
         assert_eq!(space.view_point(&eye, eye.point), glam::DVec4::W);
     }
 }
+
+#[test]
+fn straight_below_the_offset_centre_nothing_cancels() {
+    let space = Raised::new(20.0);
+    let eye = looking(DVec3::ZERO);
+    for aside in [0.0, 1e-12, 1e-6, 1e-3] {
+        let u = DVec3::new(aside, -100.0, 0.0);
+        let seen = space.view_point(&eye, ChartPoint::a(u));
+        let down = eye.to_chart(seen.truncate().normalize());
+        // Seen from the eye, the angle aside is less than the chart's, and more than nothing.
+        assert!(
+            down.x <= aside / 90.0 + 1e-16 && down.x >= aside / 1e3 - 1e-16,
+            "{aside}: {down}"
+        );
+        assert!((space.eye_distance_m(seen) - 100.0).abs() < 1e-5);
+    }
+}
