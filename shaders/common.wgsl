@@ -1,6 +1,9 @@
 // What every pass over the scene shares: the light and sky of the moment, haze, and value noise.
 // Follows geometry.wgsl. Colours are linear light; directions are unit vectors in the chart at the eye.
 
+// Figures whose shade on the ground is drawn: the nearest ones.
+const SHADES: u32 = 8u;
+
 struct Scene {
     space: Space,
     right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
@@ -14,7 +17,8 @@ struct Scene {
     key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,
-    ambient_ground: vec4<f32>,
+    ambient_ground: vec4<f32>,    // rgb; w: how many shades there are
+    shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;

@@ -17,7 +17,8 @@ struct VertexOut {
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
-    @location(5) beyond_rim_m: f32,
+    @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond the equator
+    @location(6) @interpolate(flat) feet: vec3<f32>,
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
@@ -30,6 +31,17 @@ fn grain_point(world: vec3<f32>, hemisphere: u32) -> vec3<f32> {
     let sine = sin(r / radius) / r;
     let side = select(1.0, -1.0, hemisphere == 1u);
     return (radius + world.y) * vec3<f32>(side * sine * world.x, side * cos(r / radius), sine * world.z);
+}
+
+// Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air.
+fn nearest_feet(p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
+    var nearest = vec3<f32>(1e6);
+    for (var i = 0u; i < u32(scene.ambient_ground.w); i++) {
+        let feet = scene.shades[i].xyz;
+        let closer = distance(p, feet) < distance(p, nearest) && u32(scene.shades[i].w) == hemisphere;
+        nearest = select(nearest, feet, closer);
+    }
+    return nearest;
 }
 
 @vertex
@@ -52,11 +64,12 @@ fn vertex(in: VertexIn) -> VertexOut {
     out.grain = grain;
     out.veil = haze(direction_of(view.xyz)) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
-    out.beyond_rim_m = length(world.xz) - scene.moon.w;
+    out.place = vec4<f32>(p, length(world.xz) - scene.moon.w);
+    out.feet = nearest_feet(p, in.hemisphere);
     return out;
 }
 
-fn shade(in: VertexOut) -> vec4<f32> {
+fn land_colour(in: VertexOut) -> vec4<f32> {
     let spread_m = in.land.y;
     let steep = in.land.z;
     let height = in.land.w;
@@ -64,7 +77,7 @@ fn shade(in: VertexOut) -> vec4<f32> {
     // Fine grain, gone where a pixel would hold several of its cells.
     let near = 1.0 - clamp(spread_m * (1.0 / 44.0), 0.0, 1.0);
     let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
-    tone += dapple * (0.22 * near * near);
+    tone += dapple * (0.18 * near * near);
     // Cuts show layers, about 1.1 m apart.
     let cut = smoothstep(0.62, 0.86, steep);
     let layer = abs(fract(height * 0.9) - 0.5) + 0.7 * abs(fract(height * 0.37) - 0.5);
@@ -74,20 +87,24 @@ fn shade(in: VertexOut) -> vec4<f32> {
     let width = (0.04 + 0.0020 * spread_m) * max(steep, 0.06);
     let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
     tone *= 1.0 - line * scene.up.w;
+    // Figures stand in a soft shade of their own, wider and fainter the higher they are.
+    let under = (in.place.xyz - in.feet) * vec3<f32>(1.5, 0.45, 1.5);
+    let shade = max(1.0 - dot(under, under), 0.0);
+    tone *= 1.0 - 0.55 * shade;
     let lit = in.albedo * light_on(normalize(in.normal));
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
 }
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    return shade(in);
+    return land_colour(in);
 }
 
 // For chunks that reach over the equator: the other chart draws what lies more than 5 cm beyond it.
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
-    if in.beyond_rim_m > 0.05 {
+    if in.place.w > 0.05 {
         discard;
     }
-    return shade(in);
+    return land_colour(in);
 }

@@ -15,6 +15,7 @@ use antipode_tests::window::{Window, display};
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
 const NAME: (u32, u32) = (640, 114);
+const SEED: (u32, u32) = (640, 359);
 const SPHERICAL: (u32, u32) = (870, 250);
 const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
@@ -22,10 +23,11 @@ const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
 const QUIT: (u32, u32) = (132, 294);
 
-/// The brightness of the middle of the menu's picture: bright dusk while no world is open.
+/// The main menu: a dark column, and bright dusk beside it while no world is open.
 fn shows_main_menu(picture: &image::RgbImage) -> bool {
     let [r, g, b] = picture.get_pixel(930, 560).0;
-    r > 150 && r > g && g > b
+    let column_is_dark = picture.get_pixel(240, 450).0.iter().all(|c| *c < 50);
+    column_is_dark && r > 150 && r > g && g > b
 }
 
 /// A world: where the menu's dark column and panel stand there is bright land, and the hotbar has its icons.
@@ -54,7 +56,7 @@ fn shows_free_name(picture: &image::RgbImage) -> bool {
 fn shows_new_game(picture: &image::RgbImage) -> bool {
     [(900, 114), (900, 359)]
         .iter()
-        .all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 14))
+        .all(|(x, y)| picture.get_pixel(*x, *y).0.iter().all(|c| *c < 20))
 }
 
 /// The list of worlds: its first row is lighter than the panel.
@@ -80,6 +82,8 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.click(NAME.0, NAME.1);
     game.write("Digs");
     game.wait_until("a free name", shows_free_name);
+    game.click(SEED.0, SEED.1);
+    game.write("12");
     game.click(SPHERICAL.0, SPHERICAL.1);
     game.click(CREATE.0, CREATE.1);
     let fresh = game.wait_until("the new world", shows_world);

@@ -8,8 +8,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use antipode_geometry::{
-    CHUNK_CELLS, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
-    Hemisphere, Projection, Strategy, strategy,
+    CHUNK_CELLS, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye,
+    Geometry, Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
@@ -69,7 +69,10 @@ fn land(field: &Field, space: &dyn Strategy, centre: ChartPoint) -> Vec<ChunkCha
         for x in -reach..=reach {
             for y in -reach..=reach {
                 for z in -reach..=reach {
-                    let coord = ChunkCoord { hemisphere, index: middle + IVec3::new(x, y, z) };
+                    let coord = ChunkCoord {
+                        hemisphere,
+                        index: middle + IVec3::new(x, y, z),
+                    };
                     if field.content(coord) == Content::Surface {
                         let mesh = march(&field.samples(coord), field, coord);
                         changes.push(ChunkChange::Put(coord, Arc::new(mesh)));
@@ -88,17 +91,29 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
     };
     let space = strategy(geometry, radius_m);
     let field = Field::new(wanted.seed, Arc::clone(&space));
-    let on_ground = |x: f64, z: f64| {
-        ChartPoint::a(DVec3::new(x, field.surface_height(Hemisphere::A, x, z), z))
-    };
+    let on_ground =
+        |x: f64, z: f64| ChartPoint::a(DVec3::new(x, field.surface_height(Hemisphere::A, x, z), z));
     let stand = on_ground(4.0, 4.0);
     let eye_point = ChartPoint::a(stand.pos + DVec3::Y * 1.65);
-    let eye = Eye { point: eye_point, yaw: -0.35, pitch: -0.08, dial: 10.0 };
-    let projection =
-        Projection::new(75f64.to_radians(), f64::from(SIZE.0) / f64::from(SIZE.1), 0.02);
+    let eye = Eye {
+        point: eye_point,
+        yaw: -0.35,
+        pitch: -0.08,
+        dial: 10.0,
+    };
+    let projection = Projection::new(
+        75f64.to_radians(),
+        f64::from(SIZE.0) / f64::from(SIZE.1),
+        0.02,
+    );
     let figure = |ahead: f64, aside: f64, yaw: f64, stride: f32| {
         let at = stand.pos + eye.front() * ahead + eye.right() * aside;
-        Figure { model: ModelId::Astronaut, point: on_ground(at.x, at.z), yaw, stride }
+        Figure {
+            model: ModelId::Astronaut,
+            point: on_ground(at.x, at.z),
+            yaw,
+            stride,
+        }
     };
     let figures = vec![
         figure(4.0, -1.3, 2.2, 0.9),
@@ -113,7 +128,11 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         sky: sky(time_of_day_s(&wanted.hour), space.as_ref()),
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
-        marker: Some(Marker { point: marker, radius_m: 3.0, active: false }),
+        marker: Some(Marker {
+            point: marker,
+            radius_m: 3.0,
+            active: false,
+        }),
         fog_distance_m: space.rim_m().map_or(reach_m - 8.0, |rim_m| rim_m * 3.0) as f32,
         contour_bands: true,
         time_s: 1.0,
@@ -132,16 +151,32 @@ impl Studio {
     fn new(scale: f32) -> Result<Self, RenderError> {
         let gpu = Gpu::headless(AdapterChoice::Auto)?;
         let samples = if gpu.is_software() { 1 } else { 4 };
-        let mut renderer = Renderer::new(&gpu, Options { samples, scale, output_format: FORMAT })?;
+        let mut renderer = Renderer::new(
+            &gpu,
+            Options {
+                samples,
+                scale,
+                output_format: FORMAT,
+            },
+        )?;
         renderer.resize(SIZE.0, SIZE.1);
         let offscreen = Offscreen::new(&gpu, SIZE.0, SIZE.1, FORMAT);
         println!("{}", gpu.name());
-        Ok(Self { gpu, renderer, offscreen })
+        Ok(Self {
+            gpu,
+            renderer,
+            offscreen,
+        })
     }
 
     fn draw(&mut self, frame: &Frame) -> Result<antipode_render::DrawStats, RenderError> {
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let stats = self.renderer.draw(frame, &mut encoder, self.offscreen.view());
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let stats = self
+            .renderer
+            .draw(frame, &mut encoder, self.offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;
         match self.gpu.take_error() {
@@ -169,17 +204,32 @@ impl Studio {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let wanted = wanted();
     let mut studio = Studio::new(wanted.scale)?;
-    for geometry in [Geometry::Euclidean, Geometry::Hyperbolic, Geometry::Spherical] {
+    for geometry in [
+        Geometry::Euclidean,
+        Geometry::Hyperbolic,
+        Geometry::Spherical,
+    ] {
         if wanted.space.is_some_and(|space| space != geometry) {
             continue;
         }
         let mut frame = frame(&wanted, geometry);
-        for (name, turn, pitch) in [("ahead", 0.0, -0.08), ("down", 0.0, -0.9), ("up", 0.0, 0.75), ("behind", 2.4, -0.05)] {
+        for (name, turn, pitch) in [
+            ("ahead", 0.0, -0.08),
+            ("down", 0.0, -0.9),
+            ("up", 0.0, 0.75),
+            ("behind", 2.4, -0.05),
+        ] {
             let yaw = -0.35 + turn;
-            frame.eye = Eye { yaw, pitch, ..frame.eye };
+            frame.eye = Eye {
+                yaw,
+                pitch,
+                ..frame.eye
+            };
             studio.draw(&frame)?;
             frame.chunk_changes.clear();
-            let path = wanted.folder.join(format!("{geometry}-{name}{}.png", wanted.hour));
+            let path = wanted
+                .folder
+                .join(format!("{geometry}-{name}{}.png", wanted.hour));
             studio.offscreen.read(&studio.gpu)?.save(&path)?;
             println!("{}", path.display());
             studio.time(&frame, wanted.frames)?;

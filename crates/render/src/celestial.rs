@@ -27,7 +27,8 @@ pub struct Star {
 
 impl Star {
     /// Attributes from location 0 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 2] = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x4];
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x4];
 }
 
 /// The pipelines of the three.
@@ -60,7 +61,12 @@ impl Celestial {
     }
 
     /// Draws what is up; returns triangles and draw calls.
-    pub fn draw(&self, pass: &mut RenderPass<'_>, sky: &Sky, pipelines: &CelestialPipelines) -> (usize, usize) {
+    pub fn draw(
+        &self,
+        pass: &mut RenderPass<'_>,
+        sky: &Sky,
+        pipelines: &CelestialPipelines,
+    ) -> (usize, usize) {
         let mut patches = 0;
         let mut draws = 0;
         let mut patch = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline, count: u32| {
@@ -89,7 +95,10 @@ fn star(index: u32) -> Star {
     let bright = scatter(index, 0xc2b2_ae3d).powi(9);
     let warmth = scatter(index, 0x27d4_eb2f) - 0.5;
     let light = Vec3::new(0.92 + 0.16 * warmth, 0.94, 1.0 - 0.22 * warmth) * (0.10 + 1.5 * bright);
-    Star { direction: direction.into(), light: light.extend(0.85 + 1.25 * bright.sqrt()).into() }
+    Star {
+        direction: direction.into(),
+        light: light.extend(0.85 + 1.25 * bright.sqrt()).into(),
+    }
 }
 
 /// An even share from 0 to 1 of an index, by integer hashing (C. Wellons' lowbias32).
@@ -109,7 +118,11 @@ mod tests {
         let stars: Vec<Star> = (0..STARS).map(star).collect();
         let mean = stars.iter().map(|s| Vec3::from(s.direction)).sum::<Vec3>() / STARS as f32;
         assert!(mean.length() < 0.05, "{mean}");
-        assert!(stars.iter().all(|s| (Vec3::from(s.direction).length() - 1.0).abs() < 1e-5));
+        assert!(
+            stars
+                .iter()
+                .all(|s| (Vec3::from(s.direction).length() - 1.0).abs() < 1e-5)
+        );
         let bright = stars.iter().filter(|s| s.light[1] > 0.6).count();
         assert!((40..400).contains(&bright), "{bright}");
     }

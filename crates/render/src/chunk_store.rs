@@ -39,15 +39,21 @@ impl GpuChunk {
             usage: BufferUsages::VERTEX,
         });
         let indices = |contents: &[u8]| {
-            let descriptor =
-                BufferInitDescriptor { label: Some("chunk indices"), contents, usage: BufferUsages::INDEX };
+            let descriptor = BufferInitDescriptor {
+                label: Some("chunk indices"),
+                contents,
+                usage: BufferUsages::INDEX,
+            };
             device.create_buffer_init(&descriptor)
         };
-        let (indices, index_format) = if mesh.vertices.len() <= usize::from(u16::MAX) {
+        let (indices, index_format) = if u16::try_from(mesh.vertices.len()).is_ok() {
             let short: Vec<u16> = mesh.indices.iter().map(|&i| i as u16).collect();
             (indices(bytemuck::cast_slice(&short)), IndexFormat::Uint16)
         } else {
-            (indices(bytemuck::cast_slice(&mesh.indices)), IndexFormat::Uint32)
+            (
+                indices(bytemuck::cast_slice(&mesh.indices)),
+                IndexFormat::Uint32,
+            )
         };
         let positions = || mesh.vertices.iter().map(|v| Vec3::from(v.position));
         Self {
@@ -74,7 +80,12 @@ impl ChunkStore {
     /// An empty store.
     pub fn new(device: &Device) -> Self {
         let room = 256;
-        Self { chunks: HashMap::new(), world: None, instances: instance_buffer(device, room), room }
+        Self {
+            chunks: HashMap::new(),
+            world: None,
+            instances: instance_buffer(device, room),
+            room,
+        }
     }
 
     /// Takes the frame's changes, dropping everything first when the world is another.
@@ -163,7 +174,11 @@ mod tests {
 
     #[test]
     fn terrain_vertices_are_laid_out_as_the_pipeline_reads_them() {
-        let ours = [offset_of!(Vertex, position), offset_of!(Vertex, normal), offset_of!(Vertex, colour)];
+        let ours = [
+            offset_of!(Vertex, position),
+            offset_of!(Vertex, normal),
+            offset_of!(Vertex, colour),
+        ];
         assert_eq!(VERTEX_ATTRIBUTES.map(|a| a.offset as usize), ours);
         assert_eq!(VERTEX_BYTES, 24);
     }

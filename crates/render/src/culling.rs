@@ -26,7 +26,10 @@ pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
     let mut list: Vec<_> = store
         .iter()
         .filter_map(|(coord, chunk)| {
-            let (min, max) = (coord.origin() + chunk.min.as_dvec3(), coord.origin() + chunk.max.as_dvec3());
+            let (min, max) = (
+                coord.origin() + chunk.min.as_dvec3(),
+                coord.origin() + chunk.max.as_dvec3(),
+            );
             let sphere = strategy.bounding_sphere(&frame.eye, coord.hemisphere, min, max);
             let distance_m = strategy.eye_distance_m(sphere.centre);
             if distance_m - sphere.radius_m > fog_m || !frustum.sees(&sphere) {
@@ -36,7 +39,9 @@ pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
             Some(Visible {
                 chunk,
                 instance: ChunkInstance::new(coord.origin(), coord.hemisphere, reference),
-                at_rim: strategy.rim_m().is_some_and(|rim_m| reach_m(*coord, chunk) > rim_m),
+                at_rim: strategy
+                    .rim_m()
+                    .is_some_and(|rim_m| reach_m(*coord, chunk) > rim_m),
                 distance_m,
             })
         })

@@ -26,13 +26,17 @@ pub enum RenderError {
         why: String,
     },
     /// The window system gives no surface to draw on.
-    #[error("The window cannot be drawn into: {0}. Check that the display's graphics driver is installed.")]
+    #[error(
+        "The window cannot be drawn into: {0}. Check that the display's graphics driver is installed."
+    )]
     NoSurface(String),
     /// The adapter was lost or stopped answering.
     #[error("The graphics adapter was lost: {0}. Your world is safe; start the game again.")]
     Lost(String),
     /// A picture could not be read back.
-    #[error("A picture could not be read back from the graphics adapter: {0}. Try again, or use a smaller size.")]
+    #[error(
+        "A picture could not be read back from the graphics adapter: {0}. Try again, or use a smaller size."
+    )]
     Readback(String),
     /// The options are outside what can be drawn.
     #[error("The renderer cannot be set up: {0}.")]

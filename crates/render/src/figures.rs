@@ -39,12 +39,23 @@ impl Figures {
         });
         let index_count = solid.indices.len() as u32;
         let room = 16;
-        Self { vertices, indices, index_count, instances: instance_buffer(device, room), room, count: 0 }
+        Self {
+            vertices,
+            indices,
+            index_count,
+            instances: instance_buffer(device, room),
+            room,
+            count: 0,
+        }
     }
 
     /// Takes this frame's figures.
     pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
-        let instances: Vec<_> = frame.figures.iter().map(|figure| instance(frame, figure)).collect();
+        let instances: Vec<_> = frame
+            .figures
+            .iter()
+            .map(|figure| instance(frame, figure))
+            .collect();
         if instances.len() > self.room {
             self.room = instances.len().next_power_of_two();
             self.instances = instance_buffer(device, self.room);
@@ -79,7 +90,12 @@ fn instance(frame: &Frame, figure: &Figure) -> FigureInstance {
     let (sin, cos) = figure.yaw.sin_cos();
     let swing = figure.stride.sin();
     // Standing still (stride 0) is the middle of a step, where the body is at its height: no rise is added.
-    let pose = [cos as f32, sin as f32, SWING_RAD * swing, -RISE_M * swing * swing];
+    let pose = [
+        cos as f32,
+        sin as f32,
+        SWING_RAD * swing,
+        -RISE_M * swing * swing,
+    ];
     FigureInstance {
         offset: offset_of(frame, figure.point),
         hemisphere: hemisphere_index(figure.point.hemisphere),

@@ -31,9 +31,15 @@ impl AdapterChoice {
 
     fn advice(self) -> &'static str {
         match self {
-            Self::Auto => "Install a Vulkan, Metal or Direct3D 12 driver; on Linux, mesa-vulkan-drivers draws in software.",
-            Self::Gpu => "Install its Vulkan, Metal or Direct3D 12 driver, or start with --adapter auto.",
-            Self::Software => "On Linux, install mesa-vulkan-drivers; or start with --adapter auto.",
+            Self::Auto => {
+                "Install a Vulkan, Metal or Direct3D 12 driver; on Linux, mesa-vulkan-drivers draws in software."
+            }
+            Self::Gpu => {
+                "Install its Vulkan, Metal or Direct3D 12 driver, or start with --adapter auto."
+            }
+            Self::Software => {
+                "On Linux, install mesa-vulkan-drivers; or start with --adapter auto."
+            }
         }
     }
 
@@ -82,36 +88,56 @@ impl Gpu {
     /// # Errors
     /// When there is no adapter of the kind asked for, or it will not open.
     pub fn headless(choice: AdapterChoice) -> Result<Self, RenderError> {
-        let instance = Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-        let adapter = pick(&instance, choice, None)?;
-        Self::open(instance, adapter)
+        first_that_works(|backends| {
+            let instance = Instance::new(wgpu::InstanceDescriptor {
+                backends,
+                ..wgpu::InstanceDescriptor::new_without_display_handle_from_env()
+            });
+            let adapter = pick(&instance, backends, choice, None)?;
+            Self::open(instance, adapter)
+        })
     }
 
     /// Opens an adapter that can draw into a window, and the window's surface.
     ///
     /// # Errors
     /// When the window gives no surface, no adapter of the kind asked for can draw into it, or it will not open.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "the handles are shared ones, and callers make them for this"
+    )]
     pub fn for_window<D, W>(
         display: Box<D>,
         window: W,
         choice: AdapterChoice,
     ) -> Result<(Self, Surface<'static>), RenderError>
     where
-        D: HasDisplayHandle + Debug + Send + Sync + 'static,
-        W: Into<wgpu::SurfaceTarget<'static>>,
+        D: HasDisplayHandle + Debug + Clone + Send + Sync + 'static,
+        W: Into<wgpu::SurfaceTarget<'static>> + Clone,
     {
-        let instance = Instance::new(wgpu::InstanceDescriptor::new_with_display_handle_from_env(display));
-        let surface = instance.create_surface(window).map_err(|e| RenderError::NoSurface(e.to_string()))?;
-        let gpu = Self::for_surface(instance, &surface, choice)?;
-        Ok((gpu, surface))
+        first_that_works(|backends| {
+            let instance = Instance::new(wgpu::InstanceDescriptor {
+                backends,
+                ..wgpu::InstanceDescriptor::new_with_display_handle_from_env(display.clone())
+            });
+            let surface = instance
+                .create_surface(window.clone())
+                .map_err(|e| RenderError::NoSurface(e.to_string()))?;
+            let gpu = Self::for_surface(instance, &surface, choice)?;
+            Ok((gpu, surface))
+        })
     }
 
     /// Opens an adapter of the instance that can draw into its surface.
     ///
     /// # Errors
     /// When no adapter of the kind asked for can draw into the surface, or it will not open.
-    pub fn for_surface(instance: Instance, surface: &Surface<'_>, choice: AdapterChoice) -> Result<Self, RenderError> {
-        let adapter = pick(&instance, choice, Some(surface))?;
+    pub fn for_surface(
+        instance: Instance,
+        surface: &Surface<'_>,
+        choice: AdapterChoice,
+    ) -> Result<Self, RenderError> {
+        let adapter = pick(&instance, Backends::all(), choice, Some(surface))?;
         Self::open(instance, adapter)
     }
 
@@ -123,8 +149,13 @@ impl Gpu {
             required_limits: limits(&adapter),
             ..Default::default()
         };
-        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-            .map_err(|e| RenderError::NoDevice { adapter: info.name.clone(), why: e.to_string() })?;
+        let (device, queue) =
+            pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| {
+                RenderError::NoDevice {
+                    adapter: info.name.clone(),
+                    why: e.to_string(),
+                }
+            })?;
         let watch = Arc::new(Mutex::new(Watch::default()));
         let seen = Arc::clone(&watch);
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -136,11 +167,27 @@ impl Gpu {
             // Dropping the device at the end of the program is reported as well.
             if reason != wgpu::DeviceLostReason::Destroyed {
                 tracing::error!("graphics adapter lost: {words}");
-                lock(&seen).lost = Some(if words.is_empty() { "it gave no reason".to_owned() } else { words });
+                lock(&seen).lost = Some(if words.is_empty() {
+                    "it gave no reason".to_owned()
+                } else {
+                    words
+                });
             }
         });
-        tracing::info!("drawing with {} ({:?}, {:?})", info.name, info.device_type, info.backend);
-        Ok(Self { instance, adapter, device, queue, info, watch })
+        tracing::info!(
+            "drawing with {} ({:?}, {:?})",
+            info.name,
+            info.device_type,
+            info.backend
+        );
+        Ok(Self {
+            instance,
+            adapter,
+            device,
+            queue,
+            info,
+            watch,
+        })
     }
 
     /// The adapter's name.
@@ -192,24 +239,46 @@ fn limits(adapter: &Adapter) -> wgpu::Limits {
         .using_resolution(own)
 }
 
-/// The best adapter of the kind; OpenGL is asked only where nothing better is there.
-fn pick(instance: &Instance, choice: AdapterChoice, surface: Option<&Surface<'_>>) -> Result<Adapter, RenderError> {
-    let mut found = Vec::new();
-    for backends in [Backends::PRIMARY, Backends::SECONDARY] {
-        let adapters = pollster::block_on(instance.enumerate_adapters(backends));
-        found.extend(adapters.iter().map(|adapter| adapter.get_info().name));
-        let best = adapters
-            .into_iter()
-            .filter(|adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface)))
-            .filter_map(|adapter| Some((choice.rank(adapter.get_info().device_type)?, adapter)))
-            .min_by_key(|(rank, _)| *rank);
-        if let Some((_, adapter)) = best {
-            return Ok(adapter);
+/// Tries the modern backends and then OpenGL, which is not even started where the first do; the environment's
+/// choice (`WGPU_BACKEND`) goes before ours. The first failure is the one told.
+fn first_that_works<T>(
+    open: impl Fn(Backends) -> Result<T, RenderError>,
+) -> Result<T, RenderError> {
+    match Backends::from_env() {
+        Some(backends) => open(backends),
+        None => {
+            open(Backends::PRIMARY).or_else(|first| open(Backends::SECONDARY).map_err(|_| first))
         }
     }
-    found.dedup();
-    let found = if found.is_empty() { "no adapter at all".to_owned() } else { format!("only {}", found.join(", ")) };
-    Err(RenderError::NoAdapter { wanted: choice.noun(), found, advice: choice.advice() })
+}
+
+/// The best adapter of the kind.
+fn pick(
+    instance: &Instance,
+    backends: Backends,
+    choice: AdapterChoice,
+    surface: Option<&Surface<'_>>,
+) -> Result<Adapter, RenderError> {
+    let adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    let names: Vec<_> = adapters
+        .iter()
+        .map(|adapter| adapter.get_info().name)
+        .collect();
+    adapters
+        .into_iter()
+        .filter(|adapter| surface.is_none_or(|surface| adapter.is_surface_supported(surface)))
+        .filter_map(|adapter| Some((choice.rank(adapter.get_info().device_type)?, adapter)))
+        .min_by_key(|(rank, _)| *rank)
+        .map(|(_, adapter)| adapter)
+        .ok_or_else(|| RenderError::NoAdapter {
+            wanted: choice.noun(),
+            found: if names.is_empty() {
+                "no adapter at all".to_owned()
+            } else {
+                format!("only {}", names.join(", "))
+            },
+            advice: choice.advice(),
+        })
 }
 
 #[cfg(test)]
@@ -234,6 +303,10 @@ mod tests {
             advice: AdapterChoice::Gpu.advice(),
         };
         let words = error.to_string();
-        assert!(words.contains("No graphics card") && words.contains("llvmpipe") && words.contains("--adapter auto"));
+        assert!(
+            words.contains("No graphics card")
+                && words.contains("llvmpipe")
+                && words.contains("--adapter auto")
+        );
     }
 }

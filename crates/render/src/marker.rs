@@ -35,7 +35,13 @@ impl MarkerBalls {
     /// Uploads the sphere.
     pub fn new(device: &Device) -> Self {
         let mut solid = Solid::default();
-        let unit = Part { centre: Vec3::ZERO, radii: Vec3::ONE, roundness: 1.0, colour: [0; 4], swing: [0.0; 2] };
+        let unit = Part {
+            centre: Vec3::ZERO,
+            radii: Vec3::ONE,
+            roundness: 1.0,
+            colour: [0; 4],
+            swing: [0.0; 2],
+        };
         solid.add(&unit, RINGS, SIDES);
         let positions: Vec<[f32; 3]> = solid.vertices.iter().map(|v| v.position).collect();
         let vertices = device.create_buffer_init(&BufferInitDescriptor {
@@ -54,14 +60,24 @@ impl MarkerBalls {
             usage: BufferUsages::VERTEX | BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        Self { vertices, indices, index_count: solid.indices.len() as u32, instances, shown: false }
+        Self {
+            vertices,
+            indices,
+            index_count: solid.indices.len() as u32,
+            instances,
+            shown: false,
+        }
     }
 
     /// Takes this frame's marker.
     pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
         self.shown = frame.marker.is_some();
         if let Some(marker) = &frame.marker {
-            queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&balls(frame, marker)));
+            queue.write_buffer(
+                &self.instances,
+                0,
+                bytemuck::cast_slice(&balls(frame, marker)),
+            );
         }
     }
 
@@ -81,7 +97,11 @@ impl MarkerBalls {
 }
 
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
-    let glow = if marker.active { 1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin() } else { 1.0 };
+    let glow = if marker.active {
+        1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin()
+    } else {
+        1.0
+    };
     let [r, g, b] = if marker.active { AT_WORK } else { AT_REST }.map(|channel| channel * glow);
     let ball = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
         offset: offset_of(frame, marker.point),
@@ -89,5 +109,8 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
         colour: [r, g, b, face],
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };
-    [ball(marker.radius_m, SHELL_OPACITY), ball(marker.radius_m * BALL_SHARE, BALL_OPACITY)]
+    [
+        ball(marker.radius_m, SHELL_OPACITY),
+        ball(marker.radius_m * BALL_SHARE, BALL_OPACITY),
+    ]
 }

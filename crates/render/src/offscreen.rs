@@ -31,7 +31,9 @@ impl Offscreen {
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
             format,
-            usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::COPY_SRC | TextureUsages::TEXTURE_BINDING,
+            usage: TextureUsages::RENDER_ATTACHMENT
+                | TextureUsages::COPY_SRC
+                | TextureUsages::TEXTURE_BINDING,
             view_formats: &[],
         });
         let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
@@ -56,7 +58,9 @@ impl Offscreen {
             usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
             mapped_at_creation: false,
         });
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_texture_to_buffer(
             self.texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
@@ -72,7 +76,9 @@ impl Offscreen {
         gpu.queue.submit([encoder.finish()]);
         buffer.map_async(wgpu::MapMode::Read, .., |_| ());
         gpu.wait()?;
-        let bytes = buffer.get_mapped_range(..).map_err(|e| RenderError::Readback(e.to_string()))?;
+        let bytes = buffer
+            .get_mapped_range(..)
+            .map_err(|e| RenderError::Readback(e.to_string()))?;
         let rows = unpad(&bytes, width, row_bytes, swapped(self.texture.format()));
         RgbaImage::from_raw(width, height, rows)
             .ok_or_else(|| RenderError::Readback("the picture came back incomplete".to_owned()))
@@ -80,7 +86,10 @@ impl Offscreen {
 }
 
 fn swapped(format: TextureFormat) -> bool {
-    matches!(format, TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb)
+    matches!(
+        format,
+        TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb
+    )
 }
 
 /// Rows without their padding, red first, opaque.

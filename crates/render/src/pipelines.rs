@@ -1,8 +1,9 @@
 //! The pipelines of the scene pass: one for each way of drawing something.
 
 use wgpu::{
-    BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction, Device, PipelineLayout,
-    RenderPipeline, ShaderModule, ShaderStages, VertexAttribute, VertexBufferLayout, VertexStepMode,
+    BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
+    Device, PipelineLayout, RenderPipeline, ShaderModule, ShaderStages, VertexAttribute,
+    VertexBufferLayout, VertexStepMode,
 };
 
 use crate::celestial::{CelestialPipelines, Star};
@@ -38,14 +39,18 @@ impl Pipelines {
     pub fn new(device: &Device, samples: u32) -> Self {
         let scene_layout = scene_layout(device);
         let maker = Maker::new(device, &scene_layout, samples);
-        let [land, figure, sky, celestial, marker] =
-            [TERRAIN, FIGURE, SKY, CELESTIAL, MARKER].map(|shader| shader.compile(device));
+        let [land, figure, sky, marker] =
+            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| shader.compile(device));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
         ];
         let figure_buffers = [
-            layout(size_of::<ModelVertex>() as u64, VertexStepMode::Vertex, &ModelVertex::ATTRIBUTES),
+            layout(
+                size_of::<ModelVertex>() as u64,
+                VertexStepMode::Vertex,
+                &ModelVertex::ATTRIBUTES,
+            ),
             instances::<FigureInstance>(&FigureInstance::ATTRIBUTES),
         ];
         let position = wgpu::vertex_attr_array![0 => Float32x3];
@@ -53,21 +58,30 @@ impl Pipelines {
             layout(position[0].format.size(), VertexStepMode::Vertex, &position),
             instances::<MarkerInstance>(&MarkerInstance::ATTRIBUTES),
         ];
-        let star_buffers = [instances::<Star>(&Star::ATTRIBUTES)];
-        let solid = |module, fragment, buffers| maker.make(module, ["vertex", fragment], buffers, SOLID);
+        let solid =
+            |module, fragment, buffers| maker.make(module, ["vertex", fragment], buffers, SOLID);
         let glass = |fragment, compare| {
-            maker.make(&marker, ["vertex", fragment], &marker_buffers, Way { compare, ..GLASS })
+            maker.make(
+                &marker,
+                ["vertex", fragment],
+                &marker_buffers,
+                Way { compare, ..GLASS },
+            )
         };
         Self {
             terrain: solid(&land, "fragment", &land_buffers),
             terrain_rim: solid(&land, "fragment_rim", &land_buffers),
             figure: solid(&figure, "fragment", &figure_buffers),
-            sky: maker.make(&sky, ["vertex", "fragment"], &[], Way { blend: None, ..SHINE }),
-            celestial: CelestialPipelines {
-                sun: maker.make(&celestial, ["vertex_sun", "fragment_sun"], &[], SHINE),
-                moon: maker.make(&celestial, ["vertex_moon", "fragment_moon"], &[], SHINE),
-                star: maker.make(&celestial, ["vertex_star", "fragment_star"], &star_buffers, SHINE),
-            },
+            sky: maker.make(
+                &sky,
+                ["vertex", "fragment"],
+                &[],
+                Way {
+                    blend: None,
+                    ..SHINE
+                },
+            ),
+            celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
             scene_layout,
@@ -84,7 +98,12 @@ struct Way {
     culled: bool,
 }
 
-const SOLID: Way = Way { compare: CompareFunction::Greater, writes_depth: true, blend: None, culled: true };
+const SOLID: Way = Way {
+    compare: CompareFunction::Greater,
+    writes_depth: true,
+    blend: None,
+    culled: true,
+};
 
 /// Colours come multiplied by their opacity.
 const GLASS: Way = Way {
@@ -98,14 +117,18 @@ const GLASS: Way = Way {
 const SHINE: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
-    blend: Some(BlendState { color: ADDED, alpha: ADDED }),
+    blend: Some(BlendState {
+        color: ADDED,
+        alpha: ADDED,
+    }),
     culled: false,
 };
 
-const ADDED: BlendComponent =
-    BlendComponent { src_factor: BlendFactor::One, dst_factor: BlendFactor::One, operation: BlendOperation::Add };
-
-type BufferLayout<'a> = Option<VertexBufferLayout<'a>>;
+const ADDED: BlendComponent = BlendComponent {
+    src_factor: BlendFactor::One,
+    dst_factor: BlendFactor::One,
+    operation: BlendOperation::Add,
+};
 
 /// What all pipelines of the scene pass have in common.
 struct Maker<'a> {
@@ -121,59 +144,86 @@ impl<'a> Maker<'a> {
             bind_group_layouts: &[Some(scene_layout)],
             immediate_size: 0,
         });
-        Self { device, layout, samples }
+        Self {
+            device,
+            layout,
+            samples,
+        }
+    }
+
+    fn celestial(&self) -> CelestialPipelines {
+        let module = CELESTIAL.compile(self.device);
+        let stars = [instances::<Star>(&Star::ATTRIBUTES)];
+        CelestialPipelines {
+            sun: self.make(&module, ["vertex_sun", "fragment_sun"], &[], SHINE),
+            moon: self.make(&module, ["vertex_moon", "fragment_moon"], &[], SHINE),
+            star: self.make(&module, ["vertex_star", "fragment_star"], &stars, SHINE),
+        }
     }
 
     fn make(
         &self,
         module: &ShaderModule,
         [vertex, fragment]: [&str; 2],
-        buffers: &[BufferLayout<'_>],
+        buffers: &[VertexBufferLayout<'_>],
         way: Way,
     ) -> RenderPipeline {
-        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some(fragment),
-            layout: Some(&self.layout),
-            vertex: wgpu::VertexState {
-                module,
-                entry_point: Some(vertex),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers,
-            },
-            primitive: wgpu::PrimitiveState {
-                front_face: wgpu::FrontFace::Ccw,
-                cull_mode: way.culled.then_some(wgpu::Face::Back),
-                ..Default::default()
-            },
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: DEPTH_FORMAT,
-                depth_write_enabled: Some(way.writes_depth),
-                depth_compare: Some(way.compare),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState { count: self.samples, ..Default::default() },
-            fragment: Some(wgpu::FragmentState {
-                module,
-                entry_point: Some(fragment),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(wgpu::ColorTargetState {
-                    format: LIGHT_FORMAT,
-                    blend: way.blend,
-                    write_mask: wgpu::ColorWrites::ALL,
-                })],
-            }),
-            multiview_mask: None,
-            cache: None,
-        })
+        let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
+        self.device
+            .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some(fragment),
+                layout: Some(&self.layout),
+                vertex: wgpu::VertexState {
+                    module,
+                    entry_point: Some(vertex),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    buffers: &buffers,
+                },
+                primitive: wgpu::PrimitiveState {
+                    front_face: wgpu::FrontFace::Ccw,
+                    cull_mode: way.culled.then_some(wgpu::Face::Back),
+                    ..Default::default()
+                },
+                depth_stencil: Some(wgpu::DepthStencilState {
+                    format: DEPTH_FORMAT,
+                    depth_write_enabled: Some(way.writes_depth),
+                    depth_compare: Some(way.compare),
+                    stencil: wgpu::StencilState::default(),
+                    bias: wgpu::DepthBiasState::default(),
+                }),
+                multisample: wgpu::MultisampleState {
+                    count: self.samples,
+                    ..Default::default()
+                },
+                fragment: Some(wgpu::FragmentState {
+                    module,
+                    entry_point: Some(fragment),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    targets: &[Some(wgpu::ColorTargetState {
+                        format: LIGHT_FORMAT,
+                        blend: way.blend,
+                        write_mask: wgpu::ColorWrites::ALL,
+                    })],
+                }),
+                multiview_mask: None,
+                cache: None,
+            })
     }
 }
 
-fn layout(array_stride: u64, step_mode: VertexStepMode, attributes: &[VertexAttribute]) -> BufferLayout<'_> {
-    Some(VertexBufferLayout { array_stride, step_mode, attributes })
+fn layout(
+    array_stride: u64,
+    step_mode: VertexStepMode,
+    attributes: &[VertexAttribute],
+) -> VertexBufferLayout<'_> {
+    VertexBufferLayout {
+        array_stride,
+        step_mode,
+        attributes,
+    }
 }
 
-fn instances<T>(attributes: &[VertexAttribute]) -> BufferLayout<'_> {
+fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 

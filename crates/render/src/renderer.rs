@@ -2,8 +2,9 @@
 
 use antipode_scene::frame::Frame;
 use wgpu::{
-    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue, RenderPassColorAttachment,
-    RenderPassDepthStencilAttachment, RenderPassDescriptor, StoreOp, TextureFormat, TextureView,
+    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
+    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    StoreOp, TextureFormat, TextureView,
 };
 
 use crate::celestial::Celestial;
@@ -87,7 +88,10 @@ impl Renderer {
         let scene_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("scene"),
             layout: &pipelines.scene_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() }],
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: uniform.as_entire_binding(),
+            }],
         });
         let targets = Targets::new(&device, (1, 1), options.samples);
         let tonemap = Tonemap::new(&device, options.output_format, options.scale != 1.0);
@@ -122,58 +126,105 @@ impl Renderer {
     ///
     /// The encoder is to be submitted before the next frame is drawn: a frame's data lies in buffers that the
     /// next one overwrites.
-    pub fn draw(&mut self, frame: &Frame, encoder: &mut CommandEncoder, target: &TextureView) -> DrawStats {
-        let gpu_ms = self.timing.as_mut().and_then(|timing| timing.collect(&self.device));
+    pub fn draw(
+        &mut self,
+        frame: &Frame,
+        encoder: &mut CommandEncoder,
+        target: &TextureView,
+    ) -> DrawStats {
+        let gpu_ms = self
+            .timing
+            .as_mut()
+            .and_then(|timing| timing.collect(&self.device));
         self.chunks.apply(&self.device, frame);
         self.chunks.reserve(&self.device);
         self.figures.prepare(&self.device, &self.queue, frame);
         self.marker.prepare(&self.queue, frame);
-        self.queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&SceneUniform::new(frame, self.targets.size)));
+        self.queue.write_buffer(
+            &self.uniform,
+            0,
+            bytemuck::bytes_of(&SceneUniform::new(frame, self.targets.size)),
+        );
         let visible = visible(&self.chunks, frame);
         self.chunks.upload(&self.queue, &visible);
-        let mut stats = DrawStats { culled: self.chunks.len() - visible.len(), gpu_ms, ..DrawStats::default() };
+        let mut stats = DrawStats {
+            culled: self.chunks.len() - visible.len(),
+            gpu_ms,
+            ..DrawStats::default()
+        };
         self.draw_scene(frame, &visible, encoder, &mut stats);
-        self.tonemap.draw(encoder, &self.light, target, self.timing.as_ref().map(Timing::end));
+        self.tonemap.draw(
+            encoder,
+            &self.light,
+            target,
+            self.timing.as_ref().map(Timing::end),
+        );
         if let Some(timing) = &self.timing {
             timing.record(encoder);
         }
         stats
     }
 
-    fn draw_scene(&self, frame: &Frame, visible: &[Visible<'_>], encoder: &mut CommandEncoder, stats: &mut DrawStats) {
-        let [r, g, b] = frame.sky.horizon.map(f64::from);
-        let (view, resolve_target) = match &self.targets.samples {
-            Some(samples) => (samples, Some(&self.targets.light)),
-            None => (&self.targets.light, None),
+    fn begin_scene<'e>(
+        &self,
+        encoder: &'e mut CommandEncoder,
+        horizon: [f32; 3],
+    ) -> RenderPass<'e> {
+        let [r, g, b] = horizon.map(f64::from);
+        let clear = LoadOp::Clear(Color { r, g, b, a: 1.0 });
+        let light = &self.targets.light;
+        let (view, resolve_target, store) = match &self.targets.samples {
+            Some(samples) => (samples, Some(light), StoreOp::Discard),
+            None => (light, None, StoreOp::Store),
         };
-        let store = if resolve_target.is_some() { StoreOp::Discard } else { StoreOp::Store };
-        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
+        encoder.begin_render_pass(&RenderPassDescriptor {
             label: Some("scene"),
             color_attachments: &[Some(RenderPassColorAttachment {
                 view,
                 depth_slice: None,
                 resolve_target,
-                ops: Operations { load: LoadOp::Clear(Color { r, g, b, a: 1.0 }), store },
+                ops: Operations { load: clear, store },
             })],
             depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
                 view: &self.targets.depth,
-                depth_ops: Some(Operations { load: LoadOp::Clear(0.0), store: StoreOp::Discard }),
+                depth_ops: Some(Operations {
+                    load: LoadOp::Clear(0.0),
+                    store: StoreOp::Discard,
+                }),
                 stencil_ops: None,
             }),
             timestamp_writes: self.timing.as_ref().map(Timing::begin),
             ..Default::default()
-        });
+        })
+    }
+
+    fn draw_scene(
+        &self,
+        frame: &Frame,
+        visible: &[Visible<'_>],
+        encoder: &mut CommandEncoder,
+        stats: &mut DrawStats,
+    ) {
+        let mut pass = self.begin_scene(encoder, frame.sky.horizon);
         let pipelines = &self.pipelines;
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
         pass.set_pipeline(&pipelines.figure);
         stats.add(self.figures.draw(&mut pass));
-        stats.add(self.chunks.draw(&mut pass, visible, &pipelines.terrain, &pipelines.terrain_rim));
+        stats.add(self.chunks.draw(
+            &mut pass,
+            visible,
+            &pipelines.terrain,
+            &pipelines.terrain_rim,
+        ));
         if frame.sky.dome {
             pass.set_pipeline(&pipelines.sky);
             pass.draw(0..3, 0..1);
             stats.add((1, 1));
-            stats.add(self.celestial.draw(&mut pass, &frame.sky, &pipelines.celestial));
+            stats.add(
+                self.celestial
+                    .draw(&mut pass, &frame.sky, &pipelines.celestial),
+            );
         }
         if self.marker.shown() {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
@@ -186,10 +237,16 @@ impl Renderer {
 
 fn check(options: &Options) -> Result<(), RenderError> {
     if !matches!(options.samples, 1 | 4) {
-        return Err(RenderError::Options(format!("{} samples a pixel were asked for, and only 1 or 4 work", options.samples)));
+        return Err(RenderError::Options(format!(
+            "{} samples a pixel were asked for, and only 1 or 4 work",
+            options.samples
+        )));
     }
     if !(0.1..=1.0).contains(&options.scale) {
-        return Err(RenderError::Options(format!("a scale of {} was asked for, and only 0.1 to 1 work", options.scale)));
+        return Err(RenderError::Options(format!(
+            "a scale of {} was asked for, and only 0.1 to 1 work",
+            options.scale
+        )));
     }
     Ok(())
 }
@@ -200,11 +257,25 @@ mod tests {
 
     #[test]
     fn options_out_of_range_are_refused_in_words() {
-        let good = Options { samples: 4, scale: 0.5, output_format: TextureFormat::Bgra8UnormSrgb };
+        let good = Options {
+            samples: 4,
+            scale: 0.5,
+            output_format: TextureFormat::Bgra8UnormSrgb,
+        };
         assert_eq!(check(&good), Ok(()));
-        for bad in [Options { samples: 2, ..good }, Options { scale: 0.0, ..good }, Options { scale: f32::NAN, ..good }] {
+        for bad in [
+            Options { samples: 2, ..good },
+            Options { scale: 0.0, ..good },
+            Options {
+                scale: f32::NAN,
+                ..good
+            },
+        ] {
             let words = check(&bad).err().map(|e| e.to_string()).unwrap_or_default();
-            assert!(words.starts_with("The renderer cannot be set up"), "{words}");
+            assert!(
+                words.starts_with("The renderer cannot be set up"),
+                "{words}"
+            );
         }
     }
 }

@@ -137,9 +137,22 @@ mod tests {
     #[test]
     fn it_fills_its_box_and_no_more() {
         let solid = solid(0.4);
-        let least = solid.vertices.iter().map(|v| Vec3::from(v.position)).reduce(Vec3::min).unwrap_or_default();
-        let most = solid.vertices.iter().map(|v| Vec3::from(v.position)).reduce(Vec3::max).unwrap_or_default();
-        assert!((least - Vec3::new(0.2, 0.2, -2.5)).length() < 1e-4, "{least}");
+        let least = solid
+            .vertices
+            .iter()
+            .map(|v| Vec3::from(v.position))
+            .reduce(Vec3::min)
+            .unwrap_or_default();
+        let most = solid
+            .vertices
+            .iter()
+            .map(|v| Vec3::from(v.position))
+            .reduce(Vec3::max)
+            .unwrap_or_default();
+        assert!(
+            (least - Vec3::new(0.2, 0.2, -2.5)).length() < 1e-4,
+            "{least}"
+        );
         assert!((most - Vec3::new(0.8, 1.8, -1.5)).length() < 1e-4, "{most}");
     }
 }

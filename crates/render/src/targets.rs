@@ -28,7 +28,16 @@ impl Targets {
         Self {
             size,
             light: view(device, "light", size, 1, LIGHT_FORMAT, shown),
-            samples: (samples > 1).then(|| view(device, "light samples", size, samples, LIGHT_FORMAT, unshown)),
+            samples: (samples > 1).then(|| {
+                view(
+                    device,
+                    "light samples",
+                    size,
+                    samples,
+                    LIGHT_FORMAT,
+                    unshown,
+                )
+            }),
             depth: view(device, "depth", size, samples, DEPTH_FORMAT, unshown),
         }
     }
@@ -44,7 +53,11 @@ fn view(
 ) -> TextureView {
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
-        size: Extent3d { width, height, depth_or_array_layers: 1 },
+        size: Extent3d {
+            width,
+            height,
+            depth_or_array_layers: 1,
+        },
         mip_level_count: 1,
         sample_count,
         dimension: wgpu::TextureDimension::D2,

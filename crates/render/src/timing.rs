@@ -3,7 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-use wgpu::{Buffer, BufferUsages, CommandEncoder, Device, Features, QuerySet, Queue, RenderPassTimestampWrites};
+use wgpu::{
+    Buffer, BufferUsages, CommandEncoder, Device, Features, QuerySet, Queue,
+    RenderPassTimestampWrites,
+};
 
 /// Frames that may be under way before one is skipped.
 const DEPTH: usize = 4;
@@ -84,7 +87,11 @@ impl Timing {
 
     /// Records the copy of this frame's stamps, where a slot is free.
     pub fn record(&self, encoder: &mut CommandEncoder) {
-        if let Some(slot) = self.slots.iter().find(|slot| slot.state.load(Ordering::Acquire) == FREE) {
+        if let Some(slot) = self
+            .slots
+            .iter()
+            .find(|slot| slot.state.load(Ordering::Acquire) == FREE)
+        {
             encoder.resolve_query_set(&self.queries, 0..STAMPS, &self.resolved, 0);
             encoder.copy_buffer_to_buffer(&self.resolved, 0, &slot.buffer, 0, BYTES);
             slot.state.store(RECORDED, Ordering::Release);
@@ -99,7 +106,10 @@ impl Timing {
                 slot.state.store(MAPPING, Ordering::Release);
                 let state = Arc::clone(&slot.state);
                 slot.buffer.map_async(wgpu::MapMode::Read, .., move |done| {
-                    state.store(if done.is_ok() { MAPPED } else { FAILED }, Ordering::Release);
+                    state.store(
+                        if done.is_ok() { MAPPED } else { FAILED },
+                        Ordering::Release,
+                    );
                 });
             }
         }

@@ -1,9 +1,9 @@
 //! From the light of the scene to the picture shown.
 
 use wgpu::{
-    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations, RenderPassColorAttachment,
-    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, Sampler, ShaderStages, StoreOp, TextureFormat,
-    TextureView,
+    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations,
+    RenderPassColorAttachment, RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline,
+    Sampler, ShaderStages, StoreOp, TextureFormat, TextureView,
 };
 
 use crate::shaders::TONEMAP;
@@ -27,7 +27,11 @@ impl Tonemap {
             min_filter: wgpu::FilterMode::Linear,
             ..Default::default()
         });
-        Self { pipeline: pipeline(device, &layout, output, scaled), layout, sampler }
+        Self {
+            pipeline: pipeline(device, &layout, output, scaled),
+            layout,
+            sampler,
+        }
     }
 
     /// Binds the light that is to be shown.
@@ -36,8 +40,14 @@ impl Tonemap {
             label: Some("tonemap"),
             layout: &self.layout,
             entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(light) },
-                wgpu::BindGroupEntry { binding: 1, resource: wgpu::BindingResource::Sampler(&self.sampler) },
+                wgpu::BindGroupEntry {
+                    binding: 0,
+                    resource: wgpu::BindingResource::TextureView(light),
+                },
+                wgpu::BindGroupEntry {
+                    binding: 1,
+                    resource: wgpu::BindingResource::Sampler(&self.sampler),
+                },
             ],
         })
     }
@@ -56,7 +66,10 @@ impl Tonemap {
                 view: target,
                 depth_slice: None,
                 resolve_target: None,
-                ops: Operations { load: LoadOp::Clear(Color::BLACK), store: StoreOp::Store },
+                ops: Operations {
+                    load: LoadOp::Clear(Color::BLACK),
+                    store: StoreOp::Store,
+                },
             })],
             timestamp_writes,
             ..Default::default()
@@ -68,8 +81,12 @@ impl Tonemap {
 }
 
 fn layout(device: &Device) -> BindGroupLayout {
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: ShaderStages::FRAGMENT, ty, count: None };
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
     let texture = wgpu::BindingType::Texture {
         sample_type: wgpu::TextureSampleType::Float { filterable: true },
         view_dimension: wgpu::TextureViewDimension::D2,
@@ -82,14 +99,22 @@ fn layout(device: &Device) -> BindGroupLayout {
     })
 }
 
-fn pipeline(device: &Device, layout: &BindGroupLayout, output: TextureFormat, scaled: bool) -> RenderPipeline {
+fn pipeline(
+    device: &Device,
+    layout: &BindGroupLayout,
+    output: TextureFormat,
+    scaled: bool,
+) -> RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("tonemap"),
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
     let module = TONEMAP.compile(device);
-    let constants = [("SCALED", f64::from(u8::from(scaled))), ("ENCODED", f64::from(u8::from(!output.is_srgb())))];
+    let constants = [
+        ("SCALED", f64::from(u8::from(scaled))),
+        ("ENCODED", f64::from(u8::from(!output.is_srgb()))),
+    ];
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("tonemap"),
         layout: Some(&layout),
@@ -105,7 +130,10 @@ fn pipeline(device: &Device, layout: &BindGroupLayout, output: TextureFormat, sc
         fragment: Some(wgpu::FragmentState {
             module: &module,
             entry_point: Some("fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() },
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &constants,
+                ..Default::default()
+            },
             targets: &[Some(output.into())],
         }),
         multiview_mask: None,

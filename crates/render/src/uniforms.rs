@@ -7,6 +7,8 @@ use glam::{DVec3, Vec3};
 
 /// Strength of the contour bands, where they are drawn.
 const CONTOUR_STRENGTH: f32 = 0.24;
+/// Figures whose shade on the ground is drawn; `SHADES` of common.wgsl.
+const SHADES: usize = 8;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
@@ -27,6 +29,7 @@ pub struct SceneUniform {
     key_colour: [f32; 4],
     ambient_sky: [f32; 4],
     ambient_ground: [f32; 4],
+    shades: [[f32; 4]; SHADES],
 }
 
 impl SceneUniform {
@@ -37,11 +40,19 @@ impl SceneUniform {
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
+        let (shades, shade_count) = shades(frame);
         let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
         Self {
             space: frame.strategy.uniform(eye, &frame.projection),
             right: with(eye.right().as_vec3(), frame.time_s),
-            up: with(eye.up().as_vec3(), if frame.contour_bands { CONTOUR_STRENGTH } else { 0.0 }),
+            up: with(
+                eye.up().as_vec3(),
+                if frame.contour_bands {
+                    CONTOUR_STRENGTH
+                } else {
+                    0.0
+                },
+            ),
             front: with(eye.front().as_vec3(), frame.fog_distance_m.max(1.0)),
             top: with(sky.top.into(), sky.stars),
             horizon: with(sky.horizon.into(), f32::from(u8::from(sky.dome))),
@@ -51,9 +62,25 @@ impl SceneUniform {
             key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
-            ambient_ground: with(sky.ambient_ground.into(), 0.0),
+            ambient_ground: with(sky.ambient_ground.into(), shade_count as f32),
+            shades,
         }
     }
+}
+
+/// The feet of the figures nearest to the eye, and how many there are.
+fn shades(frame: &Frame) -> ([[f32; 4]; SHADES], usize) {
+    let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
+    let mut feet: Vec<_> = frame.figures.iter().map(|figure| figure.point).collect();
+    feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
+    let mut shades = [[0.0; 4]; SHADES];
+    for (shade, point) in shades.iter_mut().zip(&feet) {
+        *shade = with(
+            offset_of(frame, *point).into(),
+            hemisphere_index(point.hemisphere) as f32,
+        );
+    }
+    (shades, feet.len().min(SHADES))
 }
 
 fn with(v: Vec3, w: f32) -> [f32; 4] {
@@ -140,12 +167,19 @@ pub fn hemisphere_index(hemisphere: Hemisphere) -> u32 {
 
 /// A point as the shaders take it: metres from the reference of its chart.
 pub fn offset_of(frame: &Frame, point: ChartPoint) -> [f32; 3] {
-    (point.pos - frame.strategy.reference(&frame.eye, point.hemisphere)).as_vec3().into()
+    (point.pos - frame.strategy.reference(&frame.eye, point.hemisphere))
+        .as_vec3()
+        .into()
 }
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
     use std::mem::{offset_of, size_of};
 
     use naga::{Binding, Module, TypeInner};
@@ -155,9 +189,21 @@ mod tests {
     use crate::shaders::{FIGURE, MARKER, TERRAIN};
 
     fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
-        let (_, ty) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some(name)).unwrap();
-        let TypeInner::Struct { members, span } = &ty.inner else { panic!("{name} is no struct") };
-        (members.iter().map(|m| (m.name.clone().unwrap(), m.offset as usize)).collect(), *span as usize)
+        let (_, ty) = module
+            .types
+            .iter()
+            .find(|(_, t)| t.name.as_deref() == Some(name))
+            .unwrap();
+        let TypeInner::Struct { members, span } = &ty.inner else {
+            panic!("{name} is no struct")
+        };
+        (
+            members
+                .iter()
+                .map(|m| (m.name.clone().unwrap(), m.offset as usize))
+                .collect(),
+            *span as usize,
+        )
     }
 
     #[test]
@@ -177,6 +223,7 @@ mod tests {
             ("key_colour", offset_of!(SceneUniform, key_colour)),
             ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
             ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+            ("shades", offset_of!(SceneUniform, shades)),
         ];
         assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
         assert_eq!(span, size_of::<SceneUniform>());
@@ -197,14 +244,21 @@ mod tests {
 
     /// Locations and widths (in bytes) that a vertex stage reads.
     fn inputs(module: &Module) -> Vec<(u32, u64)> {
-        let (_, ty) = module.types.iter().find(|(_, t)| t.name.as_deref() == Some("VertexIn")).unwrap();
-        let TypeInner::Struct { members, .. } = &ty.inner else { panic!("VertexIn is no struct") };
+        let (_, ty) = module
+            .types
+            .iter()
+            .find(|(_, t)| t.name.as_deref() == Some("VertexIn"))
+            .unwrap();
+        let TypeInner::Struct { members, .. } = &ty.inner else {
+            panic!("VertexIn is no struct")
+        };
         members
             .iter()
             .filter_map(|m| match m.binding {
-                Some(Binding::Location { location, .. }) => {
-                    Some((location, u64::from(module.types[m.ty].inner.size(module.to_ctx()))))
-                }
+                Some(Binding::Location { location, .. }) => Some((
+                    location,
+                    u64::from(module.types[m.ty].inner.size(module.to_ctx())),
+                )),
                 _ => None,
             })
             .collect()
@@ -214,22 +268,46 @@ mod tests {
     #[test]
     fn instances_are_laid_out_as_the_shaders_read_them() {
         let cases = [
-            (inputs(&parse(TERRAIN)), ChunkInstance::ATTRIBUTES.to_vec(), size_of::<ChunkInstance>()),
-            (inputs(&parse(FIGURE)), FigureInstance::ATTRIBUTES.to_vec(), size_of::<FigureInstance>()),
-            (inputs(&parse(MARKER)), MarkerInstance::ATTRIBUTES.to_vec(), size_of::<MarkerInstance>()),
+            (
+                inputs(&parse(TERRAIN)),
+                ChunkInstance::ATTRIBUTES.to_vec(),
+                size_of::<ChunkInstance>(),
+            ),
+            (
+                inputs(&parse(FIGURE)),
+                FigureInstance::ATTRIBUTES.to_vec(),
+                size_of::<FigureInstance>(),
+            ),
+            (
+                inputs(&parse(MARKER)),
+                MarkerInstance::ATTRIBUTES.to_vec(),
+                size_of::<MarkerInstance>(),
+            ),
         ];
         for (read, attributes, size) in cases {
             let first = attributes[0].shader_location;
-            let ours: Vec<_> = attributes.iter().map(|a| (a.shader_location, a.format.size())).collect();
-            assert_eq!(read.into_iter().filter(|(at, _)| *at >= first).collect::<Vec<_>>(), ours);
-            assert_eq!(attributes.iter().map(|a| a.format.size()).sum::<u64>() as usize, size);
+            let ours: Vec<_> = attributes
+                .iter()
+                .map(|a| (a.shader_location, a.format.size()))
+                .collect();
+            assert_eq!(
+                read.into_iter()
+                    .filter(|(at, _)| *at >= first)
+                    .collect::<Vec<_>>(),
+                ours
+            );
+            assert_eq!(
+                attributes.iter().map(|a| a.format.size()).sum::<u64>() as usize,
+                size
+            );
         }
     }
 
     #[test]
     fn chunks_far_away_keep_their_place_and_grain() {
         let origin = DVec3::new(1_000_000.0 * 32.0, -32.0, 96.0);
-        let instance = ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
+        let instance =
+            ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
         assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
         assert_eq!(instance.hemisphere, 1);
         assert_eq!(instance.world, [0.0, -32.0, 96.0]);

@@ -1,6 +1,11 @@
 //! What must hold in every space: the marker stands where it points, letters read, nothing is turned inside out,
 //! and crossing the equator changes nothing.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
 
 mod common;
 
@@ -9,7 +14,9 @@ use std::sync::Arc;
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
 use antipode_scene::frame::{ChunkChange, Frame, Marker};
 use antipode_terrain::ChunkMesh;
-use common::{GEOMETRIES, Studio, middle_of_change, difference, frame, land, noon, plates, seen_at, space};
+use common::{
+    GEOMETRIES, Studio, difference, frame, land, middle_of_change, noon, plates, seen_at, space,
+};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
@@ -18,19 +25,35 @@ const ASPECT: f64 = 4.0 / 3.0;
 
 #[test]
 fn the_marker_is_within_a_pixel_of_what_it_points_at() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     for geometry in GEOMETRIES {
         let space = space(geometry);
         let mut frame = frame(&space, ChartPoint::a(DVec3::new(3.0, 9.0, -2.0)), ASPECT);
         frame.eye.pitch = -0.2;
         let without = studio.picture(&frame);
-        for (direction, distance_m) in [(DVec3::NEG_Z, 4.0), (DVec3::NEG_Z, 16.0), (DVec3::new(0.3, -0.2, -1.0), 9.0)] {
+        for (direction, distance_m) in [
+            (DVec3::NEG_Z, 4.0),
+            (DVec3::NEG_Z, 16.0),
+            (DVec3::new(0.3, -0.2, -1.0), 9.0),
+        ] {
             let point = space.along(&frame.eye, direction.normalize(), distance_m);
-            let marked = Frame { marker: Some(Marker { point, radius_m: 0.8, active: true }), ..frame.clone() };
+            let marked = Frame {
+                marker: Some(Marker {
+                    point,
+                    radius_m: 0.8,
+                    active: true,
+                }),
+                ..frame.clone()
+            };
             let picture = studio.picture(&marked);
             let (x, y) = middle_of_change(&picture, &without).expect("the marker is seen");
             let (want_x, want_y) = seen_at(&frame, point, SIZE);
-            assert!((x - want_x).hypot(y - want_y) <= 1.0, "{geometry} {distance_m} m: {x} {y}, not {want_x} {want_y}");
+            assert!(
+                (x - want_x).hypot(y - want_y) <= 1.0,
+                "{geometry} {distance_m} m: {x} {y}, not {want_x} {want_y}"
+            );
         }
     }
 }
@@ -39,36 +62,63 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
 fn letter_f() -> Arc<ChunkMesh> {
     let bar = |z: f32, y: f32, width: f32, height: f32| {
         let at = |dz: f32, dy: f32| Vec3::new(16.0, y + dy, z + dz);
-        [at(0.0, 0.0), at(0.0, height), at(width, height), at(width, 0.0)].map(|p| p)
+        [
+            at(0.0, 0.0),
+            at(0.0, height),
+            at(width, height),
+            at(width, 0.0),
+        ]
+        .map(|p| p)
     };
     // Counter-clockwise seen from -x: right of the picture is +z.
     let flip = |[a, b, c, d]: [Vec3; 4]| [a, d, c, b];
-    plates(&[bar(6.0, 2.0, 1.5, 8.0), bar(7.5, 8.5, 3.5, 1.5), bar(7.5, 5.5, 2.5, 1.5)].map(flip))
+    plates(
+        &[
+            bar(6.0, 2.0, 1.5, 8.0),
+            bar(7.5, 8.5, 3.5, 1.5),
+            bar(7.5, 5.5, 2.5, 1.5),
+        ]
+        .map(flip),
+    )
 }
 
 fn reading(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, mesh: Arc<ChunkMesh>) -> Frame {
-    let corner = ChunkCoord { hemisphere, index: glam::IVec3::ZERO };
+    let corner = ChunkCoord {
+        hemisphere,
+        index: glam::IVec3::ZERO,
+    };
     let eye = ChartPoint::new(hemisphere, DVec3::new(6.0, 6.0, 8.5));
-    Frame { chunk_changes: vec![ChunkChange::Put(corner, mesh)], ..frame(space, eye, ASPECT) }
+    Frame {
+        chunk_changes: vec![ChunkChange::Put(corner, mesh)],
+        ..frame(space, eye, ASPECT)
+    }
 }
 
 fn red(picture: &RgbaImage, x: std::ops::Range<f64>, y: std::ops::Range<f64>) -> usize {
-    let inside = |i: u32, size: u32, r: &std::ops::Range<f64>| r.contains(&(f64::from(i) / f64::from(size)));
+    let inside =
+        |i: u32, size: u32, r: &std::ops::Range<f64>| r.contains(&(f64::from(i) / f64::from(size)));
     picture
         .enumerate_pixels()
         .filter(|(i, j, p)| {
-            inside(*i, SIZE.0, &x) && inside(*j, SIZE.1, &y) && u16::from(p.0[0]) > u16::from(p.0[2]) + 60
+            inside(*i, SIZE.0, &x)
+                && inside(*j, SIZE.1, &y)
+                && u16::from(p.0[0]) > u16::from(p.0[2]) + 60
         })
         .count()
 }
 
 #[test]
 fn the_letter_f_reads_as_f_in_every_space_and_hemisphere() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        let hemispheres: &[_] =
-            if space.rim_m().is_some() { &[Hemisphere::A, Hemisphere::B] } else { &[Hemisphere::A] };
+        let hemispheres: &[_] = if space.rim_m().is_some() {
+            &[Hemisphere::A, Hemisphere::B]
+        } else {
+            &[Hemisphere::A]
+        };
         for &hemisphere in hemispheres {
             let mut frame = reading(&space, hemisphere, letter_f());
             frame.loaded_world = geometry as u64 * 2 + u64::from(hemisphere == Hemisphere::B);
@@ -80,15 +130,23 @@ fn the_letter_f_reads_as_f_in_every_space_and_hemisphere() {
                 red(&picture, 0.5..1.0, 0.5..1.0),
             ];
             let quarters = (upper_left, upper_right, lower_left, lower_right);
-            assert!(upper_right > 300, "{geometry} {hemisphere:?}: arms at the upper right, {quarters:?}");
-            assert!(lower_left > 200 && lower_left > 4 * lower_right, "{geometry} {hemisphere:?}: {quarters:?}");
+            assert!(
+                upper_right > 300,
+                "{geometry} {hemisphere:?}: arms at the upper right, {quarters:?}"
+            );
+            assert!(
+                lower_left > 200 && lower_left > 4 * lower_right,
+                "{geometry} {hemisphere:?}: {quarters:?}"
+            );
         }
     }
 }
 
 #[test]
 fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     let mut world = 0;
     for geometry in GEOMETRIES {
         let space = space(geometry);
@@ -97,12 +155,22 @@ fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
                 continue;
             }
             let mut turned = ChunkMesh::clone(&letter_f());
-            turned.indices.chunks_exact_mut(3).for_each(|t| t.swap(1, 2));
+            turned
+                .indices
+                .chunks_exact_mut(3)
+                .for_each(|t| t.swap(1, 2));
             for (mesh, seen) in [(letter_f(), true), (Arc::new(turned), false)] {
                 world += 1;
-                let frame = Frame { loaded_world: world, ..reading(&space, hemisphere, mesh) };
+                let frame = Frame {
+                    loaded_world: world,
+                    ..reading(&space, hemisphere, mesh)
+                };
                 let found = red(&studio.picture(&frame), 0.0..1.0, 0.0..1.0);
-                assert_eq!(found > 500, seen, "{geometry} {hemisphere:?} {seen}: {found}");
+                assert_eq!(
+                    found > 500,
+                    seen,
+                    "{geometry} {hemisphere:?} {seen}: {found}"
+                );
             }
         }
     }
@@ -110,19 +178,34 @@ fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
 
 #[test]
 fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     let space = space(Geometry::Spherical);
     let rim_m = space.rim_m().unwrap();
     let angle = 0.7_f64;
     let ground = DVec3::new(angle.cos(), 0.0, angle.sin()) * (rim_m + 0.1);
     let before = ChartPoint::a(ground + DVec3::Y * 22.0);
-    let mut frame = Frame { chunk_changes: land(&space, before, 0), ..frame(&space, before, ASPECT) };
+    let mut frame = Frame {
+        chunk_changes: land(&space, before, 0),
+        ..frame(&space, before, ASPECT)
+    };
     for (yaw, pitch) in [(angle, -0.3), (angle + 2.0, -0.9), (angle - 1.2, 0.9)] {
-        frame.eye = Eye { point: before, yaw, pitch, ..frame.eye };
+        frame.eye = Eye {
+            point: before,
+            yaw,
+            pitch,
+            ..frame.eye
+        };
         let one = studio.picture(&frame);
         frame.chunk_changes.clear();
         let crossing = space.carry(before).unwrap();
-        frame.eye = Eye { point: crossing.point, yaw: yaw - crossing.turn_rad, pitch, ..frame.eye };
+        frame.eye = Eye {
+            point: crossing.point,
+            yaw: yaw - crossing.turn_rad,
+            pitch,
+            ..frame.eye
+        };
         let other = studio.picture(&frame);
         let (_, mean) = difference(&one, &other);
         assert!(mean < 0.25, "{yaw} {pitch}: {mean}");
@@ -133,14 +216,24 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
 /// twice. Land of chart A alone must end 5 cm past the equator.
 #[test]
 fn land_past_the_equator_is_left_to_the_other_chart() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     let space = space(Geometry::Spherical);
     let rim_m = space.rim_m().unwrap();
-    let corner = ChunkCoord { hemisphere: Hemisphere::A, index: glam::IVec3::new(1, 0, -1) };
+    let corner = ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: glam::IVec3::new(1, 0, -1),
+    };
     let reach = (rim_m - 32.0) as f32;
     // A strip along x, at z = -1..1, seen from above: it passes the equator well inside the chunk.
-    let strip = [[1.0, 31.0], [1.0, 33.0], [reach + 6.0, 33.0], [reach + 6.0, 31.0]]
-        .map(|[x, z]: [f32; 2]| Vec3::new(x, 2.0, z));
+    let strip = [
+        [1.0, 31.0],
+        [1.0, 33.0],
+        [reach + 6.0, 33.0],
+        [reach + 6.0, 31.0],
+    ]
+    .map(|[x, z]: [f32; 2]| Vec3::new(x, 2.0, z));
     let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, 0.0));
     let mut frame = Frame {
         chunk_changes: vec![ChunkChange::Put(corner, plates(&[strip]))],
@@ -149,25 +242,49 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     };
     frame.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;
     let picture = studio.picture(&frame);
-    let (_, line) = seen_at(&frame, ChartPoint::a(DVec3::new(rim_m + 0.05, 2.0, 0.0)), SIZE);
+    let (_, line) = seen_at(
+        &frame,
+        ChartPoint::a(DVec3::new(rim_m + 0.05, 2.0, 0.0)),
+        SIZE,
+    );
     let column = SIZE.0 / 2;
-    let is_red = |y: u32| picture.get_pixel(column, y).0[0] > picture.get_pixel(column, y).0[2].saturating_add(60);
+    let is_red = |y: u32| {
+        picture.get_pixel(column, y).0[0] > picture.get_pixel(column, y).0[2].saturating_add(60)
+    };
     let first_red = (0..SIZE.1).find(|&y| is_red(y)).expect("the strip is seen");
-    assert!((f64::from(first_red) - line).abs() <= 1.5, "{first_red}, not {line}");
+    assert!(
+        (f64::from(first_red) - line).abs() <= 1.5,
+        "{first_red}, not {line}"
+    );
     assert!(is_red(SIZE.1 - 5), "this side stays");
 }
 
 #[test]
 fn a_marker_behind_land_still_shows_but_faintly() {
-    let Some(mut studio) = Studio::new(SIZE) else { return };
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
     let space = space(Geometry::Euclidean);
-    let wall = plates(&[[[20.0, 0.0, 0.0], [20.0, 0.0, 20.0], [20.0, 20.0, 20.0], [20.0, 20.0, 0.0]].map(Vec3::from)]);
+    let wall = plates(&[[
+        [20.0, 0.0, 0.0],
+        [20.0, 0.0, 20.0],
+        [20.0, 20.0, 20.0],
+        [20.0, 20.0, 0.0],
+    ]
+    .map(Vec3::from)]);
     let mut frame = reading(&space, Hemisphere::A, wall);
     let plain = studio.picture(&frame);
     frame.chunk_changes.clear();
     let mut change = |x: f64| {
         let point = ChartPoint::a(DVec3::new(x, 6.0, 8.5));
-        let marked = Frame { marker: Some(Marker { point, radius_m: 4.0, active: true }), ..frame.clone() };
+        let marked = Frame {
+            marker: Some(Marker {
+                point,
+                radius_m: 4.0,
+                active: true,
+            }),
+            ..frame.clone()
+        };
         let (x, y) = seen_at(&marked, point, SIZE);
         let (p, q) = (studio.picture(&marked), &plain);
         let at = |picture: &RgbaImage| picture.get_pixel(x as u32, y as u32).0.map(i32::from);

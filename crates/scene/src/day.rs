@@ -141,8 +141,8 @@ fn dome(time_of_day_s: f64) -> Sky {
     } else {
         (moon, moon_colour)
     };
-    let ambient_sky = now.top * 0.55 + now.horizon * 0.35 + Vec3::new(0.022, 0.026, 0.042);
-    let ambient_ground = now.horizon * 0.22 + Vec3::new(0.014, 0.013, 0.014);
+    let ambient_sky = now.top * 0.55 + now.horizon * 0.35 + Vec3::new(0.034, 0.040, 0.064);
+    let ambient_ground = now.horizon * 0.22 + Vec3::new(0.026, 0.024, 0.027);
     Sky {
         top: now.top.into(),
         horizon: now.horizon.into(),

@@ -15,6 +15,8 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>) {
     let regions = pass.regions;
     let mut back = false;
     let body = |ui: &mut Ui, stops: &mut Stops| {
+        // Close lines, so that a window of 720 pixels shows them all without scrolling.
+        ui.spacing_mut().item_spacing.y = 2.0;
         for group in groups(bindings) {
             ui.label(RichText::new(group).color(ACCENT));
             for binding in bindings.iter().filter(|binding| binding.group == group) {

@@ -40,6 +40,8 @@ pub(crate) const ROUNDING: u8 = 8;
 pub fn apply_theme(ctx: &Context) {
     ctx.set_theme(Theme::Dark);
     ctx.all_styles_mut(style);
+    // A button acts on release however long it was held; at ten frames a second a click is easily long.
+    ctx.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
 }
 
 /// A dark translucent panel that fills `rect`.
@@ -74,6 +76,7 @@ fn style(style: &mut Style) {
     style.spacing.button_padding = vec2(12.0, 6.0);
     style.spacing.interact_size = vec2(40.0, 32.0);
     style.spacing.slider_rail_height = 6.0;
+    style.spacing.scroll = egui::style::ScrollStyle::solid();
     style.interaction.selectable_labels = false;
     style.animation_time = 0.08;
     visuals(&mut style.visuals);

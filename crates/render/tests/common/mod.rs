@@ -10,8 +10,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry, Hemisphere,
-    Projection, Strategy, strategy,
+    ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
+    Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
 use antipode_scene::frame::{ChunkChange, Frame, Sky};
@@ -19,7 +19,11 @@ use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
-pub const GEOMETRIES: [Geometry; 3] = [Geometry::Euclidean, Geometry::Hyperbolic, Geometry::Spherical];
+pub const GEOMETRIES: [Geometry; 3] = [
+    Geometry::Euclidean,
+    Geometry::Hyperbolic,
+    Geometry::Spherical,
+];
 pub const PLAIN: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 pub struct Studio {
@@ -45,17 +49,39 @@ impl Studio {
         Self::with(size, PLAIN, 1.0, 1)
     }
 
-    pub fn with(size: (u32, u32), format: wgpu::TextureFormat, scale: f32, samples: u32) -> Option<Self> {
+    pub fn with(
+        size: (u32, u32),
+        format: wgpu::TextureFormat,
+        scale: f32,
+        samples: u32,
+    ) -> Option<Self> {
         let gpu = adapter()?;
-        let mut renderer = Renderer::new(&gpu, Options { samples, scale, output_format: format }).unwrap();
+        let mut renderer = Renderer::new(
+            &gpu,
+            Options {
+                samples,
+                scale,
+                output_format: format,
+            },
+        )
+        .unwrap();
         renderer.resize(size.0, size.1);
         let offscreen = Offscreen::new(&gpu, size.0, size.1, format);
-        Some(Self { gpu, renderer, offscreen })
+        Some(Self {
+            gpu,
+            renderer,
+            offscreen,
+        })
     }
 
     pub fn draw(&mut self, frame: &Frame) -> (RgbaImage, DrawStats) {
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let stats = self.renderer.draw(frame, &mut encoder, self.offscreen.view());
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let stats = self
+            .renderer
+            .draw(frame, &mut encoder, self.offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
         let picture = self.offscreen.read(&self.gpu).unwrap();
         assert_eq!(self.gpu.take_error(), None);
@@ -94,7 +120,12 @@ pub fn noon(dome: bool) -> Sky {
 /// An empty frame seen from `point` along +x.
 pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame {
     Frame {
-        eye: Eye { point, yaw: 0.0, pitch: 0.0, dial: 10.0 },
+        eye: Eye {
+            point,
+            yaw: 0.0,
+            pitch: 0.0,
+            dial: 10.0,
+        },
         projection: Projection::new(75f64.to_radians(), aspect, 0.02),
         strategy: Arc::clone(space),
         sky: noon(space.has_sky()),
@@ -112,15 +143,31 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
 pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Vec<ChunkChange> {
     let field = Field::new(2, Arc::clone(space));
     let closed = space.rim_m().is_some();
-    let (middle, reach) = if closed { (IVec3::ZERO, 3) } else { (ChunkCoord::containing(centre).index, reach) };
-    let hemispheres: &[Hemisphere] = if closed { &[Hemisphere::A, Hemisphere::B] } else { &[Hemisphere::A] };
+    let (middle, reach) = if closed {
+        (IVec3::ZERO, 3)
+    } else {
+        (ChunkCoord::containing(centre).index, reach)
+    };
+    let hemispheres: &[Hemisphere] = if closed {
+        &[Hemisphere::A, Hemisphere::B]
+    } else {
+        &[Hemisphere::A]
+    };
     let mut changes = Vec::new();
     let span = || -reach..=reach;
     for &hemisphere in hemispheres {
-        for (x, y, z) in span().flat_map(|x| span().flat_map(move |y| span().map(move |z| (x, y, z)))) {
-            let coord = ChunkCoord { hemisphere, index: middle + IVec3::new(x, y, z) };
+        for (x, y, z) in
+            span().flat_map(|x| span().flat_map(move |y| span().map(move |z| (x, y, z))))
+        {
+            let coord = ChunkCoord {
+                hemisphere,
+                index: middle + IVec3::new(x, y, z),
+            };
             if field.content(coord) == Content::Surface {
-                changes.push(ChunkChange::Put(coord, Arc::new(march(&field.samples(coord), &field, coord))));
+                changes.push(ChunkChange::Put(
+                    coord,
+                    Arc::new(march(&field.samples(coord), &field, coord)),
+                ));
             }
         }
     }
@@ -130,7 +177,10 @@ pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Vec<Ch
 /// A point 1.7 m above the generated ground.
 pub fn standing(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, x: f64, z: f64) -> ChartPoint {
     let field = Field::new(2, Arc::clone(space));
-    ChartPoint::new(hemisphere, DVec3::new(x, field.surface_height(hemisphere, x, z) + 1.7, z))
+    ChartPoint::new(
+        hemisphere,
+        DVec3::new(x, field.surface_height(hemisphere, x, z) + 1.7, z),
+    )
 }
 
 /// A mesh of white plates, each four corners counter-clockwise seen from the front, cut into small squares.
@@ -152,7 +202,8 @@ pub fn plates(corners: &[[Vec3; 4]]) -> Arc<ChunkMesh> {
         for (i, j) in (0..CUTS).flat_map(|i| (0..CUTS).map(move |j| (i, j))) {
             let at = first + i * (CUTS + 1) + j;
             let across = at + CUTS + 1;
-            mesh.indices.extend([at, across, across + 1, at, across + 1, at + 1]);
+            mesh.indices
+                .extend([at, across, across + 1, at, across + 1, at + 1]);
         }
     }
     Arc::new(mesh)
@@ -160,18 +211,36 @@ pub fn plates(corners: &[[Vec3; 4]]) -> Arc<ChunkMesh> {
 
 /// Largest difference of any channel, and the mean.
 pub fn difference(a: &RgbaImage, b: &RgbaImage) -> (u8, f64) {
-    let apart = || a.as_raw().iter().zip(b.as_raw()).map(|(x, y)| x.abs_diff(*y));
-    (apart().max().unwrap(), apart().map(f64::from).sum::<f64>() / a.as_raw().len() as f64)
+    let apart = || {
+        a.as_raw()
+            .iter()
+            .zip(b.as_raw())
+            .map(|(x, y)| x.abs_diff(*y))
+    };
+    (
+        apart().max().unwrap(),
+        apart().map(f64::from).sum::<f64>() / a.as_raw().len() as f64,
+    )
 }
 
 /// Middle, in pixels, of the box around everything that differs.
 pub fn middle_of_change(a: &RgbaImage, b: &RgbaImage) -> Option<(f64, f64)> {
-    let changed = || a.enumerate_pixels().zip(b.pixels()).filter(|((.., p), q)| p != q).map(|((x, y, _), _)| (x, y));
+    let changed = || {
+        a.enumerate_pixels()
+            .zip(b.pixels())
+            .filter(|((.., p), q)| p != q)
+            .map(|((x, y, _), _)| (x, y))
+    };
     let (least, most) = changed().fold(((u32::MAX, u32::MAX), (0, 0)), |(least, most), (x, y)| {
-        ((x.min(least.0), y.min(least.1)), (x.max(most.0), y.max(most.1)))
+        (
+            (x.min(least.0), y.min(least.1)),
+            (x.max(most.0), y.max(most.1)),
+        )
     });
     let middle = |a: u32, b: u32| f64::from(a + b + 1) / 2.0;
-    changed().next().map(|_| (middle(least.0, most.0), middle(least.1, most.1)))
+    changed()
+        .next()
+        .map(|_| (middle(least.0, most.0), middle(least.1, most.1)))
 }
 
 /// Where a point is seen, in pixels of a picture of the given size.
@@ -180,5 +249,8 @@ pub fn seen_at(frame: &Frame, point: ChartPoint, size: (u32, u32)) -> (f64, f64)
     assert!(v.z < 0.0, "behind the eye");
     let x = frame.projection.sx * v.x / -v.z;
     let y = frame.projection.sy * v.y / -v.z;
-    ((x + 1.0) / 2.0 * f64::from(size.0), (1.0 - y) / 2.0 * f64::from(size.1))
+    (
+        (0.5 + 0.5 * x) * f64::from(size.0),
+        (0.5 - 0.5 * y) * f64::from(size.1),
+    )
 }

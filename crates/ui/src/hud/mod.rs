@@ -49,7 +49,7 @@ pub struct CurvatureView {
 /// Everything the display shows in one frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct HudModel {
-    /// Frames per second, already smoothed.
+    /// Frames per second, already smoothed; zero, as in a still picture, is not shown.
     pub fps: f32,
     /// Where the player is in the chart, in metres.
     pub chart: [f64; 3],
@@ -142,7 +142,10 @@ fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
 
 /// Top right, under the position where both do not fit side by side.
 fn figures(painter: &Painter, screen: Rect, position: Rect, model: &HudModel) -> Rect {
-    let mut lines = vec![format!("{:.0} fps", model.fps)];
+    let mut lines = Vec::new();
+    if model.fps > 0.0 {
+        lines.push(format!("{:.0} fps", model.fps));
+    }
     lines.extend(
         [&model.geometry, &model.time_label]
             .into_iter()
