@@ -72,7 +72,8 @@ struct Shown {
 
 impl Shown {
     fn put(&mut self, chunk: Chunk) {
-        self.physics.set_terrain(chunk.coord, chunk.coord.origin(), chunk.collider);
+        self.physics
+            .set_terrain(chunk.coord, chunk.coord.origin(), chunk.collider);
         self.chunks.insert(chunk.coord, chunk.mesh);
     }
 
@@ -85,7 +86,9 @@ impl Shown {
                 Update::Edited(chunks) => {
                     batches += 1;
                     let coords: Vec<_> = chunks.iter().map(|c| c.coord).collect();
-                    chunks.into_iter().for_each(|chunk| self.put(chunk));
+                    for chunk in chunks {
+                        self.put(chunk);
+                    }
                     for coord in coords {
                         self.fits_neighbours(coord);
                     }
@@ -94,7 +97,7 @@ impl Shown {
                     self.chunks.remove(&coord);
                 }
                 Update::Saved => {}
-                other => panic!("{other:?}"),
+                Update::Problem(sentence) => panic!("{sentence}"),
             }
         }
         batches
@@ -108,8 +111,14 @@ impl Shown {
         for axis in 0..3 {
             let mut step = IVec3::ZERO;
             step[axis] = 1;
-            let above = ChunkCoord { index: coord.index + step, ..coord };
-            let below = ChunkCoord { index: coord.index - step, ..coord };
+            let above = ChunkCoord {
+                index: coord.index + step,
+                ..coord
+            };
+            let below = ChunkCoord {
+                index: coord.index - step,
+                ..coord
+            };
             for (low, high) in [(coord, above), (below, coord)] {
                 if loaded(&low) && loaded(&high) {
                     assert_eq!(
@@ -149,18 +158,30 @@ fn height_in(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> Option<f64> {
         return None;
     }
     let (s, t) = (cross(p - a, c - a) / area, cross(b - a, p - a) / area);
-    (s >= 0.0 && t >= 0.0 && s + t <= 1.0).then(|| a.y + s * (b.y - a.y) + t * (c.y - a.y))
+    (s >= 0.0 && t >= 0.0 && s + t <= 1.0).then_some(a.y + s * (b.y - a.y) + t * (c.y - a.y))
 }
 
 #[test]
 fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
     let field = Arc::new(Field::new(13, Arc::clone(&space)));
-    let mut streamer =
-        Streamer::start(Arc::clone(&field), Arc::clone(&space), None, Config::default()).unwrap();
-    let mut shown = Shown { chunks: HashMap::new(), physics: PhysicsWorld::new() };
+    let mut streamer = Streamer::start(
+        Arc::clone(&field),
+        Arc::clone(&space),
+        None,
+        Config::default(),
+    )
+    .unwrap();
+    let mut shown = Shown {
+        chunks: HashMap::new(),
+        physics: PhysicsWorld::new(),
+    };
     let centre = ChartPoint::a(DVec3::splat(16.0));
-    streamer.wish(&Wish { centre, front: DVec3::X, view_distance: VIEW_DISTANCE });
+    streamer.wish(&Wish {
+        centre,
+        front: DVec3::X,
+        view_distance: VIEW_DISTANCE,
+    });
     shown.take(streamer.wait(Until::Idle, LIMIT));
     let mut dice = Dice(0x9E37_79B9_7F4A_7C15);
     let mut batches = 0;
@@ -181,13 +202,21 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
             batches += shown.take(streamer.wait(Until::Edits, LIMIT));
         }
     }
-    assert!(batches >= EDITS / STROKES_A_BATCH, "only {batches} batches were shown");
+    assert!(
+        batches >= EDITS / STROKES_A_BATCH,
+        "only {batches} batches were shown"
+    );
     for _ in 0..40 {
         let from = DVec3::new(60.0 * dice.unit() - 30.0, 50.0, 60.0 * dice.unit() - 30.0);
         let seen = shown.seen_below(from);
-        let felt = shown.physics.cast_ray(from, DVec3::NEG_Y, 120.0).map(|hit| hit.distance_m);
+        let felt = shown
+            .physics
+            .cast_ray(from, DVec3::NEG_Y, 120.0)
+            .map(|hit| hit.distance_m);
         match (seen, felt) {
-            (Some(seen), Some(felt)) => assert!((seen - felt).abs() < 1e-3, "{from}: {seen} and {felt}"),
+            (Some(seen), Some(felt)) => {
+                assert!((seen - felt).abs() < 1e-3, "{from}: {seen} and {felt}")
+            }
             (seen, felt) => assert_eq!(seen, felt, "{from}"),
         }
     }

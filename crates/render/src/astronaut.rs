@@ -21,8 +21,8 @@ const SHOULDER_M: f32 = 1.34;
 /// Arms swing less than legs, and against them.
 const ARM_SHARE: f32 = -0.75;
 /// Patches of each part, from pole to pole and around.
-const RINGS: u16 = 10;
-const SIDES: u16 = 16;
+const RINGS: u16 = 8;
+const SIDES: u16 = 12;
 
 /// The whole figure.
 pub fn astronaut() -> Solid {

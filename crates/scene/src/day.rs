@@ -135,7 +135,7 @@ fn dome(time_of_day_s: f64) -> Sky {
     let sunlight = smooth(-0.05, 0.18, sun.y);
     let moonlight = smooth(-0.02, 0.25, moon.y) * (1.0 - sunlight);
     let sun_colour = now.glare * (1.8 * sunlight);
-    let moon_colour = MOON_COLOUR * (0.55 * moonlight);
+    let moon_colour = MOON_COLOUR * (0.9 * moonlight);
     let (key_direction, key_colour) = if sun_colour.length() >= moon_colour.length() {
         (sun, sun_colour)
     } else {

@@ -79,8 +79,13 @@ impl SavesDir {
     ) -> Result<(), NameError> {
         name::check(name)?;
         let wanted = name::folded(name);
-        match taken.into_iter().find(|existing| name::folded(existing) == wanted) {
-            Some(existing) => Err(NameError::Taken { existing: existing.to_owned() }),
+        match taken
+            .into_iter()
+            .find(|existing| name::folded(existing) == wanted)
+        {
+            Some(existing) => Err(NameError::Taken {
+                existing: existing.to_owned(),
+            }),
             None => Ok(()),
         }
     }
