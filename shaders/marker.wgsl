@@ -25,8 +25,10 @@ fn vertex(in: VertexIn) -> VertexOut {
     // Over so small a ball, view coordinates are as good as flat.
     out.outward = (view.xyz - centre.xyz) / in.shape.x;
     out.toward_eye = -normalize(view.xyz);
-    out.colour = in.colour;
-    out.edge = in.shape.y;
+    // Near or around the eye a ball would veil what is being dug, so there it thins out.
+    let thin = 0.12 + 0.88 * smoothstep(1.0, 2.6, length(centre.xyz) / max(in.shape.x, 1.5));
+    out.colour = vec4<f32>(in.colour.rgb, in.colour.a * thin);
+    out.edge = in.shape.y * thin;
     return out;
 }
 

@@ -14,8 +14,11 @@ struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) normal: vec3<f32>,
     @location(1) albedo: vec3<f32>,
+    @location(2) grain: vec3<f32>,      // where grain is read
+    @location(3) veil: vec3<f32>,       // the fog's share of the colour
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond the equator
+    @location(6) @interpolate(flat) feet: vec3<f32>,
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
@@ -57,13 +60,42 @@ fn vertex(in: VertexIn) -> VertexOut {
     var out: VertexOut;
     out.clip = clip_from_view(scene.space, view);
     out.normal = port_normal(scene.space, p, authored, in.hemisphere);
-    out.albedo = to_linear(in.colour.rgb) * (1.0 + 0.34 * patches + 0.38 * tufts);
+    // No ground is blacker than basalt, so that overhangs keep their shape.
+    out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
+    out.grain = grain;
+    out.veil = haze(direction_of(view.xyz)) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     out.place = vec4<f32>(p, length(world.xz) - scene.moon.w);
+    out.feet = nearest_feet(p, in.hemisphere);
     return out;
 }
 
-fn land_colour(in: VertexOut) -> vec4<f32> { return vec4<f32>(in.albedo*in.normal.y*in.land.x + in.place.x*0.001,1.0); }
+fn land_colour(in: VertexOut) -> vec4<f32> {
+    let spread_m = in.land.y;
+    let steep = in.land.z;
+    let height = in.land.w;
+    var tone = 1.0;
+    // Fine grain, gone where a pixel would hold several of its cells.
+    let near = 1.0 - clamp(spread_m * (1.0 / 44.0), 0.0, 1.0);
+    let dapple = smoothstep(0.24, 0.76, value_noise(in.grain * 8.0, 2047u)) - 0.5;
+    tone += dapple * (0.18 * near * near);
+    // Cuts show layers, about 1.1 m apart; whole over the 256 m after which heights wrap.
+    let cut = smoothstep(0.62, 0.86, steep);
+    let layer = abs(fract(height * 0.8984375) - 0.5) + 0.7 * abs(fract(height * 0.37109375) - 0.5);
+    tone *= 1.0 - cut * (0.42 * layer);
+    // Contour bands keep their width along the ground, and a pixel's width far away.
+    let to_contour = abs(fract(height * 0.125 + 0.5) - 0.5) * 8.0;
+    let width = (0.04 + 0.0020 * spread_m) * max(steep, 0.06);
+    let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
+    tone *= 1.0 - line * scene.up.w;
+    // Figures stand in a soft shade of their own, wider and fainter the higher they are.
+    let under = (in.place.xyz - in.feet) * vec3<f32>(1.5, 0.45, 1.5);
+    let shade = max(1.0 - dot(under, under), 0.0);
+    tone *= 1.0 - 0.55 * shade;
+    let lit = in.albedo * light_on(normalize(in.normal));
+    return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
+}
+
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return land_colour(in);

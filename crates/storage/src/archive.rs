@@ -12,13 +12,16 @@ use std::path::Path;
 
 use crate::codec::crc32;
 use crate::error::StorageError;
-use crate::{THUMBNAIL_FILE, WORLD_FILE};
+use crate::regular::{self, Entry};
+use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE};
 
 const MAGIC: [u8; 8] = *b"ANTIPODE";
 const CONTAINER_VERSION: u16 = 1;
 const END: [u8; 4] = *b"END.";
 const BLOCK_BYTES: usize = 1 << 20;
-const FILES: [&str; 2] = [WORLD_FILE, THUMBNAIL_FILE];
+/// The files of a world and how long each may be; more than the longest world keeps a
+/// small archive from filling the disk with zeros.
+const FILES: [(&str, u64); 2] = [(WORLD_FILE, 1 << 36), (THUMBNAIL_FILE, MAX_THUMBNAIL_BYTES)];
 
 /// Writes the world in `dir` into `archive`, which must not exist. A failure
 /// leaves no archive.
@@ -35,16 +38,18 @@ fn pack_into(dir: &Path, archive: &Path, out: File) -> Result<(), StorageError> 
     let mut out = BufWriter::new(out);
     let present: Vec<_> = FILES
         .into_iter()
-        .filter(|file| dir.join(file).is_file())
+        .filter(|(file, most)| {
+            matches!(Entry::at(&dir.join(file)), Ok(Entry::File { bytes }) if bytes <= *most)
+        })
         .collect();
     let writing = |result: io::Result<()>| StorageError::at("Writing", archive, result);
     writing(out.write_all(&MAGIC))?;
     writing(out.write_all(&CONTAINER_VERSION.to_le_bytes()))?;
     writing(out.write_all(&[present.len() as u8]))?;
-    for name in present {
+    for (name, most) in present {
         let path = dir.join(name);
         // Read as a whole: its length must be the one written before its blocks.
-        let bytes = StorageError::at("Reading", &path, std::fs::read(&path))?;
+        let bytes = StorageError::at("Reading", &path, regular::read(&path, most))?;
         writing(pack_file(&mut out, name, &bytes))?;
     }
     writing(out.write_all(&END))?;
@@ -68,26 +73,30 @@ fn pack_file(out: &mut impl Write, name: &str, bytes: &[u8]) -> io::Result<()> {
 
 /// Unpacks `archive` into the empty directory `dir`.
 pub(crate) fn unpack(archive: &Path, dir: &Path) -> Result<(), StorageError> {
-    let file = StorageError::at("Reading", archive, File::open(archive))?;
-    let mut input = Input {
-        archive,
-        reader: BufReader::new(file),
-    };
+    let mut input = Input::open(archive)?;
     if input.bytes::<8>()? != MAGIC {
         return Err(input.refuse("it is no exported world"));
     }
     let version = u16::from_le_bytes(input.bytes()?);
+    if version == 0 {
+        return Err(input.refuse("its format 0 was never used, so it is damaged"));
+    }
     if version != CONTAINER_VERSION {
         return Err(input.refuse(&format!(
             "it was exported by a newer version of the game (format {version}); update the game first"
         )));
     }
     let [count] = input.bytes()?;
+    let mut seen = Vec::new();
     for _ in 0..count {
-        let name = input.name()?;
+        let (name, most) = input.name()?;
+        if seen.contains(&name) {
+            return Err(input.refuse(&format!("it holds the file \"{name}\" twice")));
+        }
+        seen.push(name);
         let path = dir.join(name);
         let out = StorageError::at("Making", &path, File::create_new(&path))?;
-        input.file(&path, out)?;
+        input.file(&path, most, out)?;
     }
     if input.bytes::<4>()? != END || input.reader.read(&mut [0]).unwrap_or(1) != 0 {
         return Err(input.refuse("it does not end where it should"));
@@ -101,7 +110,23 @@ struct Input<'a> {
     reader: BufReader<File>,
 }
 
-impl Input<'_> {
+impl<'a> Input<'a> {
+    fn open(archive: &'a Path) -> Result<Self, StorageError> {
+        let refuse = |reason: &str| StorageError::Archive {
+            path: archive.to_path_buf(),
+            reason: reason.to_owned(),
+        };
+        let (file, _) = regular::open(archive).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => refuse("there is no such file"),
+            io::ErrorKind::InvalidInput => refuse(&error.to_string()),
+            _ => StorageError::io("Reading", archive, error),
+        })?;
+        Ok(Self {
+            archive,
+            reader: BufReader::new(file),
+        })
+    }
+
     fn refuse(&self, reason: &str) -> StorageError {
         StorageError::Archive {
             path: self.archive.to_path_buf(),
@@ -126,20 +151,26 @@ impl Input<'_> {
         Ok(bytes)
     }
 
-    fn name(&mut self) -> Result<&'static str, StorageError> {
+    /// The name of the next file, and how long it may be.
+    fn name(&mut self) -> Result<(&'static str, u64), StorageError> {
         let [length] = self.bytes()?;
         let mut name = vec![0; length as usize];
         self.fill(&mut name)?;
-        let known = FILES.into_iter().find(|file| file.as_bytes() == name);
+        let known = FILES.into_iter().find(|(file, _)| file.as_bytes() == name);
         known.ok_or_else(|| {
             let name = String::from_utf8_lossy(&name).escape_debug().to_string();
             self.refuse(&format!("it holds a file \"{name}\", which no world has"))
         })
     }
 
-    fn file(&mut self, path: &Path, out: File) -> Result<(), StorageError> {
+    fn file(&mut self, path: &Path, most: u64, out: File) -> Result<(), StorageError> {
         let mut out = BufWriter::new(out);
         let mut left = u64::from_le_bytes(self.bytes()?);
+        if left > most {
+            return Err(self.refuse(&format!(
+                "a file in it has {left} bytes, and at most {most} make sense"
+            )));
+        }
         while left > 0 {
             let block = self.block()?;
             left = left
@@ -254,6 +285,47 @@ mod tests {
             bytes.extend(END);
             let refusal = unpacked(&bytes).unwrap_err();
             assert!(refusal.contains("which no world has"), "{refusal}");
+        }
+    }
+
+    fn archive_of(version: u16, files: &[(&str, &[u8])]) -> Vec<u8> {
+        let count = [files.len() as u8];
+        let mut bytes = [MAGIC.as_slice(), &version.to_le_bytes(), &count].concat();
+        for (name, contents) in files {
+            pack_file(&mut bytes, name, contents).unwrap();
+        }
+        bytes.extend(END);
+        bytes
+    }
+
+    #[test]
+    fn other_formats_are_told_apart() {
+        let file = (WORLD_FILE, b"x".as_slice());
+        assert!(unpacked(&archive_of(1, &[file])).is_ok());
+        let never = unpacked(&archive_of(0, &[file])).unwrap_err();
+        assert!(never.contains("format 0 was never used"), "{never}");
+        let newer = unpacked(&archive_of(2, &[file])).unwrap_err();
+        assert!(newer.contains("newer version"), "{newer}");
+    }
+
+    #[test]
+    fn a_file_twice_is_refused_by_the_name_in_the_archive() {
+        let file = (WORLD_FILE, b"x".as_slice());
+        let refusal = unpacked(&archive_of(1, &[file, file])).unwrap_err();
+        assert!(
+            refusal.contains("\"world.redb\" twice") && !refusal.contains("exists already"),
+            "{refusal}"
+        );
+    }
+
+    #[test]
+    fn lengths_beyond_all_sense_are_refused_before_anything_is_unpacked() {
+        for (name, most) in FILES {
+            let mut bytes = archive_of(1, &[(name, b"x")]);
+            let at = 11 + 1 + name.len();
+            bytes[at..at + 8].copy_from_slice(&(most + 1).to_le_bytes());
+            let refusal = unpacked(&bytes).unwrap_err();
+            assert!(refusal.contains("at most"), "{refusal}");
         }
     }
 

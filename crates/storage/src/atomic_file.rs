@@ -9,8 +9,10 @@ pub(crate) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut beside = path.as_os_str().to_owned();
     beside.push(format!(".{}.tmp", std::process::id()));
     let beside = Path::new(&beside);
+    // Whatever a killed process left there: made anew, it is a plain file for sure.
+    let _ = fs::remove_file(beside);
     let written = (|| {
-        let mut file = File::create(beside)?;
+        let mut file = File::create_new(beside)?;
         file.write_all(bytes)?;
         file.sync_data()?;
         fs::rename(beside, path)

@@ -28,6 +28,8 @@ pub(crate) const HEADER_BYTES: usize = 22;
 const MARK: [u8; 2] = *b"Ap";
 /// No body is near this long; a longer one is a damaged length.
 const MAX_BODY_BYTES: usize = 1 << 20;
+/// The longest record: its key's length is one byte.
+pub(crate) const MAX_RECORD_BYTES: usize = HEADER_BYTES + u8::MAX as usize + MAX_BODY_BYTES;
 
 /// What a record holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

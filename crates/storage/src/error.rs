@@ -48,8 +48,30 @@ pub enum StorageError {
         /// What is wrong with it.
         reason: String,
     },
+    /// There is a world, but no file where its store should be.
+    #[error("The save {} {what}. {}", path.display(), remedy(*rebuildable))]
+    NoStore {
+        /// Where the file should be.
+        path: PathBuf,
+        /// What is there instead, such as `is missing`.
+        what: String,
+        /// Whether the summary beside it tells which world it was.
+        rebuildable: bool,
+    },
+    /// An open world's file is not where it was opened.
+    #[error("The save {} is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again, or import a copy of the world.", path.display())]
+    Vanished {
+        /// Where the file was.
+        path: PathBuf,
+    },
+    /// A file stands where a directory of worlds should be.
+    #[error("{} is a file, so there can be no worlds in it. Choose a directory with --saves-dir.", path.display())]
+    NotADirectory {
+        /// The file.
+        path: PathBuf,
+    },
     /// A repair has found nothing to save.
-    #[error("Nothing could be salvaged from {}: {reason}. The file is as it was; if you have a copy of this world, import it.", path.display())]
+    #[error("Nothing could be salvaged from {}: {reason}. Nothing was changed; if you have a copy of this world, import it.", path.display())]
     Unsalvageable {
         /// The file.
         path: PathBuf,
@@ -168,6 +190,26 @@ impl StorageError {
         }
     }
 
+    /// The sentence for a failure at the directory of worlds itself: most often it,
+    /// or what it should be in, is a file.
+    pub(crate) fn place(action: &'static str, saves: &Path, source: io::Error) -> Self {
+        let file = saves.ancestors().find(|path| path.is_file());
+        match file {
+            Some(file) => Self::NotADirectory {
+                path: file.to_path_buf(),
+            },
+            None => Self::io(action, saves, source),
+        }
+    }
+
+    /// Whether the world is damaged, which a report tells, rather than out of reach.
+    pub(crate) fn is_damage(&self) -> bool {
+        matches!(
+            self,
+            Self::Unreadable { .. } | Self::Damaged { .. } | Self::NoStore { .. }
+        )
+    }
+
     /// The sentence for a store that cannot be read.
     pub(crate) fn unreadable(path: &Path, reason: &str) -> Self {
         Self::Unreadable {
@@ -183,6 +225,14 @@ impl StorageError {
         result: io::Result<T>,
     ) -> Result<T, Self> {
         result.map_err(|source| Self::io(action, path, source))
+    }
+}
+
+fn remedy(rebuildable: bool) -> &'static str {
+    if rebuildable {
+        "`antipode saves repair` makes the world anew from its summary, without what was built in it; if you have a copy of the file, put it back instead."
+    } else {
+        "Nothing is left that tells which world it was: put the file back from a copy, or delete the world."
     }
 }
 

@@ -7,7 +7,7 @@
 //! | `world.redb` | everything, in one embedded ACID store ([`WorldStore`]) |
 //! | `thumbnail.png` | a picture for the menu, may be absent |
 //! | `summary.bin` | a copy of the meta record: lists a world that is in use, names one that is damaged |
-//! | `world.redb.damaged-N` | what a repair has kept of the file it replaced |
+//! | `*.damaged-N` | what a repair has kept of the file it replaced |
 //!
 //! Every stored value is a sealed record: schema version, checksum, its own key,
 //! the number of the commit that wrote it. So a flipped bit is noticed before it
@@ -23,6 +23,8 @@ mod guard;
 mod listing;
 mod maintenance;
 mod name;
+mod regular;
+mod salvage;
 mod saves;
 mod schema;
 mod scratch;
@@ -47,5 +49,7 @@ pub use world::{Batch, WorldStore};
 pub const WORLD_FILE: &str = "world.redb";
 /// Name of the menu picture inside a world's directory.
 pub const THUMBNAIL_FILE: &str = "thumbnail.png";
+/// A longer file is no menu picture, and nothing reads it.
+pub(crate) const MAX_THUMBNAIL_BYTES: u64 = 16 << 20;
 /// File name extension of an exported world, without the dot.
 pub const ARCHIVE_EXTENSION: &str = "antipode-world";

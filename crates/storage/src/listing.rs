@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::StorageError;
+use crate::regular::Entry;
 use crate::schema::{self, WorldMeta, WorldState};
 use crate::store::{self, META_KEY};
 use crate::survey::fault_in;
-use crate::world::{WorldStore, label};
-use crate::{THUMBNAIL_FILE, WORLD_FILE, summary};
+use crate::world::{WorldStore, label, store_path};
+use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE, summary};
 
 /// Where worlds are: `explicit` if given, else the environment's `ANTIPODE_SAVES`,
 /// else `./saves` if that is a directory, else the platform's place for such data.
@@ -52,7 +53,8 @@ pub struct WorldSummary {
     pub thumbnail: Option<PathBuf>,
     /// Whether it is open, here or elsewhere.
     pub in_use: bool,
-    /// Why it cannot be opened, as a sentence; `None` as far as a look tells.
+    /// What is wrong with it and what can be done, as a sentence; `None` if it is sound
+    /// as far as a look tells.
     pub problem: Option<String>,
 }
 
@@ -83,7 +85,7 @@ pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
     let entries = match fs::read_dir(saves) {
         Ok(entries) => entries,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-        Err(error) => return Err(StorageError::io("Reading", saves, error)),
+        Err(error) => return Err(StorageError::place("Reading", saves, error)),
     };
     let mut slugs = Vec::new();
     for entry in entries {
@@ -91,29 +93,36 @@ pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
         let Ok(slug) = entry.file_name().into_string() else {
             continue;
         };
-        let dir = entry.path();
-        if !slug.starts_with('.')
-            && (dir.join(WORLD_FILE).exists() || summary::read(&dir).is_some())
-        {
+        if !slug.starts_with('.') && holds_world(&entry.path()) {
             slugs.push(slug);
         }
     }
     Ok(slugs)
 }
 
+/// Whether a directory is a world's, sound or not: everything that is done with
+/// worlds goes by this, so that none is listed and then not found.
+pub(crate) fn holds_world(dir: &Path) -> bool {
+    fs::symlink_metadata(dir.join(WORLD_FILE)).is_ok() || summary::is_there(dir)
+}
+
 /// Looks at one world; never fails, a bad world has a `problem`.
 pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
     let dir = saves.join(&slug);
-    let thumbnail = Some(dir.join(THUMBNAIL_FILE)).filter(|path| path.is_file());
+    let thumbnail = Some(dir.join(THUMBNAIL_FILE)).filter(
+        |path| matches!(Entry::at(path), Ok(Entry::File { bytes }) if bytes <= MAX_THUMBNAIL_BYTES),
+    );
     let size_bytes = fs::read_dir(&dir).map_or(0, |entries| {
         entries
             .flatten()
-            .filter_map(|entry| entry.metadata().ok())
-            .map(|data| data.len())
+            .map(|entry| match Entry::at(&entry.path()) {
+                Ok(Entry::File { bytes }) => bytes,
+                _ => 0,
+            })
             .sum()
     });
     let (meta, in_use, problem) = match look(&dir) {
-        Ok(meta) => (Some(meta), false, None),
+        Ok(meta) => (Some(meta), false, summary::fault(&dir)),
         Err(StorageError::InUse { .. }) => (summary::read(&dir), true, None),
         Err(error) => (summary::read(&dir), false, Some(error.to_string())),
     };
@@ -129,11 +138,8 @@ pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
 
 /// What a world is, without changing it where possible.
 fn look(dir: &Path) -> Result<WorldMeta, StorageError> {
-    let path = dir.join(WORLD_FILE);
+    let path = store_path(dir)?;
     let label = label(dir);
-    if !path.is_file() {
-        return Err(StorageError::unreadable(&path, "the file is missing"));
-    }
     match store::peek_meta(&path, &label)? {
         Some(bytes) => schema::read(&bytes, META_KEY.as_bytes())
             .map_err(|fault| fault_in(&label, "what the world is", fault)),

@@ -1,15 +1,11 @@
 //! Verify and repair: what `antipode saves verify` and `repair` do to one world.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
-};
-use crate::store::{META_KEY, STATE_KEY, Store};
+use crate::regular::Entry;
+use crate::salvage::Salvage;
 use crate::world::{self, WorldStore};
 use crate::{WORLD_FILE, atomic_file, summary};
 
@@ -44,16 +40,24 @@ pub struct RepairReport {
     pub has_state: bool,
     /// What is lost or older than it was, a sentence each.
     pub losses: Vec<String>,
-    /// Where the damaged file is kept; `None` if nothing needed repair.
+    /// Where the damaged file is kept; `None` if there was none: nothing needed repair,
+    /// or the file was missing, which `losses` tells then.
     pub kept: Option<PathBuf>,
 }
 
 /// Reads and decodes every value in the world of `dir` and walks every page.
 /// A damaged world is a report, not an error; one in use or of a newer game is an error.
 pub(crate) fn verify(dir: &Path) -> Result<VerifyReport, StorageError> {
+    let mut report = verify_store(dir)?;
+    report.problems.extend(summary::fault(dir));
+    Ok(report)
+}
+
+/// The same for the store alone.
+fn verify_store(dir: &Path) -> Result<VerifyReport, StorageError> {
     let world = match WorldStore::open(dir) {
         Ok(world) => world,
-        Err(error @ (StorageError::Unreadable { .. } | StorageError::Damaged { .. })) => {
+        Err(error) if error.is_damage() => {
             let problems = vec![error.to_string()];
             return Ok(VerifyReport {
                 world: world::label(dir),
@@ -100,23 +104,12 @@ impl VerifyReport {
 
 /// Salvages every readable value of the world in `dir` into a fresh store that
 /// takes the place of the damaged one, which stays beside it under another name.
-/// `scratch` is an empty directory on the same file system.
+/// A world of which only the summary is left is made anew from that. `scratch` is an
+/// empty directory on the same file system.
 pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, StorageError> {
-    let before = verify(dir)?;
+    let before = verify_store(dir)?;
     if before.is_sound() {
-        let VerifyReport {
-            world,
-            chunks,
-            has_state,
-            ..
-        } = before;
-        return Ok(RepairReport {
-            world,
-            chunks,
-            has_state,
-            losses: Vec::new(),
-            kept: None,
-        });
+        return mend_summary(dir, before);
     }
     let path = dir.join(WORLD_FILE);
     if let Some(found) = summary::newer_version(dir) {
@@ -125,12 +118,12 @@ pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, Storage
             found,
         });
     }
-    let salvage = Salvage::of(&path, scratch, &world::label(dir))?;
-    let meta = salvage
-        .meta
-        .clone()
-        .map(|(_, meta)| meta)
-        .or_else(|| summary::read(dir));
+    let entry = StorageError::at("Reading", &path, Entry::at(&path))?;
+    let salvage = match entry {
+        Entry::File { .. } => Salvage::of(&path, scratch, &world::label(dir))?,
+        _ => Salvage::default(),
+    };
+    let meta = salvage.meta().cloned().or_else(|| summary::read(dir));
     let Some(meta) = meta else {
         let reason =
             "neither it nor summary.bin says which world it is (its seed and geometry)".to_owned();
@@ -138,33 +131,63 @@ pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, Storage
     };
     let fresh = scratch.join(WORLD_FILE);
     salvage.write(&fresh, &meta)?;
-    let kept = put_in_place(&path, &fresh)?;
-    if let Ok(bytes) = world::sealed(&meta, META_KEY, salvage.last + 1, &meta.name) {
+    let kept = put_in_place(&path, entry, &fresh)?;
+    if summary::fault(dir).is_some() {
+        set_aside(&summary::path(dir))?;
+    }
+    if let Ok(bytes) = salvage.sealed_meta(&meta) {
         summary::write(dir, &bytes);
+    }
+    let mut losses = salvage.losses(&before.problems);
+    if !matches!(entry, Entry::File { .. }) {
+        losses.push("All edits are lost; the terrain is as the seed made it.".to_owned());
     }
     Ok(RepairReport {
         world: meta.name,
-        chunks: salvage.chunks.len(),
-        has_state: salvage.state.is_some(),
-        losses: salvage.losses(&before.problems),
-        kept: Some(kept),
+        chunks: salvage.chunks(),
+        has_state: salvage.has_state(),
+        losses,
+        kept,
     })
 }
 
-/// Keeps `path` under a free name beside it and puts `fresh` in its place, in one
-/// step where the file system has hard links.
-fn put_in_place(path: &Path, fresh: &Path) -> Result<PathBuf, StorageError> {
-    let mut number = 1;
-    let kept = loop {
-        let candidate = path.with_file_name(format!("{WORLD_FILE}.damaged-{number}"));
-        if !candidate.exists() {
-            break candidate;
-        }
-        number += 1;
+/// Repairs a world whose store is sound: its summary at most.
+fn mend_summary(dir: &Path, before: VerifyReport) -> Result<RepairReport, StorageError> {
+    let mut report = RepairReport {
+        world: before.world,
+        chunks: before.chunks,
+        has_state: before.has_state,
+        losses: Vec::new(),
+        kept: None,
     };
-    if fs::hard_link(path, &kept).is_err() {
-        StorageError::at("Keeping", &kept, fs::copy(path, &kept))?;
+    if summary::fault(dir).is_some() {
+        let world = WorldStore::open(dir)?;
+        let path = summary::path(dir);
+        report.kept = Some(set_aside(&path)?);
+        let replaced = summary::replace(dir, &world.sealed_meta()?);
+        StorageError::at("Writing", &path, replaced)?;
+        report
+            .losses
+            .push("Only the summary was bad; it is written anew and nothing is lost.".to_owned());
     }
+    Ok(report)
+}
+
+/// Keeps what is at `path` under a free name beside it and puts `fresh` in its place,
+/// in one step where it is a file and the file system has hard links. Where it is
+/// kept; `None` if there was nothing.
+fn put_in_place(path: &Path, entry: Entry, fresh: &Path) -> Result<Option<PathBuf>, StorageError> {
+    let kept = match entry {
+        Entry::Missing => None,
+        Entry::Other(_) => Some(set_aside(path)?),
+        Entry::File { .. } => {
+            let kept = free_beside(path);
+            if fs::hard_link(path, &kept).is_err() {
+                StorageError::at("Keeping", &kept, fs::copy(path, &kept))?;
+            }
+            Some(kept)
+        }
+    };
     StorageError::at("Replacing", path, fs::rename(fresh, path))?;
     if let Some(dir) = path.parent() {
         atomic_file::sync_dir(dir);
@@ -172,150 +195,23 @@ fn put_in_place(path: &Path, fresh: &Path) -> Result<PathBuf, StorageError> {
     Ok(kept)
 }
 
-/// The newest whole record of each value, by the number of its commit.
-#[derive(Default)]
-struct Salvage {
-    meta: Option<(u64, WorldMeta)>,
-    state: Option<(u64, WorldState)>,
-    chunks: BTreeMap<ChunkKey, (u64, Vec<i16>)>,
-    /// The last commit that the index led to, or that anything tells of.
-    last: u64,
-    /// Chunks that the index led to, but to a damaged record.
-    damaged: Vec<ChunkKey>,
-    newer: Option<u16>,
+/// Moves what is at `path`, whatever it is, to a free name beside it.
+fn set_aside(path: &Path) -> Result<PathBuf, StorageError> {
+    let kept = free_beside(path);
+    StorageError::at("Keeping", path, fs::rename(path, &kept))?;
+    Ok(kept)
 }
 
-impl Salvage {
-    /// Reads by the index as far as it goes, from a copy, because opening writes;
-    /// then searches the bare bytes for what the index did not lead to.
-    fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
-        let copy = scratch.join("damaged.redb");
-        StorageError::at("Copying", path, fs::copy(path, &copy))?;
-        let mut salvage = Self::default();
-        let by_index = Store::open(&copy, world).and_then(|store| {
-            store.scan(|raw| match codec::unseal(&raw.bytes) {
-                Ok(record) if record.key == raw.key => salvage.add(&record),
-                _ if raw.kind == Kind::Chunk => {
-                    salvage.damaged.extend(ChunkKey::from_bytes(&raw.key));
-                }
-                _ => {}
-            })
-        });
-        // With a whole index, what is newer than its last commit was never committed.
-        let last = if by_index.is_ok() && salvage.last > 0 {
-            salvage.last
-        } else {
-            u64::MAX
-        };
-        let bytes = StorageError::at("Reading", path, fs::read(path))?;
-        for record in codec::carve(&bytes).filter(|record| record.sequence <= last) {
-            salvage.add(&record);
+/// The first name like `path` with `.damaged-N` that nothing has.
+fn free_beside(path: &Path) -> PathBuf {
+    let mut number = 1;
+    loop {
+        let mut name = path.as_os_str().to_owned();
+        name.push(format!(".damaged-{number}"));
+        let candidate = PathBuf::from(name);
+        if fs::symlink_metadata(&candidate).is_err() {
+            return candidate;
         }
-        StorageError::at("Removing", &copy, fs::remove_file(&copy))?;
-        match salvage.newer {
-            Some(found) => Err(StorageError::Newer {
-                world: world.to_owned(),
-                found,
-            }),
-            None => Ok(salvage),
-        }
+        number += 1;
     }
-
-    /// Takes a record if it is readable and newer than what there is.
-    fn add(&mut self, record: &Record<'_>) {
-        let added = match record.kind {
-            Kind::Meta => newest(&mut self.meta, record, META_KEY.as_bytes()),
-            Kind::State => newest(&mut self.state, record, STATE_KEY.as_bytes()),
-            Kind::Chunk => self.add_chunk(record),
-        };
-        match added {
-            Ok(()) => self.last = self.last.max(record.sequence),
-            Err(SchemaFault::Newer(found)) => self.newer = Some(found),
-            Err(SchemaFault::Damaged(reason)) => {
-                tracing::debug!(%reason, "a record was not salvaged");
-            }
-        }
-    }
-
-    fn add_chunk(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
-        schema::check::<ChunkBody>(record, record.key)?;
-        let Some(key) = ChunkKey::from_bytes(record.key) else {
-            return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
-        };
-        let mut slot = self
-            .chunks
-            .remove(&key)
-            .map(|(sequence, samples)| (sequence, ChunkBody(samples)));
-        let added = newest(&mut slot, record, record.key);
-        if let Some((sequence, ChunkBody(samples))) = slot {
-            self.chunks.insert(key, (sequence, samples));
-        }
-        added
-    }
-
-    /// Writes what was found into a new store, closed when this returns.
-    fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
-        let sequence = self.last + 1;
-        let mut values = vec![(
-            META_KEY,
-            world::sealed(meta, META_KEY, sequence, &meta.name)?,
-        )];
-        if let Some((_, state)) = &self.state {
-            values.push((
-                STATE_KEY,
-                world::sealed(state, STATE_KEY, sequence, &meta.name)?,
-            ));
-        }
-        let chunks = self.chunks.iter().filter_map(|(key, (_, samples))| {
-            let body = crate::pack_chunk(samples).ok()?;
-            let key = key.to_bytes();
-            Some((
-                key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            ))
-        });
-        Store::create(path, &meta.name)?.write(&values, &chunks.collect::<Vec<_>>())
-    }
-
-    fn losses(&self, problems: &[String]) -> Vec<String> {
-        let mut losses: Vec<_> = self
-            .damaged
-            .iter()
-            .map(|key| match self.chunks.get(key) {
-                Some((sequence, _)) => format!(
-                    "The edits of {key} are those of commit {sequence}; later ones are lost."
-                ),
-                None => format!("The edits of {key} are lost; it is as the seed made it."),
-            })
-            .collect();
-        if self.state.is_none() {
-            losses.push(
-                "The player's place and belongings are lost; the player starts anew.".to_owned(),
-            );
-        }
-        if losses.is_empty() {
-            losses.extend(
-                problems
-                    .iter()
-                    .map(|problem| format!("It was mended; before: {problem}")),
-            );
-        }
-        losses
-    }
-}
-
-/// Replaces `slot` by the record's value if that is newer.
-fn newest<T: schema::Versioned>(
-    slot: &mut Option<(u64, T)>,
-    record: &Record<'_>,
-    key: &[u8],
-) -> Result<(), SchemaFault> {
-    schema::check::<T>(record, key)?;
-    if slot
-        .as_ref()
-        .is_none_or(|(sequence, _)| record.sequence > *sequence)
-    {
-        *slot = Some((record.sequence, T::upgrade(record.version, record.body)?));
-    }
-    Ok(())
 }

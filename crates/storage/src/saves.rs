@@ -1,7 +1,6 @@
 //! The directory of worlds: list, find, make, delete, give and take.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Component, Path, PathBuf};
 
 use crate::error::StorageError;
@@ -9,10 +8,10 @@ use crate::listing::{self, WorldInfo, WorldSummary};
 use crate::maintenance::{self, RepairReport, VerifyReport};
 use crate::name::{self, NameError};
 use crate::schema::{SCHEMA_VERSION, WorldMeta};
-use crate::scratch::Scratch;
+use crate::scratch::{self, Scratch};
 use crate::slug::{numbered, slug_of};
 use crate::world::{self, Batch, WorldStore};
-use crate::{MAX_NAME_CHARS, THUMBNAIL_FILE, WORLD_FILE, archive, atomic_file, store, summary};
+use crate::{MAX_NAME_CHARS, THUMBNAIL_FILE, archive, atomic_file, store, summary};
 
 /// A directory of worlds. Need not exist until the first world is made.
 #[derive(Debug, Clone)]
@@ -36,6 +35,7 @@ impl SavesDir {
     /// # Errors
     /// If the directory itself cannot be read; a missing one is empty.
     pub fn list(&self) -> Result<Vec<WorldSummary>, StorageError> {
+        scratch::sweep(&self.path);
         let mut worlds: Vec<_> = listing::slugs(&self.path)?
             .into_iter()
             .map(|slug| listing::summarise(&self.path, slug))
@@ -97,17 +97,8 @@ impl SavesDir {
     /// making the world will say so.
     pub fn check_name(&self, name: &str) -> Result<(), NameError> {
         name::check(name)?;
-        let wanted = name::folded(name);
         let worlds = self.list().unwrap_or_default();
-        match worlds
-            .iter()
-            .find(|world| name::folded(world.name()) == wanted)
-        {
-            Some(world) => Err(NameError::Taken {
-                existing: world.name().to_owned(),
-            }),
-            None => Ok(()),
-        }
+        Self::check_name_among(name, worlds.iter().map(WorldSummary::name))
     }
 
     /// Makes a world, or nothing: it appears whole, under a directory made from its
@@ -149,11 +140,7 @@ impl SavesDir {
         let moved = aside.path().join(slug);
         StorageError::at("Moving", &dir, fs::rename(&dir, &moved))?;
         atomic_file::sync_dir(&self.path);
-        match fs::remove_dir_all(&moved) {
-            // Another process has swept it meanwhile.
-            Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
-            result => StorageError::at("Deleting", &moved, result),
-        }
+        StorageError::at("Deleting", &moved, fs::remove_dir_all(&moved))
     }
 
     /// A closer look at a world.
@@ -173,12 +160,11 @@ impl SavesDir {
         match WorldStore::open(&dir) {
             Ok(world) => {
                 info.problems = world.problems();
+                info.problems.extend(summary::fault(&dir));
                 info.state = world.state().unwrap_or_default();
                 info.edited_chunks = world.edited_chunks().map_or(0, |keys| keys.len());
             }
-            Err(error @ (StorageError::Unreadable { .. } | StorageError::Damaged { .. })) => {
-                info.problems.push(error.to_string());
-            }
+            Err(error) if error.is_damage() => info.problems.push(error.to_string()),
             Err(error) => return Err(error),
         }
         Ok(info)
@@ -225,12 +211,8 @@ impl SavesDir {
         let scratch = Scratch::new(&self.path, "import")?;
         archive::unpack(file, scratch.path())?;
         let world = WorldStore::open(scratch.path()).map_err(|error| match error {
-            StorageError::Damaged { .. }
-            | StorageError::Unreadable { .. }
-            | StorageError::NotFound { .. } => StorageError::Archive {
-                path: file.to_path_buf(),
-                reason: "the world in it is damaged or missing".to_owned(),
-            },
+            damaged if damaged.is_damage() => no_world(file),
+            StorageError::NotFound { .. } => no_world(file),
             // Its name cannot be read then, and its directory here is none.
             StorageError::Newer { found, .. } => StorageError::Newer {
                 world: file.display().to_string(),
@@ -289,11 +271,11 @@ impl SavesDir {
         let mut parts = Path::new(slug).components();
         let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == slug);
         let dir = self.path.join(slug);
-        if plain
-            && !slug.starts_with('.')
-            && (dir.join(WORLD_FILE).exists() || summary::read(&dir).is_some())
-        {
+        if plain && !slug.starts_with('.') && listing::holds_world(&dir) {
             Ok(dir)
+        } else if self.path.is_file() {
+            let path = self.path.clone();
+            Err(StorageError::NotADirectory { path })
         } else {
             Err(self.not_found(slug))
         }
@@ -322,9 +304,18 @@ impl SavesDir {
     }
 }
 
+fn no_world(archive: &Path) -> StorageError {
+    StorageError::Archive {
+        path: archive.to_path_buf(),
+        reason: "the world in it is damaged or missing".to_owned(),
+    }
+}
+
 /// Refuses a world that is open anywhere; any other fault of it is no matter.
 fn refuse_if_in_use(dir: &Path) -> Result<(), StorageError> {
-    match store::peek_meta(&dir.join(WORLD_FILE), &world::label(dir)) {
+    let peeked =
+        world::store_path(dir).and_then(|path| store::peek_meta(&path, &world::label(dir)));
+    match peeked {
         Err(error @ StorageError::InUse { .. }) => Err(error),
         _ => Ok(()),
     }
@@ -340,6 +331,23 @@ mod tests {
     )]
 
     use super::*;
+    use crate::WORLD_FILE;
+
+    #[test]
+    fn names_are_checked_against_others_without_a_directory() {
+        let check = |name: &str| SavesDir::check_name_among(name, ["Straße", "other"]);
+        assert_eq!(check("Third"), Ok(()));
+        assert_eq!(check("Othe"), Ok(()));
+        for name in ["Straße", " STRASSE ", "strasse"] {
+            let existing = "Straße".to_owned();
+            assert_eq!(check(name), Err(NameError::Taken { existing }), "{name}");
+        }
+        assert_eq!(check(""), Err(NameError::Empty));
+        assert_eq!(
+            SavesDir::check_name_among("other", std::iter::empty()),
+            Ok(())
+        );
+    }
 
     #[test]
     fn only_plain_directory_names_are_slugs() {

@@ -2,34 +2,71 @@
 //! use can be listed, one damaged can be named, and a repair knows its seed.
 
 use std::fs;
-use std::path::Path;
+use std::io::{self, ErrorKind};
+use std::path::{Path, PathBuf};
 
 use crate::atomic_file;
-use crate::codec;
+use crate::codec::{self, MAX_RECORD_BYTES};
+use crate::regular;
 use crate::schema::{self, SchemaFault, WorldMeta};
 use crate::store::META_KEY;
 
 const SUMMARY_FILE: &str = "summary.bin";
 
+/// Where the copy is or would be.
+pub(crate) fn path(dir: &Path) -> PathBuf {
+    dir.join(SUMMARY_FILE)
+}
+
 /// Writes the copy. Failing is no failure of the save: the store holds the original.
 pub(crate) fn write(dir: &Path, sealed_meta: &[u8]) {
-    if let Err(error) = atomic_file::replace(&dir.join(SUMMARY_FILE), sealed_meta) {
+    if let Err(error) = replace(dir, sealed_meta) {
         tracing::warn!(dir = %dir.display(), %error, "the world's summary was not written");
     }
 }
 
+/// Writes the copy.
+pub(crate) fn replace(dir: &Path, sealed_meta: &[u8]) -> io::Result<()> {
+    atomic_file::replace(&path(dir), sealed_meta)
+}
+
+/// Whether anything stands in its place, readable or not.
+pub(crate) fn is_there(dir: &Path) -> bool {
+    fs::symlink_metadata(path(dir)).is_ok()
+}
+
 /// Reads the copy: `None` if there is none or it is damaged.
 pub(crate) fn read(dir: &Path) -> Option<WorldMeta> {
-    schema::read(&fs::read(dir.join(SUMMARY_FILE)).ok()?, META_KEY.as_bytes()).ok()
+    schema::read(&bytes(dir).ok()?, META_KEY.as_bytes()).ok()
 }
 
 /// The version of the copy, if a newer game wrote it.
 pub(crate) fn newer_version(dir: &Path) -> Option<u16> {
-    let bytes = fs::read(dir.join(SUMMARY_FILE)).ok()?;
+    let bytes = bytes(dir).ok()?;
     match codec::unseal(&bytes)
         .map(|record| schema::check::<WorldMeta>(&record, META_KEY.as_bytes()))
     {
         Ok(Err(SchemaFault::Newer(version))) => Some(version),
         _ => None,
     }
+}
+
+/// What is wrong with the copy, as a sentence; a missing one is no fault.
+pub(crate) fn fault(dir: &Path) -> Option<String> {
+    let reason = match bytes(dir) {
+        Ok(bytes) => match schema::read::<WorldMeta>(&bytes, META_KEY.as_bytes()) {
+            Ok(_) | Err(SchemaFault::Newer(_)) => return None,
+            Err(SchemaFault::Damaged(reason)) => reason,
+        },
+        Err(error) if error.kind() == ErrorKind::NotFound => return None,
+        Err(error) => error.to_string(),
+    };
+    Some(format!(
+        "The summary {} cannot be used: {reason}. `antipode saves repair` writes it anew from the save.",
+        path(dir).display()
+    ))
+}
+
+fn bytes(dir: &Path) -> io::Result<Vec<u8>> {
+    regular::read(&path(dir), MAX_RECORD_BYTES as u64)
 }

@@ -4,15 +4,22 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
+use std::time::Duration;
 
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
+use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
 use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, pack_chunk, summary};
+
+/// How long a look into a store takes at most, about.
+const LOOK: Duration = Duration::from_millis(10);
+/// How many looks to wait before a store counts as in use.
+const LOOKS_WAITED_FOR: u32 = 15;
 
 /// What one commit writes: all of it or none.
 #[derive(Debug, Clone, Default)]
@@ -36,6 +43,8 @@ impl Batch {
 /// commit runs at a time. The world is closed when this is dropped.
 pub struct WorldStore {
     dir: PathBuf,
+    /// The file that was opened, wherever it is now.
+    file: FileId,
     // None after a failed commit, until the next use opens it again.
     store: RwLock<Option<Store>>,
     known: Mutex<Known>,
@@ -59,9 +68,11 @@ impl WorldStore {
     /// [`StorageError::Exists`] if there is a world already; failures of the file system.
     pub fn create(dir: &Path, meta: &WorldMeta) -> Result<Self, StorageError> {
         StorageError::at("Making", dir, fs::create_dir_all(dir))?;
-        let store = Store::create(&dir.join(WORLD_FILE), &meta.name)?;
+        let path = dir.join(WORLD_FILE);
+        let store = Store::create(&path, &meta.name)?;
         let world = Self {
             dir: dir.to_path_buf(),
+            file: file_at(&path)?,
             store: RwLock::new(Some(store)),
             known: Mutex::new(Known {
                 meta: meta.clone(),
@@ -83,21 +94,19 @@ impl WorldStore {
     ///
     /// # Errors
     /// [`StorageError::InUse`] if it is open anywhere, [`StorageError::Newer`],
-    /// [`StorageError::NotFound`], [`StorageError::Unreadable`] or
-    /// [`StorageError::Damaged`] if it cannot be told what world it is.
+    /// [`StorageError::NotFound`], [`StorageError::NoStore`],
+    /// [`StorageError::Unreadable`] or [`StorageError::Damaged`] if it cannot be told
+    /// what world it is.
     pub fn open(dir: &Path) -> Result<Self, StorageError> {
-        let path = dir.join(WORLD_FILE);
+        let path = store_path(dir)?;
         let label = label(dir);
-        if !path.is_file() {
-            return Err(StorageError::NotFound {
-                world: label,
-                dir: dir.parent().unwrap_or(dir).to_path_buf(),
-            });
-        }
-        let store = Store::open(&path, &label)?;
+        let store = open_store(&path, &label)?;
+        // Asked after opening, which may move a file of a layered file system.
+        let file = file_at(&path)?;
         let (known, sequence) = survey(&store, &label)?;
         Ok(Self {
             dir: dir.to_path_buf(),
+            file,
             store: RwLock::new(Some(store)),
             known: Mutex::new(known),
             sequence: Mutex::new(sequence),
@@ -190,11 +199,14 @@ impl WorldStore {
     ///
     /// # Errors
     /// [`StorageError::DiskFull`], [`StorageError::NotWritable`] and other failures
-    /// of the file system; [`StorageError::Unstorable`] for a chunk of a wrong size.
+    /// of the file system; [`StorageError::Unstorable`] for a chunk of a wrong size;
+    /// [`StorageError::Vanished`] if the file is no longer in the world's directory,
+    /// where a commit would be of no use to anyone.
     pub fn commit(&self, batch: &Batch) -> Result<(), StorageError> {
         if batch.is_empty() {
             return Ok(());
         }
+        self.check_place()?;
         let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
         let sequence = *last + 1;
         let name = self.known().meta.name.clone();
@@ -221,25 +233,53 @@ impl WorldStore {
             return Err(error);
         }
         *last = sequence;
+        self.note_committed(batch);
+        // Gone meanwhile, it took the commit with it.
+        self.check_place()?;
+        if batch.meta.is_some() {
+            summary::write(&self.dir, &values[0].1);
+        }
+        Ok(())
+    }
+
+    fn note_committed(&self, batch: &Batch) {
         let mut known = self.known();
         for (key, _) in &batch.chunks {
             known.damaged.remove(key);
         }
         if let Some(meta) = &batch.meta {
             known.meta = meta.clone();
-            drop(known);
-            summary::write(&self.dir, &values[0].1);
         }
-        Ok(())
+    }
+
+    /// Refuses to go on if the open file is no longer the one in the directory: the
+    /// system would go on writing to a deleted file without a word.
+    fn check_place(&self) -> Result<(), StorageError> {
+        let path = self.dir.join(WORLD_FILE);
+        if file_at(&path)? == self.file {
+            Ok(())
+        } else {
+            Err(StorageError::Vanished { path })
+        }
     }
 
     /// Writes the menu picture, replacing the old one.
     ///
     /// # Errors
-    /// Failures of the file system.
+    /// [`StorageError::Vanished`], failures of the file system.
     pub fn write_thumbnail(&self, png: &[u8]) -> Result<(), StorageError> {
+        self.check_place()?;
         let path = self.dir.join(THUMBNAIL_FILE);
         StorageError::at("Writing", &path, atomic_file::replace(&path, png))
+    }
+
+    /// The sealed meta record as stored, for the summary.
+    pub(crate) fn sealed_meta(&self) -> Result<Vec<u8>, StorageError> {
+        let bytes = self.with_store(|store| store.value(META_KEY))?;
+        bytes.ok_or_else(|| {
+            let missing = SchemaFault::Damaged("it is missing".to_owned());
+            fault_in(&self.meta().name, "what the world is", missing)
+        })
     }
 
     /// Walks every page of the store too, for `verify`.
@@ -262,9 +302,11 @@ impl WorldStore {
             return work(store);
         }
         let mut slot = self.store.write().unwrap_or_else(PoisonError::into_inner);
-        let store = match slot.take() {
-            Some(store) => store,
-            None => Store::open(&self.dir.join(WORLD_FILE), &label(&self.dir))?,
+        let store = if let Some(store) = slot.take() {
+            store
+        } else {
+            self.check_place()?;
+            open_store(&self.dir.join(WORLD_FILE), &label(&self.dir))?
         };
         work(slot.insert(store))
     }
@@ -272,6 +314,58 @@ impl WorldStore {
     fn known(&self) -> MutexGuard<'_, Known> {
         self.known.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Where the store of the world in `dir` is, if it is a file.
+///
+/// # Errors
+/// [`StorageError::NotFound`] if `dir` holds no world, [`StorageError::NoStore`] or
+/// [`StorageError::Newer`] if all that is left is its summary or something else is
+/// in the store's place.
+pub(crate) fn store_path(dir: &Path) -> Result<PathBuf, StorageError> {
+    let path = dir.join(WORLD_FILE);
+    let what = match StorageError::at("Reading", &path, Entry::at(&path))? {
+        Entry::File { .. } => return Ok(path),
+        Entry::Missing if !summary::is_there(dir) => {
+            return Err(StorageError::NotFound {
+                world: label(dir),
+                dir: dir.parent().unwrap_or(dir).to_path_buf(),
+            });
+        }
+        Entry::Missing => "is missing".to_owned(),
+        Entry::Other(kind) => format!("is {kind}, not a file"),
+    };
+    Err(match summary::newer_version(dir) {
+        Some(found) => StorageError::Newer {
+            world: label(dir),
+            found,
+        },
+        None => StorageError::NoStore {
+            path,
+            what,
+            rebuildable: summary::read(dir).is_some(),
+        },
+    })
+}
+
+/// Opens a store, waiting a moment for whoever has it: making the list of worlds
+/// looks into each, which must not keep a world from being played.
+fn open_store(path: &Path, label: &str) -> Result<Store, StorageError> {
+    for _ in 0..LOOKS_WAITED_FOR {
+        match Store::open(path, label) {
+            Err(StorageError::InUse { .. }) => std::thread::sleep(LOOK),
+            result => return result,
+        }
+    }
+    Store::open(path, label)
+}
+
+/// Which file is at `path` where an open world's should be.
+fn file_at(path: &Path) -> Result<FileId, StorageError> {
+    let file = StorageError::at("Reading", path, FileId::at(path))?;
+    file.ok_or_else(|| StorageError::Vanished {
+        path: path.to_path_buf(),
+    })
 }
 
 /// What to call a world whose name is not known yet.

@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Child, ChildStdout, Command, Stdio};
 
-use antipode_storage::{StorageError, WorldStore};
+use antipode_storage::{SavesDir, StorageError, WorldStore};
 use common::{batch, key, meta, samples, state};
 
 /// Set for the child only: the world it should play.
@@ -35,20 +35,39 @@ fn child_commits_until_killed() {
 }
 
 fn spawn(dir: &Path) -> (Child, BufReader<ChildStdout>) {
+    spawn_as("child_commits_until_killed", CHILD_WORLD, dir)
+}
+
+fn spawn_as(test: &str, variable: &str, dir: &Path) -> (Child, BufReader<ChildStdout>) {
     let mut child = Command::new(std::env::current_exe().unwrap())
-        .args([
-            "--exact",
-            "child_commits_until_killed",
-            "--nocapture",
-            "--test-threads=1",
-        ])
-        .env(CHILD_WORLD, dir)
+        .args(["--exact", test, "--nocapture", "--test-threads=1"])
+        .env(variable, dir)
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
     let lines = BufReader::new(child.stdout.take().unwrap());
     (child, lines)
+}
+
+/// Set for the child only: the directory in which it should make and delete worlds.
+const CHILD_SAVES: &str = "ANTIPODE_TEST_CHILD_SAVES";
+
+/// Not a test of its own: what the other child process does, until it is killed.
+#[test]
+fn child_makes_and_deletes_until_killed() {
+    let Some(dir) = std::env::var_os(CHILD_SAVES) else {
+        return;
+    };
+    let saves = SavesDir::new(dir);
+    let mut out = std::io::stdout();
+    for round in 1.. {
+        let (slug, world) = saves.create(&meta("Brief")).unwrap();
+        drop(world);
+        saves.delete(&slug).unwrap();
+        writeln!(out, "committed {round}").unwrap();
+        out.flush().unwrap();
+    }
 }
 
 /// Reads until the child has said `count` times that a commit is durable; the last number.
@@ -115,4 +134,32 @@ fn a_second_process_is_refused_while_the_first_plays() {
         WorldStore::open(dir.path()).is_ok(),
         "the lock goes with the process"
     );
+}
+
+#[test]
+fn nothing_hidden_stays_of_a_process_killed_while_it_makes_and_deletes() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    let hidden = || {
+        let entries = std::fs::read_dir(dir.path()).unwrap();
+        let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+        names.filter(|name| name.starts_with('.')).count()
+    };
+    for rounds in [1, 2, 3, 1, 4, 2] {
+        let test = "child_makes_and_deletes_until_killed";
+        let (mut child, mut lines) = spawn_as(test, CHILD_SAVES, dir.path());
+        wait_for(&mut lines, rounds);
+        // While it lives, nobody takes its directories away: it would end with a panic.
+        for _ in 0..20 {
+            saves.list().unwrap();
+        }
+        wait_for(&mut lines, rounds);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        for world in saves.list().unwrap() {
+            assert_eq!(world.problem, None);
+            saves.delete(&world.slug).unwrap();
+        }
+        assert_eq!(hidden(), 0);
+    }
 }

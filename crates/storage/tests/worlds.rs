@@ -5,6 +5,7 @@ mod common;
 
 use std::fs;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use antipode_storage::{
     Batch, NameError, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldMeta, WorldStore,
@@ -266,4 +267,25 @@ fn info_and_verify_of_a_sound_world() {
     assert_eq!((report.chunks, report.world.as_str()), (5, "Sound"));
     let repair = saves.repair(&slug).unwrap();
     assert_eq!((repair.kept, repair.chunks), (None, 5));
+}
+
+#[test]
+fn a_list_made_meanwhile_keeps_no_world_from_being_opened() {
+    let (_dir, saves) = saves();
+    let (slug, world) = saves.create(&meta("Looked at")).unwrap();
+    drop(world);
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !done.load(Ordering::Relaxed) {
+                saves.list().unwrap();
+                // Lists are not made one into the other, or nobody could ever get in.
+                std::thread::sleep(std::time::Duration::from_millis(2));
+            }
+        });
+        let opened: Vec<_> = (0..100).map(|_| saves.open(&slug).map(drop)).collect();
+        done.store(true, Ordering::Relaxed);
+        let refused = opened.iter().filter(|result| result.is_err()).count();
+        assert_eq!(refused, 0);
+    });
 }

@@ -1,0 +1,232 @@
+//! What is left of a damaged store: by its index as far as that goes, then by
+//! searching the bare bytes for sealed records.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::codec::{self, Kind, Record};
+use crate::error::StorageError;
+use crate::regular;
+use crate::schema::{
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+};
+use crate::store::{META_KEY, STATE_KEY, Store};
+use crate::world;
+
+/// How much of a file is searched at a time.
+const WINDOW_BYTES: u64 = 32 << 20;
+
+/// The newest whole record of each value, by the number of its commit.
+#[derive(Default)]
+pub(crate) struct Salvage {
+    meta: Option<(u64, WorldMeta)>,
+    state: Option<(u64, WorldState)>,
+    chunks: BTreeMap<ChunkKey, (u64, Vec<i16>)>,
+    /// The last commit that the index led to, or that anything tells of.
+    last: u64,
+    /// Chunks that the index led to, but to a damaged record.
+    damaged: Vec<ChunkKey>,
+    newer: Option<u16>,
+}
+
+impl Salvage {
+    /// What the world is, if that was found.
+    pub(crate) fn meta(&self) -> Option<&WorldMeta> {
+        self.meta.as_ref().map(|(_, meta)| meta)
+    }
+
+    /// How many chunks were found.
+    pub(crate) fn chunks(&self) -> usize {
+        self.chunks.len()
+    }
+
+    /// Whether the state was found.
+    pub(crate) fn has_state(&self) -> bool {
+        self.state.is_some()
+    }
+
+    /// The meta record as [`Self::write`] stores it.
+    pub(crate) fn sealed_meta(&self, meta: &WorldMeta) -> Result<Vec<u8>, StorageError> {
+        world::sealed(meta, META_KEY, self.last + 1, &meta.name)
+    }
+
+    /// Reads by the index as far as it goes, from a copy, because opening writes;
+    /// then searches the bare bytes for what the index did not lead to.
+    pub(crate) fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
+        let copy = scratch.join("damaged.redb");
+        StorageError::at("Copying", path, fs::copy(path, &copy))?;
+        let mut salvage = Self::default();
+        let by_index = Store::open(&copy, world).and_then(|store| {
+            store.scan(|raw| match codec::unseal(&raw.bytes) {
+                Ok(record) if record.key == raw.key => salvage.add(&record),
+                _ if raw.kind == Kind::Chunk => {
+                    salvage.damaged.extend(ChunkKey::from_bytes(&raw.key));
+                }
+                _ => {}
+            })
+        });
+        // With a whole index, what is newer than its last commit was never committed.
+        let last = if by_index.is_ok() && salvage.last > 0 {
+            salvage.last
+        } else {
+            u64::MAX
+        };
+        let carved = carve_file(path, |record| {
+            if record.sequence <= last {
+                salvage.add(record);
+            }
+        });
+        StorageError::at("Reading", path, carved)?;
+        StorageError::at("Removing", &copy, fs::remove_file(&copy))?;
+        match salvage.newer {
+            Some(found) => Err(StorageError::Newer {
+                world: world.to_owned(),
+                found,
+            }),
+            None => Ok(salvage),
+        }
+    }
+
+    /// Takes a record if it is readable and newer than what there is.
+    fn add(&mut self, record: &Record<'_>) {
+        let added = match record.kind {
+            Kind::Meta => newest(&mut self.meta, record, META_KEY.as_bytes()),
+            Kind::State => newest(&mut self.state, record, STATE_KEY.as_bytes()),
+            Kind::Chunk => self.add_chunk(record),
+        };
+        match added {
+            Ok(()) => self.last = self.last.max(record.sequence),
+            Err(SchemaFault::Newer(found)) => self.newer = Some(found),
+            Err(SchemaFault::Damaged(reason)) => {
+                tracing::debug!(%reason, "a record was not salvaged");
+            }
+        }
+    }
+
+    fn add_chunk(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
+        schema::check::<ChunkBody>(record, record.key)?;
+        let Some(key) = ChunkKey::from_bytes(record.key) else {
+            return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
+        };
+        let mut slot = self
+            .chunks
+            .remove(&key)
+            .map(|(sequence, samples)| (sequence, ChunkBody(samples)));
+        let added = newest(&mut slot, record, record.key);
+        if let Some((sequence, ChunkBody(samples))) = slot {
+            self.chunks.insert(key, (sequence, samples));
+        }
+        added
+    }
+
+    /// Writes what was found into a new store, closed when this returns.
+    pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
+        let sequence = self.last + 1;
+        let mut values = vec![(META_KEY, self.sealed_meta(meta)?)];
+        if let Some((_, state)) = &self.state {
+            values.push((
+                STATE_KEY,
+                world::sealed(state, STATE_KEY, sequence, &meta.name)?,
+            ));
+        }
+        let chunks = self.chunks.iter().filter_map(|(key, (_, samples))| {
+            let body = crate::pack_chunk(samples).ok()?;
+            let key = key.to_bytes();
+            Some((
+                key,
+                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
+            ))
+        });
+        Store::create(path, &meta.name)?.write(&values, &chunks.collect::<Vec<_>>())
+    }
+
+    pub(crate) fn losses(&self, problems: &[String]) -> Vec<String> {
+        let mut losses: Vec<_> = self
+            .damaged
+            .iter()
+            .map(|key| match self.chunks.get(key) {
+                Some((sequence, _)) => format!(
+                    "The edits of {key} are those of commit {sequence}; later ones are lost."
+                ),
+                None => format!("The edits of {key} are lost; it is as the seed made it."),
+            })
+            .collect();
+        if self.state.is_none() {
+            losses.push(
+                "The player's place and belongings are lost; the player starts anew.".to_owned(),
+            );
+        }
+        if losses.is_empty() {
+            losses.extend(
+                problems
+                    .iter()
+                    .map(|problem| format!("It was mended; before: {problem}")),
+            );
+        }
+        losses
+    }
+}
+
+/// Replaces `slot` by the record's value if that is newer.
+fn newest<T: schema::Versioned>(
+    slot: &mut Option<(u64, T)>,
+    record: &Record<'_>,
+    key: &[u8],
+) -> Result<(), SchemaFault> {
+    schema::check::<T>(record, key)?;
+    if slot
+        .as_ref()
+        .is_none_or(|(sequence, _)| record.sequence > *sequence)
+    {
+        *slot = Some((record.sequence, T::upgrade(record.version, record.body)?));
+    }
+    Ok(())
+}
+
+/// Hands over every intact record in the bytes of a file, however long that is; one
+/// may come twice.
+fn carve_file(path: &Path, mut each: impl FnMut(&Record<'_>)) -> io::Result<()> {
+    let (mut file, _) = regular::open(path)?;
+    let mut window = Vec::new();
+    loop {
+        let read = file.by_ref().take(WINDOW_BYTES).read_to_end(&mut window)?;
+        codec::carve(&window).for_each(|record| each(&record));
+        if read == 0 {
+            return Ok(());
+        }
+        // A record that this window cut begins among the bytes that stay.
+        let done = window.len().saturating_sub(codec::MAX_RECORD_BYTES);
+        window.drain(..done);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+
+    #[test]
+    fn records_are_found_across_the_windows_of_a_long_file() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("file");
+        let long = vec![7; 900_000];
+        let mut bytes = Vec::new();
+        for (sequence, before) in [(1, 100), (2, WINDOW_BYTES as usize - 500_000), (3, 9)] {
+            bytes.resize(bytes.len() + before, 0);
+            bytes.extend(codec::seal(1, Kind::Chunk, b"key", sequence, &long));
+        }
+        fs::write(&path, &bytes).unwrap();
+        let mut found = Vec::new();
+        carve_file(&path, |record| found.push(record.sequence)).unwrap();
+        found.dedup();
+        assert_eq!(found, [1, 2, 3]);
+    }
+}
