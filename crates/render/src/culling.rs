@@ -1,6 +1,6 @@
 //! Which chunks a frame shows, nearest first, so that what is hidden is never shaded.
 
-use antipode_geometry::{ChunkCoord, Frustum};
+use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::Frame;
 
 use crate::chunk_store::{ChunkStore, GpuChunk};
@@ -21,7 +21,7 @@ pub struct Visible<'a> {
 /// The chunks in the picture and before the fog, nearest first.
 pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
     let strategy = frame.strategy.as_ref();
-    let frustum = Frustum::new(&frame.projection, strategy.geometry(), strategy.radius_m());
+    let frustum = strategy.frustum(&frame.projection);
     let fog_m = f64::from(frame.fog_distance_m);
     let mut list: Vec<_> = store
         .iter()

@@ -207,7 +207,7 @@ mod tests {
         assert!(!near.is_empty());
         assert!(
             near.iter()
-                .all(|c| (0..=1).contains(&c.index.y) && c.index.x.abs() <= 1)
+                .all(|c| (0..=1).contains(&c.index.y) && c.index.x.abs() <= 2)
         );
     }
 
