@@ -215,7 +215,7 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
             .map(|hit| hit.distance_m);
         match (seen, felt) {
             (Some(seen), Some(felt)) => {
-                assert!((seen - felt).abs() < 1e-3, "{from}: {seen} and {felt}")
+                assert!((seen - felt).abs() < 1e-3, "{from}: {seen} and {felt}");
             }
             (seen, felt) => assert_eq!(seen, felt, "{from}"),
         }
