@@ -16,7 +16,7 @@ use antipode_tests::seam::{compare, picture};
 const RADIUS_M: f64 = 32.0;
 /// The line is left this far beyond the equator, so that a body standing on it does not flip.
 const HYSTERESIS_M: f64 = 0.2;
-const EYE_M: f64 = 1.65;
+const EYE_M: f64 = 1.62;
 const WORLD: &str = "new spherical seed=4 radius=32";
 
 /// Whether there is an adapter to draw with; the first picture tells.

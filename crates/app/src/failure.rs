@@ -1,7 +1,7 @@
 //! What can end the program, as sentences, each with its exit status.
 
 use antipode_render::RenderError;
-use antipode_scene::SceneError;
+use antipode_scene::{CloseFailure, SceneError};
 use antipode_storage::StorageError;
 use antipode_streaming::StreamingError;
 use thiserror::Error;
@@ -37,6 +37,12 @@ pub enum Failure {
     /// Something failed while running, in words.
     #[error("{0}")]
     Runtime(String),
+}
+
+impl From<CloseFailure> for Failure {
+    fn from(failure: CloseFailure) -> Self {
+        Self::Streaming(failure.error)
+    }
 }
 
 impl Failure {

@@ -1,15 +1,20 @@
 //! The ground that is there: resident chunks as colliders, as density for point queries, and as changes for the renderer.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::PhysicsWorld;
-use antipode_streaming::Chunk;
-use antipode_terrain::{Field, RIM_REACH_M, Samples};
-use glam::{DVec2, DVec3, IVec3, Vec3Swizzles};
+use antipode_streaming::{Chunk, is_in_world};
+use antipode_terrain::{Field, Samples};
+use glam::{DVec3, IVec3};
 
 use crate::frame::ChunkChange;
+
+/// How far apart the heights are that a search for ground tries, in metres: thinner ground is missed.
+const SEARCH_STEP_M: f64 = 0.5;
+/// Halvings of the last step, to end within a micrometre.
+const SEARCH_HALVINGS: u32 = 20;
 
 /// What is kept of a resident chunk that has a surface.
 #[derive(Debug)]
@@ -24,7 +29,8 @@ pub struct Ground {
     field: Arc<Field>,
     strategy: Arc<dyn Strategy>,
     chunks: HashMap<ChunkCoord, Resident>,
-    changes: Vec<ChunkChange>,
+    /// The latest change of each chunk only: a script that takes no picture never takes them.
+    changes: BTreeMap<ChunkCoord, ChunkChange>,
 }
 
 impl Ground {
@@ -34,7 +40,7 @@ impl Ground {
             field,
             strategy,
             chunks: HashMap::new(),
-            changes: Vec::new(),
+            changes: BTreeMap::new(),
         }
     }
 
@@ -50,20 +56,21 @@ impl Ground {
                 triangles,
             },
         );
-        self.changes.push(ChunkChange::Put(chunk.coord, chunk.mesh));
+        self.changes
+            .insert(chunk.coord, ChunkChange::Put(chunk.coord, chunk.mesh));
     }
 
     /// Lets a chunk go.
     pub fn remove(&mut self, coord: ChunkCoord, physics: &mut PhysicsWorld) {
         if self.chunks.remove(&coord).is_some() {
             physics.set_terrain(coord, coord.origin(), None);
-            self.changes.push(ChunkChange::Remove(coord));
+            self.changes.insert(coord, ChunkChange::Remove(coord));
         }
     }
 
-    /// Changes since they were last taken, in order.
+    /// What became of each chunk since it was last asked, in the order of the chunks.
     pub fn take_changes(&mut self) -> Vec<ChunkChange> {
-        std::mem::take(&mut self.changes)
+        std::mem::take(&mut self.changes).into_values().collect()
     }
 
     /// Number of resident chunks with a surface.
@@ -91,61 +98,78 @@ impl Ground {
         self.density(point) < 0.0
     }
 
-    /// Height of the first ground below a point, within `depth_m` metres; the point's own chart.
-    pub fn height_below(&self, point: ChartPoint, depth_m: f64) -> Option<f64> {
-        let at =
-            |y: f64| ChartPoint::new(point.hemisphere, DVec3::new(point.pos.x, y, point.pos.z));
-        let step_m = 0.5;
-        let mut above = point.pos.y;
-        let bottom = point.pos.y - depth_m;
-        while above > bottom {
-            let below = above - step_m;
-            if self.is_solid(at(below)) {
-                let (mut air, mut rock) = (above, below);
-                for _ in 0..24 {
-                    let middle = f64::midpoint(air, rock);
-                    if self.is_solid(at(middle)) {
-                        rock = middle;
-                    } else {
-                        air = middle;
-                    }
-                }
-                return Some(f64::midpoint(air, rock));
-            }
-            above = below;
-        }
-        None
+    /// The field at a point as it was before any edit.
+    pub fn untouched_density(&self, point: ChartPoint) -> f32 {
+        self.field.sample(point)
     }
+
+    /// Height of the topmost surface of untouched ground in a point's column, metres.
+    pub fn untouched_height(&self, point: ChartPoint) -> f64 {
+        self.field
+            .surface_height(point.hemisphere, point.pos.x, point.pos.z)
+    }
+}
+
+/// Height of the first ground below a point, within `depth_m` metres; the point's own chart. Of rock that the
+/// point itself lies in the underside is looked for first. `is_solid` tells ground from air.
+pub fn height_below(
+    point: ChartPoint,
+    depth_m: f64,
+    is_solid: impl Fn(ChartPoint) -> bool,
+) -> Option<f64> {
+    let is_solid_at = |y: f64| {
+        is_solid(ChartPoint::new(
+            point.hemisphere,
+            DVec3::new(point.pos.x, y, point.pos.z),
+        ))
+    };
+    let steps = (depth_m / SEARCH_STEP_M).ceil() as u32;
+    let height = |step: u32| point.pos.y - f64::from(step) * SEARCH_STEP_M;
+    let first_air = (0..steps).find(|&step| !is_solid_at(height(step)))?;
+    let rock = (first_air + 1..=steps).find(|&step| is_solid_at(height(step)))?;
+    let (mut air, mut rock) = (height(rock - 1), height(rock));
+    for _ in 0..SEARCH_HALVINGS {
+        let middle = f64::midpoint(air, rock);
+        if is_solid_at(middle) {
+            rock = middle;
+        } else {
+            air = middle;
+        }
+    }
+    Some(f64::midpoint(air, rock))
 }
 
 /// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it, in the other
 /// chart too where the equator is near. Chunks that a closed world does not have are left out.
 pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
-    let mut near = chunks_in_box(point, reach_m);
+    let reach = DVec3::splat(reach_m);
+    let mut near = chunks_in_box(point, -reach, reach);
     if let (Some(rim), Some(over)) = (strategy.rim_m(), strategy.carry(point))
         && point.pos.x.hypot(point.pos.z) > rim - 2.0 * reach_m
     {
-        near.extend(chunks_in_box(over.point, reach_m));
+        near.extend(chunks_in_box(over.point, -reach, reach));
     }
-    near.retain(|coord| exists(strategy, *coord));
+    near.retain(|coord| is_in_world(strategy, *coord));
     near
 }
 
-/// Whether a world has this chunk: an open one has all, a closed one those between bedrock and ceiling that
-/// reach into its hemisphere.
-fn exists(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
-    let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) else {
-        return true;
-    };
-    let (low, high) = (coord.min(), coord.max());
-    let axis_m = DVec2::ZERO.clamp(low.xz(), high.xz()).length();
-    axis_m <= rim_m + RIM_REACH_M && high.y >= limits.bedrock_m && low.y <= limits.ceiling_m
+/// The chunks of the column through `point` from `down_m` below it to `up_m` above it, as wide as a body.
+pub fn chunks_in_column(
+    strategy: &dyn Strategy,
+    point: ChartPoint,
+    down_m: f64,
+    up_m: f64,
+) -> Vec<ChunkCoord> {
+    let width = DVec3::new(1.0, 0.0, 1.0);
+    let mut column = chunks_in_box(point, -width - DVec3::Y * down_m, width + DVec3::Y * up_m);
+    column.retain(|coord| is_in_world(strategy, *coord));
+    column
 }
 
-fn chunks_in_box(point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
+fn chunks_in_box(point: ChartPoint, low: DVec3, high: DVec3) -> Vec<ChunkCoord> {
     let cell = f64::from(CHUNK_CELLS);
-    let low = ((point.pos - reach_m) / cell).floor().as_ivec3();
-    let high = ((point.pos + reach_m) / cell).floor().as_ivec3();
+    let low = ((point.pos + low) / cell).floor().as_ivec3();
+    let high = ((point.pos + high) / cell).floor().as_ivec3();
     let mut found = Vec::new();
     for x in low.x..=high.x {
         for y in low.y..=high.y {
@@ -216,11 +240,46 @@ mod tests {
         let ground = ground(Geometry::Euclidean);
         for x in [0.0, 13.7, -55.2] {
             let top = ChartPoint::a(DVec3::new(x, 60.0, 3.0));
-            let height = ground
-                .height_below(top, 80.0)
+            let height = height_below(top, 80.0, |point| ground.is_solid(point))
                 .expect("there is ground within 80 m");
             let at = |y: f64| ChartPoint::a(DVec3::new(x, y, 3.0));
             assert!(!ground.is_solid(at(height + 0.01)) && ground.is_solid(at(height - 0.01)));
         }
+    }
+
+    #[test]
+    fn from_inside_rock_the_cave_below_is_found_and_without_one_nothing() {
+        let at = |y: f64| ChartPoint::a(DVec3::new(0.0, y, 0.0));
+        let cave = |point: ChartPoint| !(-7.3..=-4.1).contains(&point.pos.y);
+        let floor = height_below(at(1.0), 20.0, cave).expect("a cave within 20 m");
+        assert!((floor + 7.3).abs() < 1e-5, "{floor}");
+        assert_eq!(height_below(at(-8.0), 20.0, cave), None);
+    }
+
+    #[test]
+    fn of_many_changes_of_a_chunk_only_the_last_is_kept() {
+        let mut ground = ground(Geometry::Euclidean);
+        let mut physics = PhysicsWorld::new();
+        let coord = |x| ChunkCoord {
+            hemisphere: Hemisphere::A,
+            index: IVec3::new(x, 0, 0),
+        };
+        for _ in 0..50 {
+            for x in 0..3 {
+                let samples = Samples::from_fn(|p| p.y as f32 - 9.5);
+                let chunk = Chunk {
+                    coord: coord(x),
+                    mesh: Arc::default(),
+                    collider: None,
+                    samples: Arc::new(samples),
+                };
+                ground.put(chunk, &mut physics);
+            }
+        }
+        ground.remove(coord(1), &mut physics);
+        let changes = ground.take_changes();
+        assert_eq!(changes.len(), 3);
+        assert!(matches!(changes[1], ChunkChange::Remove(gone) if gone == coord(1)));
+        assert!(ground.take_changes().is_empty());
     }
 }

@@ -4,6 +4,7 @@
 //! nowhere; the strategy answers where it matters.
 
 pub mod actions;
+mod body;
 pub mod camera;
 pub mod day;
 pub mod dial;
@@ -25,3 +26,4 @@ pub use camera::CameraMode;
 pub use item::{Inventory, Item};
 pub use probe::Probe;
 pub use scene::{Scene, SceneError, WorldSetup};
+pub use stream::CloseFailure;

@@ -2,23 +2,23 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use antipode_geometry::{ChartPoint, Hemisphere};
-use antipode_physics::Character;
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
 use antipode_storage::{PlayerRecord, SlotRecord, WorldMeta, WorldState};
 use antipode_terrain::Biome;
 use glam::DVec3;
 
 use crate::camera::CameraMode;
+use crate::ground::height_below;
 use crate::item::{Inventory, Item, Stack};
-use crate::player::{Body, Health, Look, Position};
+use crate::player::{Health, Look};
 use crate::probe::{
     CameraProbe, ChunkProbe, MarkerProbe, PlayerProbe, Probe, SlotProbe, TerrainProbe,
 };
 use crate::scene::{Scene, SceneError, WorldSetup};
-use crate::tuning::{BRUSH_RADIUS_M, EYE_HEIGHT_M, FULL_HEALTH};
+use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH};
 
 /// Depth below the player's head searched for ground, in metres.
-const GROUND_SEARCH_M: f64 = 128.0;
+pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
 
 impl WorldSetup {
     /// The setup a save describes, with the given view distance where the save has none of its own.
@@ -145,19 +145,17 @@ impl Scene {
             Hemisphere::A
         };
         let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
-        if let Ok((position, look, body, health)) =
-            self.ecs
-                .query_one_mut::<(&mut Position, &mut Look, &mut Body, &mut Health)>(self.player)
+        let velocity = DVec3::from_array(record.vel);
+        self.place_body(point, velocity, record.grounded);
+        if let Ok((look, health)) = self
+            .ecs
+            .query_one_mut::<(&mut Look, &mut Health)>(self.player)
         {
-            position.0 = point;
             *look = Look {
                 yaw: 0.0,
                 pitch: 0.0,
             };
             look.turn(record.yaw, record.pitch);
-            body.0 = Character::at(point.pos);
-            body.0.velocity = DVec3::from_array(record.vel);
-            body.0.grounded = record.grounded;
             health.0 = record.health.clamp(0.0, FULL_HEALTH);
         }
         self.camera = if record.third_person {
@@ -250,11 +248,18 @@ impl Scene {
         }
     }
 
-    /// Height of the ground under the player's head, in metres of the chart.
+    /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
+    /// the head is in rock with no cave below. Beyond the view distance it is that of untouched ground, whatever
+    /// happens to be loaded there.
     pub fn ground_height(&self) -> Option<f64> {
-        let mut head = self.feet();
-        head.pos.y += EYE_HEIGHT_M;
-        self.ground.height_below(head, GROUND_SEARCH_M)
+        height_below(self.head().point, GROUND_SEARCH_M, |point| {
+            let density = if self.streamer.is_wanted(ChunkCoord::containing(point)) {
+                self.ground.density(point)
+            } else {
+                self.ground.untouched_density(point)
+            };
+            density < 0.0
+        })
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::frame::ModelId;
-use crate::tuning::{EYE_HEIGHT_M, FULL_HEALTH, PITCH_LIMIT_RAD, STRIDE_M_PER_RAD};
+use crate::tuning::{FULL_HEALTH, PITCH_LIMIT_RAD, STRIDE_M_PER_RAD};
 
 /// Where an entity's feet are, in the chart of the hemisphere it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,10 +89,10 @@ pub fn cross(
     true
 }
 
-/// The eye of a first-person view.
-pub fn eye(position: &Position, look: &Look, dial: f64) -> Eye {
+/// The eye of a first-person view, `height_m` above the feet.
+pub fn eye(position: &Position, look: &Look, dial: f64, height_m: f64) -> Eye {
     let mut point = position.0;
-    point.pos.y += EYE_HEIGHT_M;
+    point.pos.y += height_m;
     Eye {
         point,
         yaw: look.yaw,
@@ -187,7 +187,7 @@ mod tests {
         let before = sphere.distance_m(
             point,
             ChartPoint::a(DVec3::new(rim - 5.0, 8.0, 0.0)),
-            &eye(&position, &look, 0.0),
+            &eye(&position, &look, 0.0, 1.62),
         );
         assert!(cross(&*sphere, &mut position, &mut look, &mut body));
         assert_eq!(position.0.hemisphere, Hemisphere::B);
@@ -196,7 +196,7 @@ mod tests {
         let after = sphere.distance_m(
             position.0,
             ChartPoint::a(DVec3::new(rim - 5.0, 8.0, 0.0)),
-            &eye(&position, &look, 0.0),
+            &eye(&position, &look, 0.0, 1.62),
         );
         assert!((before - after).abs() < 1e-9);
         assert!(

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
+use antipode_geometry::{
+    ChartPoint, Eye, FAR_LIMIT_RADII, Geometry, Projection, Strategy, strategy,
+};
 use antipode_physics::{CharacterTuning, PhysicsWorld};
-use antipode_storage::{StorageError, WorldStore};
+use antipode_storage::{StorageError, WorldState, WorldStore};
 use antipode_streaming::{Config, Streamer, StreamingError};
 use antipode_terrain::{Biome, Field};
 use hecs::Entity;
@@ -18,6 +20,9 @@ use crate::ground::Ground;
 use crate::item::Inventory;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, VIEW_DISTANCE_CHUNKS};
+
+/// How many damaged places of a save are told one by one.
+const MOST_PROBLEMS_TOLD: usize = 3;
 
 /// Why a world could not be opened.
 #[derive(Debug, Error)]
@@ -79,6 +84,10 @@ pub struct Scene {
     pub(crate) stored: bool,
     pub(crate) save_problem: Option<String>,
     pub(crate) created_unix_s: u64,
+    /// Whether anything but the terrain may differ from what was last given to be saved.
+    pub(crate) changed: bool,
+    /// Whether the body was put where it is and may be stuck there.
+    pub(crate) body_unchecked: bool,
 }
 
 impl std::fmt::Debug for Scene {
@@ -91,14 +100,18 @@ impl std::fmt::Debug for Scene {
 }
 
 impl Scene {
-    /// Opens a world: the state its store holds if it has one, else a new player on fresh ground.
+    /// Opens a world: the state its store holds if it has one, else a new player on fresh ground. What is damaged
+    /// in the store is left out and told in the notices.
     ///
     /// # Errors
-    /// When the store cannot be read or the chunk workers cannot start.
+    /// When the store cannot be read at all or the chunk workers cannot start.
     pub fn open(setup: WorldSetup, store: Option<Arc<WorldStore>>) -> Result<Self, SceneError> {
         let strategy = strategy(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
-        let saved = store.as_ref().map(|s| s.state()).transpose()?.flatten();
+        let (saved, notices) = match &store {
+            Some(store) => saved_state(store)?,
+            None => (None, Vec::new()),
+        };
         let created_unix_s = store.as_ref().map_or(0, |s| s.meta().created_unix_s);
         let stored = store.is_some();
         let streamer = Streamer::start(
@@ -134,14 +147,17 @@ impl Scene {
             simulated_s: 0.0,
             saved_at_s: 0.0,
             contour_bands: true,
-            notices: Vec::new(),
+            notices,
             stored,
             save_problem: None,
             created_unix_s,
+            changed: false,
+            body_unchecked: true,
         };
         if let Some(state) = saved {
             scene.restore(&state);
         }
+        scene.changed = false;
         scene.request_ground();
         Ok(scene)
     }
@@ -168,6 +184,7 @@ impl Scene {
 
     /// The player's hotbar, to change it.
     pub fn inventory_mut(&mut self) -> &mut Inventory {
+        self.changed = true;
         &mut self.inventory
     }
 
@@ -178,6 +195,7 @@ impl Scene {
 
     /// The curvature dial, to set it.
     pub fn dial_mut(&mut self) -> &mut CurvatureDial {
+        self.changed = true;
         &mut self.dial
     }
 
@@ -194,6 +212,7 @@ impl Scene {
     /// Sets the time of day in seconds; it wraps at a day's length.
     pub fn set_time_of_day_s(&mut self, time_s: f64) {
         self.time_of_day_s = time_s.rem_euclid(crate::tuning::DAY_S);
+        self.changed = true;
     }
 
     /// Simulated time since the world was made, in seconds.
@@ -206,9 +225,12 @@ impl Scene {
         self.flying
     }
 
-    /// Lets the player fly as a spectator, through everything and without weight, or walk again.
+    /// Lets the player fly as a spectator, through everything and without weight, or walk again. Whose flight
+    /// ends inside the ground is lifted out of it in the next step.
     pub fn set_flying(&mut self, flying: bool) {
+        self.body_unchecked |= self.flying && !flying;
         self.flying = flying;
+        self.changed = true;
     }
 
     /// How far chunks are loaded.
@@ -220,6 +242,7 @@ impl Scene {
     pub fn set_view_distance(&mut self, chunks: u32) {
         let (least, most, _) = VIEW_DISTANCE_CHUNKS;
         self.setup.view_distance = chunks.clamp(least, most);
+        self.changed = true;
         self.request_ground();
     }
 
@@ -228,6 +251,7 @@ impl Scene {
         if let Ok(mut own) = self.ecs.get::<&mut Health>(self.player) {
             own.0 = health.clamp(0.0, crate::tuning::FULL_HEALTH);
         }
+        self.changed = true;
     }
 
     /// Points the view, in radians.
@@ -239,19 +263,8 @@ impl Scene {
             };
             look.turn(yaw_rad, pitch_rad);
         }
+        self.changed = true;
         self.update_marker();
-    }
-
-    /// Moves the player's feet to a point and stops it. Ground there is asked for at once.
-    pub fn teleport(&mut self, point: ChartPoint) {
-        if let Ok((position, body)) = self
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
-        {
-            position.0 = point;
-            body.0 = antipode_physics::Character::at(point.pos);
-        }
-        self.request_ground();
     }
 
     /// The player's feet, view and body.
@@ -274,7 +287,8 @@ impl Scene {
     /// The eye in the player's head.
     pub fn head(&self) -> Eye {
         let (position, look, ..) = self.player_parts();
-        player::eye(&position, &look, self.dial.value())
+        let height_m = self.tuning.eye_height_m();
+        player::eye(&position, &look, self.dial.value(), height_m)
     }
 
     /// The eye the picture is taken from.
@@ -334,11 +348,29 @@ impl Scene {
     }
 
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
-    /// only hazes towards the antipode.
+    /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
     fn fog_distance_m(&self) -> f32 {
+        let far_m = FAR_LIMIT_RADII * self.strategy.radius_m();
         match self.strategy.rim_m() {
             Some(rim) => (rim * 3.0) as f32,
-            None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0) as f32,
+            None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
         }
     }
+}
+
+/// The state a store holds, and what is damaged in it. A damaged player must not lock a whole world.
+fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<String>), StorageError> {
+    let state = match store.state() {
+        Err(StorageError::Damaged { .. }) => None,
+        other => other?,
+    };
+    let mut problems = store.problems();
+    if problems.len() > MOST_PROBLEMS_TOLD {
+        let rest = problems.len() - MOST_PROBLEMS_TOLD;
+        problems.truncate(MOST_PROBLEMS_TOLD);
+        problems.push(format!(
+            "There are {rest} more damaged places in this world; `antipode saves verify` lists them."
+        ));
+    }
+    Ok((state, problems))
 }

@@ -11,7 +11,7 @@ use crate::ground::chunks_near;
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
-use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S, THIRD_PERSON_BACK_M};
+use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S};
 
 /// Ground within this distance of a body must be there with its collider before the body moves, in metres.
 const NEEDED_AROUND_M: f64 = 4.0;
@@ -21,9 +21,11 @@ impl Scene {
     ///
     /// While the ground around the player is not there yet the body is held still; everything else goes on.
     pub fn step(&mut self, actions: &Actions) {
+        self.changed = true;
         self.handle_switches(actions);
         self.dial.glide(STEP_S);
-        if self.is_ground_ready() {
+        // A body that has just been lifted waits for the next step: other ground may be near it now.
+        if self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
         }
         self.time_of_day_s = (self.time_of_day_s + STEP_S).rem_euclid(DAY_S);
@@ -37,7 +39,7 @@ impl Scene {
     pub fn is_ground_ready(&self) -> bool {
         chunks_near(&*self.strategy, self.feet(), NEEDED_AROUND_M)
             .into_iter()
-            .all(|c| self.streamer.is_resident(c))
+            .all(|c| self.streamer.is_ready(c))
     }
 
     fn handle_switches(&mut self, actions: &Actions) {
@@ -87,7 +89,11 @@ impl Scene {
             .move_character(character, &self.tuning, &input, STEP_S);
         position.0.pos = character.feet - origin;
         if let Some(limits) = strategy.limits() {
-            position.0.pos.y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+            let y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+            if y != position.0.pos.y {
+                position.0.pos.y = y;
+                body.0.velocity.y = 0.0;
+            }
         }
         player::cross(&*strategy, position, look, body);
         let speed = DVec3::new(body.0.velocity.x, 0.0, body.0.velocity.z).length();
@@ -102,12 +108,12 @@ impl Scene {
     /// Points the marker along the geodesic through the crosshair; an empty hand has none.
     pub(crate) fn update_marker(&mut self) {
         self.marker = self.inventory.held().map(|_| {
-            let past_head_m = if self.camera == CameraMode::Third {
-                THIRD_PERSON_BACK_M
-            } else {
-                0.0
-            };
             let eye = self.eye();
+            // Near a wall the camera stands closer than it would like; what lies beyond the head counts.
+            let past_head_m = match self.camera {
+                CameraMode::First => 0.0,
+                CameraMode::Third => self.strategy.distance_m(eye.point, self.head().point, &eye),
+            };
             let found: pick::Pick =
                 pick(&*self.strategy, &self.physics, &eye, past_head_m, REACH_M);
             Marker {
@@ -134,28 +140,5 @@ impl Scene {
             amount,
         };
         self.streamer.edit(stroke);
-    }
-
-    /// Lifts the player out of ground that was built over it.
-    pub(crate) fn lift_player_out(&mut self) {
-        if self.flying {
-            return;
-        }
-        let hemisphere = self.feet().hemisphere;
-        let origin = self.strategy.chart_origin_m(hemisphere);
-        let ground = &self.ground;
-        let solid = |at: DVec3| {
-            ground.is_solid(antipode_geometry::ChartPoint::new(hemisphere, at - origin))
-        };
-        let Ok((position, body)) = self
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
-        else {
-            return;
-        };
-        body.0.feet = position.0.pos + origin;
-        if self.physics.lift_out(&mut body.0, &solid) {
-            position.0.pos = body.0.feet - origin;
-        }
     }
 }

@@ -2,9 +2,12 @@
 
 use std::time::Duration;
 
-use antipode_streaming::{Until, Update, Wish};
+use antipode_geometry::ChunkCoord;
+use antipode_streaming::{StreamingError, Until, Update, Wish};
+use thiserror::Error;
 
-use crate::ground::chunks_near;
+use crate::ground::{chunks_in_column, chunks_near};
+use crate::persist::GROUND_SEARCH_M;
 use crate::scene::Scene;
 use crate::tuning::AUTOSAVE_S;
 
@@ -12,6 +15,22 @@ use crate::tuning::AUTOSAVE_S;
 const PLAYABLE_AROUND_M: f64 = 24.0;
 /// Ground within this distance can be seen by a step, in metres: the tool's reach and the camera behind it.
 const STEP_SEES_M: f64 = 30.0;
+/// As far up as a body is lifted, and its height.
+const LIFT_SEES_M: f64 = 66.0;
+/// Times that a script waits for the ground around a body that was lifted to other ground.
+const MOST_LIFTS: usize = 4;
+
+/// A world that could not be closed because its last commit failed. Nothing is lost: go on playing it, or close it
+/// again, or drop it to leave without saving.
+#[derive(Debug, Error)]
+#[error("{error}")]
+pub struct CloseFailure {
+    /// The world, as it was.
+    pub scene: Box<Scene>,
+    /// Why it could not be closed.
+    #[source]
+    pub error: StreamingError,
+}
 
 impl Scene {
     /// Tells the workers what is wanted now. Cheap; called every frame.
@@ -30,6 +49,9 @@ impl Scene {
         self.request_ground();
         let updates = self.streamer.poll(budget);
         self.apply(updates);
+        if self.body_unchecked && self.is_ground_ready() {
+            self.free_body();
+        }
     }
 
     /// Blocks until every edit made so far shows and the ground around the player stands, or `limit` has passed.
@@ -39,12 +61,42 @@ impl Scene {
         self.request_ground();
         let updates = self.streamer.wait(Until::Edits, limit);
         self.apply(updates);
-        let needed = chunks_near(&*self.strategy, self.feet(), STEP_SEES_M);
-        if !needed.iter().all(|c| self.streamer.is_resident(*c)) {
-            let updates = self.streamer.wait(Until::Chunks(&needed), limit);
-            self.apply(updates);
+        for _ in 0..MOST_LIFTS {
+            self.await_ground(limit);
+            if !(self.body_unchecked && self.is_ground_ready() && self.free_body()) {
+                break;
+            }
+            self.request_ground();
         }
         self.is_ground_ready()
+    }
+
+    /// Waits for the ground that a step, a probe or a lift may ask about.
+    fn await_ground(&mut self, limit: Duration) {
+        let updates = if self.strategy.rim_m().is_some() {
+            // Towards a closed world's equator and ceiling the tool's reach spans ever more of the chart. Such a
+            // world is resident as a whole anyway.
+            self.streamer.wait(Until::Loads, limit)
+        } else {
+            let needed = self.ground_in_sight();
+            if needed.iter().all(|&coord| self.streamer.is_ready(coord)) {
+                return;
+            }
+            self.streamer.wait(Until::Chunks(&needed), limit)
+        };
+        self.apply(updates);
+    }
+
+    fn ground_in_sight(&self) -> Vec<ChunkCoord> {
+        let (strategy, feet) = (&*self.strategy, self.feet());
+        let mut needed = chunks_near(strategy, feet, STEP_SEES_M);
+        let up_m = if self.body_unchecked {
+            LIFT_SEES_M
+        } else {
+            0.0
+        };
+        needed.extend(chunks_in_column(strategy, feet, GROUND_SEARCH_M, up_m));
+        needed
     }
 
     /// Blocks until no chunk work is pending, or `limit` has passed; returns false when it did.
@@ -61,9 +113,12 @@ impl Scene {
         let needed = chunks_near(&*self.strategy, self.feet(), PLAYABLE_AROUND_M);
         let there = needed
             .iter()
-            .filter(|c| self.streamer.is_resident(**c))
+            .filter(|c| self.streamer.is_ready(**c))
             .count();
-        there as f32 / needed.len().max(1) as f32
+        if needed.is_empty() {
+            return 1.0;
+        }
+        there as f32 / needed.len() as f32
     }
 
     /// Work the chunk workers have not finished.
@@ -84,6 +139,7 @@ impl Scene {
             return;
         }
         self.saved_at_s = self.simulated_s;
+        self.changed = false;
         let (meta, state) = self.records();
         self.streamer.save(Some(meta), Some(state));
     }
@@ -91,10 +147,18 @@ impl Scene {
     /// Commits everything, waits until it is on disk and ends the chunk workers.
     ///
     /// # Errors
-    /// When the last commit failed; the sentence says why.
-    pub fn close(mut self) -> Result<(), antipode_streaming::StreamingError> {
+    /// When the last commit failed; the failure says why and gives the world back.
+    pub fn close(mut self) -> Result<(), CloseFailure> {
         self.save();
-        self.streamer.close()
+        let Err(error) = self.streamer.close() else {
+            return Ok(());
+        };
+        let updates = self.streamer.poll(Duration::ZERO);
+        self.apply(updates);
+        Err(CloseFailure {
+            scene: Box::new(self),
+            error,
+        })
     }
 
     /// Whether the world is kept on disk at all.
@@ -102,9 +166,15 @@ impl Scene {
         self.stored
     }
 
-    /// Whether everything saved so far is on disk.
+    /// Whether every save asked for so far is on disk: none is under way and the last one did not fail.
     pub fn is_saved(&self) -> bool {
-        self.streamer.saves_in_flight() == 0
+        self.streamer.saves_in_flight() == 0 && self.save_problem.is_none()
+    }
+
+    /// Whether there is anything that no save asked for so far is sure to hold, such as an edit that was still under
+    /// way then, or a save that failed. Never so in a world that is not kept.
+    pub fn needs_save(&self) -> bool {
+        self.stored && (self.changed || self.streamer.needs_save())
     }
 
     /// Why the last commit failed, if it did.
@@ -133,12 +203,14 @@ impl Scene {
                 }
                 Update::Unloaded(coord) => self.ground.remove(coord, &mut self.physics),
                 Update::Saved => self.save_problem = None,
-                Update::Problem(sentence) => {
-                    if self.streamer.saves_in_flight() == 0 {
-                        self.save_problem = Some(sentence.clone());
+                Update::SaveFailed(sentence) => {
+                    // The same failure comes back with every autosave; once told is enough.
+                    if self.save_problem.as_ref() != Some(&sentence) {
+                        self.notices.push(sentence.clone());
                     }
-                    self.notices.push(sentence);
+                    self.save_problem = Some(sentence);
                 }
+                Update::Problem(sentence) => self.notices.push(sentence),
             }
         }
         if edited {

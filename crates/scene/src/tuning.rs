@@ -4,8 +4,6 @@
 pub const STEP_S: f64 = 1.0 / 60.0;
 /// How far a tool reaches along the geodesic through the crosshair, in metres.
 pub const REACH_M: f64 = 23.0;
-/// Height of the eye above the feet, in metres; the capsule is 1.8 m tall.
-pub const EYE_HEIGHT_M: f64 = 1.65;
 /// Largest pitch of the view, in radians: one degree short of the vertical.
 pub const PITCH_LIMIT_RAD: f64 = 89.0 * std::f64::consts::PI / 180.0;
 /// Brush radius in metres: smallest, largest, and at the start.
@@ -26,6 +24,9 @@ pub const CAMERA_RADIUS_M: f64 = 0.25;
 pub const NEAR_M: f64 = 0.02;
 /// Vertical field of view, in radians.
 pub const FOV_Y_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
+/// Open worlds hold a player within this of their middle, in metres: far beyond it positions in `f64` would
+/// lose the millimetres that walking needs.
+pub const FARTHEST_M: f64 = 1e9;
 /// Full health.
 pub const FULL_HEALTH: f64 = 20.0;
 /// Default view distance in chunks, and its allowed range.

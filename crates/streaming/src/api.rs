@@ -75,7 +75,10 @@ pub enum Update {
     Unloaded(ChunkCoord),
     /// Everything up to the save is on disk.
     Saved,
-    /// A sentence for the player: what went wrong and what they can do.
+    /// A sentence for the player: the save failed, and why. Nothing of it is lost; the next save
+    /// tries again.
+    SaveFailed(String),
+    /// A sentence for the player: what else went wrong and what they can do.
     Problem(String),
 }
 
@@ -87,6 +90,8 @@ pub enum Until<'a> {
     /// None of these chunks is still to come. One that is out of range, or was given up, does not
     /// hold the wait up.
     Chunks(&'a [ChunkCoord]),
+    /// Every chunk in range is there or was given up.
+    Loads,
     /// Every save asked for so far has succeeded or failed.
     Saved,
     /// Nothing at all is under way.

@@ -151,16 +151,13 @@ impl Crew {
         &self.results
     }
 
-    /// Stops and joins every thread; the saver commits what is unsaved. False if a thread did not
-    /// end in time and was left alone.
-    pub(crate) fn leave(&mut self) -> bool {
+    /// Stops and joins every thread; the saver commits what is unsaved. A thread that does not end
+    /// in time is left alone.
+    pub(crate) fn leave(&mut self) {
         self.shared.stop();
         self.ends = None;
-        let left = matches!(
-            self.alive.recv_timeout(LEAVE_LIMIT),
-            Err(RecvTimeoutError::Disconnected)
-        );
-        if !left {
+        let left = self.alive.recv_timeout(LEAVE_LIMIT);
+        if !matches!(left, Err(RecvTimeoutError::Disconnected)) {
             tracing::error!("a chunk worker or the saver did not end in time");
             self.threads.clear();
         }
@@ -168,7 +165,6 @@ impl Crew {
             // A panic outside the guarded jobs has been printed already; nothing is left to mend.
             let _ = thread.join();
         }
-        left
     }
 }
 

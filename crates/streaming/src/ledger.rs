@@ -176,6 +176,15 @@ impl Ledger {
         self.queue.retain(|_| false);
     }
 
+    /// Wants again what [`clear_queue`](Self::clear_queue) has left.
+    pub(crate) fn refill_queue(&mut self) {
+        for coord in self.range.all() {
+            if self.is_missing(coord) && !self.queue.contains(coord) {
+                self.queue.push(coord);
+            }
+        }
+    }
+
     /// Is the chunk waiting or being made?
     pub(crate) fn is_coming(&self, coord: ChunkCoord) -> bool {
         let in_flight = self.in_flight.contains_key(&coord) && !self.resident.contains(&coord);
@@ -185,6 +194,16 @@ impl Ledger {
     /// Is everything the chunk has there? One without a surface has nothing to wait for.
     pub(crate) fn is_resident(&self, coord: ChunkCoord) -> bool {
         self.resident.contains(&coord) || (self.range.contains(coord) && !self.needs_mesh(coord))
+    }
+
+    /// Is nothing more to come of the chunk? Then it is there, has no surface or was given up.
+    pub(crate) fn is_ready(&self, coord: ChunkCoord) -> bool {
+        self.is_resident(coord) || self.given_up.contains(&coord)
+    }
+
+    /// Is the chunk within the range last wished for?
+    pub(crate) fn is_wanted(&self, coord: ChunkCoord) -> bool {
+        self.range.contains(coord)
     }
 
     /// Chunks waiting or being made.

@@ -35,4 +35,5 @@ mod worker;
 mod tests;
 
 pub use api::{Chunk, Config, StreamingError, Until, Update, Wish};
+pub use range::is_in_world;
 pub use streamer::Streamer;

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Hemisphere, Strategy};
 use antipode_terrain::RIM_REACH_M;
-use glam::IVec3;
+use glam::{DVec2, IVec3, Vec3Swizzles};
 
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
@@ -20,24 +20,49 @@ pub(crate) enum Range {
     Nothing,
     /// All chunks within a Chebyshev distance, in chunks.
     Around { centre: ChunkCoord, distance: i32 },
-    /// Both hemispheres to `reach_m` from their axes, in the layers `layers` (chunk y).
-    Sphere {
-        reach_m: f64,
-        layers: RangeInclusive<i32>,
-    },
+    /// The whole of a closed world.
+    Sphere(Closed),
+}
+
+/// The chunks that a closed world has: in both hemispheres those that come within `reach_m` of the
+/// axis, in the layers `layers` (chunk y).
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Closed {
+    reach_m: f64,
+    layers: RangeInclusive<i32>,
+}
+
+impl Closed {
+    /// The chunks of the given space; `None` if it is open and has them all.
+    fn of(strategy: &dyn Strategy) -> Option<Self> {
+        let (rim_m, limits) = (strategy.rim_m()?, strategy.limits()?);
+        let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
+        // One cell more on either side: a chunk's border is meshed by the chunk below.
+        let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
+        Some(Self {
+            reach_m: rim_m + RIM_REACH_M,
+            layers,
+        })
+    }
+
+    fn has(&self, coord: ChunkCoord) -> bool {
+        let (low, high) = (coord.min().xz(), coord.max().xz());
+        let axis_m = DVec2::ZERO.clamp(low, high).length();
+        self.layers.contains(&coord.index.y) && axis_m <= self.reach_m
+    }
+}
+
+/// Does the world have this chunk? An open one has all; a closed one those between bedrock and
+/// ceiling that reach into their hemisphere or the margin past its rim.
+pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
+    Closed::of(strategy).is_none_or(|closed| closed.has(coord))
 }
 
 impl Range {
     /// The range of a wish in the given space.
     pub(crate) fn wished(strategy: &dyn Strategy, centre: ChartPoint, distance: u32) -> Self {
-        if let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) {
-            let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
-            // One cell more on either side: a chunk's border is meshed by the chunk below.
-            let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
-            return Self::Sphere {
-                reach_m: rim_m + RIM_REACH_M,
-                layers,
-            };
+        if let Some(closed) = Closed::of(strategy) {
+            return Self::Sphere(closed);
         }
         let distance = distance.clamp(1, LARGEST_DISTANCE) as i32;
         Self::Around {
@@ -60,12 +85,11 @@ impl Range {
         match self {
             Self::Nothing => false,
             Self::Around { centre, distance } => {
-                let apart = (coord.index - centre.index).abs().max_element();
-                coord.hemisphere == centre.hemisphere && apart <= distance + beyond
+                let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
+                coord.hemisphere == centre.hemisphere
+                    && apart.abs().max_element() <= i64::from(distance + beyond)
             }
-            Self::Sphere { reach_m, layers } => {
-                layers.contains(&coord.index.y) && axis_distance_m(coord.index) <= *reach_m
-            }
+            Self::Sphere(closed) => closed.has(coord),
         }
     }
 
@@ -73,11 +97,8 @@ impl Range {
     pub(crate) fn all(&self) -> Vec<ChunkCoord> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Around { centre, distance } => {
-                let span = IVec3::splat(*distance);
-                boxed(centre.hemisphere, centre.index - span, centre.index + span).collect()
-            }
-            Self::Sphere { reach_m, layers } => {
+            Self::Around { centre, distance } => around(*centre, -distance, *distance).collect(),
+            Self::Sphere(Closed { reach_m, layers }) => {
                 let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
                 let (low, high) = (
                     IVec3::new(-side, *layers.start(), -side),
@@ -93,12 +114,6 @@ impl Range {
     }
 }
 
-/// Metres from the chart's vertical axis to the nearest point of a chunk.
-fn axis_distance_m(index: IVec3) -> f64 {
-    let near = |i: i32| f64::from(i.max(-1 - i).max(0) * CHUNK_CELLS);
-    near(index.x).hypot(near(index.z))
-}
-
 fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
     (low.x..=high.x).flat_map(move |x| {
         (low.y..=high.y).flat_map(move |y| {
@@ -110,12 +125,13 @@ fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item 
     })
 }
 
-/// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart.
+/// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart; at the end
+/// of the range of indices there are fewer.
 pub(crate) fn around(coord: ChunkCoord, low: i32, high: i32) -> impl Iterator<Item = ChunkCoord> {
     boxed(
         coord.hemisphere,
-        coord.index + IVec3::splat(low),
-        coord.index + IVec3::splat(high),
+        coord.index.saturating_add(IVec3::splat(low)),
+        coord.index.saturating_add(IVec3::splat(high)),
     )
 }
 
@@ -156,6 +172,32 @@ mod tests {
         );
         assert!(range.contains(chunk(1, 0, 1)) && range.contains(chunk(-2, 0, -2)));
         assert!(!range.contains(chunk(2, 0, 0)) && !range.contains(chunk(0, 9, 0)));
+    }
+
+    #[test]
+    fn at_the_end_of_the_indices_a_range_is_cut_off() {
+        let space = strategy(Geometry::Euclidean, f64::INFINITY);
+        for far in [1e30, -1e30] {
+            let range = Range::wished(&*space, ChartPoint::a(DVec3::splat(far)), 2);
+            assert_eq!(range.all().len(), 27);
+            assert!(range.all().iter().all(|&coord| range.keeps(coord)));
+            assert!(!range.keeps(chunk(0, 0, 0)));
+        }
+        let corner = chunk(i32::MIN, i32::MAX, 0);
+        assert_eq!(around(corner, -1, 1).count(), 12);
+    }
+
+    #[test]
+    fn a_closed_world_has_exactly_the_chunks_that_are_wanted() {
+        for radius_m in [16.0, 26.7, 32.0, 64.0] {
+            let space = strategy(Geometry::Spherical, radius_m);
+            let range = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 1);
+            let all = range.all();
+            let cube = around(chunk(0, 0, 0), -6, 6).filter(|&coord| is_in_world(&*space, coord));
+            assert_eq!(cube.count() * 2, all.len(), "{radius_m}");
+        }
+        let open = strategy(Geometry::Hyperbolic, 20.0);
+        assert!(is_in_world(&*open, chunk(i32::MIN, 90, 0)));
     }
 
     #[test]

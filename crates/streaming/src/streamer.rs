@@ -50,6 +50,8 @@ pub(crate) struct Saves {
     unsaved: Parts,
     /// Why the last commit failed.
     pub(crate) last_failure: Option<String>,
+    /// Has a batch ended since the last save was handed over?
+    stale: bool,
 }
 
 impl fmt::Debug for Streamer {
@@ -134,7 +136,7 @@ impl Streamer {
     }
 
     /// Saves every edit shown so far and the given parts in one commit, on the saver's thread;
-    /// [`Update::Saved`] or [`Update::Problem`] tells the end. Parts that could not be saved are
+    /// [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
     /// tried again with the next save unless that brings newer ones.
     pub fn save(&mut self, meta: Option<WorldMeta>, state: Option<WorldState>) {
         let older = self.saves.wanted.take().unwrap_or_default();
@@ -171,6 +173,17 @@ impl Streamer {
         self.ledger.is_resident(coord)
     }
 
+    /// Is nothing more to come of this chunk? As [`is_resident`](Self::is_resident), and true too
+    /// for one that could not be made and was given up.
+    pub fn is_ready(&self, coord: ChunkCoord) -> bool {
+        self.ledger.is_ready(coord)
+    }
+
+    /// Is this chunk within the range last wished for?
+    pub fn is_wanted(&self, coord: ChunkCoord) -> bool {
+        self.ledger.is_wanted(coord)
+    }
+
     /// Number of chunks with a mesh that are there.
     pub fn resident_count(&self) -> usize {
         self.ledger.resident_count()
@@ -186,6 +199,12 @@ impl Streamer {
         usize::from(self.saves.in_flight) + usize::from(self.saves.wanted.is_some())
     }
 
+    /// Are there edits that no save asked for so far is sure to hold? So it is while a batch is
+    /// under way and after it, until the next save, and after a save that failed.
+    pub fn needs_save(&self) -> bool {
+        self.saves.stale || self.is_editing() || self.saves.last_failure.is_some()
+    }
+
     #[cfg(test)]
     pub(crate) fn held_loads(&self) -> usize {
         self.held.len()
@@ -197,6 +216,11 @@ impl Streamer {
 
     pub(crate) fn take_ready(&mut self) -> Vec<Update> {
         Vec::from(std::mem::take(&mut self.ready))
+    }
+
+    /// Keeps updates for the next [`poll`](Self::poll) or [`wait`](Self::wait).
+    pub(crate) fn keep_ready(&mut self, updates: Vec<Update>) {
+        self.ready.extend(updates);
     }
 
     /// Hands over whatever there is room for: the batch first.
@@ -222,7 +246,10 @@ impl Streamer {
         {
             let parts = wanted.or(std::mem::take(&mut self.saves.unsaved));
             match self.crew.save(Box::new(parts)) {
-                Ok(()) => self.saves.in_flight = true,
+                Ok(()) => {
+                    self.saves.in_flight = true;
+                    self.saves.stale = false;
+                }
                 Err(parts) => self.saves.wanted = Some(*parts),
             }
         }
@@ -259,6 +286,7 @@ impl Streamer {
 
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
+        self.saves.stale = true;
         updates.extend(edited.problems.into_iter().map(Update::Problem));
         self.ledger
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
@@ -289,7 +317,7 @@ impl Streamer {
             updates.push(Update::Saved);
             return;
         };
-        updates.push(Update::Problem(format!(
+        updates.push(Update::SaveFailed(format!(
             "The world could not be saved; the next save tries again. {why}"
         )));
         self.saves.last_failure = Some(why);
@@ -303,7 +331,7 @@ fn game_cost(update: &Update) -> Duration {
     let bytes = match update {
         Update::Loaded(chunk) => bytes(chunk),
         Update::Edited(chunks) => chunks.iter().map(bytes).sum(),
-        Update::Unloaded(_) | Update::Saved | Update::Problem(_) => 0,
+        Update::Unloaded(_) | Update::Saved | Update::SaveFailed(_) | Update::Problem(_) => 0,
     };
     Duration::from_nanos((bytes * GAME_NS_PER_BYTE) as u64)
 }

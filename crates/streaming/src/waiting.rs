@@ -20,6 +20,11 @@ impl Streamer {
         let end = Instant::now() + timeout;
         let mut updates = self.take_ready();
         loop {
+            // What is finished is taken even if nothing has to be waited for; else a game that only
+            // ever waits would neither load nor learn that it is saved.
+            while let Ok(outcome) = self.crew.results().try_recv() {
+                self.take(outcome, &mut updates);
+            }
             self.feed();
             if self.holds(what) {
                 return updates;
@@ -40,36 +45,43 @@ impl Streamer {
         match what {
             Until::Edits => !self.is_editing(),
             Until::Chunks(coords) => !coords.iter().any(|&coord| self.ledger.is_coming(coord)),
+            Until::Loads => self.ledger.coming() == 0,
             Until::Saved => self.saves_in_flight() == 0,
             Until::Idle => self.pending() == 0 && self.saves_in_flight() == 0,
         }
     }
 
-    /// Finishes the edits, commits everything, and joins every thread.
+    /// Finishes the edits, commits everything, and joins every thread. When it fails, nothing is
+    /// lost and the streamer goes on as before: make room on the disk, say, and close it again.
+    /// After it has succeeded the streamer does nothing any more.
     ///
     /// # Errors
     /// [`StreamingError::NotSaved`] if the last commit failed, [`StreamingError::Unfinished`] if an edit
     /// or the commit took too long to wait for.
-    pub fn close(mut self) -> Result<(), StreamingError> {
+    pub fn close(&mut self) -> Result<(), StreamingError> {
         self.ledger.clear_queue();
         let mut updates = self.wait(Until::Edits, CLOSE_LIMIT);
-        let edits_done = !self.is_editing();
         self.save(None, None);
         updates.extend(self.wait(Until::Saved, CLOSE_LIMIT));
-        let saved = self.saves_in_flight() == 0;
+        let failed = match &self.saves.last_failure {
+            Some(why) => Some(StreamingError::NotSaved(why.clone())),
+            None if self.is_editing() || self.saves_in_flight() > 0 => {
+                Some(StreamingError::Unfinished)
+            }
+            None => None,
+        };
+        if let Some(error) = failed {
+            self.keep_ready(updates);
+            self.ledger.refill_queue();
+            return Err(error);
+        }
         for update in updates {
             if let Update::Problem(problem) = update {
                 tracing::warn!("{problem}");
             }
         }
-        let left = self.crew.leave();
-        if let Some(why) = self.saves.last_failure.take() {
-            return Err(StreamingError::NotSaved(why));
-        }
-        if edits_done && saved && left {
-            Ok(())
-        } else {
-            Err(StreamingError::Unfinished)
-        }
+        // Everything is on disk by now: a thread that does not end can lose nothing.
+        self.crew.leave();
+        Ok(())
     }
 }

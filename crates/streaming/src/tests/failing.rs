@@ -58,6 +58,10 @@ fn a_load_that_panics_twice_is_given_up_and_the_rest_comes() {
     game.wish(at, 1);
     game.wait(Until::Idle);
     assert!(!game.streamer.is_resident(under) && game.chunks.len() >= 8);
+    assert!(
+        game.streamer.is_ready(under),
+        "nobody waits for what will not come"
+    );
     assert_eq!(game.problems.len(), 3, "{:?}", game.problems);
     game.wish(at + DVec3::X * 320.0, 1);
     game.wait(Until::Idle);

@@ -123,7 +123,9 @@ impl Game {
                     );
                 }
                 Update::Saved => self.saved += 1,
-                Update::Problem(problem) => self.problems.push(problem),
+                Update::Problem(problem) | Update::SaveFailed(problem) => {
+                    self.problems.push(problem);
+                }
             }
         }
         seen

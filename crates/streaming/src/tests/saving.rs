@@ -52,9 +52,9 @@ fn what_was_dug_is_there_after_closing_and_opening() {
     game.wait(Until::Edits);
     // A stroke that is not even waited for is drained by closing.
     game.edit(at - DVec3::Y * 3.0, 4.0);
-    let closed = game.streamer;
-    let first = game.chunks;
-    closed.close().unwrap();
+    game.streamer.close().unwrap();
+    let first = std::mem::take(&mut game.chunks);
+    drop(game);
 
     let store = Arc::new(WorldStore::open(&path).unwrap());
     let mut again = Game::new(Geometry::Euclidean, 1, Some(store as Arc<dyn Vault>), None);
@@ -154,6 +154,66 @@ fn closing_tells_that_the_last_commit_failed() {
         "{end:?}"
     );
     assert!(memory.full.load(Ordering::SeqCst) && memory.commits().is_empty());
+}
+
+#[test]
+fn after_a_failed_close_the_game_goes_on_and_closes_again() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    let far = game.ground(320.0, 0.0);
+    game.wish(far, 1);
+    game.edit(at, 5.0);
+    memory.fail(true);
+    assert!(game.streamer.close().is_err());
+    assert!(game.streamer.needs_save());
+    game.wait(Until::Idle);
+    let under = ChunkCoord::containing(ChartPoint::a(far));
+    assert!(
+        game.chunks.contains_key(&under),
+        "loading goes on, and nothing that came meanwhile is lost"
+    );
+    assert_eq!(game.problems.len(), 1, "{:?}", game.problems);
+    game.edit(at + DVec3::X, 5.0);
+    memory.fail(false);
+    game.streamer.close().unwrap();
+    assert!(!game.streamer.needs_save());
+    assert_eq!(memory.commits().len(), 1);
+    assert_eq!(memory.commits()[0].2.len(), game.streamer.edited_count());
+}
+
+#[test]
+fn a_save_is_needed_from_the_first_stroke_until_one_holds_it() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    assert!(!game.streamer.needs_save());
+    game.edit(game.ground(0.0, 0.0), 5.0);
+    // Asked for while the batch is under way: it may or may not be in it.
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Idle);
+    assert!(game.streamer.needs_save());
+    memory.fail(true);
+    game.streamer.save(Some(meta()), None);
+    game.wait(Until::Saved);
+    assert!(game.streamer.needs_save());
+    memory.fail(false);
+    game.streamer.save(None, None);
+    game.wait(Until::Saved);
+    assert!(!game.streamer.needs_save());
+}
+
+#[test]
+fn waiting_for_what_holds_already_still_takes_what_is_finished() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    game.streamer.save(Some(meta()), None);
+    let mut left = 60_000;
+    while game.saved == 0 && left > 0 {
+        game.wait(Until::Edits);
+        std::thread::sleep(std::time::Duration::from_millis(1));
+        left -= 1;
+    }
+    assert_eq!((game.saved, game.streamer.saves_in_flight()), (1, 0));
 }
 
 #[test]

@@ -1,0 +1,163 @@
+//! Where the player's body may be: within the world, and not inside the ground.
+
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_physics::Character;
+use glam::DVec3;
+
+use crate::player::{Body, Position};
+use crate::scene::Scene;
+use crate::tuning::FARTHEST_M;
+
+/// Gap left below the feet of a body that is put on the surface, in metres.
+const CLEARANCE_M: f64 = 0.15;
+
+impl Scene {
+    /// Moves the player's feet to a point and stops it; a point outside the world is brought to its border, and
+    /// one in rock leads to the free ground above as soon as that is loaded. Ground there is asked for at once.
+    pub fn teleport(&mut self, point: ChartPoint) {
+        self.place_body(point, DVec3::ZERO, false);
+        self.request_ground();
+    }
+
+    /// Puts the player's body somewhere, within the world.
+    pub(crate) fn place_body(&mut self, point: ChartPoint, velocity: DVec3, grounded: bool) {
+        let point = within_world(&*self.strategy, point);
+        let feet = point.pos + self.strategy.chart_origin_m(point.hemisphere);
+        self.physics.recentre(feet);
+        if let Ok((position, body)) = self
+            .ecs
+            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+        {
+            position.0 = point;
+            body.0 = Character::at(feet);
+            body.0.velocity = velocity;
+            body.0.grounded = grounded;
+        }
+        self.body_unchecked = true;
+        self.changed = true;
+    }
+
+    /// Lifts a walking body that is stuck: any overlap with the ground after it was put somewhere, a body whose
+    /// middle is in rock at any time. To be called when the ground around the body is there.
+    /// Returns whether the body was moved.
+    pub(crate) fn free_body(&mut self) -> bool {
+        if self.flying || !(self.body_unchecked || self.is_buried()) {
+            return false;
+        }
+        self.body_unchecked = false;
+        let lifted = self.lift_player_out() || self.raise_to_surface();
+        // The way up may have ended in ground that was not there yet.
+        self.body_unchecked = lifted;
+        lifted
+    }
+
+    fn is_buried(&self) -> bool {
+        let mut middle = self.feet();
+        middle.pos.y += 0.5 * self.tuning.height_m;
+        self.ground.is_solid(middle)
+    }
+
+    /// Lifts the player out of ground that was built over it, as far as a lift reaches.
+    pub(crate) fn lift_player_out(&mut self) -> bool {
+        if self.flying {
+            return false;
+        }
+        let hemisphere = self.feet().hemisphere;
+        let origin = self.strategy.chart_origin_m(hemisphere);
+        let ground = &self.ground;
+        let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
+        let Ok((position, body)) = self
+            .ecs
+            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+        else {
+            return false;
+        };
+        body.0.feet = position.0.pos + origin;
+        let lifted = self
+            .physics
+            .lift_out_sized(&mut body.0, &self.tuning, &solid);
+        if lifted {
+            position.0.pos = body.0.feet - origin;
+        }
+        lifted
+    }
+
+    /// Puts a buried body that no lift can free on the surface of its column.
+    fn raise_to_surface(&mut self) -> bool {
+        let feet = self.feet();
+        let surface_m = self.ground.untouched_height(feet) + CLEARANCE_M;
+        if !self.is_buried() || surface_m <= feet.pos.y {
+            return false;
+        }
+        let pos = DVec3::new(feet.pos.x, surface_m, feet.pos.z);
+        self.teleport(ChartPoint::new(feet.hemisphere, pos));
+        true
+    }
+}
+
+/// The point itself where it lies in the world, else one on the world's border; the middle for what is no place.
+fn within_world(strategy: &dyn Strategy, point: ChartPoint) -> ChartPoint {
+    let mut point = point;
+    if !point.pos.is_finite() {
+        point.pos = DVec3::ZERO;
+    }
+    let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) else {
+        let farthest = DVec3::splat(FARTHEST_M);
+        return ChartPoint::new(Hemisphere::A, point.pos.clamp(-farthest, farthest));
+    };
+    let axis_m = point.pos.x.hypot(point.pos.z);
+    if axis_m > 2.0 * rim_m {
+        let share = rim_m / axis_m;
+        point.pos.x *= share;
+        point.pos.z *= share;
+    } else if let Some(crossing) = strategy.cross(point) {
+        point = crossing.point;
+    }
+    point.pos.y = point.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+    point
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn a_place_in_the_world_is_left_as_it_is() {
+        for (geometry, pos) in [
+            (Geometry::Euclidean, DVec3::new(-7.5e8, 12.0, 3.25)),
+            (Geometry::Hyperbolic, DVec3::new(1e6, -12.0, 3.25)),
+            (Geometry::Spherical, DVec3::new(-30.0, 9.0, 12.0)),
+        ] {
+            let space = strategy(geometry, 32.0);
+            assert_eq!(
+                within_world(&*space, ChartPoint::a(pos)),
+                ChartPoint::a(pos)
+            );
+        }
+    }
+
+    #[test]
+    fn a_place_outside_comes_to_the_border_and_no_place_to_the_middle() {
+        let flat = strategy(Geometry::Euclidean, 0.0);
+        let far = ChartPoint::new(Hemisphere::B, DVec3::new(1e300, -1e12, 5.0));
+        let border = ChartPoint::a(DVec3::new(FARTHEST_M, -FARTHEST_M, 5.0));
+        assert_eq!(within_world(&*flat, far), border);
+        let nowhere = ChartPoint::a(DVec3::new(f64::NAN, 1.0, f64::INFINITY));
+        assert_eq!(within_world(&*flat, nowhere).pos, DVec3::ZERO);
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let (rim_m, limits) = (sphere.rim_m().unwrap_or(0.0), sphere.limits());
+        for pos in [
+            DVec3::new(0.0, 1e8, 0.0),
+            DVec3::new(1e9, -4.0, 1e9),
+            DVec3::new(rim_m + 9.0, 8.0, 0.0),
+        ] {
+            let inside = within_world(&*sphere, ChartPoint::a(pos)).pos;
+            assert!(inside.x.hypot(inside.z) <= rim_m + 1e-9, "{inside}");
+            assert!(limits.is_some_and(|l| (l.bedrock_m..=l.ceiling_m).contains(&inside.y)));
+        }
+        let over = within_world(&*sphere, ChartPoint::a(DVec3::new(rim_m + 9.0, 8.0, 0.0)));
+        assert_eq!(over.hemisphere, Hemisphere::B);
+    }
+}

@@ -1,0 +1,204 @@
+//! A world on disk: what is told of a save, of one that fails, and of one that is damaged.
+#![cfg(unix)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use antipode_geometry::Geometry;
+use antipode_scene::{Actions, Scene};
+use antipode_storage::{WORLD_FILE, WorldStore};
+use common::{LIMIT, setup, steps};
+use tempfile::TempDir;
+
+/// A kept world that can be moved away so that its commits fail, and back.
+struct Kept {
+    dir: TempDir,
+}
+
+impl Kept {
+    fn new() -> (Self, Scene) {
+        let kept = Self {
+            dir: tempfile::tempdir().unwrap(),
+        };
+        let setup = setup(Geometry::Euclidean);
+        let store = WorldStore::create(&kept.here(), &setup.to_meta()).unwrap();
+        let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        (kept, scene)
+    }
+
+    fn here(&self) -> PathBuf {
+        self.dir.path().join("world")
+    }
+
+    fn take_away(&self) {
+        fs::rename(self.here(), self.dir.path().join("away")).unwrap();
+    }
+
+    fn bring_back(&self) {
+        fs::rename(self.dir.path().join("away"), self.here()).unwrap();
+    }
+
+    fn open(&self) -> Scene {
+        let store = WorldStore::open(&self.here()).unwrap();
+        let mut scene = Scene::open(setup(Geometry::Euclidean), Some(Arc::new(store))).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        scene
+    }
+}
+
+fn build() -> Actions {
+    Actions {
+        secondary: true,
+        ..Actions::default()
+    }
+}
+
+#[test]
+fn a_failed_save_is_no_save_until_one_succeeds() {
+    let (kept, mut scene) = Kept::new();
+    steps(&mut scene, 3, &Actions::default());
+    assert!(scene.needs_save());
+    kept.take_away();
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(!scene.is_saved() && scene.needs_save());
+    assert!(scene.save_problem().is_some());
+    assert_eq!(scene.take_notices().len(), 1);
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(
+        scene.take_notices().is_empty(),
+        "the same failure is told once"
+    );
+    kept.bring_back();
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(scene.is_saved() && !scene.needs_save() && scene.save_problem().is_none());
+    scene.close().unwrap();
+}
+
+#[test]
+fn an_edit_that_a_save_may_have_missed_asks_for_another() {
+    let (_kept, mut scene) = Kept::new();
+    scene.aim(0.0, -0.6);
+    scene.step(&build());
+    scene.save();
+    assert!(scene.needs_save(), "its batch is under way");
+    assert!(scene.wait_for_step(LIMIT) && scene.wait_saved(LIMIT));
+    assert!(scene.needs_save(), "nothing has been saved since it ended");
+    scene.save();
+    assert!(scene.wait_saved(LIMIT) && scene.is_saved());
+    assert!(!scene.needs_save());
+}
+
+#[test]
+fn a_world_that_is_not_kept_never_needs_a_save() {
+    let mut scene = common::scene(Geometry::Euclidean);
+    scene.aim(0.0, -0.6);
+    steps(&mut scene, 3, &build());
+    assert!(!scene.needs_save());
+    scene.close().unwrap();
+}
+
+#[test]
+fn a_close_that_fails_gives_the_world_back_and_can_be_repeated() {
+    let (kept, mut scene) = Kept::new();
+    scene.aim(0.0, -0.6);
+    steps(&mut scene, 5, &build());
+    kept.take_away();
+    let failure = scene.close().unwrap_err();
+    assert!(!failure.to_string().is_empty());
+    let mut scene = *failure.scene;
+    assert!(scene.save_problem().is_some() && !scene.is_saved());
+    steps(&mut scene, 5, &build());
+    let (edited, feet) = (scene.probe().chunks.edited, scene.feet());
+    assert!(edited > 0);
+    kept.bring_back();
+    scene.close().unwrap();
+    let again = kept.open();
+    assert_eq!((again.probe().chunks.edited, again.feet()), (edited, feet));
+}
+
+#[test]
+fn while_a_script_walks_its_autosaves_are_committed() {
+    let (kept, mut scene) = Kept::new();
+    let walk = Actions {
+        forward: 1.0,
+        ..Actions::default()
+    };
+    // Four seconds: one autosave, whose end is taken by the waits of later steps.
+    steps(&mut scene, 240, &walk);
+    assert!(scene.wait_saved(LIMIT));
+    let copy = kept.dir.path().join("copy");
+    fs::create_dir(&copy).unwrap();
+    fs::copy(kept.here().join(WORLD_FILE), copy.join(WORLD_FILE)).unwrap();
+    let state = WorldStore::open(&copy).unwrap().state().unwrap();
+    assert!(state.is_some_and(|state| state.simulated_s > 2.9));
+}
+
+/// Flips a bit in every copy of the player's state, as a bad disk does. Inside a record the key stands 20 bytes
+/// after its mark.
+fn damage_state(dir: &Path) {
+    let path = dir.join(WORLD_FILE);
+    let mut bytes = fs::read(&path).unwrap();
+    let found: Vec<usize> = (20..bytes.len() - 11)
+        .filter(|&at| bytes[at..].starts_with(b"state") && bytes[at - 20..].starts_with(b"Ap"))
+        .collect();
+    assert!(!found.is_empty());
+    for at in found {
+        bytes[at + 10] ^= 0x10;
+    }
+    fs::write(path, bytes).unwrap();
+}
+
+#[test]
+fn a_damaged_player_costs_the_player_and_not_the_world() {
+    let (kept, mut scene) = Kept::new();
+    let start = scene.feet();
+    scene.aim(0.0, -0.6);
+    let act = Actions {
+        forward: 1.0,
+        ..build()
+    };
+    steps(&mut scene, 60, &act);
+    let edited = scene.probe().chunks.edited;
+    scene.close().unwrap();
+    damage_state(&kept.here());
+    let mut again = kept.open();
+    assert_eq!(again.probe().chunks.edited, edited);
+    let home_m = (again.feet().pos - start.pos).length();
+    assert!(home_m < 12.0, "a fresh player, {home_m} m from the start");
+    let notices = again.take_notices();
+    assert!(
+        notices.iter().any(|notice| notice.contains("damaged")),
+        "{notices:?}"
+    );
+    again.close().unwrap();
+    assert!(kept.open().take_notices().is_empty());
+}
+
+#[test]
+fn a_player_saved_in_rock_stands_on_it_after_loading() {
+    let (kept, mut scene) = Kept::new();
+    scene.set_flying(true);
+    let mut deep = scene.feet();
+    deep.pos.y -= 30.0;
+    scene.teleport(deep);
+    steps(&mut scene, 2, &Actions::default());
+    scene.set_flying(false);
+    scene.close().unwrap();
+    let mut again = kept.open();
+    assert!(again.feet().pos.y > deep.pos.y + 10.0);
+    steps(&mut again, 60, &Actions::default());
+    assert!(again.probe().player.grounded);
+}

@@ -1,0 +1,106 @@
+//! What is pointed at and what is handed to the renderer.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+
+use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry};
+use antipode_scene::frame::ChunkChange;
+use antipode_scene::{Actions, CameraMode};
+use common::{LIMIT, scene, steps};
+use glam::DVec3;
+
+#[test]
+fn from_behind_at_a_wall_the_wall_is_pointed_at_and_not_what_is_past_it() {
+    let mut scene = scene(Geometry::Euclidean);
+    let open = scene.marker().map(|marker| marker.point);
+    steps(
+        &mut scene,
+        1,
+        &Actions {
+            toggle_camera: true,
+            ..Actions::default()
+        },
+    );
+    assert_eq!(scene.camera_mode(), CameraMode::Third);
+    // Looking up, the camera has the ground at its back and cannot go all the way.
+    scene.aim(0.3, 1.2);
+    let (eye, head) = (scene.eye(), scene.head());
+    let behind_m = eye.point.pos.distance(head.point.pos);
+    assert!(behind_m < 3.0, "the camera hangs {behind_m} m behind");
+    let marker = scene.marker().unwrap().point;
+    // In the air, the marker hangs at the full reach from the head and no further.
+    let reach_m = marker.pos.distance(eye.point.pos) - behind_m;
+    assert!(
+        (reach_m - antipode_scene::tuning::REACH_M).abs() < 0.01,
+        "{reach_m} m past the head, was {open:?}"
+    );
+}
+
+#[test]
+fn on_a_sphere_everything_in_reach_is_there_after_a_step() {
+    let mut scene = scene(Geometry::Spherical);
+    scene.set_flying(true);
+    let rim_m = scene.strategy().rim_m().unwrap();
+    for at in [
+        DVec3::new(rim_m - 2.0, 30.0, 0.0),
+        DVec3::new(0.0, 37.0, 20.0),
+    ] {
+        scene.teleport(ChartPoint::a(at));
+        assert!(scene.wait_for_step(LIMIT));
+        assert_eq!(scene.pending(), 0);
+        let resident = scene.probe().chunks.resident;
+        assert!(scene.settle(LIMIT));
+        assert_eq!(scene.probe().chunks.resident, resident);
+    }
+}
+
+#[test]
+fn digging_in_one_place_hands_each_chunk_over_once() {
+    let mut scene = scene(Geometry::Euclidean);
+    assert!(scene.settle(LIMIT));
+    let _ = scene.frame(1.0, 1.5, 1);
+    scene.aim(0.0, -0.6);
+    let build = Actions {
+        secondary: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 40, &build);
+    let changes = scene.frame(1.0, 1.5, 1).chunk_changes;
+    let mut coords: Vec<_> = changes
+        .iter()
+        .map(|change| match change {
+            ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => *coord,
+        })
+        .collect();
+    let all = coords.len();
+    coords.sort_unstable();
+    coords.dedup();
+    assert!(all > 0 && coords.len() == all);
+}
+
+#[test]
+fn the_fog_is_complete_before_a_curved_space_ends_to_be_drawn() {
+    let mut scene = scene(Geometry::Hyperbolic);
+    let limit_m = (FAR_LIMIT_RADII * scene.strategy().radius_m()) as f32;
+    assert!(scene.frame(1.0, 1.5, 1).fog_distance_m < limit_m);
+    scene.set_view_distance(16);
+    assert_eq!(scene.frame(1.0, 1.5, 1).fog_distance_m, limit_m);
+}
+
+#[test]
+fn the_ground_height_does_not_depend_on_what_else_is_loaded() {
+    let at = ChartPoint::a(DVec3::new(11.0, 100.0, -7.0));
+    let mut fresh = scene(Geometry::Euclidean);
+    fresh.set_flying(true);
+    fresh.teleport(at);
+    assert!(fresh.wait_for_step(LIMIT));
+    let at_once = fresh.ground_height();
+    assert!(fresh.settle(LIMIT));
+    assert!(at_once.is_some());
+    assert_eq!(fresh.ground_height(), at_once);
+}
