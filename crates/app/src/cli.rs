@@ -14,6 +14,8 @@ use crate::{saves_command, script, tour, window};
 pub const EXIT_FAILED: u8 = 1;
 /// Exit status of wrong usage.
 pub const EXIT_USAGE: u8 = 2;
+/// Most characters of a mistake on the command line; it may quote what was typed.
+const LONGEST_MISTAKE: usize = 240;
 
 /// A voxel-terrain game in curved space.
 #[derive(Debug, Parser)]
@@ -57,9 +59,20 @@ pub struct Common {
     /// How far land is loaded, in chunks of 32 metres, 1 to 16.
     #[arg(long, global = true, value_name = "CHUNKS", value_parser = clap::value_parser!(u32).range(1..=16))]
     pub view_distance: Option<u32>,
-    /// How much the log says.
-    #[arg(long, global = true, value_enum, default_value_t = LogLevel::Warn)]
-    pub log: LogLevel,
+    /// How much the log says [default: warn for the window, error for commands].
+    #[arg(long, global = true, value_enum)]
+    pub log: Option<LogLevel>,
+}
+
+impl Cli {
+    /// How much the log says. What a command has to say of a failure it says itself.
+    pub fn log_level(&self) -> LogLevel {
+        let usual = match self.command {
+            None => LogLevel::Warn,
+            Some(_) => LogLevel::Error,
+        };
+        self.common.log.unwrap_or(usual)
+    }
 }
 
 /// What draws the pictures.
@@ -136,6 +149,32 @@ pub enum SavesAction {
     },
 }
 
+/// A mistake on the command line in one line: what clap says first, without its hints.
+pub fn one_line(mistake: &clap::Error) -> String {
+    if mistake.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return "a command is missing; --help lists those there are".to_owned();
+    }
+    let rendered = mistake.render().to_string();
+    let said: Vec<&str> = rendered
+        .lines()
+        .take_while(|line| !line.trim().is_empty())
+        .flat_map(str::split_whitespace)
+        .collect();
+    let said = said.join(" ");
+    shortened(
+        said.strip_prefix("error: ").unwrap_or(&said),
+        LONGEST_MISTAKE,
+    )
+}
+
+/// The text, or its beginning if it has more than `most` characters.
+pub fn shortened(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
 /// Does what the command line asks for.
 ///
 /// # Errors
@@ -201,6 +240,39 @@ mod tests {
             Some(Some(Geometry::Spherical))
         );
         assert!(Cli::try_parse_from(["antipode", "--geometry", "toroidal"]).is_err());
+    }
+
+    #[test]
+    fn mistakes_are_told_in_one_line() {
+        let long = "x".repeat(5000);
+        for (args, says) in [
+            (vec!["--seed", "7"], "--geometry"),
+            (vec!["--size", "1x1"], "from 64 to 8192"),
+            (vec!["--adapter", "best"], "possible values"),
+            (vec!["tour", "--out"], "--out"),
+            (vec!["saves"], "--help"),
+            (vec!["--size", "a\n\nb"], "a"),
+            (vec![long.as_str()], "xxx"),
+        ] {
+            let all = std::iter::once("antipode").chain(args.iter().copied());
+            let line = Cli::try_parse_from(all).map_or_else(|e| one_line(&e), |_| String::new());
+            assert!(line.contains(says), "{args:?}: {line}");
+            assert!(!line.contains('\n') && line.chars().count() <= LONGEST_MISTAKE + 1);
+        }
+    }
+
+    #[test]
+    fn commands_leave_the_log_to_failures_unless_asked() {
+        let level = |args: &[&str]| {
+            let all = std::iter::once("antipode").chain(args.iter().copied());
+            Cli::try_parse_from(all).map(|cli| cli.log_level()).ok()
+        };
+        assert_eq!(level(&[]), Some(LogLevel::Warn));
+        assert_eq!(level(&["script", "-"]), Some(LogLevel::Error));
+        assert_eq!(
+            level(&["script", "-", "--log", "info"]),
+            Some(LogLevel::Info)
+        );
     }
 
     #[test]

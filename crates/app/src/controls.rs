@@ -14,7 +14,11 @@ pub const LOOK_RAD_PER_PIXEL: f64 = 0.12 * std::f64::consts::PI / 180.0;
 pub struct Controls {
     bindings: Bindings,
     held: HashSet<Command>,
+    /// What went down since the last step: a press shorter than a step still acts in one.
+    pressed: HashSet<Command>,
     events: Actions,
+    /// Parts of a notch that wait for the rest; touchpads and fine wheels tell the wheel in fractions.
+    slot_notches: f64,
 }
 
 impl Controls {
@@ -31,6 +35,7 @@ impl Controls {
             return None;
         }
         self.held.insert(command);
+        self.pressed.insert(command);
         match command {
             Command::Slot(slot) => self.events.slot = Some(slot),
             Command::BrushLarger => self.events.brush_step += 1,
@@ -53,13 +58,17 @@ impl Controls {
         if has_dial && !self.held.contains(&Command::WheelSlots) {
             self.events.dial += notches;
         } else {
-            self.events.slot_step -= notches.round() as i32;
+            self.slot_notches += notches;
+            let whole = self.slot_notches.trunc();
+            self.slot_notches -= whole;
+            self.events.slot_step -= whole as i32;
         }
     }
 
     /// The actions of the next step; what is an event happens once.
     pub fn take(&mut self) -> Actions {
-        let held = |command| self.held.contains(&command);
+        let pressed = std::mem::take(&mut self.pressed);
+        let held = |command| self.held.contains(&command) || pressed.contains(&command);
         let axis = |plus, minus| f64::from(i8::from(held(plus)) - i8::from(held(minus)));
         let actions = Actions {
             forward: axis(Command::Forward, Command::Backward),
@@ -78,7 +87,9 @@ impl Controls {
     /// Lets go of everything, as when the menu opens or the window loses focus.
     pub fn release_all(&mut self) {
         self.held.clear();
+        self.pressed.clear();
         self.events = Actions::default();
+        self.slot_notches = 0.0;
     }
 }
 
@@ -125,6 +136,33 @@ mod tests {
         c.wheel(-1.0, true);
         let actions = c.take();
         assert_eq!((actions.dial, actions.slot_step), (0.0, 1));
+    }
+
+    #[test]
+    fn a_press_shorter_than_a_step_still_acts_in_one() {
+        let mut c = Controls::default();
+        c.input(Input::MouseLeft, true);
+        c.input(Input::MouseLeft, false);
+        assert!(c.take().primary);
+        assert!(!c.take().primary);
+        key(&mut c, KeyCode::Space, true);
+        key(&mut c, KeyCode::Space, false);
+        c.release_all();
+        assert!(!c.take().jump);
+    }
+
+    #[test]
+    fn fractions_of_a_notch_add_up() {
+        let mut c = Controls::default();
+        for _ in 0..5 {
+            c.wheel(0.25, false);
+        }
+        assert_eq!(c.take().slot_step, -1);
+        c.wheel(0.75, false);
+        assert_eq!(c.take().slot_step, -1);
+        c.wheel(-0.5, false);
+        c.wheel(-0.5, false);
+        assert_eq!(c.take().slot_step, 1);
     }
 
     #[test]

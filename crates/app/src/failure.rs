@@ -46,11 +46,37 @@ impl From<CloseFailure> for Failure {
 }
 
 impl Failure {
+    /// No window could be opened: what the window system says, without the place in its source code.
+    pub fn no_window(said: &impl std::fmt::Display) -> Self {
+        let said = said.to_string();
+        let words = said
+            .strip_prefix("os error at ")
+            .and_then(|rest| rest.split_once(".rs:"))
+            .and_then(|(_, rest)| rest.split_once(": "))
+            .map_or(said.as_str(), |(_, words)| words);
+        Self::NoWindow(words.trim_end_matches('.').to_owned())
+    }
+
     /// The process's exit status: 2 for wrong usage, 1 for a failure at run time.
     pub fn exit_status(&self) -> u8 {
         match self {
             Self::Script(_) | Self::Usage(_) => EXIT_USAGE,
             _ => EXIT_FAILED,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_window_systems_words_lose_the_place_in_its_source_code() {
+        let said =
+            "os error at /home/me/.cargo/winit/src/linux/mod.rs:765: neither A nor B is set.";
+        let words = Failure::no_window(&said).to_string();
+        assert!(words.contains("(neither A nor B is set)"), "{words}");
+        let plain = Failure::no_window(&"exit: 3").to_string();
+        assert!(plain.contains("(exit: 3)"), "{plain}");
     }
 }

@@ -7,6 +7,7 @@ pub mod failure;
 pub mod hud;
 pub mod log;
 pub mod names;
+pub mod output;
 pub mod overlay;
 pub mod perf;
 pub mod picture;

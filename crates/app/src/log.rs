@@ -1,5 +1,7 @@
 //! The log: one line an event on standard error, at the level asked for.
 
+use std::io::IsTerminal;
+
 use clap::ValueEnum;
 use tracing_subscriber::filter::LevelFilter;
 
@@ -30,6 +32,9 @@ pub fn start(level: LogLevel) {
     let started = tracing_subscriber::fmt()
         .with_max_level(filter)
         .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        // A full disk behind standard error would otherwise end the program from inside the log.
+        .log_internal_errors(false)
         .with_target(false)
         .try_init();
     if started.is_err() {

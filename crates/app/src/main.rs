@@ -3,26 +3,29 @@
 use std::process::ExitCode;
 
 use antipode::cli::{self, Cli};
+use antipode::output;
 use clap::Parser;
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(error) => {
-            // Help and version are answers, not mistakes; clap sends them to stdout with status 0.
-            let _ = error.print();
-            return ExitCode::from(if error.use_stderr() {
-                cli::EXIT_USAGE
-            } else {
-                0
-            });
+        Err(mistake) if mistake.use_stderr() => {
+            output::complain(&cli::one_line(&mistake));
+            return ExitCode::from(cli::EXIT_USAGE);
+        }
+        // Help and version are answers, not mistakes.
+        Err(answer) => {
+            return match answer.print() {
+                Ok(()) => ExitCode::SUCCESS,
+                Err(_) => ExitCode::from(cli::EXIT_FAILED),
+            };
         }
     };
-    antipode::log::start(cli.common.log);
+    antipode::log::start(cli.log_level());
     match cli::run(cli) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("antipode: {failure}");
+            output::complain(&failure.to_string());
             ExitCode::from(failure.exit_status())
         }
     }

@@ -57,7 +57,7 @@ pub struct Report {
     pub frame_ms: Option<Percentiles>,
     /// Simulation steps, main thread.
     pub step_ms: Option<Percentiles>,
-    /// The main thread's share of a frame without drawing.
+    /// The main thread's share of a frame: the step, taking finished chunks in, and recording what to draw.
     pub main_ms: Option<Percentiles>,
     /// The adapter's own time; null where it cannot tell.
     pub gpu_ms: Option<Percentiles>,

@@ -1,5 +1,7 @@
 //! Pictures without a window: the frame as the player sees it, display included, into memory.
 
+use std::time::{Duration, Instant};
+
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
 use antipode_scene::frame::Frame;
 use antipode_ui::HudModel;
@@ -66,11 +68,13 @@ impl Studio {
         f64::from(self.size.0) / f64::from(self.size.1)
     }
 
-    /// Draws a frame and waits until the adapter has finished it.
+    /// Draws a frame and waits until the adapter has finished it. Returns with the statistics the time that the
+    /// main thread took before it waited.
     ///
     /// # Errors
     /// When the adapter fails.
-    pub fn draw(&mut self, frame: &Frame) -> Result<DrawStats, Failure> {
+    pub fn draw(&mut self, frame: &Frame) -> Result<(DrawStats, Duration), Failure> {
+        let began = Instant::now();
         let mut encoder = self
             .gpu
             .device
@@ -79,8 +83,9 @@ impl Studio {
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
+        let recorded = began.elapsed();
         self.gpu.wait()?;
-        Ok(stats)
+        Ok((stats, recorded))
     }
 
     /// Takes a picture, with the display over it if there is one.

@@ -1,76 +1,79 @@
 //! `antipode saves`: looking after worlds from the command line.
 
-use antipode_storage::WorldSummary;
+use antipode_storage::{RepairReport, VerifyReport, WorldSummary};
 
 use crate::cli::{Common, SavesAction};
 use crate::failure::Failure;
+use crate::output::line;
 use crate::session::Worlds;
 
 /// Does what was asked with the saved worlds.
 ///
 /// # Errors
-/// When the world is not there, is damaged, or the disk refuses.
+/// When the world is not there, is damaged, or the disk or standard output refuses.
 pub fn run(action: &SavesAction, common: &Common) -> Result<(), Failure> {
     let worlds = Worlds::new(common);
     let saves = worlds.saves();
     let slug = |name: &str| saves.find(name).map(|summary| summary.slug);
     match action {
-        SavesAction::List => {
-            for world in worlds.list()? {
-                println!("{}", row(&world));
-            }
-        }
-        SavesAction::Info { name } => println!("{}", particulars(&saves.find(name)?)),
-        SavesAction::Verify { name } => {
-            let report = saves.verify(&slug(name)?)?;
-            let state = if report.has_state {
-                "the player's state and "
-            } else {
-                ""
-            };
-            println!(
-                "\"{}\": {state}{} changed chunks are whole",
-                report.world, report.chunks
-            );
-            for problem in &report.problems {
-                println!("  {problem}");
-            }
-            if !report.is_sound() {
-                return Err(Failure::Runtime(format!(
-                    "\"{name}\" is damaged; `antipode saves repair` rescues what can be read"
-                )));
-            }
-        }
-        SavesAction::Repair { name } => {
-            let report = saves.repair(&slug(name)?)?;
-            match report.kept {
-                None => println!("\"{}\" is sound; nothing was changed", report.world),
-                Some(kept) => {
-                    println!(
-                        "\"{}\": {} changed chunks rescued",
-                        report.world, report.chunks
-                    );
-                    for loss in &report.losses {
-                        println!("  {loss}");
-                    }
-                    println!("The damaged file is kept as {}", kept.display());
-                }
-            }
-        }
+        SavesAction::List => worlds
+            .list()?
+            .iter()
+            .try_for_each(|world| line(&row(world))),
+        SavesAction::Info { name } => line(&particulars(&saves.find(name)?)),
+        SavesAction::Verify { name } => verified(name, &saves.verify(&slug(name)?)?),
+        SavesAction::Repair { name } => repaired(&saves.repair(&slug(name)?)?),
         SavesAction::Delete { name } => {
             saves.delete(&slug(name)?)?;
-            println!("\"{name}\" is deleted");
+            line(&format!("\"{name}\" is deleted"))
         }
         SavesAction::Export { name, file } => {
             saves.export(&slug(name)?, file)?;
-            println!("\"{name}\" is written to {}", file.display());
+            line(&format!("\"{name}\" is written to {}", file.display()))
         }
         SavesAction::Import { file } => {
             let slug = saves.import(file)?;
-            println!("The world is in {slug}");
+            line(&format!("The world is in {slug}"))
         }
     }
-    Ok(())
+}
+
+fn verified(name: &str, report: &VerifyReport) -> Result<(), Failure> {
+    let state = if report.has_state {
+        "the player's state and "
+    } else {
+        ""
+    };
+    line(&format!(
+        "\"{}\": {state}{} changed chunks are whole",
+        report.world, report.chunks
+    ))?;
+    for problem in &report.problems {
+        line(&format!("  {problem}"))?;
+    }
+    if report.is_sound() {
+        return Ok(());
+    }
+    Err(Failure::Runtime(format!(
+        "\"{name}\" is damaged; `antipode saves repair` rescues what can be read"
+    )))
+}
+
+fn repaired(report: &RepairReport) -> Result<(), Failure> {
+    let Some(kept) = &report.kept else {
+        return line(&format!(
+            "\"{}\" is sound; nothing was changed",
+            report.world
+        ));
+    };
+    line(&format!(
+        "\"{}\": {} changed chunks rescued",
+        report.world, report.chunks
+    ))?;
+    for loss in &report.losses {
+        line(&format!("  {loss}"))?;
+    }
+    line(&format!("The damaged file is kept as {}", kept.display()))
 }
 
 fn row(world: &WorldSummary) -> String {

@@ -2,19 +2,21 @@
 
 use std::collections::hash_map::RandomState;
 use std::hash::{BuildHasher, Hasher};
+use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use antipode_geometry::{DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry};
+use antipode_geometry::{
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, SPHERE_RADIUS_RANGE_M,
+};
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_scene::{Scene, WorldSetup};
-use antipode_storage::{SavesDir, WorldSummary, saves_dir};
+use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
+use antipode_streaming::StreamingError;
+use image::{ImageFormat, RgbaImage};
 
 use crate::cli::Common;
 use crate::failure::Failure;
-
-/// Radius of a spherical world in metres, smallest and largest.
-pub const SPHERE_RADIUS_M: std::ops::RangeInclusive<f64> = 16.0..=64.0;
 
 /// What a new world is asked to be.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,6 +38,65 @@ pub struct Session {
     pub scene: Scene,
     /// Its directory's name; empty for a world that is not kept.
     pub slug: String,
+    /// A picture of it for the menu, written when it is closed.
+    pub picture: Option<RgbaImage>,
+    store: Option<Arc<WorldStore>>,
+}
+
+/// A world that could not be closed because its last changes could not be saved. Nothing of it is lost yet.
+#[derive(Debug)]
+pub struct Unclosed {
+    /// The world, still open.
+    pub session: Box<Session>,
+    /// Why.
+    pub error: StreamingError,
+}
+
+impl Session {
+    fn open(
+        setup: WorldSetup,
+        store: Option<Arc<WorldStore>>,
+        slug: String,
+    ) -> Result<Self, Failure> {
+        Ok(Self {
+            scene: Scene::open(setup, store.clone())?,
+            slug,
+            picture: None,
+            store,
+        })
+    }
+
+    /// Commits everything and lets the world go, so that it can be opened again.
+    ///
+    /// # Errors
+    /// When the last commit failed; the world comes back, open as it was.
+    pub fn close(self) -> Result<(), Unclosed> {
+        if let (Some(store), Some(picture)) = (&self.store, &self.picture) {
+            // A world without a picture is a whole world; the log is enough.
+            if let Err(why) = write_picture(store, picture) {
+                tracing::info!("the menu's picture could not be written: {why}");
+            }
+        }
+        self.scene.close().map_err(|failure| Unclosed {
+            session: Box::new(Self {
+                scene: *failure.scene,
+                slug: self.slug,
+                picture: self.picture,
+                store: self.store,
+            }),
+            error: failure.error,
+        })
+    }
+}
+
+fn write_picture(store: &WorldStore, picture: &RgbaImage) -> Result<(), String> {
+    let mut png = Cursor::new(Vec::new());
+    picture
+        .write_to(&mut png, ImageFormat::Png)
+        .map_err(|error| error.to_string())?;
+    store
+        .write_thumbnail(png.get_ref())
+        .map_err(|error| error.to_string())
 }
 
 /// The place where worlds are kept, and the view distance that new sessions get.
@@ -75,16 +136,10 @@ impl Worlds {
     pub fn create(&self, wanted: &NewWorld) -> Result<Session, Failure> {
         let setup = self.setup(wanted)?;
         let Some(_) = wanted.name else {
-            return Ok(Session {
-                scene: Scene::open(setup, None)?,
-                slug: String::new(),
-            });
+            return Session::open(setup, None, String::new());
         };
         let (slug, store) = self.saves.create(&setup.to_meta())?;
-        Ok(Session {
-            scene: Scene::open(setup, Some(Arc::new(store)))?,
-            slug,
-        })
+        Session::open(setup, Some(Arc::new(store)), slug)
     }
 
     /// Opens a saved world by name or slug.
@@ -94,16 +149,17 @@ impl Worlds {
     pub fn load(&self, name: &str) -> Result<Session, Failure> {
         let summary = self.saves.find(name)?;
         let store = self.saves.open(&summary.slug)?;
-        let saved_distance = store.state()?.map(|state| state.view_distance);
+        // A damaged player must not lock the whole world; the scene goes on without and says so.
+        let saved_distance = match store.state() {
+            Err(StorageError::Damaged { .. }) => None,
+            state => state?.map(|state| state.view_distance),
+        };
         let distance = self
             .view_distance
             .or(saved_distance)
             .unwrap_or(VIEW_DISTANCE_CHUNKS.2);
         let setup = WorldSetup::from_meta(&store.meta(), distance)?;
-        Ok(Session {
-            scene: Scene::open(setup, Some(Arc::new(store)))?,
-            slug: summary.slug,
-        })
+        Session::open(setup, Some(Arc::new(store)), summary.slug)
     }
 
     /// A name nobody has taken yet.
@@ -116,10 +172,14 @@ impl Worlds {
 
     fn setup(&self, wanted: &NewWorld) -> Result<WorldSetup, Failure> {
         let radius_m = match (wanted.geometry, wanted.radius_m) {
-            (Geometry::Spherical, Some(radius)) if SPHERE_RADIUS_M.contains(&radius) => radius,
+            (Geometry::Spherical, Some(radius)) if SPHERE_RADIUS_RANGE_M.contains(&radius) => {
+                radius
+            }
             (Geometry::Spherical, Some(radius)) => {
                 return Err(Failure::Usage(format!(
-                    "A radius of {radius} m will not do: a spherical world has 16 to 64 m"
+                    "A radius of {radius} m will not do: a spherical world has {} to {} m",
+                    SPHERE_RADIUS_RANGE_M.start(),
+                    SPHERE_RADIUS_RANGE_M.end()
                 )));
             }
             (Geometry::Spherical, None) => DEFAULT_SPHERE_RADIUS_M,
@@ -132,7 +192,12 @@ impl Worlds {
             (Geometry::Euclidean, None) => f64::INFINITY,
         };
         Ok(WorldSetup {
-            name: wanted.name.clone().unwrap_or_else(|| "Unnamed".to_owned()),
+            // As the saves keep it, without blanks around it.
+            name: wanted
+                .name
+                .as_deref()
+                .map_or("Unnamed", str::trim)
+                .to_owned(),
             seed: wanted.seed.unwrap_or_else(random_seed),
             geometry: wanted.geometry,
             radius_m,
@@ -203,8 +268,38 @@ mod tests {
         let session = worlds
             .create(&wanted(Geometry::Euclidean, None, None))
             .unwrap();
-        session.scene.close().unwrap();
+        session.close().unwrap();
         assert!(worlds.list().unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_world_is_called_as_the_saves_call_it() {
+        let dir = tempfile::tempdir().unwrap();
+        let worlds = worlds(dir.path());
+        let made = worlds
+            .create(&wanted(Geometry::Euclidean, Some("  Foo "), None))
+            .unwrap();
+        assert_eq!(made.scene.setup().name, "Foo");
+        made.close().unwrap();
+        assert_eq!(worlds.list().unwrap()[0].name(), "Foo");
+    }
+
+    #[test]
+    fn a_world_that_cannot_be_saved_stays_open_and_its_picture_is_kept_with_it() {
+        let dir = tempfile::tempdir().unwrap();
+        let worlds = worlds(dir.path());
+        let mut session = worlds
+            .create(&wanted(Geometry::Euclidean, Some("x"), None))
+            .unwrap();
+        session.picture = Some(RgbaImage::new(4, 4));
+        let (here, aside) = (dir.path().join("x"), dir.path().join("aside"));
+        std::fs::rename(&here, &aside).unwrap();
+        let unclosed = session.close().unwrap_err();
+        assert!(!unclosed.error.to_string().is_empty());
+        std::fs::rename(&aside, &here).unwrap();
+        unclosed.session.close().unwrap();
+        assert!(worlds.list().unwrap()[0].thumbnail.is_some());
+        worlds.load("x").unwrap().close().unwrap();
     }
 
     #[test]
@@ -215,7 +310,7 @@ mod tests {
         let made = worlds
             .create(&wanted(Geometry::Hyperbolic, Some("world 1"), None))
             .unwrap();
-        made.scene.close().unwrap();
+        made.close().unwrap();
         assert_eq!(worlds.free_name(), "World 2");
     }
 }

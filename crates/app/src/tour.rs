@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
+use crate::output;
 use crate::script::{Shooting, run_text};
 
 /// The tour's script.
@@ -26,8 +27,7 @@ pub fn run(out: &Path, common: &Common) -> Result<(), Failure> {
         ))
     })?;
     run_text(SCRIPT, common, Shooting::Into(out.to_owned()))?;
-    println!("The tour's pictures are in {}", out.display());
-    Ok(())
+    output::line(&format!("The tour's pictures are in {}", out.display()))
 }
 
 #[cfg(test)]

@@ -19,7 +19,9 @@ use crate::frame::{Figure, Frame, Marker};
 use crate::ground::Ground;
 use crate::item::Inventory;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
-use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, VIEW_DISTANCE_CHUNKS};
+use crate::tuning::{
+    BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, VIEW_DISTANCE_CHUNKS,
+};
 
 /// How many damaged places of a save are told one by one.
 const MOST_PROBLEMS_TOLD: usize = 3;
@@ -329,12 +331,16 @@ impl Scene {
         }
     }
 
+    /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
     fn figures(&self) -> Vec<Figure> {
+        let eye = self.eye().point;
+        let inside_own = eye.hemisphere == self.feet().hemisphere
+            && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
         for (entity, position, look, appearance) in
             &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
         {
-            if entity == self.player && self.camera == CameraMode::First {
+            if entity == self.player && (self.camera == CameraMode::First || inside_own) {
                 continue;
             }
             seen.push(Figure {

@@ -14,10 +14,12 @@ const RINGS_M: [f64; 4] = [0.0, 4.0, 8.0, 12.0];
 /// Gap left below the feet so that the capsule never begins inside a facet.
 const CLEARANCE_M: f64 = 0.15;
 
-/// The feet of a new player.
+/// The feet of a new player. A closed world is entered at its pole, from where every straight walk comes home.
 pub fn spawn_point(field: &Field) -> ChartPoint {
+    let closed = field.strategy().rim_m().is_some();
+    let rings = if closed { &RINGS_M[..1] } else { &RINGS_M[..] };
     let mut best: Option<(f64, DVec3)> = None;
-    for ring_m in RINGS_M {
+    for &ring_m in rings {
         for turn in 0..8 {
             let angle = f64::from(turn) * FRAC_PI_2 / 2.0;
             let (x, z) = (ring_m * angle.cos(), ring_m * angle.sin());
@@ -56,6 +58,13 @@ mod tests {
     use antipode_geometry::{Geometry, strategy};
 
     use super::*;
+
+    #[test]
+    fn a_closed_world_is_entered_at_its_pole() {
+        let space = strategy(Geometry::Spherical, 32.0);
+        let feet = spawn_point(&Field::new(12, space));
+        assert_eq!((feet.pos.x, feet.pos.z), (0.0, 0.0));
+    }
 
     #[test]
     fn a_new_player_stands_clear_above_ground_in_every_space_and_biome() {

@@ -35,3 +35,5 @@ pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
 pub const AUTOSAVE_S: f64 = 3.0;
 /// Metres walked per radian of the walking figure's stride.
 pub const STRIDE_M_PER_RAD: f64 = 0.28;
+/// Nearest to the head, in metres, from which the camera behind a figure still shows it.
+pub const FIGURE_SEEN_FROM_M: f64 = 2.2;

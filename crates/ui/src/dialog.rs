@@ -46,6 +46,43 @@ pub(crate) fn message(ui: &mut Ui, pass: &mut Pass<'_>, title: &str, text: &str)
     }
 }
 
+/// Asks what to do about a world that could not be saved before leaving it.
+pub(crate) fn unsaved(ui: &mut Ui, pass: &mut Pass<'_>, text: &str) {
+    let mut asked = None;
+    let mut first = None;
+    // Where they do not fit side by side, the buttons stand one under another.
+    let narrow = WIDTH.min(pass.regions.whole.width()) < 440.0;
+    let rows = if narrow { 3.0 } else { 1.0 };
+    let below = rows * (ui.spacing().interact_size.y + GRID);
+    dialog(ui, pass, "The world is not saved", text, below, |ui| {
+        let buttons = |ui: &mut Ui| {
+            let again = primary_button(ui, "Try again", true);
+            let stay = button(ui, "Stay in the world");
+            let lose = ui.add(egui::Button::new(
+                RichText::new("Leave without saving").color(BAD),
+            ));
+            focus_ring(ui, &lose);
+            asked = [
+                (again.clicked(), Intent::TrySavingAgain),
+                (stay.clicked(), Intent::DismissMessage),
+                (lose.clicked(), Intent::LeaveUnsaved),
+            ]
+            .into_iter()
+            .find_map(|(clicked, intent)| clicked.then_some(intent));
+            first = Some(again);
+        };
+        if narrow {
+            ui.vertical(buttons);
+        } else {
+            ui.horizontal(buttons);
+        }
+    });
+    if let Some(again) = first {
+        pass.offer_focus(&again);
+    }
+    pass.intents.extend(asked);
+}
+
 /// Asks before a world is lost: `Some(true)` to delete it, `Some(false)` to keep it.
 pub(crate) fn confirm_delete(ui: &mut Ui, pass: &mut Pass<'_>, name: &str) -> Option<bool> {
     let mut answer = None;

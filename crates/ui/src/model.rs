@@ -124,6 +124,11 @@ pub enum Screen {
         /// The rest, in sentences.
         text: String,
     },
+    /// The world behind the menu could not be saved before leaving it: try again, stay, or lose what is unsaved.
+    Unsaved {
+        /// Why, in sentences.
+        text: String,
+    },
 }
 
 /// What the player asked for; the game carries it out.
@@ -158,8 +163,12 @@ pub enum Intent {
     },
     /// Leave the game.
     Quit,
-    /// A message was read and is closed already.
+    /// A message was read, or the player stays in an unsaved world; it is closed already.
     DismissMessage,
+    /// Try once more to save and then go where the player was going.
+    TrySavingAgain,
+    /// Go where the player was going, without what could not be saved.
+    LeaveUnsaved,
 }
 
 /// How a toast is coloured and how long it stays.

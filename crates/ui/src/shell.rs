@@ -108,7 +108,7 @@ impl Shell {
         }
         match self.screen {
             Screen::Busy { .. } => {}
-            Screen::Message { .. } => {
+            Screen::Message { .. } | Screen::Unsaved { .. } => {
                 self.queued.push(Intent::DismissMessage);
                 self.dismiss(running);
             }
@@ -183,6 +183,7 @@ impl Shell {
             Screen::Message { title, text } => {
                 return dialog::message(ui, pass, title, text);
             }
+            Screen::Unsaved { text } => return dialog::unsaved(ui, pass, text),
             _ => {}
         }
         if pass.regions.wide || self.screen == Screen::Main {
@@ -221,7 +222,11 @@ impl Shell {
     }
 
     fn switch(&mut self, screen: Screen) {
-        if !matches!(self.screen, Screen::Busy { .. } | Screen::Message { .. }) {
+        let passing = matches!(
+            self.screen,
+            Screen::Busy { .. } | Screen::Message { .. } | Screen::Unsaved { .. }
+        );
+        if !passing {
             self.behind = self.screen.clone();
         }
         self.confirming = None;

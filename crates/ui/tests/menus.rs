@@ -162,6 +162,34 @@ fn a_message_is_dismissed_by_enter_and_by_escape() {
 }
 
 #[test]
+fn an_unsaved_world_can_be_saved_again_stayed_in_or_lost() {
+    let mut harness = window(running(1));
+    for (label, intent) in [
+        ("Try again", Intent::TrySavingAgain),
+        ("Stay in the world", Intent::DismissMessage),
+        ("Leave without saving", Intent::LeaveUnsaved),
+    ] {
+        harness.state_mut().shell.open(Screen::Main);
+        harness.state_mut().shell.open(Screen::Unsaved {
+            text: "The disk is full.".to_owned(),
+        });
+        harness.run();
+        harness.get_by_label("The disk is full.");
+        assert_eq!(focused(&harness), "Try again");
+        click(&mut harness, label);
+        assert_eq!(intents(&mut harness), [intent]);
+    }
+    harness.state_mut().shell.open(Screen::Main);
+    harness.state_mut().shell.open(Screen::Unsaved {
+        text: String::new(),
+    });
+    harness.state_mut().shell.escape(true);
+    harness.run();
+    assert_eq!(screen(&harness), &Screen::Main);
+    assert_eq!(intents(&mut harness), [Intent::DismissMessage]);
+}
+
+#[test]
 fn fifty_worlds_are_all_reached_by_the_arrow_key() {
     for size in [vec2(1280.0, 720.0), vec2(640.0, 360.0), vec2(427.0, 240.0)] {
         let mut harness = common::harness(with_worlds(50), size);

@@ -47,6 +47,9 @@ fn screens() -> Vec<Screen> {
             title: "No".repeat(60),
             text: sentence.repeat(12),
         },
+        Screen::Unsaved {
+            text: sentence.repeat(12),
+        },
     ]
 }
 

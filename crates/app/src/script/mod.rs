@@ -1,5 +1,6 @@
 //! Scripts: the commands of the console, one a line, in simulated time.
 
+mod measure;
 mod parse;
 mod run;
 mod say;

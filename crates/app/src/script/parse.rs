@@ -2,10 +2,12 @@
 
 use antipode_geometry::{Geometry, Hemisphere};
 use antipode_scene::Item;
+use antipode_storage::SavesDir;
 use thiserror::Error;
 use winit::keyboard::KeyCode;
 
 use crate::bindings::Input;
+use crate::cli::shortened;
 use crate::names::key_named;
 use crate::session::NewWorld;
 
@@ -13,6 +15,8 @@ use crate::session::NewWorld;
 const LONGEST_S: f64 = 86_400.0;
 /// Farthest coordinate a script may name, in metres.
 const FARTHEST_M: f64 = 1e8;
+/// Most characters of the script's own words that a message repeats.
+const LONGEST_ECHO: usize = 60;
 
 /// One order and the line it stands on, counted from 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,6 +103,8 @@ pub struct Mistake {
 /// The first mistake, with its line.
 pub fn parse(text: &str) -> Result<Vec<Line>, Mistake> {
     let mut lines = Vec::new();
+    // Some editors begin a file with a byte order mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     for (number, line) in (1..).zip(text.lines()) {
         let read = words(line).and_then(|words| order(&words));
         match read {
@@ -140,9 +146,9 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
     let args: Vec<&str> = rest.iter().map(String::as_str).collect();
     let order = match (name.as_str(), args.as_slice()) {
         ("new", [geometry, options @ ..]) => Order::New(new_world(geometry, options)?),
-        ("load", [world]) => Order::Load((*world).to_owned()),
+        ("load", [world]) => Order::Load(saved_name(world)?),
         ("save", []) => Order::Save,
-        ("delete", [world]) => Order::Delete((*world).to_owned()),
+        ("delete", [world]) => Order::Delete(saved_name(world)?),
         ("list", []) => Order::List,
         ("quit", []) => Order::Quit,
         ("hold", [key, time]) => Order::Hold(input(key)?, seconds(time)?),
@@ -171,7 +177,7 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
                 "\"{known}\" has too few, too many or unknown arguments"
             ));
         }
-        (unknown, _) => return Err(format!("there is no command \"{unknown}\"")),
+        (unknown, _) => return Err(format!("there is no command {}", quoted(unknown))),
     };
     Ok(Some(order))
 }
@@ -186,7 +192,7 @@ const KNOWN: [&str; 24] = [
 fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
     let geometry = geometry
         .parse::<Geometry>()
-        .map_err(|_| format!("there is no space \"{geometry}\""))?;
+        .map_err(|_| format!("there is no space {}", quoted(geometry)))?;
     let mut wanted = NewWorld {
         geometry,
         name: None,
@@ -199,36 +205,68 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
                 wanted.seed = Some(
                     value
                         .parse()
-                        .map_err(|_| format!("\"{value}\" is not a seed"))?,
+                        .map_err(|_| format!("{} is not a seed", quoted(value)))?,
                 );
             }
-            Some(("name", value)) => wanted.name = Some(value.to_owned()),
+            Some(("name", value)) => wanted.name = Some(new_name(value)?),
             Some(("radius", value)) => wanted.radius_m = Some(number(value, 0.0, 1e6)?),
-            _ => return Err(format!("\"{option}\" is none of seed=, name=, radius=")),
+            _ => {
+                return Err(format!(
+                    "{} is none of seed=, name=, radius=",
+                    quoted(option)
+                ));
+            }
         }
     }
     Ok(wanted)
 }
 
+/// A name a new world may bear; whether it is taken is seen when the world is made.
+fn new_name(name: &str) -> Result<String, String> {
+    match SavesDir::check_name_among(name, []) {
+        Ok(()) => Ok(name.to_owned()),
+        Err(error) => Err(format!("name={} will not do: {error}", quoted(name))),
+    }
+}
+
+/// The name or directory of a saved world; the longest that a file system has is well below the limit.
+fn saved_name(name: &str) -> Result<String, String> {
+    if name.len() > 1000 {
+        return Err(format!("no world is called {}", quoted(name)));
+    }
+    Ok(name.to_owned())
+}
+
+/// A word of the script for a message, cut where it is long.
+fn quoted(word: &str) -> String {
+    format!("\"{}\"", shortened(word, LONGEST_ECHO))
+}
+
 fn number(text: &str, least: f64, most: f64) -> Result<f64, String> {
     let value: f64 = text
         .parse()
-        .map_err(|_| format!("\"{text}\" is not a number"))?;
+        .map_err(|_| format!("{} is not a number", quoted(text)))?;
     if (least..=most).contains(&value) {
         Ok(value)
     } else {
-        Err(format!("{text} is out of range ({least} to {most})"))
+        Err(format!(
+            "{} is out of range ({least} to {most})",
+            shortened(text, LONGEST_ECHO)
+        ))
     }
 }
 
 fn whole(text: &str, least: u32, most: u32) -> Result<u32, String> {
     let value: u32 = text
         .parse()
-        .map_err(|_| format!("\"{text}\" is not a whole number"))?;
+        .map_err(|_| format!("{} is not a whole number", quoted(text)))?;
     if (least..=most).contains(&value) {
         Ok(value)
     } else {
-        Err(format!("{text} is out of range ({least} to {most})"))
+        Err(format!(
+            "{} is out of range ({least} to {most})",
+            shortened(text, LONGEST_ECHO)
+        ))
     }
 }
 
@@ -238,7 +276,10 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 fn code(name: &str) -> Result<KeyCode, String> {
     key_named(name).ok_or_else(|| {
-        format!("there is no key \"{name}\"; keys are named like KeyW, Space, ShiftLeft, Digit3")
+        format!(
+            "there is no key {}; keys are named like KeyW, Space, ShiftLeft, Digit3",
+            quoted(name)
+        )
     })
 }
 
@@ -246,7 +287,7 @@ fn button(side: &str) -> Result<Input, String> {
     match side {
         "LEFT" => Ok(Input::MouseLeft),
         "RIGHT" => Ok(Input::MouseRight),
-        _ => Err(format!("\"{side}\" is neither LEFT nor RIGHT")),
+        _ => Err(format!("{} is neither LEFT nor RIGHT", quoted(side))),
     }
 }
 
@@ -261,7 +302,7 @@ fn picture(file: &str) -> Result<String, String> {
     if png {
         Ok(file.to_owned())
     } else {
-        Err(format!("\"{file}\" is not a .png file"))
+        Err(format!("{} is not a .png file", quoted(file)))
     }
 }
 
@@ -274,14 +315,14 @@ fn setting(what: &str, value: &str) -> Result<Setting, String> {
         "fly" => match value {
             "on" => Setting::Fly(true),
             "off" => Setting::Fly(false),
-            _ => return Err(format!("\"{value}\" is neither on nor off")),
+            _ => return Err(format!("{} is neither on nor off", quoted(value))),
         },
-        _ => return Err(format!("there is no setting \"{what}\"")),
+        _ => return Err(format!("there is no setting {}", quoted(what))),
     })
 }
 
 fn give(item: &str, count: &str) -> Result<Order, String> {
-    let kind = Item::from_id(item).ok_or_else(|| format!("there is no item \"{item}\""))?;
+    let kind = Item::from_id(item).ok_or_else(|| format!("there is no item {}", quoted(item)))?;
     Ok(Order::Give(kind, whole(count, 1, 9999)?))
 }
 
@@ -331,6 +372,8 @@ mod tests {
             ("new toroidal", 1),
             ("new euclidean colour=red", 1),
             ("new euclidean seed=-1", 1),
+            ("new euclidean name=\"\"", 1),
+            ("new euclidean name=\" \"", 1),
             ("set curvature 21", 1),
             ("set gravity 1", 1),
             ("teleport 0 0 NaN", 1),
@@ -345,6 +388,25 @@ mod tests {
         ] {
             let mistake = parse(text).err();
             assert_eq!(mistake.map(|m| m.line), Some(line), "{text} passed");
+        }
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_skipped_and_long_words_are_cut() {
+        assert_eq!(one("\u{feff}probe"), Ok(Order::Probe));
+        let long = "x".repeat(100_000);
+        for line in [
+            long.clone(),
+            format!("load {long}"),
+            format!("wait {long}"),
+            format!("new euclidean name={long}"),
+        ] {
+            let said = parse(&line).err().map(|mistake| mistake.to_string());
+            assert!(
+                said.is_some_and(|words| words.len() < 200),
+                "{}",
+                &line[..20]
+            );
         }
     }
 

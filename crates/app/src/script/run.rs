@@ -1,9 +1,9 @@
 //! Runs a script's orders in simulated time: the same script gives the same probes.
 
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
 use glam::DVec3;
@@ -15,24 +15,25 @@ use crate::cli::{Adapter, Common};
 use crate::controls::Controls;
 use crate::failure::Failure;
 use crate::hud;
-use crate::perf::{Report, Times};
 use crate::picture::Studio;
 use crate::session::{NewWorld, Session, Worlds};
 
 /// Longest time a step may wait for the chunk workers before the script is stopped.
 const PATIENCE: Duration = Duration::from_mins(1);
+/// How far past its rim a hemisphere's chart may still be named, in metres.
+const RIM_SLACK_M: f64 = 1.0;
 
 /// A running script.
 #[derive(Debug)]
 pub struct Runner {
-    common: Common,
+    pub(super) common: Common,
     worlds: Worlds,
     shooting: Shooting,
-    controls: Controls,
-    session: Option<Session>,
-    studio: Option<Studio>,
-    worlds_opened: u64,
-    fps: Option<f64>,
+    pub(super) controls: Controls,
+    pub(super) session: Option<Session>,
+    pub(super) studio: Option<Studio>,
+    pub(super) worlds_opened: u64,
+    pub(super) fps: Option<f64>,
     display_hidden: bool,
 }
 
@@ -78,7 +79,9 @@ impl Runner {
     /// When the last commit failed.
     pub fn close(&mut self) -> Result<(), Failure> {
         match self.session.take() {
-            Some(session) => Ok(session.scene.close()?),
+            Some(session) => session
+                .close()
+                .map_err(|unclosed| Failure::Streaming(unclosed.error)),
             None => Ok(()),
         }
     }
@@ -149,7 +152,7 @@ impl Runner {
         }
     }
 
-    fn scene(&mut self) -> Result<&mut Scene, Failure> {
+    pub(super) fn scene(&mut self) -> Result<&mut Scene, Failure> {
         self.session
             .as_mut()
             .map(|session| &mut session.scene)
@@ -223,7 +226,7 @@ impl Runner {
         Ok(())
     }
 
-    fn await_workers(&mut self) -> Result<(), Failure> {
+    pub(super) fn await_workers(&mut self) -> Result<(), Failure> {
         if self.scene()?.wait_for_step(PATIENCE) {
             Ok(())
         } else {
@@ -290,15 +293,7 @@ impl Runner {
 
     fn teleport(&mut self, point: ChartPoint) -> Result<(), Failure> {
         let scene = self.scene()?;
-        let inside = match scene.strategy().rim_m() {
-            Some(rim) => point.pos.x.hypot(point.pos.z) <= rim + 1.0,
-            None => point.hemisphere == antipode_geometry::Hemisphere::A,
-        };
-        if !inside {
-            return Err(Failure::Usage(
-                "that point does not lie in this world".to_owned(),
-            ));
-        }
+        check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
         scene.teleport(point);
         self.await_workers()?;
         self.scene()?.refresh_marker();
@@ -330,7 +325,7 @@ impl Runner {
         })
     }
 
-    fn open_studio(&mut self) -> Result<(), Failure> {
+    pub(super) fn open_studio(&mut self) -> Result<(), Failure> {
         if self.studio.is_none() {
             if self.common.adapter == Adapter::None {
                 return Err(Failure::Usage(
@@ -341,87 +336,61 @@ impl Runner {
         }
         Ok(())
     }
+}
 
-    fn perf(&mut self, time_s: f64) -> Result<(), Failure> {
-        let draws = self.common.adapter != Adapter::None;
-        if draws {
-            self.open_studio()?;
-        }
-        let mut times = PerfTimes::default();
-        for _ in 0..steps_in(time_s).max(1) {
-            self.perf_frame(&mut times)?;
-        }
-        self.fps = times.frame.percentiles().map(|p| 1000.0 / p.p50);
-        say::line(&times.report(draws))
-    }
-
-    /// One step and, where there is an adapter, one picture, each timed by what the main thread does.
-    fn perf_frame(&mut self, times: &mut PerfTimes) -> Result<(), Failure> {
-        let id = self.worlds_opened;
-        let actions = self.controls.take();
-        let began = Instant::now();
-        self.scene()?.step(&actions);
-        let stepped = began.elapsed();
-        let waiting = Instant::now();
-        self.await_workers()?;
-        let waited = waiting.elapsed();
-        let building = Instant::now();
-        let aspect = self.studio.as_ref().map_or(16.0 / 9.0, Studio::aspect);
-        let frame = self
-            .scene()?
-            .frame(antipode_scene::tuning::FOV_Y_RAD, aspect, id);
-        let built = building.elapsed();
-        times.step.push(stepped);
-        if self.scene()?.marker().is_some_and(|marker| marker.active) {
-            times.edit.push(stepped + waited);
-        }
-        times.wait.push(waited);
-        times.main.push(stepped + built);
-        if let Some(studio) = self.studio.as_mut() {
-            let drawing = Instant::now();
-            let stats = studio.draw(&frame)?;
-            times.frame.push(stepped + built + drawing.elapsed());
-            times.triangles = stats.triangles as u64;
-            times.draws = stats.draws as u64;
-            if let Some(ms) = stats.gpu_ms {
-                times.gpu.push_ms(f64::from(ms));
+/// Whether a player can stand there; a sentence when not.
+fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String> {
+    match strategy.rim_m() {
+        Some(rim_m) => {
+            let from_centre_m = point.pos.x.hypot(point.pos.z);
+            if from_centre_m > rim_m + RIM_SLACK_M {
+                return Err(format!(
+                    "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
+                ));
             }
         }
-        Ok(())
-    }
-}
-
-#[derive(Debug, Default)]
-struct PerfTimes {
-    frame: Times,
-    step: Times,
-    main: Times,
-    gpu: Times,
-    wait: Times,
-    edit: Times,
-    triangles: u64,
-    draws: u64,
-}
-
-impl PerfTimes {
-    fn report(&self, drawn: bool) -> Report {
-        Report {
-            frame_ms: if drawn {
-                self.frame.percentiles()
-            } else {
-                None
-            },
-            step_ms: self.step.percentiles(),
-            main_ms: self.main.percentiles(),
-            gpu_ms: self.gpu.percentiles(),
-            wait_ms: self.wait.percentiles(),
-            triangles: self.triangles,
-            draws: self.draws,
-            edit_latency_ms: self.edit.percentiles(),
+        None if point.hemisphere == Hemisphere::B => {
+            return Err("this space has no hemisphere B".to_owned());
         }
+        None => {}
+    }
+    match strategy.limits() {
+        Some(limits) if !(limits.bedrock_m..=limits.ceiling_m).contains(&point.pos.y) => {
+            Err(format!(
+                "the height {} m is out of this world's range ({:.1} to {:.1} m)",
+                point.pos.y, limits.bedrock_m, limits.ceiling_m
+            ))
+        }
+        _ => Ok(()),
     }
 }
 
-fn steps_in(time_s: f64) -> u64 {
+/// Whole steps of a time.
+pub(super) fn steps_in(time_s: f64) -> u64 {
     (time_s / STEP_S).round() as u64
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn nobody_is_sent_out_of_the_world() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let at = |x: f64, y: f64, hemisphere| {
+            check_place(&*sphere, ChartPoint::new(hemisphere, DVec3::new(x, y, 0.0)))
+        };
+        assert_eq!(at(0.0, 20.0, Hemisphere::B), Ok(()));
+        assert_eq!(at(50.0, 20.0, Hemisphere::A), Ok(()));
+        assert!(at(60.0, 20.0, Hemisphere::A).is_err_and(|said| said.contains("rim")));
+        for y in [0.0, 60.0, 1e8] {
+            assert!(at(0.0, y, Hemisphere::A).is_err_and(|said| said.contains("height")));
+        }
+        let flat = strategy(Geometry::Euclidean, f64::INFINITY);
+        let far = DVec3::new(1e8, 1e8, -1e8);
+        assert_eq!(check_place(&*flat, ChartPoint::a(far)), Ok(()));
+        assert!(check_place(&*flat, ChartPoint::new(Hemisphere::B, far)).is_err());
+    }
 }

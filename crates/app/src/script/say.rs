@@ -5,6 +5,7 @@ use antipode_storage::WorldSummary;
 use serde::Serialize;
 
 use crate::failure::Failure;
+use crate::output;
 
 /// A probe with what only the program around the scene knows.
 #[derive(Serialize)]
@@ -55,9 +56,7 @@ pub fn list(worlds: &[WorldSummary]) -> Result<(), Failure> {
 
 /// Prints any value as one line of JSON.
 pub fn line(value: &impl Serialize) -> Result<(), Failure> {
-    use std::io::Write;
     let text = serde_json::to_string(value)
         .map_err(|e| Failure::Runtime(format!("A line could not be written: {e}")))?;
-    writeln!(std::io::stdout().lock(), "{text}")
-        .map_err(|e| Failure::Runtime(format!("Standard output cannot be written: {e}")))
+    output::line(&text)
 }

@@ -4,64 +4,48 @@ use std::time::{Duration, Instant};
 
 use antipode_geometry::Geometry;
 use antipode_scene::frame::Frame;
-use antipode_scene::tuning::{FOV_Y_RAD, STEP_S};
-use antipode_ui::{GeometryChoice, HudModel, Intent, MenuModel, Screen, Shell};
+use antipode_scene::tuning::{AUTOSAVE_S, FOV_Y_RAD, STEP_S};
+use antipode_ui::{GeometryChoice, HudModel, Intent, MenuModel, Screen, Shell, ToastKind};
 
-use super::background::{Progress, Task};
+use super::framerate::FrameRate;
+use super::phase::{Next, Phase, Request};
 use super::worldlist::WorldList;
 use crate::bindings::{Command, Input};
 use crate::controls::Controls;
-use crate::failure::Failure;
 use crate::hud;
 use crate::session::{NewWorld, Session, Worlds};
 
 /// Most steps simulated for one frame; time beyond them is dropped, so a slow moment never snowballs.
 const MOST_STEPS: u32 = 6;
 /// Time a frame gives to finished chunks.
-const CHUNK_BUDGET: Duration = Duration::from_millis(2);
-
-/// A world to open.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Request {
-    /// Make a new one.
-    New(NewWorld),
-    /// Open a saved one, by name or slug.
-    Load(String),
-}
-
-/// What follows when a world has been closed.
-#[derive(Debug)]
-enum Next {
-    Menu,
-    Open(Request),
-    Quit,
-}
-
-#[derive(Debug)]
-enum Phase {
-    Menu,
-    Opening(Task<Result<Session, Failure>>),
-    Loading(Session),
-    Playing(Session),
-    Paused(Session),
-    Closing(Task<Result<(), Failure>>, Next),
-    Over,
-}
+pub(super) const CHUNK_BUDGET: Duration = Duration::from_millis(2);
+/// Shortest time between two saves of a paused world in which the last edits have just ended, in seconds.
+const SETTLED_SAVE_S: f64 = 0.2;
 
 /// The game.
 pub struct Game {
-    phase: Phase,
-    worlds: Worlds,
-    list: WorldList,
-    shell: Shell,
-    controls: Controls,
+    pub(super) phase: Phase,
+    pub(super) worlds: Worlds,
+    pub(super) list: WorldList,
+    pub(super) shell: Shell,
+    pub(super) controls: Controls,
     adapter_notice: Option<String>,
     display_hidden: bool,
     last_tick: Option<Instant>,
-    owed_s: f64,
+    pub(super) owed_s: f64,
     fps: FrameRate,
-    worlds_opened: u64,
-    saving: bool,
+    pub(super) worlds_opened: u64,
+    /// The player has asked for a save and is owed an answer.
+    pub(super) saving: bool,
+    /// Since the open world was last given to be saved, in seconds of the wall clock.
+    pub(super) since_save_s: f64,
+    /// Where the player was going when the world could not be saved.
+    pub(super) held_up: Option<Next>,
+    pub(super) focused: bool,
+    /// Nothing can be shown any more, so nothing can be asked either.
+    pub(super) unseen: bool,
+    pub(super) last_words: Option<String>,
+    wants_picture: bool,
 }
 
 impl std::fmt::Debug for Game {
@@ -91,6 +75,12 @@ impl Game {
             fps: FrameRate::default(),
             worlds_opened: 0,
             saving: false,
+            since_save_s: 0.0,
+            held_up: None,
+            focused: true,
+            unseen: false,
+            last_words: None,
+            wants_picture: false,
         };
         game.list.refresh();
         if let Some(request) = first {
@@ -107,6 +97,11 @@ impl Game {
     /// Whether the mouse turns the view and keys act in the world.
     pub fn is_playing(&self) -> bool {
         matches!(self.phase, Phase::Playing(_))
+    }
+
+    /// What could not be saved when nothing could be shown any more.
+    pub fn last_words(&self) -> Option<&str> {
+        self.last_words.as_deref()
     }
 
     /// A key or button; while playing only.
@@ -145,29 +140,11 @@ impl Game {
         }
     }
 
-    /// The window lost the keyboard.
-    pub fn focus_lost(&mut self) {
-        self.pause();
-    }
-
-    /// The player closes the window: what is open is committed first.
-    pub fn close_window(&mut self) {
-        match std::mem::replace(&mut self.phase, Phase::Over) {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.close(session, Next::Quit);
-            }
-            Phase::Closing(task, _) => self.phase = Phase::Closing(task, Next::Quit),
-            Phase::Opening(task) => {
-                // A world being opened is closed again as soon as it is there; nothing of it is lost.
-                let waiting = Task::start("close", move || match task.finish() {
-                    Some(Ok(session)) => session.scene.close().map_err(Failure::from),
-                    _ => Ok(()),
-                });
-                if let Ok(task) = waiting {
-                    self.phase = Phase::Closing(task, Next::Quit);
-                }
-            }
-            Phase::Menu | Phase::Over => {}
+    /// The window has got the keyboard, or lost it.
+    pub fn focus(&mut self, gained: bool) {
+        self.focused = gained;
+        if !gained {
+            self.pause();
         }
     }
 
@@ -177,10 +154,9 @@ impl Game {
             .last_tick
             .map_or(Duration::ZERO, |last| now.saturating_duration_since(last));
         self.last_tick = Some(now);
-        self.fps.frame(passed);
         self.list.poll();
-        if let Some(problem) = self.list.take_problem() {
-            self.shell.toast(problem, antipode_ui::ToastKind::Problem);
+        while let Some(problem) = self.list.take_problem() {
+            self.shell.toast(problem, ToastKind::Problem);
         }
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Opening(task) => self.opening(task),
@@ -188,6 +164,7 @@ impl Game {
             Phase::Playing(session) => self.playing(session, passed),
             Phase::Paused(mut session) => {
                 session.scene.pump(CHUNK_BUDGET);
+                self.keep_saved(&mut session, passed, true);
                 self.tell(&mut session);
                 Phase::Paused(session)
             }
@@ -199,8 +176,25 @@ impl Game {
     /// The picture to draw, if a world is open.
     pub fn frame(&mut self, aspect: f64) -> Option<Frame> {
         let id = self.worlds_opened;
-        self.session_mut()
-            .map(|session| session.scene.frame(FOV_Y_RAD, aspect, id))
+        let session = self.phase.session_mut()?;
+        Some(session.scene.frame(FOV_Y_RAD, aspect, id))
+    }
+
+    /// A frame was shown.
+    pub fn shown(&mut self, now: Instant) {
+        self.fps.shown(now);
+    }
+
+    /// Whether a picture of the world should be taken for the menu; asked for once.
+    pub fn take_wants_picture(&mut self) -> bool {
+        std::mem::take(&mut self.wants_picture)
+    }
+
+    /// Keeps a picture of the open world.
+    pub fn keep_picture(&mut self, picture: image::RgbaImage) {
+        if let Some(session) = self.phase.session_mut() {
+            session.picture = Some(picture);
+        }
     }
 
     /// Shows display and menu, and does what the player asks for there.
@@ -239,26 +233,10 @@ impl Game {
     }
 
     fn running(&self) -> Option<(String, String)> {
-        match &self.phase {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => Some((
-                session.slug.clone(),
-                format!(
-                    "{} · seed {}",
-                    session.scene.setup().name,
-                    session.scene.setup().seed
-                ),
-            )),
-            _ => None,
-        }
-    }
-
-    fn session_mut(&mut self) -> Option<&mut Session> {
-        match &mut self.phase {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                Some(session)
-            }
-            _ => None,
-        }
+        let session = self.phase.session()?;
+        let setup = session.scene.setup();
+        let title = format!("{} · seed {}", setup.name, setup.seed);
+        Some((session.slug.clone(), title))
     }
 
     fn display(&self) -> Option<HudModel> {
@@ -270,12 +248,13 @@ impl Game {
         }
     }
 
-    fn follow(&mut self, intent: Intent) {
+    pub(super) fn follow(&mut self, intent: Intent) {
         match intent {
             Intent::Resume => self.resume(),
             Intent::Save => {
-                if let Some(session) = self.session_mut() {
+                if let Some(session) = self.phase.session_mut() {
                     session.scene.save();
+                    self.since_save_s = 0.0;
                     self.saving = true;
                 }
             }
@@ -285,23 +264,26 @@ impl Game {
                 geometry,
                 seed,
                 radius_m,
-            } => {
-                let geometry = match geometry {
-                    GeometryChoice::Hyperbolic => Geometry::Hyperbolic,
-                    GeometryChoice::Euclidean => Geometry::Euclidean,
-                    GeometryChoice::Spherical => Geometry::Spherical,
-                };
-                self.leave(Next::Open(Request::New(NewWorld {
-                    geometry,
-                    name: Some(name),
-                    seed,
-                    radius_m,
-                })));
-            }
+            } => self.leave(Next::Open(Request::New(NewWorld {
+                geometry: geometry_of(geometry),
+                name: Some(name),
+                seed,
+                radius_m,
+            }))),
             Intent::Load { slug } => self.leave(Next::Open(Request::Load(slug))),
             Intent::Delete { slug } => self.list.delete(slug),
             Intent::Quit => self.leave(Next::Quit),
-            Intent::DismissMessage => {}
+            Intent::TrySavingAgain => {
+                let next = self.held_up.take().unwrap_or(Next::Menu);
+                self.leave(next);
+            }
+            Intent::LeaveUnsaved => self.abandon(),
+            Intent::DismissMessage => {
+                self.held_up = None;
+                if matches!(self.phase, Phase::Paused(_)) && !self.shell.is_open() {
+                    self.shell.open(Screen::Main);
+                }
+            }
         }
     }
 
@@ -310,7 +292,9 @@ impl Game {
             Phase::Playing(mut session) => {
                 self.controls.release_all();
                 session.scene.save();
+                self.since_save_s = 0.0;
                 self.owed_s = 0.0;
+                self.wants_picture = true;
                 self.list.refresh();
                 self.shell.open(Screen::Main);
                 Phase::Paused(session)
@@ -324,105 +308,21 @@ impl Game {
             Phase::Paused(session) => {
                 self.controls.release_all();
                 self.shell.open(Screen::Hidden);
-                Phase::Playing(session)
+                // Closing may have failed while the land was still being made.
+                if session.scene.loading_progress() < 1.0 {
+                    Phase::Loading(session)
+                } else {
+                    Phase::Playing(session)
+                }
             }
             other => other,
         };
     }
 
-    /// Closes what is open, then goes on.
-    fn leave(&mut self, next: Next) {
-        match std::mem::replace(&mut self.phase, Phase::Menu) {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.close(session, next);
-            }
-            Phase::Menu => self.go_on(next),
-            other => self.phase = other,
-        }
-    }
-
-    fn close(&mut self, session: Session, next: Next) {
-        self.controls.release_all();
-        self.busy("Saving", None, "Your world is written to disk.");
-        match Task::start("close", move || {
-            session.scene.close().map_err(Failure::from)
-        }) {
-            Ok(task) => self.phase = Phase::Closing(task, next),
-            Err(error) => self.fail(
-                "The world could not be saved",
-                &format!("The system gives no more threads: {error}"),
-            ),
-        }
-    }
-
-    fn go_on(&mut self, next: Next) {
-        match next {
-            Next::Menu => {
-                self.phase = Phase::Menu;
-                self.list.refresh();
-                self.shell.open(Screen::Main);
-            }
-            Next::Open(request) => self.open(request),
-            Next::Quit => self.phase = Phase::Over,
-        }
-    }
-
-    fn open(&mut self, request: Request) {
-        let worlds = self.worlds.clone();
-        self.busy("Opening", None, "The world is read from disk.");
-        let work = move || match request {
-            Request::New(wanted) => worlds.create(&wanted),
-            Request::Load(name) => worlds.load(&name),
-        };
-        match Task::start("open", work) {
-            Ok(task) => self.phase = Phase::Opening(task),
-            Err(error) => self.fail(
-                "The world could not be opened",
-                &format!("The system gives no more threads: {error}"),
-            ),
-        }
-    }
-
-    fn opening(&mut self, task: Task<Result<Session, Failure>>) -> Phase {
-        match task.poll() {
-            Progress::Running => Phase::Opening(task),
-            Progress::Done(Ok(session)) => {
-                self.worlds_opened += 1;
-                self.loading(session)
-            }
-            Progress::Done(Err(failure)) => {
-                self.fail("The world could not be opened", &failure.to_string());
-                Phase::Menu
-            }
-            Progress::Died => {
-                self.fail(
-                    "The world could not be opened",
-                    "Something failed while it was read; the log has the rest.",
-                );
-                Phase::Menu
-            }
-        }
-    }
-
-    fn loading(&mut self, mut session: Session) -> Phase {
-        session.scene.pump(CHUNK_BUDGET * 4);
-        self.tell(&mut session);
-        let progress = session.scene.loading_progress();
-        if progress < 1.0 {
-            self.busy(
-                "Making the land",
-                Some(progress),
-                &session.scene.setup().name.clone(),
-            );
-            return Phase::Loading(session);
-        }
-        self.shell.open(Screen::Hidden);
-        self.owed_s = 0.0;
-        Phase::Playing(session)
-    }
-
     fn playing(&mut self, mut session: Session, passed: Duration) -> Phase {
         session.scene.pump(CHUNK_BUDGET);
+        // Before the steps: they save by simulated time, which never runs ahead of the wall's.
+        self.keep_saved(&mut session, passed, false);
         self.owed_s += passed.as_secs_f64();
         let mut steps = 0;
         while self.owed_s >= STEP_S && steps < MOST_STEPS {
@@ -435,80 +335,44 @@ impl Game {
         Phase::Playing(session)
     }
 
-    fn closing(&mut self, task: Task<Result<(), Failure>>, next: Next) -> Phase {
-        match task.poll() {
-            Progress::Running => return Phase::Closing(task, next),
-            Progress::Done(Ok(())) => self.go_on(next),
-            Progress::Done(Err(failure)) => {
-                self.fail("The world could not be saved", &failure.to_string());
-                return Phase::Menu;
-            }
-            Progress::Died => {
-                self.fail(
-                    "The world could not be saved",
-                    "Something failed while it was written; the log has the rest.",
-                );
-                return Phase::Menu;
-            }
+    /// Saves by the wall clock, however slowly the simulation runs, and in a paused world again as soon as the
+    /// edits that were under way have ended.
+    fn keep_saved(&mut self, session: &mut Session, passed: Duration, paused: bool) {
+        self.since_save_s += passed.as_secs_f64();
+        let scene = &mut session.scene;
+        let settled = paused && scene.pending() == 0 && scene.save_problem().is_none();
+        if save_is_due(self.since_save_s, settled) && scene.needs_save() {
+            scene.save();
+            self.since_save_s = 0.0;
         }
-        std::mem::replace(&mut self.phase, Phase::Over)
     }
 
     /// Tells the player what came up in the scene.
-    fn tell(&mut self, session: &mut Session) {
-        for notice in session.scene.take_notices() {
-            self.shell.toast(notice, antipode_ui::ToastKind::Problem);
-        }
-        if self.saving && session.scene.is_saved() {
+    pub(super) fn tell(&mut self, session: &mut Session) {
+        let mut notices = session.scene.take_notices();
+        if self.saving && session.scene.wait_saved(Duration::ZERO) {
             self.saving = false;
-            self.shell
-                .toast("Saved".to_owned(), antipode_ui::ToastKind::Info);
+            match session.scene.save_problem() {
+                None => self.shell.toast("Saved", ToastKind::Info),
+                // The scene tells a failure that comes again only once, but here somebody has asked.
+                Some(problem) if !notices.contains(&problem) => notices.push(problem),
+                Some(_) => {}
+            }
         }
-    }
-
-    fn busy(&mut self, title: &str, progress: Option<f32>, detail: &str) {
-        self.shell.open(Screen::Busy {
-            title: title.to_owned(),
-            progress,
-            detail: detail.to_owned(),
-        });
-    }
-
-    fn fail(&mut self, title: &str, text: &str) {
-        tracing::error!("{title}: {text}");
-        self.list.refresh();
-        self.shell.open(Screen::Message {
-            title: title.to_owned(),
-            text: text.to_owned(),
-        });
+        for notice in notices {
+            self.shell.toast(notice, ToastKind::Problem);
+        }
     }
 }
 
-/// Frames a second, smoothed over about half a second.
-#[derive(Debug, Default)]
-struct FrameRate {
-    mean_s: f64,
+fn geometry_of(choice: GeometryChoice) -> Geometry {
+    match choice {
+        GeometryChoice::Hyperbolic => Geometry::Hyperbolic,
+        GeometryChoice::Euclidean => Geometry::Euclidean,
+        GeometryChoice::Spherical => Geometry::Spherical,
+    }
 }
 
-impl FrameRate {
-    fn frame(&mut self, passed: Duration) {
-        let passed = passed.as_secs_f64();
-        if passed <= 0.0 {
-            return;
-        }
-        let share = (passed / 0.5).clamp(0.02, 1.0);
-        self.mean_s = if self.mean_s == 0.0 {
-            passed
-        } else {
-            self.mean_s + (passed - self.mean_s) * share
-        };
-    }
-
-    fn value(&self) -> f32 {
-        if self.mean_s > 0.0 {
-            (1.0 / self.mean_s) as f32
-        } else {
-            0.0
-        }
-    }
+fn save_is_due(since_s: f64, settled: bool) -> bool {
+    since_s >= if settled { SETTLED_SAVE_S } else { AUTOSAVE_S }
 }

@@ -1,9 +1,15 @@
 //! The window: events in, frames out. Everything the game decides is in `game`.
 
 mod background;
+mod framerate;
 mod game;
+mod passage;
+mod phase;
 mod pointer;
 mod stage;
+#[cfg(test)]
+mod tests;
+mod wheel;
 mod worldlist;
 
 use std::sync::Arc;
@@ -11,25 +17,23 @@ use std::time::{Duration, Instant};
 
 use antipode_geometry::Geometry;
 use winit::application::ApplicationHandler;
-use winit::event::{
-    DeviceEvent, DeviceId, ElementState, KeyEvent, MouseButton, MouseScrollDelta, WindowEvent,
-};
+use winit::event::{DeviceEvent, DeviceId, ElementState, KeyEvent, MouseButton, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::keyboard::{KeyCode, PhysicalKey};
 use winit::window::{Window, WindowId};
 
 use crate::bindings::Input;
-use crate::cli::Common;
+use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
 use crate::session::{NewWorld, Worlds};
-use game::{Game, Request};
+use game::Game;
+use phase::Request;
 use pointer::Pointer;
 use stage::Stage;
+use wheel::Wheel;
 
 /// Shortest time from frame to frame.
 const FRAME_TIME: Duration = Duration::from_micros(16_600);
-/// Pixels of a touchpad's motion that count as one notch of a wheel.
-const PIXELS_PER_NOTCH: f64 = 40.0;
 
 /// How the game begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,9 +63,14 @@ pub enum Start {
 /// # Errors
 /// When no window can be opened, or the adapter fails.
 pub fn run(start: Start, common: &Common) -> Result<(), Failure> {
+    if common.adapter == Adapter::None {
+        return Err(Failure::Usage(
+            "The game in its window needs an adapter; --adapter none is for scripts".to_owned(),
+        ));
+    }
     let worlds = Worlds::new(common);
     let first = first_request(start, &worlds)?;
-    let events = EventLoop::new().map_err(|e| Failure::NoWindow(e.to_string()))?;
+    let events = EventLoop::new().map_err(|e| Failure::no_window(&e))?;
     let mut app = App {
         common: common.clone(),
         worlds,
@@ -70,10 +79,15 @@ pub fn run(start: Start, common: &Common) -> Result<(), Failure> {
         failure: None,
         next_frame: Instant::now(),
     };
-    events
-        .run_app(&mut app)
-        .map_err(|e| Failure::NoWindow(e.to_string()))?;
-    app.failure.map_or(Ok(()), Err)
+    let ended = events.run_app(&mut app);
+    app.finish();
+    let unsaved = app.open.as_ref().and_then(|open| open.game.last_words());
+    match (app.failure, unsaved) {
+        (Some(failure), Some(unsaved)) => Err(Failure::Runtime(format!("{failure} {unsaved}"))),
+        (Some(failure), None) => Err(failure),
+        (None, Some(unsaved)) => Err(Failure::Runtime(unsaved.to_owned())),
+        (None, None) => ended.map_err(|e| Failure::no_window(&e)),
+    }
 }
 
 fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failure> {
@@ -101,6 +115,9 @@ struct Open {
     stage: Stage,
     game: Game,
     pointer: Pointer,
+    wheel: Wheel,
+    occluded: bool,
+    minimised: bool,
 }
 
 struct App {
@@ -126,14 +143,15 @@ impl ApplicationHandler for App {
         }
     }
 
-    fn window_event(&mut self, events: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
+    fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         let Some(open) = &mut self.open else { return };
         match &event {
+            // With the adapter lost there is nothing to draw on; what is open is still being saved.
+            WindowEvent::RedrawRequested if self.failure.is_some() => {}
             WindowEvent::RedrawRequested => {
                 if let Err(failure) = open.draw() {
                     self.failure = Some(failure);
-                    open.game.close_window();
-                    events.exit();
+                    open.game.end_unseen();
                 }
             }
             _ => open.handle(&event),
@@ -141,30 +159,49 @@ impl ApplicationHandler for App {
     }
 
     fn device_event(&mut self, _: &ActiveEventLoop, _: DeviceId, event: DeviceEvent) {
-        let (Some(open), DeviceEvent::MouseMotion { delta }) = (&mut self.open, event) else {
-            return;
-        };
-        if let Some((dx, dy)) = open.pointer.raw(delta) {
-            open.game.motion(dx, dy);
+        let Some(open) = &mut self.open else { return };
+        match event {
+            DeviceEvent::MouseMotion { delta } => {
+                if let Some((dx, dy)) = open.pointer.raw(delta) {
+                    open.game.motion(dx, dy);
+                }
+            }
+            DeviceEvent::Button { button, state } => open.wheel.raw_button(button, state),
+            _ => {}
         }
     }
 
+    /// The game goes on whether or not its window is asked to draw: a hidden one is not, on some systems.
     fn about_to_wait(&mut self, events: &ActiveEventLoop) {
         let Some(open) = &mut self.open else { return };
+        let now = Instant::now();
+        if now >= self.next_frame {
+            self.next_frame = (self.next_frame + FRAME_TIME).max(now);
+            open.tick(now);
+            if self.failure.is_none() && !open.is_hidden() {
+                open.stage.window.request_redraw();
+            }
+        }
         if open.game.is_over() {
             events.exit();
             return;
         }
-        let now = Instant::now();
-        if now >= self.next_frame {
-            self.next_frame = (self.next_frame + FRAME_TIME).max(now);
-            open.stage.window.request_redraw();
-        }
         events.set_control_flow(ControlFlow::WaitUntil(self.next_frame));
+    }
+
+    fn exiting(&mut self, _: &ActiveEventLoop) {
+        self.finish();
     }
 }
 
 impl App {
+    /// Waits until what is open is on disk, however the end came.
+    fn finish(&mut self) {
+        if let Some(open) = &mut self.open {
+            open.game.finish();
+        }
+    }
+
     fn open_window(&mut self, events: &ActiveEventLoop) -> Result<Open, Failure> {
         let (width, height) = self.common.size;
         let attributes = Window::default_attributes()
@@ -173,7 +210,7 @@ impl App {
             .with_min_inner_size(winit::dpi::PhysicalSize::new(320, 200));
         let window = events
             .create_window(attributes)
-            .map_err(|e| Failure::NoWindow(e.to_string()))?;
+            .map_err(|e| Failure::no_window(&e))?;
         let stage = Stage::new(
             Arc::new(window),
             events.owned_display_handle(),
@@ -185,17 +222,34 @@ impl App {
             stage,
             game,
             pointer: Pointer::default(),
+            wheel: Wheel::default(),
+            occluded: false,
+            minimised: false,
         })
     }
 }
 
 impl Open {
-    fn draw(&mut self) -> Result<(), Failure> {
-        self.game.tick(Instant::now());
-        if self.game.is_playing() {
-            self.pointer.catch(&self.stage.window);
-        } else {
+    fn is_hidden(&self) -> bool {
+        self.occluded || self.minimised
+    }
+
+    fn tick(&mut self, now: Instant) {
+        self.game.tick(now);
+        if !self.game.is_playing() {
             self.pointer.free(&self.stage.window);
+        } else if self.pointer.catch(&self.stage.window) {
+            self.wheel = Wheel::default();
+        }
+    }
+
+    fn draw(&mut self) -> Result<(), Failure> {
+        // Without something to draw on, the chunks that a frame brings stay where they are.
+        let Some(texture) = self.stage.next_texture()? else {
+            return Ok(());
+        };
+        if self.game.take_wants_picture() {
+            self.take_picture();
         }
         let frame = self.game.frame(self.stage.aspect());
         let input = self.stage.input.take_egui_input(&self.stage.window);
@@ -211,14 +265,36 @@ impl Open {
                 .input
                 .handle_platform_output(&self.stage.window, platform);
         }
-        self.stage.draw(frame.as_ref(), output)
+        self.stage.show(texture, frame.as_ref(), output)?;
+        self.game.shown(Instant::now());
+        Ok(())
+    }
+
+    /// Takes a picture of the open world for the menu.
+    fn take_picture(&mut self) {
+        let picture = self
+            .game
+            .frame(16.0 / 9.0)
+            .and_then(|frame| self.stage.thumbnail(&frame));
+        if let Some(picture) = picture {
+            self.game.keep_picture(picture);
+        }
     }
 
     fn handle(&mut self, event: &WindowEvent) {
         match event {
-            WindowEvent::CloseRequested => self.game.close_window(),
-            WindowEvent::Resized(size) => self.stage.resize(size.width, size.height),
-            WindowEvent::Focused(false) => self.game.focus_lost(),
+            WindowEvent::CloseRequested => {
+                if self.game.is_playing() {
+                    self.take_picture();
+                }
+                self.game.close_window();
+            }
+            WindowEvent::Resized(size) => {
+                self.minimised = size.width == 0 || size.height == 0;
+                self.stage.resize(size.width, size.height);
+            }
+            WindowEvent::Occluded(occluded) => self.occluded = *occluded,
+            WindowEvent::Focused(gained) => self.game.focus(*gained),
             WindowEvent::KeyboardInput {
                 event: key,
                 is_synthetic,
@@ -227,13 +303,36 @@ impl Open {
                 self.key(event, key, *is_synthetic);
                 return;
             }
-            _ if self.game.is_playing() => {
-                self.play(event);
+            WindowEvent::CursorMoved { position, .. } => {
+                if let Some((dx, dy)) = self.pointer.moved(&self.stage.window, *position) {
+                    self.game.motion(dx, dy);
+                }
+                if self.game.is_playing() {
+                    return;
+                }
+            }
+            WindowEvent::MouseWheel { delta, .. } => {
+                let notches = self.wheel.notches(*delta);
+                self.game.wheel(notches);
+                if self.game.is_playing() || notches == 0.0 {
+                    return;
+                }
+            }
+            WindowEvent::MouseInput { state, button, .. } if self.game.is_playing() => {
+                self.button(*button, *state == ElementState::Pressed);
                 return;
             }
             _ => {}
         }
         let _ = self.stage.input.on_window_event(&self.stage.window, event);
+    }
+
+    fn button(&mut self, button: MouseButton, pressed: bool) {
+        match button {
+            MouseButton::Left => self.game.input(Input::MouseLeft, pressed),
+            MouseButton::Right => self.game.input(Input::MouseRight, pressed),
+            _ => {}
+        }
     }
 
     /// Keys of the game are routed before the interface sees any, so that Tab cannot give a hidden widget the focus.
@@ -242,44 +341,19 @@ impl Open {
             return;
         };
         let pressed = key.state == ElementState::Pressed;
+        // The interface hears of every key that comes up: one that went down in a menu would stay down there.
+        let mut for_interface = !pressed;
         if self.game.is_playing() {
             if !(key.repeat || synthetic && pressed) {
                 self.game.input(Input::Key(code), pressed);
             }
-        } else if code == KeyCode::Escape {
-            if pressed && !key.repeat {
-                self.game.escape();
-            }
-        } else {
-            let _ = self.stage.input.on_window_event(&self.stage.window, event);
+        } else if code != KeyCode::Escape {
+            for_interface = true;
+        } else if pressed && !key.repeat {
+            self.game.escape();
         }
-    }
-
-    fn play(&mut self, event: &WindowEvent) {
-        match event {
-            WindowEvent::CursorMoved { position, .. } => {
-                if let Some((dx, dy)) = self.pointer.moved(&self.stage.window, *position) {
-                    self.game.motion(dx, dy);
-                }
-            }
-            WindowEvent::MouseInput { state, button, .. } => {
-                let input = match button {
-                    MouseButton::Left => Input::MouseLeft,
-                    MouseButton::Right => Input::MouseRight,
-                    _ => return,
-                };
-                self.game.input(input, *state == ElementState::Pressed);
-            }
-            WindowEvent::MouseWheel { delta, .. } => {
-                let notches = match delta {
-                    MouseScrollDelta::LineDelta(_, lines) => f64::from(*lines),
-                    MouseScrollDelta::PixelDelta(pixels) => pixels.y / PIXELS_PER_NOTCH,
-                };
-                self.game.wheel(notches);
-            }
-            _ => {
-                let _ = self.stage.input.on_window_event(&self.stage.window, event);
-            }
+        if for_interface {
+            let _ = self.stage.input.on_window_event(&self.stage.window, event);
         }
     }
 }

@@ -14,32 +14,64 @@ enum Hold {
     Recentred,
 }
 
+/// Where the pointer was last, and where it has been put without having arrived yet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Track {
+    last: Option<PhysicalPosition<f64>>,
+    warp: Option<PhysicalPosition<f64>>,
+}
+
+impl Track {
+    /// The pointer is at a place; how far the player moved it, in pixels. Motion from before a warp may still
+    /// arrive after it, so it is measured from the nearer of the two places the pointer can have come from.
+    fn moved(&mut self, to: PhysicalPosition<f64>) -> Option<(f64, f64)> {
+        let off = |from: PhysicalPosition<f64>| (to.x - from.x, to.y - from.y);
+        let length = |(dx, dy): (f64, f64)| dx.hypot(dy);
+        let from_last = self.last.replace(to).map(off);
+        let moved = match (from_last, self.warp.map(off)) {
+            (Some(last), Some(warp)) if length(last) < length(warp) => last,
+            (_, Some(warp)) => {
+                self.warp = None;
+                // Nothing is known of where it was before.
+                if from_last.is_none() {
+                    (0.0, 0.0)
+                } else {
+                    warp
+                }
+            }
+            (Some(last), None) => last,
+            (None, None) => return None,
+        };
+        (moved != (0.0, 0.0)).then_some(moved)
+    }
+}
+
 /// The pointer of one window.
 #[derive(Debug)]
 pub struct Pointer {
     hold: Hold,
-    expected: Option<PhysicalPosition<f64>>,
+    track: Track,
 }
 
 impl Default for Pointer {
     fn default() -> Self {
         Self {
             hold: Hold::Free,
-            expected: None,
+            track: Track::default(),
         }
     }
 }
 
 impl Pointer {
-    /// Catches the pointer.
-    pub fn catch(&mut self, window: &Window) {
+    /// Catches the pointer; whether it was free before.
+    pub fn catch(&mut self, window: &Window) -> bool {
         if self.hold != Hold::Free {
-            return;
+            return false;
         }
         window.set_cursor_visible(false);
         if window.set_cursor_grab(CursorGrabMode::Locked).is_ok() {
             self.hold = Hold::Locked;
-            return;
+            return true;
         }
         if window.set_cursor_grab(CursorGrabMode::Confined).is_err() {
             tracing::debug!(
@@ -48,6 +80,7 @@ impl Pointer {
         }
         self.hold = Hold::Recentred;
         self.recentre(window);
+        true
     }
 
     /// Lets the pointer go.
@@ -56,7 +89,7 @@ impl Pointer {
             return;
         }
         self.hold = Hold::Free;
-        self.expected = None;
+        self.track.warp = None;
         if window.set_cursor_grab(CursorGrabMode::None).is_err() {
             tracing::debug!("the pointer could not be let go");
         }
@@ -65,19 +98,18 @@ impl Pointer {
 
     /// The pointer was moved to a place in the window; how far that turns the view, in pixels.
     pub fn moved(&mut self, window: &Window, to: PhysicalPosition<f64>) -> Option<(f64, f64)> {
+        let moved = self.track.moved(to);
         if self.hold != Hold::Recentred {
             return None;
         }
-        let from = self.expected.replace(to)?;
-        let (dx, dy) = (to.x - from.x, to.y - from.y);
         let size = window.inner_size();
         let (half_x, half_y) = (f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
         let off_centre =
             (to.x - half_x).abs() > half_x / 2.0 || (to.y - half_y).abs() > half_y / 2.0;
-        if off_centre {
+        if off_centre && self.track.warp.is_none() {
             self.recentre(window);
         }
-        (dx != 0.0 || dy != 0.0).then_some((dx, dy))
+        moved
     }
 
     /// Raw motion; how far it turns the view, in pixels.
@@ -89,6 +121,45 @@ impl Pointer {
         let size = window.inner_size();
         let middle = PhysicalPosition::new(f64::from(size.width / 2), f64::from(size.height / 2));
         // The warp comes back as a motion event to exactly this place; measured from here it is no motion.
-        self.expected = window.set_cursor_position(middle).is_ok().then_some(middle);
+        self.track.warp = window.set_cursor_position(middle).is_ok().then_some(middle);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64, y: f64) -> PhysicalPosition<f64> {
+        PhysicalPosition::new(x, y)
+    }
+
+    fn turned(track: &mut Track, places: &[(f64, f64)]) -> (f64, f64) {
+        places
+            .iter()
+            .filter_map(|&(x, y)| track.moved(at(x, y)))
+            .fold((0.0, 0.0), |sum, moved| (sum.0 + moved.0, sum.1 + moved.1))
+    }
+
+    #[test]
+    fn a_warp_turns_nothing_and_what_was_queued_before_it_does_not_jump() {
+        let mut track = Track::default();
+        assert_eq!(turned(&mut track, &[(900.0, 360.0)]), (0.0, 0.0));
+        assert_eq!(turned(&mut track, &[(960.0, 360.0)]), (60.0, 0.0));
+        track.warp = Some(at(640.0, 360.0));
+        let queued = [(970.0, 362.0), (980.0, 364.0)];
+        assert_eq!(turned(&mut track, &queued), (20.0, 4.0));
+        assert_eq!(turned(&mut track, &[(640.0, 360.0)]), (0.0, 0.0));
+        assert!(track.warp.is_none());
+        assert_eq!(turned(&mut track, &[(650.0, 350.0)]), (10.0, -10.0));
+    }
+
+    #[test]
+    fn a_warp_whose_own_event_is_swallowed_is_measured_from_its_target() {
+        let mut track = Track {
+            last: Some(at(960.0, 360.0)),
+            warp: Some(at(640.0, 360.0)),
+        };
+        assert_eq!(turned(&mut track, &[(645.0, 361.0)]), (5.0, 1.0));
+        assert!(track.warp.is_none());
     }
 }

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use antipode_render::{Gpu, Options, Renderer};
+use antipode_render::{Gpu, Offscreen, Options, Renderer};
 use antipode_scene::frame::Frame;
+use image::RgbaImage;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
@@ -14,6 +15,8 @@ use crate::picture::adapter_choice;
 
 /// Share of the resolution drawn on a software adapter.
 const SOFTWARE_SCALE: f32 = 0.5;
+/// Size of the menu's pictures in pixels.
+const THUMBNAIL: (u32, u32) = (320, 180);
 
 /// Colour behind the menu when no world is open, linear light.
 const BACKDROP: wgpu::Color = wgpu::Color {
@@ -71,12 +74,7 @@ impl Stage {
                 ))
             })?;
         let formats = surface.get_capabilities(&gpu.adapter).formats;
-        // The interface is designed for blending in display values, so a format without conversion is preferred.
-        config.format = formats
-            .iter()
-            .copied()
-            .find(|f| !f.is_srgb())
-            .unwrap_or(config.format);
+        config.format = best_format(&formats, config.format);
         config.present_mode = wgpu::PresentMode::AutoVsync;
         surface.configure(&gpu.device, &config);
         let software = gpu.is_software();
@@ -138,48 +136,77 @@ impl Stage {
         self.renderer.resize(width, height);
     }
 
+    /// The texture to show next; none while nobody can see the window or its surface is being made anew.
+    ///
+    /// # Errors
+    /// When the adapter is lost.
+    pub fn next_texture(&mut self) -> Result<Option<wgpu::SurfaceTexture>, Failure> {
+        use wgpu::CurrentSurfaceTexture as Current;
+        self.check()?;
+        for _ in 0..2 {
+            match self.surface.get_current_texture() {
+                Current::Success(texture) | Current::Suboptimal(texture) => {
+                    return Ok(Some(texture));
+                }
+                Current::Outdated | Current::Lost => {
+                    self.surface.configure(&self.gpu.device, &self.config);
+                }
+                _ => break,
+            }
+        }
+        self.check()?;
+        Ok(None)
+    }
+
     /// Draws the world, if there is one, and the interface, and shows them.
     ///
     /// # Errors
     /// When the adapter is lost.
-    pub fn draw(
+    pub fn show(
         &mut self,
+        texture: wgpu::SurfaceTexture,
         frame: Option<&Frame>,
         interface: egui::FullOutput,
     ) -> Result<(), Failure> {
-        if let Some(texture) = self.next_texture() {
-            let target = texture
-                .texture
-                .create_view(&wgpu::TextureViewDescriptor::default());
-            self.paint(frame, interface, &target);
-            self.window.pre_present_notify();
-            self.gpu.queue.present(texture);
-        } else {
-            // Nothing can be shown this time, but the chunks a frame brings must not get lost.
-            let unseen = self.unseen_target();
-            self.paint(frame, interface, &unseen);
+        let target = texture
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        self.paint(frame, interface, &target);
+        self.window.pre_present_notify();
+        self.gpu.queue.present(texture);
+        self.check()
+    }
+
+    /// A small picture of the world for the menu; none where the adapter cannot make one.
+    pub fn thumbnail(&mut self, frame: &Frame) -> Option<RgbaImage> {
+        if !is_plain(self.config.format) && !self.config.format.is_srgb() {
+            return None;
         }
-        match self.gpu.lost() {
-            Some(why) => Err(Failure::Runtime(format!(
-                "The graphics adapter was lost: {why}"
-            ))),
-            None => Ok(()),
+        let (width, height) = THUMBNAIL;
+        let offscreen = Offscreen::new(&self.gpu, width, height, self.config.format);
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.renderer.resize(width, height);
+        self.renderer.draw(frame, &mut encoder, offscreen.view());
+        self.gpu.queue.submit([encoder.finish()]);
+        self.renderer.resize(self.config.width, self.config.height);
+        match offscreen.read(&self.gpu) {
+            Ok(picture) => Some(picture),
+            Err(error) => {
+                tracing::info!("no picture for the menu: {error}");
+                None
+            }
         }
     }
 
-    /// The texture to show next; none while the window is hidden or its surface is being made anew.
-    fn next_texture(&mut self) -> Option<wgpu::SurfaceTexture> {
-        use wgpu::CurrentSurfaceTexture as Current;
-        match self.surface.get_current_texture() {
-            Current::Success(texture) | Current::Suboptimal(texture) => return Some(texture),
-            Current::Outdated | Current::Lost => {
-                self.surface.configure(&self.gpu.device, &self.config);
-            }
-            _ => return None,
-        }
-        match self.surface.get_current_texture() {
-            Current::Success(texture) | Current::Suboptimal(texture) => Some(texture),
-            _ => None,
+    fn check(&self) -> Result<(), Failure> {
+        match self.gpu.lost() {
+            Some(why) => Err(Failure::Runtime(format!(
+                "The graphics adapter was lost: {why}. Start the game again; your world is saved."
+            ))),
+            None => Ok(()),
         }
     }
 
@@ -204,24 +231,23 @@ impl Stage {
             .paint(&self.gpu, &mut encoder, target, size, interface);
         self.gpu.queue.submit([encoder.finish()]);
     }
+}
 
-    fn unseen_target(&self) -> wgpu::TextureView {
-        let unseen = self.gpu.device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("unseen"),
-            size: wgpu::Extent3d {
-                width: self.config.width,
-                height: self.config.height,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: self.config.format,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-            view_formats: &[],
-        });
-        unseen.create_view(&wgpu::TextureViewDescriptor::default())
-    }
+/// A format of four bytes without conversion: the interface is designed for blending in display values.
+fn is_plain(format: wgpu::TextureFormat) -> bool {
+    use wgpu::TextureFormat::{Bgra8Unorm, Rgba8Unorm};
+    matches!(format, Bgra8Unorm | Rgba8Unorm)
+}
+
+/// The plain format if the surface has one; wide ones such as `Rgba16Float` are read as linear light by the system.
+fn best_format(
+    formats: &[wgpu::TextureFormat],
+    otherwise: wgpu::TextureFormat,
+) -> wgpu::TextureFormat {
+    let mut formats = formats.iter().copied();
+    formats
+        .find(|&format| is_plain(format))
+        .unwrap_or(otherwise)
 }
 
 fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
@@ -238,4 +264,25 @@ fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
         })],
         ..Default::default()
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use wgpu::TextureFormat as Format;
+
+    use super::*;
+
+    #[test]
+    fn plain_formats_go_before_wide_and_converting_ones() {
+        let wide = [
+            Format::Rgba16Float,
+            Format::Bgra8UnormSrgb,
+            Format::Bgra8Unorm,
+        ];
+        assert_eq!(best_format(&wide, wide[0]), Format::Bgra8Unorm);
+        assert_eq!(
+            best_format(&wide[..2], Format::Bgra8UnormSrgb),
+            Format::Bgra8UnormSrgb
+        );
+    }
 }

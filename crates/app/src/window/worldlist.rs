@@ -1,5 +1,7 @@
 //! The menu's list of worlds, read in the background so that the menu never waits for the disk.
 
+use std::collections::VecDeque;
+
 use antipode_storage::{SavesDir, WorldSummary};
 use antipode_ui::WorldRow;
 
@@ -7,14 +9,19 @@ use super::background::{Progress, Task};
 use crate::failure::Failure;
 use crate::session::Worlds;
 
+/// What a piece of work on the saves came to: what went wrong with it, and the list afterwards.
+type Reading = (Option<String>, Result<Vec<WorldSummary>, Failure>);
+
 /// The worlds as last read.
 #[derive(Debug)]
 pub struct WorldList {
     worlds: Worlds,
     known: Vec<WorldSummary>,
-    reading: Option<Task<Result<Vec<WorldSummary>, Failure>>>,
+    reading: Option<Task<Reading>>,
     again: bool,
-    problem: Option<String>,
+    /// Worlds still to be deleted; they are not shown any more.
+    doomed: VecDeque<String>,
+    problems: VecDeque<String>,
 }
 
 impl WorldList {
@@ -25,41 +32,37 @@ impl WorldList {
             known: Vec::new(),
             reading: None,
             again: false,
-            problem: None,
+            doomed: VecDeque::new(),
+            problems: VecDeque::new(),
         }
     }
 
     /// Asks for the list to be read anew.
     pub fn refresh(&mut self) {
-        let worlds = self.worlds.clone();
-        self.start(move || worlds.list());
+        self.again = true;
+        self.go_on();
     }
 
-    /// Deletes a world and reads the list anew.
+    /// Deletes a world and reads the list anew. A world that cannot be deleted comes back with it.
     pub fn delete(&mut self, slug: String) {
         self.known.retain(|world| world.slug != slug);
-        let worlds = self.worlds.clone();
-        // A reading under way may still hold the deleted world; what it brings is replaced by the next.
-        self.reading = None;
-        self.start(move || {
-            worlds.saves().delete(&slug)?;
-            worlds.list()
-        });
+        self.doomed.push_back(slug);
+        self.go_on();
     }
 
-    fn start(
-        &mut self,
-        work: impl FnOnce() -> Result<Vec<WorldSummary>, Failure> + Send + 'static,
-    ) {
+    /// Starts what is waiting, one piece of work at a time.
+    fn go_on(&mut self) {
         if self.reading.is_some() {
-            self.again = true;
             return;
         }
-        match Task::start("list", work) {
-            Ok(task) => self.reading = Some(task),
-            Err(error) => {
-                self.problem = Some(format!("The list of worlds could not be read: {error}"));
-            }
+        let worlds = self.worlds.clone();
+        if let Some(slug) = self.doomed.pop_front() {
+            self.reading = Some(Task::start("delete", move || {
+                let problem = worlds.saves().delete(&slug).err();
+                (problem.map(|error| error.to_string()), worlds.list())
+            }));
+        } else if std::mem::take(&mut self.again) {
+            self.reading = Some(Task::start("list", move || (None, worlds.list())));
         }
     }
 
@@ -68,25 +71,27 @@ impl WorldList {
         let Some(task) = &self.reading else { return };
         match task.poll() {
             Progress::Running => return,
-            Progress::Done(Ok(worlds)) => {
-                self.known = worlds;
-                self.problem = None;
+            Progress::Done((problem, list)) => {
+                self.problems.extend(problem);
+                match list {
+                    Ok(mut worlds) => {
+                        worlds.retain(|world| !self.doomed.contains(&world.slug));
+                        self.known = worlds;
+                    }
+                    Err(failure) => self.problems.push_back(failure.to_string()),
+                }
             }
-            Progress::Done(Err(failure)) => self.problem = Some(failure.to_string()),
-            Progress::Died => {
-                self.problem =
-                    Some("The list of worlds could not be read; the log has the rest.".to_owned());
-            }
+            Progress::Died => self.problems.push_back(
+                "The list of worlds could not be read; the log has the rest.".to_owned(),
+            ),
         }
         self.reading = None;
-        if std::mem::take(&mut self.again) {
-            self.refresh();
-        }
+        self.go_on();
     }
 
-    /// Why the list could not be read or a world not be deleted; told once.
+    /// Why the list could not be read or a world not be deleted; each is told once.
     pub fn take_problem(&mut self) -> Option<String> {
-        self.problem.take()
+        self.problems.pop_front()
     }
 
     /// The rows the menu shows; `running` is the slug of the open world.
@@ -156,7 +161,71 @@ fn date(unix_s: u64) -> String {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+    use antipode_geometry::Geometry;
+    use clap::Parser;
+
     use super::*;
+    use crate::cli::Cli;
+    use crate::session::NewWorld;
+
+    /// A directory with the worlds a, b and c, and the list of them.
+    fn three() -> (tempfile::TempDir, WorldList) {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().to_str().unwrap();
+        let cli =
+            Cli::try_parse_from(["antipode", "--saves-dir", path, "--view-distance", "1"]).unwrap();
+        let worlds = Worlds::new(&cli.common);
+        for name in ["a", "b", "c"] {
+            let made = worlds.create(&NewWorld {
+                geometry: Geometry::Euclidean,
+                name: Some(name.to_owned()),
+                seed: Some(1),
+                radius_m: None,
+            });
+            made.unwrap().close().unwrap();
+        }
+        let mut list = WorldList::new(worlds);
+        list.refresh();
+        finish(&mut list);
+        (dir, list)
+    }
+
+    fn finish(list: &mut WorldList) {
+        while list.reading.is_some() {
+            list.poll();
+            std::thread::yield_now();
+        }
+    }
+
+    fn names(list: &WorldList) -> Vec<String> {
+        let mut names: Vec<_> = list.rows(None).into_iter().map(|row| row.name).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_world_that_cannot_be_deleted_comes_back_with_the_reason() {
+        let (_dir, mut list) = three();
+        let held = list.worlds.load("b").unwrap();
+        list.delete("b".to_owned());
+        list.delete("nowhere".to_owned());
+        list.delete("c".to_owned());
+        assert_eq!(names(&list), ["a"]);
+        finish(&mut list);
+        assert_eq!(names(&list), ["a", "b"]);
+        assert!(
+            list.take_problem()
+                .is_some_and(|said| said.contains("in use"))
+        );
+        assert!(
+            list.take_problem()
+                .is_some_and(|said| said.contains("nowhere"))
+        );
+        assert_eq!(list.take_problem(), None);
+        held.close().unwrap();
+    }
 
     #[test]
     fn dates_are_right_over_leap_days_and_centuries() {

@@ -1,0 +1,190 @@
+//! How the game gets into worlds and out of them again, without losing one on the way.
+
+use antipode_ui::Screen;
+
+use super::background::{Progress, Task};
+use super::game::{CHUNK_BUDGET, Game};
+use super::phase::{Next, Phase, Request};
+use crate::failure::Failure;
+use crate::session::{Session, Unclosed};
+
+impl Game {
+    /// The player closes the window: what is open is committed first.
+    pub fn close_window(&mut self) {
+        match std::mem::replace(&mut self.phase, Phase::Over) {
+            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
+                self.close(session, Next::Quit);
+            }
+            Phase::Closing(task, _) => self.phase = Phase::Closing(task, Next::Quit),
+            Phase::Opening(task) => {
+                // A world being opened is closed again as soon as it is there; nothing of it is lost.
+                self.worlds_opened += 1;
+                let closing = Task::start("close", move || match task.finish() {
+                    Some(Ok(session)) => session.close(),
+                    _ => Ok(()),
+                });
+                self.phase = Phase::Closing(closing, Next::Quit);
+            }
+            Phase::Menu | Phase::Over => {}
+        }
+    }
+
+    /// Nothing can be shown any more: saves what is open and ends without asking.
+    pub fn end_unseen(&mut self) {
+        self.unseen = true;
+        self.close_window();
+    }
+
+    /// Ends at once, but not before what is open is on disk.
+    pub fn finish(&mut self) {
+        self.end_unseen();
+        if let Phase::Closing(task, _) = std::mem::replace(&mut self.phase, Phase::Over) {
+            match task.finish() {
+                Some(Ok(())) => {}
+                Some(Err(unclosed)) => self.last_words = Some(unclosed.error.to_string()),
+                None => self.last_words = Some(CLOSE_DIED.to_owned()),
+            }
+        }
+    }
+
+    /// Closes what is open, then goes on.
+    pub(super) fn leave(&mut self, next: Next) {
+        match std::mem::replace(&mut self.phase, Phase::Menu) {
+            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
+                self.close(session, next);
+            }
+            Phase::Menu => self.go_on(next),
+            other => self.phase = other,
+        }
+    }
+
+    /// Leaves a world that cannot be saved, without what is not saved.
+    pub(super) fn abandon(&mut self) {
+        let next = self.held_up.take().unwrap_or(Next::Menu);
+        match std::mem::replace(&mut self.phase, Phase::Menu) {
+            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
+                self.busy("Leaving", None, "");
+                let task = Task::start("leave", move || {
+                    drop(session);
+                    Ok(())
+                });
+                self.phase = Phase::Closing(task, next);
+            }
+            other => self.phase = other,
+        }
+    }
+
+    fn close(&mut self, session: Session, next: Next) {
+        self.controls.release_all();
+        self.saving = false;
+        self.held_up = None;
+        self.busy("Saving", None, "Your world is written to disk.");
+        self.phase = Phase::Closing(Task::start("close", move || session.close()), next);
+    }
+
+    fn go_on(&mut self, next: Next) {
+        match next {
+            Next::Menu => {
+                self.phase = Phase::Menu;
+                self.list.refresh();
+                self.shell.open(Screen::Main);
+            }
+            Next::Open(request) => self.open(request),
+            Next::Quit => self.phase = Phase::Over,
+        }
+    }
+
+    pub(super) fn open(&mut self, request: Request) {
+        let worlds = self.worlds.clone();
+        self.busy("Opening", None, "The world is read from disk.");
+        let work = move || match request {
+            Request::New(wanted) => worlds.create(&wanted),
+            Request::Load(name) => worlds.load(&name),
+        };
+        self.phase = Phase::Opening(Task::start("open", work));
+    }
+
+    pub(super) fn opening(&mut self, task: Task<Result<Session, Failure>>) -> Phase {
+        let why = match task.poll() {
+            Progress::Running => return Phase::Opening(task),
+            Progress::Done(Ok(session)) => {
+                self.worlds_opened += 1;
+                return self.loading(session);
+            }
+            Progress::Done(Err(failure)) => failure.to_string(),
+            Progress::Died => {
+                "Something failed while it was read; the log has the rest.".to_owned()
+            }
+        };
+        self.fail("The world could not be opened", &why);
+        Phase::Menu
+    }
+
+    pub(super) fn loading(&mut self, mut session: Session) -> Phase {
+        session.scene.pump(CHUNK_BUDGET * 4);
+        self.tell(&mut session);
+        let progress = session.scene.loading_progress();
+        if progress < 1.0 {
+            let name = session.scene.setup().name.clone();
+            self.busy("Making the land", Some(progress), &name);
+            return Phase::Loading(session);
+        }
+        self.owed_s = 0.0;
+        self.since_save_s = 0.0;
+        if !self.focused {
+            // Somebody who is busy elsewhere should not have the pointer taken away.
+            self.shell.open(Screen::Main);
+            return Phase::Paused(session);
+        }
+        self.shell.open(Screen::Hidden);
+        Phase::Playing(session)
+    }
+
+    pub(super) fn closing(&mut self, task: Task<Result<(), Unclosed>>, next: Next) -> Phase {
+        match task.poll() {
+            Progress::Running => return Phase::Closing(task, next),
+            Progress::Done(Ok(())) => self.go_on(next),
+            Progress::Done(Err(unclosed)) => return self.not_closed(unclosed, next),
+            Progress::Died if self.unseen => self.last_words = Some(CLOSE_DIED.to_owned()),
+            Progress::Died => {
+                self.fail("The world could not be saved", CLOSE_DIED);
+                return Phase::Menu;
+            }
+        }
+        std::mem::replace(&mut self.phase, Phase::Over)
+    }
+
+    /// The world stays open, and the player is asked what to do.
+    fn not_closed(&mut self, unclosed: Unclosed, next: Next) -> Phase {
+        let why = unclosed.error.to_string();
+        tracing::error!("{why}");
+        if self.unseen {
+            self.last_words = Some(why);
+            return Phase::Over;
+        }
+        self.held_up = Some(next);
+        self.since_save_s = 0.0;
+        self.shell.open(Screen::Unsaved { text: why });
+        Phase::Paused(*unclosed.session)
+    }
+
+    fn busy(&mut self, title: &str, progress: Option<f32>, detail: &str) {
+        self.shell.open(Screen::Busy {
+            title: title.to_owned(),
+            progress,
+            detail: detail.to_owned(),
+        });
+    }
+
+    fn fail(&mut self, title: &str, text: &str) {
+        tracing::error!("{title}: {text}");
+        self.list.refresh();
+        self.shell.open(Screen::Message {
+            title: title.to_owned(),
+            text: text.to_owned(),
+        });
+    }
+}
+
+/// What is said when the thread that saves has ended without a word.
+const CLOSE_DIED: &str = "Something failed while the world was written; the log has the rest.";

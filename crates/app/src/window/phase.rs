@@ -1,0 +1,66 @@
+//! What the game is doing at a moment, and what it goes on to.
+
+use super::background::Task;
+use crate::failure::Failure;
+use crate::session::{NewWorld, Session, Unclosed};
+
+/// A world to open.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// Make a new one.
+    New(NewWorld),
+    /// Open a saved one, by name or slug.
+    Load(String),
+}
+
+/// What follows when a world has been closed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Next {
+    /// The main menu.
+    Menu,
+    /// Another world.
+    Open(Request),
+    /// The end.
+    Quit,
+}
+
+/// What the game is doing.
+#[derive(Debug)]
+pub enum Phase {
+    /// Showing the main menu; no world is open.
+    Menu,
+    /// Reading or making a world.
+    Opening(Task<Result<Session, Failure>>),
+    /// Waiting for the land around the player.
+    Loading(Session),
+    /// Playing.
+    Playing(Session),
+    /// Showing the pause menu over a world.
+    Paused(Session),
+    /// Saving a world that is being left.
+    Closing(Task<Result<(), Unclosed>>, Next),
+    /// Ended.
+    Over,
+}
+
+impl Phase {
+    /// The open world, if there is one on this thread.
+    pub fn session(&self) -> Option<&Session> {
+        match self {
+            Self::Loading(session) | Self::Playing(session) | Self::Paused(session) => {
+                Some(session)
+            }
+            _ => None,
+        }
+    }
+
+    /// The open world, to change it.
+    pub fn session_mut(&mut self) -> Option<&mut Session> {
+        match self {
+            Self::Loading(session) | Self::Playing(session) | Self::Paused(session) => {
+                Some(session)
+            }
+            _ => None,
+        }
+    }
+}
