@@ -97,7 +97,7 @@ impl Shown {
                     self.chunks.remove(&coord);
                 }
                 Update::Saved => {}
-                Update::Problem(sentence) => panic!("{sentence}"),
+                Update::Problem(sentence) | Update::SaveFailed(sentence) => panic!("{sentence}"),
             }
         }
         batches

@@ -1,14 +1,19 @@
 //! From the scene to what the heads-up display shows.
 
-use antipode_geometry::Hemisphere;
+use antipode_geometry::{ChartPoint, Eye, Hemisphere};
 use antipode_scene::{CameraMode, Item, Scene};
 use antipode_ui::{CurvatureView, HudModel, SlotIcon, SlotView};
+use glam::DVec3;
 
 /// What the display shows of a scene.
 pub fn model(scene: &Scene, fps: f32, notice: Option<String>) -> HudModel {
     let feet = scene.feet();
-    let eye = scene.head();
-    let curved = scene.strategy().curved(&eye, feet);
+    // Told from the world's origin: from the eye, which never moves in its own space, it would say nothing.
+    let origin = Eye {
+        point: ChartPoint::a(DVec3::ZERO),
+        ..scene.head()
+    };
+    let curved = scene.strategy().curved(&origin, feet);
     let dial = scene.dial();
     HudModel {
         fps,

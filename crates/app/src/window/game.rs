@@ -41,7 +41,8 @@ pub struct Game {
     pub(super) since_save_s: f64,
     /// Where the player was going when the world could not be saved.
     pub(super) held_up: Option<Next>,
-    pub(super) focused: bool,
+    /// Whether the window has the keyboard; nothing is known before it has had it for the first time.
+    focused: Option<bool>,
     /// Nothing can be shown any more, so nothing can be asked either.
     pub(super) unseen: bool,
     pub(super) last_words: Option<String>,
@@ -77,7 +78,7 @@ impl Game {
             saving: false,
             since_save_s: 0.0,
             held_up: None,
-            focused: true,
+            focused: None,
             unseen: false,
             last_words: None,
             wants_picture: false,
@@ -142,10 +143,18 @@ impl Game {
 
     /// The window has got the keyboard, or lost it.
     pub fn focus(&mut self, gained: bool) {
-        self.focused = gained;
+        // Without a window manager nobody gives a window the keyboard, and it is told so at the start.
+        if gained || self.focused.is_some() {
+            self.focused = Some(gained);
+        }
         if !gained {
             self.pause();
         }
+    }
+
+    /// Whether the player has turned to another window.
+    pub(super) fn is_player_elsewhere(&self) -> bool {
+        self.focused == Some(false)
     }
 
     /// Lets time pass: simulated steps while playing, finished background work in every phase.

@@ -1,6 +1,6 @@
 //! How the game gets into worlds and out of them again, without losing one on the way.
 
-use antipode_ui::Screen;
+use antipode_ui::{Screen, ToastKind};
 
 use super::background::{Progress, Task};
 use super::game::{CHUNK_BUDGET, Game};
@@ -131,7 +131,7 @@ impl Game {
         }
         self.owed_s = 0.0;
         self.since_save_s = 0.0;
-        if !self.focused {
+        if self.is_player_elsewhere() {
             // Somebody who is busy elsewhere should not have the pointer taken away.
             self.shell.open(Screen::Main);
             return Phase::Paused(session);
@@ -165,7 +165,15 @@ impl Game {
         self.held_up = Some(next);
         self.since_save_s = 0.0;
         self.shell.open(Screen::Unsaved { text: why });
-        Phase::Paused(*unclosed.session)
+        let mut session = *unclosed.session;
+        // The question says already what these would say of the save.
+        let told = session.scene.save_problem();
+        for notice in session.scene.take_notices() {
+            if told.as_ref() != Some(&notice) {
+                self.shell.toast(notice, ToastKind::Problem);
+            }
+        }
+        Phase::Paused(session)
     }
 
     fn busy(&mut self, title: &str, progress: Option<f32>, detail: &str) {

@@ -133,6 +133,7 @@ fn a_world_that_is_still_being_opened_is_closed_before_the_end() {
 fn a_world_that_loads_while_the_player_is_elsewhere_waits_in_the_menu() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = begun(&dir);
+    game.focus(true);
     game.focus(false);
     tick_until(&mut game, is_paused);
     assert_eq!(game.shell.screen(), &Screen::Main);
@@ -140,6 +141,15 @@ fn a_world_that_loads_while_the_player_is_elsewhere_waits_in_the_menu() {
     assert!(is_paused(&game));
     game.follow(Intent::Resume);
     assert!(game.is_playing());
+    game.finish();
+}
+
+#[test]
+fn a_window_that_never_had_the_keyboard_begins_to_play_all_the_same() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = begun(&dir);
+    game.focus(false);
+    tick_until(&mut game, Game::is_playing);
     game.finish();
 }
 

@@ -118,6 +118,15 @@ fn crosshair(painter: &Painter, centre: Pos2) {
     painter.circle_filled(centre, 1.2, TEXT);
 }
 
+/// A model coordinate; those of hyperbolic space grow with the exponential of the way walked.
+fn coordinate(value: f64) -> String {
+    if value.abs() < 1e5 {
+        format!("{value:.3}")
+    } else {
+        format!("{value:.2e}")
+    }
+}
+
 /// Top left: where the player is, in both kinds of coordinates.
 fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
     let [x, y, z] = model.chart;
@@ -125,8 +134,8 @@ fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
     let curved = if model.curved_is_flat {
         "flat space: the same".to_owned()
     } else {
-        let [x, y, z, w] = model.curved;
-        format!("({x:.3}, {y:.3}, {z:.3}, {w:.3})")
+        let [x, y, z, w] = model.curved.map(coordinate);
+        format!("({x}, {y}, {z}, {w})")
     };
     let text = format!("{:<7}{chart}\n{:<7}{curved}", "chart", "curved");
     plate(
@@ -204,5 +213,18 @@ fn notices(painter: &Painter, screen: Rect, top: f32, model: &HudModel) {
             FontId::proportional(16.0),
             TEXT,
         );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::coordinate;
+
+    #[test]
+    fn a_coordinate_stays_short_however_far_one_has_walked() {
+        assert_eq!(coordinate(-0.4304), "-0.430");
+        for far in [1e5, -3.2e43, 1e300, f64::INFINITY] {
+            assert!(coordinate(far).len() <= 9, "{}", coordinate(far));
+        }
     }
 }
