@@ -25,6 +25,7 @@ pub(crate) struct Mover<'a> {
 }
 
 impl<'a> Mover<'a> {
+    /// A mover of a capsule of the tuning's size through a patch of ground.
     pub fn new(patch: Patch, tuning: &'a CharacterTuning) -> Self {
         let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
         Self {

@@ -23,6 +23,7 @@ pub(crate) struct Capsule {
 }
 
 impl Capsule {
+    /// A capsule; one lower than it is wide becomes a ball.
     pub fn new(height_m: f64, radius_m: f64) -> Self {
         let radius_m = radius_m.max(0.01);
         Self {
