@@ -11,24 +11,23 @@ const WHEEL_BUTTONS: std::ops::RangeInclusive<u32> = 4..=7;
 /// The wheel of one window.
 #[derive(Debug, Default)]
 pub struct Wheel {
-    releases: u32,
+    /// Whether the next line comes from a button's release and repeats the one of its press.
+    repeats: bool,
 }
 
 impl Wheel {
-    /// A raw button event of any device; it comes before the wheel's line that it causes.
+    /// A raw button event of any device; it comes before the wheel's line that it causes. The system may tell
+    /// it twice, for the device and for the pointer it moves, so it is the last one that counts.
     pub fn raw_button(&mut self, button: u32, state: ElementState) {
-        if WHEEL_BUTTONS.contains(&button) && state == ElementState::Released {
-            self.releases += 1;
+        if WHEEL_BUTTONS.contains(&button) {
+            self.repeats = state == ElementState::Released;
         }
     }
 
     /// The notches a wheel event means, away from the player positive.
     pub fn notches(&mut self, delta: MouseScrollDelta) -> f64 {
         match delta {
-            MouseScrollDelta::LineDelta(..) if self.releases > 0 => {
-                self.releases -= 1;
-                0.0
-            }
+            MouseScrollDelta::LineDelta(..) if std::mem::take(&mut self.repeats) => 0.0,
             MouseScrollDelta::LineDelta(_, lines) => f64::from(lines),
             MouseScrollDelta::PixelDelta(pixels) => pixels.y / PIXELS_PER_NOTCH,
         }
@@ -50,6 +49,20 @@ mod tests {
             turned += wheel.notches(UP);
             wheel.raw_button(4, ElementState::Released);
             turned += wheel.notches(UP);
+        }
+        assert_eq!(turned, 3.0);
+    }
+
+    #[test]
+    fn a_button_told_for_two_devices_still_counts_once_a_click() {
+        let mut wheel = Wheel::default();
+        let mut turned = 0.0;
+        for _ in 0..3 {
+            for state in [ElementState::Pressed, ElementState::Released] {
+                wheel.raw_button(5, state);
+                wheel.raw_button(5, state);
+                turned += wheel.notches(UP);
+            }
         }
         assert_eq!(turned, 3.0);
     }
