@@ -15,9 +15,9 @@ use crate::saver::{self, Parts};
 use crate::shared::Shared;
 use crate::worker::{Desk, EditJob};
 
-/// Loads handed to each worker at a time: enough to keep it busy for a frame, few enough that the
-/// order can still change.
-const LOADS_PER_WORKER: usize = 4;
+/// Loads handed to each worker at a time: enough to keep it busy for a frame, a slow one of a software
+/// adapter too, few enough that the order can still change.
+const LOADS_PER_WORKER: usize = 10;
 
 /// How long a stopped crew may take before it is left alone; a job takes some ten milliseconds and
 /// a commit is the disk's business.

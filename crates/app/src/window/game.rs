@@ -184,6 +184,10 @@ impl Game {
 
     /// The picture to draw, if a world is open.
     pub fn frame(&mut self, aspect: f64) -> Option<Frame> {
+        // Behind the loading screen nothing is seen; what drawing would cost goes into making the land.
+        if matches!(self.phase, Phase::Loading(_)) {
+            return None;
+        }
         let id = self.worlds_opened;
         let session = self.phase.session_mut()?;
         Some(session.scene.frame(FOV_Y_RAD, aspect, id))
