@@ -6,7 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
-use antipode_tests::program::{comparable, field, number, run};
+use antipode_tests::program::{comparable, field, game, number, run};
 
 const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
 
@@ -249,4 +249,28 @@ fn curvature_glides_to_where_the_wheel_sets_it_and_slots_follow_elsewhere() {
     );
     assert_eq!(run.probe(2)["curvature"], serde_json::Value::Null);
     assert_eq!(run.probe(2)["item"], "pickaxe-iron");
+}
+
+#[test]
+fn a_repair_that_lost_the_land_says_so() {
+    let saves = tempfile::tempdir().unwrap();
+    let made = run(
+        saves.path(),
+        "new euclidean seed=1 name=Lost\naim 0 -60\nhold LEFT 0.5\nsave",
+    );
+    assert_eq!(made.status, Some(0), "{}", made.stderr);
+    std::fs::remove_file(saves.path().join("lost").join("world.redb")).unwrap();
+    let repaired = game(saves.path())
+        .args(["saves", "repair", "Lost"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(repaired.stdout).unwrap();
+    assert!(
+        repaired.status.success() && !said.contains("sound"),
+        "{said}"
+    );
+    assert!(
+        said.lines().count() >= 2,
+        "what was lost is not told: {said}"
+    );
 }

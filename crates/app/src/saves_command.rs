@@ -60,12 +60,12 @@ fn verified(name: &str, report: &VerifyReport) -> Result<(), Failure> {
 }
 
 fn repaired(report: &RepairReport) -> Result<(), Failure> {
-    let Some(kept) = &report.kept else {
+    if report.kept.is_none() && report.losses.is_empty() {
         return line(&format!(
             "\"{}\" is sound; nothing was changed",
             report.world
         ));
-    };
+    }
     line(&format!(
         "\"{}\": {} changed chunks rescued",
         report.world, report.chunks
@@ -73,6 +73,9 @@ fn repaired(report: &RepairReport) -> Result<(), Failure> {
     for loss in &report.losses {
         line(&format!("  {loss}"))?;
     }
+    let Some(kept) = &report.kept else {
+        return Ok(());
+    };
     line(&format!("The damaged file is kept as {}", kept.display()))
 }
 

@@ -236,10 +236,11 @@ impl Runner {
         }
     }
 
+    /// What the scene has to tell, a damaged place in a save among it, is told at the level that scripts show.
     fn tell_notices(&mut self) {
         if let Ok(scene) = self.scene() {
             for notice in scene.take_notices() {
-                tracing::warn!("{notice}");
+                tracing::error!("{notice}");
             }
         }
     }
