@@ -13,15 +13,19 @@ struct Space {
     view: mat4x4<f32>,
     // Focal factors sx and sy, near distance in metres, radius in metres (0 where flat).
     project: vec4<f32>,
-    // Curvature k per metre, offset h in radii, sinh h, cosh h.
+    // Raised and sphere: curvature k per metre, offset h in radii, sinh h, cosh h. Horizon: kappa
+    // per square metre (negative where hyperbolic), height H of the eye in metres, S(H), C(H).
     curve: vec4<f32>,
-    // x: GEO_FLAT, GEO_RAISED or GEO_SPHERE.
+    // Horizon: farthest level distance and greatest height shown, in metres; k per metre.
+    edge: vec4<f32>,
+    // x: GEO_FLAT, GEO_RAISED, GEO_SPHERE or GEO_HORIZON.
     kind: vec4<u32>,
 }
 
 const GEO_FLAT: u32 = 0u;
 const GEO_RAISED: u32 = 1u;
 const GEO_SPHERE: u32 = 2u;
+const GEO_HORIZON: u32 = 3u;
 
 const GEO_PI: f32 = 3.14159265;
 const GEO_LOG2_E: f32 = 1.44269504;
@@ -30,6 +34,8 @@ const GEO_LN2_HIGH: f32 = 0.693359375;
 const GEO_LN2_LOW: f32 = -2.12194440e-4;
 // Hyperboloid coordinates stay in range of f32 up to here, in radii.
 const GEO_FAR: f32 = 79.0;
+// On the horizon map two hyperboloid coordinates are multiplied.
+const GEO_FAR_LEVEL: f32 = 38.0;
 
 // sin(t)/t for t^2 = s, t up to pi/2: Taylor, next term 2e-12.
 fn geo_sinc_quarter(s: f32) -> f32 {
@@ -80,6 +86,15 @@ fn geo_sinhc_cosh(t: f32) -> vec2<f32> {
     let e = 0.5 * geo_exp(a);
     let r = 0.25 / e;
     return vec2<f32>((e - r) / a, e + r);
+}
+
+// The sine over its argument and the cosine of any curvature: `s` is kappa t^2, within pi^2 where
+// positive.
+fn geo_sine_cosine(s: f32) -> vec2<f32> {
+    if s > 0.0 {
+        return geo_sinc_cos(s);
+    }
+    return geo_sinhc_cosh(sqrt(-s));
 }
 
 // (sinc(t) - 1)/t^2 for t^2 = s up to 4, `flip` -1 for sin and 1 for sinh: Taylor.
@@ -191,6 +206,41 @@ fn geo_port_sphere(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
     );
 }
 
+// A point from the eye, drawn in where products of its coordinates would leave the range of f32.
+fn geo_within_horizon(space: Space, p: vec3<f32>) -> vec3<f32> {
+    let bounded = clamp(p, vec3<f32>(-1.0e18), vec3<f32>(1.0e18));
+    let far = length(bounded) * space.edge.z;
+    if space.curve.x < 0.0 && far > GEO_FAR_LEVEL {
+        return bounded * (GEO_FAR_LEVEL / far);
+    }
+    return bounded;
+}
+
+// Horizon map, ported and boosted in closed form; p in metres from the eye. With q = S(r/2)^2:
+// Y' = S(u.y) + 2 kappa S(H) C(y) q, W' = C(u.y) - 2 kappa C(H) C(y) q.
+fn geo_port_horizon(space: Space, p: vec3<f32>) -> vec4<f32> {
+    let kappa = space.curve.x;
+    let u = geo_within_horizon(space, p);
+    let y = u.y + space.curve.y;
+    let r_square = u.x * u.x + u.z * u.z;
+    let half = geo_sine_cosine(0.25 * kappa * r_square);
+    let rise = geo_sine_cosine(kappa * u.y * u.y);
+    let upright = geo_sine_cosine(kappa * y * y).y;
+    let sag = 0.5 * upright * (half.x * half.x) * (kappa * r_square);
+    let across = upright * (half.x * half.y);
+    return vec4<f32>(
+        across * u.x,
+        rise.x * u.y + space.curve.z * sag,
+        across * u.z,
+        rise.y - space.curve.w * sag,
+    );
+}
+
+// Metres by which a point lies beyond what its map shows; far below zero where all is shown.
+fn geo_beyond_edge(space: Space, p: vec3<f32>) -> f32 {
+    return max(length(p.xz) - space.edge.x, abs(p.y + space.curve.y) - space.edge.y);
+}
+
 // A chart point in view coordinates. p is in metres relative to the space's reference: the eye,
 // or the hemisphere's pole on the sphere.
 fn port_to_view(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
@@ -199,6 +249,8 @@ fn port_to_view(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
         x = geo_port_raised(space, p);
     } else if space.kind.x == GEO_SPHERE {
         x = geo_port_sphere(space, p, hemisphere);
+    } else if space.kind.x == GEO_HORIZON {
+        x = geo_port_horizon(space, p);
     }
     return space.view * x;
 }
@@ -230,6 +282,23 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
             n.z + bend * u.z,
         ));
     }
+    if space.kind.x == GEO_HORIZON {
+        let u = geo_within_horizon(space, p);
+        let s = space.curve.x * (u.x * u.x + u.z * u.z);
+        let y = u.y + space.curve.y;
+        let level = geo_sine_cosine(s).x;
+        let upright = geo_sine_cosine(space.curve.x * y * y).y;
+        let series = geo_sinc_bend(abs(s), -sign(s));
+        // Divided by the greater of S(r)/r and 1, so that nothing overflows.
+        let shrink = 1.0 / max(level, 1.0);
+        let bend = select((level - 1.0) / max(abs(s), 1.0), series, abs(s) < 1.0)
+            * abs(space.curve.x) * (n.x * u.x + n.z * u.z);
+        return normalize(vec3<f32>(
+            (n.x + bend * u.x) * shrink,
+            n.y * upright * (level * shrink),
+            (n.z + bend * u.z) * shrink,
+        ));
+    }
     return normalize(n);
 }
 
@@ -242,6 +311,10 @@ fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
         depth = near / (v.w + space.curve.x * geo_length(v.xyz));
     } else if space.kind.x == GEO_SPHERE {
         depth = 0.5 * (near * v.w - v.z);
+    } else if space.kind.x == GEO_HORIZON && space.curve.x < 0.0 {
+        depth = near / (v.w + space.edge.z * geo_length(v.xyz));
+    } else if space.kind.x == GEO_HORIZON && space.curve.x > 0.0 {
+        depth = 0.5 * near * (1.0 + v.w);
     }
     return vec4<f32>(space.project.x * v.x, space.project.y * v.y, depth, -v.z);
 }
@@ -254,6 +327,12 @@ fn eye_distance(space: Space, v: vec4<f32>) -> f32 {
     }
     if space.kind.x == GEO_SPHERE {
         return space.project.w * geo_angle(rho * space.curve.x, v.w);
+    }
+    if space.kind.x == GEO_HORIZON && space.curve.x < 0.0 {
+        return space.project.w * geo_asinh(rho * space.edge.z);
+    }
+    if space.kind.x == GEO_HORIZON && space.curve.x > 0.0 {
+        return space.project.w * geo_angle(rho * space.edge.z, v.w);
     }
     return rho;
 }

@@ -17,7 +17,7 @@ struct VertexOut {
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
-    @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond the equator
+    @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec3<f32>,
 }
 
@@ -65,7 +65,8 @@ fn vertex(in: VertexIn) -> VertexOut {
     out.grain = grain;
     out.veil = haze(direction_of(view.xyz)) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
-    out.place = vec4<f32>(p, length(world.xz) - scene.moon.w);
+    let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
+    out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     out.feet = nearest_feet(p, in.hemisphere);
     return out;
 }
@@ -101,7 +102,8 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return land_colour(in);
 }
 
-// For chunks that reach over the equator: the other chart draws what lies more than 5 cm beyond it.
+// For chunks that reach over the edge of their chart: over the equator, where the other chart draws what lies
+// more than 5 cm beyond it, or past what a bent picture shows.
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     if in.place.w > 0.05 {

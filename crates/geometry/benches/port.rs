@@ -16,6 +16,7 @@ fn scene(geometry: Geometry) -> (std::sync::Arc<dyn Strategy>, Eye, Vec<ChartPoi
         yaw: 0.7,
         pitch: -0.3,
         dial: 10.0,
+        lift_m: 1.62,
     };
     let points = (0..POINTS as u32)
         .map(|i| {
@@ -48,12 +49,12 @@ fn chart_point(bencher: Bencher<'_, '_>, geometry: Geometry) {
 }
 
 #[divan::bench(args = Geometry::ALL)]
-fn bounding_sphere(bencher: Bencher<'_, '_>, geometry: Geometry) {
+fn sight_cell(bencher: Bencher<'_, '_>, geometry: Geometry) {
     let (space, eye, points) = scene(geometry);
     bencher.counter(ItemsCount::new(POINTS)).bench_local(|| {
         for point in &points {
             let max = point.pos + 32.0;
-            black_box(space.bounding_sphere(black_box(&eye), point.hemisphere, point.pos, max));
+            black_box(space.sight_cell(black_box(&eye), point.hemisphere, point.pos, max));
         }
     });
 }

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DMat4, DVec3, DVec4};
 
-use crate::{
-    BoundingSphere, ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy,
-};
+use crate::projection::Depth;
+use crate::sight::Axis;
+use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy};
 
 /// Flat space.
 #[derive(Debug, Clone, Copy, Default)]
@@ -40,7 +40,7 @@ impl Strategy for Euclidean {
         a.pos.distance(b.pos)
     }
 
-    fn eye_distance_m(&self, view: DVec4) -> f64 {
+    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
         view.truncate().length()
     }
 
@@ -52,18 +52,13 @@ impl Strategy for Euclidean {
         normal.normalize_or_zero()
     }
 
-    fn bounding_sphere(
-        &self,
-        eye: &Eye,
-        hemisphere: Hemisphere,
-        min: DVec3,
-        max: DVec3,
-    ) -> BoundingSphere {
-        let centre = ChartPoint::new(hemisphere, 0.5 * (min + max));
-        BoundingSphere {
-            centre: self.view_point(eye, centre),
-            radius_m: 0.5 * (max - min).length(),
-        }
+    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+        let (low, high) = (min - eye.point.pos, max - eye.point.pos);
+        Axis::new(0.0, 0.0).cell_of_box(low, high, f64::INFINITY, f64::INFINITY)
+    }
+
+    fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
+        projection.clip(Depth::Reciprocal, view)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {

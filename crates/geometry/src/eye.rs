@@ -13,8 +13,11 @@ pub struct Eye {
     pub yaw: f64,
     /// Elevation in radians, positive upwards, within a right angle of level.
     pub pitch: f64,
-    /// The hyperbolic offset c in metres, 0 to 20; other spaces ignore it.
+    /// The curvature under the player's wheel: of the raised map the offset c in metres, 0 to 20;
+    /// of the horizon map eighty times the curvature in 1/m. Other spaces ignore it.
     pub dial: f64,
+    /// Height over the sheet that the horizon map keeps level, the player's feet, in metres.
+    pub lift_m: f64,
 }
 
 impl Eye {

@@ -66,6 +66,65 @@ impl FromStr for Geometry {
     }
 }
 
+/// How hyperbolic worlds are carried into hyperbolic space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum HyperbolicMap {
+    /// The exponential chart with its centre below the eye; the dial is that offset.
+    #[default]
+    Raised,
+    /// The cylindrical chart about the eye's plumb line; the dial is the curvature itself.
+    Horizon,
+}
+
+impl HyperbolicMap {
+    /// Both, in menu order.
+    pub const ALL: [Self; 2] = [Self::Raised, Self::Horizon];
+
+    /// The lower-case name, as in saves and scripts.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Raised => "raised",
+            Self::Horizon => "horizon",
+        }
+    }
+
+    /// The other map.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::Raised => Self::Horizon,
+            Self::Horizon => Self::Raised,
+        }
+    }
+}
+
+impl fmt::Display for HyperbolicMap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// A word that names no map of hyperbolic worlds.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("\"{0}\" is no hyperbolic map; choose raised or horizon")]
+pub struct ParseMapError(String);
+
+impl FromStr for HyperbolicMap {
+    type Err = ParseMapError;
+
+    /// Reads a lower-case name.
+    ///
+    /// # Errors
+    /// [`ParseMapError`] for any other word.
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        Self::ALL
+            .into_iter()
+            .find(|map| map.name() == name)
+            .ok_or_else(|| ParseMapError(name.to_owned()))
+    }
+}
+
 /// One of the two charts that cover the sphere. The other spaces have one chart and use `A`.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,

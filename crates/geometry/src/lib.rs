@@ -14,11 +14,13 @@ mod chunk;
 mod euclidean;
 mod eye;
 mod frustum;
+mod horizon;
 mod kind;
 mod point;
 mod projection;
 mod raised;
 pub mod scalar;
+mod sight;
 mod spherical;
 mod strategy;
 mod uniform;
@@ -26,15 +28,17 @@ mod uniform;
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use euclidean::Euclidean;
 pub use eye::Eye;
-pub use frustum::{BoundingSphere, Frustum};
-pub use kind::{Geometry, Hemisphere, ParseGeometryError};
+pub use frustum::Frustum;
+pub use horizon::Horizon;
+pub use kind::{Geometry, Hemisphere, HyperbolicMap, ParseGeometryError, ParseMapError};
 pub use point::{ChartPoint, Crossing};
-pub use projection::Projection;
+pub use projection::{Depth, Projection};
 pub use raised::Raised;
+pub use sight::SightCell;
 pub use spherical::Spherical;
 pub use strategy::{
     DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII, HeightLimits,
-    SPHERE_RADIUS_RANGE_M, Strategy, strategy,
+    SPHERE_RADIUS_RANGE_M, Strategy, picture, strategy,
 };
 pub use uniform::SpaceUniform;
 

@@ -4,7 +4,24 @@
 
 use glam::{DVec2, DVec4};
 
-use crate::Geometry;
+/// How near things come before far ones; clip z before the division by -Z, with n the near
+/// distance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Depth {
+    /// `n`: flat space.
+    Reciprocal,
+    /// `n / (W + k rho)`, which is `n exp(-d)`: keeps its relative precision to any hyperbolic
+    /// distance, where `W - k rho` loses it all.
+    Exponential {
+        /// Radius of curvature in metres.
+        radius_m: f64,
+    },
+    /// `(n W - Z) / 2`: linear in the vertex, and falls along a ray through W = 0 to the antipode.
+    Great,
+    /// `n (1 + W) / 2`: on a sphere it falls to the antipode too, and becomes the flat rule as the
+    /// sphere grows.
+    Upright,
+}
 
 /// A perspective projection without a far plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,17 +43,15 @@ impl Projection {
         Self { sx, sy, near_m }
     }
 
-    /// Clip coordinates of a point in view coordinates.
-    ///
-    /// The depth of flat space is `n / -Z`. The hyperbolic `n / (W + k rho)` is
-    /// `n exp(-d)`, which keeps its relative precision to any distance where `W - k rho` loses
-    /// it all. The spherical `(n W - Z) / 2` is linear in the vertex and falls along a ray
-    /// through W = 0 to the antipode.
-    pub fn clip_from_view(&self, geometry: Geometry, radius_m: f64, view: DVec4) -> DVec4 {
-        let depth = match geometry {
-            Geometry::Euclidean => self.near_m,
-            Geometry::Hyperbolic => self.near_m / (view.w + view.truncate().length() / radius_m),
-            Geometry::Spherical => 0.5 * (self.near_m * view.w - view.z),
+    /// Clip coordinates of a point in view coordinates, under a depth rule.
+    pub fn clip(&self, rule: Depth, view: DVec4) -> DVec4 {
+        let depth = match rule {
+            Depth::Reciprocal => self.near_m,
+            Depth::Exponential { radius_m } => {
+                self.near_m / (view.w + view.truncate().length() / radius_m)
+            }
+            Depth::Great => 0.5 * (self.near_m * view.w - view.z),
+            Depth::Upright => 0.5 * self.near_m * (1.0 + view.w),
         };
         DVec4::new(self.sx * view.x, self.sy * view.y, depth, -view.z)
     }
@@ -58,11 +73,11 @@ mod tests {
         let fov: f64 = 1.2;
         let projection = Projection::new(fov, 1.6, 0.1);
         let edge = DVec4::new(0.0, (0.5 * fov).tan() * 7.0, -7.0, 1.0);
-        let clip = projection.clip_from_view(Geometry::Euclidean, f64::INFINITY, edge);
+        let clip = projection.clip(Depth::Reciprocal, edge);
         assert!((Projection::screen(clip).unwrap() - DVec2::Y).length() < 1e-14);
         assert!((projection.sy / projection.sx - 1.6).abs() < 1e-14);
         let behind = DVec4::new(0.0, 0.0, 1.0, 1.0);
-        let clip = projection.clip_from_view(Geometry::Euclidean, f64::INFINITY, behind);
+        let clip = projection.clip(Depth::Reciprocal, behind);
         assert_eq!(Projection::screen(clip), None);
     }
 
@@ -71,15 +86,17 @@ mod tests {
         let (near, radius) = (0.05, 20.0);
         let projection = Projection::new(1.0, 1.0, near);
         let t: f64 = near / radius;
+        let exponential = Depth::Exponential { radius_m: radius };
         let cases = [
-            (Geometry::Euclidean, -near, 1.0),
-            (Geometry::Hyperbolic, -radius * t.sinh(), t.cosh()),
-            (Geometry::Spherical, -radius * t.sin(), t.cos()),
+            (Depth::Reciprocal, -near, 1.0),
+            (exponential, -radius * t.sinh(), t.cosh()),
+            (Depth::Great, -radius * t.sin(), t.cos()),
+            (Depth::Upright, -radius * t.sin(), t.cos()),
         ];
-        for (geometry, z, w) in cases {
+        for (rule, z, w) in cases {
             let view = DVec4::new(0.0, 0.0, z, w);
-            let clip = projection.clip_from_view(geometry, radius, view);
-            assert!((clip.z / clip.w - 1.0).abs() < 0.003, "{geometry}");
+            let clip = projection.clip(rule, view);
+            assert!((clip.z / clip.w - 1.0).abs() < 0.003, "{rule:?}");
         }
     }
 
@@ -89,31 +106,30 @@ mod tests {
         // sphere. The f32 depth itself must order two surfaces a hundredth of a radius apart.
         let (near, radius) = (0.05, 20.0);
         let projection = Projection::new(1.0, 1.0, near);
-        let depth = |geometry, t: f64| {
-            let (z, w) = match geometry {
-                Geometry::Euclidean => (-radius * t, 1.0),
-                Geometry::Hyperbolic => (-radius * t.sinh(), t.cosh()),
-                Geometry::Spherical => (-radius * t.sin(), t.cos()),
+        let exponential = Depth::Exponential { radius_m: radius };
+        let depth = |rule, t: f64| {
+            let (z, w) = match rule {
+                Depth::Reciprocal => (-radius * t, 1.0),
+                Depth::Exponential { .. } => (-radius * t.sinh(), t.cosh()),
+                Depth::Great | Depth::Upright => (-radius * t.sin(), t.cos()),
             };
             let tilt: f64 = 0.4;
             let view = DVec4::new(-z * tilt.sin(), 0.0, z * tilt.cos(), w);
-            let clip = projection.clip_from_view(geometry, radius, view);
+            let clip = projection.clip(rule, view);
             (clip.z as f32) / (clip.w as f32)
         };
         let ends = [
-            (Geometry::Euclidean, 40.0),
-            (Geometry::Hyperbolic, 40.0),
-            (Geometry::Spherical, std::f64::consts::PI - near / radius),
+            (Depth::Reciprocal, 40.0),
+            (exponential, 40.0),
+            (Depth::Great, std::f64::consts::PI - near / radius),
+            (Depth::Upright, std::f64::consts::PI - near / radius),
         ];
-        for (geometry, end) in ends {
+        for (rule, end) in ends {
             let mut last = f32::INFINITY;
             let mut t = 2.0 * near / radius;
             while t < end {
-                let here = depth(geometry, t);
-                assert!(
-                    here < last && here > 0.0,
-                    "{geometry} at {t}: {here} {last}"
-                );
+                let here = depth(rule, t);
+                assert!(here < last && here > 0.0, "{rule:?} at {t}: {here} {last}");
                 last = here;
                 t += 0.01;
             }

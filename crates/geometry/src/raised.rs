@@ -10,15 +10,17 @@ use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::exponential;
 use crate::euclidean::rotation;
+use crate::projection::Depth;
 use crate::scalar::{sinc_minus_one_over_square, sinhc};
-use crate::strategy::Dial;
-use crate::{
-    BoundingSphere, ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy,
-};
+use crate::sight::{Plan, slope_range};
+use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
+use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy};
 
 /// Points farther than this from the eye, in radii, are drawn in to it before the port, so
 /// that the squares of hyperboloid coordinates stay finite in `f64`.
 const OVERFLOW_GUARD_RADII: f64 = 350.0;
+/// Halvings that find where a slope turns: to a millionth of a chunk.
+const BISECTIONS: u32 = 24;
 
 /// Hyperbolic space of a given radius of curvature, seen through the raised map.
 #[derive(Debug, Clone, Copy)]
@@ -84,55 +86,49 @@ impl Raised {
         )
     }
 
-    /// An upper bound on how much the map from the chart to the eye's normal coordinates
-    /// stretches lengths anywhere in the box from `low` to `high` (radii, relative to the eye).
-    ///
-    /// Let O be the offset centre, E the eye, dO and dE the distances from them to a point,
-    /// and alpha the angle there between the two sight lines. In frames along those lines the
-    /// differential is `diag(1, 1/sinhc dE) rotation(alpha) diag(1, sinhc dO)`, with
-    /// determinant `P = sinhc dO / sinhc dE` in that plane and P across it. Its greater
-    /// singular value grows with P and with `A = 1 + (sinhc dO sin alpha)^2 +
-    /// (sin alpha / sinhc dE)^2 >= Frobenius^2 - P^2`, so bounds on those suffice. They follow
-    /// from `dO <= dE + h`, from the law of sines `sin alpha <= sinh h / sinh dE`, and from
-    /// the chart never exceeding the space's own distance, `dE >= |u|`.
-    fn max_stretch(h: f64, low: DVec3, high: DVec3) -> f64 {
-        let offset = DVec3::Y * h;
-        let eye_low = nearest(low, high).length();
-        let centre_low = nearest(low + offset, high + offset).length();
-        let centre_high = farthest(low + offset, high + offset).length();
-        let eye_high = centre_high + h;
-        // The ratio rises with dE towards exp h.
-        let p = if eye_high < OVERFLOW_GUARD_RADII {
-            sinhc(eye_high + h) / sinhc(eye_high)
+    /// The slope at which a point is seen: (q cosh h - d coth d sinh h) / r in radii, with q its
+    /// height over the offset centre, r its level distance and d its distance from that centre.
+    /// It is the boosted point's Y' over its level part, sinhc(d) r.
+    fn slope(h: f64, q: f64, r: f64) -> f64 {
+        let rise = q * h.cosh() - d_coth(q.hypot(r)) * h.sinh();
+        if r <= 1e-12 {
+            f64::INFINITY.copysign(rise)
         } else {
-            h.exp()
+            rise / r
+        }
+    }
+
+    /// Where along r the slope turns. `g(r) = d coth d` is convex, so `g - r g'` falls, and the
+    /// slope's derivative, `(sinh h (g - r g') - q cosh h) / r^2`, changes sign at most once.
+    fn turns(h: f64, q: f64, [low, high]: [f64; 2]) -> Option<f64> {
+        let rises = |r: f64| {
+            let d = q.hypot(r);
+            if d < 1e-6 {
+                return h.sinh() - q * h.cosh();
+            }
+            let coth = 1.0 / d.tanh();
+            let slope_of_g = (coth - d / d.sinh().powi(2)) * r / d;
+            h.sinh() * (d * coth - r * slope_of_g) - q * h.cosh()
         };
-        let sin_alpha = if eye_low > 0.0 {
-            (h.sinh() / eye_low.sinh()).min(1.0)
-        } else {
-            1.0
-        };
-        let by_sines = (h.cosh() + h.sinh() / eye_low.tanh()) * h.sinh() / centre_low;
-        let shear = if by_sines.is_finite() {
-            by_sines.min(sinhc(centre_high))
-        } else {
-            sinhc(centre_high)
-        };
-        let lean = sin_alpha / sinhc(eye_low);
-        let a = 1.0 + shear * shear + lean * lean;
-        let sum = a + p * p;
-        (0.5 * (sum + (sum * sum - 4.0 * p * p).max(0.0).sqrt())).sqrt()
+        let (mut low, mut high) = (low, high);
+        if rises(low) <= 0.0 || rises(high) >= 0.0 {
+            return None;
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if rises(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(0.5 * (low + high))
     }
 }
 
-/// The point of a box that is nearest to the origin.
-fn nearest(low: DVec3, high: DVec3) -> DVec3 {
-    DVec3::ZERO.clamp(low, high)
-}
-
-/// The corner of a box that is farthest from the origin.
-fn farthest(low: DVec3, high: DVec3) -> DVec3 {
-    low.abs().max(high.abs())
+/// d coth d, which is 1 at 0.
+fn d_coth(d: f64) -> f64 {
+    if d < 1e-8 { 1.0 } else { d / d.tanh() }
 }
 
 impl Strategy for Raised {
@@ -170,19 +166,12 @@ impl Strategy for Raised {
         self.chart_point(eye, view.extend(t.cosh()))
     }
 
-    /// `sinh^2(D/2) = sinh^2((a-b)/2) + sinh a sinh b sin^2(theta/2)` with a, b the distances
-    /// from the eye: no large terms are subtracted, near or far.
     fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
-        let a = self.view_point(eye, a).truncate() / self.radius_m;
-        let b = self.view_point(eye, b).truncate() / self.radius_m;
-        let (length_a, length_b) = (a.length(), b.length());
-        let between = (length_a.asinh() - length_b.asinh()) * 0.5;
-        let turn = a.normalize_or_zero() - b.normalize_or_zero();
-        let across = 0.5 * turn.length() * length_a.sqrt() * length_b.sqrt();
-        2.0 * self.radius_m * between.sinh().hypot(across).asinh()
+        let views = [a, b].map(|p| self.view_point(eye, p));
+        distance_between_views_m(-self.radius_m.powi(-2), views)
     }
 
-    fn eye_distance_m(&self, view: DVec4) -> f64 {
+    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
         self.radius_m * (view.truncate().length() / self.radius_m).asinh()
     }
 
@@ -202,27 +191,34 @@ impl Strategy for Raised {
         (normal / stretch + q * (along * normal.dot(q))).normalize_or_zero()
     }
 
-    fn bounding_sphere(
-        &self,
-        eye: &Eye,
-        hemisphere: Hemisphere,
-        min: DVec3,
-        max: DVec3,
-    ) -> BoundingSphere {
-        let centre = ChartPoint::new(hemisphere, 0.5 * (min + max));
-        let low = (min - eye.point.pos) / self.radius_m;
-        let high = (max - eye.point.pos) / self.radius_m;
-        let stretch = Self::max_stretch(self.offset(eye), low, high);
-        let radius_m = 0.5 * (max - min).length() * stretch;
-        BoundingSphere {
-            centre: self.view_point(eye, centre),
-            // Past the range of f64 nothing is known, and everything must be kept.
-            radius_m: if radius_m.is_finite() {
-                radius_m
-            } else {
-                f64::MAX
-            },
+    fn sight_limit_m(&self, _eye: &Eye) -> f64 {
+        FAR_LIMIT_RADII * self.radius_m
+    }
+
+    /// The chart never exceeds the space's own distances from the eye.
+    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+        let (low, high) = (min - eye.point.pos, max - eye.point.pos);
+        let plan = Plan::of_box(low, high);
+        let h = self.offset(eye);
+        let heights = [low.y, high.y].map(|y| y / self.radius_m + h);
+        let levels = plan.level_m.map(|r| r / self.radius_m);
+        SightCell {
+            azimuth_rad: plan.azimuth_rad,
+            half_width_rad: plan.half_width_rad,
+            level_m: plan.level_m,
+            slope: slope_range(
+                heights,
+                levels,
+                |q, r| Self::slope(h, q, r),
+                |q| Self::turns(h, q, levels),
+            ),
+            nearest_m: DVec3::ZERO.clamp(low, high).length(),
         }
+    }
+
+    fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
+        let radius_m = self.radius_m;
+        projection.clip(Depth::Exponential { radius_m }, view)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {

@@ -62,6 +62,36 @@ pub fn sinc_minus_one_over_square(sign: f64, t: f64) -> f64 {
     -sign * sum / 6.0
 }
 
+/// The sine of curvature kappa, in metres: sin(k t)/k, t or sinh(k t)/k with `kappa = +-k^2` per
+/// square metre and t in metres. Smooth in kappa.
+pub fn sin_k(kappa: f64, t: f64) -> f64 {
+    t * sinc_s(kappa, kappa.abs().sqrt() * t)
+}
+
+/// The cosine of curvature kappa: cos(k t), 1 or cosh(k t). Smooth in kappa.
+pub fn cos_k(kappa: f64, t: f64) -> f64 {
+    cos_s(kappa, kappa.abs().sqrt() * t)
+}
+
+/// The inverse of [`sin_k`] where `kappa <= 0`: asinh(k s)/k or s, in metres.
+pub fn asin_k(kappa: f64, s: f64) -> f64 {
+    let k = kappa.abs().sqrt();
+    if k == 0.0 { s } else { (k * s).asinh() / k }
+}
+
+/// The length whose [`sin_k`] is to its [`cos_k`] as `s` to `c`, where `kappa > 0`, in metres.
+pub fn atan_k(kappa: f64, s: f64, c: f64) -> f64 {
+    let k = kappa.abs().sqrt();
+    (k * s).atan2(c) / k
+}
+
+/// The length whose [`cos_k`] is `c`, in metres; `None` where there is none, or no single one.
+pub fn acos_k(kappa: f64, c: f64) -> Option<f64> {
+    let k = kappa.abs().sqrt();
+    let angle = if kappa > 0.0 { c.acos() } else { c.acosh() };
+    (k > 0.0 && angle.is_finite()).then(|| angle / k)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,11 +10,12 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::{cylindrical, cylindrical_direction};
+use crate::projection::Depth;
 use crate::scalar::{sinc, sinc_minus_one_over_square};
+use crate::sight::{Axis, Plan};
 use crate::strategy::HeightLimits;
 use crate::{
-    BoundingSphere, ChartPoint, Crossing, Eye, Geometry, Hemisphere, Projection, SpaceUniform,
-    Strategy,
+    ChartPoint, Crossing, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -124,7 +125,7 @@ impl Strategy for Spherical {
         2.0 * self.radius_m * (a - b).length().atan2((a + b).length())
     }
 
-    fn eye_distance_m(&self, view: DVec4) -> f64 {
+    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
         let rho = view.truncate().length() / self.radius_m;
         self.radius_m * rho.atan2(view.w)
     }
@@ -209,29 +210,53 @@ impl Strategy for Spherical {
         DVec3::ZERO
     }
 
-    /// The port never stretches the chart: lengths per chart metre are at most cos y level and 1 upright,
-    /// so the straight chart line from the middle bounds the distance to any point of the box.
-    fn bounding_sphere(
-        &self,
-        eye: &Eye,
-        hemisphere: Hemisphere,
-        min: DVec3,
-        max: DVec3,
-    ) -> BoundingSphere {
-        let half = 0.5 * (max - min);
-        let lowest = 0.0_f64.max(min.y).min(max.y).abs();
-        let highest = min.y.abs().max(max.y.abs()) / self.radius_m;
-        // |cos y| falls from the sheet y = 0 to a quarter turn up, and rises again past it.
-        let level = if highest > FRAC_PI_2 {
-            1.0
-        } else {
-            (lowest / self.radius_m).cos()
-        };
-        let centre = ChartPoint::new(hemisphere, 0.5 * (min + max));
-        BoundingSphere {
-            centre: self.view_point(eye, centre),
-            radius_m: (half.x.hypot(half.z) * level).hypot(half.y),
+    fn sight_limit_m(&self, _eye: &Eye) -> f64 {
+        PI * self.radius_m
+    }
+
+    fn trims(&self, _eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
+        let far = min.abs().max(max.abs());
+        far.x.hypot(far.z) > FRAC_PI_2 * self.radius_m
+    }
+
+    /// The feet of the box's points lie within half its level diagonal of the foot of its middle,
+    /// since the sheet is never wider than its chart. Seen from the eye's own foot, that cap has a
+    /// distance D and a radius a: it spans level distances D - a to D + a, and azimuths
+    /// `asin(sin a / sin D)` to either side, by the right triangle at its tangent.
+    fn sight_cell(&self, eye: &Eye, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+        // The chart's uprights end a quarter turn up, far over the ceiling.
+        let highest = 1.5 * self.radius_m;
+        if eye.point.pos.y.abs() > highest {
+            return SightCell::EVERYWHERE;
         }
+        let heights = [min.y, max.y].map(|y| y.clamp(-highest, highest));
+        let foot = |pos: DVec3| DVec3::new(pos.x, 0.0, pos.z);
+        let eye_foot = ChartPoint::new(eye.point.hemisphere, foot(eye.point.pos));
+        let middle = self.model(ChartPoint::new(hemisphere, foot(0.5 * (min + max))));
+        let x = self.tangent(eye_foot, DVec3::X).dot(middle);
+        let z = self.tangent(eye_foot, DVec3::Z).dot(middle);
+        let away = x.hypot(z).atan2(self.model(eye_foot).dot(middle));
+        let half = 0.5 * (max - min);
+        let radius = half.x.hypot(half.z) / self.radius_m;
+        let apart = away > radius && away + radius < PI;
+        let plan = Plan {
+            azimuth_rad: z.atan2(x),
+            half_width_rad: if apart {
+                (radius.sin() / away.sin()).min(1.0).asin()
+            } else {
+                PI
+            },
+            level_m: [(away - radius).max(0.0), (away + radius).min(PI)].map(|a| a * self.radius_m),
+        };
+        Axis::new(self.radius_m.powi(-2), eye.point.pos.y).cell(&plan, heights)
+    }
+
+    fn keeps_azimuths(&self) -> bool {
+        false
+    }
+
+    fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
+        projection.clip(Depth::Great, view)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glam::{DVec3, DVec4};
 
 use crate::{
-    BoundingSphere, ChartPoint, Crossing, Euclidean, Eye, Frustum, Geometry, Hemisphere,
-    Projection, Raised, SpaceUniform, Spherical,
+    ChartPoint, Crossing, Euclidean, Eye, Frustum, Geometry, Hemisphere, Horizon, HyperbolicMap,
+    Projection, Raised, SightCell, SpaceUniform, Spherical,
 };
 
 /// Radius of curvature of hyperbolic worlds unless a world says otherwise, in metres.
@@ -21,7 +21,7 @@ pub const SPHERE_RADIUS_RANGE_M: RangeInclusive<f64> = 16.0..=64.0;
 /// hyperboloid coordinate in `f32` has no digits left to order two surfaces by.
 pub const FAR_LIMIT_RADII: f64 = 20.0;
 
-/// The range of the knob that a space offers the player, in metres.
+/// The range of the knob that a space offers the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dial {
     /// Least value.
@@ -52,8 +52,13 @@ pub trait Strategy: Debug + Send + Sync {
     /// Which of the three spaces this is.
     fn geometry(&self) -> Geometry;
 
-    /// Radius of curvature in metres; infinite in flat space.
+    /// The world's own radius of curvature in metres; infinite in flat space.
     fn radius_m(&self) -> f64;
+
+    /// Radius of curvature of the picture in metres, at the eye's dial.
+    fn radius_at_m(&self, _eye: &Eye) -> f64 {
+        self.radius_m()
+    }
 
     /// The player's knob, where the space has one.
     fn dial(&self) -> Option<Dial> {
@@ -75,7 +80,7 @@ pub trait Strategy: Debug + Send + Sync {
     fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64;
 
     /// Distance in the space from the eye to a point in view coordinates, in metres.
-    fn eye_distance_m(&self, view: DVec4) -> f64;
+    fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64;
 
     /// The point of the model in units of the radius, before any camera: (x, y, z, 1) in chart
     /// metres where the space is flat, the hyperboloid, or the unit three-sphere.
@@ -127,24 +132,33 @@ pub trait Strategy: Debug + Send + Sync {
         eye.point.pos
     }
 
-    /// A sphere about everything that the chart box from `min` to `max` metres is ported to.
-    fn bounding_sphere(
-        &self,
-        eye: &Eye,
-        hemisphere: Hemisphere,
-        min: DVec3,
-        max: DVec3,
-    ) -> BoundingSphere;
+    /// Nothing farther from the eye than this is drawn, in metres of the space.
+    fn sight_limit_m(&self, _eye: &Eye) -> f64 {
+        f64::INFINITY
+    }
 
-    /// The visible region, which spheres are tested against.
-    fn frustum(&self, projection: &Projection) -> Frustum {
-        Frustum::new(projection, self.geometry(), self.radius_m())
+    /// Whether part of the chart box from `min` to `max` metres lies beyond what its chart draws,
+    /// so that it must be trimmed.
+    fn trims(&self, _eye: &Eye, _hemisphere: Hemisphere, _min: DVec3, _max: DVec3) -> bool {
+        false
+    }
+
+    /// The directions in which the chart box from `min` to `max` metres is seen.
+    fn sight_cell(&self, eye: &Eye, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell;
+
+    /// Whether azimuths about the eye in the chart are those of the picture, so that level
+    /// distances tell which of two things in one direction is in front.
+    fn keeps_azimuths(&self) -> bool {
+        true
+    }
+
+    /// The visible region, which cells are tested against.
+    fn frustum(&self, eye: &Eye, projection: &Projection) -> Frustum {
+        Frustum::new(eye, projection, self.sight_limit_m(eye))
     }
 
     /// A point of the picture: clip coordinates of a point in view coordinates.
-    fn clip_from_view(&self, projection: &Projection, view: DVec4) -> DVec4 {
-        projection.clip_from_view(self.geometry(), self.radius_m(), view)
-    }
+    fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4;
 
     /// What the shaders need to know of the space, the eye and the projection.
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;
@@ -167,6 +181,48 @@ pub fn strategy(geometry: Geometry, radius_m: f64) -> Arc<dyn Strategy> {
         Geometry::Hyperbolic => Arc::new(Raised::new(radius_or(DEFAULT_HYPERBOLIC_RADIUS_M))),
         Geometry::Spherical => Arc::new(Spherical::new(radius_or(DEFAULT_SPHERE_RADIUS_M))),
     }
+}
+
+/// The strategy that pictures of a world are taken with: in hyperbolic worlds through the given
+/// map, in flat ones bent by the eye's dial or not. Everything that is not about the picture is as
+/// in [`strategy`] of the same geometry and radius.
+pub fn picture(
+    geometry: Geometry,
+    radius_m: f64,
+    map: HyperbolicMap,
+    bend: bool,
+) -> Arc<dyn Strategy> {
+    let world = strategy(geometry, radius_m);
+    match geometry {
+        Geometry::Hyperbolic if map == HyperbolicMap::Horizon => {
+            Arc::new(Horizon::hyperbolic(world.radius_m()))
+        }
+        Geometry::Euclidean if bend => Arc::new(Horizon::bent()),
+        _ => world,
+    }
+}
+
+/// Distance between two points in view coordinates, in metres, in a space of curvature `kappa`
+/// per square metre.
+///
+/// Hyperbolic: `sinh^2(D/2) = sinh^2((a-b)/2) + sinh a sinh b sin^2(theta/2)` with a, b the
+/// distances from the eye: no large terms are subtracted, near or far. Spherical: the half chords
+/// to the point and to its antipode.
+pub(crate) fn distance_between_views_m(kappa: f64, views: [DVec4; 2]) -> f64 {
+    let k = kappa.abs().sqrt();
+    if kappa == 0.0 {
+        return views[0].truncate().distance(views[1].truncate());
+    }
+    let [a, b] = views.map(|v| (v.truncate() * k).extend(v.w));
+    if kappa > 0.0 {
+        return 2.0 / k * (a - b).length().atan2((a + b).length());
+    }
+    let [a, b] = [a, b].map(DVec4::truncate);
+    let (length_a, length_b) = (a.length(), b.length());
+    let between = (length_a.asinh() - length_b.asinh()) * 0.5;
+    let turn = a.normalize_or_zero() - b.normalize_or_zero();
+    let across = 0.5 * turn.length() * length_a.sqrt() * length_b.sqrt();
+    2.0 / k * between.sinh().hypot(across).asinh()
 }
 
 #[cfg(test)]

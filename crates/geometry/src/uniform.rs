@@ -4,6 +4,10 @@ use bytemuck::{Pod, Zeroable};
 use glam::DMat4;
 
 use crate::Projection;
+use crate::scalar::{cos_k, sin_k};
+
+/// Where the picture has no edge, in metres: farther than anything, and squared still in `f32`.
+const UNLIMITED_M: f32 = 1e18;
 
 /// `struct Space` of `shaders/geometry.wgsl`, byte for byte.
 #[repr(C)]
@@ -13,9 +17,13 @@ pub struct SpaceUniform {
     pub view: [[f32; 4]; 4],
     /// Focal factors sx and sy, near distance in metres, radius in metres (0 where flat).
     pub project: [f32; 4],
-    /// Curvature k per metre, offset h in radii, sinh h, cosh h.
+    /// Raised and sphere: curvature k per metre, offset h in radii, sinh h, cosh h. Horizon:
+    /// kappa per square metre, the eye's height H in metres, S(H) in metres, C(H).
     pub curve: [f32; 4],
-    /// First number: 0 flat, 1 raised hyperbolic, 2 sphere; the rest is padding.
+    /// Horizon: farthest level distance and greatest height that are shown, in metres; k per
+    /// metre; and padding.
+    pub edge: [f32; 4],
+    /// First number: 0 flat, 1 raised hyperbolic, 2 sphere, 3 horizon; the rest is padding.
     pub kind: [u32; 4],
 }
 
@@ -23,6 +31,7 @@ impl SpaceUniform {
     pub(crate) const FLAT: u32 = 0;
     pub(crate) const RAISED: u32 = 1;
     pub(crate) const SPHERE: u32 = 2;
+    pub(crate) const HORIZON: u32 = 3;
 
     /// `offset` is h in units of the radius.
     pub(crate) fn new(
@@ -32,7 +41,7 @@ impl SpaceUniform {
         radius_m: f64,
         offset: f64,
     ) -> Self {
-        let (radius, k) = if kind == Self::FLAT {
+        let (radius, k) = if kind == Self::FLAT || radius_m == 0.0 {
             (0.0, 0.0)
         } else {
             (radius_m, 1.0 / radius_m)
@@ -43,7 +52,27 @@ impl SpaceUniform {
             view: view.as_mat4().to_cols_array_2d(),
             project: project.map(|x| x as f32),
             curve: curve.map(|x| x as f32),
+            edge: [UNLIMITED_M, UNLIMITED_M, k as f32, 0.0],
             kind: [kind, 0, 0, 0],
+        }
+    }
+
+    /// The horizon map at a curvature per square metre, from `lift_m` metres over its sheet.
+    pub(crate) fn level(
+        view: DMat4,
+        projection: &Projection,
+        kappa: f64,
+        lift_m: f64,
+        (level_m, upright_m): (f64, f64),
+    ) -> Self {
+        let k = kappa.abs().sqrt();
+        let radius = if k > 0.0 { 1.0 / k } else { 0.0 };
+        let curve = [kappa, lift_m, sin_k(kappa, lift_m), cos_k(kappa, lift_m)];
+        let within = |x: f64| (x as f32).min(UNLIMITED_M);
+        Self {
+            curve: curve.map(|x| x as f32),
+            edge: [within(level_m), within(upright_m), k as f32, 0.0],
+            ..Self::new(Self::HORIZON, view, projection, radius, 0.0)
         }
     }
 }

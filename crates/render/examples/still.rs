@@ -100,6 +100,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         yaw: -0.35,
         pitch: -0.08,
         dial: 10.0,
+        lift_m: 1.65,
     };
     let projection = Projection::new(
         75f64.to_radians(),

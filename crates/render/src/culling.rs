@@ -1,6 +1,5 @@
 //! Which chunks a frame shows, nearest first, so that what is hidden is never shaded.
 
-use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::Frame;
 
 use crate::chunk_store::{ChunkStore, GpuChunk};
@@ -21,7 +20,7 @@ pub struct Visible<'a> {
 /// The chunks in the picture and before the fog, nearest first.
 pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
     let strategy = frame.strategy.as_ref();
-    let frustum = strategy.frustum(&frame.projection);
+    let frustum = strategy.frustum(&frame.eye, &frame.projection);
     let fog_m = f64::from(frame.fog_distance_m);
     let mut list: Vec<_> = store
         .iter()
@@ -30,30 +29,19 @@ pub fn visible<'a>(store: &'a ChunkStore, frame: &Frame) -> Vec<Visible<'a>> {
                 coord.origin() + chunk.min.as_dvec3(),
                 coord.origin() + chunk.max.as_dvec3(),
             );
-            let sphere = strategy.bounding_sphere(&frame.eye, coord.hemisphere, min, max);
-            let distance_m = strategy.eye_distance_m(sphere.centre);
-            if distance_m - sphere.radius_m > fog_m || !frustum.sees(&sphere) {
+            let cell = frustum.cell_seen(strategy, &frame.eye, coord.hemisphere, min, max)?;
+            if cell.nearest_m > fog_m {
                 return None;
             }
             let reference = strategy.reference(&frame.eye, coord.hemisphere);
             Some(Visible {
                 chunk,
                 instance: ChunkInstance::new(coord.origin(), coord.hemisphere, reference),
-                at_rim: strategy
-                    .rim_m()
-                    .is_some_and(|rim_m| reach_m(*coord, chunk) > rim_m),
-                distance_m,
+                at_rim: strategy.trims(&frame.eye, coord.hemisphere, min, max),
+                distance_m: cell.nearest_m,
             })
         })
         .collect();
     list.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
     list
-}
-
-/// Largest distance of the chunk's mesh from its chart's axis, metres.
-fn reach_m(coord: ChunkCoord, chunk: &GpuChunk) -> f64 {
-    let low = (coord.origin() + chunk.min.as_dvec3()).abs();
-    let high = (coord.origin() + chunk.max.as_dvec3()).abs();
-    let far = low.max(high);
-    far.x.hypot(far.z)
 }

@@ -44,8 +44,10 @@ fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
         THIRD_PERSON_UP_M,
     );
     let back = leg(physics, above, -head.front(), THIRD_PERSON_BACK_M);
+    let point = ChartPoint::new(head.point.hemisphere, back - origin);
     Eye {
-        point: ChartPoint::new(head.point.hemisphere, back - origin),
+        lift_m: head.lift_m + point.pos.y - head.point.pos.y,
+        point,
         ..*head
     }
 }

@@ -98,6 +98,7 @@ pub fn eye(position: &Position, look: &Look, dial: f64, height_m: f64) -> Eye {
         yaw: look.yaw,
         pitch: look.pitch,
         dial,
+        lift_m: height_m,
     }
 }
 

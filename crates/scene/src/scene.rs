@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, Eye, FAR_LIMIT_RADII, Geometry, Projection, Strategy, strategy,
+    ChartPoint, Eye, Geometry, Projection, Strategy, strategy,
 };
 use antipode_physics::{CharacterTuning, PhysicsWorld};
 use antipode_storage::{StorageError, WorldState, WorldStore};
@@ -356,7 +356,7 @@ impl Scene {
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
     /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
     fn fog_distance_m(&self) -> f32 {
-        let far_m = FAR_LIMIT_RADII * self.strategy.radius_m();
+        let far_m = self.strategy.sight_limit_m(&self.eye());
         match self.strategy.rim_m() {
             Some(rim) => (rim * 3.0) as f32,
             None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,

@@ -69,6 +69,7 @@ fn eye(value: &Value) -> Eye {
         yaw: number("yaw"),
         pitch: number("pitch"),
         dial: number("dial"),
+        lift_m: 1.62,
     }
 }
 
@@ -147,6 +148,7 @@ impl Numbers {
             yaw: self.between(-3.0, 3.0),
             pitch: self.between(-1.5, 1.5),
             dial: self.between(0.0, 20.0),
+            lift_m: 1.62,
         }
     }
 }
@@ -186,9 +188,9 @@ pub fn dense(count: u32) -> Vec<Probe> {
         probes.push(Probe {
             case: case(space.as_ref(), &eye, &projection, point, normal),
             view,
-            clip: space.clip_from_view(&projection, view),
+            clip: space.clip_from_view(&eye, &projection, view),
             normal: space.port_normal(&eye, point, normal),
-            distance: space.eye_distance_m(view),
+            distance: space.eye_distance_m(&eye, view),
             space,
         });
     }

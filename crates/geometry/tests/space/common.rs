@@ -43,8 +43,8 @@ pub fn spaces() -> Vec<Arc<dyn Strategy>> {
 }
 
 /// A point's place in the picture in pixels from its middle; `None` behind the eye.
-pub fn pixel(space: &dyn Strategy, view: DVec4) -> Option<DVec2> {
-    let clip = space.clip_from_view(&projection(), view);
+pub fn pixel(space: &dyn Strategy, eye: &Eye, view: DVec4) -> Option<DVec2> {
+    let clip = space.clip_from_view(eye, &projection(), view);
     let screen = Projection::screen(clip)?;
     Some(screen * DVec2::new(16.0 / 9.0, 1.0) * (0.5 * PICTURE_HEIGHT_PX))
 }
@@ -71,6 +71,7 @@ pub fn eye(range_m: f64) -> impl Generator<Value = Eye> {
             yaw,
             pitch,
             dial,
+            lift_m: 1.62,
         })
 }
 

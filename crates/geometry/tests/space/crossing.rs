@@ -141,11 +141,12 @@ fn an_f_reads_as_an_f_in_either_hemisphere() {
                     yaw,
                     pitch: 0.0,
                     dial: 10.0,
+                    lift_m: 1.62,
                 };
                 let seen = strokes.map(|(right, up)| {
                     let at = eye.front() * 4.0 + eye.right() * right + eye.up() * up;
                     let point = eye.point.moved(at);
-                    pixel(space.as_ref(), space.view_point(&eye, point)).unwrap()
+                    pixel(space.as_ref(), &eye, space.view_point(&eye, point)).unwrap()
                 });
                 let [foot, top, upper, lower] = seen;
                 assert!(top.y > foot.y + 50.0, "upright");

@@ -69,6 +69,7 @@ impl EyeRow {
             yaw: self.yaw,
             pitch: self.pitch,
             dial: self.dial,
+            lift_m: 1.62,
         }
     }
 }
@@ -149,7 +150,7 @@ fn eye_distances_and_clip_coordinates_match() {
         let (space, eye) = (strategy(row.geometry, row.radius), row.eye.eye());
         let slack = slack(row.geometry, row.radius, row.point.pos, eye.point.pos);
         let view = space.view_point(&eye, row.point);
-        let distance = space.eye_distance_m(view);
+        let distance = space.eye_distance_m(&eye, view);
         let error = (distance - row.distance).abs();
         let input = 1e-14 * (row.radius + eye.point.pos.length() + row.distance);
         assert!(
@@ -158,7 +159,7 @@ fn eye_distances_and_clip_coordinates_match() {
             row.geometry,
             row.distance
         );
-        let clip = space.clip_from_view(&projection, view);
+        let clip = space.clip_from_view(&eye, &projection, view);
         assert!((clip - row.clip).length() < 4.0 * slack);
         assert!((clip.z / row.clip.z - 1.0).abs() < 1e-10 || (clip.z - row.clip.z).abs() < slack);
     }

@@ -12,6 +12,7 @@ fn looking(pos: DVec3) -> Eye {
         yaw: 0.4,
         pitch: -0.2,
         dial: 10.0,
+        lift_m: 1.62,
     }
 }
 
@@ -63,7 +64,7 @@ fn a_sweep_of_the_dial_to_zero_has_no_step() {
             dial: f64::from(i) * 1e-3,
             ..looking(DVec3::ZERO)
         };
-        let here = pixel(&space, space.view_point(&eye, point)).unwrap();
+        let here = pixel(&space, &eye, space.view_point(&eye, point)).unwrap();
         if let Some(last) = last {
             assert!((here - last).length() < 0.1, "dial {}", eye.dial);
         }
@@ -71,6 +72,7 @@ fn a_sweep_of_the_dial_to_zero_has_no_step() {
     }
     let flat = pixel(
         &Euclidean,
+        &looking(DVec3::ZERO),
         Euclidean.view_point(&looking(DVec3::ZERO), point),
     )
     .unwrap();
@@ -84,7 +86,7 @@ proptest! {
     fn raised_with_the_dial_at_zero_is_the_flat_picture(
         at in vector(1e4), step in vector(200.0), yaw in -4.0..4.0_f64, pitch in -1.5..1.5_f64,
     ) {
-        let eye = Eye { point: ChartPoint::a(at), yaw, pitch, dial: 0.0 };
+        let eye = Eye { point: ChartPoint::a(at), yaw, pitch, ..Eye::default() };
         let point = ChartPoint::a(at + step);
         let flat = Euclidean.view_point(&eye, point);
         let raised = Raised::new(20.0).view_point(&eye, point);
@@ -102,7 +104,7 @@ proptest! {
         let view = space.view_point(&eye, point);
         prop_assert!(view.is_finite());
         prop_assert!(space.chart_point(&eye, view).pos.is_finite());
-        prop_assert!(space.eye_distance_m(view).is_finite());
+        prop_assert!(space.eye_distance_m(&eye, view).is_finite());
         prop_assert!(space.distance_m(point, eye.point, &eye).is_finite());
         prop_assert!(space.port_normal(&eye, point, DVec3::Y).is_finite());
     }
@@ -151,6 +153,6 @@ fn straight_below_the_offset_centre_nothing_cancels() {
             down.x <= aside / 90.0 + 1e-16 && down.x >= aside / 1e3 - 1e-16,
             "{aside}: {down}"
         );
-        assert!((space.eye_distance_m(seen) - 100.0).abs() < 1e-5);
+        assert!((space.eye_distance_m(&eye, seen) - 100.0).abs() < 1e-5);
     }
 }

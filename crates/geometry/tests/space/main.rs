@@ -10,6 +10,7 @@ mod common;
 mod crossing;
 mod culling;
 mod golden;
+mod horizon;
 mod limits;
 mod picking;
 mod round_trip;

@@ -15,7 +15,7 @@ proptest! {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
             let point = space.along(&eye, DVec3::NEG_Z, distance);
-            let at = pixel(space.as_ref(), space.view_point(&eye, point)).unwrap();
+            let at = pixel(space.as_ref(), &eye, space.view_point(&eye, point)).unwrap();
             prop_assert!(at.length() < 1e-5, "{:?} {at}", space.geometry());
         }
     }
@@ -31,7 +31,7 @@ proptest! {
             let mut distance = 0.1;
             while distance < end {
                 let point = space.along(&eye, direction, distance);
-                let clip = space.clip_from_view(&projection(), space.view_point(&eye, point));
+                let clip = space.clip_from_view(&eye, &projection(), space.view_point(&eye, point));
                 let depth = clip.z / clip.w;
                 prop_assert!(depth < last && depth > 0.0, "{:?} {distance}", space.geometry());
                 last = depth;
@@ -69,7 +69,7 @@ fn the_far_ground_of_the_sphere_is_overhead() {
     };
     let far = ChartPoint::new(antipode_geometry::Hemisphere::B, DVec3::new(0.0, 6.0, 0.0));
     let view = space.view_point(&eye, far);
-    let distance = space.eye_distance_m(view);
+    let distance = space.eye_distance_m(&eye, view);
     assert!((distance - (std::f64::consts::PI * 32.0 - 14.0)).abs() < 1e-10);
     let up = view.truncate().normalize();
     assert!((eye.to_chart(up) - DVec3::Y).length() < 1e-10);

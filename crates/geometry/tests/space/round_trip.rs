@@ -37,7 +37,7 @@ proptest! {
             let ab = space.distance_m(a, b, &eye);
             prop_assert!((ab - space.distance_m(b, a, &eye)).abs() < 1e-12 * (1.0 + ab));
             prop_assert_eq!(space.distance_m(a, a, &eye), 0.0);
-            let seen = space.eye_distance_m(space.view_point(&eye, a));
+            let seen = space.eye_distance_m(&eye, space.view_point(&eye, a));
             let to_eye = space.distance_m(a, eye.point, &eye);
             prop_assert!((seen - to_eye).abs() < 1e-11 * (1.0 + seen));
             let around = to_eye + space.distance_m(eye.point, b, &eye);

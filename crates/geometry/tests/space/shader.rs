@@ -51,6 +51,7 @@ fn the_uniform_has_the_same_layout_in_rust_and_in_the_shader() {
         ("view", std::mem::offset_of!(SpaceUniform, view)),
         ("project", std::mem::offset_of!(SpaceUniform, project)),
         ("curve", std::mem::offset_of!(SpaceUniform, curve)),
+        ("edge", std::mem::offset_of!(SpaceUniform, edge)),
         ("kind", std::mem::offset_of!(SpaceUniform, kind)),
     ];
     assert_eq!(span as usize, size_of::<SpaceUniform>());

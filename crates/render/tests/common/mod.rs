@@ -125,6 +125,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
             yaw: 0.0,
             pitch: 0.0,
             dial: 10.0,
+            lift_m: 1.62,
         },
         projection: Projection::new(75f64.to_radians(), aspect, 0.02),
         strategy: Arc::clone(space),

@@ -1,0 +1,270 @@
+//! The horizon map: the true picture of level ground in a space of any curvature.
+//!
+//! The chart is cylindrical about the foot of the eye's plumb line, so the sheet at the height of
+//! the feet is totally geodesic and the camera stands on the axis above it. The curvature kappa
+//! (per square metre, negative where hyperbolic) follows the eye's dial and may pass through zero:
+//! every function below is an entire function of kappa, so nothing is switched there.
+//!
+//! With u the chart displacement from the eye in metres, H its height over the sheet, y = u.y + H,
+//! r = |(u.x, u.z)|, S(t) = t sinc(kappa t^2), C(t) = cos(kappa t^2) and q = S(r/2)^2, the boost
+//! along the axis by H takes (S(y), C(y) C(r)) to
+//! `Y' = S(u.y) + 2 kappa S(H) C(y) q` and `W' = C(u.y) - 2 kappa C(H) C(y) q`,
+//! by the addition theorems and `1 - C(r) = 2 kappa q`. X and Z are the chart's.
+
+use glam::{DMat4, DVec3, DVec4};
+
+use crate::charts::cylindrical;
+use crate::euclidean::rotation;
+use crate::projection::Depth;
+use crate::scalar::{asin_k, atan_k, cos_k, sin_k, sinc_minus_one_over_square};
+use crate::sight::{Axis, SightCell};
+use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
+use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy};
+
+/// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
+const RADIUS_NOTCHES_M: f64 = 80.0;
+/// Hyperbolic points farther than this, in radii, are drawn in to it, so that products of two
+/// hyperboloid coordinates stay finite in `f64`.
+const OVERFLOW_GUARD_RADII: f64 = 170.0;
+/// Where curvature is positive, the chart is cut off at these parts of its half turn outwards and
+/// of its quarter turn upwards: past them it would cover the sphere a second time.
+const CUT_LEVEL: f64 = 0.9;
+const CUT_UPRIGHT: f64 = 0.95;
+/// Where curvature is positive, the haze is complete at this part of a half turn: before the cut.
+const HAZE: f64 = 0.8;
+
+/// A flat or hyperbolic world seen through the horizon map.
+#[derive(Debug, Clone, Copy)]
+pub struct Horizon {
+    geometry: Geometry,
+    radius_m: f64,
+}
+
+impl Horizon {
+    /// Scroll positions of hyperbolic worlds.
+    pub const DIAL: Dial = Dial {
+        min: 0.0,
+        max: 20.0,
+        default: 10.0,
+    };
+    /// Scroll positions of flat worlds: hyperbolic above zero, spherical below.
+    pub const BEND_DIAL: Dial = Dial {
+        min: -20.0,
+        max: 20.0,
+        default: 0.0,
+    };
+
+    /// A hyperbolic world; `radius_m` is the world's own radius, which this map does not use.
+    pub fn hyperbolic(radius_m: f64) -> Self {
+        Self {
+            geometry: Geometry::Hyperbolic,
+            radius_m,
+        }
+    }
+
+    /// A flat world whose picture is bent by the dial.
+    pub fn bent() -> Self {
+        Self {
+            geometry: Geometry::Euclidean,
+            radius_m: f64::INFINITY,
+        }
+    }
+
+    fn range(self) -> Dial {
+        if self.geometry == Geometry::Hyperbolic {
+            Self::DIAL
+        } else {
+            Self::BEND_DIAL
+        }
+    }
+
+    /// The curvature in use, per square metre: `-c |c| / 80^2`.
+    pub fn kappa(self, eye: &Eye) -> f64 {
+        let range = self.range();
+        if eye.dial.is_nan() {
+            return 0.0;
+        }
+        let k = eye.dial.clamp(range.min, range.max) / RADIUS_NOTCHES_M;
+        -k * k.abs()
+    }
+
+    /// A chart displacement from the eye, in metres, drawn in where it is too far to port.
+    fn within_guard(kappa: f64, u: DVec3) -> DVec3 {
+        if kappa < 0.0 {
+            u.clamp_length_max(OVERFLOW_GUARD_RADII / (-kappa).sqrt())
+        } else {
+            u
+        }
+    }
+
+    /// The closed form: ported and boosted, before the camera's rotation.
+    fn boosted(kappa: f64, lift_m: f64, u: DVec3) -> DVec4 {
+        let u = Self::within_guard(kappa, u);
+        let r = u.x.hypot(u.z);
+        let upright = cos_k(kappa, u.y + lift_m);
+        let half = sin_k(kappa, 0.5 * r);
+        let sag = 2.0 * kappa * upright * half * half;
+        let across = if r > 0.0 { sin_k(kappa, r) / r } else { 1.0 };
+        DVec4::new(
+            upright * across * u.x,
+            sin_k(kappa, u.y) + sin_k(kappa, lift_m) * sag,
+            upright * across * u.z,
+            cos_k(kappa, u.y) - cos_k(kappa, lift_m) * sag,
+        )
+    }
+
+    /// Farthest level distance and greatest height that the picture shows, in metres.
+    fn edge_m(kappa: f64) -> (f64, f64) {
+        if kappa > 0.0 {
+            let turn = std::f64::consts::PI / kappa.sqrt();
+            (CUT_LEVEL * turn, CUT_UPRIGHT * 0.5 * turn)
+        } else {
+            (f64::INFINITY, f64::INFINITY)
+        }
+    }
+
+    /// Cells of the picture are found about the axis through the eye.
+    fn axis(kappa: f64, eye: &Eye) -> Axis {
+        Axis::new(kappa, eye.lift_m)
+    }
+}
+
+impl Strategy for Horizon {
+    fn geometry(&self) -> Geometry {
+        self.geometry
+    }
+
+    fn radius_m(&self) -> f64 {
+        self.radius_m
+    }
+
+    fn radius_at_m(&self, eye: &Eye) -> f64 {
+        1.0 / self.kappa(eye).abs().sqrt()
+    }
+
+    fn dial(&self) -> Option<Dial> {
+        Some(self.range())
+    }
+
+    fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
+        let x = Self::boosted(self.kappa(eye), eye.lift_m, point.pos - eye.point.pos);
+        eye.to_view(x.truncate()).extend(x.w)
+    }
+
+    fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {
+        let kappa = self.kappa(eye);
+        let (sin_h, cos_h) = (sin_k(kappa, eye.lift_m), cos_k(kappa, eye.lift_m));
+        let v = eye.to_chart(view.truncate());
+        // The boost back, by the transpose of the one above.
+        let rise = v.y * cos_h + view.w * sin_h;
+        let out = view.w * cos_h - kappa * v.y * sin_h;
+        let level = v.x.hypot(v.z);
+        let (y, r) = if kappa > 0.0 {
+            let beside = (kappa * level * level + out * out).sqrt();
+            (atan_k(kappa, rise, beside), atan_k(kappa, level, out))
+        } else {
+            let y = asin_k(kappa, rise);
+            (y, asin_k(kappa, level / cos_k(kappa, y)))
+        };
+        let per_level = if level > 0.0 { r / level } else { 1.0 };
+        let foot = eye.point.pos - DVec3::Y * eye.lift_m;
+        ChartPoint::a(foot + DVec3::new(v.x * per_level, y, v.z * per_level))
+    }
+
+    fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
+        let kappa = self.kappa(eye);
+        let limit = if kappa < 0.0 {
+            OVERFLOW_GUARD_RADII / (-kappa).sqrt()
+        } else {
+            f64::INFINITY
+        };
+        let t = distance_m.clamp(-limit, limit);
+        self.chart_point(eye, (direction * sin_k(kappa, t)).extend(cos_k(kappa, t)))
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
+        let views = [a, b].map(|p| self.view_point(eye, p));
+        distance_between_views_m(self.kappa(eye), views)
+    }
+
+    fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64 {
+        let (kappa, rho) = (self.kappa(eye), view.truncate().length());
+        if kappa > 0.0 {
+            atan_k(kappa, rho, view.w)
+        } else {
+            asin_k(kappa, rho)
+        }
+    }
+
+    fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
+        let kappa = self.kappa(eye);
+        let u = Self::within_guard(kappa, point.pos - eye.point.pos) + DVec3::Y * eye.lift_m;
+        if kappa == 0.0 {
+            u.extend(1.0)
+        } else {
+            cylindrical(kappa.signum(), u * kappa.abs().sqrt())
+        }
+    }
+
+    /// Lengths along the radial, tangential and upward axes are C(y), C(y) S(r)/r and 1 per chart
+    /// metre; a covector goes by their inverses.
+    fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
+        let kappa = self.kappa(eye);
+        let u = Self::within_guard(kappa, point.pos - eye.point.pos);
+        let r = u.x.hypot(u.z);
+        let across = if r > 0.0 { sin_k(kappa, r) / r } else { 1.0 };
+        // (S(r)/r - 1) / r^2
+        let bend = kappa.abs() * sinc_minus_one_over_square(kappa.signum(), kappa.abs().sqrt() * r);
+        let along = bend * (normal.x * u.x + normal.z * u.z);
+        let ported = DVec3::new(
+            normal.x + along * u.x,
+            normal.y * cos_k(kappa, u.y + eye.lift_m) * across,
+            normal.z + along * u.z,
+        );
+        (ported / across.abs().max(1.0)).normalize_or_zero()
+    }
+
+    fn sight_limit_m(&self, eye: &Eye) -> f64 {
+        let kappa = self.kappa(eye);
+        if kappa > 0.0 {
+            HAZE * std::f64::consts::PI / kappa.sqrt()
+        } else {
+            FAR_LIMIT_RADII * self.radius_at_m(eye)
+        }
+    }
+
+    fn trims(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
+        let (level, upright) = Self::edge_m(self.kappa(eye));
+        let foot = eye.point.pos - DVec3::Y * eye.lift_m;
+        let far = (min - foot).abs().max((max - foot).abs());
+        far.x.hypot(far.z) > level || far.y > upright
+    }
+
+    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+        let kappa = self.kappa(eye);
+        let (level, upright) = Self::edge_m(kappa);
+        let low = min - eye.point.pos;
+        let high = max - eye.point.pos;
+        Self::axis(kappa, eye).cell_of_box(low, high, level, upright)
+    }
+
+    fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
+        let kappa = self.kappa(eye);
+        let depth = if kappa > 0.0 {
+            Depth::Upright
+        } else if kappa < 0.0 {
+            Depth::Exponential {
+                radius_m: self.radius_at_m(eye),
+            }
+        } else {
+            Depth::Reciprocal
+        };
+        projection.clip(depth, view)
+    }
+
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+        let view = DMat4::from_mat3(rotation(eye));
+        let kappa = self.kappa(eye);
+        SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge_m(kappa))
+    }
+}
