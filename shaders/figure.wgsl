@@ -9,6 +9,10 @@ struct VertexIn {
     @location(4) offset: vec3<f32>,     // the feet from the reference, metres
     @location(5) hemisphere: u32,
     @location(6) pose: vec4<f32>,       // cosine and sine of the heading, angle of the swing, rise of the body m
+    @location(7) frame_origin: vec4<f32>, // view coordinates of the feet, where the figure is ported as a whole,
+    @location(8) frame_x: vec4<f32>,    // and per metre along x, y and z
+    @location(9) frame_y: vec4<f32>,
+    @location(10) frame_z: vec4<f32>,
 }
 
 struct VertexOut {
@@ -30,14 +34,16 @@ fn face(v: vec3<f32>, heading: vec2<f32>) -> vec3<f32> {
     return vec3<f32>(heading.x * v.x - heading.y * v.z, v.y, heading.y * v.x + heading.x * v.z);
 }
 
-@vertex
-fn vertex(in: VertexIn) -> VertexOut {
+// Where a vertex stands, in metres from the feet.
+fn stance(in: VertexIn) -> vec3<f32> {
     let joint = vec3<f32>(0.0, in.swing.x, 0.0);
     let angle = in.pose.z * in.swing.y;
     let bent = turn_limb(in.position - joint, angle) + joint + vec3<f32>(0.0, in.pose.w, 0.0);
-    let normal = face(turn_limb(in.normal.xyz, angle), in.pose.xy);
-    let p = in.offset + face(bent, in.pose.xy);
-    let view = port_to_view(scene.space, p, in.hemisphere);
+    return face(bent, in.pose.xy);
+}
+
+fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
+    let normal = face(turn_limb(in.normal.xyz, in.pose.z * in.swing.y), in.pose.xy);
     let fog = fog_at(eye_distance(scene.space, view));
     let direction = direction_of(view.xyz);
     var out: VertexOut;
@@ -47,6 +53,21 @@ fn vertex(in: VertexIn) -> VertexOut {
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
     return out;
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    let p = in.offset + stance(in);
+    return figure_at(in, p, port_to_view(scene.space, p, in.hemisphere));
+}
+
+// The whole figure by one first-order map, where that errs by less than anyone can see.
+@vertex
+fn vertex_framed(in: VertexIn) -> VertexOut {
+    let from_feet = stance(in);
+    let view = in.frame_origin + in.frame_x * from_feet.x + in.frame_y * from_feet.y
+        + in.frame_z * from_feet.z;
+    return figure_at(in, in.offset + from_feet, view);
 }
 
 @fragment

@@ -8,6 +8,10 @@ struct VertexIn {
     @location(3) offset: vec3<f32>,     // the chunk's corner from the reference, metres
     @location(4) hemisphere: u32,
     @location(5) world: vec3<f32>,      // the chunk's corner, wrapped to 256 m
+    @location(6) frame_origin: vec4<f32>, // view coordinates of the corner, where the chunk is ported as a whole,
+    @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
+    @location(8) frame_y: vec4<f32>,
+    @location(9) frame_z: vec4<f32>,
 }
 
 struct VertexOut {
@@ -44,11 +48,8 @@ fn nearest_feet(p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
     return nearest;
 }
 
-@vertex
-fn vertex(in: VertexIn) -> VertexOut {
-    let p = in.offset + in.position;
+fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normalize(in.normal.xyz);
-    let view = port_to_view(scene.space, p, in.hemisphere);
     let world = in.world + in.position;
     let grain = grain_point(world, in.hemisphere);
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
@@ -69,6 +70,20 @@ fn vertex(in: VertexIn) -> VertexOut {
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     out.feet = nearest_feet(p, in.hemisphere);
     return out;
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    let p = in.offset + in.position;
+    return land_at(in, p, port_to_view(scene.space, p, in.hemisphere));
+}
+
+// The whole chunk by one first-order map, where that errs by less than anyone can see.
+@vertex
+fn vertex_framed(in: VertexIn) -> VertexOut {
+    let view = in.frame_origin + in.frame_x * in.position.x + in.frame_y * in.position.y
+        + in.frame_z * in.position.z;
+    return land_at(in, in.offset + in.position, view);
 }
 
 fn land_colour(in: VertexOut) -> vec4<f32> {
@@ -102,12 +117,40 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return land_colour(in);
 }
 
-// For chunks that reach over the edge of their chart: over the equator, where the other chart draws what lies
-// more than 5 cm beyond it, or past what a bent picture shows.
+// Beyond what the chart draws, by more than 5 cm: over the equator, where the other chart draws it, or past what a
+// bent picture shows.
+fn is_trimmed(in: VertexOut) -> bool {
+    return in.place.w > 0.05;
+}
+
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
-    if in.place.w > 0.05 {
+    if is_trimmed(in) {
         discard;
     }
     return land_colour(in);
+}
+
+struct DeepOut {
+    @location(0) colour: vec4<f32>,
+    @builtin(frag_depth) depth: f32,
+}
+
+// Hyperbolic depth is not quite linear inside a triangle: here each fragment is ported for its own.
+fn own_depth(in: VertexOut) -> f32 {
+    let clip = clip_from_view(scene.space, port_to_view(scene.space, in.place.xyz, 0u));
+    return clamp(clip.z / max(clip.w, 1e-6), 0.0, 1.0);
+}
+
+@fragment
+fn fragment_deep(in: VertexOut) -> DeepOut {
+    return DeepOut(land_colour(in), own_depth(in));
+}
+
+@fragment
+fn fragment_deep_rim(in: VertexOut) -> DeepOut {
+    if is_trimmed(in) {
+        discard;
+    }
+    return DeepOut(land_colour(in), own_depth(in));
 }

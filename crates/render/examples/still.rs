@@ -13,7 +13,7 @@ use antipode_geometry::{
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
-use antipode_scene::frame::{ChunkChange, Figure, Frame, Marker, ModelId};
+use antipode_scene::frame::{ChunkChange, Figure, Frame, Marker, ModelId, Quality};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec3, IVec3};
 
@@ -137,6 +137,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         fog_distance_m: space.rim_m().map_or(reach_m - 8.0, |rim_m| rim_m * 3.0) as f32,
         contour_bands: true,
         time_s: 1.0,
+        quality: Quality::default(),
         loaded_world: geometry as u64,
         strategy: space,
     }

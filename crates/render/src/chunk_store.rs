@@ -1,16 +1,21 @@
 //! The terrain's meshes on the adapter.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_terrain::{ChunkMesh, Vertex};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass, RenderPipeline};
+use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass};
 
-use crate::culling::Visible;
+use crate::pipelines::TerrainPipelines;
+use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, refined};
 use crate::uniforms::ChunkInstance;
+
+/// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
+const FLOOR_CLEARANCE_M: f32 = 0.01;
 
 /// Attributes of a terrain vertex, from location 0 on.
 pub const VERTEX_ATTRIBUTES: [wgpu::VertexAttribute; 3] =
@@ -21,49 +26,99 @@ pub const VERTEX_BYTES: u64 = size_of::<Vertex>() as u64;
 /// One chunk's mesh.
 #[derive(Debug)]
 pub struct GpuChunk {
+    buffers: MeshBuffers,
+    /// The mesh with edges halved near the eye, and what that was made for; without buffers where none were.
+    refined: Option<(RefineKey, Option<MeshBuffers>)>,
+    mesh: Arc<ChunkMesh>,
+    land: ChunkLand,
+}
+
+/// Vertices and indices on the adapter.
+#[derive(Debug)]
+struct MeshBuffers {
     vertices: Buffer,
     indices: Buffer,
     index_count: u32,
     index_format: IndexFormat,
-    /// Lowest corner of the mesh, metres from the chunk's.
-    pub min: Vec3,
-    /// Highest corner of the mesh, metres from the chunk's lowest.
-    pub max: Vec3,
 }
 
-impl GpuChunk {
-    fn new(device: &Device, mesh: &ChunkMesh) -> Self {
-        let vertices = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("chunk vertices"),
-            contents: bytemuck::cast_slice(&mesh.vertices),
-            usage: BufferUsages::VERTEX,
-        });
-        let indices = |contents: &[u8]| {
-            let descriptor = BufferInitDescriptor {
-                label: Some("chunk indices"),
+impl MeshBuffers {
+    fn new(device: &Device, vertices: &[Vertex], indices: &[u32]) -> Self {
+        let buffer = |label, contents: &[u8], usage| {
+            device.create_buffer_init(&BufferInitDescriptor {
+                label: Some(label),
                 contents,
-                usage: BufferUsages::INDEX,
-            };
-            device.create_buffer_init(&descriptor)
+                usage,
+            })
         };
-        let (indices, index_format) = if u16::try_from(mesh.vertices.len()).is_ok() {
-            let short: Vec<u16> = mesh.indices.iter().map(|&i| i as u16).collect();
-            (indices(bytemuck::cast_slice(&short)), IndexFormat::Uint16)
-        } else {
+        let (index_buffer, index_format) = if u16::try_from(vertices.len()).is_ok() {
+            let short: Vec<u16> = indices.iter().map(|&i| i as u16).collect();
+            let bytes = bytemuck::cast_slice(&short);
             (
-                indices(bytemuck::cast_slice(&mesh.indices)),
+                buffer("chunk indices", bytes, BufferUsages::INDEX),
+                IndexFormat::Uint16,
+            )
+        } else {
+            let bytes = bytemuck::cast_slice(indices);
+            (
+                buffer("chunk indices", bytes, BufferUsages::INDEX),
                 IndexFormat::Uint32,
             )
         };
-        let positions = || mesh.vertices.iter().map(|v| Vec3::from(v.position));
         Self {
-            vertices,
-            indices,
-            index_count: mesh.indices.len() as u32,
+            vertices: buffer(
+                "chunk vertices",
+                bytemuck::cast_slice(vertices),
+                BufferUsages::VERTEX,
+            ),
+            indices: index_buffer,
+            index_count: indices.len() as u32,
             index_format,
-            min: positions().reduce(Vec3::min).unwrap_or_default(),
-            max: positions().reduce(Vec3::max).unwrap_or_default(),
         }
+    }
+}
+
+impl GpuChunk {
+    fn new(device: &Device, coord: ChunkCoord, mesh: &Arc<ChunkMesh>) -> Self {
+        Self {
+            buffers: MeshBuffers::new(device, &mesh.vertices, &mesh.indices),
+            refined: None,
+            land: land_of(coord, mesh),
+            mesh: Arc::clone(mesh),
+        }
+    }
+
+    fn drawn(&self) -> &MeshBuffers {
+        match &self.refined {
+            Some((_, Some(refined))) => refined,
+            _ => &self.buffers,
+        }
+    }
+}
+
+/// What the planner is to know of a mesh.
+fn land_of(coord: ChunkCoord, mesh: &ChunkMesh) -> ChunkLand {
+    let positions = || {
+        mesh.vertices
+            .iter()
+            .map(|v| Vec3::from(v.position).as_dvec3())
+    };
+    let origin = coord.origin();
+    let lowest = mesh
+        .vertices
+        .iter()
+        .min_by(|a, b| a.position[1].total_cmp(&b.position[1]));
+    // Below the mesh's lowest place lies ground, if that place is a floor; and all the way down, if the mesh
+    // stays clear of the chunk's own floor.
+    let solid_below_m = lowest
+        .filter(|v| v.normal[1] > 0 && v.position[1] > FLOOR_CLEARANCE_M)
+        .map(|v| origin.y + f64::from(v.position[1]));
+    ChunkLand {
+        coord,
+        min: origin + positions().reduce(DVec3::min).unwrap_or_default(),
+        max: origin + positions().reduce(DVec3::max).unwrap_or_default(),
+        triangles: mesh.indices.len() / 3,
+        solid_below_m,
     }
 }
 
@@ -97,7 +152,8 @@ impl ChunkStore {
         for change in &frame.chunk_changes {
             match change {
                 ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
-                    self.chunks.insert(*coord, GpuChunk::new(device, mesh));
+                    self.chunks
+                        .insert(*coord, GpuChunk::new(device, *coord, mesh));
                 }
                 ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
                     self.chunks.remove(coord);
@@ -106,14 +162,51 @@ impl ChunkStore {
         }
     }
 
-    /// Every chunk that has triangles.
-    pub fn iter(&self) -> impl Iterator<Item = (&ChunkCoord, &GpuChunk)> {
-        self.chunks.iter()
+    /// The land of every chunk that has triangles.
+    pub fn land(&self) -> Vec<ChunkLand> {
+        self.chunks.values().map(|chunk| chunk.land).collect()
     }
 
     /// How many chunks have triangles.
     pub fn len(&self) -> usize {
         self.chunks.len()
+    }
+
+    /// Halves the edges of the chunks whose choice says so, as far as that is not done; returns how many chunks
+    /// are refined and by how many triangles.
+    pub fn refine(
+        &mut self,
+        device: &Device,
+        frame: &Frame,
+        land: &[ChunkLand],
+        plan: &FramePlan,
+    ) -> (usize, usize) {
+        let key = RefineKey::of(frame);
+        let (mut count, mut added) = (0, 0);
+        for choice in &plan.chunks {
+            let land = &land[choice.place];
+            let Some(chunk) = self.chunks.get_mut(&land.coord) else {
+                continue;
+            };
+            if !choice.refine {
+                chunk.refined = None;
+                continue;
+            }
+            if chunk
+                .refined
+                .as_ref()
+                .is_none_or(|(made_for, _)| *made_for != key)
+            {
+                let refined = refined(frame, land, &chunk.mesh, &plan.bounds);
+                let buffers = refined.map(|r| MeshBuffers::new(device, &r.vertices, &r.indices));
+                chunk.refined = Some((key, buffers));
+            }
+            if let Some((_, Some(refined))) = &chunk.refined {
+                count += 1;
+                added += refined.index_count as usize / 3 - land.triangles;
+            }
+        }
+        (count, added)
     }
 
     /// Makes room for the instances of all chunks.
@@ -124,36 +217,51 @@ impl ChunkStore {
         }
     }
 
-    /// Sends where the visible chunks stand.
-    pub fn upload(&self, queue: &Queue, visible: &[Visible<'_>]) {
-        let instances: Vec<_> = visible.iter().map(|v| v.instance).collect();
+    /// Sends where the chosen chunks stand.
+    pub fn upload(&self, queue: &Queue, frame: &Frame, land: &[ChunkLand], plan: &FramePlan) {
+        let instance = |choice: &ChunkChoice| {
+            let coord = land[choice.place].coord;
+            let reference = frame.strategy.reference(&frame.eye, coord.hemisphere);
+            let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
+            match &choice.port {
+                Port::Vertex => plain,
+                Port::Frame(affine) => plain.framed(affine),
+            }
+        };
+        let instances: Vec<_> = plan.chunks.iter().map(instance).collect();
         queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
     }
 
-    /// Draws the visible chunks in order, those at the rim with `rim`; returns triangles and draw calls.
+    /// Draws the chosen chunks in order; returns triangles and draw calls.
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
-        visible: &[Visible<'_>],
-        plain: &RenderPipeline,
-        rim: &RenderPipeline,
+        land: &[ChunkLand],
+        plan: &FramePlan,
+        pipelines: &TerrainPipelines,
     ) -> (usize, usize) {
-        let mut triangles = 0;
-        let mut trimmed = None;
-        for (place, Visible { chunk, at_rim, .. }) in visible.iter().enumerate() {
-            if trimmed != Some(*at_rim) {
-                trimmed = Some(*at_rim);
-                pass.set_pipeline(if *at_rim { rim } else { plain });
+        let (mut triangles, mut draws) = (0, 0);
+        let mut bound = None;
+        for (place, choice) in plan.chunks.iter().enumerate() {
+            let Some(chunk) = self.chunks.get(&land[choice.place].coord) else {
+                continue;
+            };
+            let (number, pipeline) = pipelines.of(choice);
+            if bound != Some(number) {
+                bound = Some(number);
+                pass.set_pipeline(pipeline);
             }
+            let mesh = chunk.drawn();
             // Binding the slice instead of naming a first instance works on OpenGL too.
             let start = (place * size_of::<ChunkInstance>()) as u64;
-            pass.set_vertex_buffer(0, chunk.vertices.slice(..));
+            pass.set_vertex_buffer(0, mesh.vertices.slice(..));
             pass.set_vertex_buffer(1, self.instances.slice(start..));
-            pass.set_index_buffer(chunk.indices.slice(..), chunk.index_format);
-            pass.draw_indexed(0..chunk.index_count, 0, 0..1);
-            triangles += chunk.index_count as usize / 3;
+            pass.set_index_buffer(mesh.indices.slice(..), mesh.index_format);
+            pass.draw_indexed(0..mesh.index_count, 0, 0..1);
+            triangles += mesh.index_count as usize / 3;
+            draws += 1;
         }
-        (triangles, visible.len())
+        (triangles, draws)
     }
 }
 

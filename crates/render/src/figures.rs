@@ -1,16 +1,24 @@
 //! Figures: one mesh for each model, an instance for each figure.
 
 use antipode_scene::frame::{Figure, Frame};
+use glam::DVec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
 use crate::astronaut::astronaut;
-use crate::uniforms::{FigureInstance, hemisphere_index, offset_of};
+use crate::pipelines::Pipelines;
+use crate::plan::{Affine, FramePlan, Tolerance};
+use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
 
 /// Widest angle of a leg from straight down, radians.
 const SWING_RAD: f32 = 0.62;
 /// The body rises by this much when the legs pass each other, metres.
 const RISE_M: f32 = 0.035;
+
+/// Half the sides of the box that a figure in any pose stays in, metres.
+const FIGURE_HALF_WIDTH_M: f64 = 0.6;
+/// Half its height, metres.
+const FIGURE_HALF_HEIGHT_M: f64 = 0.95;
 
 /// The models on the adapter and this frame's figures.
 #[derive(Debug)]
@@ -20,6 +28,7 @@ pub struct Figures {
     index_count: u32,
     instances: Buffer,
     room: usize,
+    framed: u32,
     count: u32,
 }
 
@@ -45,17 +54,30 @@ impl Figures {
             index_count,
             instances: instance_buffer(device, room),
             room,
+            framed: 0,
             count: 0,
         }
     }
 
-    /// Takes this frame's figures.
-    pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
-        let instances: Vec<_> = frame
-            .figures
-            .iter()
-            .map(|figure| instance(frame, figure))
-            .collect();
+    /// Takes this frame's figures, those that a frame serves within the tolerance first.
+    pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame, plan: &mut FramePlan) {
+        let mut instances = Vec::with_capacity(frame.figures.len());
+        let mut by_vertex = Vec::new();
+        for figure in &frame.figures {
+            let plain = instance(frame, figure);
+            match figure_frame(frame, plan, figure) {
+                Some((affine, error_px)) => {
+                    plan.stats.error_at_least(error_px);
+                    let frame = frame_rows(&affine);
+                    instances.push(FigureInstance { frame, ..plain });
+                }
+                None => by_vertex.push(plain),
+            }
+        }
+        self.framed = instances.len() as u32;
+        plan.stats.figures_by_frame = instances.len();
+        plan.stats.figures_by_vertex = by_vertex.len();
+        instances.append(&mut by_vertex);
         if instances.len() > self.room {
             self.room = instances.len().next_power_of_two();
             self.instances = instance_buffer(device, self.room);
@@ -65,16 +87,39 @@ impl Figures {
     }
 
     /// Draws them; returns triangles and draw calls.
-    pub fn draw(&self, pass: &mut RenderPass<'_>) -> (usize, usize) {
-        if self.count == 0 {
-            return (0, 0);
-        }
+    pub fn draw(&self, pass: &mut RenderPass<'_>, pipelines: &Pipelines) -> (usize, usize) {
+        let mut draws = 0;
         pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        pass.draw_indexed(0..self.index_count, 0, 0..self.count);
-        ((self.index_count / 3 * self.count) as usize, 1)
+        let runs = [
+            (&pipelines.figure_framed, 0..self.framed),
+            (&pipelines.figure, self.framed..self.count),
+        ];
+        for (pipeline, run) in runs {
+            if run.is_empty() {
+                continue;
+            }
+            let start = u64::from(run.start) * size_of::<FigureInstance>() as u64;
+            pass.set_pipeline(pipeline);
+            pass.set_vertex_buffer(1, self.instances.slice(start..));
+            pass.draw_indexed(0..self.index_count, 0, 0..run.end - run.start);
+            draws += 1;
+        }
+        ((self.index_count / 3 * self.count) as usize, draws)
     }
+}
+
+/// The frame of a figure, where it is exact enough.
+fn figure_frame(frame: &Frame, plan: &FramePlan, figure: &Figure) -> Option<(Affine, f64)> {
+    let half = DVec3::new(
+        FIGURE_HALF_WIDTH_M,
+        FIGURE_HALF_HEIGHT_M,
+        FIGURE_HALF_WIDTH_M,
+    );
+    let middle = figure.point.moved(DVec3::Y * FIGURE_HALF_HEIGHT_M);
+    let tolerance = Tolerance::of(frame.quality);
+    plan.bounds
+        .object(frame, figure.point, middle, half, tolerance.shape_px)
 }
 
 fn instance_buffer(device: &Device, room: usize) -> Buffer {
@@ -100,5 +145,6 @@ fn instance(frame: &Frame, figure: &Figure) -> FigureInstance {
         offset: offset_of(frame, figure.point),
         hemisphere: hemisphere_index(figure.point.hemisphere),
         pose,
+        frame: [[0.0; 4]; 4],
     }
 }

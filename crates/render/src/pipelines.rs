@@ -8,6 +8,7 @@ use wgpu::{
 
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
+use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, TERRAIN};
 use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
@@ -17,11 +18,11 @@ use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
 #[derive(Debug)]
 pub struct Pipelines {
     /// Land.
-    pub terrain: RenderPipeline,
-    /// Land that reaches over the equator.
-    pub terrain_rim: RenderPipeline,
+    pub terrain: TerrainPipelines,
     /// Figures.
     pub figure: RenderPipeline,
+    /// Figures ported as a whole.
+    pub figure_framed: RenderPipeline,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
     /// Sun, moon and stars.
@@ -58,8 +59,8 @@ impl Pipelines {
             layout(position[0].format.size(), VertexStepMode::Vertex, &position),
             instances::<MarkerInstance>(&MarkerInstance::ATTRIBUTES),
         ];
-        let solid =
-            |module, fragment, buffers| maker.make(module, ["vertex", fragment], buffers, SOLID);
+        let solid = |module, entries, buffers| maker.make(module, entries, buffers, SOLID);
+        let terrain = |vertex, fragment| solid(&land, [vertex, fragment], &land_buffers);
         let glass = |fragment, compare| {
             maker.make(
                 &marker,
@@ -69,9 +70,15 @@ impl Pipelines {
             )
         };
         Self {
-            terrain: solid(&land, "fragment", &land_buffers),
-            terrain_rim: solid(&land, "fragment_rim", &land_buffers),
-            figure: solid(&figure, "fragment", &figure_buffers),
+            terrain: TerrainPipelines {
+                plain: terrain("vertex", "fragment"),
+                rim: terrain("vertex", "fragment_rim"),
+                deep: terrain("vertex", "fragment_deep"),
+                deep_rim: terrain("vertex", "fragment_deep_rim"),
+                framed: terrain("vertex_framed", "fragment"),
+            },
+            figure: solid(&figure, ["vertex", "fragment"], &figure_buffers),
+            figure_framed: solid(&figure, ["vertex_framed", "fragment"], &figure_buffers),
             sky: maker.make(
                 &sky,
                 ["vertex", "fragment"],
@@ -85,6 +92,35 @@ impl Pipelines {
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
             scene_layout,
+        }
+    }
+}
+
+/// The ways of drawing land.
+#[derive(Debug)]
+pub struct TerrainPipelines {
+    /// Ported by vertex.
+    plain: RenderPipeline,
+    /// The same, trimmed at the edge of its chart.
+    rim: RenderPipeline,
+    /// Each fragment with its own depth.
+    deep: RenderPipeline,
+    /// The same, trimmed.
+    deep_rim: RenderPipeline,
+    /// Ported as a whole.
+    framed: RenderPipeline,
+}
+
+impl TerrainPipelines {
+    /// The pipeline of a choice, and a number that tells it from the others.
+    pub fn of(&self, choice: &ChunkChoice) -> (u8, &RenderPipeline) {
+        let deep = choice.depth == DepthMethod::Fragment;
+        match (&choice.port, deep, choice.trimmed) {
+            (Port::Frame(_), ..) => (0, &self.framed),
+            (Port::Vertex, false, false) => (1, &self.plain),
+            (Port::Vertex, false, true) => (2, &self.rim),
+            (Port::Vertex, true, false) => (3, &self.deep),
+            (Port::Vertex, true, true) => (4, &self.deep_rim),
         }
     }
 }

@@ -9,12 +9,12 @@ use wgpu::{
 
 use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
-use crate::culling::{Visible, visible};
 use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::marker::MarkerBalls;
 use crate::pipelines::Pipelines;
+use crate::plan::{ChunkLand, FramePlan, PlanStats, plan};
 use crate::targets::{Targets, drawn_size};
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
@@ -40,6 +40,8 @@ pub struct DrawStats {
     pub draws: usize,
     /// Chunks with land that were left out.
     pub culled: usize,
+    /// What the planner chose, and the error that causes.
+    pub plan: PlanStats,
     /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
     pub gpu_ms: Option<f32>,
 }
@@ -68,6 +70,8 @@ pub struct Renderer {
     marker: MarkerBalls,
     celestial: Celestial,
     timing: Option<Timing>,
+    /// Height of the targets, pixels: what errors are measured in.
+    height_px: u32,
 }
 
 impl Renderer {
@@ -102,6 +106,7 @@ impl Renderer {
             marker: MarkerBalls::new(&device),
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
+            height_px: 1,
             device,
             queue,
             options,
@@ -118,6 +123,7 @@ impl Renderer {
     pub fn resize(&mut self, width: u32, height: u32) {
         let most = self.device.limits().max_texture_dimension_2d;
         let size = drawn_size(width, height, self.options.scale, most);
+        self.height_px = height;
         self.targets = Targets::new(&self.device, size, self.options.samples);
         self.light = self.tonemap.bind(&self.device, &self.targets.light);
     }
@@ -138,21 +144,27 @@ impl Renderer {
             .and_then(|timing| timing.collect(&self.device));
         self.chunks.apply(&self.device, frame);
         self.chunks.reserve(&self.device);
-        self.figures.prepare(&self.device, &self.queue, frame);
         self.marker.prepare(&self.queue, frame);
         self.queue.write_buffer(
             &self.uniform,
             0,
             bytemuck::bytes_of(&SceneUniform::new(frame, self.targets.size)),
         );
-        let visible = visible(&self.chunks, frame);
-        self.chunks.upload(&self.queue, &visible);
+        let land = self.chunks.land();
+        let mut plan = plan(frame, self.height_px, &land);
+        let (refined, added) = self.chunks.refine(&self.device, frame, &land, &plan);
+        plan.stats.chunks_refined = refined;
+        plan.stats.triangles_added = added;
+        self.figures
+            .prepare(&self.device, &self.queue, frame, &mut plan);
+        self.chunks.upload(&self.queue, frame, &land, &plan);
         let mut stats = DrawStats {
-            culled: self.chunks.len() - visible.len(),
+            culled: self.chunks.len() - plan.chunks.len(),
+            plan: plan.stats,
             gpu_ms,
             ..DrawStats::default()
         };
-        self.draw_scene(frame, &visible, encoder, &mut stats);
+        self.draw_scene(frame, &land, &plan, encoder, &mut stats);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -201,7 +213,8 @@ impl Renderer {
     fn draw_scene(
         &self,
         frame: &Frame,
-        visible: &[Visible<'_>],
+        land: &[ChunkLand],
+        plan: &FramePlan,
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
@@ -209,14 +222,8 @@ impl Renderer {
         let pipelines = &self.pipelines;
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
-        pass.set_pipeline(&pipelines.figure);
-        stats.add(self.figures.draw(&mut pass));
-        stats.add(self.chunks.draw(
-            &mut pass,
-            visible,
-            &pipelines.terrain,
-            &pipelines.terrain_rim,
-        ));
+        stats.add(self.figures.draw(&mut pass, pipelines));
+        stats.add(self.chunks.draw(&mut pass, land, plan, &pipelines.terrain));
         if frame.sky.dome {
             pass.set_pipeline(&pipelines.sky);
             pass.draw(0..3, 0..1);

@@ -5,6 +5,8 @@ use antipode_scene::frame::Frame;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
+use crate::plan::Affine;
+
 /// Strength of the contour bands, where they are drawn.
 const CONTOUR_STRENGTH: f32 = 0.24;
 /// Figures whose shade on the ground is drawn; `SHADES` of common.wgsl.
@@ -97,6 +99,8 @@ pub struct ChunkInstance {
     pub hemisphere: u32,
     /// The chunk's corner wrapped to [-128, 128) metres.
     pub world: [f32; 3],
+    /// View coordinates of the corner, and per metre along x, y and z, where the chunk is ported as a whole.
+    pub frame: [[f32; 4]; 4],
 }
 
 impl ChunkInstance {
@@ -106,12 +110,24 @@ impl ChunkInstance {
             offset: (origin - reference).as_vec3().into(),
             hemisphere: hemisphere_index(hemisphere),
             world: origin.map(wrap_m).as_vec3().into(),
+            frame: [[0.0; 4]; 4],
+        }
+    }
+
+    /// The same, ported as a whole.
+    #[must_use]
+    pub fn framed(self, affine: &Affine) -> Self {
+        Self {
+            frame: frame_rows(affine),
+            ..self
         }
     }
 
     /// Attributes from location 3 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x3];
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
+        3 => Float32x3, 4 => Uint32, 5 => Float32x3,
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4
+    ];
 }
 
 /// Wraps to [-128, 128): charts of closed worlds are smaller than that and stay as they are.
@@ -129,12 +145,22 @@ pub struct FigureInstance {
     pub hemisphere: u32,
     /// Cosine and sine of the heading, angle of the swing in radians, rise of the body in metres.
     pub pose: [f32; 4],
+    /// View coordinates of the feet, and per metre along x, y and z, where the figure is ported as a whole.
+    pub frame: [[f32; 4]; 4],
 }
 
 impl FigureInstance {
     /// Attributes from location 4 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![4 => Float32x3, 5 => Uint32, 6 => Float32x4];
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
+        4 => Float32x3, 5 => Uint32, 6 => Float32x4,
+        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4
+    ];
+}
+
+/// A frame as its instance carries it: the origin first, then the axes.
+pub fn frame_rows(affine: &Affine) -> [[f32; 4]; 4] {
+    let [x, y, z] = affine.columns;
+    [affine.base, x, y, z].map(|v| v.as_vec4().into())
 }
 
 /// One ball of the marker; the instance attributes of marker.wgsl.
@@ -236,6 +262,7 @@ mod tests {
             ("view", offset_of!(SpaceUniform, view)),
             ("project", offset_of!(SpaceUniform, project)),
             ("curve", offset_of!(SpaceUniform, curve)),
+            ("edge", offset_of!(SpaceUniform, edge)),
             ("kind", offset_of!(SpaceUniform, kind)),
         ];
         assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());

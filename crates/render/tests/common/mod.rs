@@ -14,7 +14,7 @@ use antipode_geometry::{
     Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
-use antipode_scene::frame::{ChunkChange, Frame, Sky};
+use antipode_scene::frame::{ChunkChange, Frame, Quality, Sky};
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -136,6 +136,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         fog_distance_m: 150.0,
         contour_bands: false,
         time_s: 0.0,
+        quality: Quality::default(),
         loaded_world: 1,
     }
 }

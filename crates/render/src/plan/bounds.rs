@@ -1,0 +1,250 @@
+//! How large errors come out in pixels, measured on the space at hand.
+//!
+//! The port bends a straight chart edge of length L away from the straight edge that is drawn between its
+//! ported ends, at its middle, by half the port's second derivative times (L/2)^2. That second derivative,
+//! seen as an angle and turned to pixels, is all that the choices need: an edge strays by `bend L^2`, and a
+//! first-order frame about the middle of something of diameter L by no more at its ends.
+
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy};
+use antipode_scene::frame::Frame;
+use glam::{DMat3, DVec3, DVec4};
+
+use super::ChunkLand;
+use super::quality::Tolerance;
+
+/// Chart distances at which the bend is measured, metres; beyond the last it only falls.
+const DISTANCES_M: [f64; 10] = [0.35, 0.7, 1.4, 2.8, 5.6, 11.2, 22.4, 44.8, 89.6, 179.2];
+/// Length of the edges it is measured with, metres.
+const EDGE_M: f64 = 0.25;
+/// Elevations of the places looked at, as sines.
+const ELEVATIONS: [f64; 5] = [-0.95, -0.5, -0.05, 0.4, 0.9];
+/// The measured bend is raised by this, since only some places and directions are looked at.
+const MARGIN: f64 = 1.25;
+/// A frame is looked at closely where the bend allows for this many times the tolerance.
+const FRAME_WORTH_TRYING: f64 = 4.0;
+
+/// Pixels per radian.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PictureScale {
+    /// In the middle of the picture.
+    focal_px: f64,
+    /// In its corners, as a multiple of that.
+    stretch: f64,
+}
+
+impl PictureScale {
+    /// The scale of a picture `height_px` pixels high.
+    pub fn new(projection: &Projection, height_px: u32) -> Self {
+        Self {
+            focal_px: projection.sy * 0.5 * f64::from(height_px),
+            stretch: 1.0 + projection.sx.powi(-2) + projection.sy.powi(-2),
+        }
+    }
+
+    /// What an angle comes to in pixels where the picture is stretched most.
+    pub fn widest_px(&self, angle_rad: f64) -> f64 {
+        angle_rad * self.focal_px * self.stretch
+    }
+}
+
+/// The port's first-order map about a point: view coordinates of `origin + x` are `base + columns x`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Affine {
+    /// View coordinates of the origin.
+    pub base: DVec4,
+    /// View coordinates per chart metre along x, y and z.
+    pub columns: [DVec4; 3],
+}
+
+impl Affine {
+    /// About `middle`, for positions relative to `origin`, both in chart metres.
+    fn about(
+        space: &dyn Strategy,
+        eye: &Eye,
+        middle: ChartPoint,
+        origin: DVec3,
+        step_m: f64,
+    ) -> Self {
+        let columns = DMat3::IDENTITY.to_cols_array_2d().map(|axis| {
+            let step = DVec3::from_array(axis) * step_m;
+            let ahead = space.view_point(eye, middle.moved(step));
+            let behind = space.view_point(eye, middle.moved(-step));
+            (ahead - behind) / (2.0 * step_m)
+        });
+        let mut affine = Self {
+            base: space.view_point(eye, middle),
+            columns,
+        };
+        affine.base = affine.at(origin - middle.pos);
+        affine
+    }
+
+    /// View coordinates at `x` metres from the origin.
+    pub fn at(&self, x: DVec3) -> DVec4 {
+        let [i, j, k] = self.columns;
+        self.base + i * x.x + j * x.y + k * x.z
+    }
+}
+
+/// The bend of a frame's port.
+#[derive(Clone, Debug)]
+pub struct Bounds {
+    scale: PictureScale,
+    /// Pixels per square metre at each of the distances.
+    bend: [f64; DISTANCES_M.len()],
+    nearest_m: f64,
+    /// Whether depth is not linear in the picture.
+    pub depth_is_bent: bool,
+}
+
+impl Bounds {
+    /// Measures the port of a frame whose nearest land is `nearest_m` metres away.
+    pub fn measure(frame: &Frame, scale: PictureScale, nearest_m: f64) -> Self {
+        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+        let flat = !space.radius_at_m(eye).is_finite();
+        let mut bend = [0.0; DISTANCES_M.len()];
+        if !flat {
+            for (bend, distance_m) in bend.iter_mut().zip(DISTANCES_M) {
+                *bend =
+                    MARGIN * scale.widest_px(bend_at(space, eye, distance_m)) / (EDGE_M * EDGE_M);
+            }
+        }
+        // What is farther may not be taken for straighter than what is nearer was found to be needed.
+        for i in (1..bend.len()).rev() {
+            bend[i - 1] = f64::max(bend[i - 1], bend[i]);
+        }
+        Self {
+            scale,
+            bend,
+            nearest_m,
+            depth_is_bent: !flat && space.geometry() != Geometry::Spherical,
+        }
+    }
+
+    /// Pixels per square metre by which edges stray at a chart distance from the eye.
+    pub fn bend_px(&self, distance_m: f64) -> f64 {
+        let at = DISTANCES_M.iter().rposition(|d| *d <= distance_m);
+        self.bend[at.unwrap_or(0)]
+    }
+
+    /// Edges of the land farther than this keep to the tolerance as they are, metres along the chart.
+    pub fn refine_within_m(&self, tolerance: &Tolerance) -> f64 {
+        let longest = super::choice::LONGEST_EDGE_M.powi(2);
+        let strays = |bend: &f64| bend * longest > tolerance.shape_px;
+        match self.bend.iter().rposition(strays) {
+            // The bend found at a distance holds up to the next one.
+            Some(i) => DISTANCES_M.get(i + 1).copied().unwrap_or(f64::INFINITY),
+            None => 0.0,
+        }
+    }
+
+    /// The largest stray of an edge that is drawn as it is where edges are halved to a tolerance, or not.
+    pub fn unrefined_px(&self, tolerance: &Tolerance) -> f64 {
+        let longest = super::choice::LONGEST_EDGE_M.powi(2);
+        let halved = 0.25_f64.powi(tolerance.halvings as i32);
+        let nearest = self.bend_px(self.nearest_m.max(DISTANCES_M[0])) * longest;
+        if nearest <= tolerance.shape_px {
+            nearest
+        } else {
+            (nearest * halved).max(tolerance.shape_px.min(nearest))
+        }
+    }
+
+    /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
+    pub fn nearest_chart_m(&self, frame: &Frame, chunk: &ChunkLand) -> f64 {
+        let mut eye = frame.eye.point;
+        if eye.hemisphere != chunk.coord.hemisphere {
+            match frame.strategy.carry(eye) {
+                Some(crossing) => eye = crossing.point,
+                None => return f64::INFINITY,
+            }
+        }
+        eye.pos.distance(eye.pos.clamp(chunk.min, chunk.max))
+    }
+
+    /// The chunk's frame and its error in pixels, if it stays within the tolerance.
+    pub fn affine(
+        &self,
+        frame: &Frame,
+        chunk: &ChunkLand,
+        tolerance_px: f64,
+    ) -> Option<(Affine, f64)> {
+        let size = chunk.max - chunk.min;
+        let guess = self.bend_px(self.nearest_chart_m(frame, chunk)) * size.length_squared();
+        if guess > FRAME_WORTH_TRYING * tolerance_px {
+            return None;
+        }
+        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+        let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
+        let origin = chunk.coord.origin();
+        let affine = Affine::about(space, eye, middle, origin, 1.0);
+        let error_px = self.strays_px(frame, &affine, middle, origin, 0.5 * size)?;
+        (error_px <= tolerance_px).then_some((affine, error_px))
+    }
+
+    /// The frame of something that stands at `feet` and fits a box of `half` metres about `middle`.
+    pub fn object(
+        &self,
+        frame: &Frame,
+        feet: ChartPoint,
+        middle: ChartPoint,
+        half: DVec3,
+        tolerance_px: f64,
+    ) -> Option<(Affine, f64)> {
+        let affine = Affine::about(frame.strategy.as_ref(), &frame.eye, middle, feet.pos, 0.1);
+        let error_px = self.strays_px(frame, &affine, middle, feet.pos, half)?;
+        (error_px <= tolerance_px).then_some((affine, error_px))
+    }
+
+    /// The largest angle between port and frame over the box, in pixels; `None` where a frame cannot be
+    /// used: at the eye itself.
+    fn strays_px(
+        &self,
+        frame: &Frame,
+        affine: &Affine,
+        middle: ChartPoint,
+        origin: DVec3,
+        half: DVec3,
+    ) -> Option<f64> {
+        let mut worst: f64 = 0.0;
+        for i in 0..27 {
+            let place = DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0;
+            let point = middle.moved(place * half);
+            let truth = frame.strategy.view_point(&frame.eye, point).truncate();
+            let framed = affine.at(point.pos - origin).truncate();
+            let angle = truth.cross(framed).length().atan2(truth.dot(framed));
+            worst = worst.max(angle);
+        }
+        (worst < 0.1).then(|| MARGIN * self.scale.widest_px(worst))
+    }
+}
+
+/// The largest angle by which the middle of a chart edge of [`EDGE_M`], that far from the eye, lies off the
+/// geodesic between its ends, as seen from the eye. Places and edges are turned about the upright, which all
+/// maps look the same along.
+fn bend_at(space: &dyn Strategy, eye: &Eye, distance_m: f64) -> f64 {
+    let mut worst: f64 = 0.0;
+    for sine in ELEVATIONS {
+        let level = (1.0_f64 - sine * sine).sqrt();
+        let middle = eye.point.moved(DVec3::new(level, sine, 0.0) * distance_m);
+        let seen = space.view_point(eye, middle).truncate();
+        for way in edge_ways() {
+            let half = way * (0.5 * EDGE_M);
+            let a = space.view_point(eye, middle.moved(half)).truncate();
+            let b = space.view_point(eye, middle.moved(-half)).truncate();
+            let across = a.cross(b);
+            let off = across.dot(seen) / (across.length() * seen.length());
+            if off.is_finite() && across.length() > 1e-6 * a.length() * b.length() {
+                worst = worst.max(off.abs().min(1.0).asin());
+            }
+        }
+    }
+    worst
+}
+
+/// Thirteen directions that differ by at most 45 degrees: the axes and diagonals of a cube.
+fn edge_ways() -> impl Iterator<Item = DVec3> {
+    (14..27)
+        .map(|i| DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0)
+        .map(DVec3::normalize)
+}

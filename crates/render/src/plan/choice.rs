@@ -1,0 +1,93 @@
+//! How one chunk is drawn: port, trimming, refinement and depth, from the frame's bounds.
+
+use antipode_geometry::SightCell;
+use antipode_scene::frame::Frame;
+
+use super::ChunkLand;
+use super::bounds::{Affine, Bounds};
+use super::quality::Tolerance;
+
+/// Longest edge of the land's triangles, metres: the diagonal of a cell.
+pub const LONGEST_EDGE_M: f64 = 1.733;
+
+/// How vertices are carried into the space.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Port {
+    /// Each by the full port.
+    Vertex,
+    /// All by the port's first-order map about the chunk's middle.
+    Frame(Affine),
+}
+
+/// Where depth comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DepthMethod {
+    /// The triangle's corners, and straight between them.
+    Vertex,
+    /// Each fragment's own place.
+    Fragment,
+}
+
+/// How a chunk is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChunkChoice {
+    /// Its place in the list that was planned.
+    pub place: usize,
+    /// No point of it is nearer to the eye, metres of the space.
+    pub distance_m: f64,
+    /// How its vertices are ported.
+    pub port: Port,
+    /// Whether it reaches beyond what its chart shows.
+    pub trimmed: bool,
+    /// Whether edges of it may need halving.
+    pub refine: bool,
+    /// Where its depth comes from.
+    pub depth: DepthMethod,
+    /// The error of its frame, pixels; 0 when ported by vertex.
+    pub error_px: f64,
+}
+
+/// Chooses for one chunk.
+pub fn choose(
+    frame: &Frame,
+    chunk: &ChunkLand,
+    place: usize,
+    cell: &SightCell,
+    bounds: &Bounds,
+    tolerance: &Tolerance,
+) -> ChunkChoice {
+    let trimmed = frame
+        .strategy
+        .trims(&frame.eye, chunk.coord.hemisphere, chunk.min, chunk.max);
+    let affine = bounds
+        .affine(frame, chunk, tolerance.shape_px)
+        .filter(|_| !trimmed);
+    let (port, error_px) = match affine {
+        Some((affine, error_px)) => (Port::Frame(affine), error_px),
+        None => (Port::Vertex, 0.0),
+    };
+    let by_vertex = port == Port::Vertex;
+    ChunkChoice {
+        place,
+        distance_m: cell.nearest_m,
+        refine: by_vertex
+            && tolerance.halvings > 0
+            && bounds.nearest_chart_m(frame, chunk) < bounds.refine_within_m(tolerance),
+        depth: depth_method(frame, bounds, tolerance),
+        port,
+        trimmed,
+        error_px,
+    }
+}
+
+/// Depth strays inside a triangle by at most the sag of its longest edge, L^2 k / 8: all of the hyperbolic
+/// depth `(coth d - 1) / cos` but the last term is linear in the picture.
+fn depth_method(frame: &Frame, bounds: &Bounds, tolerance: &Tolerance) -> DepthMethod {
+    let radius_m = frame.strategy.radius_at_m(&frame.eye);
+    let sag_m = LONGEST_EDGE_M * LONGEST_EDGE_M / (8.0 * radius_m);
+    if bounds.depth_is_bent && sag_m > tolerance.depth_m {
+        DepthMethod::Fragment
+    } else {
+        DepthMethod::Vertex
+    }
+}

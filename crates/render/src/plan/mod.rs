@@ -1,0 +1,167 @@
+//! What a frame requires: which chunks are drawn, and how, so that no error reaches a visible size.
+//!
+//! Everything is decided from measured bounds in pixels against the tolerance of the chosen quality.
+//! Chunks are taken front to back, so that the skyline of nearer land is known when a farther chunk is
+//! looked at; what stays behind it, or rises over it by less than the tolerance, is not drawn.
+
+mod bounds;
+mod choice;
+mod quality;
+mod refine;
+mod skyline;
+mod stats;
+
+use antipode_geometry::{ChunkCoord, SightCell};
+use antipode_scene::frame::{Frame, Quality};
+use glam::DVec3;
+
+pub use bounds::{Affine, Bounds, PictureScale};
+pub use choice::{ChunkChoice, DepthMethod, Port};
+pub use quality::Tolerance;
+pub use refine::{RefineKey, refined};
+pub use stats::PlanStats;
+
+use skyline::Skyline;
+
+/// What the planner knows of a chunk's land.
+#[derive(Clone, Copy, Debug)]
+pub struct ChunkLand {
+    /// Which chunk.
+    pub coord: ChunkCoord,
+    /// Lowest corner of its mesh, chart metres.
+    pub min: DVec3,
+    /// Highest corner of its mesh, chart metres.
+    pub max: DVec3,
+    /// Triangles of its mesh.
+    pub triangles: usize,
+    /// Height below which the chunk's column is solid ground, if that is certain, chart metres.
+    pub solid_below_m: Option<f64>,
+}
+
+/// How a frame is drawn.
+#[derive(Debug)]
+pub struct FramePlan {
+    /// The chunks to draw, nearest first, by their place in the list that was planned.
+    pub chunks: Vec<ChunkChoice>,
+    /// Sizes of errors in this frame.
+    pub bounds: Bounds,
+    /// What was chosen.
+    pub stats: PlanStats,
+}
+
+/// A chunk that is in the picture, before it is known whether land hides it.
+struct Candidate {
+    place: usize,
+    cell: SightCell,
+    ring: u32,
+}
+
+/// Decides what to draw of `land` in a picture `height_px` pixels high.
+pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
+    let scale = PictureScale::new(&frame.projection, height_px);
+    let tolerance = Tolerance::of(frame.quality);
+    let mut stats = PlanStats::default();
+    let candidates = candidates(frame, land, &mut stats);
+    let nearest_m = candidates.iter().map(|c| c.cell.nearest_m);
+    let bounds = Bounds::measure(frame, scale, nearest_m.fold(f64::INFINITY, f64::min));
+    let kept = if tolerance.hides && frame.strategy.keeps_azimuths() {
+        unhidden(frame, land, candidates, scale, &tolerance, &mut stats)
+    } else {
+        candidates
+    };
+    let mut chunks: Vec<_> = kept
+        .into_iter()
+        .map(|candidate| {
+            let chunk = &land[candidate.place];
+            choice::choose(
+                frame,
+                chunk,
+                candidate.place,
+                &candidate.cell,
+                &bounds,
+                &tolerance,
+            )
+        })
+        .collect();
+    chunks.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
+    for chunk in &chunks {
+        stats.count(chunk);
+    }
+    if chunks
+        .iter()
+        .any(|chunk| matches!(chunk.port, Port::Vertex))
+    {
+        stats.error_at_least(bounds.unrefined_px(&tolerance));
+    }
+    FramePlan {
+        chunks,
+        bounds,
+        stats,
+    }
+}
+
+/// The chunks in the picture and before the fog.
+fn candidates(frame: &Frame, land: &[ChunkLand], stats: &mut PlanStats) -> Vec<Candidate> {
+    let (strategy, eye) = (frame.strategy.as_ref(), &frame.eye);
+    let frustum = strategy.frustum(eye, &frame.projection);
+    let home = ChunkCoord::containing(eye.point).index;
+    let fog_m = f64::from(frame.fog_distance_m);
+    let mut seen = Vec::with_capacity(land.len());
+    for (place, chunk) in land.iter().enumerate() {
+        let hemisphere = chunk.coord.hemisphere;
+        let cell = frustum.cell_seen(strategy, eye, hemisphere, chunk.min, chunk.max);
+        match cell.filter(|cell| cell.nearest_m <= fog_m) {
+            Some(cell) => {
+                let steps = chunk.coord.index - home;
+                let ring = steps.x.unsigned_abs() + steps.z.unsigned_abs();
+                seen.push(Candidate { place, cell, ring });
+            }
+            None => stats.triangles_outside += chunk.triangles,
+        }
+    }
+    seen
+}
+
+/// Leaves out what the skyline of nearer land hides, or all but hides.
+///
+/// A ray leaves the eye's column through columns of ever greater steps in x and z, so columns are taken in
+/// rings of equal sums of steps. Every column in sight distance raises the skyline, in the picture or not.
+fn unhidden(
+    frame: &Frame,
+    land: &[ChunkLand],
+    candidates: Vec<Candidate>,
+    scale: PictureScale,
+    tolerance: &Tolerance,
+    stats: &mut PlanStats,
+) -> Vec<Candidate> {
+    let mut skyline = Skyline::new(frame, scale);
+    let mut columns = skyline::columns(frame, land);
+    columns.sort_by_key(|column| column.ring);
+    let mut columns = columns.into_iter().peekable();
+    let mut order = candidates;
+    order.sort_by_key(|candidate| candidate.ring);
+    let mut kept = Vec::with_capacity(order.len());
+    for candidate in order {
+        while let Some(column) = columns.next_if(|column| column.ring < candidate.ring) {
+            skyline.raise(&column);
+        }
+        let over_px = skyline.rises_px(&candidate.cell);
+        let triangles = land[candidate.place].triangles;
+        if over_px <= 0.0 {
+            stats.triangles_hidden += triangles;
+        } else if over_px < tolerance.small_px {
+            stats.triangles_small += triangles;
+            stats.error_at_least(over_px);
+        } else {
+            kept.push(candidate);
+        }
+    }
+    kept
+}
+
+/// The quality's bar on the size of an error, pixels: what a frame's `error_px` stays under.
+pub fn tolerance_px(quality: Quality) -> f64 {
+    Tolerance::of(quality)
+        .small_px
+        .max(Tolerance::of(quality).shape_px)
+}

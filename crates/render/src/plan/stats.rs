@@ -1,0 +1,52 @@
+//! What was chosen for a frame, in numbers.
+
+use super::choice::{ChunkChoice, DepthMethod, Port};
+
+/// What the planner chose for a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PlanStats {
+    /// Chunks ported as a whole, by one matrix.
+    pub chunks_by_frame: usize,
+    /// Chunks ported vertex by vertex.
+    pub chunks_by_vertex: usize,
+    /// Chunks with edges halved near the eye.
+    pub chunks_refined: usize,
+    /// Chunks whose fragments find their own depth.
+    pub chunks_fragment_depth: usize,
+    /// Figures ported as a whole, by one matrix.
+    pub figures_by_frame: usize,
+    /// Figures ported vertex by vertex.
+    pub figures_by_vertex: usize,
+    /// Triangles of chunks out of the picture or behind the fog.
+    pub triangles_outside: usize,
+    /// Triangles of chunks behind nearer land.
+    pub triangles_hidden: usize,
+    /// Triangles of chunks that rise over nearer land by less than the tolerance.
+    pub triangles_small: usize,
+    /// Triangles that halving edges added.
+    pub triangles_added: usize,
+    /// The largest error that these choices cause in the frame, pixels.
+    pub error_px: f64,
+}
+
+impl PlanStats {
+    /// Triangles of loaded land that were not drawn.
+    pub fn triangles_saved(&self) -> usize {
+        self.triangles_outside + self.triangles_hidden + self.triangles_small
+    }
+
+    pub(crate) fn error_at_least(&mut self, px: f64) {
+        self.error_px = self.error_px.max(px);
+    }
+
+    pub(super) fn count(&mut self, chunk: &ChunkChoice) {
+        match &chunk.port {
+            Port::Vertex => self.chunks_by_vertex += 1,
+            Port::Frame(_) => {
+                self.chunks_by_frame += 1;
+                self.error_at_least(chunk.error_px);
+            }
+        }
+        self.chunks_fragment_depth += usize::from(chunk.depth == DepthMethod::Fragment);
+    }
+}
