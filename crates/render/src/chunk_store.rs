@@ -27,10 +27,19 @@ pub const VERTEX_BYTES: u64 = size_of::<Vertex>() as u64;
 #[derive(Debug)]
 pub struct GpuChunk {
     buffers: MeshBuffers,
-    /// The mesh with edges halved near the eye, and what that was made for; without buffers where none were.
-    refined: Option<(RefineKey, Option<MeshBuffers>)>,
+    /// Its refinement, where it is near enough to need one.
+    refined: Option<Refinement>,
     mesh: Arc<ChunkMesh>,
     land: ChunkLand,
+}
+
+/// A mesh with edges halved near the eye.
+#[derive(Debug)]
+struct Refinement {
+    made_for: RefineKey,
+    /// Nothing where no edge needed it.
+    buffers: Option<MeshBuffers>,
+    error_px: f64,
 }
 
 /// Vertices and indices on the adapter.
@@ -90,7 +99,10 @@ impl GpuChunk {
 
     fn drawn(&self) -> &MeshBuffers {
         match &self.refined {
-            Some((_, Some(refined))) => refined,
+            Some(Refinement {
+                buffers: Some(refined),
+                ..
+            }) => refined,
             _ => &self.buffers,
         }
     }
@@ -172,17 +184,16 @@ impl ChunkStore {
         self.chunks.len()
     }
 
-    /// Halves the edges of the chunks whose choice says so, as far as that is not done; returns how many chunks
-    /// are refined and by how many triangles.
+    /// Halves edges of the chunks whose choice says so, as far as that is not done, and adds to the plan's
+    /// figures what came of it.
     pub fn refine(
         &mut self,
         device: &Device,
         frame: &Frame,
         land: &[ChunkLand],
-        plan: &FramePlan,
-    ) -> (usize, usize) {
+        plan: &mut FramePlan,
+    ) {
         let key = RefineKey::of(frame);
-        let (mut count, mut added) = (0, 0);
         for choice in &plan.chunks {
             let land = &land[choice.place];
             let Some(chunk) = self.chunks.get_mut(&land.coord) else {
@@ -195,18 +206,26 @@ impl ChunkStore {
             if chunk
                 .refined
                 .as_ref()
-                .is_none_or(|(made_for, _)| *made_for != key)
+                .is_none_or(|refined| refined.made_for != key)
             {
-                let refined = refined(frame, land, &chunk.mesh, &plan.bounds);
-                let buffers = refined.map(|r| MeshBuffers::new(device, &r.vertices, &r.indices));
-                chunk.refined = Some((key, buffers));
+                chunk.refined = refined(frame, land, &chunk.mesh, &plan.bounds).map(|refined| {
+                    let halved = refined.halved > 0;
+                    Refinement {
+                        made_for: key,
+                        buffers: halved
+                            .then(|| MeshBuffers::new(device, &refined.vertices, &refined.indices)),
+                        error_px: refined.error_px,
+                    }
+                });
             }
-            if let Some((_, Some(refined))) = &chunk.refined {
-                count += 1;
-                added += refined.index_count as usize / 3 - land.triangles;
+            if let Some(refined) = &chunk.refined {
+                plan.stats.error_at_least(refined.error_px);
+                if let Some(buffers) = &refined.buffers {
+                    plan.stats.chunks_refined += 1;
+                    plan.stats.triangles_added += buffers.index_count as usize / 3 - land.triangles;
+                }
             }
         }
-        (count, added)
     }
 
     /// Makes room for the instances of all chunks.

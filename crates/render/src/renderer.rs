@@ -152,9 +152,7 @@ impl Renderer {
         );
         let land = self.chunks.land();
         let mut plan = plan(frame, self.height_px, &land);
-        let (refined, added) = self.chunks.refine(&self.device, frame, &land, &plan);
-        plan.stats.chunks_refined = refined;
-        plan.stats.triangles_added = added;
+        self.chunks.refine(&self.device, frame, &land, &mut plan);
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
         self.chunks.upload(&self.queue, frame, &land, &plan);

@@ -12,7 +12,7 @@ use glam::{DMat3, DVec3, DVec4};
 use super::ChunkLand;
 use super::quality::Tolerance;
 
-/// Chart distances at which the bend is measured, metres; beyond the last it only falls.
+/// Chart distances at which the bend is measured, metres, each twice the one before; beyond the last it only falls.
 const DISTANCES_M: [f64; 10] = [0.35, 0.7, 1.4, 2.8, 5.6, 11.2, 22.4, 44.8, 89.6, 179.2];
 /// Length of the edges it is measured with, metres.
 const EDGE_M: f64 = 0.25;
@@ -92,14 +92,13 @@ pub struct Bounds {
     scale: PictureScale,
     /// Pixels per square metre at each of the distances.
     bend: [f64; DISTANCES_M.len()],
-    nearest_m: f64,
     /// Whether depth is not linear in the picture.
     pub depth_is_bent: bool,
 }
 
 impl Bounds {
-    /// Measures the port of a frame whose nearest land is `nearest_m` metres away.
-    pub fn measure(frame: &Frame, scale: PictureScale, nearest_m: f64) -> Self {
+    /// Measures the port of a frame.
+    pub fn measure(frame: &Frame, scale: PictureScale) -> Self {
         let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
         let flat = !space.radius_at_m(eye).is_finite();
         let mut bend = [0.0; DISTANCES_M.len()];
@@ -116,38 +115,33 @@ impl Bounds {
         Self {
             scale,
             bend,
-            nearest_m,
             depth_is_bent: !flat && space.geometry() != Geometry::Spherical,
         }
     }
 
     /// Pixels per square metre by which edges stray at a chart distance from the eye.
     pub fn bend_px(&self, distance_m: f64) -> f64 {
-        let at = DISTANCES_M.iter().rposition(|d| *d <= distance_m);
-        self.bend[at.unwrap_or(0)]
+        let last = DISTANCES_M.len() - 1;
+        let place = (distance_m / DISTANCES_M[0]).log2().clamp(0.0, last as f64);
+        let step = (place as usize).min(last - 1);
+        // Along straight lines over the logarithm of the distance: the bend is convex there.
+        let part = place - step as f64;
+        self.bend[step] + (self.bend[step + 1] - self.bend[step]) * part
     }
 
     /// Edges of the land farther than this keep to the tolerance as they are, metres along the chart.
     pub fn refine_within_m(&self, tolerance: &Tolerance) -> f64 {
         let longest = super::choice::LONGEST_EDGE_M.powi(2);
         let strays = |bend: &f64| bend * longest > tolerance.shape_px;
-        match self.bend.iter().rposition(strays) {
-            // The bend found at a distance holds up to the next one.
-            Some(i) => DISTANCES_M.get(i + 1).copied().unwrap_or(f64::INFINITY),
-            None => 0.0,
-        }
-    }
-
-    /// The largest stray of an edge that is drawn as it is where edges are halved to a tolerance, or not.
-    pub fn unrefined_px(&self, tolerance: &Tolerance) -> f64 {
-        let longest = super::choice::LONGEST_EDGE_M.powi(2);
-        let halved = 0.25_f64.powi(tolerance.halvings as i32);
-        let nearest = self.bend_px(self.nearest_m.max(DISTANCES_M[0])) * longest;
-        if nearest <= tolerance.shape_px {
-            nearest
-        } else {
-            (nearest * halved).max(tolerance.shape_px.min(nearest))
-        }
+        let Some(step) = self.bend.iter().rposition(strays) else {
+            return 0.0;
+        };
+        let Some(next) = self.bend.get(step + 1) else {
+            return f64::INFINITY;
+        };
+        let level = tolerance.shape_px / longest;
+        let part = (self.bend[step] - level) / (self.bend[step] - next);
+        DISTANCES_M[step] * part.exp2()
     }
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.

@@ -39,11 +39,11 @@ pub struct ChunkChoice {
     pub port: Port,
     /// Whether it reaches beyond what its chart shows.
     pub trimmed: bool,
-    /// Whether edges of it may need halving.
+    /// Whether edges of it may stray by more than the tolerance, so that each is looked at.
     pub refine: bool,
     /// Where its depth comes from.
     pub depth: DepthMethod,
-    /// The error of its frame, pixels; 0 when ported by vertex.
+    /// The error of its frame or of its straight edges, pixels; 0 where that is found edge by edge.
     pub error_px: f64,
 }
 
@@ -62,17 +62,21 @@ pub fn choose(
     let affine = bounds
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);
+    let near_m = bounds.nearest_chart_m(frame, chunk);
+    let refine = affine.is_none() && near_m < bounds.refine_within_m(tolerance);
     let (port, error_px) = match affine {
         Some((affine, error_px)) => (Port::Frame(affine), error_px),
-        None => (Port::Vertex, 0.0),
+        // Of refined chunks each edge is looked at.
+        None if refine => (Port::Vertex, 0.0),
+        None => (
+            Port::Vertex,
+            bounds.bend_px(near_m) * LONGEST_EDGE_M * LONGEST_EDGE_M,
+        ),
     };
-    let by_vertex = port == Port::Vertex;
     ChunkChoice {
         place,
         distance_m: cell.nearest_m,
-        refine: by_vertex
-            && tolerance.halvings > 0
-            && bounds.nearest_chart_m(frame, chunk) < bounds.refine_within_m(tolerance),
+        refine,
         depth: depth_method(frame, bounds, tolerance),
         port,
         trimmed,

@@ -62,8 +62,7 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
     let tolerance = Tolerance::of(frame.quality);
     let mut stats = PlanStats::default();
     let candidates = candidates(frame, land, &mut stats);
-    let nearest_m = candidates.iter().map(|c| c.cell.nearest_m);
-    let bounds = Bounds::measure(frame, scale, nearest_m.fold(f64::INFINITY, f64::min));
+    let bounds = Bounds::measure(frame, scale);
     let kept = if tolerance.hides && frame.strategy.keeps_azimuths() {
         unhidden(frame, land, candidates, scale, &tolerance, &mut stats)
     } else {
@@ -86,12 +85,6 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
     chunks.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
     for chunk in &chunks {
         stats.count(chunk);
-    }
-    if chunks
-        .iter()
-        .any(|chunk| matches!(chunk.port, Port::Vertex))
-    {
-        stats.error_at_least(bounds.unrefined_px(&tolerance));
     }
     FramePlan {
         chunks,
@@ -159,9 +152,10 @@ fn unhidden(
     kept
 }
 
-/// The quality's bar on the size of an error, pixels: what a frame's `error_px` stays under.
-pub fn tolerance_px(quality: Quality) -> f64 {
-    Tolerance::of(quality)
-        .small_px
-        .max(Tolerance::of(quality).shape_px)
+/// The bar that a quality keeps a frame's `error_px` under, pixels; `None` where it promises nothing, because
+/// edges near the eye are drawn as they are.
+pub fn tolerance_px(quality: Quality) -> Option<f64> {
+    let tolerance = Tolerance::of(quality);
+    let promised = tolerance.small_px.max(tolerance.shape_px);
+    (tolerance.halvings > 0).then_some(promised)
 }

@@ -34,14 +34,14 @@ impl Tolerance {
                 hides: true,
                 small_px: 0.5,
                 shape_px: 0.5,
-                halvings: 2,
+                halvings: 5,
                 depth_m: 0.1,
             },
             Quality::Exact => Self {
                 hides: false,
                 small_px: 0.0,
                 shape_px: 0.125,
-                halvings: 3,
+                halvings: 6,
                 depth_m: 0.001,
             },
         }

@@ -49,9 +49,13 @@ pub struct Refined {
     pub vertices: Vec<Vertex>,
     /// Three for each triangle.
     pub indices: Vec<u32>,
+    /// How many edges were halved.
+    pub halved: usize,
+    /// The largest stray of an edge near the eye that stayed as it is, pixels.
+    pub error_px: f64,
 }
 
-/// The mesh with its edges near the eye halved; `None` where none needs it.
+/// The mesh with its edges near the eye halved; `None` where the eye has no place in its chart.
 pub fn refined(
     frame: &Frame,
     chunk: &ChunkLand,
@@ -93,13 +97,13 @@ pub fn refined(
             break;
         }
     }
-    if halver.middles.is_empty() {
-        return None;
-    }
+    let error_px = halver.worst_px(&close);
     close.extend(far);
     Some(Refined {
+        halved: halver.middles.len(),
         vertices: halver.vertices,
         indices: close.into_flattened(),
+        error_px,
     })
 }
 
@@ -130,16 +134,27 @@ impl Halver<'_> {
         }
     }
 
+    /// By how many pixels an edge strays from its true picture, at most.
+    fn strays_px(&self, a: u32, b: u32) -> f64 {
+        let [p, q] = [a, b].map(|i| Vec3::from(self.vertices[i as usize].position));
+        let distance_m = f64::from(p.midpoint(q).distance(self.eye));
+        self.bounds.bend_px(distance_m) * f64::from(p.distance_squared(q))
+    }
+
+    /// The largest stray of any edge of these triangles.
+    fn worst_px(&self, triangles: &[[u32; 3]]) -> f64 {
+        let edges = triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+        edges.map(|(a, b)| self.strays_px(a, b)).fold(0.0, f64::max)
+    }
+
     /// The middle of an edge that is to be halved.
     fn middle(&mut self, a: u32, b: u32) -> Option<u32> {
-        let (first, second) = (self.vertices[a as usize], self.vertices[b as usize]);
-        let (p, q) = (Vec3::from(first.position), Vec3::from(second.position));
-        let place = 0.5 * (p + q);
-        let distance_m = f64::from(place.distance(self.eye));
-        let strays_px = self.bounds.bend_px(distance_m) * f64::from(p.distance_squared(q));
-        if strays_px <= self.tolerance_px {
+        if self.strays_px(a, b) <= self.tolerance_px {
             return None;
         }
+        let (first, second) = (self.vertices[a as usize], self.vertices[b as usize]);
         let key = (a.min(b), a.max(b));
         let next = self.vertices.len() as u32;
         let index = *self.middles.entry(key).or_insert(next);

@@ -42,11 +42,9 @@ impl PlanStats {
     pub(super) fn count(&mut self, chunk: &ChunkChoice) {
         match &chunk.port {
             Port::Vertex => self.chunks_by_vertex += 1,
-            Port::Frame(_) => {
-                self.chunks_by_frame += 1;
-                self.error_at_least(chunk.error_px);
-            }
+            Port::Frame(_) => self.chunks_by_frame += 1,
         }
+        self.error_at_least(chunk.error_px);
         self.chunks_fragment_depth += usize::from(chunk.depth == DepthMethod::Fragment);
     }
 }
