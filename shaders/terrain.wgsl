@@ -52,8 +52,9 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normalize(in.normal.xyz);
     let world = in.world + in.position;
     let grain = grain_point(world, in.hemisphere);
+    // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
-    let tufts = value_noise(grain * 0.5, 127u) - 0.5;
+    let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
     let fog = fog_at(eye_distance(scene.space, view));
     // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
     // closed world comes to look larger again, this falls.

@@ -14,6 +14,8 @@ use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, refined};
 use crate::uniforms::ChunkInstance;
 
+/// Chunks whose halved edges are brought up to date in one frame; a step of the eye needs few.
+const STALE_PER_FRAME: usize = 1;
 /// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
 const FLOOR_CLEARANCE_M: f32 = 0.01;
 
@@ -194,6 +196,7 @@ impl ChunkStore {
         plan: &mut FramePlan,
     ) {
         let key = RefineKey::of(frame);
+        let mut stale = STALE_PER_FRAME;
         for choice in &plan.chunks {
             let land = &land[choice.place];
             let Some(chunk) = self.chunks.get_mut(&land.coord) else {
@@ -203,11 +206,16 @@ impl ChunkStore {
                 chunk.refined = None;
                 continue;
             }
-            if chunk
-                .refined
-                .as_ref()
-                .is_none_or(|refined| refined.made_for != key)
-            {
+            let due = match &chunk.refined {
+                None => true,
+                Some(refined) if refined.made_for == key => false,
+                Some(refined) if stale == 0 && refined.made_for.is_near(&key) => false,
+                Some(_) => {
+                    stale = stale.saturating_sub(1);
+                    true
+                }
+            };
+            if due {
                 chunk.refined = refined(frame, land, &chunk.mesh, &plan.bounds).map(|refined| {
                     let halved = refined.halved > 0;
                     Refinement {

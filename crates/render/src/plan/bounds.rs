@@ -103,7 +103,11 @@ impl Bounds {
         let flat = !space.radius_at_m(eye).is_finite();
         let mut bend = [0.0; DISTANCES_M.len()];
         if !flat {
-            for (bend, distance_m) in bend.iter_mut().zip(DISTANCES_M) {
+            let limit_m = space.sight_limit_m(eye);
+            let drawn = DISTANCES_M
+                .into_iter()
+                .filter(|distance_m| *distance_m < limit_m);
+            for (bend, distance_m) in bend.iter_mut().zip(drawn) {
                 *bend =
                     MARGIN * scale.widest_px(bend_at(space, eye, distance_m)) / (EDGE_M * EDGE_M);
             }

@@ -15,8 +15,9 @@ use super::bounds::PictureScale;
 
 /// Azimuths are told apart to 360/1024 of a degree.
 const BINS: usize = 1024;
-/// A column is taken in this many parts along each side, since its slope is that of its worst place.
-const PARTS: u32 = 4;
+/// A column is taken in this many parts along each side, since its slope is that of its worst place: by how
+/// many steps it lies from the eye's own.
+const PARTS: [u32; 4] = [4, 4, 2, 2];
 
 /// Solid ground under one column of chunks.
 #[derive(Clone, Copy, Debug)]
@@ -72,9 +73,10 @@ impl<'a> Skyline<'a> {
 
     /// Blocks what a column blocks.
     pub fn raise(&mut self, column: &Column) {
-        let side = f64::from(CHUNK_CELLS) / f64::from(PARTS);
-        for part in 0..PARTS * PARTS {
-            let step = DVec2::new(f64::from(part % PARTS), f64::from(part / PARTS)) * side;
+        let parts = PARTS.get(column.ring as usize).copied().unwrap_or(1);
+        let side = f64::from(CHUNK_CELLS) / f64::from(parts);
+        for part in 0..parts * parts {
+            let step = DVec2::new(f64::from(part % parts), f64::from(part / parts)) * side;
             self.raise_part(column.corner + step, side, column.solid_below_m);
         }
     }
