@@ -98,30 +98,25 @@ pub fn refined(
         .partition(|corners| corners.iter().any(|&i| near[i as usize]));
     let mut halver = Halver {
         eye,
-        bounds,
         longest_square: longest_squares(bounds, &tolerance, reach_m),
         vertices: mesh.vertices.clone(),
         middles: HashMap::default(),
+        worst: 0.0,
     };
-    let mut close: Vec<[u32; 3]> = close;
+    let (mut open, mut done) = (close, far);
     for _ in 0..tolerance.halvings {
-        let mut next = Vec::with_capacity(close.len() * 2);
-        for corners in &close {
-            halver.divide(*corners, &mut next);
-        }
-        let done = next.len() == close.len();
-        close = next;
-        if done {
-            break;
+        for corners in std::mem::take(&mut open) {
+            halver.divide(corners, &mut open, &mut done);
         }
     }
-    let error_px = halver.worst_px(&close);
-    close.extend(far);
+    // What is left was halved as often as it may be.
+    halver.look_at(&open);
+    done.append(&mut open);
     Some(Refined {
         halved: halver.middles.len(),
         vertices: halver.vertices,
-        indices: close.into_flattened(),
-        error_px,
+        indices: done.into_flattened(),
+        error_px: halver.worst * tolerance.shape_px,
     })
 }
 
@@ -136,12 +131,13 @@ fn longest_squares(bounds: &Bounds, tolerance: &Tolerance, reach_m: f32) -> Vec<
 }
 
 /// Halves edges, each once.
-struct Halver<'a> {
+struct Halver {
     eye: Vec3,
-    bounds: &'a Bounds,
     longest_square: Vec<f32>,
     vertices: Vec<Vertex>,
     middles: HashMap<u64, u32, BuildHasherDefault<EdgeHasher>>,
+    /// The largest stray of an edge that stays, in tolerances.
+    worst: f64,
 }
 
 /// Spreads the two indices of an edge, which no outsider chooses, over the table.
@@ -167,52 +163,55 @@ impl Hasher for EdgeHasher {
     }
 }
 
-impl Halver<'_> {
-    /// The triangles that a triangle becomes.
-    fn divide(&mut self, corners: [u32; 3], into: &mut Vec<[u32; 3]>) {
+impl Halver {
+    /// The triangles that a triangle becomes; one that needs no halving is done.
+    fn divide(&mut self, corners: [u32; 3], open: &mut Vec<[u32; 3]>, done: &mut Vec<[u32; 3]>) {
         let [a, b, c] = corners;
         match [self.middle(a, b), self.middle(b, c), self.middle(c, a)] {
-            [None, None, None] => into.push(corners),
+            [None, None, None] => done.push(corners),
             [Some(ab), Some(bc), Some(ca)] => {
-                into.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+                open.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
             }
-            [Some(ab), None, None] => into.extend([[a, ab, c], [ab, b, c]]),
-            [None, Some(bc), None] => into.extend([[b, bc, a], [bc, c, a]]),
-            [None, None, Some(ca)] => into.extend([[c, ca, b], [ca, a, b]]),
-            [Some(ab), Some(bc), None] => into.extend([[ab, b, bc], [a, ab, bc], [a, bc, c]]),
-            [None, Some(bc), Some(ca)] => into.extend([[bc, c, ca], [b, bc, ca], [b, ca, a]]),
-            [Some(ab), None, Some(ca)] => into.extend([[ca, a, ab], [c, ca, ab], [c, ab, b]]),
+            [Some(ab), None, None] => open.extend([[a, ab, c], [ab, b, c]]),
+            [None, Some(bc), None] => open.extend([[b, bc, a], [bc, c, a]]),
+            [None, None, Some(ca)] => open.extend([[c, ca, b], [ca, a, b]]),
+            [Some(ab), Some(bc), None] => open.extend([[ab, b, bc], [a, ab, bc], [a, bc, c]]),
+            [None, Some(bc), Some(ca)] => open.extend([[bc, c, ca], [b, bc, ca], [b, ca, a]]),
+            [Some(ab), None, Some(ca)] => open.extend([[ca, a, ab], [c, ca, ab], [c, ab, b]]),
         }
     }
 
-    /// By how many pixels an edge strays from its true picture, at most.
-    fn strays_px(&self, a: u32, b: u32) -> f64 {
+    /// By what multiple of the tolerance an edge strays from its true picture, at most.
+    fn strays(&self, a: u32, b: u32) -> f32 {
         let [p, q] = [a, b].map(|i| Vec3::from(self.vertices[i as usize].position));
-        let distance_m = f64::from(p.midpoint(q).distance(self.eye)) - EYE_SLACK_M;
-        self.bounds.bend_px(distance_m) * f64::from(p.distance_squared(q))
+        let step = p.midpoint(q).distance(self.eye) * STEPS_PER_M;
+        match self.longest_square.get(step as usize) {
+            Some(longest_square) => p.distance_squared(q) / longest_square,
+            None => 0.0,
+        }
     }
 
-    /// The largest stray of any edge of these triangles.
-    fn worst_px(&self, triangles: &[[u32; 3]]) -> f64 {
-        let edges = triangles
-            .iter()
-            .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-        edges.map(|(a, b)| self.strays_px(a, b)).fold(0.0, f64::max)
+    /// Takes note of the edges of triangles that stay as they are.
+    fn look_at(&mut self, triangles: &[[u32; 3]]) {
+        for &[a, b, c] in triangles {
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                self.worst = self.worst.max(f64::from(self.strays(a, b)));
+            }
+        }
     }
 
     /// The middle of an edge that is to be halved.
     fn middle(&mut self, a: u32, b: u32) -> Option<u32> {
-        let (first, second) = (self.vertices[a as usize], self.vertices[b as usize]);
-        let [p, q] = [first, second].map(|v| Vec3::from(v.position));
-        let step = p.midpoint(q).distance(self.eye) * STEPS_PER_M;
-        let longest = self.longest_square.get(step as usize)?;
-        if p.distance_squared(q) <= *longest {
+        let strays = self.strays(a, b);
+        if strays <= 1.0 {
+            self.worst = self.worst.max(f64::from(strays));
             return None;
         }
         let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
         let next = self.vertices.len() as u32;
         let index = *self.middles.entry(key).or_insert(next);
         if index == next {
+            let (first, second) = (self.vertices[a as usize], self.vertices[b as usize]);
             self.vertices.push(between(&first, &second));
         }
         Some(index)
