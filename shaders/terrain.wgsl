@@ -5,10 +5,10 @@ struct VertexIn {
     @location(0) position: vec3<f32>,   // metres from the chunk's corner
     @location(1) normal: vec4<f32>,
     @location(2) colour: vec4<f32>,     // sRGB
-    @location(3) offset: vec3<f32>,     // the chunk's corner from the reference, metres
+    @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
     @location(4) hemisphere: u32,
     @location(5) world: vec3<f32>,      // the chunk's corner, wrapped to 256 m
-    @location(6) frame_origin: vec4<f32>, // view coordinates of the corner, where the chunk is ported as a whole,
+    @location(6) frame_origin: vec4<f32>, // view coordinates of the reference, where the chunk is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
@@ -73,18 +73,24 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     return out;
 }
 
+// A vertex from the reference. Offsets are whole metres and so are chunk borders, so the sum is exact there: both
+// chunks give a shared vertex the same bits, however far from the origin they lie.
+fn from_reference(in: VertexIn) -> vec3<f32> {
+    return (in.offset + in.position) - scene.fraction.xyz;
+}
+
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let p = in.offset + in.position;
+    let p = from_reference(in);
     return land_at(in, p, port_to_view(scene.space, p, in.hemisphere));
 }
 
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
 @vertex
 fn vertex_framed(in: VertexIn) -> VertexOut {
-    let view = in.frame_origin + in.frame_x * in.position.x + in.frame_y * in.position.y
-        + in.frame_z * in.position.z;
-    return land_at(in, in.offset + in.position, view);
+    let p = from_reference(in);
+    let view = in.frame_origin + in.frame_x * p.x + in.frame_y * p.y + in.frame_z * p.z;
+    return land_at(in, p, view);
 }
 
 fn land_colour(in: VertexOut) -> vec4<f32> {

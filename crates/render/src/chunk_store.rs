@@ -12,7 +12,7 @@ use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass};
 
 use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, refined};
-use crate::uniforms::ChunkInstance;
+use crate::uniforms::{ChunkInstance, whole_reference};
 
 /// Chunks whose halved edges are brought up to date in one frame; a step of the eye needs few.
 const STALE_PER_FRAME: usize = 1;
@@ -248,7 +248,7 @@ impl ChunkStore {
     pub fn upload(&self, queue: &Queue, frame: &Frame, land: &[ChunkLand], plan: &FramePlan) {
         let instance = |choice: &ChunkChoice| {
             let coord = land[choice.place].coord;
-            let reference = frame.strategy.reference(&frame.eye, coord.hemisphere);
+            let reference = whole_reference(frame, coord.hemisphere);
             let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
             match &choice.port {
                 Port::Vertex => plain,

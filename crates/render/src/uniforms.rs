@@ -31,6 +31,7 @@ pub struct SceneUniform {
     key_colour: [f32; 4],
     ambient_sky: [f32; 4],
     ambient_ground: [f32; 4],
+    fraction: [f32; 4],
     shades: [[f32; 4]; SHADES],
 }
 
@@ -65,6 +66,7 @@ impl SceneUniform {
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
             ambient_ground: with(sky.ambient_ground.into(), shade_count as f32),
+            fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             shades,
         }
     }
@@ -89,17 +91,28 @@ fn with(v: Vec3, w: f32) -> [f32; 4] {
     v.extend(w).into()
 }
 
+/// The whole metres next to a frame's reference, from which chunks are measured: those differences are exact.
+pub fn whole_reference(frame: &Frame, hemisphere: Hemisphere) -> DVec3 {
+    frame.strategy.reference(&frame.eye, hemisphere).round()
+}
+
+/// The rest of the reference. A space with two charts has it at both their centres, where there is no rest.
+fn reference_fraction(frame: &Frame) -> DVec3 {
+    let hemisphere = frame.eye.point.hemisphere;
+    frame.strategy.reference(&frame.eye, hemisphere) - whole_reference(frame, hemisphere)
+}
+
 /// Where a chunk stands; the instance attributes of terrain.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 pub struct ChunkInstance {
-    /// The chunk's corner from the reference, metres.
+    /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
     /// 0 or 1.
     pub hemisphere: u32,
     /// The chunk's corner wrapped to [-128, 128) metres.
     pub world: [f32; 3],
-    /// View coordinates of the corner, and per metre along x, y and z, where the chunk is ported as a whole.
+    /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
 }
 
@@ -249,6 +262,7 @@ mod tests {
             ("key_colour", offset_of!(SceneUniform, key_colour)),
             ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
             ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+            ("fraction", offset_of!(SceneUniform, fraction)),
             ("shades", offset_of!(SceneUniform, shades)),
         ];
         assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());

@@ -22,6 +22,9 @@ const ELEVATIONS: [f64; 5] = [-0.95, -0.5, -0.05, 0.4, 0.9];
 const MARGIN: f64 = 1.25;
 /// A frame is looked at closely where the bend allows for this many times the tolerance.
 const FRAME_WORTH_TRYING: f64 = 4.0;
+/// Frames of neighbouring chunks part at their border by up to twice their errors: they may take up no more than
+/// this part of the tolerance, or the crack would show.
+const CRACK_SHARE: f64 = 0.1;
 
 /// Pixels per radian.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,6 +170,7 @@ impl Bounds {
         chunk: &ChunkLand,
         tolerance_px: f64,
     ) -> Option<(Affine, f64)> {
+        let tolerance_px = CRACK_SHARE * tolerance_px;
         let size = chunk.max - chunk.min;
         let guess = self.bend_px(self.nearest_chart_m(frame, chunk)) * size.length_squared();
         if guess > FRAME_WORTH_TRYING * tolerance_px {
@@ -174,8 +178,11 @@ impl Bounds {
         }
         let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
         let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
-        let origin = chunk.coord.origin();
-        let affine = Affine::about(space, eye, middle, origin, 1.0);
+        let origin = space.reference(eye, chunk.coord.hemisphere);
+        // In flat space one frame serves all chunks, so that they share the bits of their borders.
+        let flat = !space.radius_at_m(eye).is_finite();
+        let about = if flat { eye.point } else { middle };
+        let affine = Affine::about(space, eye, about, origin, 1.0);
         let error_px = self.strays_px(frame, &affine, middle, origin, 0.5 * size)?;
         (error_px <= tolerance_px).then_some((affine, error_px))
     }
