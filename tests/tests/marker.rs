@@ -8,7 +8,7 @@
 
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, Projection};
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap, Projection};
 use antipode_scene::tuning::{FOV_Y_RAD, NEAR_M, REACH_M};
 use antipode_scene::{Actions, Scene, WorldSetup};
 use glam::DVec3;
@@ -39,7 +39,7 @@ fn scene(geometry: Geometry) -> Scene {
 fn off_centre(scene: &Scene) -> f64 {
     let eye = scene.eye();
     let marker = scene.marker().expect("a pickaxe is in hand");
-    let view = scene.strategy().view_point(&eye, marker.point);
+    let view = scene.lens().strategy().view_point(&eye, marker.point);
     let projection = Projection::new(FOV_Y_RAD, 16.0 / 9.0, NEAR_M);
     assert!(view.z < 0.0, "the marker is behind the eye");
     (projection.sx * view.x / -view.z).hypot(projection.sy * view.y / -view.z)
@@ -71,7 +71,8 @@ fn the_marker_is_drawn_within_a_pixel_of_the_centre_everywhere() {
         for place in places {
             stand(&mut scene, place);
             for dial in [0.0, 0.001, 10.0, 20.0] {
-                scene.dial_mut().set(dial);
+                // Where there is no dial it stays as it is.
+                let _ = scene.set_curvature(dial);
                 for pitch in [-89.0, -60.0, -30.0, -5.0, 0.0, 30.0, 89.0_f64] {
                     for yaw in [-170.0, -40.0, 20.0, 95.0_f64] {
                         scene.aim(yaw.to_radians(), pitch.to_radians());
@@ -81,10 +82,11 @@ fn the_marker_is_drawn_within_a_pixel_of_the_centre_everywhere() {
                             "{geometry} dial {dial} pitch {pitch} yaw {yaw}: {off}"
                         );
                         let marker = scene.marker().unwrap().point;
-                        let reach =
-                            scene
-                                .strategy()
-                                .distance_m(scene.eye().point, marker, &scene.eye());
+                        let reach = scene.lens().strategy().distance_m(
+                            scene.eye().point,
+                            marker,
+                            &scene.eye(),
+                        );
                         assert!(reach <= REACH_M + 1e-6, "{geometry}: reaches {reach} m");
                         hits += usize::from(reach < REACH_M - 0.1);
                     }
@@ -113,6 +115,77 @@ fn in_third_person_the_marker_is_under_the_crosshair_too() {
         for pitch in [-50.0, -20.0, 0.0, 20.0_f64] {
             scene.aim(0.7, pitch.to_radians());
             assert!(off_centre(&scene) < PIXEL, "{geometry} pitch {pitch}");
+        }
+    }
+}
+
+/// Aims all around; says how often the marker met ground before the reach or the picture ended.
+fn look_around(scene: &mut Scene, past_head_m: f64, what: &str) -> u32 {
+    let mut hits = 0;
+    for pitch in [-89.0, -60.0, -30.0, -5.0, 0.0, 30.0, 89.0_f64] {
+        for yaw in [-170.0, -40.0, 20.0, 95.0_f64] {
+            scene.aim(yaw.to_radians(), pitch.to_radians());
+            let off = off_centre(scene);
+            assert!(off < PIXEL, "{what}, pitch {pitch} yaw {yaw}: {off}");
+            let (eye, marker) = (scene.eye(), scene.marker().unwrap().point);
+            let strategy = scene.lens().strategy();
+            let reach = strategy.distance_m(eye.point, marker, &eye) - past_head_m;
+            let end = REACH_M.min(strategy.sight_limit_m(&eye));
+            assert!(reach <= end + 1e-6, "{what}: reaches {reach} m");
+            hits += u32::from(pitch < -20.0 && reach < end - 0.1);
+        }
+    }
+    hits
+}
+
+#[test]
+fn the_marker_is_drawn_within_a_pixel_of_the_centre_through_the_other_pictures() {
+    let mut high = scene(Geometry::Hyperbolic);
+    let far = ChartPoint::a(DVec3::new(240.0, 17.0, 180.0));
+    for place in [high.feet(), far] {
+        stand(&mut high, place);
+        assert!(high.set_map(HyperbolicMap::Horizon));
+        for dial in [0.0, 0.001, 10.0, 20.0] {
+            assert!(high.set_curvature(dial));
+            let hits = look_around(&mut high, 0.0, &format!("horizon map, dial {dial}"));
+            assert!(hits > 3 || place == far, "dial {dial}: {hits} hits");
+        }
+    }
+    let mut flat = scene(Geometry::Euclidean);
+    for place in [flat.feet(), far] {
+        stand(&mut flat, place);
+        for bend in [-20.0, -10.0, -0.001, 0.001, 10.0, 20.0] {
+            assert!(flat.set_bend(bend));
+            let hits = look_around(&mut flat, 0.0, &format!("bend {bend}"));
+            assert!(hits > 3 || place == far, "bend {bend}: {hits} hits");
+        }
+    }
+}
+
+#[test]
+fn the_marker_stays_under_the_crosshair_while_one_map_gives_way_to_the_other() {
+    for (geometry, notches) in [(Geometry::Hyperbolic, 0.0), (Geometry::Euclidean, -8.0)] {
+        let mut scene = scene(geometry);
+        scene.aim(0.7, -0.4);
+        for third in [false, true] {
+            let mut turn = Actions {
+                turn_map: true,
+                dial: notches,
+                toggle_camera: third,
+                ..Actions::default()
+            };
+            let (mut least, mut last) = (f64::INFINITY, scene.eye().dial);
+            for step in 0..180 {
+                scene.step(&turn);
+                turn = Actions::default();
+                let dial = scene.eye().dial;
+                least = least.min(dial.abs());
+                assert!((dial - last).abs() < 1.5, "from {last} to {dial}");
+                let off = off_centre(&scene);
+                assert!(off < PIXEL, "{geometry}, step {step}: {off}");
+                last = dial;
+            }
+            assert_eq!(least, 0.0, "{geometry}: never flat");
         }
     }
 }

@@ -33,10 +33,14 @@ pub enum Command {
     BrushSmaller,
     /// First or third person.
     Camera,
+    /// The space's other picture.
+    OtherMap,
     /// The menu.
     Menu,
     /// Hide the display.
     HideDisplay,
+    /// What drawing a frame takes, on the display.
+    FrameFigures,
     /// Held, the wheel moves along the hotbar in every space.
     WheelSlots,
 }
@@ -95,8 +99,10 @@ impl Default for Bindings {
             (KeyCode::ArrowUp, Command::BrushLarger),
             (KeyCode::ArrowDown, Command::BrushSmaller),
             (KeyCode::Tab, Command::Camera),
+            (KeyCode::KeyH, Command::OtherMap),
             (KeyCode::Escape, Command::Menu),
             (KeyCode::F1, Command::HideDisplay),
+            (KeyCode::F4, Command::FrameFigures),
             (KeyCode::AltLeft, Command::WheelSlots),
         ];
         let mut table: Vec<_> = keys
@@ -155,7 +161,16 @@ impl Bindings {
             ),
             line("Larger brush", of(Command::BrushLarger), "Tools"),
             line("Smaller brush", of(Command::BrushSmaller), "Tools"),
-            line("Curvature (hyperbolic worlds)", "Wheel".to_owned(), "World"),
+            line(
+                "Curvature (hyperbolic or bent)",
+                "Wheel".to_owned(),
+                "World",
+            ),
+            line(
+                "Other map (hyperbolic), bend (flat)",
+                of(Command::OtherMap),
+                "World",
+            ),
             line("Next slot (other worlds)", "Wheel".to_owned(), "World"),
             line(
                 "Next slot (everywhere)",
@@ -164,6 +179,7 @@ impl Bindings {
             ),
             line("First or third person", of(Command::Camera), "World"),
             line("Hide the display", of(Command::HideDisplay), "World"),
+            line("Frame figures", of(Command::FrameFigures), "World"),
             line("Menu and pause", of(Command::Menu), "World"),
         ]
     }

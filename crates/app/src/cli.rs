@@ -3,12 +3,13 @@
 use std::path::PathBuf;
 
 use antipode_geometry::Geometry;
+use antipode_scene::frame::Quality;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::failure::Failure;
 use crate::log::LogLevel;
 use crate::script::Shooting;
-use crate::{saves_command, script, tour, window};
+use crate::{lab_command, saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
 pub const EXIT_FAILED: u8 = 1;
@@ -53,6 +54,9 @@ pub struct Common {
     /// What draws the pictures.
     #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
     pub adapter: Adapter,
+    /// How much exactness pictures trade for speed: fast, balanced or exact.
+    #[arg(long, global = true, default_value_t = Quality::Balanced)]
+    pub quality: Quality,
     /// Size of the window or the pictures in pixels.
     #[arg(long, global = true, value_parser = parse_size, default_value = "1280x720", value_name = "WxH")]
     pub size: (u32, u32),
@@ -101,6 +105,12 @@ pub enum Command {
         /// Where the pictures go.
         #[arg(long, default_value = "tour")]
         out: PathBuf,
+    },
+    /// Measure what accuracy costs, and how it holds at the extremes.
+    Lab {
+        /// What to measure.
+        #[command(subcommand)]
+        action: lab_command::LabAction,
     },
     /// Look after saved worlds.
     Saves {
@@ -183,6 +193,7 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command {
         Some(Command::Script { file }) => script::run_file(&file, &cli.common, Shooting::Here),
         Some(Command::Tour { out }) => tour::run(&out, &cli.common),
+        Some(Command::Lab { action }) => lab_command::run(&action, &cli.common),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
             let start = match (cli.geometry, cli.load) {
@@ -249,6 +260,7 @@ mod tests {
             (vec!["--seed", "7"], "--geometry"),
             (vec!["--size", "1x1"], "from 64 to 8192"),
             (vec!["--adapter", "best"], "possible values"),
+            (vec!["--quality", "best"], "fast, balanced or exact"),
             (vec!["tour", "--out"], "--out"),
             (vec!["saves"], "--help"),
             (vec!["--size", "a\n\nb"], "a"),
@@ -285,10 +297,13 @@ mod tests {
             "none",
             "--size",
             "320x200",
+            "--quality",
+            "exact",
         ]);
         assert_eq!(
-            cli.map(|c| (c.common.adapter, c.common.size)).ok(),
-            Some((Adapter::None, (320, 200)))
+            cli.map(|c| (c.common.adapter, c.common.size, c.common.quality))
+                .ok(),
+            Some((Adapter::None, (320, 200), Quality::Exact))
         );
     }
 }

@@ -41,7 +41,8 @@ impl Controls {
             Command::BrushLarger => self.events.brush_step += 1,
             Command::BrushSmaller => self.events.brush_step -= 1,
             Command::Camera => self.events.toggle_camera = !self.events.toggle_camera,
-            Command::Menu | Command::HideDisplay => return Some(command),
+            Command::OtherMap => self.events.turn_map = !self.events.turn_map,
+            Command::Menu | Command::HideDisplay | Command::FrameFigures => return Some(command),
             _ => {}
         }
         None
@@ -53,7 +54,7 @@ impl Controls {
         self.events.look_pitch -= dy * LOOK_RAD_PER_PIXEL;
     }
 
-    /// The wheel turned by notches, away from the player positive. `has_dial`: whether the space has a curvature dial.
+    /// The wheel turned by notches, away from the player positive. `has_dial`: whether the picture has a dial now.
     pub fn wheel(&mut self, notches: f64, has_dial: bool) {
         if has_dial && !self.held.contains(&Command::WheelSlots) {
             self.events.dial += notches;
@@ -119,8 +120,10 @@ mod tests {
     fn an_event_happens_once_however_many_steps_a_frame_has() {
         let mut c = Controls::default();
         key(&mut c, KeyCode::Tab, true);
+        key(&mut c, KeyCode::KeyH, true);
         c.motion(10.0, -5.0);
         let first = c.take();
+        assert!(first.turn_map);
         assert!(first.toggle_camera && first.look_yaw > 0.0 && first.look_pitch > 0.0);
         assert_eq!(c.take(), Actions::default());
     }
@@ -180,5 +183,6 @@ mod tests {
         let mut c = Controls::default();
         assert_eq!(key(&mut c, KeyCode::Escape, true), Some(Command::Menu));
         assert_eq!(key(&mut c, KeyCode::Escape, false), None);
+        assert_eq!(key(&mut c, KeyCode::F4, true), Some(Command::FrameFigures));
     }
 }

@@ -1,25 +1,26 @@
 //! From the scene to what the heads-up display shows.
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere};
-use antipode_scene::{CameraMode, Item, Scene};
-use antipode_ui::{CurvatureView, HudModel, SlotIcon, SlotView};
+use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
+use antipode_scene::{CameraMode, Item, Lens, Scene};
+use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView};
 use glam::DVec3;
 
-/// What the display shows of a scene.
-pub fn model(scene: &Scene, fps: f32, notice: Option<String>) -> HudModel {
+/// What the display shows of a scene, with what drawing it took where the player wants to know.
+pub fn model(scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel {
     let feet = scene.feet();
     // Told from the world's origin: from the eye, which never moves in its own space, it would say nothing.
     let origin = Eye {
         point: ChartPoint::a(DVec3::ZERO),
+        lift_m: 0.0,
         ..scene.head()
     };
-    let curved = scene.strategy().curved(&origin, feet);
-    let dial = scene.dial();
+    let pictured = scene.lens().strategy();
+    let curved = pictured.curved(&origin, feet);
     HudModel {
         fps,
         chart: feet.pos.to_array(),
         curved: curved.to_array(),
-        curved_is_flat: !scene.strategy().radius_m().is_finite(),
+        curved_is_flat: !pictured.radius_at_m(&origin).is_finite(),
         slots: scene
             .inventory()
             .slots()
@@ -27,11 +28,7 @@ pub fn model(scene: &Scene, fps: f32, notice: Option<String>) -> HudModel {
             .map(|stack| slot(stack.map(|s| (s.item, s.count))))
             .collect(),
         selected: usize::from(scene.inventory().selected()),
-        curvature: dial.range().map(|(min, max)| CurvatureView {
-            value: dial.value(),
-            min,
-            max,
-        }),
+        curvature: dial(scene.lens()),
         hemisphere: scene.strategy().rim_m().map(|_| {
             if feet.hemisphere == Hemisphere::A {
                 'A'
@@ -45,8 +42,24 @@ pub fn model(scene: &Scene, fps: f32, notice: Option<String>) -> HudModel {
             || scene.inventory().held().is_some(),
         loading: None,
         time_label: clock(scene.time_of_day_s()),
-        notice,
+        notice: None,
+        figures,
     }
+}
+
+/// The dial under the wheel, if there is one now.
+fn dial(lens: &Lens) -> Option<CurvatureView> {
+    let kind = match lens.map() {
+        Some(HyperbolicMap::Raised) => DialKind::Raised,
+        Some(HyperbolicMap::Horizon) => DialKind::Horizon,
+        None => DialKind::Bend,
+    };
+    lens.range().map(|(min, max)| CurvatureView {
+        kind,
+        value: lens.value(),
+        min,
+        max,
+    })
 }
 
 fn slot(held: Option<(Item, u32)>) -> SlotView {

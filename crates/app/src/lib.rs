@@ -3,8 +3,10 @@
 pub mod bindings;
 pub mod cli;
 pub mod controls;
+pub mod drawn;
 pub mod failure;
 pub mod hud;
+pub mod lab_command;
 pub mod log;
 pub mod names;
 pub mod output;

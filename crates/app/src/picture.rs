@@ -88,23 +88,24 @@ impl Studio {
         Ok((stats, recorded))
     }
 
-    /// Takes a picture, with the display over it if there is one.
+    /// Takes a picture, with the display over it if there is one for what the renderer did.
     ///
     /// # Errors
     /// When the adapter fails.
     pub fn shoot(
         &mut self,
         frame: &Frame,
-        display: Option<&HudModel>,
+        display: impl FnOnce(&DrawStats) -> Option<HudModel>,
     ) -> Result<RgbaImage, Failure> {
         let mut encoder = self
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.renderer
+        let stats = self
+            .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
-        if let Some(display) = display {
-            let output = self.display(display);
+        if let Some(display) = display(&stats) {
+            let output = self.display(&display);
             self.overlay.paint(
                 &self.gpu,
                 &mut encoder,

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use antipode_geometry::{
     DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, SPHERE_RADIUS_RANGE_M,
 };
+use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_scene::{Scene, WorldSetup};
 use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
@@ -53,19 +54,6 @@ pub struct Unclosed {
 }
 
 impl Session {
-    fn open(
-        setup: WorldSetup,
-        store: Option<Arc<WorldStore>>,
-        slug: String,
-    ) -> Result<Self, Failure> {
-        Ok(Self {
-            scene: Scene::open(setup, store.clone())?,
-            slug,
-            picture: None,
-            store,
-        })
-    }
-
     /// Commits everything and lets the world go, so that it can be opened again.
     ///
     /// # Errors
@@ -99,11 +87,12 @@ fn write_picture(store: &WorldStore, picture: &RgbaImage) -> Result<(), String> 
         .map_err(|error| error.to_string())
 }
 
-/// The place where worlds are kept, and the view distance that new sessions get.
+/// The place where worlds are kept, and the view distance and quality that new sessions get.
 #[derive(Clone, Debug)]
 pub struct Worlds {
     saves: SavesDir,
     view_distance: Option<u32>,
+    quality: Quality,
 }
 
 impl Worlds {
@@ -113,7 +102,13 @@ impl Worlds {
         Self {
             saves: SavesDir::new(path),
             view_distance: common.view_distance,
+            quality: common.quality,
         }
+    }
+
+    /// Sets the quality that worlds are opened with from now on.
+    pub fn set_quality(&mut self, quality: Quality) {
+        self.quality = quality;
     }
 
     /// The directory of worlds.
@@ -136,10 +131,10 @@ impl Worlds {
     pub fn create(&self, wanted: &NewWorld) -> Result<Session, Failure> {
         let setup = self.setup(wanted)?;
         let Some(_) = wanted.name else {
-            return Session::open(setup, None, String::new());
+            return self.open(setup, None, String::new());
         };
         let (slug, store) = self.saves.create(&setup.to_meta())?;
-        Session::open(setup, Some(Arc::new(store)), slug)
+        self.open(setup, Some(Arc::new(store)), slug)
     }
 
     /// Opens a saved world by name or slug.
@@ -159,7 +154,7 @@ impl Worlds {
             .or(saved_distance)
             .unwrap_or(VIEW_DISTANCE_CHUNKS.2);
         let setup = WorldSetup::from_meta(&store.meta(), distance)?;
-        Session::open(setup, Some(Arc::new(store)), summary.slug)
+        self.open(setup, Some(Arc::new(store)), summary.slug)
     }
 
     /// A name nobody has taken yet.
@@ -168,6 +163,22 @@ impl Worlds {
             .map(|n| format!("World {n}"))
             .find(|name| self.saves.check_name(name).is_ok())
             .unwrap_or_else(|| "World".to_owned())
+    }
+
+    fn open(
+        &self,
+        setup: WorldSetup,
+        store: Option<Arc<WorldStore>>,
+        slug: String,
+    ) -> Result<Session, Failure> {
+        let mut scene = Scene::open(setup, store.clone())?;
+        scene.set_quality(self.quality);
+        Ok(Session {
+            scene,
+            slug,
+            picture: None,
+            store,
+        })
     }
 
     fn setup(&self, wanted: &NewWorld) -> Result<WorldSetup, Failure> {

@@ -4,8 +4,28 @@
 //! turned into the tables of `docs/accuracy.md`. The textbook formulas that the game does not use
 //! live here, and only here, as the baseline to compare with.
 
+pub mod accuracy;
+pub mod compute;
+pub mod docs;
+pub mod double_double;
+mod error;
+mod figure;
+mod files;
+pub mod html;
+mod json;
+mod machine;
+pub mod markdown;
+pub mod naive;
+pub mod peer;
+mod random;
 mod report;
+pub mod single;
+pub mod speed;
+pub mod svg;
+pub mod text;
 
+pub use error::LabError;
+pub use machine::made_on;
 pub use report::{Axis, Cell, Plot, Report, Scale, Section, Series, Table};
 
 /// How thoroughly to measure.
@@ -13,4 +33,11 @@ pub use report::{Axis, Cell, Plot, Report, Scale, Section, Series, Table};
 pub struct Effort {
     /// Fewer inputs and shorter runs: all suites together stay under a minute.
     pub quick: bool,
+}
+
+impl Effort {
+    /// A count that is divided by ten in a quick run.
+    pub fn count(self, full: usize) -> usize {
+        if self.quick { full.div_ceil(10) } else { full }
+    }
 }

@@ -99,6 +99,24 @@ impl Report {
     pub fn passed(&self) -> bool {
         self.sections.iter().all(Section::passed)
     }
+
+    /// The rows with a bad verdict, each by its words: `port, d from 1e-4 to 3, GPU`.
+    pub fn failures(&self) -> Vec<String> {
+        let rows = self
+            .sections
+            .iter()
+            .flat_map(|section| &section.tables)
+            .flat_map(|table| &table.rows);
+        rows.filter(|row| row.contains(&Cell::Verdict(false)))
+            .map(|row| {
+                let words = row.iter().filter_map(|cell| match cell {
+                    Cell::Text(words) if !words.is_empty() => Some(words.as_str()),
+                    _ => None,
+                });
+                words.take(3).collect::<Vec<_>>().join(", ")
+            })
+            .collect()
+    }
 }
 
 impl Section {

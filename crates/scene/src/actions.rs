@@ -23,7 +23,7 @@ pub struct Actions {
     pub primary: bool,
     /// Secondary use held: build.
     pub secondary: bool,
-    /// Notches of the curvature dial, up positive.
+    /// Notches of the dial of the picture's curvature, up positive.
     pub dial: f64,
     /// Slots to move along the hotbar, right positive.
     pub slot_step: i32,
@@ -31,6 +31,8 @@ pub struct Actions {
     pub slot: Option<u8>,
     /// Change of the brush radius, in steps of a metre.
     pub brush_step: i32,
+    /// Change to the space's other picture: the other hyperbolic map, or a flat world bent or not.
+    pub turn_map: bool,
     /// Switch between first and third person.
     pub toggle_camera: bool,
 }

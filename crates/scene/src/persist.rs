@@ -2,7 +2,7 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
 use antipode_storage::{PlayerRecord, SlotRecord, WorldMeta, WorldState};
 use antipode_terrain::Biome;
 use glam::DVec3;
@@ -10,6 +10,7 @@ use glam::DVec3;
 use crate::camera::CameraMode;
 use crate::ground::height_below;
 use crate::item::{Inventory, Item, Stack};
+use crate::lens::DialGoals;
 use crate::player::{Health, Look};
 use crate::probe::{
     CameraProbe, ChunkProbe, MarkerProbe, PlayerProbe, Probe, SlotProbe, TerrainProbe,
@@ -68,6 +69,7 @@ impl Scene {
     }
 
     fn state(&self) -> WorldState {
+        let goals = self.lens.goals();
         let (position, look, body, _) = self.player_parts();
         let inventory = (0..)
             .zip(self.inventory.slots())
@@ -94,7 +96,11 @@ impl Scene {
             item_slot: self.inventory.selected(),
             inventory,
             time_of_day_s: self.time_of_day_s,
-            curvature: self.dial.goal(),
+            map: self.lens.map().unwrap_or_default().to_string(),
+            curvature: goals.raised,
+            curvature_horizon: goals.horizon,
+            bent: self.lens.bend().is_some(),
+            bend: goals.bend,
             brush_radius_m: self.brush_radius_m,
             simulated_s: self.simulated_s,
             view_distance: self.setup.view_distance,
@@ -122,11 +128,27 @@ impl Scene {
         }
         self.inventory.select(state.item_slot);
         self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
-        self.dial.set(state.curvature);
+        self.restore_lens(state);
         let (least, most, usual) = BRUSH_RADIUS_M;
         self.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
         self.simulated_s = finite_or(state.simulated_s, 0.0).max(0.0);
         self.saved_at_s = self.simulated_s;
+    }
+
+    fn restore_lens(&mut self, state: &WorldState) {
+        let map = state.map.parse().unwrap_or_else(|_| {
+            self.notices.push(format!(
+                "The save names a map this version does not know (\"{}\"); another is shown.",
+                state.map
+            ));
+            HyperbolicMap::default()
+        });
+        let goals = DialGoals {
+            raised: state.curvature,
+            horizon: state.curvature_horizon,
+            bend: state.bend,
+        };
+        self.lens.restore(map, state.bent, goals);
     }
 
     fn restore_player(&mut self, record: &PlayerRecord) {
@@ -182,8 +204,10 @@ impl Scene {
             seed: self.setup.seed,
             geometry: self.setup.geometry.to_string(),
             radius: curved_radius.is_finite().then_some(curved_radius),
-            map: self.dial.range().map(|_| "raised"),
-            curvature: self.dial.range().map(|_| self.dial.goal()),
+            map: self.lens.map().map(HyperbolicMap::name),
+            curvature: self.lens.curvature(),
+            bend: self.lens.bend(),
+            quality: self.quality.name(),
             time_of_day: self.time_of_day_s,
             player: self.player_probe(),
             camera: self.camera_probe(),
@@ -232,7 +256,7 @@ impl Scene {
         CameraProbe {
             pos: eye.point.pos.to_array(),
             mode: self.camera.id(),
-            curved: self.strategy.curved(&eye, eye.point).to_array(),
+            curved: self.lens.strategy().curved(&eye, eye.point).to_array(),
         }
     }
 

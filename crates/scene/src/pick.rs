@@ -8,8 +8,14 @@ use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 
 /// Length of one tested segment, in metres. Over half a metre a geodesic leaves its chart chord by under
-/// `0.5^2 / (8 R)`, 2 mm at R = 16 m.
+/// `0.5^2 / (8 R)`, 2 mm at R = 16 m and 8 mm at the 4 m of the strongest bend.
 const SEGMENT_M: f64 = 0.5;
+/// Longest chord of a segment in the chart, in segments: where a map stretches the chart, segments are shortened.
+const LONGEST_CHORD: f64 = 1.5;
+/// Most times that a segment is halved for its chord.
+const HALVINGS: i32 = 5;
+/// The land is there only as far off in an open chart as the reach goes: a pick that leaves it by this share ends.
+const CHART_SLACK: f64 = 1.01;
 
 /// What a pick ended on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +29,7 @@ pub struct Pick {
 }
 
 /// Follows the geodesic that leaves the eye through the screen's centre, up to `reach_m` metres beyond
-/// `from_m`, and returns the first ground or the end.
+/// `from_m`, and returns the first ground or the end: where the reach ends, or what the picture shows does.
 pub fn pick(
     strategy: &dyn Strategy,
     physics: &PhysicsWorld,
@@ -32,12 +38,15 @@ pub fn pick(
     reach_m: f64,
 ) -> Pick {
     let ahead = DVec3::NEG_Z;
-    let end_m = from_m + reach_m;
-    let steps = (reach_m / SEGMENT_M).ceil().max(1.0) as u32;
+    let end_m = (from_m + reach_m)
+        .min(strategy.sight_limit_m(eye))
+        .max(from_m);
     let mut near = (from_m, strategy.along(eye, ahead, from_m));
-    for step in 1..=steps {
-        let t = (from_m + f64::from(step) * SEGMENT_M).min(end_m);
-        let far = strategy.along(eye, ahead, t);
+    while near.0 < end_m {
+        let (t, far) = next(strategy, eye, near, end_m);
+        if !is_pictured(strategy, eye, far, from_m + reach_m) {
+            break;
+        }
         if let Some(share) = segment_hit(strategy, physics, near.1, far) {
             let distance_m = near.0 + share * (t - near.0);
             return Pick {
@@ -50,8 +59,49 @@ pub fn pick(
     }
     Pick {
         point: near.1,
-        distance_m: end_m,
+        distance_m: near.0,
         hit: false,
+    }
+}
+
+/// The end of the segment that begins at `near`, as its distance along the geodesic and its point.
+fn next(
+    strategy: &dyn Strategy,
+    eye: &Eye,
+    near: (f64, ChartPoint),
+    end_m: f64,
+) -> (f64, ChartPoint) {
+    let at = |length_m: f64| {
+        let t = (near.0 + length_m).min(end_m);
+        (t, strategy.along(eye, DVec3::NEG_Z, t))
+    };
+    let is_short = |(_, far): &(f64, ChartPoint)| {
+        let chord = over(strategy, near.1, *far).pos - near.1.pos;
+        chord.length() <= LONGEST_CHORD * SEGMENT_M
+    };
+    let shorter = (1..HALVINGS).map(|halving| SEGMENT_M * 0.5_f64.powi(halving));
+    std::iter::once(SEGMENT_M)
+        .chain(shorter)
+        .map(at)
+        .find(is_short)
+        .unwrap_or_else(|| at(SEGMENT_M * 0.5_f64.powi(HALVINGS)))
+}
+
+/// Whether a point of the geodesic is in the picture and in land that is waited for. A chart that goes on in
+/// another ends nowhere; an open one ends where its map would cover the space a second time.
+fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f64) -> bool {
+    let at = point.pos;
+    strategy.rim_m().is_some()
+        || (at.distance(eye.point.pos) <= CHART_SLACK * reach_m
+            && !strategy.trims(eye, point.hemisphere, at, at))
+}
+
+/// `b` in the chart of `a`.
+fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
+    if a.hemisphere == b.hemisphere {
+        b
+    } else {
+        strategy.carry(b).map_or(b, |over| over.point)
     }
 }
 
@@ -63,12 +113,7 @@ fn segment_hit(
     a: ChartPoint,
     b: ChartPoint,
 ) -> Option<f64> {
-    let b = if a.hemisphere == b.hemisphere {
-        b
-    } else {
-        strategy.carry(b).map_or(b, |over| over.point)
-    };
-    let way = b.pos - a.pos;
+    let way = over(strategy, a, b).pos - a.pos;
     let length = way.length();
     if length < 1e-9 {
         return None;

@@ -17,10 +17,14 @@ pub struct Probe {
     pub geometry: String,
     /// Radius of curvature in metres; null where space is flat.
     pub radius: Option<f64>,
-    /// Hyperbolic map in use; null elsewhere.
+    /// Hyperbolic map asked for, `raised` or `horizon`; null elsewhere.
     pub map: Option<&'static str>,
-    /// Curvature dial in metres; null where the space has none.
+    /// Where the dial of that map is set, 0 to 20; null elsewhere.
     pub curvature: Option<f64>,
+    /// Where a flat world's bend is set, -20 to 20; null elsewhere and while the picture is flat.
+    pub bend: Option<f64>,
+    /// How much exactness pictures trade for speed: `fast`, `balanced` or `exact`.
+    pub quality: &'static str,
     /// Time of day in seconds, 0 to 600.
     pub time_of_day: f64,
     /// The player.

@@ -2,9 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Projection, Strategy, strategy,
-};
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
 use antipode_physics::{CharacterTuning, PhysicsWorld};
 use antipode_storage::{StorageError, WorldState, WorldStore};
 use antipode_streaming::{Config, Streamer, StreamingError};
@@ -14,10 +12,10 @@ use thiserror::Error;
 
 use crate::camera::{self, CameraMode};
 use crate::day;
-use crate::dial::CurvatureDial;
-use crate::frame::{Figure, Frame, Marker};
+use crate::frame::{Figure, Frame, Marker, Quality};
 use crate::ground::Ground;
 use crate::item::Inventory;
+use crate::lens::Lens;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::tuning::{
     BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, VIEW_DISTANCE_CHUNKS,
@@ -73,7 +71,7 @@ pub struct Scene {
     pub(crate) player: Entity,
     pub(crate) tuning: CharacterTuning,
     pub(crate) inventory: Inventory,
-    pub(crate) dial: CurvatureDial,
+    pub(crate) lens: Lens,
     pub(crate) camera: CameraMode,
     pub(crate) brush_radius_m: f64,
     pub(crate) marker: Option<Marker>,
@@ -82,7 +80,9 @@ pub struct Scene {
     pub(crate) simulated_s: f64,
     pub(crate) saved_at_s: f64,
     pub(crate) contour_bands: bool,
+    pub(crate) quality: Quality,
     pub(crate) notices: Vec<String>,
+    pub(crate) hints: Vec<String>,
     pub(crate) stored: bool,
     pub(crate) save_problem: Option<String>,
     pub(crate) created_unix_s: u64,
@@ -109,6 +109,7 @@ impl Scene {
     /// When the store cannot be read at all or the chunk workers cannot start.
     pub fn open(setup: WorldSetup, store: Option<Arc<WorldStore>>) -> Result<Self, SceneError> {
         let strategy = strategy(setup.geometry, setup.radius_m);
+        let lens = Lens::new(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
         let (saved, notices) = match &store {
             Some(store) => saved_state(store)?,
@@ -133,7 +134,7 @@ impl Scene {
                 ..setup
             },
             ground: Ground::new(field, Arc::clone(&strategy)),
-            dial: CurvatureDial::new(strategy.dial()),
+            lens,
             strategy,
             streamer,
             physics: PhysicsWorld::new(),
@@ -149,7 +150,9 @@ impl Scene {
             simulated_s: 0.0,
             saved_at_s: 0.0,
             contour_bands: true,
+            quality: Quality::default(),
             notices,
+            hints: Vec::new(),
             stored,
             save_problem: None,
             created_unix_s,
@@ -174,7 +177,7 @@ impl Scene {
         Biome::from_seed(self.setup.seed).name()
     }
 
-    /// The space's strategy.
+    /// The strategy of the world itself; pictures are taken with that of [`Scene::lens`].
     pub fn strategy(&self) -> &Arc<dyn Strategy> {
         &self.strategy
     }
@@ -188,17 +191,6 @@ impl Scene {
     pub fn inventory_mut(&mut self) -> &mut Inventory {
         self.changed = true;
         &mut self.inventory
-    }
-
-    /// The curvature dial.
-    pub fn dial(&self) -> &CurvatureDial {
-        &self.dial
-    }
-
-    /// The curvature dial, to set it.
-    pub fn dial_mut(&mut self) -> &mut CurvatureDial {
-        self.changed = true;
-        &mut self.dial
     }
 
     /// Radius of the brush in metres.
@@ -290,12 +282,17 @@ impl Scene {
     pub fn head(&self) -> Eye {
         let (position, look, ..) = self.player_parts();
         let height_m = self.tuning.eye_height_m();
-        player::eye(&position, &look, self.dial.value(), height_m)
+        player::eye(&position, &look, self.lens.value(), height_m)
     }
 
     /// The eye the picture is taken from.
     pub fn eye(&self) -> Eye {
-        camera::place(self.camera, &self.head(), &*self.strategy, &self.physics)
+        camera::place(
+            self.camera,
+            &self.head(),
+            &**self.lens.strategy(),
+            &self.physics,
+        )
     }
 
     /// From where the player sees the world.
@@ -308,9 +305,24 @@ impl Scene {
         self.marker
     }
 
+    /// How much exactness pictures trade for speed.
+    pub fn quality(&self) -> Quality {
+        self.quality
+    }
+
+    /// Sets how much exactness pictures trade for speed; no part of the world, so nothing of it is saved.
+    pub fn set_quality(&mut self, quality: Quality) {
+        self.quality = quality;
+    }
+
     /// Sentences for the player that have come up since they were last taken.
     pub fn take_notices(&mut self) -> Vec<String> {
         std::mem::take(&mut self.notices)
+    }
+
+    /// Short answers to what the player did that have come up since they were last taken.
+    pub fn take_hints(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.hints)
     }
 
     /// The snapshot to draw. Terrain changes are handed over once.
@@ -319,14 +331,15 @@ impl Scene {
         Frame {
             eye,
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
-            strategy: Arc::clone(&self.strategy),
-            sky: day::sky(self.time_of_day_s, &*self.strategy),
+            strategy: Arc::clone(self.lens.strategy()),
+            sky: day::sky(self.time_of_day_s, &**self.lens.strategy()),
             chunk_changes: self.ground.take_changes(),
             figures: self.figures(),
             marker: self.marker,
             fog_distance_m: self.fog_distance_m(),
             contour_bands: self.contour_bands,
             time_s: self.simulated_s as f32,
+            quality: self.quality,
             loaded_world: world_id,
         }
     }
@@ -356,7 +369,7 @@ impl Scene {
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
     /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
     fn fog_distance_m(&self) -> f32 {
-        let far_m = self.strategy.sight_limit_m(&self.eye());
+        let far_m = self.lens.strategy().sight_limit_m(&self.eye());
         match self.strategy.rim_m() {
             Some(rim) => (rim * 3.0) as f32,
             None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,

@@ -23,7 +23,7 @@ impl Scene {
     pub fn step(&mut self, actions: &Actions) {
         self.changed = true;
         self.handle_switches(actions);
-        self.dial.glide(STEP_S);
+        self.lens.glide(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
         if self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
@@ -50,7 +50,10 @@ impl Scene {
             self.inventory.select(slot);
         }
         self.inventory.step(actions.slot_step);
-        self.dial.turn(actions.dial);
+        if actions.turn_map {
+            self.turn_map();
+        }
+        self.lens.turn(actions.dial);
         let (least, most, _) = BRUSH_RADIUS_M;
         self.brush_radius_m =
             (self.brush_radius_m + f64::from(actions.brush_step)).clamp(least, most);
@@ -108,14 +111,14 @@ impl Scene {
     /// Points the marker along the geodesic through the crosshair; an empty hand has none.
     pub(crate) fn update_marker(&mut self) {
         self.marker = self.inventory.held().map(|_| {
+            let strategy = &**self.lens.strategy();
             let eye = self.eye();
             // Near a wall the camera stands closer than it would like; what lies beyond the head counts.
             let past_head_m = match self.camera {
                 CameraMode::First => 0.0,
-                CameraMode::Third => self.strategy.distance_m(eye.point, self.head().point, &eye),
+                CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
             };
-            let found: pick::Pick =
-                pick(&*self.strategy, &self.physics, &eye, past_head_m, REACH_M);
+            let found: pick::Pick = pick(strategy, &self.physics, &eye, past_head_m, REACH_M);
             Marker {
                 point: found.point,
                 radius_m: self.brush_radius_m,

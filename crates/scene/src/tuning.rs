@@ -14,6 +14,9 @@ pub const DAY_S: f64 = 600.0;
 pub const DAY_START_S: f64 = 60.0;
 /// Share of the distance to its goal that the curvature dial keeps after one second: the glide of the scroll.
 pub const DIAL_REMAINDER_PER_S: f64 = 1e-4;
+/// Dial below which one map gives way to another: the tail of the glide is not waited for. At a radius of 20 m it
+/// turns sight lines by at most 0.01 / 20 rad, a quarter of a pixel in a picture 720 pixels high.
+pub const DIAL_SWAP_AT: f64 = 0.01;
 /// Distance of the third-person camera behind the eye, in metres.
 pub const THIRD_PERSON_BACK_M: f64 = 4.5;
 /// Rise of the third-person camera above the eye, in metres.

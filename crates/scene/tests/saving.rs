@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
-use antipode_storage::{WORLD_FILE, WorldStore};
+use antipode_storage::{Batch, WORLD_FILE, WorldState, WorldStore};
 use common::{LIMIT, setup, steps};
 use tempfile::TempDir;
 
@@ -185,6 +185,49 @@ fn a_damaged_player_costs_the_player_and_not_the_world() {
     );
     again.close().unwrap();
     assert!(kept.open().take_notices().is_empty());
+}
+
+#[test]
+fn the_picture_of_a_world_comes_back_with_it() {
+    let (kept, mut scene) = Kept::new();
+    let turn = Actions {
+        turn_map: true,
+        dial: -7.0,
+        ..Actions::default()
+    };
+    steps(&mut scene, 2, &turn);
+    steps(&mut scene, 1, &turn);
+    let (bend, goals) = (scene.lens().bend(), scene.lens().goals());
+    assert_eq!((bend, goals.bend), (Some(-14.0), -14.0));
+    scene.close().unwrap();
+    let mut again = kept.open();
+    assert_eq!((again.lens().bend(), again.lens().goals()), (bend, goals));
+    assert_eq!(again.eye().dial, -14.0, "at rest at once");
+    assert!(again.take_notices().is_empty() && again.take_hints().is_empty());
+}
+
+#[test]
+fn a_map_this_version_does_not_know_costs_the_map_alone() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let state = WorldState {
+        map: "mercator".to_owned(),
+        ..store.state().unwrap().unwrap()
+    };
+    let batch = Batch {
+        state: Some(state.clone()),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let mut again = kept.open();
+    let notices = again.take_notices();
+    assert!(
+        notices.iter().any(|said| said.contains("mercator")),
+        "{notices:?}"
+    );
+    assert_eq!(again.probe().player.pos, state.player.pos);
 }
 
 #[test]

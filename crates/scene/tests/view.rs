@@ -104,3 +104,41 @@ fn the_ground_height_does_not_depend_on_what_else_is_loaded() {
     assert!(at_once.is_some());
     assert_eq!(fresh.ground_height(), at_once);
 }
+
+#[test]
+fn the_other_picture_answers_in_words_and_a_sphere_has_none() {
+    let turn = Actions {
+        turn_map: true,
+        ..Actions::default()
+    };
+    for (geometry, says) in [
+        (Geometry::Hyperbolic, "horizon"),
+        (Geometry::Euclidean, "bends"),
+        (Geometry::Spherical, "no other map"),
+    ] {
+        let mut scene = scene(geometry);
+        let eye = scene.eye();
+        steps(&mut scene, 1, &turn);
+        let hints = scene.take_hints();
+        assert!(hints.len() == 1 && hints[0].contains(says), "{hints:?}");
+        assert!(scene.take_hints().is_empty());
+        if geometry == Geometry::Spherical {
+            steps(&mut scene, 60, &Actions::default());
+            assert_eq!(scene.eye().dial, eye.dial);
+        }
+    }
+}
+
+#[test]
+fn the_fog_is_complete_before_a_bent_picture_ends() {
+    let mut scene = scene(Geometry::Euclidean);
+    for bend in [-20.0, -10.0, 10.0, 20.0] {
+        assert!(scene.set_bend(bend));
+        let limit_m = scene.lens().strategy().sight_limit_m(&scene.eye());
+        let fog_m = f64::from(scene.frame(1.0, 1.5, 1).fog_distance_m);
+        assert!(
+            fog_m <= limit_m * 1.000_001 && fog_m < 60.0,
+            "bend {bend}: {fog_m} of {limit_m}"
+        );
+    }
+}

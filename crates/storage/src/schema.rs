@@ -2,9 +2,9 @@
 //!
 //! The structs below are today's shapes and are stored field by field in their
 //! order, without names: changing a field, its type or its place is a new schema
-//! version. To make one: copy the struct as it was into `mod v1` here, raise
+//! version. To make one: copy the struct as it was into `mod v2` here, raise
 //! [`SCHEMA_VERSION`], and let [`Versioned::upgrade`] decode the old shape and
-//! convert it. `tests/saves/v1` keeps a world of each version for ever.
+//! convert it. `tests/saves` keeps a world of each version for ever.
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::codec::{self, Fault, Kind, Record};
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 1;
+pub const SCHEMA_VERSION: u16 = 2;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -80,8 +80,16 @@ pub struct WorldState {
     pub inventory: Vec<SlotRecord>,
     /// Time of day, seconds.
     pub time_of_day_s: f64,
-    /// The hyperbolic dial, metres; without meaning elsewhere.
+    /// The map of a hyperbolic world, `raised` or `horizon`; without meaning elsewhere.
+    pub map: String,
+    /// Dial of the raised map, metres; without meaning but in hyperbolic worlds.
     pub curvature: f64,
+    /// Dial of the horizon map; without meaning but in hyperbolic worlds.
+    pub curvature_horizon: f64,
+    /// Whether the picture of a flat world is bent.
+    pub bent: bool,
+    /// Dial of the bend, positive where hyperbolic; kept while the picture is flat.
+    pub bend: f64,
     /// Radius of the brush, metres.
     pub brush_radius_m: f64,
     /// Simulated time since the world was made, seconds.
@@ -181,8 +189,51 @@ impl Versioned for WorldMeta {
 impl Versioned for WorldState {
     const KIND: Kind = Kind::State;
 
-    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
-        decode(body)
+    fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        match version {
+            1 => decode::<v1::WorldState>(body).map(Self::from),
+            _ => decode(body),
+        }
+    }
+}
+
+/// The shapes of version 1 that have changed since: it knew one picture of each space.
+mod v1 {
+    use serde::{Deserialize, Serialize};
+
+    use super::{PlayerRecord, SlotRecord};
+
+    /// What version 1 kept of everything that changes while a world is played.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(super) struct WorldState {
+        pub player: PlayerRecord,
+        pub item_slot: u8,
+        pub inventory: Vec<SlotRecord>,
+        pub time_of_day_s: f64,
+        pub curvature: f64,
+        pub brush_radius_m: f64,
+        pub simulated_s: f64,
+        pub view_distance: u32,
+    }
+
+    impl From<WorldState> for super::WorldState {
+        fn from(old: WorldState) -> Self {
+            Self {
+                player: old.player,
+                item_slot: old.item_slot,
+                inventory: old.inventory,
+                time_of_day_s: old.time_of_day_s,
+                map: "raised".to_owned(),
+                curvature: old.curvature,
+                // Where the dial of a new world stands.
+                curvature_horizon: 10.0,
+                bent: false,
+                bend: 0.0,
+                brush_radius_m: old.brush_radius_m,
+                simulated_s: old.simulated_s,
+                view_distance: old.view_distance,
+            }
+        }
     }
 }
 
@@ -336,6 +387,27 @@ mod tests {
         assert_eq!(WorldMeta::upgrade(1, &body), Ok(meta));
     }
 
+    #[test]
+    fn a_state_of_version_1_shows_the_one_picture_it_knew() {
+        let old = v1::WorldState {
+            player: PlayerRecord::default(),
+            item_slot: 3,
+            inventory: Vec::new(),
+            time_of_day_s: 60.0,
+            curvature: 12.5,
+            brush_radius_m: 4.0,
+            simulated_s: 7.0,
+            view_distance: 5,
+        };
+        let state = WorldState::upgrade(1, &codec::encode(&old).unwrap()).unwrap();
+        assert_eq!((state.map.as_str(), state.curvature), ("raised", 12.5));
+        assert_eq!((state.bent, state.bend), (false, 0.0));
+        assert_eq!((state.brush_radius_m, state.view_distance), (4.0, 5));
+        let today = codec::encode(&state).unwrap();
+        assert_eq!(WorldState::upgrade(2, &today), Ok(state));
+        assert!(WorldState::upgrade(1, &today).is_err());
+    }
+
     proptest! {
         #[test]
         fn chunk_keys_survive_and_keep_their_order(a: (u8, i32, i32, i32), b: (u8, i32, i32, i32)) {
@@ -350,6 +422,7 @@ mod tests {
             let read = read::<WorldState>(&bytes, b"state");
             prop_assert!(read.is_err());
             let _ = WorldState::upgrade(1, &bytes);
+            let _ = WorldState::upgrade(2, &bytes);
             let _ = WorldMeta::upgrade(1, &bytes);
         }
     }

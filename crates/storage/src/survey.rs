@@ -120,6 +120,7 @@ mod tests {
 
     use super::*;
     use crate::SavesDir;
+    use crate::schema::SCHEMA_VERSION;
     use crate::store::STATE_KEY;
     use crate::world::sealed;
     use crate::{WORLD_FILE, pack_chunk, summary};
@@ -159,7 +160,13 @@ mod tests {
 
     #[test]
     fn a_newer_world_is_refused_by_name_and_left_alone() {
-        for versions in [[2, 1, 1], [1, 2, 1], [1, 1, 2], [900, 900, 900]] {
+        let (now, next) = (SCHEMA_VERSION, SCHEMA_VERSION + 1);
+        for versions in [
+            [next, now, now],
+            [now, next, now],
+            [now, now, next],
+            [900, 900, 900],
+        ] {
             let (root, saves) = planted(versions);
             let path = root.path().join("future").join(WORLD_FILE);
             let refusals = [
@@ -181,13 +188,13 @@ mod tests {
             assert!(path.is_file());
             assert_eq!(fs::read_dir(root.path().join("future")).unwrap().count(), 1);
             let problem = saves.list().unwrap().remove(0).problem;
-            assert_eq!(problem.is_some(), versions[0] > 1, "{problem:?}");
+            assert_eq!(problem.is_some(), versions[0] > now, "{problem:?}");
         }
     }
 
     #[test]
     fn values_of_an_unknown_version_are_damage() {
-        let (_root, saves) = planted([0, 1, 1]);
+        let (_root, saves) = planted([0, SCHEMA_VERSION, 1]);
         assert!(matches!(
             saves.open("future"),
             Err(StorageError::Damaged { .. })
@@ -204,7 +211,7 @@ mod tests {
 
     #[test]
     fn a_copied_record_does_not_pass_for_another_chunk() {
-        let (root, saves) = planted([1, 1, 1]);
+        let (root, saves) = planted([SCHEMA_VERSION; 3]);
         let elsewhere = ChunkKey {
             x: 5,
             ..ChunkKey::default()
@@ -229,7 +236,7 @@ mod tests {
 
     #[test]
     fn a_world_without_its_meta_is_repaired_from_its_summary() {
-        let (root, saves) = planted([1, 1, 1]);
+        let (root, saves) = planted([SCHEMA_VERSION; 3]);
         let dir = root.path().join("future");
         let meta = saves.open("future").unwrap().meta();
         summary::write(&dir, &sealed(&meta, META_KEY, 1, "Future").unwrap());

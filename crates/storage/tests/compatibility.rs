@@ -13,6 +13,10 @@ const V1: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v1/v1.antipode-world"
 );
+const V2: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v2/v2.antipode-world"
+);
 
 const FAR: ChunkKey = ChunkKey {
     hemisphere: 1,
@@ -41,7 +45,7 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-fn v1_state() -> WorldState {
+fn v2_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
         item: "lamp".to_owned(),
@@ -52,35 +56,51 @@ fn v1_state() -> WorldState {
     state
 }
 
+/// What version 1 could hold of it, and the defaults of what it could not.
+fn v1_state() -> WorldState {
+    WorldState {
+        map: "raised".to_owned(),
+        curvature_horizon: 10.0,
+        bent: false,
+        bend: 0.0,
+        ..v2_state()
+    }
+}
+
 /// How the file was made; kept so that the next version's is made alike.
 #[test]
 #[ignore = "writes the file of the current version; run once per schema version"]
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&meta("Żółw of v1")).unwrap();
+    let (slug, world) = saves.create(&meta("Żółw of v2")).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            state: Some(v1_state()),
+            state: Some(v2_state()),
             chunks,
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V1)).unwrap();
+    saves.export(&slug, Path::new(V2)).unwrap();
 }
 
 #[test]
-fn the_world_of_version_1_opens_with_its_values() {
+fn the_worlds_of_all_versions_open_with_their_values() {
+    opens(V1, "Żółw of v1", &v1_state());
+    opens(V2, "Żółw of v2", &v2_state());
+}
+
+fn opens(file: &str, name: &str, state: &WorldState) {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let slug = saves.import(Path::new(V1)).unwrap();
+    let slug = saves.import(Path::new(file)).unwrap();
     let world = saves.open(&slug).unwrap();
     assert_eq!(world.problems(), Vec::<String>::new());
-    assert_eq!(world.meta(), meta("Żółw of v1"));
-    assert_eq!(world.state().unwrap(), Some(v1_state()));
+    assert_eq!(world.meta(), meta(name));
+    assert_eq!(world.state().unwrap().as_ref(), Some(state));
     assert_eq!(world.edited_chunks().unwrap(), [NEAR, FAR]);
     assert_eq!(world.chunk(&NEAR).unwrap(), Some(ramp()));
     assert_eq!(world.chunk(&FAR).unwrap(), Some(spike()));

@@ -21,7 +21,7 @@ mod toasts;
 mod widgets;
 mod worlds;
 
-pub use hud::{CurvatureView, HudModel, SlotIcon, SlotView, show_hud};
+pub use hud::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, show_hud};
 pub use model::{Binding, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;

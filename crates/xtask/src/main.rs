@@ -22,8 +22,9 @@ use packages::Purpose;
 const USAGE: &str = "\
 cargo xtask play [--no-install] [ARGUMENTS OF THE GAME]   install what is missing, build, play
 cargo xtask test [--no-install] [FILTER]                  install what is missing, run every test
-cargo xtask ci [--no-install]                             format, lints, docs, every bench once, every test
+cargo xtask ci [--no-install]                             format, lints, docs, laboratory, every bench once, every test
 cargo xtask bench [FILTER]                                measure every bench
+cargo xtask lab                                           measure everything, and remake docs/accuracy.md from it
 cargo xtask packages                                      system packages: what for, and whether they are here
 
 --no-install names the missing packages and goes on without them.
@@ -56,6 +57,10 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             steps::ci().map(|()| 0)
         }
         "bench" => steps::bench(&options.rest).map(|()| 0),
+        "lab" if options.rest.is_empty() => {
+            provide(Purpose::Test, options.install)?;
+            steps::lab().map(|()| 0)
+        }
         "packages" if options.rest.is_empty() => {
             print!("{}", packages::inventory(&Machine::look()));
             Ok(0)
@@ -64,7 +69,7 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             println!("{USAGE}");
             Ok(0)
         }
-        "ci" | "packages" => Err(Error::Usage(format!(
+        "ci" | "lab" | "packages" => Err(Error::Usage(format!(
             "`{command}` does not know `{}`",
             options.rest.join(" ")
         ))),
@@ -187,7 +192,7 @@ mod tests {
 
     #[test]
     fn wrong_usage_has_status_two_and_shows_the_usage() {
-        for line in ["", "fly", "ci fast", "packages --all"] {
+        for line in ["", "fly", "ci fast", "lab fast", "packages --all"] {
             let error = dispatch(&words(line)).unwrap_err();
             assert_eq!(error.status(), 2, "{line}");
             assert!(error.to_string().contains("cargo xtask play"), "{line}");
@@ -196,7 +201,7 @@ mod tests {
 
     #[test]
     fn every_command_is_in_the_usage() {
-        for command in ["play", "test", "ci", "bench", "packages"] {
+        for command in ["play", "test", "ci", "bench", "lab", "packages"] {
             assert!(
                 USAGE.contains(&format!("cargo xtask {command}")),
                 "{command}"

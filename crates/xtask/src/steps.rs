@@ -45,6 +45,20 @@ pub fn bench(arguments: &[String]) -> Result<(), Error> {
     Steps::new(1).run("benches", command.args(arguments))
 }
 
+/// Measures everything the laboratory has, and remakes what is made from it: the report, its page,
+/// and `docs/accuracy.md` with its plots. They are written even where a bar is not met.
+///
+/// # Errors
+/// When cargo cannot be started, or the laboratory fails.
+pub fn lab() -> Result<(), Error> {
+    let mut command = cargo(&LABORATORY);
+    command.args(["all", "--json", "docs/measurements/lab.json"]);
+    command.args(["--report", "docs/measurements/lab", "--docs", "docs"]);
+    Steps::new(1).run("laboratory", &mut command)
+}
+
+const LABORATORY: [&str; 6] = ["run", "--release", "--package", "antipode", "--", "lab"];
+
 /// Runs every test, and every bench once; with a `filter`, only the tests that
 /// cargo's own filter arguments select.
 ///
@@ -65,7 +79,7 @@ pub fn test(filter: &[String]) -> Result<(), Error> {
 /// # Errors
 /// At the first step that fails.
 pub fn ci() -> Result<(), Error> {
-    let mut steps = Steps::new(7);
+    let mut steps = Steps::new(8);
     steps.run("format", &mut cargo(&["fmt", "--all", "--check"]))?;
     steps.run(
         "lints",
@@ -86,7 +100,11 @@ pub fn ci() -> Result<(), Error> {
     } else {
         steps.skip("licences and advisories", "cargo-deny is not installed");
     }
-    every_test(&mut steps, &TestBed::make()?)
+    let bed = TestBed::make()?;
+    let mut laboratory = cargo(&LABORATORY);
+    laboratory.args(["accuracy", "--quick", "--adapter", "software"]);
+    steps.run("laboratory", bed.surround(&mut laboratory))?;
+    every_test(&mut steps, &bed)
 }
 
 const TESTS: [&str; 8] = [

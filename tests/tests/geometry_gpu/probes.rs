@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy, scalar, strategy,
+    ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, SpaceUniform, Strategy,
+    picture, scalar, strategy,
 };
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, Vec3};
@@ -69,7 +70,7 @@ fn eye(value: &Value) -> Eye {
         yaw: number("yaw"),
         pitch: number("pitch"),
         dial: number("dial"),
-        lift_m: 1.62,
+        lift_m: number("lift"),
     }
 }
 
@@ -93,15 +94,22 @@ pub fn case(
 
 /// The committed cases with their 80-digit answers.
 pub fn golden() -> Vec<Probe> {
-    let text = include_str!("../../reference/geometry.json");
-    let golden: Value = serde_json::from_str(text).unwrap();
+    let text = include_str!("../../reference/strategies.json");
+    let file: Value = serde_json::from_str(text).unwrap();
+    let golden = &file["data"];
     let camera = |name: &str| golden["projection"][name].as_f64().unwrap();
     let projection = Projection::new(camera("fov_y"), camera("aspect"), camera("near"));
     let rows = golden["ports"].as_array().unwrap();
     rows.iter()
         .map(|row| {
             let geometry: Geometry = row["geometry"].as_str().unwrap().parse().unwrap();
-            let space = strategy(geometry, row["radius"].as_f64().unwrap());
+            let level = row["level"].as_bool().unwrap();
+            let map = if level {
+                HyperbolicMap::Horizon
+            } else {
+                HyperbolicMap::Raised
+            };
+            let space = picture(geometry, row["radius"].as_f64().unwrap(), map, level);
             let (eye, point) = (eye(&row["eye"]), chart_point(&row["point"]));
             Probe {
                 case: case(

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use super::run::{Runner, steps_in};
 use super::say;
 use crate::cli::Adapter;
+use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::perf::{Report, Times};
 use crate::picture::Studio;
@@ -23,7 +24,8 @@ impl Runner {
         for _ in 0..steps_in(time_s).max(1) {
             self.perf_frame(&mut times)?;
         }
-        self.fps = times.frame.percentiles().map(|p| 1000.0 / p.p50);
+        self.frame_ms = times.frame.percentiles().map(|p| p.p50);
+        self.gpu_ms = times.gpu.percentiles().map(|p| p.p50);
         say::line(&times.report(draws))
     }
 
@@ -55,6 +57,7 @@ impl Runner {
         if let Some(studio) = self.studio.as_mut() {
             let drawing = Instant::now();
             let (stats, recorded) = studio.draw(&frame)?;
+            self.drawn = Some(Drawn::new(&stats, frame.quality));
             times.frame.push(main + drawing.elapsed());
             main += recorded;
             times.triangles = stats.triangles as u64;

@@ -1,7 +1,8 @@
 //! From the text of a script to orders, all checked before the first one runs.
 
-use antipode_geometry::{Geometry, Hemisphere};
+use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap};
 use antipode_scene::Item;
+use antipode_scene::frame::Quality;
 use antipode_storage::SavesDir;
 use thiserror::Error;
 use winit::keyboard::KeyCode;
@@ -77,8 +78,14 @@ pub enum Order {
 pub enum Setting {
     /// Time of day in seconds.
     Time(f64),
-    /// The curvature dial.
+    /// The dial of a hyperbolic world.
     Curvature(f64),
+    /// The map of a hyperbolic world.
+    Map(HyperbolicMap),
+    /// The bend of a flat world's picture.
+    Bend(f64),
+    /// How much exactness pictures trade for speed.
+    Quality(Quality),
     /// View distance in chunks.
     ViewDistance(u32),
     /// The player's health.
@@ -310,6 +317,17 @@ fn setting(what: &str, value: &str) -> Result<Setting, String> {
     Ok(match what {
         "time" => Setting::Time(number(value, 0.0, 600.0)?),
         "curvature" => Setting::Curvature(number(value, 0.0, 20.0)?),
+        "map" => Setting::Map(
+            value
+                .parse()
+                .map_err(|_| format!("there is no map {}", quoted(value)))?,
+        ),
+        "bend" => Setting::Bend(number(value, -20.0, 20.0)?),
+        "quality" => Setting::Quality(
+            value
+                .parse()
+                .map_err(|_| format!("there is no quality {}", quoted(value)))?,
+        ),
         "view-distance" => Setting::ViewDistance(whole(value, 1, 16)?),
         "health" => Setting::Health(number(value, 0.0, 20.0)?),
         "fly" => match value {
@@ -337,108 +355,4 @@ fn teleport(place: [&str; 3], side: &[&str]) -> Result<Order, String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn one(line: &str) -> Result<Order, Mistake> {
-        parse(line).map(|mut lines| lines.remove(0).order)
-    }
-
-    #[test]
-    fn comments_blank_lines_and_quotes_are_read() {
-        let lines =
-            parse("# a comment\n\n  new hyperbolic seed=7 name=\"My # world\" # trailing\nprobe")
-                .unwrap_or_default();
-        assert_eq!(lines.len(), 2);
-        assert_eq!(lines[0].number, 3);
-        let Order::New(world) = &lines[0].order else {
-            unreachable!("a new world was asked for")
-        };
-        assert_eq!(
-            (world.name.as_deref(), world.seed),
-            (Some("My # world"), Some(7))
-        );
-    }
-
-    #[test]
-    fn mistakes_name_their_line() {
-        for (text, line) in [
-            ("jump", 1),
-            ("probe\nwait -1", 2),
-            ("wait NaN", 1),
-            ("wait inf", 1),
-            ("hold KeyÄ 1", 1),
-            ("hold KeyW", 1),
-            ("new toroidal", 1),
-            ("new euclidean colour=red", 1),
-            ("new euclidean seed=-1", 1),
-            ("new euclidean name=\"\"", 1),
-            ("new euclidean name=\" \"", 1),
-            ("set curvature 21", 1),
-            ("set gravity 1", 1),
-            ("teleport 0 0 NaN", 1),
-            ("teleport 0 0 0 C", 1),
-            ("shot picture.jpg", 1),
-            ("give gold 1", 1),
-            ("give pickaxe-iron 0", 1),
-            ("click MIDDLE", 1),
-            ("load \"open", 1),
-            ("perf 0", 1),
-            ("probe now", 1),
-        ] {
-            let mistake = parse(text).err();
-            assert_eq!(mistake.map(|m| m.line), Some(line), "{text} passed");
-        }
-    }
-
-    #[test]
-    fn a_byte_order_mark_is_skipped_and_long_words_are_cut() {
-        assert_eq!(one("\u{feff}probe"), Ok(Order::Probe));
-        let long = "x".repeat(100_000);
-        for line in [
-            long.clone(),
-            format!("load {long}"),
-            format!("wait {long}"),
-            format!("new euclidean name={long}"),
-        ] {
-            let said = parse(&line).err().map(|mistake| mistake.to_string());
-            assert!(
-                said.is_some_and(|words| words.len() < 200),
-                "{}",
-                &line[..20]
-            );
-        }
-    }
-
-    #[test]
-    fn orders_carry_their_numbers() {
-        assert_eq!(
-            one("hold KeyW 1.5"),
-            Ok(Order::Hold(Input::Key(KeyCode::KeyW), 1.5))
-        );
-        assert_eq!(one("hold LEFT 2"), Ok(Order::Hold(Input::MouseLeft, 2.0)));
-        assert_eq!(one("aim -90 10.5"), Ok(Order::Aim(-90.0, 10.5)));
-        assert_eq!(
-            one("teleport 1 2 3 B"),
-            Ok(Order::Teleport([1.0, 2.0, 3.0], Hemisphere::B))
-        );
-        assert_eq!(one("set fly on"), Ok(Order::Set(Setting::Fly(true))));
-        assert_eq!(one("settle"), Ok(Order::Settle(60.0)));
-    }
-
-    #[test]
-    fn no_text_makes_the_reader_panic() {
-        for text in [
-            "\"",
-            "#",
-            "\u{0}\u{0}",
-            "new =",
-            "new euclidean =",
-            "set set set set",
-            "🦀 🦀",
-            "hold \"\" \"\"",
-        ] {
-            let _ = parse(text);
-        }
-    }
-}
+mod tests;

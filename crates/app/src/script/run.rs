@@ -13,6 +13,7 @@ use super::{Shooting, say};
 use crate::bindings::{Command, Input};
 use crate::cli::{Adapter, Common};
 use crate::controls::Controls;
+use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::hud;
 use crate::picture::Studio;
@@ -33,8 +34,13 @@ pub struct Runner {
     pub(super) session: Option<Session>,
     pub(super) studio: Option<Studio>,
     pub(super) worlds_opened: u64,
-    pub(super) fps: Option<f64>,
+    /// Median time of a measured frame, and of the adapter's share in it.
+    pub(super) frame_ms: Option<f64>,
+    pub(super) gpu_ms: Option<f64>,
+    /// What the last picture of the open world was drawn with.
+    pub(super) drawn: Option<Drawn>,
     display_hidden: bool,
+    figures_shown: bool,
 }
 
 impl Runner {
@@ -49,8 +55,11 @@ impl Runner {
             session: None,
             studio: None,
             worlds_opened: 0,
-            fps: None,
+            frame_ms: None,
+            gpu_ms: None,
+            drawn: None,
             display_hidden: false,
+            figures_shown: false,
         }
     }
 
@@ -123,7 +132,7 @@ impl Runner {
                 Ok(())
             }
             Order::Scroll(notches) => {
-                let has_dial = self.scene()?.dial().range().is_some();
+                let has_dial = self.scene()?.lens().range().is_some();
                 self.controls.wheel(*notches, has_dial);
                 self.step()
             }
@@ -147,8 +156,10 @@ impl Runner {
     }
 
     fn press(&mut self, input: Input) {
-        if self.controls.input(input, true) == Some(Command::HideDisplay) {
-            self.display_hidden = !self.display_hidden;
+        match self.controls.input(input, true) {
+            Some(Command::HideDisplay) => self.display_hidden = !self.display_hidden,
+            Some(Command::FrameFigures) => self.figures_shown = !self.figures_shown,
+            _ => {}
         }
     }
 
@@ -175,6 +186,7 @@ impl Runner {
         self.worlds_opened += 1;
         self.controls.release_all();
         self.session = Some(session);
+        self.drawn = None;
         self.await_workers()?;
         self.tell_notices();
         let scene = self.scene()?;
@@ -242,6 +254,9 @@ impl Runner {
             for notice in scene.take_notices() {
                 tracing::error!("{notice}");
             }
+            for hint in scene.take_hints() {
+                tracing::info!("{hint}");
+            }
         }
     }
 
@@ -270,7 +285,8 @@ impl Runner {
             .studio
             .as_ref()
             .map_or("none", |studio| studio.adapter_name());
-        say::probe(&probe, self.fps, adapter)
+        let fps = self.frame_ms.map(|ms| 1000.0 / ms);
+        say::probe(&probe, fps, adapter, self.drawn.as_ref())
     }
 
     fn set(&mut self, setting: Setting) -> Result<(), Failure> {
@@ -278,12 +294,18 @@ impl Runner {
         match setting {
             Setting::Time(time_s) => scene.set_time_of_day_s(time_s),
             Setting::Curvature(value) => {
-                if !scene.dial_mut().set(value) {
-                    return Err(Failure::Usage(
-                        "this space has no curvature dial".to_owned(),
-                    ));
-                }
-                scene.refresh_marker();
+                possible(
+                    scene.set_curvature(value),
+                    "this space has no curvature dial",
+                )?;
+            }
+            Setting::Map(map) => possible(scene.set_map(map), "this space has no other map")?,
+            Setting::Bend(value) => {
+                possible(scene.set_bend(value), "only a flat world can be bent")?;
+            }
+            Setting::Quality(quality) => {
+                scene.set_quality(quality);
+                self.worlds.set_quality(quality);
             }
             Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
             Setting::Health(health) => scene.set_health(health),
@@ -316,8 +338,17 @@ impl Runner {
         let frame = session
             .scene
             .frame(antipode_scene::tuning::FOV_Y_RAD, studio.aspect(), id);
-        let display = hud::model(&session.scene, self.fps.unwrap_or(0.0) as f32, None);
-        let picture = studio.shoot(&frame, (!self.display_hidden).then_some(&display))?;
+        let scene = &session.scene;
+        let drawn = &mut self.drawn;
+        let (frame_ms, gpu_ms) = (self.frame_ms, self.gpu_ms);
+        let fps = frame_ms.map_or(0.0, |ms| 1000.0 / ms) as f32;
+        let picture = studio.shoot(&frame, |stats| {
+            let drawn = drawn.insert(Drawn::new(stats, frame.quality));
+            let figures = self
+                .figures_shown
+                .then(|| drawn.figures(scene, frame_ms, gpu_ms));
+            (!self.display_hidden).then(|| hud::model(scene, fps, figures))
+        })?;
         picture.save(&path).map_err(|e| {
             Failure::Runtime(format!(
                 "The picture {} could not be written: {e}",
@@ -363,6 +394,15 @@ fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String>
             ))
         }
         _ => Ok(()),
+    }
+}
+
+/// What a setting came to: a mistake of the script where the world has no such thing.
+fn possible(done: bool, otherwise: &str) -> Result<(), Failure> {
+    if done {
+        Ok(())
+    } else {
+        Err(Failure::Usage(otherwise.to_owned()))
     }
 }
 

@@ -4,6 +4,7 @@ use antipode_scene::Probe;
 use antipode_storage::WorldSummary;
 use serde::Serialize;
 
+use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::output;
 
@@ -15,6 +16,7 @@ struct FullProbe<'a> {
     memory_mb: Option<f64>,
     fps: Option<f64>,
     adapter: &'a str,
+    picture: Option<&'a Drawn>,
 }
 
 /// One saved world in a list.
@@ -29,12 +31,18 @@ struct Listed<'a> {
 }
 
 /// Prints a probe.
-pub fn probe(scene: &Probe, fps: Option<f64>, adapter: &str) -> Result<(), Failure> {
+pub fn probe(
+    scene: &Probe,
+    fps: Option<f64>,
+    adapter: &str,
+    picture: Option<&Drawn>,
+) -> Result<(), Failure> {
     line(&FullProbe {
         scene,
         memory_mb: crate::perf::memory_mb(),
         fps,
         adapter,
+        picture,
     })
 }
 

@@ -12,6 +12,7 @@ use super::phase::{Next, Phase, Request};
 use super::worldlist::WorldList;
 use crate::bindings::{Command, Input};
 use crate::controls::Controls;
+use crate::drawn::Drawn;
 use crate::hud;
 use crate::session::{NewWorld, Session, Worlds};
 
@@ -31,6 +32,7 @@ pub struct Game {
     pub(super) controls: Controls,
     adapter_notice: Option<String>,
     display_hidden: bool,
+    figures_shown: bool,
     last_tick: Option<Instant>,
     pub(super) owed_s: f64,
     fps: FrameRate,
@@ -71,6 +73,7 @@ impl Game {
             controls: Controls::default(),
             adapter_notice,
             display_hidden: false,
+            figures_shown: false,
             last_tick: None,
             owed_s: 0.0,
             fps: FrameRate::default(),
@@ -113,6 +116,7 @@ impl Game {
         match self.controls.input(input, pressed) {
             Some(Command::Menu) => self.pause(),
             Some(Command::HideDisplay) => self.display_hidden = !self.display_hidden,
+            Some(Command::FrameFigures) => self.figures_shown = !self.figures_shown,
             _ => {}
         }
     }
@@ -137,7 +141,7 @@ impl Game {
     pub fn wheel(&mut self, notches: f64) {
         if let Phase::Playing(session) = &self.phase {
             self.controls
-                .wheel(notches, session.scene.dial().range().is_some());
+                .wheel(notches, session.scene.lens().range().is_some());
         }
     }
 
@@ -210,9 +214,10 @@ impl Game {
         }
     }
 
-    /// Shows display and menu, and does what the player asks for there.
-    pub fn interface(&mut self, context: &egui::Context) {
-        if let Some(model) = self.display() {
+    /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
+    /// with, and the adapter's own time in milliseconds where it can tell.
+    pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
+        if let Some(model) = self.display(drawn) {
             antipode_ui::show_hud(context, &model);
         }
         let bindings: Vec<_> = self
@@ -252,10 +257,15 @@ impl Game {
         Some((session.slug.clone(), title))
     }
 
-    fn display(&self) -> Option<HudModel> {
+    fn display(&self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
         match &self.phase {
             Phase::Playing(session) if !self.display_hidden => {
-                Some(hud::model(&session.scene, self.fps.value(), None))
+                let fps = self.fps.value();
+                let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
+                let figures = drawn
+                    .filter(|_| self.figures_shown)
+                    .map(|(drawn, gpu_ms)| drawn.figures(&session.scene, frame_ms, gpu_ms));
+                Some(hud::model(&session.scene, fps, figures))
             }
             _ => None,
         }
@@ -374,6 +384,9 @@ impl Game {
         }
         for notice in notices {
             self.shell.toast(notice, ToastKind::Problem);
+        }
+        for hint in session.scene.take_hints() {
+            self.shell.toast(hint, ToastKind::Info);
         }
     }
 }

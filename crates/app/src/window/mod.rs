@@ -254,11 +254,12 @@ impl Open {
         let frame = self.game.frame(self.stage.aspect());
         let input = self.stage.input.take_egui_input(&self.stage.window);
         let game = &mut self.game;
+        let drawn = self.stage.drawn();
         let mut output = self
             .stage
             .overlay
             .context()
-            .run_pass(input, |context| game.interface(context));
+            .run_pass(input, |context| game.interface(context, drawn));
         let platform = std::mem::take(&mut output.platform_output);
         if !self.game.is_playing() {
             self.stage

@@ -9,6 +9,7 @@ use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
 use crate::cli::Common;
+use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
@@ -38,6 +39,8 @@ pub struct Stage {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
+    drawn: Option<Drawn>,
+    gpu_ms: Option<f64>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -102,6 +105,8 @@ impl Stage {
             surface,
             config,
             renderer,
+            drawn: None,
+            gpu_ms: None,
         })
     }
 
@@ -118,6 +123,11 @@ impl Stage {
                 self.gpu.name()
             )
         })
+    }
+
+    /// What the last frame of the world was drawn with, and the adapter's own time in milliseconds.
+    pub fn drawn(&self) -> Option<(Drawn, Option<f64>)> {
+        self.drawn.map(|drawn| (drawn, self.gpu_ms))
     }
 
     /// Width over height.
@@ -222,7 +232,10 @@ impl Stage {
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         match frame {
             Some(frame) => {
-                self.renderer.draw(frame, &mut encoder, target);
+                let stats = self.renderer.draw(frame, &mut encoder, target);
+                self.drawn = Some(Drawn::new(&stats, frame.quality));
+                // The time of a frame comes some frames later; until then the last one stands.
+                self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
             }
             None => clear(&mut encoder, target),
         }

@@ -11,14 +11,18 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use antipode_geometry::Geometry;
+use antipode_render::DrawStats;
+use antipode_scene::frame::Quality;
 use antipode_ui::{Intent, Screen};
 use clap::Parser;
 use tempfile::TempDir;
+use winit::keyboard::KeyCode;
 
 use super::game::Game;
 use super::phase::{Phase, Request};
 use crate::bindings::Input;
 use crate::cli::Cli;
+use crate::drawn::Drawn;
 use crate::session::{NewWorld, Worlds};
 
 fn worlds(dir: &Path) -> Worlds {
@@ -157,7 +161,7 @@ fn a_window_that_never_had_the_keyboard_begins_to_play_all_the_same() {
 fn a_save_that_fails_is_never_called_saved() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(Input::Key(winit::keyboard::KeyCode::Escape), true);
+    game.input(Input::Key(KeyCode::Escape), true);
     tick_until(&mut game, is_saved);
     let (aside, home) = take_away(&dir);
     game.follow(Intent::Save);
@@ -174,4 +178,81 @@ fn is_saved(game: &Game) -> bool {
     game.phase
         .session()
         .is_some_and(|session| session.scene.is_saved())
+}
+
+/// Everything that the display and the menus write.
+fn words(game: &mut Game) -> String {
+    fn gather(shape: &egui::Shape, into: &mut String) {
+        match shape {
+            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, into)),
+            egui::Shape::Text(text) => {
+                into.push_str(text.galley.text());
+                into.push('\n');
+            }
+            _ => {}
+        }
+    }
+    let context = egui::Context::default();
+    antipode_ui::apply_theme(&context);
+    let drawn = Drawn::new(&DrawStats::default(), Quality::Fast);
+    let mut said = String::new();
+    // A toast is laid out in one pass and seen in the next.
+    for _ in 0..2 {
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(
+                egui::Pos2::ZERO,
+                egui::vec2(1280.0, 720.0),
+            )),
+            ..Default::default()
+        };
+        let output = context.run_pass(input, |context| {
+            game.interface(context, Some((drawn, None)));
+        });
+        said.clear();
+        for clipped in &output.shapes {
+            gather(&clipped.shape, &mut said);
+        }
+    }
+    said
+}
+
+#[test]
+fn frame_figures_come_and_go_with_their_key_and_never_without() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let figures = "by frame";
+    assert!(!words(&mut game).contains(figures));
+    game.input(Input::Key(KeyCode::F4), true);
+    let said = words(&mut game);
+    assert!(
+        said.contains(figures) && said.contains("gpu n/a") && said.contains("fast"),
+        "{said}"
+    );
+    game.input(Input::Key(KeyCode::F4), true);
+    assert!(!words(&mut game).contains(figures));
+}
+
+#[test]
+fn the_map_key_is_answered_in_words_and_the_dial_appears() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    assert!(!words(&mut game).contains("Bend"));
+    game.input(Input::Key(KeyCode::KeyH), true);
+    let bends = |game: &Game| {
+        let session = game.phase.session();
+        session.is_some_and(|session| session.scene.lens().bend().is_some())
+    };
+    tick_until(&mut game, bends);
+    let said = words(&mut game);
+    assert!(
+        said.contains("Bend, flat") && said.contains("bends the picture"),
+        "{said}"
+    );
+    game.wheel(-1.0);
+    game.input(Input::Key(KeyCode::KeyH), false);
+    let turned = |game: &Game| {
+        let session = game.phase.session();
+        session.is_some_and(|session| session.scene.lens().bend() == Some(-1.0))
+    };
+    tick_until(&mut game, turned);
 }

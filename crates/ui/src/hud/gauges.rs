@@ -4,13 +4,13 @@ use std::f32::consts::TAU;
 
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
-use super::{CurvatureView, HudModel, plate::plate};
+use super::{CurvatureView, DialKind, HudModel, plate::plate};
 use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
 
 /// Side of an instrument without its caption, in points.
 const SIDE: f32 = 56.0;
 /// Width an instrument needs beside the hotbar, its caption included.
-const WIDTH: f32 = 112.0;
+const WIDTH: f32 = 136.0;
 
 /// Draws those the model asks for: beside the hotbar where there is room, else
 /// above it.
@@ -33,7 +33,7 @@ pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, model: &HudModel)
             screen,
             right,
             Align2::RIGHT_BOTTOM,
-            "Curvature",
+            &dial_caption(curvature),
             dial,
         );
     }
@@ -73,26 +73,53 @@ fn instrument(
     centre.y - 0.5 * SIDE - GRID
 }
 
-/// Three quarters of a turn from bottom left to bottom right, lit up to the value.
+/// What the dial turns, and in a bent world which way space curves.
+fn dial_caption(view: CurvatureView) -> String {
+    match view.kind {
+        DialKind::Raised => "Curvature, raised".to_owned(),
+        DialKind::Horizon => "Curvature, horizon".to_owned(),
+        DialKind::Bend => {
+            let way = match value_text(view).parse::<f64>() {
+                Ok(value) if value > 0.0 => "hyperbolic",
+                Ok(value) if value < 0.0 => "spherical",
+                _ => "flat",
+            };
+            format!("Bend, {way}")
+        }
+    }
+}
+
+/// The value as it is read: with its sign where both signs mean something.
+fn value_text(view: CurvatureView) -> String {
+    let text = format!("{:.1}", view.value);
+    match view.kind {
+        DialKind::Bend if text == "-0.0" => "0.0".to_owned(),
+        DialKind::Bend if view.value > 0.0 && text != "0.0" => format!("+{text}"),
+        _ => text,
+    }
+}
+
+/// Three quarters of a turn from bottom left to bottom right, lit from zero to the value.
 fn curvature_dial(painter: &Painter, centre: Pos2, view: CurvatureView) {
     let part = dial_part(view);
+    let zero = dial_part(CurvatureView { value: 0.0, ..view });
     let radius = 0.5 * SIDE - 6.0;
     let direction = |part: f32| {
         let angle = TAU * (0.375 + 0.75 * part);
         vec2(angle.cos(), angle.sin())
     };
-    let arc = |to: f32| -> Vec<Pos2> {
-        let at = |step: i32| centre + radius * direction(to * step as f32 / 24.0);
+    let arc = |from: f32, to: f32| -> Vec<Pos2> {
+        let share = |step: i32| from + (to - from) * step as f32 / 24.0;
+        let at = |step: i32| centre + radius * direction(share(step));
         (0..=24).map(at).collect()
     };
-    painter.add(Shape::line(arc(1.0), Stroke::new(4.0, LINE)));
-    painter.add(Shape::line(arc(part), Stroke::new(4.0, ACCENT)));
+    painter.add(Shape::line(arc(0.0, 1.0), Stroke::new(4.0, LINE)));
+    painter.add(Shape::line(arc(zero, part), Stroke::new(4.0, ACCENT)));
     painter.circle_filled(centre + radius * direction(part), 4.0, TEXT);
-    let value = format!("{:.1}", view.value);
     painter.text(
         centre,
         Align2::CENTER_CENTER,
-        value,
+        value_text(view),
         FontId::monospace(13.0),
         TEXT,
     );
@@ -150,11 +177,38 @@ mod tests {
 
     #[test]
     fn the_needle_stays_on_the_dial() {
-        let part = |value, min, max| dial_part(CurvatureView { value, min, max });
+        let part = |value, min, max| {
+            dial_part(CurvatureView {
+                kind: DialKind::Raised,
+                value,
+                min,
+                max,
+            })
+        };
         assert_eq!(part(15.0, 10.0, 20.0), 0.5);
         assert_eq!(part(-3.0, 10.0, 20.0), 0.0);
         assert_eq!(part(99.0, 10.0, 20.0), 1.0);
         assert_eq!(part(1.0, 1.0, 1.0), 0.0);
         assert_eq!(part(f64::NAN, 0.0, 1.0), 0.0);
+    }
+
+    #[test]
+    fn a_bend_says_its_sign_and_which_way_space_curves() {
+        let bend = |value| CurvatureView {
+            kind: DialKind::Bend,
+            value,
+            min: -20.0,
+            max: 20.0,
+        };
+        for (value, text, way) in [
+            (3.0, "+3.0", "hyperbolic"),
+            (-12.25, "-12.2", "spherical"),
+            (0.04, "0.0", "flat"),
+            (-0.04, "0.0", "flat"),
+            (f64::NAN, "NaN", "flat"),
+        ] {
+            assert_eq!(value_text(bend(value)), text);
+            assert!(dial_caption(bend(value)).ends_with(way), "{value}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! The heads-up display over the world, painted and never clickable.
 
+mod figures;
 mod gauges;
 mod hotbar;
 mod plate;
@@ -9,6 +10,8 @@ use egui::{Align2, Context, FontId, LayerId, Painter, Pos2, Rect, Stroke, pos2, 
 use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::plate;
+
+pub use figures::FigureModel;
 
 /// What a slot of the hotbar shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -35,9 +38,22 @@ pub struct SlotView {
     pub count: Option<u32>,
 }
 
-/// The curvature dial of a hyperbolic world.
+/// What the dial under the wheel turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DialKind {
+    /// The raised map of a hyperbolic world.
+    Raised,
+    /// The horizon map of a hyperbolic world.
+    Horizon,
+    /// The bend of a flat world's picture: hyperbolic above zero, spherical below.
+    Bend,
+}
+
+/// The dial under the wheel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvatureView {
+    /// What it turns.
+    pub kind: DialKind,
     /// The present value.
     pub value: f64,
     /// The value at the dial's left end.
@@ -61,7 +77,7 @@ pub struct HudModel {
     pub slots: Vec<SlotView>,
     /// Index of the slot in hand, from 0.
     pub selected: usize,
-    /// The dial, in hyperbolic worlds.
+    /// The dial, in hyperbolic worlds and in flat ones that are bent.
     pub curvature: Option<CurvatureView>,
     /// 'A' or 'B', in spherical worlds.
     pub hemisphere: Option<char>,
@@ -77,6 +93,8 @@ pub struct HudModel {
     pub time_label: String,
     /// Something to tell the player, as a sentence.
     pub notice: Option<String>,
+    /// What drawing the frame took, while the player wants to know.
+    pub figures: Option<FigureModel>,
 }
 
 /// Draws the display; call it before [`crate::Shell::show`].
@@ -87,11 +105,17 @@ pub fn show_hud(ctx: &Context, model: &HudModel) {
         crosshair(&painter, ctx.content_rect().center());
     }
     let position = position(&painter, screen, model);
-    let figures = figures(&painter, screen, position, model);
+    let figures = figures::show(&painter, screen, position, model);
     let top = position.max.y.max(figures.max.y) + GRID;
     notices(&painter, screen, top, model);
     let bar = hotbar::show(&painter, screen, model);
-    gauges::show(&painter, screen, bar, model);
+    // Beside so much to read the instruments keep below it.
+    let ceiling = if model.figures.is_some() {
+        figures.max.y
+    } else {
+        screen.min.y
+    };
+    gauges::show(&painter, screen.with_min_y(ceiling), bar, model);
 }
 
 /// A small cross with a gap, dark under light so it shows on snow and at night.
@@ -120,7 +144,9 @@ fn crosshair(painter: &Painter, centre: Pos2) {
 
 /// A model coordinate; those of hyperbolic space grow with the exponential of the way walked.
 fn coordinate(value: f64) -> String {
-    if value.abs() < 1e5 {
+    if value.abs() < 5e-4 {
+        "0.000".to_owned()
+    } else if value.abs() < 1e5 {
         format!("{value:.3}")
     } else {
         format!("{value:.2e}")
@@ -143,37 +169,6 @@ fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
         screen,
         screen.min,
         Align2::LEFT_TOP,
-        &text,
-        mono(),
-        TEXT,
-    )
-}
-
-/// Top right, under the position where both do not fit side by side.
-fn figures(painter: &Painter, screen: Rect, position: Rect, model: &HudModel) -> Rect {
-    let mut lines = Vec::new();
-    if model.fps > 0.0 {
-        lines.push(format!("{:.0} fps", model.fps));
-    }
-    lines.extend(
-        [&model.geometry, &model.time_label]
-            .into_iter()
-            .filter(|text| !text.is_empty())
-            .cloned(),
-    );
-    let text = lines.join("\n");
-    let width = painter.layout_no_wrap(text.clone(), mono(), TEXT).size().x + 3.0 * GRID;
-    let fits = position.max.x + width <= screen.max.x;
-    let y = if fits {
-        screen.min.y
-    } else {
-        position.max.y + 4.0
-    };
-    plate(
-        painter,
-        screen,
-        pos2(screen.max.x, y),
-        Align2::RIGHT_TOP,
         &text,
         mono(),
         TEXT,
@@ -223,6 +218,7 @@ mod tests {
     #[test]
     fn a_coordinate_stays_short_however_far_one_has_walked() {
         assert_eq!(coordinate(-0.4304), "-0.430");
+        assert_eq!(coordinate(-1e-9), "0.000");
         for far in [1e5, -3.2e43, 1e300, f64::INFINITY] {
             assert!(coordinate(far).len() <= 9, "{}", coordinate(far));
         }

@@ -1,0 +1,156 @@
+//! Whole cases for the four functions of the shader, as a renderer would send them: positions
+//! relative to the space's reference, every number rounded to single once.
+
+use std::sync::Arc;
+
+use antipode_geometry::kernel::horizon::HorizonMap;
+use antipode_geometry::kernel::raised::RaisedMap;
+use antipode_geometry::kernel::sphere as sphere_kernel;
+use antipode_geometry::{
+    ChartPoint, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy, picture,
+};
+use antipode_render::Gpu;
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Mat4, Vec3, Vec4};
+
+use crate::compute;
+use crate::error::LabError;
+
+/// The picture that pixels are counted in.
+pub const WIDTH: f64 = 1280.0;
+pub const HEIGHT: f64 = 720.0;
+/// Near distance in metres.
+pub const NEAR_M: f64 = 0.05;
+/// Radius of the hyperbolic world, in metres.
+pub const RADIUS_M: f64 = 20.0;
+
+/// 1280 by 720 with a vertical field of view of 75 degrees.
+pub fn projection() -> Projection {
+    Projection::new(75.0_f64.to_radians(), WIDTH / HEIGHT, NEAR_M)
+}
+
+/// What the shader is given.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Case {
+    pub space: SpaceUniform,
+    pub p: Vec3,
+    pub hemisphere: u32,
+    pub n: Vec3,
+    pub pad: u32,
+}
+
+/// What it answers.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Answer {
+    pub view: Vec4,
+    pub clip: Vec4,
+    pub normal: Vec3,
+    pub distance: f32,
+}
+
+const TYPES: &str = "
+struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }
+struct Answer { view: vec4<f32>, clip: vec4<f32>, normal: vec3<f32>, distance: f32 }";
+const BODY: &str = "let space = inputs[i].space;
+    let view = port_to_view(space, inputs[i].p, inputs[i].hemisphere);
+    outputs[i].view = view;
+    outputs[i].clip = clip_from_view(space, view);
+    outputs[i].normal = port_normal(space, inputs[i].p, inputs[i].n, inputs[i].hemisphere);
+    outputs[i].distance = eye_distance(space, view);";
+
+/// The shader's answers, where there is an adapter.
+///
+/// # Errors
+/// When the adapter fails.
+pub fn answers(gpu: Option<&Gpu>, cases: &[Case]) -> Result<Option<Vec<Answer>>, LabError> {
+    let shader = compute::shader(TYPES, "Case", "Answer", BODY);
+    gpu.map(|gpu| compute::run(gpu, &shader, cases)).transpose()
+}
+
+/// A case: a point and a normal of the chart, seen by an eye.
+pub fn case(space: &dyn Strategy, eye: &Eye, point: ChartPoint, normal: DVec3) -> Case {
+    let reference = space.reference(eye, point.hemisphere);
+    Case {
+        space: space.uniform(eye, &projection()),
+        p: (point.pos - reference).as_vec3(),
+        hemisphere: point.hemisphere.index(),
+        n: normal.as_vec3(),
+        pad: 0,
+    }
+}
+
+/// The view of a case in single precision on the processor: the shader's arithmetic.
+pub fn single_view(case: &Case) -> Vec4 {
+    let p = case.p.to_array();
+    let (curve, radius_m) = (case.space.curve, case.space.project[3]);
+    let ported = match case.space.kind[0] {
+        0 => [p[0], p[1], p[2], 1.0],
+        1 => RaisedMap::from_uniform(curve, radius_m).port(p),
+        2 => sphere_kernel::port(curve[0], case.hemisphere == 1, p),
+        _ => HorizonMap::from_uniform(curve, case.space.edge[2], radius_m).port(p),
+    };
+    Mat4::from_cols_array_2d(&case.space.view) * Vec4::from_array(ported)
+}
+
+/// A space, a dial and their name.
+#[derive(Clone, Debug)]
+pub struct Setting {
+    pub name: String,
+    pub space: Arc<dyn Strategy>,
+    pub dial: f64,
+}
+
+/// The raised hyperbolic map at a dial.
+pub fn raised(dial: f64) -> Setting {
+    Setting {
+        name: format!("raised, dial {dial}"),
+        space: picture(Geometry::Hyperbolic, RADIUS_M, HyperbolicMap::Raised, false),
+        dial,
+    }
+}
+
+/// The horizon map at a dial.
+pub fn horizon(dial: f64) -> Setting {
+    Setting {
+        name: format!("horizon, dial {dial}"),
+        space: picture(
+            Geometry::Hyperbolic,
+            RADIUS_M,
+            HyperbolicMap::Horizon,
+            false,
+        ),
+        dial,
+    }
+}
+
+/// A flat world bent by a dial.
+pub fn bent(dial: f64) -> Setting {
+    Setting {
+        name: format!("flat, bent by {dial}"),
+        space: picture(Geometry::Euclidean, 0.0, HyperbolicMap::Raised, true),
+        dial,
+    }
+}
+
+/// A sphere of a radius in metres.
+pub fn sphere(radius_m: f64) -> Setting {
+    Setting {
+        name: format!("spherical, R = {radius_m} m"),
+        space: picture(Geometry::Spherical, radius_m, HyperbolicMap::Raised, false),
+        dial: 0.0,
+    }
+}
+
+/// Flat space.
+pub fn flat() -> Setting {
+    Setting {
+        name: "euclidean".to_owned(),
+        space: picture(Geometry::Euclidean, 0.0, HyperbolicMap::Raised, false),
+        dial: 0.0,
+    }
+}
+
+/// Height of an eye over the feet in metres, for the horizon map.
+pub const LIFT_M: f64 = 1.6;

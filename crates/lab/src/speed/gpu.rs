@@ -1,0 +1,192 @@
+//! The section of the adapter's figures: frame times of the fixed scene and of the same triangles in every space.
+
+use antipode_geometry::Geometry;
+use antipode_render::{AdapterChoice, Gpu};
+use antipode_scene::frame::{Frame, Quality};
+
+use crate::speed::pictures::Picture;
+use crate::speed::scenes::{Look, Order, fixed, keep_common, looks, sphere_looks};
+use crate::speed::stage::{Taken, race};
+use crate::speed::{quality, vertex_stage};
+use crate::{Cell, Effort, LabError, Section, Table};
+
+/// What a curved frame may cost at most, of the flat frame of the same triangles.
+const MOST_COST: f64 = 1.15;
+/// Fog out of the way of what has to be the same everywhere, metres.
+const NO_FOG_M: f32 = 1e5;
+
+/// Size of the pictures that the bar on cost is for.
+const BAR_SIZE: (u32, u32) = (1280, 720);
+
+fn size(effort: Effort) -> (u32, u32) {
+    if effort.quick { (640, 360) } else { BAR_SIZE }
+}
+
+/// Frame times, in every space, of the fixed scene and of the same triangles; and the vertex stage alone.
+///
+/// # Errors
+/// When there is no such adapter, it fails, or the scene cannot be made.
+pub fn gpu_section(effort: Effort, adapter: AdapterChoice) -> Result<Section, LabError> {
+    let gpu = Gpu::headless(adapter)?;
+    let (width, height) = size(effort);
+    let aspect = f64::from(width) / f64::from(height);
+    let mut frames = Vec::new();
+    for geometry in Geometry::ALL {
+        frames.push(fixed(geometry, aspect)?);
+    }
+    let mut tables = vec![scene_table(&gpu, &frames, effort)?];
+    let (open, closed) = (&frames[0], &frames[frames.len() - 1]);
+    for (frame, looks, land) in [
+        (open, looks(), FAR),
+        (open, looks(), NEAR),
+        (closed, sphere_looks(), SPHERE),
+    ] {
+        tables.push(same_triangles(&gpu, frame, &looks, &land, effort)?);
+    }
+    let (qualities, quality_plot) = quality::tables(&gpu, &frames, size(effort), effort)?;
+    tables.extend(qualities);
+    let (stage, stage_plot) = vertex_stage::measured(&gpu, effort)?;
+    tables.push(stage);
+    Ok(Section {
+        id: "speed-gpu".to_owned(),
+        title: "What accuracy costs on the adapter".to_owned(),
+        method: METHOD.map(str::to_owned).to_vec(),
+        tables,
+        plots: vec![quality_plot, stage_plot],
+    })
+}
+
+const METHOD: [&str; 4] = [
+    "The fixed scene is seed 7 where a new player stands, heading 0.4 and elevation -0.08 radians, view distance 6, made by the game itself, at 1280x720; a quick run draws it at 640x360, but for the tables of the same triangles. Frames are drawn in turns, to and fro, interleaved in one run; the cost of a frame is the least of several rounds' medians.",
+    "The cost is a graphics card's own time by timestamps. A software adapter draws on the processor, so there it is the time that all threads worked, which other programs do not add to; where neither can be told it is the wall clock's. The wall clock is shown beside it: from the first command to the last pixel; planning and recording on the main thread is a part of it.",
+    "For the same triangles, the land of one world is drawn through every map. At 1280x720 chunks that any map hides, trims or divides are left out, and so is the fog, so that every map draws each triangle once; the picture they cover still differs, and with it the number of pixels shaded. Balanced divides edges near the eye in curved pictures only, so with it only far land is the same; near land is compared at fast, which divides none. Land nearer or farther is taken first, since near land hides what is behind it.",
+    "A pixel differs from the exact picture where a channel is off by more than 8 of 255; it is land's where it is not the same as in the picture without land; it is at an edge where, within a pixel of it, a 3x3 neighbourhood of the exact picture varies by more than 8.",
+];
+
+/// The scene as each space has it.
+fn scene_table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabError> {
+    let (_, taken) = race(gpu, size(effort), frames.to_vec(), effort)?;
+    let flat = taken.first().copied().unwrap_or_default();
+    let rows = Geometry::ALL.iter().zip(&taken).map(|(geometry, own)| {
+        let mut row = vec![Cell::Text(geometry.name().to_owned())];
+        row.extend(costs(own, &flat));
+        row
+    });
+    Ok(Table {
+        title: "The fixed scene in each space".to_owned(),
+        columns: columns(&["space"], &[]),
+        rows: rows.collect(),
+    })
+}
+
+/// Which of a world's land is compared.
+struct Land {
+    name: &'static str,
+    quality: Quality,
+    order: Order,
+}
+
+/// Balanced divides edges near the eye, in curved pictures only, so there only far land is the same; fast divides none.
+const FAR: Land = Land {
+    name: "the flat world's far land",
+    quality: Quality::Balanced,
+    order: Order::FarthestFirst,
+};
+const NEAR: Land = Land {
+    name: "the flat world's near land",
+    quality: Quality::Fast,
+    order: Order::NearestFirst,
+};
+const SPHERE: Land = Land {
+    name: "the spherical world's land",
+    quality: Quality::Fast,
+    order: Order::NearestFirst,
+};
+
+/// One world's land seen in several ways, every one of which draws all of it.
+fn same_triangles(
+    gpu: &Gpu,
+    frame: &Frame,
+    looks: &[Look],
+    land: &Land,
+    effort: Effort,
+) -> Result<Table, LabError> {
+    let mut frame = Frame {
+        quality: land.quality,
+        fog_distance_m: NO_FOG_M,
+        ..frame.clone()
+    };
+    let chunks = keep_common(gpu, &mut frame, looks, BAR_SIZE.1, land.order)?;
+    let rivals = looks.iter().map(|look| look.at(&frame)).collect();
+    let (mut stages, taken) = race(gpu, BAR_SIZE, rivals, effort)?;
+    let mut covered = Vec::new();
+    for (stage, look) in stages.iter_mut().zip(looks) {
+        let drawn = Picture::last(stage, BAR_SIZE.0)?;
+        let empty = Picture::without_land(stage, &look.at(&frame), BAR_SIZE.0)?;
+        covered.push(drawn.difference(&drawn, &empty).land);
+    }
+    let flat = taken.first().copied().unwrap_or_default();
+    let rows = looks
+        .iter()
+        .zip(&taken)
+        .zip(covered)
+        .map(|((look, own), covered)| {
+            let mut row = vec![Cell::Text(look.name.to_owned())];
+            row.extend(costs(own, &flat));
+            row.push(count(covered));
+            row.push(count(own.stats.plan.chunks_by_frame));
+            let same = own.stats.triangles == flat.stats.triangles;
+            row.push(Cell::Verdict(
+                same && own.cost_ms <= MOST_COST * flat.cost_ms,
+            ));
+            row
+        });
+    let Land { name, quality, .. } = land;
+    Ok(Table {
+        title: format!("The same triangles in every map: {chunks} chunks of {name}, {quality}"),
+        columns: columns(
+            &["seen as"],
+            &[
+                "pixels of land",
+                "chunks by one matrix",
+                "same triangles, at most 1.15",
+            ],
+        ),
+        rows: rows.collect(),
+    })
+}
+
+fn columns(first: &[&str], last: &[&str]) -> Vec<String> {
+    let middle = [
+        "cost",
+        "to flat",
+        "wall clock",
+        "planned and recorded",
+        "triangles",
+        "to flat",
+        "draw calls",
+    ];
+    first
+        .iter()
+        .chain(&middle)
+        .chain(last)
+        .map(|c| (*c).to_owned())
+        .collect()
+}
+
+fn count(n: usize) -> Cell {
+    Cell::Figure(n as f64, String::new())
+}
+
+fn costs(own: &Taken, flat: &Taken) -> [Cell; 7] {
+    let share = |a: f64, b: f64| Cell::Figure(a / b, String::new());
+    [
+        Cell::Figure(own.cost_ms, "ms".to_owned()),
+        share(own.cost_ms, flat.cost_ms),
+        Cell::Figure(own.wall_ms, "ms".to_owned()),
+        Cell::Figure(own.recorded_ms, "ms".to_owned()),
+        count(own.stats.triangles),
+        share(own.stats.triangles as f64, flat.stats.triangles as f64),
+        count(own.stats.draws),
+    ]
+}

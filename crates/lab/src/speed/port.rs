@@ -1,0 +1,377 @@
+//! What a port of one vertex costs and how true it is, in each map: the game's series, the library's functions,
+//! doubles, a port that is boosted afterwards, and one frame for a whole object.
+
+use antipode_geometry::kernel::horizon::HorizonMap;
+use antipode_geometry::kernel::raised::RaisedMap;
+use antipode_geometry::kernel::{exponential, sphere};
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, strategy};
+use glam::{DVec3, Vec3};
+
+use crate::random::Numbers;
+use crate::speed::frames::{Frame, affine, rigid};
+use crate::speed::inputs::ground;
+use crate::speed::library;
+use crate::speed::pareto::{Group, Rival};
+use crate::{Effort, naive};
+
+/// Vertices of a batch.
+pub const BATCH: usize = 4096;
+/// Vertices of an object.
+const OBJECT: usize = 8;
+/// Edge of an object in metres.
+const EDGE_M: f64 = 0.5;
+/// Farthest vertex, metres: what a view distance of six chunks shows.
+const FAR_M: f64 = 184.0;
+const RADIUS_M: f64 = 20.0;
+const SPHERE_RADIUS_M: f64 = 32.0;
+/// Offset of the raised map, metres.
+const OFFSET_M: f64 = 10.0;
+/// Notches of the horizon map's dial, and its eye's height in metres.
+const HORIZON: (f64, f64) = (10.0, 1.65);
+/// The horizon map's curvature is its notches over this, per metre.
+const NOTCHES_RADIUS_M: f64 = 80.0;
+/// Where the game computes in single and in double precision.
+const SHADER: &str = "shaders";
+const PROCESSOR: &str = "processor";
+
+/// A vertex and the object it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertex {
+    /// Metres from the eye or the pole.
+    pub at: [f32; 3],
+    /// Metres from the object's middle.
+    pub within: [f32; 3],
+    /// Index of the object.
+    pub object: usize,
+}
+
+/// The angle between two sight lines, radians, without cancellation.
+pub fn angle(got: [f64; 3], true_one: [f64; 3]) -> f64 {
+    let (a, b) = (DVec3::from(got), DVec3::from(true_one));
+    a.cross(b).length().atan2(a.dot(b))
+}
+
+fn wide<const N: usize>(v: [f32; N]) -> [f64; N] {
+    v.map(f64::from)
+}
+
+fn cast(v: [f64; 4]) -> [f32; 4] {
+    v.map(|x| x as f32)
+}
+
+fn sight_error(got: [f32; 4], true_one: [f64; 4]) -> f64 {
+    let [x, y, z, _] = wide(got);
+    let [a, b, c, _] = true_one;
+    if got.iter().all(|v| v.is_finite()) {
+        angle([x, y, z], [a, b, c])
+    } else {
+        f64::NAN
+    }
+}
+
+/// Objects over land, and their vertices.
+pub fn objects(seed: u64, far_m: f64, height_m: f64, edge_m: f64) -> (Vec<[f64; 3]>, Vec<Vertex>) {
+    let mut numbers = Numbers::new(seed);
+    let middles: Vec<[f64; 3]> = (0..BATCH / OBJECT)
+        .map(|_| wide(ground(&mut numbers, 0.5, far_m, height_m)))
+        .collect();
+    let mut vertices = Vec::with_capacity(BATCH);
+    for (object, middle) in middles.iter().enumerate() {
+        for _ in 0..OBJECT {
+            let within = [0; 3].map(|_| numbers.between(-0.5 * edge_m, 0.5 * edge_m) as f32);
+            let at = [0, 1, 2].map(|i| (middle[i] + f64::from(within[i])) as f32);
+            vertices.push(Vertex { at, within, object });
+        }
+    }
+    (middles, vertices)
+}
+
+/// A formula of the map by itself, in radii: d from 1e-4 to 3 and one point at 0.
+pub fn exponential_group(effort: Effort) -> Group {
+    let mut numbers = Numbers::new(1);
+    let mut inputs: Vec<[f32; 3]> = (1..BATCH)
+        .map(|_| {
+            (numbers.direction() * numbers.magnitude(1e-4, 3.0))
+                .as_vec3()
+                .to_array()
+        })
+        .collect();
+    inputs.push([0.0; 3]);
+    let error = |p: &[f32; 3], got: &[f32; 4]| ulps(*got, exponential::point(-1.0, wide(*p)));
+    let rivals = vec![
+        Rival::new(
+            "textbook: p sinh(d)/d, library, f32",
+            "",
+            &inputs,
+            |p| naive::exponential(-1.0, Vec3::from(*p)).to_array(),
+            error,
+        ),
+        Rival::new(
+            "library, f32, guarded",
+            "",
+            &inputs,
+            |p| library::exponential(*p),
+            error,
+        ),
+        Rival::new(
+            "series, f32",
+            SHADER,
+            &inputs,
+            |p| exponential::point(-1.0, *p),
+            error,
+        ),
+        Rival::new(
+            "f64, then rounded",
+            PROCESSOR,
+            &inputs,
+            |p| cast(exponential::point(-1.0, wide(*p))),
+            error,
+        ),
+    ];
+    let title = "Port of one vertex by the exponential chart, d from 1e-4 to 3 and one at 0";
+    Group::race(
+        "port-exponential",
+        title,
+        ("worst component", "ulp"),
+        BATCH,
+        rivals,
+        effort,
+    )
+}
+
+/// The worst component's error in units of its last place.
+fn ulps(got: [f32; 4], true_one: [f64; 4]) -> f64 {
+    let one = |(got, true_one): (f32, f64)| {
+        let near = true_one as f32;
+        let step = if near == 0.0 {
+            f32::MIN_POSITIVE
+        } else {
+            near.abs().next_up() - near.abs()
+        };
+        let error = (f64::from(got) - true_one).abs() / f64::from(step);
+        if error.is_nan() { f64::INFINITY } else { error }
+    };
+    got.into_iter().zip(true_one).map(one).fold(0.0, f64::max)
+}
+
+/// The raised map at its default offset.
+pub fn raised_group(effort: Effort) -> Group {
+    let double = RaisedMap::<f64>::new(RADIUS_M, OFFSET_M);
+    let (k, radius_m) = (double.k as f32, RADIUS_M as f32);
+    let curve = [
+        k,
+        double.offset as f32,
+        double.sinh as f32,
+        double.cosh as f32,
+    ];
+    let single = RaisedMap::from_uniform(curve, radius_m);
+    // The curvature that single precision can write is the one all are judged by.
+    let double = RaisedMap {
+        k: f64::from(k),
+        ..double
+    };
+    let (middles, inputs) = objects(2, FAR_M, 20.0, EDGE_M);
+    let map = |p: [f64; 3]| double.port(p);
+    let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
+    let mut rivals = vec![
+        Rival::new(
+            "textbook: port then boost, library, f32",
+            "",
+            &inputs,
+            |v| raised_textbook(&single, v.at),
+            error,
+        ),
+        Rival::new(
+            "port then boost, series, f32",
+            "",
+            &inputs,
+            |v| library::port_then_boost(&single, v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, library, f32",
+            "",
+            &inputs,
+            |v| library::raised(&single, v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, series, f32",
+            SHADER,
+            &inputs,
+            |v| single.port(v.at),
+            error,
+        ),
+        Rival::new(
+            "port then boost, f64, then rounded",
+            "",
+            &inputs,
+            |v| cast(library::port_then_boost(&double, wide(v.at))),
+            error,
+        ),
+        Rival::new(
+            "closed form, f64, then rounded",
+            PROCESSOR,
+            &inputs,
+            |v| cast(double.port(wide(v.at))),
+            error,
+        ),
+    ];
+    let (affine, rigid) = frames(&middles, map, -1.0, f64::from(k));
+    rivals.extend(framed(&inputs, &affine, &rigid, &error));
+    race(
+        "port-raised",
+        "Port of one vertex by the raised map, offset 10 m, objects of half a metre to 184 m away",
+        rivals,
+        effort,
+    )
+}
+
+/// The horizon map at its default curvature.
+pub fn horizon_group(effort: Effort) -> Group {
+    let (notches, lift) = HORIZON;
+    let k = (notches / NOTCHES_RADIUS_M) as f32;
+    let kappa = -k * k;
+    let double = HorizonMap::<f64>::new(f64::from(kappa), lift);
+    let curve = [kappa, lift as f32, double.sin as f32, double.cos as f32];
+    let single = HorizonMap::from_uniform(curve, k, 1.0 / k);
+    let (middles, inputs) = objects(3, FAR_M, 20.0, EDGE_M);
+    let map = |p: [f64; 3]| double.port(p);
+    let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
+    let mut rivals = vec![
+        Rival::new(
+            "closed form, library, f32",
+            "",
+            &inputs,
+            |v| library::horizon(&single, v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, series, f32",
+            SHADER,
+            &inputs,
+            |v| single.port(v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, f64, then rounded",
+            PROCESSOR,
+            &inputs,
+            |v| cast(double.port(wide(v.at))),
+            error,
+        ),
+    ];
+    let (affine, rigid) = frames(&middles, map, -1.0, f64::from(k));
+    rivals.extend(framed(&inputs, &affine, &rigid, &error));
+    race(
+        "port-horizon",
+        "Port of one vertex by the horizon map, dial 10, objects of half a metre to 184 m away",
+        rivals,
+        effort,
+    )
+}
+
+/// The sphere, with the eye a little off the pole.
+pub fn sphere_group(effort: Effort) -> Group {
+    let eye = Eye {
+        point: ChartPoint::a(DVec3::new(3.0, 12.0, -5.0)),
+        yaw: 0.4,
+        pitch: -0.2,
+        ..Eye::default()
+    };
+    let uniform = strategy(Geometry::Spherical, SPHERE_RADIUS_M)
+        .uniform(&eye, &Projection::new(1.3, 1.6, 0.02));
+    let k = uniform.curve[0];
+    let view = uniform.view;
+    let columns = view.map(wide);
+    let map = move |p: [f64; 3]| library::seen(&columns, sphere::port(f64::from(k), false, p));
+    let rim = std::f64::consts::FRAC_PI_2 * SPHERE_RADIUS_M;
+    let (middles, mut inputs) = objects(4, rim, 3.0, EDGE_M);
+    let lift = 0.3 * SPHERE_RADIUS_M;
+    for vertex in &mut inputs {
+        vertex.at[1] += lift as f32;
+    }
+    let middles: Vec<_> = middles.iter().map(|m| [m[0], m[1] + lift, m[2]]).collect();
+    let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
+    let mut rivals = vec![
+        Rival::new(
+            "library, f32",
+            "",
+            &inputs,
+            |v| library::seen(&view, library::sphere(k, v.at)),
+            error,
+        ),
+        Rival::new(
+            "series, f32",
+            SHADER,
+            &inputs,
+            |v| library::seen(&view, sphere::port(k, false, v.at)),
+            error,
+        ),
+        Rival::new(
+            "f64, then rounded",
+            PROCESSOR,
+            &inputs,
+            |v| cast(map(wide(v.at))),
+            error,
+        ),
+    ];
+    let (affine, rigid) = frames(&middles, map, 1.0, f64::from(k));
+    rivals.extend(framed(&inputs, &affine, &rigid, &error));
+    race(
+        "port-sphere",
+        "Port of one vertex by the sphere's chart, radius 32 m, objects of half a metre to the equator",
+        rivals,
+        effort,
+    )
+}
+
+/// The textbook's port and boost, in radii, brought to metres.
+fn raised_textbook(map: &RaisedMap<f32>, at: [f32; 3]) -> [f32; 4] {
+    let x = naive::port_then_boost(map.offset, Vec3::from(at) * map.k);
+    (x.truncate() * map.radius_m).extend(x.w).to_array()
+}
+
+fn race(id: &'static str, title: &str, rivals: Vec<Rival<'_>>, effort: Effort) -> Group {
+    Group::race(
+        id,
+        title,
+        ("worst angle at the eye", "rad"),
+        BATCH,
+        rivals,
+        effort,
+    )
+}
+
+fn frames(
+    middles: &[[f64; 3]],
+    map: impl Fn([f64; 3]) -> [f64; 4] + Copy,
+    sign: f64,
+    k: f64,
+) -> (Vec<Frame>, Vec<Frame>) {
+    let affine: Vec<_> = middles.iter().map(|m| affine(map, *m)).collect();
+    let rigid = affine.iter().map(|frame| rigid(frame, sign, k)).collect();
+    let rounded = affine.iter().map(|frame| frame.map(cast)).collect();
+    (rounded, rigid)
+}
+
+fn framed<'a>(
+    inputs: &'a [Vertex],
+    affine: &[Frame],
+    rigid: &[Frame],
+    error: &impl Fn(&Vertex, &[f32; 4]) -> f64,
+) -> Vec<Rival<'a>> {
+    let one = |name, frames: &[Frame]| {
+        let own = frames.to_vec();
+        Rival::new(name, "", inputs, move |v| by_frame(&own, v), error)
+    };
+    vec![
+        one("one frame an object, the map's differential", affine),
+        one("one rigid frame an object", rigid),
+    ]
+}
+
+fn by_frame(frames: &[Frame], v: &Vertex) -> [f32; 4] {
+    let [x, y, z] = v.within;
+    library::seen(&frames[v.object], [x, y, z, 1.0])
+}

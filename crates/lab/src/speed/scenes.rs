@@ -1,0 +1,199 @@
+//! The fixed scene: one seed, one pose, made by the game itself, in every space.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use antipode_geometry::{
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap, Strategy,
+    picture,
+};
+use antipode_render::Gpu;
+use antipode_scene::frame::{ChunkChange, Frame};
+use antipode_scene::tuning::FOV_Y_RAD;
+use antipode_scene::{Scene, WorldSetup};
+
+use crate::LabError;
+use crate::speed::stage::Stage;
+
+/// Seed of the scene.
+pub const SEED: u64 = 7;
+/// View distance in chunks.
+pub const VIEW_DISTANCE: u32 = 6;
+/// Heading and elevation of the pose, radians; the place is where a new player of that seed stands.
+pub const POSE_RAD: (f64, f64) = (0.4, -0.08);
+/// Longest wait for the land.
+const PATIENCE: Duration = Duration::from_mins(3);
+
+/// The space's radius in metres as the game sets it.
+pub fn radius_m(geometry: Geometry) -> f64 {
+    match geometry {
+        Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
+        _ => DEFAULT_HYPERBOLIC_RADIUS_M,
+    }
+}
+
+/// The scene in that space as a frame of the given aspect, with all its meshes.
+///
+/// # Errors
+/// When the world cannot be opened or its land is not made in time.
+pub fn fixed(geometry: Geometry, aspect: f64) -> Result<Frame, LabError> {
+    let setup = WorldSetup {
+        name: "fixed scene".to_owned(),
+        seed: SEED,
+        geometry,
+        radius_m: radius_m(geometry),
+        view_distance: VIEW_DISTANCE,
+    };
+    let mut scene = Scene::open(setup, None).map_err(|e| LabError::Scene(e.to_string()))?;
+    scene.aim(POSE_RAD.0, POSE_RAD.1);
+    if !scene.settle(PATIENCE) {
+        return Err(LabError::Scene(format!(
+            "its land was not made within {} s",
+            PATIENCE.as_secs()
+        )));
+    }
+    Ok(scene.frame(FOV_Y_RAD, aspect, geometry as u64 + 1))
+}
+
+/// One way to look at the land.
+#[derive(Clone, Debug)]
+pub struct Look {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// The space it is seen in.
+    pub space: Arc<dyn Strategy>,
+    /// The dial.
+    pub dial: f64,
+}
+
+impl Look {
+    /// The frame looked at in this way.
+    pub fn at(&self, frame: &Frame) -> Frame {
+        let mut own = frame.clone();
+        own.strategy = Arc::clone(&self.space);
+        own.eye.dial = self.dial;
+        own
+    }
+}
+
+/// Every way to look at flat and hyperbolic land; the first is flat.
+pub fn looks() -> Vec<Look> {
+    let look = |name, geometry, map, bend, dial| Look {
+        name,
+        space: picture(geometry, radius_m(geometry), map, bend),
+        dial,
+    };
+    let (raised, horizon) = (HyperbolicMap::Raised, HyperbolicMap::Horizon);
+    vec![
+        look("flat", Geometry::Euclidean, raised, false, 0.0),
+        look(
+            "raised, offset 0.5 m",
+            Geometry::Hyperbolic,
+            raised,
+            false,
+            0.5,
+        ),
+        look(
+            "raised, offset 10 m",
+            Geometry::Hyperbolic,
+            raised,
+            false,
+            10.0,
+        ),
+        look(
+            "raised, offset 20 m",
+            Geometry::Hyperbolic,
+            raised,
+            false,
+            20.0,
+        ),
+        look(
+            "horizon, dial 10",
+            Geometry::Hyperbolic,
+            horizon,
+            false,
+            10.0,
+        ),
+        look("flat, bent by 1", Geometry::Euclidean, raised, true, 1.0),
+        look("flat, bent by -1", Geometry::Euclidean, raised, true, -1.0),
+    ]
+}
+
+/// The sphere and the flat space that its charts' land is drawn in for comparison; the first is flat.
+pub fn sphere_looks() -> Vec<Look> {
+    let look = |name, geometry| Look {
+        name,
+        space: picture(geometry, radius_m(geometry), HyperbolicMap::Raised, false),
+        dial: 0.0,
+    };
+    vec![
+        look("flat", Geometry::Euclidean),
+        look("sphere", Geometry::Spherical),
+    ]
+}
+
+/// Which land is taken first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The nearest.
+    NearestFirst,
+    /// The farthest.
+    FarthestFirst,
+}
+
+/// Leaves only the meshes that every look draws whole, all of them together: one that a look hides, trims or divides,
+/// or that hides one taken before, is left out. Returns how many are left.
+///
+/// # Errors
+/// When the adapter fails.
+pub fn keep_common(
+    gpu: &Gpu,
+    frame: &mut Frame,
+    looks: &[Look],
+    height: u32,
+    order: Order,
+) -> Result<usize, LabError> {
+    // Choices are made in pixels of height; nothing is said of width.
+    let mut stage = Stage::new(gpu, (16, height))?;
+    let frames: Vec<Frame> = looks.iter().map(|look| look.at(frame)).collect();
+    let bare = |frame: &Frame, changes: &[ChunkChange]| Frame {
+        chunk_changes: changes.to_vec(),
+        ..frame.clone()
+    };
+    let mut empty = Vec::new();
+    for own in &frames {
+        empty.push(stage.draw(&bare(own, &[]))?.stats.triangles);
+    }
+    let mut changes = std::mem::take(&mut frame.chunk_changes);
+    let away = |change: &ChunkChange| match change {
+        ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
+            coord.centre().distance(frame.eye.point.pos)
+        }
+    };
+    changes.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    if order == Order::FarthestFirst {
+        changes.reverse();
+    }
+    let mut kept = 0;
+    for change in changes {
+        let ChunkChange::Put(coord, mesh) = &change else {
+            continue;
+        };
+        if mesh.is_empty() || coord.hemisphere != frame.eye.point.hemisphere {
+            continue;
+        }
+        let due = kept + mesh.indices.len() / 3;
+        let mut whole = true;
+        stage.draw(&bare(&frames[0], std::slice::from_ref(&change)))?;
+        for (own, empty) in frames.iter().zip(&empty) {
+            whole = whole && stage.draw(&bare(own, &[]))?.stats.triangles == due + empty;
+        }
+        if whole {
+            kept = due;
+            frame.chunk_changes.push(change);
+        } else {
+            stage.draw(&bare(&frames[0], &[ChunkChange::Remove(*coord)]))?;
+        }
+    }
+    Ok(frame.chunk_changes.len())
+}

@@ -1,0 +1,292 @@
+//! Through which picture the world is seen: the map of its space, and the dial under the wheel.
+//!
+//! The world itself never changes with it. Every map's dial is flat at zero, so that is where one map gives way
+//! to the other: the dial glides to zero, the map is swapped, and the dial glides to the goal of the new one.
+//! At zero the raised map still lights the land by its curved normals, though it puts every point where the flat
+//! picture does whatever its radius. So its curvature glides to nothing too, and comes back with it.
+
+use std::sync::Arc;
+
+use antipode_geometry::{Dial, Geometry, Horizon, HyperbolicMap, Raised, Strategy, picture};
+
+use crate::tuning::{DIAL_REMAINDER_PER_S, DIAL_SWAP_AT};
+
+/// Share of the world's curvature at which maps are swapped: light no longer tells it from none.
+const SHARE_SWAP_AT: f64 = 1e-3;
+
+/// One way to take pictures of a world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum View {
+    /// The only picture of a spherical world, and the unbent one of a flat world.
+    Plain,
+    /// A map of a hyperbolic world.
+    Map(HyperbolicMap),
+    /// A flat world, bent.
+    Bent,
+}
+
+impl View {
+    fn dial(self) -> Option<Dial> {
+        match self {
+            Self::Plain => None,
+            Self::Map(HyperbolicMap::Raised) => Some(Raised::DIAL),
+            Self::Map(HyperbolicMap::Horizon) => Some(Horizon::DIAL),
+            Self::Bent => Some(Horizon::BEND_DIAL),
+        }
+    }
+}
+
+/// Where each picture's dial is set, whichever is shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DialGoals {
+    /// Of the raised map, 0 to 20.
+    pub raised: f64,
+    /// Of the horizon map, 0 to 20.
+    pub horizon: f64,
+    /// Of the bend of flat worlds, -20 (spherical) to 20 (hyperbolic).
+    pub bend: f64,
+}
+
+impl Default for DialGoals {
+    fn default() -> Self {
+        Self {
+            raised: Raised::DIAL.default,
+            horizon: Horizon::DIAL.default,
+            bend: Horizon::BEND_DIAL.default,
+        }
+    }
+}
+
+/// The picture of a world: which one is shown, which one is wanted, and the dial that glides between them.
+#[derive(Clone, Debug)]
+pub struct Lens {
+    geometry: Geometry,
+    radius_m: f64,
+    shown: View,
+    wanted: View,
+    goals: DialGoals,
+    value: f64,
+    /// Share of the world's own curvature that is shown, 0 to 1; below 1 only while maps change.
+    share: f64,
+    strategy: Arc<dyn Strategy>,
+}
+
+impl Lens {
+    /// The picture of a new world, its dial at rest; `radius_m` is the world's radius of curvature in metres.
+    pub fn new(geometry: Geometry, radius_m: f64) -> Self {
+        let view = if geometry == Geometry::Hyperbolic {
+            View::Map(HyperbolicMap::default())
+        } else {
+            View::Plain
+        };
+        let mut lens = Self {
+            geometry,
+            radius_m,
+            shown: view,
+            wanted: view,
+            goals: DialGoals::default(),
+            value: 0.0,
+            share: 1.0,
+            strategy: picture(geometry, radius_m, HyperbolicMap::default(), false),
+        };
+        lens.arrive(view);
+        lens
+    }
+
+    /// The strategy that pictures are taken with at this moment.
+    pub fn strategy(&self) -> &Arc<dyn Strategy> {
+        &self.strategy
+    }
+
+    /// The map of a hyperbolic world: the one asked for, while the other still gives way to it.
+    pub fn map(&self) -> Option<HyperbolicMap> {
+        match self.wanted {
+            View::Map(map) => Some(map),
+            View::Plain | View::Bent => None,
+        }
+    }
+
+    /// Goal of the dial of a hyperbolic world.
+    pub fn curvature(&self) -> Option<f64> {
+        self.map().map(|_| self.goal())
+    }
+
+    /// Goal of the dial of a flat world whose picture is bent.
+    pub fn bend(&self) -> Option<f64> {
+        (self.wanted == View::Bent).then(|| self.goal())
+    }
+
+    /// Smallest and largest setting of the dial under the wheel, if there is one now.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        self.wanted.dial().map(|dial| (dial.min, dial.max))
+    }
+
+    /// The dial's value in use at this moment; zero is the flat picture.
+    pub fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// What the dial glides to once the picture asked for is shown.
+    pub fn goal(&self) -> f64 {
+        self.goal_of(self.wanted)
+    }
+
+    /// Where every picture's dial is set.
+    pub fn goals(&self) -> DialGoals {
+        self.goals
+    }
+
+    /// Turns the dial under the wheel by notches of 1.
+    pub fn turn(&mut self, notches: f64) {
+        if let Some(dial) = self.wanted.dial() {
+            let goal = (self.goal() + notches).clamp(dial.min, dial.max);
+            self.set_goal(self.wanted, goal);
+        }
+    }
+
+    /// Asks for the space's other picture: the other map of a hyperbolic world, bent or not in a flat one.
+    /// Returns false where there is no other.
+    pub fn turn_map(&mut self) -> bool {
+        self.wanted = match (self.geometry, self.wanted) {
+            (_, View::Map(map)) => View::Map(map.other()),
+            (_, View::Bent) => View::Plain,
+            (Geometry::Euclidean, View::Plain) => View::Bent,
+            (_, View::Plain) => return false,
+        };
+        true
+    }
+
+    /// Shows a map at once. Returns false where the world has no maps.
+    pub fn set_map(&mut self, map: HyperbolicMap) -> bool {
+        let fits = self.map().is_some();
+        if fits {
+            self.arrive(View::Map(map));
+        }
+        fits
+    }
+
+    /// Sets the dial of a hyperbolic world at once. Returns false when out of range or there is none.
+    pub fn set_curvature(&mut self, value: f64) -> bool {
+        let View::Map(map) = self.wanted else {
+            return false;
+        };
+        self.set_at_once(View::Map(map), value)
+    }
+
+    /// Bends a flat world's picture at once, up to 20 hyperbolic and down to -20 spherical; 0 unbends it.
+    /// Returns false when out of range or the world is not flat.
+    pub fn set_bend(&mut self, value: f64) -> bool {
+        if self.geometry != Geometry::Euclidean || !self.set_at_once(View::Bent, value) {
+            return false;
+        }
+        if value == 0.0 {
+            self.arrive(View::Plain);
+        }
+        true
+    }
+
+    /// Takes over what a save tells; settings out of range are left as they are in a new world.
+    pub fn restore(&mut self, map: HyperbolicMap, bent: bool, goals: DialGoals) {
+        let maps = HyperbolicMap::ALL.map(View::Map);
+        let saved = [goals.raised, goals.horizon];
+        for (view, goal) in maps
+            .into_iter()
+            .zip(saved)
+            .chain([(View::Bent, goals.bend)])
+        {
+            if fits(view, goal) {
+                self.set_goal(view, goal);
+            }
+        }
+        let view = match self.geometry {
+            Geometry::Hyperbolic => View::Map(map),
+            Geometry::Euclidean if bent => View::Bent,
+            _ => View::Plain,
+        };
+        self.arrive(view);
+    }
+
+    /// Glides for `dt_s` seconds; the last ten-thousandth is taken at once so that the dial comes to rest.
+    pub fn glide(&mut self, dt_s: f64) {
+        let changes = self.shown != self.wanted;
+        let fades = matches!(self.shown, View::Map(_));
+        let faded = !fades || self.share <= SHARE_SWAP_AT;
+        if changes && self.value.abs() <= DIAL_SWAP_AT && faded {
+            self.value = 0.0;
+            self.show(self.wanted);
+            return;
+        }
+        let goal = if changes { 0.0 } else { self.goal() };
+        let share = if changes && fades { 0.0 } else { 1.0 };
+        self.value = glided(self.value, goal, dt_s);
+        if self.share != share {
+            self.share = glided(self.share, share, dt_s);
+            self.show(self.shown);
+        }
+    }
+
+    fn goal_of(&self, view: View) -> f64 {
+        match view {
+            View::Plain => 0.0,
+            View::Map(HyperbolicMap::Raised) => self.goals.raised,
+            View::Map(HyperbolicMap::Horizon) => self.goals.horizon,
+            View::Bent => self.goals.bend,
+        }
+    }
+
+    fn set_goal(&mut self, view: View, goal: f64) {
+        match view {
+            View::Plain => {}
+            View::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
+            View::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
+            View::Bent => self.goals.bend = goal,
+        }
+    }
+
+    fn set_at_once(&mut self, view: View, goal: f64) -> bool {
+        let fits = fits(view, goal);
+        if fits {
+            self.set_goal(view, goal);
+            self.arrive(view);
+        }
+        fits
+    }
+
+    /// Shows a picture with its dial at its goal.
+    fn arrive(&mut self, view: View) {
+        self.wanted = view;
+        self.value = self.goal();
+        self.share = 1.0;
+        self.show(view);
+    }
+
+    fn show(&mut self, view: View) {
+        self.shown = view;
+        let (map, bent) = match view {
+            View::Plain => (HyperbolicMap::default(), false),
+            View::Map(map) => (map, false),
+            View::Bent => (HyperbolicMap::default(), true),
+        };
+        let radius_m = self.radius_m / self.share.max(SHARE_SWAP_AT);
+        self.strategy = picture(self.geometry, radius_m, map, bent);
+    }
+}
+
+/// One step of the glide from `value` to `goal`.
+fn glided(value: f64, goal: f64, dt_s: f64) -> f64 {
+    let next = goal + (value - goal) * DIAL_REMAINDER_PER_S.powf(dt_s);
+    if (next - goal).abs() < 1e-4 {
+        goal
+    } else {
+        next
+    }
+}
+
+/// Whether a dial can be set to a value; no dial can be set to what is no number.
+fn fits(view: View, goal: f64) -> bool {
+    view.dial()
+        .is_some_and(|dial| (dial.min..=dial.max).contains(&goal))
+}
+
+#[cfg(test)]
+mod tests;
