@@ -6,66 +6,47 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::scalar::{cos_minus_one_over_square, cos_s, sin_s, sinc_s};
+use crate::kernel;
 
 /// The model's inner product: `x x' + y y' + z z' + sign w w'`.
 pub fn inner(sign: f64, a: DVec4, b: DVec4) -> f64 {
-    a.truncate().dot(b.truncate()) + sign * a.w * b.w
+    kernel::linear::inner(sign, a.to_array(), b.to_array())
 }
 
 /// The exponential chart: straight lines through the centre become geodesics of the same
 /// length. `q` is in units of the radius.
 pub fn exponential(sign: f64, q: DVec3) -> DVec4 {
-    let d = q.length();
-    (q * sinc_s(sign, d)).extend(cos_s(sign, d))
+    kernel::exponential::point(sign, q.to_array()).into()
 }
 
 /// A direction at `q`, carried out from the centre by parallel transport along the ray.
 pub fn exponential_direction(sign: f64, q: DVec3, v: DVec3) -> DVec4 {
-    let d = q.length();
-    let along = v.dot(q);
-    let xyz = v + q * (cos_minus_one_over_square(sign, d) * along);
-    xyz.extend(-sign * sinc_s(sign, d) * along)
+    kernel::exponential::direction(sign, q.to_array(), v.to_array()).into()
 }
 
 /// The cylindrical (Fermi) chart: the sheet y = 0 is totally geodesic, and verticals are
 /// geodesics perpendicular to it. `p` is in units of the radius.
 pub fn cylindrical(sign: f64, p: DVec3) -> DVec4 {
-    let r = p.x.hypot(p.z);
-    let (cos_y, across) = (cos_s(sign, p.y), sinc_s(sign, r));
-    DVec4::new(
-        cos_y * across * p.x,
-        sin_s(sign, p.y),
-        cos_y * across * p.z,
-        cos_y * cos_s(sign, r),
-    )
+    kernel::cylindrical::point(sign, p.to_array()).into()
 }
 
 /// A direction at `p` on the chart's orthonormal frame: radial, tangential and up.
 pub fn cylindrical_direction(sign: f64, p: DVec3, v: DVec3) -> DVec4 {
-    let r = p.x.hypot(p.z);
-    let across = sinc_s(sign, r);
-    let along = v.x * p.x + v.z * p.z;
-    let bend = cos_minus_one_over_square(sign, r) * along;
-    let level = DVec4::new(
-        v.x + bend * p.x,
-        0.0,
-        v.z + bend * p.z,
-        -sign * across * along,
-    );
-    let fall = -sign * sin_s(sign, p.y);
-    let up = DVec4::new(
-        fall * across * p.x,
-        cos_s(sign, p.y),
-        fall * across * p.z,
-        fall * cos_s(sign, r),
-    );
-    level + up * v.y
+    kernel::cylindrical::direction(sign, p.to_array(), v.to_array()).into()
+}
+
+/// The unit tangent at `a` towards `b`, both points of the model near its origin. At one point and
+/// at the antipode, where every direction leads there, it is `otherwise`: a unit tangent at `a`,
+/// such as the normal of the surface there.
+pub fn direction_to(sign: f64, a: DVec4, b: DVec4, otherwise: DVec4) -> DVec4 {
+    let [a, b, otherwise] = [a, b, otherwise].map(|v| v.to_array());
+    kernel::distance::direction(sign, a, b, otherwise).into()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::{cos_s, sinc_s};
     use proptest::prelude::*;
 
     type PointMap = fn(f64, DVec3) -> DVec4;

@@ -4,28 +4,23 @@
 //! the feet is totally geodesic and the camera stands on the axis above it. The curvature kappa
 //! (per square metre, negative where hyperbolic) follows the eye's dial and may pass through zero:
 //! every function below is an entire function of kappa, so nothing is switched there.
-//!
-//! With u the chart displacement from the eye in metres, H its height over the sheet, y = u.y + H,
-//! r = |(u.x, u.z)|, S(t) = t sinc(kappa t^2), C(t) = cos(kappa t^2) and q = S(r/2)^2, the boost
-//! along the axis by H takes (S(y), C(y) C(r)) to
-//! `Y' = S(u.y) + 2 kappa S(H) C(y) q` and `W' = C(u.y) - 2 kappa C(H) C(y) q`,
-//! by the addition theorems and `1 - C(r) = 2 kappa q`. X and Z are the chart's.
+//! [`crate::kernel::horizon`] has the closed form.
 
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::cylindrical;
 use crate::euclidean::rotation;
+use crate::kernel::distance;
+use crate::kernel::horizon::HorizonMap;
 use crate::projection::Depth;
-use crate::scalar::{asin_k, atan_k, cos_k, sin_k, sinc_minus_one_over_square};
+use crate::real::Real;
+use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy};
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
 const RADIUS_NOTCHES_M: f64 = 80.0;
-/// Hyperbolic points farther than this, in radii, are drawn in to it, so that products of two
-/// hyperboloid coordinates stay finite in `f64`.
-const OVERFLOW_GUARD_RADII: f64 = 170.0;
 /// Where curvature is positive, the chart is cut off at these parts of its half turn outwards and
 /// of its quarter turn upwards: past them it would cover the sphere a second time.
 const CUT_LEVEL: f64 = 0.9;
@@ -88,29 +83,9 @@ impl Horizon {
         -k * k.abs()
     }
 
-    /// A chart displacement from the eye, in metres, drawn in where it is too far to port.
-    fn within_guard(kappa: f64, u: DVec3) -> DVec3 {
-        if kappa < 0.0 {
-            u.clamp_length_max(OVERFLOW_GUARD_RADII / (-kappa).sqrt())
-        } else {
-            u
-        }
-    }
-
-    /// The closed form: ported and boosted, before the camera's rotation.
-    fn boosted(kappa: f64, lift_m: f64, u: DVec3) -> DVec4 {
-        let u = Self::within_guard(kappa, u);
-        let r = u.x.hypot(u.z);
-        let upright = cos_k(kappa, u.y + lift_m);
-        let half = sin_k(kappa, 0.5 * r);
-        let sag = 2.0 * kappa * upright * half * half;
-        let across = if r > 0.0 { sin_k(kappa, r) / r } else { 1.0 };
-        DVec4::new(
-            upright * across * u.x,
-            sin_k(kappa, u.y) + sin_k(kappa, lift_m) * sag,
-            upright * across * u.z,
-            cos_k(kappa, u.y) - cos_k(kappa, lift_m) * sag,
-        )
+    /// The kernel's map at the eye's dial.
+    fn map(self, eye: &Eye) -> HorizonMap<f64> {
+        HorizonMap::new(self.kappa(eye), eye.lift_m)
     }
 
     /// Farthest level distance and greatest height that the picture shows, in metres.
@@ -147,13 +122,14 @@ impl Strategy for Horizon {
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
-        let x = Self::boosted(self.kappa(eye), eye.lift_m, point.pos - eye.point.pos);
+        let u = (point.pos - eye.point.pos).to_array();
+        let x = DVec4::from_array(self.map(eye).port(u));
         eye.to_view(x.truncate()).extend(x.w)
     }
 
     fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {
-        let kappa = self.kappa(eye);
-        let (sin_h, cos_h) = (sin_k(kappa, eye.lift_m), cos_k(kappa, eye.lift_m));
+        let map = self.map(eye);
+        let (kappa, sin_h, cos_h) = (map.kappa, map.sin, map.cos);
         let v = eye.to_chart(view.truncate());
         // The boost back, by the transpose of the one above.
         let rise = v.y * cos_h + view.w * sin_h;
@@ -174,7 +150,7 @@ impl Strategy for Horizon {
     fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
         let kappa = self.kappa(eye);
         let limit = if kappa < 0.0 {
-            OVERFLOW_GUARD_RADII / (-kappa).sqrt()
+            f64::FAR_LEVEL / (-kappa).sqrt()
         } else {
             f64::INFINITY
         };
@@ -188,17 +164,18 @@ impl Strategy for Horizon {
     }
 
     fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64 {
-        let (kappa, rho) = (self.kappa(eye), view.truncate().length());
-        if kappa > 0.0 {
-            atan_k(kappa, rho, view.w)
-        } else {
-            asin_k(kappa, rho)
-        }
+        let kappa = self.kappa(eye);
+        let sign = if kappa == 0.0 { 0.0 } else { kappa.signum() };
+        let k = kappa.abs().sqrt();
+        distance::from_eye(sign, k, 1.0 / k, view.to_array())
     }
 
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let kappa = self.kappa(eye);
-        let u = Self::within_guard(kappa, point.pos - eye.point.pos) + DVec3::Y * eye.lift_m;
+        let u = self
+            .map(eye)
+            .within_range((point.pos - eye.point.pos).to_array());
+        let u = DVec3::from_array(u) + DVec3::Y * eye.lift_m;
         if kappa == 0.0 {
             u.extend(1.0)
         } else {
@@ -206,22 +183,9 @@ impl Strategy for Horizon {
         }
     }
 
-    /// Lengths along the radial, tangential and upward axes are C(y), C(y) S(r)/r and 1 per chart
-    /// metre; a covector goes by their inverses.
     fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
-        let kappa = self.kappa(eye);
-        let u = Self::within_guard(kappa, point.pos - eye.point.pos);
-        let r = u.x.hypot(u.z);
-        let across = if r > 0.0 { sin_k(kappa, r) / r } else { 1.0 };
-        // (S(r)/r - 1) / r^2
-        let bend = kappa.abs() * sinc_minus_one_over_square(kappa.signum(), kappa.abs().sqrt() * r);
-        let along = bend * (normal.x * u.x + normal.z * u.z);
-        let ported = DVec3::new(
-            normal.x + along * u.x,
-            normal.y * cos_k(kappa, u.y + eye.lift_m) * across,
-            normal.z + along * u.z,
-        );
-        (ported / across.abs().max(1.0)).normalize_or_zero()
+        let u = (point.pos - eye.point.pos).to_array();
+        self.map(eye).normal(u, normal.to_array()).into()
     }
 
     fn sight_limit_m(&self, eye: &Eye) -> f64 {

@@ -15,10 +15,12 @@ mod euclidean;
 mod eye;
 mod frustum;
 mod horizon;
+pub mod kernel;
 mod kind;
 mod point;
 mod projection;
 mod raised;
+pub mod real;
 pub mod scalar;
 mod sight;
 mod spherical;
@@ -34,6 +36,7 @@ pub use kind::{Geometry, Hemisphere, HyperbolicMap, ParseGeometryError, ParseMap
 pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use raised::Raised;
+pub use real::Real;
 pub use sight::SightCell;
 pub use spherical::Spherical;
 pub use strategy::{

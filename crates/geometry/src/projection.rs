@@ -4,6 +4,8 @@
 
 use glam::{DVec2, DVec4};
 
+use crate::kernel::depth;
+
 /// How near things come before far ones; clip z before the division by -Z, with n the near
 /// distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,15 +47,15 @@ impl Projection {
 
     /// Clip coordinates of a point in view coordinates, under a depth rule.
     pub fn clip(&self, rule: Depth, view: DVec4) -> DVec4 {
-        let depth = match rule {
+        let z = match rule {
             Depth::Reciprocal => self.near_m,
             Depth::Exponential { radius_m } => {
-                self.near_m / (view.w + view.truncate().length() / radius_m)
+                depth::exponential(self.near_m, 1.0 / radius_m, view.to_array())
             }
-            Depth::Great => 0.5 * (self.near_m * view.w - view.z),
-            Depth::Upright => 0.5 * self.near_m * (1.0 + view.w),
+            Depth::Great => depth::great(self.near_m, view.to_array()),
+            Depth::Upright => depth::upright(self.near_m, view.to_array()),
         };
-        DVec4::new(self.sx * view.x, self.sy * view.y, depth, -view.z)
+        DVec4::new(self.sx * view.x, self.sy * view.y, z, -view.z)
     }
 
     /// Where clip coordinates fall in the picture, -1 to 1 from left to right and from bottom

@@ -10,15 +10,15 @@ use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::exponential;
 use crate::euclidean::rotation;
+use crate::kernel::distance;
+use crate::kernel::raised::RaisedMap;
 use crate::projection::Depth;
-use crate::scalar::{sinc_minus_one_over_square, sinhc};
+use crate::real::Real;
+use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy};
 
-/// Points farther than this from the eye, in radii, are drawn in to it before the port, so
-/// that the squares of hyperboloid coordinates stay finite in `f64`.
-const OVERFLOW_GUARD_RADII: f64 = 350.0;
 /// Halvings that find where a slope turns: to a millionth of a chunk.
 const BISECTIONS: u32 = 24;
 
@@ -54,36 +54,9 @@ impl Raised {
         Self::offset_m(eye) / self.radius_m
     }
 
-    /// A chart displacement from the eye, in metres, drawn in where it is too far to port.
-    fn within_guard(self, u: DVec3) -> DVec3 {
-        u.clamp_length_max(OVERFLOW_GUARD_RADII * self.radius_m)
-    }
-
-    /// The closed form: ported and boosted, before the camera's rotation. `u` is the chart
-    /// displacement from the eye in metres.
-    fn boosted(self, eye: &Eye, u: DVec3) -> DVec4 {
-        let (k, c, h) = (1.0 / self.radius_m, Self::offset_m(eye), self.offset(eye));
-        let u = self.within_guard(u);
-        let q_y = u.y + c;
-        let rho_square = u.x * u.x + u.z * u.z;
-        let d = (rho_square + q_y * q_y).sqrt();
-        if d + c == 0.0 {
-            return DVec4::W;
-        }
-        let delta = (u.y * (u.y + 2.0 * c) + rho_square) / (d + c);
-        // d - q_y, without cancellation on either side of the offset centre.
-        let m = if q_y > 0.0 {
-            rho_square / (d + q_y)
-        } else {
-            d - q_y
-        };
-        let across = sinhc(k * d);
-        DVec4::new(
-            across * u.x,
-            delta * sinhc(k * delta) - h.cosh() * across * m,
-            across * u.z,
-            (k * delta).cosh() + h.sinh() * across * k * m,
-        )
+    /// The kernel's map at the eye's dial.
+    fn map(self, eye: &Eye) -> RaisedMap<f64> {
+        RaisedMap::new(self.radius_m, Self::offset_m(eye))
     }
 
     /// The slope at which a point is seen: (q cosh h - d coth d sinh h) / r in radii, with q its
@@ -145,7 +118,8 @@ impl Strategy for Raised {
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
-        let x = self.boosted(eye, point.pos - eye.point.pos);
+        let u = (point.pos - eye.point.pos).to_array();
+        let x = DVec4::from_array(self.map(eye).port(u));
         eye.to_view(x.truncate()).extend(x.w)
     }
 
@@ -161,7 +135,7 @@ impl Strategy for Raised {
     }
 
     fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint {
-        let t = (distance_m / self.radius_m).clamp(-OVERFLOW_GUARD_RADII, OVERFLOW_GUARD_RADII);
+        let t = (distance_m / self.radius_m).clamp(-f64::FAR, f64::FAR);
         let view = direction * (self.radius_m * t.sinh());
         self.chart_point(eye, view.extend(t.cosh()))
     }
@@ -172,23 +146,22 @@ impl Strategy for Raised {
     }
 
     fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        self.radius_m * (view.truncate().length() / self.radius_m).asinh()
+        distance::from_eye(-1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
     }
 
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
-        let u = self.within_guard(point.pos - eye.point.pos) / self.radius_m;
-        exponential(-1.0, u + DVec3::Y * self.offset(eye))
+        let u = self
+            .map(eye)
+            .within_range((point.pos - eye.point.pos).to_array());
+        let q = DVec3::from_array(u) / self.radius_m + DVec3::Y * self.offset(eye);
+        exponential(-1.0, q)
     }
 
     /// The part along the ray from the offset centre keeps its length and the part across it
     /// shrinks by sinh d / d.
     fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
-        let u = self.within_guard(point.pos - eye.point.pos);
-        let q = u / self.radius_m + DVec3::Y * self.offset(eye);
-        let d = q.length();
-        let stretch = sinhc(d);
-        let along = sinc_minus_one_over_square(-1.0, d) / stretch;
-        (normal / stretch + q * (along * normal.dot(q))).normalize_or_zero()
+        let u = (point.pos - eye.point.pos).to_array();
+        self.map(eye).normal(u, normal.to_array()).into()
     }
 
     fn sight_limit_m(&self, _eye: &Eye) -> f64 {

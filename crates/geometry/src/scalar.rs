@@ -3,14 +3,16 @@
 //! `sign` is the sign of the curvature: -1 hyperbolic, 0 flat, +1 spherical. Arguments are
 //! lengths in units of the radius of curvature.
 
-/// sin(t)/t, with 1 at t = 0.
+use crate::real::Real;
+
+/// sin(t)/t, with 1 at t = 0: 1.5 ulp.
 pub fn sinc(t: f64) -> f64 {
     if t == 0.0 { 1.0 } else { t.sin() / t }
 }
 
-/// sinh(t)/t, with 1 at t = 0. Overflows to infinity past |t| = 710.
+/// sinh(t)/t, with 1 at t = 0: 3 ulp for |t| to 709, where e^t ends.
 pub fn sinhc(t: f64) -> f64 {
-    if t == 0.0 { 1.0 } else { t.sinh() / t }
+    f64::sinhc_cosh(t)[0]
 }
 
 /// The sine over its argument that belongs to the curvature's sign.
@@ -46,20 +48,13 @@ pub fn cos_minus_one_over_square(sign: f64, t: f64) -> f64 {
     -0.5 * sign * half * half
 }
 
-/// `(sinc_s(t) - 1) / t^2`: a series near zero, where the difference would cancel.
+/// `(sinc_s(t) - 1) / t^2`: a series to t = 2, where the difference would cancel; 0 where flat.
 pub fn sinc_minus_one_over_square(sign: f64, t: f64) -> f64 {
-    let square = t * t;
-    if square > 0.25 {
-        return (sinc_s(sign, t) - 1.0) / square;
+    if sign == 0.0 {
+        0.0
+    } else {
+        f64::sinc_bend(t * t, sign)
     }
-    // sum over n >= 1 of (-sign)^n t^(2n-2) / (2n+1)!; seven terms leave 1e-18 at t = 1/2.
-    let x = -sign * square;
-    let mut sum = 0.0;
-    for n in (1..8_u32).rev() {
-        let factor = 1.0 / f64::from((2 * n + 2) * (2 * n + 3));
-        sum = 1.0 + sum * x * factor;
-    }
-    -sign * sum / 6.0
 }
 
 /// The sine of curvature kappa, in metres: sin(k t)/k, t or sinh(k t)/k with `kappa = +-k^2` per
@@ -99,7 +94,7 @@ mod tests {
     #[test]
     fn both_branches_of_the_series_meet() {
         for sign in [-1.0, 1.0] {
-            let (below, above) = (0.5 - 1e-12, 0.5 + 1e-12);
+            let (below, above) = (2.0 - 1e-12, 2.0 + 1e-12);
             let low = sinc_minus_one_over_square(sign, below);
             let high = sinc_minus_one_over_square(sign, above);
             assert!((low - high).abs() < 1e-13, "{low} {high}");

@@ -9,9 +9,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DMat4, DVec3, DVec4};
 
-use crate::charts::{cylindrical, cylindrical_direction};
+use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
-use crate::scalar::{sinc, sinc_minus_one_over_square};
+use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::strategy::HeightLimits;
 use crate::{
@@ -30,18 +30,12 @@ pub struct Spherical {
 
 /// The mirror G of hemisphere B's chart.
 fn mirrored(hemisphere: Hemisphere, v: DVec3) -> DVec3 {
-    match hemisphere {
-        Hemisphere::A => v,
-        Hemisphere::B => DVec3::new(-v.x, v.y, v.z),
-    }
+    sphere::mirrored(hemisphere == Hemisphere::B, v.to_array()).into()
 }
 
 /// The 4-vector of hemisphere A moved to its place in the given hemisphere.
 fn placed(hemisphere: Hemisphere, v: DVec4) -> DVec4 {
-    match hemisphere {
-        Hemisphere::A => v,
-        Hemisphere::B => DVec4::new(v.x, v.y, v.z, -v.w),
-    }
+    sphere::placed(hemisphere == Hemisphere::B, v.to_array()).into()
 }
 
 impl Spherical {
@@ -52,15 +46,14 @@ impl Spherical {
 
     /// The point of the unit three-sphere that a chart point is.
     fn model(self, point: ChartPoint) -> DVec4 {
-        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
-        placed(point.hemisphere, cylindrical(1.0, p))
+        let p = (point.pos / self.radius_m).to_array();
+        sphere::point(point.hemisphere == Hemisphere::B, p).into()
     }
 
     /// A chart direction at a chart point as a tangent of the unit three-sphere.
     fn tangent(self, point: ChartPoint, direction: DVec3) -> DVec4 {
-        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
-        let v = mirrored(point.hemisphere, direction);
-        placed(point.hemisphere, cylindrical_direction(1.0, p, v))
+        let p = (point.pos / self.radius_m).to_array();
+        sphere::direction(point.hemisphere == Hemisphere::B, p, direction.to_array()).into()
     }
 
     /// The rotation that takes the model to view coordinates, in units of the radius.
@@ -122,30 +115,20 @@ impl Strategy for Spherical {
 
     fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
         let (a, b) = (self.model(a), self.model(b));
-        2.0 * self.radius_m * (a - b).length().atan2((a + b).length())
+        self.radius_m * distance::spherical(a.to_array(), b.to_array())
     }
 
     fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        let rho = view.truncate().length() / self.radius_m;
-        self.radius_m * rho.atan2(view.w)
+        distance::from_eye(1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
     }
 
     fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
         self.model(point)
     }
 
-    /// Lengths along the radial, tangential and upward axes are cos y, cos y sinc r and 1 per
-    /// chart metre; a covector goes by their inverses, here times cos y sinc r.
     fn port_normal(&self, _eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
-        let p = point.pos / self.radius_m;
-        let r = p.x.hypot(p.z);
-        let along = sinc_minus_one_over_square(1.0, r) * (normal.x * p.x + normal.z * p.z);
-        DVec3::new(
-            normal.x + along * p.x,
-            normal.y * p.y.cos() * sinc(r),
-            normal.z + along * p.z,
-        )
-        .normalize_or_zero()
+        let p = (point.pos / self.radius_m).to_array();
+        sphere::normal(p, normal.to_array()).into()
     }
 
     fn cross(&self, point: ChartPoint) -> Option<Crossing> {

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, DVec4};
 
+use crate::kernel::distance;
 use crate::{
     ChartPoint, Crossing, Euclidean, Eye, Frustum, Geometry, Hemisphere, Horizon, HyperbolicMap,
     Projection, Raised, SightCell, SpaceUniform, Spherical,
@@ -205,9 +206,8 @@ pub fn picture(
 /// Distance between two points in view coordinates, in metres, in a space of curvature `kappa`
 /// per square metre.
 ///
-/// Hyperbolic: `sinh^2(D/2) = sinh^2((a-b)/2) + sinh a sinh b sin^2(theta/2)` with a, b the
-/// distances from the eye: no large terms are subtracted, near or far. Spherical: the half chords
-/// to the point and to its antipode.
+/// Hyperbolic from the distances to the eye and the angle between, so that it holds far off too;
+/// spherical from the chords to the point and to its antipode.
 pub(crate) fn distance_between_views_m(kappa: f64, views: [DVec4; 2]) -> f64 {
     let k = kappa.abs().sqrt();
     if kappa == 0.0 {
@@ -215,14 +215,9 @@ pub(crate) fn distance_between_views_m(kappa: f64, views: [DVec4; 2]) -> f64 {
     }
     let [a, b] = views.map(|v| (v.truncate() * k).extend(v.w));
     if kappa > 0.0 {
-        return 2.0 / k * (a - b).length().atan2((a + b).length());
+        return distance::spherical(a.to_array(), b.to_array()) / k;
     }
-    let [a, b] = [a, b].map(DVec4::truncate);
-    let (length_a, length_b) = (a.length(), b.length());
-    let between = (length_a.asinh() - length_b.asinh()) * 0.5;
-    let turn = a.normalize_or_zero() - b.normalize_or_zero();
-    let across = 0.5 * turn.length() * length_a.sqrt() * length_b.sqrt();
-    2.0 / k * between.sinh().hypot(across).asinh()
+    distance::hyperbolic_far(a.truncate().to_array(), b.truncate().to_array()) / k
 }
 
 #[cfg(test)]

@@ -9,10 +9,13 @@
     reason = "tests fail by panicking, and say which adapter they ran on"
 )]
 
+mod functions;
 mod gpu;
+mod kernels;
 mod probes;
+mod tables;
 
-use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry, Projection, scalar, strategy};
+use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry, Projection, strategy};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3, Vec4, Vec4Swizzles};
 
@@ -37,23 +40,6 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     answers[i].distance = eye_distance(space, view);
 }";
 
-/// Runs the shader's own trigonometry.
-const SCALAR_SHADER: &str = "
-struct Row { trig: vec2<f32>, hyper: vec2<f32>, angle: f32, asinh: f32, bends: vec2<f32> }
-@group(0) @binding(0) var<storage, read> ts: array<f32>;
-@group(0) @binding(1) var<storage, read_write> rows: array<Row>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    let i = id.x;
-    if i >= arrayLength(&ts) { return; }
-    let t = ts[i];
-    rows[i].trig = geo_sinc_cos(t * t);
-    rows[i].hyper = geo_sinhc_cosh(t);
-    rows[i].angle = geo_angle(t, 1.0);
-    rows[i].asinh = geo_asinh(t);
-    rows[i].bends = vec2<f32>(geo_sinc_bend(t * t, -1.0), geo_sinc_bend(t * t, 1.0));
-}";
-
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 struct Answer {
@@ -61,16 +47,6 @@ struct Answer {
     clip: Vec4,
     normal: Vec3,
     distance: f32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Row {
-    trig: [f32; 2],
-    hyper: [f32; 2],
-    angle: f32,
-    asinh: f32,
-    bends: [f32; 2],
 }
 
 /// The greatest errors of a run.
@@ -128,7 +104,7 @@ fn check(probes: &[Probe]) {
     let worst = compare(probes, &gpu.compute(PORT_SHADER, &cases));
     for (geometry, worst) in Geometry::ALL.into_iter().zip(worst) {
         eprintln!("{geometry}: {worst:?}");
-        assert!(worst.angle_rad < 2e-6, "{geometry}: {worst:?}");
+        assert!(worst.angle_rad < 5e-7, "{geometry}: {worst:?}");
         assert!(worst.distance < 2e-6, "{geometry}: {worst:?}");
         assert!(worst.depth < 1e-5, "{geometry}: {worst:?}");
         assert!(worst.normal_rad < 1e-6, "{geometry}: {worst:?}");
@@ -180,45 +156,5 @@ fn the_shader_is_finite_at_every_magnitude() {
         );
         assert!((answer.normal.length() - 1.0).abs() < 1e-5, "{}", case.p);
         assert!(!far || answer.clip.z < 1e-8, "{} {}", case.p, answer.clip);
-    }
-}
-
-#[test]
-fn the_shaders_own_trigonometry_is_exact_to_a_few_ulp() {
-    let Some(gpu) = GPU.as_ref() else { return };
-    let ts: Vec<f32> = (0..20_000)
-        .map(|i| (1e-6_f64 * (8e7_f64).powf(f64::from(i) / 19_999.0)) as f32)
-        .collect();
-    let rows: Vec<Row> = gpu.compute(SCALAR_SHADER, &ts);
-    let ulp = f64::from(f32::EPSILON);
-    let mut worst = [0.0_f64; 6];
-    for (t, row) in ts.iter().zip(rows) {
-        let t = f64::from(*t);
-        let relative = |ours: f32, exact: f64| (f64::from(ours) / exact - 1.0).abs() / ulp;
-        let absolute = |ours: f32, exact: f64| (f64::from(ours) - exact).abs() / ulp;
-        let mut note = |i: usize, error: f64| worst[i] = worst[i].max(error);
-        if t < std::f64::consts::PI {
-            // The argument is t^2 rounded, which moves t by half an ulp.
-            note(0, absolute(row.trig[0], t.sin() / t));
-            note(1, absolute(row.trig[1], t.cos()));
-        }
-        // exp's own condition number is t: half an ulp of t is t/2 ulp of the result.
-        note(
-            2,
-            relative(row.hyper[0], t.sinh() / t).max(relative(row.hyper[1], t.cosh())) / t.max(1.0),
-        );
-        note(3, relative(row.angle, t.atan()));
-        note(4, relative(row.asinh, t.asinh()));
-        if t < 1.0 {
-            let bend = |sign| scalar::sinc_minus_one_over_square(sign, t);
-            note(
-                5,
-                relative(row.bends[0], bend(1.0)).max(relative(row.bends[1], bend(-1.0))),
-            );
-        }
-    }
-    eprintln!("ulp: sinc, cos, sinh and cosh / t, atan, asinh, bends: {worst:?}");
-    for (error, most) in worst.into_iter().zip([4.0, 4.0, 3.0, 6.0, 12.0, 3.0]) {
-        assert!(error < most, "{worst:?}");
     }
 }

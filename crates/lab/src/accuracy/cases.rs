@@ -7,7 +7,8 @@ use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::sphere as sphere_kernel;
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy, picture,
+    ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy,
+    picture,
 };
 use antipode_render::Gpu;
 use bytemuck::{Pod, Zeroable};
@@ -79,6 +80,16 @@ pub fn case(space: &dyn Strategy, eye: &Eye, point: ChartPoint, normal: DVec3) -
         n: normal.as_vec3(),
         pad: 0,
     }
+}
+
+/// A vertex of a chunk as the shader has it, relative to the space's reference: the chunk's corner
+/// is measured from the whole metres next to the reference, which is exact, then comes the place in
+/// the chunk, and last the rest of the reference.
+pub fn sent(space: &dyn Strategy, eye: &Eye, chunk: ChunkCoord, local: Vec3) -> Vec3 {
+    let reference = space.reference(eye, chunk.hemisphere);
+    let whole = reference.round();
+    let offset = (chunk.origin() - whole).as_vec3();
+    offset + local - (reference - whole).as_vec3()
 }
 
 /// The view of a case in single precision on the processor: the shader's arithmetic.

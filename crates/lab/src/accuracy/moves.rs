@@ -9,7 +9,7 @@ use glam::{DMat4, DVec3, DVec4, Mat4, Vec3};
 
 use super::cases;
 use super::errors::words;
-use super::row::{Curve, plot};
+use super::row::{Curve, Subject, note_all, plot};
 use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::error::LabError;
 use crate::naive;
@@ -17,7 +17,7 @@ use crate::random::Numbers;
 
 pub const METHOD: &[&str] = &[
     "A translation takes the origin to a point of the space. The textbook builds it with 1/(1 + w), which has no answer at the antipode; ours is made of half angles, in f32 and in f64 rounded once.",
-    "A camera is moved step by step by small turns and translations, composed in f32. The textbook multiplies on; with Gram-Schmidt under the model's inner product after each step the error stays where it was. The game does neither: it keeps the camera as a chart point and two angles, and makes the matrix anew for each frame.",
+    "A camera is moved step by step by small turns and translations, composed in f32. The textbook multiplies on; with Gram-Schmidt under the model's inner product after each step, in f32 or in f64 rounded once, the error stays where it was. The game does neither: it keeps the camera as a chart point and two angles, and makes the matrix anew for each frame.",
     "Out and back: the camera walks away in a thousand steps and returns by their inverses; what is left is the distance from where it began.",
 ];
 
@@ -176,8 +176,14 @@ fn step(sign: f64, rng: &mut Numbers) -> Mat4 {
 }
 
 /// Gram-Schmidt under the model's inner product, in single precision.
-fn orthonormal(sign: f32, m: Mat4) -> Mat4 {
-    Mat4::from_cols_array_2d(&frame::orthonormalized(sign, m.to_cols_array_2d()))
+fn orthonormal(sign: f64, m: Mat4) -> Mat4 {
+    Mat4::from_cols_array_2d(&frame::orthonormalized(sign as f32, m.to_cols_array_2d()))
+}
+
+/// The same in double precision, rounded once.
+fn orthonormal_cast(sign: f64, m: Mat4) -> Mat4 {
+    let columns = m.as_dmat4().to_cols_array_2d();
+    DMat4::from_cols_array_2d(&frame::orthonormalized(sign, columns)).as_mat4()
 }
 
 /// Best known: Gram-Schmidt each step.
@@ -196,21 +202,22 @@ fn homeward(sign: f64, m: Mat4, step: Mat4) -> Mat4 {
 fn composed(bench: &Bench, sign: f64, found: &mut Findings) {
     let moves = bench.effort.count(100_000);
     let mut rng = Numbers::new(53);
-    let (mut ours, mut textbook) = (Worst::default(), Worst::default());
-    let mut curves =
-        ["Gram-Schmidt each step", "textbook f32"].map(|name| Curve::new(name, 1.0, 1e5));
-    let (mut a, mut b) = (Mat4::IDENTITY, Mat4::IDENTITY);
+    let mut worst = [(); 3].map(|()| Worst::default());
+    let mut curves = [
+        "Gram-Schmidt, CPU f32",
+        "Gram-Schmidt, CPU f64",
+        "textbook f32",
+    ]
+    .map(|name| Curve::new(name, 1.0, 1e5));
+    let mut cameras = [Mat4::IDENTITY; 3];
     for i in 1..=moves {
         let step = step(sign, &mut rng);
-        a = orthonormal(sign as f32, homeward(sign, a, step));
-        b = homeward(sign, b, step);
+        let [a, b, c] = cameras.map(|m| homeward(sign, m, step));
+        cameras = [orthonormal(sign, a), orthonormal_cast(sign, b), c];
         if i % 50 == 0 || i == moves {
-            let errors = [off_orthogonal(sign, a), off_orthogonal(sign, b)];
-            ours.note(errors[0], || format!("after {i} moves"));
-            textbook.note(errors[1], || format!("after {i} moves"));
-            for (curve, error) in curves.iter_mut().zip(errors) {
-                curve.note(i as f64, error);
-            }
+            let errors = cameras.map(|m| Some(off_orthogonal(sign, m)));
+            let at = || format!("after {i} moves");
+            note_all(errors, &mut worst, &mut curves, i as f64, at);
         }
     }
     let space = if sign < 0.0 {
@@ -218,15 +225,17 @@ fn composed(bench: &Bench, sign: f64, found: &mut Findings) {
     } else {
         "spherical"
     };
-    found.rows.push(Row {
+    let [single, cast, textbook] = worst;
+    let subject = Subject {
         quantity: "composed camera moves, off orthogonal",
         range: format!("{space}, {moves} moves"),
-        arithmetic: Arithmetic::Single,
         unit: "",
-        ours: Some(ours),
-        bar: Some(COMPOSED),
         naive: Some(textbook),
-    });
+    };
+    found.rows.extend(subject.rows([
+        (Arithmetic::Single, Some(single), COMPOSED),
+        (Arithmetic::Cast, Some(cast), COMPOSED),
+    ]));
     found.plots.push(plot(
         &format!("moves-{space}"),
         &format!("Composed camera moves, {space}: off orthogonal against their number"),

@@ -1,7 +1,8 @@
 //! Places in the world, from its origin to 1e8 m: chunks, seams, and port and back.
 //!
-//! A position is a chunk, in whole numbers, and a place in it, in `f32`. The chunk's corner minus
-//! the camera is taken in `f64` and rounded once; the shader adds the place in the chunk. Reference:
+//! A position is a chunk, in whole numbers, and a place in it, in `f32`. The chunk's corner is
+//! measured from the whole metres next to the camera, which is exact; the shader adds the place in
+//! the chunk and takes off the rest of a metre. Reference:
 //! the same difference in `f64`, ported in `f64`.
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Hemisphere};
@@ -100,7 +101,7 @@ fn positions(
         let (chunk, local) = vertex(&mut rng, &eye, (1.6, 200.0));
         let exact = chunk.origin() + local.as_dvec3();
         let mut case = cases::case(space, &eye, ChartPoint::a(exact), DVec3::Y);
-        case.p = (chunk.origin() - eye.point.pos).as_vec3() + local;
+        case.p = cases::sent(space, &eye, chunk, local);
         let straight = exact - eye.point.pos;
         let world = (exact.as_vec3() - eye.point.pos.as_vec3()).as_dvec3();
         let view = space.view_point(&eye, ChartPoint::a(exact)).truncate();
@@ -136,7 +137,7 @@ fn positions(
         naive: Some(textbook.clone()),
     };
     let shader = gpu.is_some().then_some(shader);
-    let rows = subject("world positions, relative to the camera");
+    let rows = subject("world positions, as the shader has them");
     found
         .rows
         .extend(rows.rows([(Arithmetic::Single, Some(single), WALKED)]));
@@ -150,6 +151,7 @@ fn positions(
 /// The same vertex in two neighbouring chunks.
 fn seams(bench: &Bench, high: f64, found: &mut Findings) {
     let mut rng = Numbers::new(83);
+    let space = cases::raised(10.0).space;
     let (mut ours, mut textbook) = (Worst::default(), Worst::default());
     for _ in 0..bench.effort.count(50_000) {
         let eye = camera(&mut rng, (1.0, high));
@@ -161,8 +163,7 @@ fn seams(bench: &Bench, high: f64, found: &mut Findings) {
         let mut step = glam::IVec3::ZERO;
         step[side] = 1;
         let next = chunk.offset(step);
-        let seen =
-            |chunk: ChunkCoord, local: Vec3| (chunk.origin() - eye.point.pos).as_vec3() + local;
+        let seen = |chunk, local| cases::sent(space.as_ref(), &eye, chunk, local);
         let world = |chunk: ChunkCoord, local: Vec3| {
             (chunk.origin().as_vec3() + local) - eye.point.pos.as_vec3()
         };

@@ -13,7 +13,7 @@ use crate::error::LabError;
 use crate::random::Numbers;
 
 pub const METHOD: &[&str] = &[
-    "100 random cameras in each space and map, and vertices of chunks all around each. A vertex goes the way the game sends it: the chunk's corner minus the camera in f64, rounded once, and the place in the chunk added by the shader. Those in the picture of 1280 by 720 with a vertical field of view of 75 degrees are compared with the f64 port of the same vertex; the worst vertex is given with its camera. Nothing may be off by half a pixel.",
+    "100 random cameras in each space and map, and vertices of chunks all around each. A vertex goes the way the game sends it: the chunk's corner from the whole metres next to the camera, to which the shader adds the place in the chunk and takes off the rest of a metre. Those in the picture of 1280 by 720 with a vertical field of view of 75 degrees are compared with the f64 port of the same vertex; the worst vertex is given with its camera. Nothing may be off by half a pixel.",
     "The textbook column keeps world positions in f32, 10 km from the origin at most, and does everything else exactly.",
 ];
 
@@ -68,7 +68,7 @@ fn sent(rng: &mut Numbers, setting: &Setting, eye: &Eye) -> Option<Seen> {
     }
     let reference = space.reference(eye, point.hemisphere);
     let mut case = cases::case(space, eye, point, DVec3::Y);
-    case.p = (chunk.origin() - reference).as_vec3() + local;
+    case.p = cases::sent(space, eye, chunk, local);
     let world = (point.pos.as_vec3() - reference.as_vec3()).as_dvec3();
     let textbook = place(ChartPoint::new(point.hemisphere, reference + world));
     Some(Seen {

@@ -126,6 +126,7 @@ fn same_triangles(
         covered.push(drawn.difference(&drawn, &empty).land);
     }
     let flat = taken.first().copied().unwrap_or_default();
+    let bare = covered.first().copied().unwrap_or_default().max(1);
     let rows = looks
         .iter()
         .zip(&taken)
@@ -134,6 +135,7 @@ fn same_triangles(
             let mut row = vec![Cell::Text(look.name.to_owned())];
             row.extend(costs(own, &flat));
             row.push(count(covered));
+            row.push(Cell::Figure(covered as f64 / bare as f64, String::new()));
             row.push(count(own.stats.plan.chunks_by_frame));
             let same = own.stats.triangles == flat.stats.triangles;
             row.push(Cell::Verdict(
@@ -148,6 +150,7 @@ fn same_triangles(
             &["seen as"],
             &[
                 "pixels of land",
+                "pixels to flat",
                 "chunks by one matrix",
                 "same triangles, at most 1.15",
             ],
@@ -159,11 +162,11 @@ fn same_triangles(
 fn columns(first: &[&str], last: &[&str]) -> Vec<String> {
     let middle = [
         "cost",
-        "to flat",
+        "cost to flat",
         "wall clock",
         "planned and recorded",
         "triangles",
-        "to flat",
+        "triangles to flat",
         "draw calls",
     ];
     first

@@ -156,20 +156,7 @@ fn ulps(got: [f32; 4], true_one: [f64; 4]) -> f64 {
 
 /// The raised map at its default offset.
 pub fn raised_group(effort: Effort) -> Group {
-    let double = RaisedMap::<f64>::new(RADIUS_M, OFFSET_M);
-    let (k, radius_m) = (double.k as f32, RADIUS_M as f32);
-    let curve = [
-        k,
-        double.offset as f32,
-        double.sinh as f32,
-        double.cosh as f32,
-    ];
-    let single = RaisedMap::from_uniform(curve, radius_m);
-    // The curvature that single precision can write is the one all are judged by.
-    let double = RaisedMap {
-        k: f64::from(k),
-        ..double
-    };
+    let (single, double) = raised_maps();
     let (middles, inputs) = objects(2, FAR_M, 20.0, EDGE_M);
     let map = |p: [f64; 3]| double.port(p);
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
@@ -217,7 +204,7 @@ pub fn raised_group(effort: Effort) -> Group {
             error,
         ),
     ];
-    let (affine, rigid) = frames(&middles, map, -1.0, f64::from(k));
+    let (affine, rigid) = frames(&middles, map, -1.0, double.k);
     rivals.extend(framed(&inputs, &affine, &rigid, &error));
     race(
         "port-raised",
@@ -324,6 +311,25 @@ pub fn sphere_group(effort: Effort) -> Group {
         rivals,
         effort,
     )
+}
+
+/// The raised map in both precisions.
+fn raised_maps() -> (RaisedMap<f32>, RaisedMap<f64>) {
+    let double = RaisedMap::<f64>::new(RADIUS_M, OFFSET_M);
+    let (k, radius_m) = (double.k as f32, RADIUS_M as f32);
+    let curve = [
+        k,
+        double.offset as f32,
+        double.sinh as f32,
+        double.cosh as f32,
+    ];
+    let single = RaisedMap::from_uniform(curve, radius_m);
+    // The curvature that single precision can write is the one all are judged by.
+    let double = RaisedMap {
+        k: f64::from(k),
+        ..double
+    };
+    (single, double)
 }
 
 /// The textbook's port and boost, in radii, brought to metres.

@@ -4,13 +4,15 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use antipode_geometry::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap, Strategy,
-    picture,
+    ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap,
+    Strategy, picture,
 };
 use antipode_render::Gpu;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Scene, WorldSetup};
+use antipode_terrain::ChunkMesh;
+use glam::Vec3;
 
 use crate::LabError;
 use crate::speed::stage::Stage;
@@ -179,7 +181,8 @@ pub fn keep_common(
         let ChunkChange::Put(coord, mesh) = &change else {
             continue;
         };
-        if mesh.is_empty() || coord.hemisphere != frame.eye.point.hemisphere {
+        let elsewhere = coord.hemisphere != frame.eye.point.hemisphere;
+        if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, *coord, mesh)) {
             continue;
         }
         let due = kept + mesh.indices.len() / 3;
@@ -196,4 +199,15 @@ pub fn keep_common(
         }
     }
     Ok(frame.chunk_changes.len())
+}
+
+/// Whether the frame's space trims a chunk at the edge of its chart.
+fn trims(frame: &Frame, coord: ChunkCoord, mesh: &ChunkMesh) -> bool {
+    let places = || mesh.vertices.iter().map(|v| Vec3::from(v.position));
+    let corner = |local: Option<Vec3>| coord.origin() + local.unwrap_or_default().as_dvec3();
+    let (min, max) = (
+        corner(places().reduce(Vec3::min)),
+        corner(places().reduce(Vec3::max)),
+    );
+    frame.strategy.trims(&frame.eye, coord.hemisphere, min, max)
 }

@@ -141,7 +141,7 @@ pub fn race(
     mut frames: Vec<Frame>,
     effort: Effort,
 ) -> Result<(Vec<Stage<'_>>, Vec<Taken>), LabError> {
-    let (rounds, turns) = if effort.quick { (2, 3) } else { (6, 8) };
+    let (rounds, turns) = if effort.quick { (2, 3) } else { (4, 6) };
     let mut stages = Vec::new();
     let mut taken = Vec::new();
     for frame in &mut frames {

@@ -1,6 +1,8 @@
 //! The vertex stage alone: a compute pass that does for a million vertices what the land's vertex shader does with
 //! the space (port, clip coordinates, normal, distance), in each variant.
 
+use std::rc::Rc;
+
 use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::sphere::port as port_sphere;
@@ -64,15 +66,27 @@ const NAIVE_SPHERE: &str = "
     extra = clip_from_view(space, v).z + dot(n, LIGHT) + acos(v.w);";
 
 /// A map in doubles: from metres to view coordinates.
-type Exact = Box<dyn Fn([f64; 3]) -> [f64; 4]>;
+type Exact = Rc<dyn Fn([f64; 3]) -> [f64; 4]>;
 
+#[derive(Clone)]
 struct Variant {
-    name: &'static str,
+    name: String,
     body: &'static str,
     space: SpaceUniform,
     exact: Exact,
     /// Metres added to the heights of the shared vertices.
     lift_m: f64,
+}
+
+impl Variant {
+    /// The same space by another body.
+    fn by(&self, what: &str, body: &'static str) -> Self {
+        Self {
+            name: format!("{}{what}", self.name),
+            body,
+            ..self.clone()
+        }
+    }
 }
 
 fn wide(columns: [[f32; 4]; 4]) -> [[f64; 4]; 4] {
@@ -94,99 +108,70 @@ fn space(geometry: Geometry, map: HyperbolicMap, dial: f64) -> SpaceUniform {
     picture(geometry, radius_m(geometry), map, false).uniform(&eye(dial), &projection)
 }
 
-fn variants() -> Vec<Variant> {
+/// The spaces as the game draws them: flat, raised, horizon and sphere.
+fn spaces() -> [Variant; 4] {
     let (raised_map, horizon_map) = (HyperbolicMap::Raised, HyperbolicMap::Horizon);
     let flat = space(Geometry::Euclidean, raised_map, 0.0);
     let raised = space(Geometry::Hyperbolic, raised_map, 10.0);
     let horizon = space(Geometry::Hyperbolic, horizon_map, 10.0);
     let sphere = space(Geometry::Spherical, raised_map, 0.0);
-    let exact_flat =
-        move || -> Exact { Box::new(move |[x, y, z]| seen(&wide(flat.view), [x, y, z, 1.0])) };
-    let form = RaisedMap::<f64>::new(20.0, 10.0);
-    let exact_raised =
-        move || -> Exact { Box::new(move |p| seen(&wide(raised.view), form.port(p))) };
+    let lifted = raised_form();
     let k = 0.125;
     let level = HorizonMap::<f64>::new(-k * k, LIFT_M);
-    let exact_horizon =
-        move || -> Exact { Box::new(move |p| seen(&wide(horizon.view), level.port(p))) };
     let ball_k = f64::from(sphere.curve[0]);
-    let exact_sphere = move || -> Exact {
-        Box::new(move |p| seen(&wide(sphere.view), port_sphere(ball_k, false, p)))
-    };
-    // About an object 20 m ahead of the eye, in whose frame the vertices are.
-    let frame = affine(|p| form.port(p), [20.0, -2.0, 0.0]);
-    let columns = frame.map(|c| seen(&wide(raised.view), c).map(|x| x as f32));
-    let rigid = SpaceUniform {
-        view: columns,
-        ..raised
-    };
-    let exact_rigid: Exact = Box::new(move |[x, y, z]| seen(&wide(columns), [x, y, z, 1.0]));
-    let one = |name, body, space, exact, lift_m| Variant {
-        name,
-        body,
+    let one = |name: &str, space: SpaceUniform, lift_m, exact: Exact| Variant {
+        name: name.to_owned(),
+        body: GAME,
         space,
-        exact,
+        exact: Rc::new(move |p| seen(&wide(space.view), exact(p))),
         lift_m,
     };
-    vec![
-        one("flat", GAME, flat, exact_flat(), 0.0),
-        one("raised", GAME, raised, exact_raised(), 0.0),
-        one("horizon", GAME, horizon, exact_horizon(), 0.0),
-        one("sphere", GAME, sphere, exact_sphere(), SPHERE_EYE_M),
+    [
+        one("flat", flat, 0.0, Rc::new(|[x, y, z]| [x, y, z, 1.0])),
+        one("raised", raised, 0.0, Rc::new(move |p| lifted.port(p))),
+        one("horizon", horizon, 0.0, Rc::new(move |p| level.port(p))),
         one(
-            "flat, kind known to the compiler",
-            KNOWN,
-            flat,
-            exact_flat(),
-            0.0,
-        ),
-        one(
-            "raised, kind known to the compiler",
-            KNOWN,
-            raised,
-            exact_raised(),
-            0.0,
-        ),
-        one(
-            "horizon, kind known to the compiler",
-            KNOWN,
-            horizon,
-            exact_horizon(),
-            0.0,
-        ),
-        one(
-            "sphere, kind known to the compiler",
-            KNOWN,
+            "sphere",
             sphere,
-            exact_sphere(),
             SPHERE_EYE_M,
-        ),
-        one("one frame an object", RIGID, rigid, exact_rigid, 0.0),
-        one(
-            "raised, textbook with built-ins",
-            NAIVE_RAISED,
-            raised,
-            exact_raised(),
-            0.0,
-        ),
-        one(
-            "sphere, textbook with built-ins",
-            NAIVE_SPHERE,
-            sphere,
-            exact_sphere(),
-            SPHERE_EYE_M,
-        ),
-        one("flat, port alone", PORT, flat, exact_flat(), 0.0),
-        one("raised, port alone", PORT, raised, exact_raised(), 0.0),
-        one("horizon, port alone", PORT, horizon, exact_horizon(), 0.0),
-        one(
-            "sphere, port alone",
-            PORT,
-            sphere,
-            exact_sphere(),
-            SPHERE_EYE_M,
+            Rc::new(move |p| port_sphere(ball_k, false, p)),
         ),
     ]
+}
+
+fn raised_form() -> RaisedMap<f64> {
+    RaisedMap::<f64>::new(20.0, 10.0)
+}
+
+/// About an object 20 m ahead of the raised map's eye, in whose frame the vertices are.
+fn framed(raised: &Variant) -> Variant {
+    let form = raised_form();
+    let frame = affine(|p| form.port(p), [20.0, -2.0, 0.0]);
+    let view = wide(raised.space.view);
+    let columns = frame.map(|c| seen(&view, c).map(|x| x as f32));
+    Variant {
+        name: "one frame an object".to_owned(),
+        body: RIGID,
+        space: SpaceUniform {
+            view: columns,
+            ..raised.space
+        },
+        exact: Rc::new(move |[x, y, z]| seen(&wide(columns), [x, y, z, 1.0])),
+        lift_m: 0.0,
+    }
+}
+
+fn variants() -> Vec<Variant> {
+    let spaces = spaces();
+    let all = |what: &str, body| spaces.each_ref().map(|space| space.by(what, body));
+    let [_, raised, _, sphere] = &spaces;
+    let mut variants = all("", GAME).to_vec();
+    variants.extend(all(", kind known to the compiler", KNOWN));
+    variants.push(framed(raised));
+    variants.push(raised.by(", textbook with built-ins", NAIVE_RAISED));
+    variants.push(sphere.by(", textbook with built-ins", NAIVE_SPHERE));
+    variants.extend(all(", port alone", PORT));
+    variants
 }
 
 /// Vertices over land up to the edge of a view distance of six chunks, or of the sphere's chart.
@@ -264,7 +249,7 @@ fn rows(judged: &[Judged<'_>]) -> Table {
     let flat = judged.first().map_or(f64::NAN, |((_, ns), _)| *ns);
     let row = |((variant, ns), (worst, not_numbers)): &Judged<'_>| {
         vec![
-            Cell::Text(variant.name.to_owned()),
+            Cell::Text(variant.name.clone()),
             Cell::Figure(*ns, "ns".to_owned()),
             Cell::Figure(ns / flat, String::new()),
             Cell::Figure(*worst, "rad".to_owned()),
@@ -291,7 +276,7 @@ fn plot(judged: &[Judged<'_>]) -> Plot {
         scale: Scale::Logarithmic,
     };
     let one = |((variant, ns), (worst, _)): &Judged<'_>| Series {
-        name: variant.name.to_owned(),
+        name: variant.name.clone(),
         points: vec![(*ns, *worst)],
         joined: false,
     };
