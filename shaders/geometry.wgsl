@@ -26,6 +26,15 @@ const GEO_FLAT: u32 = 0u;
 const GEO_RAISED: u32 = 1u;
 const GEO_SPHERE: u32 = 2u;
 const GEO_HORIZON: u32 = 3u;
+const GEO_ANY: u32 = 4u;
+
+// The map to compile for. A pipeline that names one has no branches for the others; GEO_ANY leaves it to the
+// uniform, which costs about twice as much a vertex where every branch is run.
+override GEO_KIND: u32 = 4u;
+
+fn geo_kind(space: Space) -> u32 {
+    return select(GEO_KIND, space.kind.x, GEO_KIND == GEO_ANY);
+}
 
 const GEO_LOG2_E: f32 = 1.44269504;
 const GEO_SQRT2: f32 = 1.41421356;
@@ -317,11 +326,11 @@ fn geo_beyond_edge(space: Space, p: vec3<f32>) -> f32 {
 // or the hemisphere's pole on the sphere.
 fn port_to_view(space: Space, p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
     var x = vec4<f32>(p, 1.0);
-    if space.kind.x == GEO_RAISED {
+    if geo_kind(space) == GEO_RAISED {
         x = geo_port_raised(space, p);
-    } else if space.kind.x == GEO_SPHERE {
+    } else if geo_kind(space) == GEO_SPHERE {
         x = geo_port_sphere(space, p, hemisphere);
-    } else if space.kind.x == GEO_HORIZON {
+    } else if geo_kind(space) == GEO_HORIZON {
         x = geo_port_horizon(space, p);
     }
     return space.view * x;
@@ -337,7 +346,7 @@ fn geo_bend(s: f32, flip: f32, sinc: f32) -> f32 {
 // the point, whose y is up: its dot product with a light's chart direction is N.L. It is
 // normalised here, in three dimensions: under the model's inner product f32 would lose it.
 fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec3<f32> {
-    if space.kind.x == GEO_RAISED {
+    if geo_kind(space) == GEO_RAISED {
         let q = space.curve.x * geo_within_range(space, p) + vec3<f32>(0.0, space.curve.y, 0.0);
         let s = dot(q, q);
         // Far out the part across the ray is below the reach of the part along it.
@@ -345,7 +354,7 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
         let bend = geo_bend(s, 1.0, stretch);
         return normalize(n / stretch + q * (bend / stretch * dot(n, q)));
     }
-    if space.kind.x == GEO_FLAT {
+    if geo_kind(space) == GEO_FLAT {
         return normalize(n);
     }
     // Cylindrical charts; the mirror of hemisphere B leaves the formula as it is.
@@ -354,7 +363,7 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
     var upright: f32;
     var flip = -1.0;
     var scale = 1.0;
-    if space.kind.x == GEO_SPHERE {
+    if geo_kind(space) == GEO_SPHERE {
         u = space.curve.x * p;
         s = u.x * u.x + u.z * u.z;
         upright = geo_sinc_cos(u.y * u.y).y;
@@ -381,13 +390,13 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
 fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
     let near = space.project.z;
     var depth = near;
-    if space.kind.x == GEO_RAISED {
+    if geo_kind(space) == GEO_RAISED {
         depth = near / (v.w + space.curve.x * geo_length(v.xyz));
-    } else if space.kind.x == GEO_SPHERE {
+    } else if geo_kind(space) == GEO_SPHERE {
         depth = 0.5 * (near * v.w - v.z);
-    } else if space.kind.x == GEO_HORIZON && space.curve.x < 0.0 {
+    } else if geo_kind(space) == GEO_HORIZON && space.curve.x < 0.0 {
         depth = near / (v.w + space.edge.z * geo_length(v.xyz));
-    } else if space.kind.x == GEO_HORIZON && space.curve.x > 0.0 {
+    } else if geo_kind(space) == GEO_HORIZON && space.curve.x > 0.0 {
         depth = 0.5 * near * (1.0 + v.w);
     }
     return vec4<f32>(space.project.x * v.x, space.project.y * v.y, depth, -v.z);
@@ -396,16 +405,16 @@ fn clip_from_view(space: Space, v: vec4<f32>) -> vec4<f32> {
 // Distance from the eye in the space, in metres.
 fn eye_distance(space: Space, v: vec4<f32>) -> f32 {
     let rho = geo_length(v.xyz);
-    if space.kind.x == GEO_RAISED {
+    if geo_kind(space) == GEO_RAISED {
         return space.project.w * geo_asinh(rho * space.curve.x);
     }
-    if space.kind.x == GEO_SPHERE {
+    if geo_kind(space) == GEO_SPHERE {
         return space.project.w * geo_angle(rho * space.curve.x, v.w);
     }
-    if space.kind.x == GEO_HORIZON && space.curve.x < 0.0 {
+    if geo_kind(space) == GEO_HORIZON && space.curve.x < 0.0 {
         return space.project.w * geo_asinh(rho * space.edge.z);
     }
-    if space.kind.x == GEO_HORIZON && space.curve.x > 0.0 {
+    if geo_kind(space) == GEO_HORIZON && space.curve.x > 0.0 {
         return space.project.w * geo_angle(rho * space.edge.z, v.w);
     }
     return rho;

@@ -31,7 +31,8 @@ impl SpaceUniform {
     pub(crate) const FLAT: u32 = 0;
     pub(crate) const RAISED: u32 = 1;
     pub(crate) const SPHERE: u32 = 2;
-    pub(crate) const HORIZON: u32 = 3;
+    /// The number of the horizon map in `kind`.
+    pub const HORIZON: u32 = 3;
 
     /// `offset` is h in units of the radius.
     pub(crate) fn new(

@@ -7,15 +7,17 @@ use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec3, Vec3};
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, IndexFormat, Queue, RenderPass};
+use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
+use crate::mesh_buffers::MeshBuffers;
 use crate::pipelines::TerrainPipelines;
-use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, refined};
+use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, Refined, refined};
 use crate::uniforms::{ChunkInstance, whole_reference};
 
 /// Chunks whose halved edges are brought up to date in one frame; a step of the eye needs few.
 const STALE_PER_FRAME: usize = 1;
+/// Buffers for refined meshes that are kept though no chunk needs them.
+const MOST_SPARE: usize = 8;
 /// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
 const FLOOR_CLEARANCE_M: f32 = 0.01;
 
@@ -42,51 +44,6 @@ struct Refinement {
     /// Nothing where no edge needed it.
     buffers: Option<MeshBuffers>,
     error_px: f64,
-}
-
-/// Vertices and indices on the adapter.
-#[derive(Debug)]
-struct MeshBuffers {
-    vertices: Buffer,
-    indices: Buffer,
-    index_count: u32,
-    index_format: IndexFormat,
-}
-
-impl MeshBuffers {
-    fn new(device: &Device, vertices: &[Vertex], indices: &[u32]) -> Self {
-        let buffer = |label, contents: &[u8], usage| {
-            device.create_buffer_init(&BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
-            })
-        };
-        let (index_buffer, index_format) = if u16::try_from(vertices.len()).is_ok() {
-            let short: Vec<u16> = indices.iter().map(|&i| i as u16).collect();
-            let bytes = bytemuck::cast_slice(&short);
-            (
-                buffer("chunk indices", bytes, BufferUsages::INDEX),
-                IndexFormat::Uint16,
-            )
-        } else {
-            let bytes = bytemuck::cast_slice(indices);
-            (
-                buffer("chunk indices", bytes, BufferUsages::INDEX),
-                IndexFormat::Uint32,
-            )
-        };
-        Self {
-            vertices: buffer(
-                "chunk vertices",
-                bytemuck::cast_slice(vertices),
-                BufferUsages::VERTEX,
-            ),
-            indices: index_buffer,
-            index_count: indices.len() as u32,
-            index_format,
-        }
-    }
 }
 
 impl GpuChunk {
@@ -143,6 +100,8 @@ pub struct ChunkStore {
     world: Option<u64>,
     instances: Buffer,
     room: usize,
+    /// Buffers of refinements that are no longer needed.
+    spare: Vec<MeshBuffers>,
 }
 
 impl ChunkStore {
@@ -154,6 +113,7 @@ impl ChunkStore {
             world: None,
             instances: instance_buffer(device, room),
             room,
+            spare: Vec::new(),
         }
     }
 
@@ -191,6 +151,7 @@ impl ChunkStore {
     pub fn refine(
         &mut self,
         device: &Device,
+        queue: &Queue,
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
@@ -203,7 +164,8 @@ impl ChunkStore {
                 continue;
             };
             if !choice.refine {
-                chunk.refined = None;
+                self.spare
+                    .extend(chunk.refined.take().and_then(|r| r.buffers));
                 continue;
             }
             let due = match &chunk.refined {
@@ -216,21 +178,21 @@ impl ChunkStore {
                 }
             };
             if due {
-                chunk.refined = refined(frame, land, &chunk.mesh, &plan.bounds).map(|refined| {
-                    let halved = refined.halved > 0;
-                    Refinement {
+                self.spare
+                    .extend(chunk.refined.take().and_then(|r| r.buffers));
+                chunk.refined =
+                    refined(frame, land, &chunk.mesh, &plan.bounds).map(|mesh| Refinement {
                         made_for: key,
-                        buffers: halved
-                            .then(|| MeshBuffers::new(device, &refined.vertices, &refined.indices)),
-                        error_px: refined.error_px,
-                    }
-                });
+                        error_px: mesh.error_px,
+                        buffers: (mesh.halved > 0)
+                            .then(|| filled(&mut self.spare, device, queue, &mesh)),
+                    });
             }
             if let Some(refined) = &chunk.refined {
                 plan.stats.error_at_least(refined.error_px);
                 if let Some(buffers) = &refined.buffers {
                     plan.stats.chunks_refined += 1;
-                    plan.stats.triangles_added += buffers.index_count as usize / 3 - land.triangles;
+                    plan.stats.triangles_added += buffers.triangles() - land.triangles;
                 }
             }
         }
@@ -281,15 +243,33 @@ impl ChunkStore {
             let mesh = chunk.drawn();
             // Binding the slice instead of naming a first instance works on OpenGL too.
             let start = (place * size_of::<ChunkInstance>()) as u64;
-            pass.set_vertex_buffer(0, mesh.vertices.slice(..));
             pass.set_vertex_buffer(1, self.instances.slice(start..));
-            pass.set_index_buffer(mesh.indices.slice(..), mesh.index_format);
-            pass.draw_indexed(0..mesh.index_count, 0, 0..1);
-            triangles += mesh.index_count as usize / 3;
+            mesh.draw(pass);
+            triangles += mesh.triangles();
             draws += 1;
         }
         (triangles, draws)
     }
+}
+
+/// Buffers filled with a refined mesh: spare ones with room, or new ones.
+fn filled(
+    spare: &mut Vec<MeshBuffers>,
+    device: &Device,
+    queue: &Queue,
+    mesh: &Refined,
+) -> MeshBuffers {
+    let (vertices, indices) = (mesh.vertices.len(), mesh.indices.len());
+    let mut buffers = match spare.iter().position(|b| b.has_room(vertices, indices)) {
+        Some(place) => spare.swap_remove(place),
+        None => {
+            // What is too small for one mesh is of little use for the next.
+            spare.truncate(MOST_SPARE);
+            MeshBuffers::roomy(device, vertices, indices)
+        }
+    };
+    buffers.fill(queue, &mesh.vertices, &mesh.indices);
+    buffers
 }
 
 fn instance_buffer(device: &Device, room: usize) -> Buffer {

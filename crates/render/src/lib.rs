@@ -11,6 +11,7 @@ mod error;
 mod figures;
 mod gpu;
 mod marker;
+mod mesh_buffers;
 mod offscreen;
 mod pipelines;
 mod plan;

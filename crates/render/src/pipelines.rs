@@ -31,15 +31,13 @@ pub struct Pipelines {
     pub marker: RenderPipeline,
     /// The marker where land hides it.
     pub marker_hidden: RenderPipeline,
-    /// Binds the scene's uniform.
-    pub scene_layout: BindGroupLayout,
 }
 
 impl Pipelines {
-    /// Compiles the scene's shaders for so many samples a pixel.
-    pub fn new(device: &Device, samples: u32) -> Self {
-        let scene_layout = scene_layout(device);
-        let maker = Maker::new(device, &scene_layout, samples);
+    /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, and so many
+    /// samples a pixel.
+    pub fn new(device: &Device, scene_layout: &BindGroupLayout, kind: u32, samples: u32) -> Self {
+        let maker = Maker::new(device, scene_layout, kind, samples);
         let [land, figure, sky, marker] =
             [TERRAIN, FIGURE, SKY, MARKER].map(|shader| shader.compile(device));
         let land_buffers = [
@@ -91,7 +89,6 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
-            scene_layout,
         }
     }
 }
@@ -170,11 +167,12 @@ const ADDED: BlendComponent = BlendComponent {
 struct Maker<'a> {
     device: &'a Device,
     layout: PipelineLayout,
+    kind: f64,
     samples: u32,
 }
 
 impl<'a> Maker<'a> {
-    fn new(device: &'a Device, scene_layout: &BindGroupLayout, samples: u32) -> Self {
+    fn new(device: &'a Device, scene_layout: &BindGroupLayout, kind: u32, samples: u32) -> Self {
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("scene"),
             bind_group_layouts: &[Some(scene_layout)],
@@ -183,6 +181,7 @@ impl<'a> Maker<'a> {
         Self {
             device,
             layout,
+            kind: f64::from(kind),
             samples,
         }
     }
@@ -205,6 +204,11 @@ impl<'a> Maker<'a> {
         way: Way,
     ) -> RenderPipeline {
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
+        let constants = [("GEO_KIND", self.kind)];
+        let compilation_options = wgpu::PipelineCompilationOptions {
+            constants: &constants,
+            ..Default::default()
+        };
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(fragment),
@@ -212,7 +216,7 @@ impl<'a> Maker<'a> {
                 vertex: wgpu::VertexState {
                     module,
                     entry_point: Some(vertex),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    compilation_options: compilation_options.clone(),
                     buffers: &buffers,
                 },
                 primitive: wgpu::PrimitiveState {
@@ -234,7 +238,7 @@ impl<'a> Maker<'a> {
                 fragment: Some(wgpu::FragmentState {
                     module,
                     entry_point: Some(fragment),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    compilation_options,
                     targets: &[Some(wgpu::ColorTargetState {
                         format: LIGHT_FORMAT,
                         blend: way.blend,
@@ -263,7 +267,8 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-fn scene_layout(device: &Device) -> BindGroupLayout {
+/// What the scene's uniform is bound by.
+pub fn scene_layout(device: &Device) -> BindGroupLayout {
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &[wgpu::BindGroupLayoutEntry {

@@ -2,9 +2,9 @@
 
 use antipode_scene::frame::Frame;
 use wgpu::{
-    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
-    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    StoreOp, TextureFormat, TextureView,
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
+    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, StoreOp, TextureFormat, TextureView,
 };
 
 use crate::celestial::Celestial;
@@ -13,12 +13,17 @@ use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::marker::MarkerBalls;
-use crate::pipelines::Pipelines;
+use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{ChunkLand, FramePlan, PlanStats, plan};
 use crate::targets::{Targets, drawn_size};
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
+
+/// Maps that shaders are compiled for.
+const MAPS: usize = 4;
+/// The number of the map that every open world can turn to.
+const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
 
 /// How pictures are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,7 +64,9 @@ pub struct Renderer {
     device: Device,
     queue: Queue,
     options: Options,
-    pipelines: Pipelines,
+    scene_layout: BindGroupLayout,
+    /// By the map's number in `SpaceUniform::kind`; made when a world first needs them.
+    pipelines: [Option<Pipelines>; MAPS],
     uniform: Buffer,
     scene_bindings: BindGroup,
     targets: Targets,
@@ -82,7 +89,7 @@ impl Renderer {
     pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
         check(&options)?;
         let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
-        let pipelines = Pipelines::new(&device, options.samples);
+        let scene_layout = scene_layout(&device);
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("scene"),
             size: size_of::<SceneUniform>() as u64,
@@ -91,7 +98,7 @@ impl Renderer {
         });
         let scene_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("scene"),
-            layout: &pipelines.scene_layout,
+            layout: &scene_layout,
             entries: &[wgpu::BindGroupEntry {
                 binding: 0,
                 resource: uniform.as_entire_binding(),
@@ -110,7 +117,8 @@ impl Renderer {
             device,
             queue,
             options,
-            pipelines,
+            scene_layout,
+            pipelines: [const { None }; MAPS],
             uniform,
             scene_bindings,
             targets,
@@ -142,6 +150,7 @@ impl Renderer {
             .timing
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
+        let kind = self.make_pipelines(frame);
         self.chunks.apply(&self.device, frame);
         self.chunks.reserve(&self.device);
         self.marker.prepare(&self.queue, frame);
@@ -152,7 +161,8 @@ impl Renderer {
         );
         let land = self.chunks.land();
         let mut plan = plan(frame, self.height_px, &land);
-        self.chunks.refine(&self.device, frame, &land, &mut plan);
+        self.chunks
+            .refine(&self.device, &self.queue, frame, &land, &mut plan);
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
         self.chunks.upload(&self.queue, frame, &land, &plan);
@@ -162,7 +172,7 @@ impl Renderer {
             gpu_ms,
             ..DrawStats::default()
         };
-        self.draw_scene(frame, &land, &plan, encoder, &mut stats);
+        self.draw_scene(frame, kind, &land, &plan, encoder, &mut stats);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -173,6 +183,32 @@ impl Renderer {
             timing.record(encoder);
         }
         stats
+    }
+
+    /// Makes the pipelines of the frame's map, and of the map that the player may turn to from there, so that a
+    /// turn does not stutter. Returns the map's number.
+    fn make_pipelines(&mut self, frame: &Frame) -> u32 {
+        let kind = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
+        if self.pipelines[kind as usize % MAPS].is_none() {
+            let companion = if frame.strategy.has_sky() {
+                HORIZON
+            } else {
+                kind
+            };
+            for kind in [kind, companion] {
+                let place = &mut self.pipelines[kind as usize % MAPS];
+                if place.is_none() {
+                    let samples = self.options.samples;
+                    *place = Some(Pipelines::new(
+                        &self.device,
+                        &self.scene_layout,
+                        kind,
+                        samples,
+                    ));
+                }
+            }
+        }
+        kind
     }
 
     fn begin_scene<'e>(
@@ -211,13 +247,16 @@ impl Renderer {
     fn draw_scene(
         &self,
         frame: &Frame,
+        kind: u32,
         land: &[ChunkLand],
         plan: &FramePlan,
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
         let mut pass = self.begin_scene(encoder, frame.sky.horizon);
-        let pipelines = &self.pipelines;
+        let Some(pipelines) = &self.pipelines[kind as usize % MAPS] else {
+            return;
+        };
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
         stats.add(self.figures.draw(&mut pass, pipelines));

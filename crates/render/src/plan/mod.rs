@@ -18,7 +18,7 @@ use glam::DVec3;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
 pub use quality::Tolerance;
-pub use refine::{RefineKey, refined};
+pub use refine::{RefineKey, Refined, refined};
 pub use stats::PlanStats;
 
 use skyline::Skyline;
