@@ -97,6 +97,7 @@ impl Studio {
         frame: &Frame,
         display: impl FnOnce(&DrawStats) -> Option<HudModel>,
     ) -> Result<RgbaImage, Failure> {
+        self.renderer.complete_next();
         let mut encoder = self
             .gpu
             .device

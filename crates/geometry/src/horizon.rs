@@ -25,6 +25,8 @@ const RADIUS_NOTCHES_M: f64 = 80.0;
 /// of its quarter turn upwards: past them it would cover the sphere a second time.
 const CUT_LEVEL: f64 = 0.9;
 const CUT_UPRIGHT: f64 = 0.95;
+/// Where curvature is positive, slopes are told for eyes up to here over the sheet: below a quarter turn.
+const HIGHEST_EYE_RAD: f64 = 1.5;
 /// Where curvature is positive, the haze is complete at this part of a half turn: before the cut.
 const HAZE: f64 = 0.8;
 
@@ -206,6 +208,10 @@ impl Strategy for Horizon {
 
     fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
         let kappa = self.kappa(eye);
+        // Past a quarter turn over its sheet an eye sees heights the other way round.
+        if kappa > 0.0 && kappa.sqrt() * eye.lift_m.abs() > HIGHEST_EYE_RAD {
+            return SightCell::EVERYWHERE;
+        }
         let (level, upright) = Self::edge_m(kappa);
         let low = min - eye.point.pos;
         let high = max - eye.point.pos;

@@ -14,8 +14,9 @@ use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, Refined, refined};
 use crate::uniforms::{ChunkInstance, whole_reference};
 
-/// Chunks whose halved edges are brought up to date in one frame; a step of the eye needs few.
-const STALE_PER_FRAME: usize = 1;
+/// Chunks whose halved edges are brought up to date in one frame, the nearest first: the main thread has other
+/// things to do, and what is late by a few frames is off by little.
+const REFINED_PER_FRAME: usize = 1;
 /// Buffers for refined meshes that are kept though no chunk needs them.
 const MOST_SPARE: usize = 8;
 /// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
@@ -102,6 +103,8 @@ pub struct ChunkStore {
     room: usize,
     /// Buffers of refinements that are no longer needed.
     spare: Vec<MeshBuffers>,
+    /// Whether the next frame is to be complete, however long that takes.
+    rush: bool,
 }
 
 impl ChunkStore {
@@ -114,6 +117,7 @@ impl ChunkStore {
             instances: instance_buffer(device, room),
             room,
             spare: Vec::new(),
+            rush: false,
         }
     }
 
@@ -136,9 +140,17 @@ impl ChunkStore {
         }
     }
 
-    /// The land of every chunk that has triangles.
+    /// The land of every chunk that has triangles, in an order that depends on nothing else.
     pub fn land(&self) -> Vec<ChunkLand> {
-        self.chunks.values().map(|chunk| chunk.land).collect()
+        let mut land: Vec<_> = self.chunks.values().map(|chunk| chunk.land).collect();
+        // A table's order differs from run to run; what is drawn first may not.
+        land.sort_by_key(|land| (land.coord.hemisphere, land.coord.index.to_array()));
+        land
+    }
+
+    /// Lets the next frame bring all refinements up to date.
+    pub fn rush(&mut self) {
+        self.rush = true;
     }
 
     /// How many chunks have triangles.
@@ -156,8 +168,12 @@ impl ChunkStore {
         land: &[ChunkLand],
         plan: &mut FramePlan,
     ) {
-        let key = RefineKey::of(frame);
-        let mut stale = STALE_PER_FRAME;
+        let key = RefineKey::of(frame, &plan.bounds);
+        let mut budget = if std::mem::take(&mut self.rush) {
+            usize::MAX
+        } else {
+            REFINED_PER_FRAME
+        };
         for choice in &plan.chunks {
             let land = &land[choice.place];
             let Some(chunk) = self.chunks.get_mut(&land.coord) else {
@@ -168,16 +184,10 @@ impl ChunkStore {
                     .extend(chunk.refined.take().and_then(|r| r.buffers));
                 continue;
             }
-            let due = match &chunk.refined {
-                None => true,
-                Some(refined) if refined.made_for == key => false,
-                Some(refined) if stale == 0 && refined.made_for.is_near(&key) => false,
-                Some(_) => {
-                    stale = stale.saturating_sub(1);
-                    true
-                }
-            };
+            let current = chunk.refined.as_ref().is_some_and(|r| r.made_for == key);
+            let due = !current && budget > 0;
             if due {
+                budget -= 1;
                 self.spare
                     .extend(chunk.refined.take().and_then(|r| r.buffers));
                 chunk.refined =

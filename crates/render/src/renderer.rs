@@ -136,6 +136,12 @@ impl Renderer {
         self.light = self.tonemap.bind(&self.device, &self.targets.light);
     }
 
+    /// Lets the next frame be complete, however long that takes: for a single picture. Frames in motion bring what
+    /// a step of the eye changes up to date bit by bit.
+    pub fn complete_next(&mut self) {
+        self.chunks.rush();
+    }
+
     /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
     ///
     /// The encoder is to be submitted before the next frame is drawn: a frame's data lies in buffers that the

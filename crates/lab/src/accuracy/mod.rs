@@ -11,6 +11,7 @@ mod depth;
 mod distance;
 mod errors;
 mod functions;
+mod known;
 mod moves;
 mod normals;
 mod picture;

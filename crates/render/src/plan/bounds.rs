@@ -18,8 +18,15 @@ const DISTANCES_M: [f64; 10] = [0.35, 0.7, 1.4, 2.8, 5.6, 11.2, 22.4, 44.8, 89.6
 const EDGE_M: f64 = 0.25;
 /// Elevations of the places looked at, as sines.
 const ELEVATIONS: [f64; 5] = [-0.95, -0.5, -0.05, 0.4, 0.9];
+/// Azimuths looked at where the chart is not the same along all.
+const AZIMUTHS: u32 = 4;
 /// The measured bend is raised by this, since only some places and directions are looked at.
 const MARGIN: f64 = 1.25;
+/// The bend is measured to this part of the sight limit; beyond it the haze hides it.
+const MEASURED_TO: f64 = 0.9;
+/// Bends are raised to the next of this many steps an octave, so that they stay the same for a while as the eye
+/// and the dial move, and what was refined for one stays right.
+const STEPS_PER_OCTAVE: f64 = 8.0;
 /// A frame is looked at closely where the bend allows for this many times the tolerance.
 const FRAME_WORTH_TRYING: f64 = 4.0;
 /// Frames of neighbouring chunks part at their border by up to twice their errors: they may take up no more than
@@ -89,12 +96,21 @@ impl Affine {
     }
 }
 
+/// The measured bends in steps of an octave: two frames with the same need the same refinement.
+pub type BendSteps = [i16; DISTANCES_M.len()];
+
 /// The bend of a frame's port.
 #[derive(Clone, Debug)]
 pub struct Bounds {
     scale: PictureScale,
     /// Pixels per square metre at each of the distances.
     bend: [f64; DISTANCES_M.len()],
+    /// The same in steps of an octave.
+    steps: BendSteps,
+    /// First-order map about the eye. All chunks that are ported as a whole share it, and so the bits of their
+    /// borders.
+    affine: Affine,
+    flat: bool,
     /// Whether depth is not linear in the picture.
     pub depth_is_bent: bool,
 }
@@ -106,11 +122,9 @@ impl Bounds {
         let flat = !space.radius_at_m(eye).is_finite();
         let mut bend = [0.0; DISTANCES_M.len()];
         if !flat {
-            let limit_m = space.sight_limit_m(eye);
-            let drawn = DISTANCES_M
-                .into_iter()
-                .filter(|distance_m| *distance_m < limit_m);
-            for (bend, distance_m) in bend.iter_mut().zip(drawn) {
+            let farthest_m = MEASURED_TO * space.sight_limit_m(eye);
+            let distances = DISTANCES_M.map(|distance_m| distance_m.min(farthest_m));
+            for (bend, distance_m) in bend.iter_mut().zip(distances) {
                 *bend =
                     MARGIN * scale.widest_px(bend_at(space, eye, distance_m)) / (EDGE_M * EDGE_M);
             }
@@ -119,15 +133,31 @@ impl Bounds {
         for i in (1..bend.len()).rev() {
             bend[i - 1] = f64::max(bend[i - 1], bend[i]);
         }
+        let steps = bend.map(|bend| (bend.log2() * STEPS_PER_OCTAVE).ceil());
+        let bend = steps.map(|step| (step / STEPS_PER_OCTAVE).exp2());
+        let affine = Affine::about(
+            space,
+            eye,
+            eye.point,
+            space.reference(eye, eye.point.hemisphere),
+            1.0,
+        );
         Self {
+            flat,
+            affine,
             scale,
             bend,
+            steps: steps.map(|step| step.max(f64::from(i16::MIN)) as i16),
             depth_is_bent: !flat && space.geometry() != Geometry::Spherical,
         }
     }
 
     /// Pixels per square metre by which edges stray at a chart distance from the eye.
     pub fn bend_px(&self, distance_m: f64) -> f64 {
+        // Nearer than the first distance the bend goes on as 1/d.
+        if distance_m < DISTANCES_M[0] {
+            return self.bend[0] * DISTANCES_M[0] / distance_m.max(0.05);
+        }
         let last = DISTANCES_M.len() - 1;
         let place = (distance_m / DISTANCES_M[0]).log2().clamp(0.0, last as f64);
         let step = (place as usize).min(last - 1);
@@ -170,21 +200,27 @@ impl Bounds {
         chunk: &ChunkLand,
         tolerance_px: f64,
     ) -> Option<(Affine, f64)> {
+        if self.flat {
+            return Some((self.affine, 0.0));
+        }
+        if chunk.coord.hemisphere != frame.eye.point.hemisphere {
+            return None;
+        }
         let tolerance_px = CRACK_SHARE * tolerance_px;
         let size = chunk.max - chunk.min;
         let guess = self.bend_px(self.nearest_chart_m(frame, chunk)) * size.length_squared();
         if guess > FRAME_WORTH_TRYING * tolerance_px {
             return None;
         }
-        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
         let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
-        let origin = space.reference(eye, chunk.coord.hemisphere);
-        // In flat space one frame serves all chunks, so that they share the bits of their borders.
-        let flat = !space.radius_at_m(eye).is_finite();
-        let about = if flat { eye.point } else { middle };
-        let affine = Affine::about(space, eye, about, origin, 1.0);
-        let error_px = self.strays_px(frame, &affine, middle, origin, 0.5 * size)?;
-        (error_px <= tolerance_px).then_some((affine, error_px))
+        let origin = frame.strategy.reference(&frame.eye, chunk.coord.hemisphere);
+        let error_px = self.strays_px(frame, &self.affine, middle, origin, 0.5 * size)?;
+        (error_px <= tolerance_px).then_some((self.affine, error_px))
+    }
+
+    /// The measured bends in steps of an octave.
+    pub fn steps(&self) -> BendSteps {
+        self.steps
     }
 
     /// The frame of something that stands at `feet` and fits a box of `half` metres about `middle`.
@@ -228,20 +264,41 @@ impl Bounds {
 /// geodesic between its ends, as seen from the eye. Places and edges are turned about the upright, which all
 /// maps look the same along.
 fn bend_at(space: &dyn Strategy, eye: &Eye, distance_m: f64) -> f64 {
+    let azimuths = if space.keeps_azimuths() { 1 } else { AZIMUTHS };
+    // Off its pole a chart of the sphere looks different along each azimuth, though less along each elevation.
+    let elevations = if azimuths == 1 {
+        &ELEVATIONS[..]
+    } else {
+        &ELEVATIONS[1..4]
+    };
     let mut worst: f64 = 0.0;
-    for sine in ELEVATIONS {
-        let level = (1.0_f64 - sine * sine).sqrt();
-        let middle = eye.point.moved(DVec3::new(level, sine, 0.0) * distance_m);
-        let seen = space.view_point(eye, middle).truncate();
-        for way in edge_ways() {
-            let half = way * (0.5 * EDGE_M);
-            let a = space.view_point(eye, middle.moved(half)).truncate();
-            let b = space.view_point(eye, middle.moved(-half)).truncate();
-            let across = a.cross(b);
-            let off = across.dot(seen) / (across.length() * seen.length());
-            if off.is_finite() && across.length() > 1e-6 * a.length() * b.length() {
-                worst = worst.max(off.abs().min(1.0).asin());
+    for azimuth in 0..azimuths {
+        let turn = f64::from(azimuth) * std::f64::consts::TAU / f64::from(azimuths);
+        for sine in elevations {
+            let level = (1.0_f64 - sine * sine).sqrt();
+            let toward = DVec3::new(level * turn.cos(), *sine, level * turn.sin());
+            let middle = eye.point.moved(toward * distance_m);
+            let in_chart = |rim_m: f64| middle.pos.x.hypot(middle.pos.z) <= rim_m;
+            if space.rim_m().is_none_or(in_chart) {
+                worst = worst.max(bend_about(space, eye, middle));
             }
+        }
+    }
+    worst
+}
+
+/// The same about one place.
+fn bend_about(space: &dyn Strategy, eye: &Eye, middle: ChartPoint) -> f64 {
+    let seen = space.view_point(eye, middle).truncate();
+    let mut worst: f64 = 0.0;
+    for way in edge_ways() {
+        let half = way * (0.5 * EDGE_M);
+        let a = space.view_point(eye, middle.moved(half)).truncate();
+        let b = space.view_point(eye, middle.moved(-half)).truncate();
+        let across = a.cross(b);
+        let off = across.dot(seen) / (across.length() * seen.length());
+        if off.is_finite() && across.length() > 1e-6 * a.length() * b.length() {
+            worst = worst.max(off.abs().min(1.0).asin());
         }
     }
     worst

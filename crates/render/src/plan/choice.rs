@@ -10,6 +10,11 @@ use super::quality::Tolerance;
 /// Longest edge of the land's triangles, metres: the diagonal of a cell.
 pub const LONGEST_EDGE_M: f64 = 1.733;
 
+/// Measured beside L^2 k / 8: the most that depth strays in hyperbolic pictures, and in bent ones that close,
+/// where it grows towards the far side.
+const OPEN_DEPTH: f64 = 1.25;
+const CLOSED_DEPTH: f64 = 4.0;
+
 /// How vertices are carried into the space.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Port {
@@ -77,7 +82,10 @@ pub fn choose(
         place,
         distance_m: cell.nearest_m,
         refine,
-        depth: depth_method(frame, bounds, tolerance),
+        depth: match port {
+            Port::Vertex => depth_method(frame, bounds, tolerance),
+            Port::Frame(_) => DepthMethod::Vertex,
+        },
         port,
         trimmed,
         error_px,
@@ -88,7 +96,9 @@ pub fn choose(
 /// depth `(coth d - 1) / cos` but the last term is linear in the picture.
 fn depth_method(frame: &Frame, bounds: &Bounds, tolerance: &Tolerance) -> DepthMethod {
     let radius_m = frame.strategy.radius_at_m(&frame.eye);
-    let sag_m = LONGEST_EDGE_M * LONGEST_EDGE_M / (8.0 * radius_m);
+    let closed = frame.strategy.sight_limit_m(&frame.eye) < std::f64::consts::PI * radius_m;
+    let margin = if closed { CLOSED_DEPTH } else { OPEN_DEPTH };
+    let sag_m = margin * LONGEST_EDGE_M * LONGEST_EDGE_M / (8.0 * radius_m);
     if bounds.depth_is_bent && sag_m > tolerance.depth_m {
         DepthMethod::Fragment
     } else {

@@ -11,6 +11,8 @@ mod refine;
 mod skyline;
 mod stats;
 
+use std::collections::HashSet;
+
 use antipode_geometry::{ChunkCoord, SightCell};
 use antipode_scene::frame::{Frame, Quality};
 use glam::DVec3;
@@ -63,7 +65,9 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
     let mut stats = PlanStats::default();
     let candidates = candidates(frame, land, &mut stats);
     let bounds = Bounds::measure(frame, scale);
-    let kept = if tolerance.hides && frame.strategy.keeps_azimuths() {
+    let hides =
+        tolerance.hides && frame.strategy.keeps_azimuths() && !skyline::is_underground(frame, land);
+    let kept = if hides {
         unhidden(frame, land, candidates, scale, &tolerance, &mut stats)
     } else {
         candidates
@@ -133,10 +137,14 @@ fn unhidden(
     let mut columns = columns.into_iter().peekable();
     let mut order = candidates;
     order.sort_by_key(|candidate| candidate.ring);
+    let mut left_out = HashSet::new();
     let mut kept = Vec::with_capacity(order.len());
     for candidate in order {
         while let Some(column) = columns.next_if(|column| column.ring < candidate.ring) {
-            skyline.raise(&column);
+            // Land that was left out hides nothing, or what is left out would add up.
+            if !left_out.contains(&column.place) {
+                skyline.raise(&column);
+            }
         }
         let over_px = skyline.rises_px(&candidate.cell);
         let triangles = land[candidate.place].triangles;
@@ -144,6 +152,7 @@ fn unhidden(
             stats.triangles_hidden += triangles;
         } else if over_px < tolerance.small_px {
             stats.triangles_small += triangles;
+            left_out.insert(skyline::place_of(&land[candidate.place]));
             stats.error_at_least(over_px);
         } else {
             kept.push(candidate);

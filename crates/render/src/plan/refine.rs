@@ -7,12 +7,13 @@
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
+use antipode_geometry::Hemisphere;
 use antipode_scene::frame::{Frame, Quality};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec3, IVec3, Vec3};
 
 use super::ChunkLand;
-use super::bounds::Bounds;
+use super::bounds::{BendSteps, Bounds};
 use super::choice::LONGEST_EDGE_M;
 use super::quality::Tolerance;
 
@@ -25,39 +26,27 @@ const EYE_SLACK_M: f64 = 0.5 * 1.733 * EYE_GRID_M;
 const STEPS_PER_M: f32 = 4.0;
 /// Nothing farther is looked at, metres: meshes are not seen beyond it.
 const FARTHEST_M: f64 = 1e4;
-/// And for a dial on this grid, notches.
-const DIAL_GRID: f64 = 0.125;
 
-/// What a refinement was made for; another key asks for another.
+/// What a refinement was made for; another key asks for another. Together with the mesh it determines the
+/// refinement, so that two chunks with the same key agree on the edges they share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefineKey {
+    hemisphere: Hemisphere,
     eye: IVec3,
-    dial: i32,
-    lift: i32,
+    bends: BendSteps,
     quality: Quality,
 }
 
 impl RefineKey {
-    /// The key of a frame.
-    pub fn of(frame: &Frame) -> Self {
-        let eye = &frame.eye;
+    /// The key of a frame with these bounds.
+    pub fn of(frame: &Frame, bounds: &Bounds) -> Self {
+        let eye = &frame.eye.point;
         Self {
-            eye: (eye.point.pos / EYE_GRID_M).round().as_ivec3(),
-            dial: (eye.dial / DIAL_GRID).round() as i32,
-            lift: (eye.lift_m / EYE_GRID_M).round() as i32,
+            hemisphere: eye.hemisphere,
+            eye: (eye.pos / EYE_GRID_M).round().as_ivec3(),
+            bends: bounds.steps(),
             quality: frame.quality,
         }
-    }
-}
-
-impl RefineKey {
-    /// Whether a refinement for one key serves the other for a few frames: errors barely grow.
-    pub fn is_near(&self, other: &Self) -> bool {
-        let steps = (self.eye - other.eye).abs().max_element();
-        let turns = (self.dial - other.dial)
-            .abs()
-            .max((self.lift - other.lift).abs());
-        self.quality == other.quality && steps <= 1 && turns <= 1
     }
 }
 

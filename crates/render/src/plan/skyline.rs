@@ -24,15 +24,29 @@ const PARTS: [u32; 4] = [4, 4, 2, 2];
 pub struct Column {
     /// Steps in x plus steps in z from the eye's column.
     pub ring: u32,
+    /// Which column, in chunks along x and z.
+    pub place: IVec2,
     corner: DVec2,
     solid_below_m: f64,
+}
+
+/// The column of a chunk.
+pub fn place_of(chunk: &ChunkLand) -> IVec2 {
+    IVec2::new(chunk.coord.index.x, chunk.coord.index.z)
+}
+
+/// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
+pub fn is_underground(frame: &Frame, land: &[ChunkLand]) -> bool {
+    columns(frame, land)
+        .iter()
+        .any(|column| column.ring == 0 && column.solid_below_m > frame.eye.point.pos.y)
 }
 
 /// The columns that are known to be solid below some height.
 pub fn columns(frame: &Frame, land: &[ChunkLand]) -> Vec<Column> {
     let mut lowest: HashMap<IVec2, &ChunkLand> = HashMap::with_capacity(land.len());
     for chunk in land {
-        let key = IVec2::new(chunk.coord.index.x, chunk.coord.index.z);
+        let key = place_of(chunk);
         let entry = lowest.entry(key).or_insert(chunk);
         if chunk.coord.index.y < entry.coord.index.y {
             *entry = chunk;
@@ -46,6 +60,7 @@ pub fn columns(frame: &Frame, land: &[ChunkLand]) -> Vec<Column> {
             let origin = chunk.coord.origin();
             Some(Column {
                 ring: steps.x.unsigned_abs() + steps.y.unsigned_abs(),
+                place: key,
                 corner: DVec2::new(origin.x, origin.z),
                 solid_below_m: chunk.solid_below_m?,
             })

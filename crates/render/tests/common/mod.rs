@@ -79,6 +79,7 @@ impl Studio {
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.renderer.complete_next();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
