@@ -91,42 +91,55 @@ macro_rules! real {
             const FAR: Self = $far;
             const FAR_LEVEL: Self = $far_level;
 
+            #[inline]
             fn of(x: f64) -> Self {
                 x as Self
             }
+            #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
+            #[inline]
             fn sqrt(self) -> Self {
                 <$real>::sqrt(self)
             }
+            #[inline]
             fn abs(self) -> Self {
                 <$real>::abs(self)
             }
+            #[inline]
             fn max(self, other: Self) -> Self {
                 <$real>::max(self, other)
             }
+            #[inline]
             fn min(self, other: Self) -> Self {
                 <$real>::min(self, other)
             }
+            #[inline]
             fn sinc_cos(s: Self) -> [Self; 2] {
                 $functions::sinc_cos(s)
             }
+            #[inline]
             fn sinhc_cosh(t: Self) -> [Self; 2] {
                 $functions::sinhc_cosh(t)
             }
+            #[inline]
             fn sine_cosine(s: Self) -> [Self; 2] {
                 $functions::sine_cosine(s)
             }
+            #[inline]
             fn exp(t: Self) -> Self {
                 $functions::exp(t)
             }
+            #[inline]
             fn sinc_bend(s: Self, sign: Self) -> Self {
                 $functions::sinc_bend(s, sign)
             }
+            #[inline]
             fn angle(sine: Self, cosine: Self) -> Self {
                 $functions::angle(sine, cosine)
             }
+            #[inline]
             fn asinh(x: Self) -> Self {
                 $functions::asinh(x)
             }

@@ -11,6 +11,7 @@ use crate::real::Real;
 
 /// The point of the model at `p` radii. Domain: sign > 0, `f32`: r and |y| <= pi; sign < 0: r + |y|
 /// <= 350 in `f64`, 80 in `f32`.
+#[inline]
 pub fn point<T: Real>(sign: T, p: [T; 3]) -> [T; 4] {
     let [level, far] = sine_cosine(sign, p[0] * p[0] + p[2] * p[2]);
     let [up, upright] = sine_cosine(sign, p[1] * p[1]);
@@ -24,6 +25,7 @@ pub fn point<T: Real>(sign: T, p: [T; 3]) -> [T; 4] {
 
 /// The direction `v` at `p` on the chart's orthonormal frame: what is level turns with the radius,
 /// by `(cos(r) - 1)/r^2 = -sign/2 sinc^2(r/2)`, and the upright leans by the sine of y.
+#[inline]
 pub fn direction<T: Real>(sign: T, p: [T; 3], v: [T; 3]) -> [T; 4] {
     let square = p[0] * p[0] + p[2] * p[2];
     let along = v[0] * p[0] + v[2] * p[2];
@@ -42,6 +44,7 @@ pub fn direction<T: Real>(sign: T, p: [T; 3], v: [T; 3]) -> [T; 4] {
 
 /// A chart normal at `p` as a unit covector in the chart's frame: components divided by the axes'
 /// lengths, all times `c(y) sinc(r)`.
+#[inline]
 pub fn normal<T: Real>(sign: T, p: [T; 3], n: [T; 3]) -> [T; 3] {
     let square = p[0] * p[0] + p[2] * p[2];
     let level = sine_cosine(sign, square)[0];
@@ -51,6 +54,7 @@ pub fn normal<T: Real>(sign: T, p: [T; 3], n: [T; 3]) -> [T; 3] {
 
 /// The rule of [`normal`] with sinc(r), c(y) and (sinc(r) - 1)/r^2 given; all is divided by the
 /// greater of sinc(r) and 1, so that nothing overflows.
+#[inline]
 pub(crate) fn level_normal<T: Real>(p: [T; 3], n: [T; 3], level: T, upright: T, bend: T) -> [T; 3] {
     let along = bend * (n[0] * p[0] + n[2] * p[2]);
     let shrink = T::ONE / level.abs().max(T::ONE);

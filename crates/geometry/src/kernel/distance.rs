@@ -14,6 +14,7 @@ use crate::real::Real;
 
 /// `b - a`. The difference of two w near 1 has lost its digits; it follows from the rest, by
 /// `(bw - aw)(bw + aw) = -S <b - a, b + a>` over the first three coordinates.
+#[inline]
 fn chord<T: Real>(sign: T, a: [T; 4], b: [T; 4]) -> [T; 4] {
     let mut e = along(b, a, -T::ONE);
     let sum = along(b, a, T::ONE);
@@ -24,17 +25,20 @@ fn chord<T: Real>(sign: T, a: [T; 4], b: [T; 4]) -> [T; 4] {
 }
 
 /// The length of a chord, its squares summed in double precision: half an ulp.
+#[inline]
 fn chord_length<T: Real, const N: usize>(v: [T; N]) -> T {
     T::of(length(v.map(T::to_f64)))
 }
 
 /// Distance of two points of the unit three-sphere, 0 to pi.
+#[inline]
 pub fn spherical<T: Real>(a: [T; 4], b: [T; 4]) -> T {
     let sum = along(a, b, T::ONE);
     T::of(2.0) * T::angle(chord_length(chord(T::ONE, a, b)), chord_length(sum))
 }
 
 /// Distance of two points of the hyperboloid near its origin.
+#[inline]
 pub fn hyperbolic<T: Real>(a: [T; 4], b: [T; 4]) -> T {
     let e = chord(-T::ONE, a, b);
     let out = chord_length(space(e));
@@ -50,6 +54,7 @@ pub fn hyperbolic<T: Real>(a: [T; 4], b: [T; 4]) -> T {
 /// Distance of two points of the hyperboloid anywhere, from their spatial parts:
 /// `sinh^2(D/2) = sinh^2((ra - rb)/2) + sinh ra sinh rb sin^2(theta/2)` with ra, rb their distances
 /// from the origin and theta the angle between them there. Nothing large is subtracted.
+#[inline]
 pub fn hyperbolic_far<T: Real>(a: [T; 3], b: [T; 3]) -> T {
     let (sinh_a, sinh_b) = (length(a), length(b));
     let between = (T::asinh(sinh_a) - T::asinh(sinh_b)).abs() * T::HALF;
@@ -68,6 +73,7 @@ pub fn hyperbolic_far<T: Real>(a: [T; 3], b: [T; 3]) -> T {
 
 /// The unit tangent at `a` towards `b`. Where every direction leads there, at one point and at the
 /// antipode, it is `otherwise`: the surface's normal, a unit tangent at `a`.
+#[inline]
 pub fn direction<T: Real>(sign: T, a: [T; 4], b: [T; 4], otherwise: [T; 4]) -> [T; 4] {
     let e = chord(sign, a, b);
     let far = sign > T::ZERO && inner(sign, a, b) < T::ZERO;
@@ -94,6 +100,7 @@ pub fn direction<T: Real>(sign: T, a: [T; 4], b: [T; 4], otherwise: [T; 4]) -> [
 
 /// Distance from the eye, at the origin, to a point in view coordinates, in metres: `k` is the
 /// curvature in 1/m and `sign` its sign.
+#[inline]
 pub fn from_eye<T: Real>(sign: T, k: T, radius_m: T, view: [T; 4]) -> T {
     let rho = length(space(view));
     if sign > T::ZERO {

@@ -10,6 +10,7 @@ use crate::real::Real;
 
 /// The point of the model at `q` radii. Domain: sign > 0, `f32`: d <= pi; sign < 0: d <= 350 in
 /// `f64`, 80 in `f32`.
+#[inline]
 pub fn point<T: Real>(sign: T, q: [T; 3]) -> [T; 4] {
     let [sinc, cos] = sine_cosine(sign, dot(q, q));
     [q[0] * sinc, q[1] * sinc, q[2] * sinc, cos]
@@ -17,6 +18,7 @@ pub fn point<T: Real>(sign: T, q: [T; 3]) -> [T; 4] {
 
 /// The direction `v` at `q` by parallel transport: `v - sign/2 sinc^2(d/2) <v,q> q`, and
 /// `-sign sinc(d) <v,q>` for w.
+#[inline]
 pub fn direction<T: Real>(sign: T, q: [T; 3], v: [T; 3]) -> [T; 4] {
     let along_ray = dot(v, q);
     let quarter = T::HALF * T::HALF * dot(q, q);
@@ -34,6 +36,7 @@ pub fn direction<T: Real>(sign: T, q: [T; 3], v: [T; 3]) -> [T; 4] {
 /// A chart normal at `q` as a unit covector in the frame carried out along the ray: the inverse
 /// transpose of the differential. The part along the ray stays, the part across shrinks by sinc d:
 /// `n/sinc + q (1 - 1/sinc) <n,q>/d^2`.
+#[inline]
 pub fn normal<T: Real>(sign: T, q: [T; 3], n: [T; 3]) -> [T; 3] {
     let s = dot(q, q);
     // Far out the part across is below the reach of the part along.
@@ -43,6 +46,7 @@ pub fn normal<T: Real>(sign: T, q: [T; 3], n: [T; 3]) -> [T; 3] {
 }
 
 /// `(sinc - 1)/s`, from a sinc already known where that does not cancel.
+#[inline]
 pub(crate) fn bend<T: Real>(sign: T, s: T, sinc: T) -> T {
     if s < T::of(4.0) || sign > T::ZERO {
         T::sinc_bend(s, sign)
@@ -52,6 +56,7 @@ pub(crate) fn bend<T: Real>(sign: T, s: T, sinc: T) -> T {
 }
 
 /// The sine over its argument and the cosine that belong to a sign, for `t^2 = s`.
+#[inline]
 pub fn sine_cosine<T: Real>(sign: T, s: T) -> [T; 2] {
     if sign > T::ZERO {
         T::sinc_cos(s)

@@ -4,6 +4,7 @@ use super::linear::{along, dot, inner, scaled, space};
 use crate::real::Real;
 
 /// The product of two matrices, given and returned by columns.
+#[inline]
 pub fn product<T: Real>(a: [[T; 4]; 4], b: [[T; 4]; 4]) -> [[T; 4]; 4] {
     b.map(|column| {
         let mut sum = scaled(a[0], column[0]);
@@ -15,12 +16,14 @@ pub fn product<T: Real>(a: [[T; 4]; 4], b: [[T; 4]; 4]) -> [[T; 4]; 4] {
 }
 
 /// The inner product, summed in double precision.
+#[inline]
 fn product_of<T: Real>(sign: T, a: [T; 4], b: [T; 4]) -> f64 {
     inner(sign.to_f64(), a.map(T::to_f64), b.map(T::to_f64))
 }
 
 /// A frame (three tangents and the point, by columns) made orthonormal again after rounding: the
 /// point first, since it says where the frame is, then x, y, z in turn. `sign` is not 0.
+#[inline]
 pub fn orthonormalized<T: Real>(sign: T, frame: [[T; 4]; 4]) -> [[T; 4]; 4] {
     let [x, y, z, point] = frame;
     let unit = |v: [T; 4]| {

@@ -30,6 +30,7 @@ pub struct HorizonMap<T> {
 
 impl HorizonMap<f64> {
     /// The map of a curvature per square metre, from `lift_m` metres over the sheet.
+    #[inline]
     pub fn new(kappa: f64, lift_m: f64) -> Self {
         let k = kappa.abs().sqrt();
         let [sinc, cos] = f64::sine_cosine(kappa * lift_m * lift_m);
@@ -46,6 +47,7 @@ impl HorizonMap<f64> {
 
 impl HorizonMap<f32> {
     /// The map as the shader has it: `curve`, k of `edge` and the radius of a `SpaceUniform`.
+    #[inline]
     pub fn from_uniform([kappa, lift_m, sin, cos]: [f32; 4], k: f32, radius_m: f32) -> Self {
         Self {
             kappa,
@@ -60,6 +62,7 @@ impl HorizonMap<f32> {
 
 impl<T: Real> HorizonMap<T> {
     /// A displacement from the eye, drawn in where products of coordinates would leave the range.
+    #[inline]
     pub fn within_range(&self, u: [T; 3]) -> [T; 3] {
         if self.kappa < T::ZERO {
             drawn_in(u, T::FAR_LEVEL * self.radius_m)
@@ -69,6 +72,7 @@ impl<T: Real> HorizonMap<T> {
     }
 
     /// Ported and boosted, xyz in metres, before the camera's rotation.
+    #[inline]
     pub fn port(&self, u: [T; 3]) -> [T; 4] {
         let [x, y, z] = self.within_range(u);
         let square = x * x + z * z;
@@ -85,6 +89,7 @@ impl<T: Real> HorizonMap<T> {
     }
 
     /// S(y), C(y) and C(y + H) for a climb of y metres from the eye.
+    #[inline]
     fn climb(&self, y: T) -> [T; 3] {
         let steep = self.k * y.abs();
         if self.kappa < T::ZERO && steep > T::ONE {
@@ -106,6 +111,7 @@ impl<T: Real> HorizonMap<T> {
 
     /// A chart normal at `u` as a unit covector in the chart's frame: lengths along the radial,
     /// tangential and upward axes are C(y), C(y) S(r)/r and 1 per chart metre.
+    #[inline]
     pub fn normal(&self, u: [T; 3], n: [T; 3]) -> [T; 3] {
         let u = self.within_range(u);
         let square = u[0] * u[0] + u[2] * u[2];

@@ -23,6 +23,7 @@ const BEND: [f64; 12] = [
 const BEND_TO: f64 = 4.0;
 
 /// (sin(t)/t, cos(t)) for t^2 = s >= 0: 2.5 ulp where t is within a right angle.
+#[inline]
 pub fn sinc_cos(s: f64) -> [f64; 2] {
     let t = s.sqrt();
     let (sin, cos) = t.sin_cos();
@@ -31,6 +32,7 @@ pub fn sinc_cos(s: f64) -> [f64; 2] {
 
 /// (sinh(t)/t, cosh(t)) for |t| to 709: 3 ulp. With m = e^t - 1: `sinh = (m + m/(m + 1))/2` and
 /// `cosh = (m + 1 + 1/(m + 1))/2`.
+#[inline]
 pub fn sinhc_cosh(t: f64) -> [f64; 2] {
     let a = t.abs();
     if a == 0.0 {
@@ -42,6 +44,7 @@ pub fn sinhc_cosh(t: f64) -> [f64; 2] {
 }
 
 /// The sine over its argument and the cosine of either curvature, for s = kappa t^2.
+#[inline]
 pub fn sine_cosine(s: f64) -> [f64; 2] {
     if s > 0.0 {
         sinc_cos(s)
@@ -51,11 +54,13 @@ pub fn sine_cosine(s: f64) -> [f64; 2] {
 }
 
 /// e to the t: 1 ulp.
+#[inline]
 pub fn exp(t: f64) -> f64 {
     t.exp()
 }
 
 /// (sin(t)/t - 1)/t^2 where `sign` > 0, else (sinh(t)/t - 1)/t^2; t^2 = s: 3 ulp.
+#[inline]
 pub fn sinc_bend(s: f64, sign: f64) -> f64 {
     let curved = if sign > 0.0 { s } else { -s };
     if s >= BEND_TO {
@@ -66,12 +71,14 @@ pub fn sinc_bend(s: f64, sign: f64) -> f64 {
 }
 
 /// atan2(sine, cosine): 1 ulp.
+#[inline]
 pub fn angle(sine: f64, cosine: f64) -> f64 {
     sine.atan2(cosine)
 }
 
 /// asinh(x): `log1p(x + x^2/(1 + sqrt(1 + x^2)))`, 3 ulp; past 1e150, where squares overflow,
 /// log(x) + log 2.
+#[inline]
 pub fn asinh(x: f64) -> f64 {
     if x > 1e150 {
         return x.ln() + std::f64::consts::LN_2;

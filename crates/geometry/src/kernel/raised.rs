@@ -28,6 +28,7 @@ pub struct RaisedMap<T> {
 
 impl RaisedMap<f64> {
     /// The map of a radius and an offset, both in metres.
+    #[inline]
     pub fn new(radius_m: f64, offset_m: f64) -> Self {
         let offset = offset_m / radius_m;
         let [sinhc, cosh] = f64::sinhc_cosh(offset);
@@ -44,6 +45,7 @@ impl RaisedMap<f64> {
 
 impl RaisedMap<f32> {
     /// The map as the shader has it: `curve` and the radius of a `SpaceUniform`.
+    #[inline]
     pub fn from_uniform([k, offset, sinh, cosh]: [f32; 4], radius_m: f32) -> Self {
         Self {
             k,
@@ -58,11 +60,13 @@ impl RaisedMap<f32> {
 
 impl<T: Real> RaisedMap<T> {
     /// A displacement from the eye, drawn in where it is too far to port.
+    #[inline]
     pub fn within_range(&self, u: [T; 3]) -> [T; 3] {
         drawn_in(u, T::FAR * self.radius_m)
     }
 
     /// Ported and boosted, xyz in metres, before the camera's rotation.
+    #[inline]
     pub fn port(&self, u: [T; 3]) -> [T; 4] {
         let (k, c) = (self.k, self.offset_m);
         let [x, y, z] = self.within_range(u);
@@ -90,6 +94,7 @@ impl<T: Real> RaisedMap<T> {
     }
 
     /// sinh(kd)/(kd), and sinh(k delta)/k with cosh(k delta).
+    #[inline]
     fn sines(&self, d: T, delta: T) -> (T, [T; 2]) {
         let k = self.k;
         if k * delta > T::of(2.0) {
@@ -107,6 +112,7 @@ impl<T: Real> RaisedMap<T> {
     }
 
     /// A chart normal at `u` as a unit covector in the frame of the exponential chart.
+    #[inline]
     pub fn normal(&self, u: [T; 3], n: [T; 3]) -> [T; 3] {
         let mut q = scaled(self.within_range(u), self.k);
         q[1] = q[1] + self.offset;

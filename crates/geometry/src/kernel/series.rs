@@ -113,6 +113,7 @@ const LOG: [f32; 9] = [
 ];
 
 /// A polynomial by Horner's rule, the constant first.
+#[inline]
 fn polynomial<const N: usize>(x: f32, coefficients: &[f32; N]) -> f32 {
     let (last, rest) = coefficients
         .split_last()
@@ -123,6 +124,7 @@ fn polynomial<const N: usize>(x: f32, coefficients: &[f32; N]) -> f32 {
 /// (sin(t)/t, cos(t)) for t^2 = s, t up to pi; past t^2 = 3.2 from the half angle:
 /// sin t = 2 sin cos, cos t = 2 cos^2 - 1. The sine over t to 1.5 ulp up to a right angle, both to
 /// 1.5 ulp of 1 everywhere.
+#[inline]
 pub fn sinc_cos(s: f32) -> [f32; 2] {
     let far = s > OBTUSE;
     let q = if far { 0.25 * s } else { s };
@@ -136,6 +138,7 @@ pub fn sinc_cos(s: f32) -> [f32; 2] {
 }
 
 /// (sinh(t)/t, cosh(t)) for t^2 = s up to 1.
+#[inline]
 fn sinhc_cosh_near(s: f32) -> [f32; 2] {
     [
         1.0 + s * polynomial(s, &SINH_BEND),
@@ -145,6 +148,7 @@ fn sinhc_cosh_near(s: f32) -> [f32; 2] {
 
 /// exp(t)/2 for 0 <= t < 88 as a power of two a, what of t is left over its exponent, times a, and
 /// the rest: it is their sum, and the second is exact.
+#[inline]
 fn half_exp(t: f32) -> [f32; 3] {
     let n = (t * LOG2_E + 0.4).floor();
     let high = t - n * LN2_HIGH;
@@ -155,6 +159,7 @@ fn half_exp(t: f32) -> [f32; 3] {
 }
 
 /// e to the t for 0 <= t < 88: 1 ulp.
+#[inline]
 pub fn exp(t: f32) -> f32 {
     let [a, high, low] = half_exp(t);
     2.0 * (a + (high + low))
@@ -162,6 +167,7 @@ pub fn exp(t: f32) -> f32 {
 
 /// (sinh(t)/t, cosh(t)) for |t| to 81: series to 1, where nothing cancels, then exponentials, the
 /// greatest part added last: 1.6 ulp.
+#[inline]
 pub fn sinhc_cosh(t: f32) -> [f32; 2] {
     let t = t.abs();
     if t < 1.0 {
@@ -173,6 +179,7 @@ pub fn sinhc_cosh(t: f32) -> [f32; 2] {
 }
 
 /// The sine over its argument and the cosine of either curvature, for s = kappa t^2.
+#[inline]
 pub fn sine_cosine(s: f32) -> [f32; 2] {
     if s > 0.0 {
         return sinc_cos(s);
@@ -184,6 +191,7 @@ pub fn sine_cosine(s: f32) -> [f32; 2] {
 }
 
 /// (sin(t)/t - 1)/t^2 where `sign` > 0, t to pi, else (sinh(t)/t - 1)/t^2, t to 80; t^2 = s.
+#[inline]
 pub fn sinc_bend(s: f32, sign: f32) -> f32 {
     if sign > 0.0 {
         return polynomial(s, &SIN_BEND);
@@ -196,6 +204,7 @@ pub fn sinc_bend(s: f32, sign: f32) -> f32 {
 
 /// atan2(sine, cosine) for sine >= 0. The ratio of the lesser to the greater goes through the
 /// series, taken from 1/2 where it is more, and one sum adds what the octant begins with.
+#[inline]
 pub fn angle(sine: f32, cosine: f32) -> f32 {
     let c = cosine.abs();
     let (low, high) = (sine.min(c), sine.max(c));
@@ -226,6 +235,7 @@ pub fn angle(sine: f32, cosine: f32) -> f32 {
 /// asinh(x) for x >= 0. Past 3/4 it is the logarithm of x + sqrt(x^2 + 1) = 2x + r, with
 /// `r = 1/(x + sqrt(x^2 + 1))`: the mantissa of 2x less 1 is exact, and r is added to that small
 /// number, not to 2x.
+#[inline]
 pub fn asinh(x: f32) -> f32 {
     if x < 0.75 {
         let s = x * x;

@@ -14,6 +14,7 @@ use crate::real::Real;
 /// With m = n sin(d/2) and c = cos(d/2): `I - 2 sign m m^T`, `2 c m`, `-2 sign c m^T` and
 /// `1 - 2 sign m.m`. On the sphere 2 is replaced by `2/(m.m + c^2)`, which makes the matrix
 /// orthogonal whatever the rounding of m and c.
+#[inline]
 pub fn translation<T: Real>(sign: T, q: [T; 3]) -> [[T; 4]; 4] {
     let [sinc, c] = sine_cosine(sign, T::HALF * T::HALF * dot(q, q));
     let m = scaled(q, T::HALF * sinc);
