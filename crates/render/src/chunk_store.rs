@@ -270,13 +270,13 @@ fn filled(
     mesh: &Refined,
 ) -> MeshBuffers {
     let (vertices, indices) = (mesh.vertices.len(), mesh.indices.len());
-    let mut buffers = match spare.iter().position(|b| b.has_room(vertices, indices)) {
-        Some(place) => spare.swap_remove(place),
-        None => {
-            // What is too small for one mesh is of little use for the next.
-            spare.truncate(MOST_SPARE);
-            MeshBuffers::roomy(device, vertices, indices)
-        }
+    let place = spare.iter().position(|b| b.has_room(vertices, indices));
+    let mut buffers = if let Some(place) = place {
+        spare.swap_remove(place)
+    } else {
+        // What is too small for one mesh is of little use for the next.
+        spare.truncate(MOST_SPARE);
+        MeshBuffers::roomy(device, vertices, indices)
     };
     buffers.fill(queue, &mesh.vertices, &mesh.indices);
     buffers

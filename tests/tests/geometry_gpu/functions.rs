@@ -219,11 +219,14 @@ fn dense_inputs_hold_on_the_adapter() {
 
 /// On both sides of every branch the values stay within the bounds of their own side, so they part
 /// by no more than the bounds together.
+/// A column, where it changes branches, its bound there, and the function itself.
+type Turn = (usize, f32, f64, fn(f64) -> f64);
+
 #[test]
 fn neighbours_of_every_branch_hold_on_the_adapter() {
     let around =
         |x: f32| (-40..=40).map(move |i| f32::from_bits(x.to_bits().wrapping_add_signed(i)));
-    let points: &[(usize, f32, f64, fn(f64) -> f64)] = &[
+    let points: &[Turn] = &[
         (0, 3.2, 1.5, |s| library::sinc_cos(s)[0]),
         (1, 3.2, 1.5, |s| library::sinc_cos(s)[1]),
         (2, 1.0, 1.6, |t| library::sinhc_cosh(t)[0]),

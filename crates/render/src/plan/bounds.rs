@@ -182,7 +182,7 @@ impl Bounds {
     }
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
-    pub fn nearest_chart_m(&self, frame: &Frame, chunk: &ChunkLand) -> f64 {
+    pub fn nearest_chart_m(frame: &Frame, chunk: &ChunkLand) -> f64 {
         let mut eye = frame.eye.point;
         if eye.hemisphere != chunk.coord.hemisphere {
             match frame.strategy.carry(eye) {
@@ -208,7 +208,7 @@ impl Bounds {
         }
         let tolerance_px = CRACK_SHARE * tolerance_px;
         let size = chunk.max - chunk.min;
-        let guess = self.bend_px(self.nearest_chart_m(frame, chunk)) * size.length_squared();
+        let guess = self.bend_px(Self::nearest_chart_m(frame, chunk)) * size.length_squared();
         if guess > FRAME_WORTH_TRYING * tolerance_px {
             return None;
         }

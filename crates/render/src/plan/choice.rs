@@ -67,7 +67,7 @@ pub fn choose(
     let affine = bounds
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);
-    let near_m = bounds.nearest_chart_m(frame, chunk);
+    let near_m = Bounds::nearest_chart_m(frame, chunk);
     let refine = affine.is_none() && near_m < bounds.refine_within_m(tolerance);
     let (port, error_px) = match affine {
         Some((affine, error_px)) => (Port::Frame(affine), error_px),

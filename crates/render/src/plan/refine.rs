@@ -317,7 +317,7 @@ mod tests {
         for corners in mesh.indices.as_chunks::<3>().0 {
             for i in 0..3 {
                 let mut ends = [place(corners[i]), place(corners[(i + 1) % 3])];
-                ends.sort_by_key(|p| p.to_array());
+                ends.sort_by_key(IVec3::to_array);
                 *uses.entry(ends).or_insert(0) += 1;
             }
         }
