@@ -1,6 +1,8 @@
 //! `antipode lab`: the laboratory from the command line. It prints tables, writes reports, and fails where a bar
 //! is not met.
 
+use std::fs::OpenOptions;
+use std::path::Path;
 use std::path::PathBuf;
 
 use antipode_lab::accuracy::{self, Bench};
@@ -66,6 +68,7 @@ pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
             return report.write_docs(docs).map_err(failure);
         }
     };
+    writable(outputs)?;
     let report = measured(outputs, wanted, common)?;
     if let Some(file) = &outputs.json {
         report.write_json(file).map_err(failure)?;
@@ -77,6 +80,22 @@ pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
         report.write_docs(directory).map_err(failure)?;
     }
     judged(&report)
+}
+
+/// Looks before minutes of measuring whether what comes of it can be written.
+fn writable(outputs: &Outputs) -> Result<(), Failure> {
+    let told = |path: &Path, error: std::io::Error| {
+        Failure::Runtime(format!("{} cannot be written: {error}", path.display()))
+    };
+    if let Some(file) = &outputs.json {
+        let mut opened = OpenOptions::new();
+        opened.create(true).append(true);
+        opened.open(file).map_err(|error| told(file, error))?;
+    }
+    for directory in [&outputs.report, &outputs.docs].into_iter().flatten() {
+        std::fs::create_dir_all(directory).map_err(|error| told(directory, error))?;
+    }
+    Ok(())
 }
 
 /// Measures and prints, one section after another.
