@@ -155,6 +155,7 @@ pub(crate) struct Axis {
 }
 
 impl Axis {
+    /// The upright through an eye that high over the sheet, in metres.
     pub fn new(kappa: f64, height_m: f64) -> Self {
         Self {
             kappa,

@@ -19,6 +19,7 @@ use crate::error::LabError;
 
 /// The picture that pixels are counted in.
 pub const WIDTH: f64 = 1280.0;
+/// Height of that picture in pixels.
 pub const HEIGHT: f64 = 720.0;
 /// Near distance in metres.
 pub const NEAR_M: f64 = 0.05;

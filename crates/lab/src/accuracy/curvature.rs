@@ -12,6 +12,7 @@ use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::error::LabError;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Points up to 300 m away are projected while the curvature is swept; errors are in pixels of a picture of 1280 by 720. A world of radius R has the curvature 1/R: raised maps go from 1e-30 per metre to the world's own 1/20, the horizon map to its top of 1/4 per metre, and a flat world is bent through zero.",
     "The textbook switches to the flat formula below a curvature of 1e-3 per metre; the whole bend of that curvature appears at once.",

@@ -15,6 +15,7 @@ use crate::error::LabError;
 use crate::naive;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "The step is the least difference in distance that two neighbouring depths tell apart, in radii. The textbook puts hyperboloid coordinates through the usual projection into 24 bits, with the near plane at 0.01.",
     "For the order, pairs of surfaces a little apart along the same line of sight are put through the port and the projection; a pair whose depths are not in the order of their distances is a fault.",

@@ -18,6 +18,7 @@ use crate::error::LabError;
 use crate::random::Numbers;
 use crate::{compute, naive, single};
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Distances between two points of the model at separations from 1e-8 to the far end, both near the camera, where positions are kept; the textbook takes acosh or acos of the inner product. Distances from the eye are those the shaders take for fog.",
     "A light's direction is that from the surface to the light at the surface: its error here is that of its length. At separation 0 there is none, and the surface normal takes its place.",

@@ -12,6 +12,7 @@ use crate::compute;
 use crate::error::LabError;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Each function over its range, in ulp of the exact result; a cosine is in ulp of 1 where it is less. The textbook column is the system's own function in f32 on the processor, and the built-in function of WGSL on the adapter: WGSL allows sin and cos an absolute error of 2^-11 and atan2 4096 ulp, and defines sinh, cosh, asinh and acosh by formulas that cancel.",
     "Built-in functions that have no counterpart of ours are listed for what they are; they have no bar.",

@@ -15,6 +15,7 @@ use crate::error::LabError;
 use crate::random::Numbers;
 use crate::{naive, single};
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "The angle between the normal of the port and the exact one. Far off in hyperbolic space the part of a normal across the ray shrinks by sinh(d)/d, so that a normal nearly across it turns by that much more than its inputs do; the error is divided by what a rounding of the inputs is multiplied by.",
     "The textbook carries the normal along like a direction. Its error is one of the model, not of the arithmetic; at d = 1, 2 and 3 it is given for the worst normal, ours there without any division.",

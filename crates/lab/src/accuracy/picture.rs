@@ -13,6 +13,7 @@ use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::error::LabError;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "The hardware draws the edges of triangles straight, where geodesics between their ends would bow. The row is the gap at the middle of an edge of one voxel in pixels of a picture of 1280 by 720, anywhere from a voxel and a half before the camera to 200 m, when edges are halved up to five times until each part strays by less than half a pixel; the textbook column draws them whole.",
     "A chunk is culled wrongly if a point of a dense sample of it is in the picture. The textbook culls the chunk's box in the chart with a straight frustum. Waste is the share of kept chunks of which no sample is in the picture; a sample may miss a corner, so it is an upper bound.",

@@ -17,6 +17,7 @@ use crate::error::LabError;
 use crate::random::Numbers;
 use crate::{compute, naive, single};
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "A point at distance d from the centre goes through the chart; the error of its spatial part is relative to that part's length, that of w to w, or to 1 where w is less, both in parts of 2^-23 (2^-52 for f64), the ulp of 1. Beyond d = 3 the error is divided by d: one ulp of d is d to 2 d ulp of sinh d, whatever the formula. Nothing beyond d = 20 is drawn, and the shader draws points in from 79, or 38 where two hyperboloid coordinates are multiplied. Below 1e-18 the squares of f32 underflow; the fuzz covers those.",
     "The textbook column is the exponential chart with the system's own sin, cos, sinh and cosh, and no guard at 0.",

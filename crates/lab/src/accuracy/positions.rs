@@ -16,6 +16,7 @@ use crate::error::LabError;
 use crate::naive;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Vertices of chunks at least 1.6 m from the camera, as far down as its feet, are drawn at growing distances from the origin of the world. The textbook keeps world positions in f32.",
     "At a seam the same vertex is in two chunks: at 32 m along one of them and at 0 along the next. The row says how far apart the two are seen; it has to be nothing, bit for bit.",

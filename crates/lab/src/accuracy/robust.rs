@@ -11,6 +11,7 @@ use crate::error::LabError;
 use crate::naive;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Points, normals and boxes with coordinates of every exponent that f32 has, of both signs, and zeros among them, go through the port, normal, projection, distance and the cell that culling tests. No answer may be NaN or infinite. On a sphere the domain is its chart, within its rim and under its ceiling; everywhere else it is half the range of f32, so that lengths are in it too.",
     "The same inputs are computed twice on the adapter, and on one and on several threads of the processor; the row counts answers that differ in any bit.",

@@ -15,6 +15,7 @@ use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::error::LabError;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Errors are distances between two computed points in units of the radius, which is their angle on the sphere.",
     "At the equator a point is written in both charts and ported from both; the difference of the two is the jump of a picture when a body changes charts. Beside it stands the rule of the theses, exponential charts about both poles that are changed where the level distance passes a right angle: at a height of half a radius on a sphere of 20 m the picture jumps by 3.1 voxels.",

@@ -12,6 +12,7 @@ use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::error::LabError;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "100 random cameras in each space and map, and vertices of chunks all around each. A vertex goes the way the game sends it: the chunk's corner from the whole metres next to the camera, to which the shader adds the place in the chunk and takes off the rest of a metre. Those in the picture of 1280 by 720 with a vertical field of view of 75 degrees are compared with the f64 port of the same vertex; the worst vertex is given with its camera. Nothing may be off by half a pixel.",
     "The textbook column keeps world positions in f32, 10 km from the origin at most, and does everything else exactly.",

@@ -16,6 +16,7 @@ use crate::error::LabError;
 use crate::naive;
 use crate::random::Numbers;
 
+/// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "A point is put at a distance from the camera in the chart, ported, and the angle between its direction in view coordinates and the exact one is taken. A pixel is about 1e-3 rad. The textbook ports in f32 and boosts back to the eye.",
     "The roaming camera walks D radii away from the origin and looks at a point one radius off. The textbook keeps camera and point as hyperboloid coordinates in f32. Ours subtracts the camera in the chart first, so that nothing grows.",
