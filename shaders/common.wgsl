@@ -17,7 +17,7 @@ struct Scene {
     key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,
-    ambient_ground: vec4<f32>,    // rgb; w: how many shades there are
+    ambient_ground: vec4<f32>,
     fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
 }

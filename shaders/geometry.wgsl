@@ -74,19 +74,26 @@ fn geo_cosh_bend(s: f32) -> f32 {
         + s * 2.75438339e-7)));
 }
 
+// (sin(t)/t - 1, cos(t) - 1) for s = t^2 up to GEO_OBTUSE: 1.5 ulp of themselves.
+fn geo_sinc_cos_excess(s: f32) -> vec2<f32> {
+    return vec2<f32>(
+        s * (-1.66666672e-1 + s * (8.33335239e-3 + s * (-1.98431677e-4
+            + s * (2.76172841e-6 + s * -2.51061216e-8)))),
+        s * (-0.5 + s * (4.16666679e-2 + s * (-1.38889183e-3
+            + s * (2.48037995e-5 + s * (-2.76158772e-7 + s * 2.09655426e-9))))),
+    );
+}
+
 // (sin(t)/t, cos(t)) for s = t^2, t up to pi; past t^2 = 3.2 from the half angle, by
 // sin t = 2 sin cos and cos t = 2 cos^2 - 1. The sine over t to 1.5 ulp up to a right angle, both
 // to 1.5 ulp of 1 everywhere.
 fn geo_sinc_cos(s: f32) -> vec2<f32> {
     let far = s > GEO_OBTUSE;
     let q = select(s, 0.25 * s, far);
-    let sinc = 1.0 + q * (-1.66666672e-1 + q * (8.33335239e-3 + q * (-1.98431677e-4
-        + q * (2.76172841e-6 + q * -2.51061216e-8))));
-    let cosine = 1.0 + q * (-0.5 + q * (4.16666679e-2 + q * (-1.38889183e-3
-        + q * (2.48037995e-5 + q * (-2.76158772e-7 + q * 2.09655426e-9)))));
+    let near = 1.0 + geo_sinc_cos_excess(q);
     return vec2<f32>(
-        select(sinc, sinc * cosine, far),
-        select(cosine, 2.0 * (cosine * cosine) - 1.0, far),
+        select(near.x, near.x * near.y, far),
+        select(near.y, 2.0 * (near.y * near.y) - 1.0, far),
     );
 }
 
@@ -95,36 +102,92 @@ fn geo_sinhc_cosh_near(s: f32) -> vec2<f32> {
     return vec2<f32>(1.0 + s * geo_sinh_bend(s), 1.0 + s * geo_cosh_bend(s));
 }
 
-// exp(t)/2 for 0 <= t < 88 as a power of two a, what of t is left over its exponent, times a, and
-// the rest: it is their sum, and the second is exact. The series is (exp(x) - 1 - x)/x^2 on
-// -0.4 ln(2) <= x <= 0.6 ln(2).
-fn geo_half_exp(t: f32) -> vec3<f32> {
+// Half of exp(t + rest), 0 <= t < 88 and |rest| an ulp of t at most, as a power of two a, high and
+// low: a (1 + (high + low)). High is what of t is left over the exponent, and exact. The series is
+// (exp(x) - 1 - x)/x^2 on -0.4 ln(2) <= x <= 0.6 ln(2).
+fn geo_half_exp_parts(t: f32, rest: f32) -> vec3<f32> {
     let n = floor(t * GEO_LOG2_E + 0.4);
     let high = t - n * GEO_LN2_HIGH;
-    let low = n * GEO_LN2_LOW;
+    let low = n * GEO_LN2_LOW - rest;
     let x = high - low;
     let a = bitcast<f32>(u32(i32(n) + 126) << 23u);
     let p = 0.5 + x * (0.166666687 + x * (0.0416666009 + x * (0.00833224598
         + x * (0.00139144086 + x * 0.000209505859))));
-    return vec3<f32>(a, a * high, a * (x * (x * p) - low));
+    return vec3<f32>(a, high, x * (x * p) - low);
+}
+
+// The same, and half of exp(-t) in a: (a, high, low, fade); t >= 1.
+fn geo_half_exp(t: f32, rest: f32) -> vec4<f32> {
+    let e = geo_half_exp_parts(t, rest);
+    return vec4<f32>(e, 0.25 / (e.x * (1.0 + (e.y + e.z))) / e.x);
 }
 
 // exp(t) for 0 <= t < 88: 1.2 ulp.
 fn geo_exp(t: f32) -> f32 {
-    let e = geo_half_exp(t);
-    return 2.0 * (e.x + (e.y + e.z));
+    let e = geo_half_exp_parts(t, 0.0);
+    return 2.0 * e.x * (1.0 + (e.y + e.z));
 }
 
 // (sinh(t)/t, cosh(t)) for |t| <= 81: series to 1, where nothing cancels, then exponentials, the
-// greatest part added last. The sine over t to 1.6 ulp, the cosine to 1.5.
+// greatest part added last: 1.5 ulp. What is divided by t goes in two parts, the first of them
+// short, so that no rounding is doubled by the quotient.
 fn geo_sinhc_cosh(t: f32) -> vec2<f32> {
     let a = abs(t);
     if a < 1.0 {
         return geo_sinhc_cosh_near(a * a);
     }
-    let e = geo_half_exp(a);
-    let r = 0.25 / (e.x + (e.y + e.z));
-    return vec2<f32>((e.x + (e.y + (e.z - r))) / a, e.x + (e.y + (e.z + r)));
+    let e = geo_half_exp(a, 0.0);
+    let sine = e.z - e.w;
+    let short = bitcast<f32>(bitcast<u32>(1.0 + (e.y + sine)) & 0xfffff000u);
+    let left = ((1.0 - short) + e.y) + sine;
+    return vec2<f32>(e.x * (short / a + left / a), e.x * (1.0 + (e.y + (e.z + e.w))));
+}
+
+// The length of a vector and what rounding took from it, to 2^-33 of the length: half of
+// q.q - t^2 over t. Each coordinate and t are cut at one place, 11 bits from t's first; squares of
+// what is before it add up without rounding in any order, fused or not. Lengths from 1e-15 to 1e18.
+fn geo_length_rest(q: vec3<f32>) -> vec2<f32> {
+    let t = sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+    let exponent = bitcast<u32>(t) & 0x7f800000u;
+    let unit = bitcast<f32>(exponent) * 0.0009765625;
+    let per_unit = bitcast<f32>(0x7f000000u - exponent) * 1024.0;
+    let v = vec4<f32>(q, t);
+    let h = floor(v * per_unit + 0.5) * unit;
+    let before = h.x * h.x + h.y * h.y + h.z * h.z - h.w * h.w;
+    let b = (v - h) * (v + h);
+    return vec2<f32>(t, (before + (b.x + b.y + b.z - b.w)) * (0.5 / t));
+}
+
+// What sin(t)/t and cos(t), or their hyperbolic counterparts, exceed 1 by, for s = kappa t^2 from
+// -1 to pi^2: both to half an ulp of 1 before they are added to it, and no less exact near 0.
+fn geo_excess(s: f32) -> vec2<f32> {
+    if s <= 0.0 {
+        return vec2<f32>(-s * geo_sinh_bend(-s), -s * geo_cosh_bend(-s));
+    }
+    if s <= GEO_OBTUSE {
+        return geo_sinc_cos_excess(s);
+    }
+    return geo_sinc_cos(s) - 1.0;
+}
+
+// Sine and cosine in parts, (scale, sine, cosine, divisor), for the length of `q` radii under a
+// curvature of 1 or -1: sinc = scale (1 + sine) / divisor and cosine = scale (1 + cosine), scale a
+// power of two. A product of two of them has one rounding, by geo_product, and not three.
+fn geo_parts(sign: f32, q: vec3<f32>) -> vec4<f32> {
+    let s = sign * (q.x * q.x + q.y * q.y + q.z * q.z);
+    if s > -1.0 {
+        return vec4<f32>(1.0, geo_excess(s), 1.0);
+    }
+    let t = geo_length_rest(q);
+    let e = geo_half_exp(t.x, t.y);
+    // sinh/(t + rest) is sinh/t less its part rest/t.
+    let sine = e.y + (e.z - e.w);
+    return vec4<f32>(e.x, sine - (1.0 + sine) * (t.y / t.x), e.y + (e.z + e.w), t.x);
+}
+
+// (1 + x)(1 + y), scaled, with one rounding of the size of the answer.
+fn geo_product(scale: f32, x: f32, y: f32) -> f32 {
+    return scale + scale * (x + (y + x * y));
 }
 
 // The sine over its argument and the cosine of any curvature: `s` is kappa t^2, from -81^2 to pi^2.
@@ -282,38 +345,63 @@ fn geo_within_horizon(space: Space, p: vec3<f32>) -> vec3<f32> {
     return bounded;
 }
 
-// S(y), C(y) and C(y + H) of the horizon map for a climb of y metres from the eye.
-fn geo_climb(space: Space, y: f32) -> vec3<f32> {
+// A climb of y metres from the eye on the horizon map.
+struct geo_Climb {
+    // S(y) in metres and C(y).
+    rise: f32,
+    fall: f32,
+    // C(y + H) is scale lifted (1 + upright), scale a power of two.
+    scale: f32,
+    lifted: f32,
+    upright: f32,
+}
+
+fn geo_climb(space: Space, y: f32) -> geo_Climb {
     let kappa = space.curve.x;
     let steep = space.edge.z * abs(y);
     if kappa < 0.0 && steep > 1.0 {
         // One exponential for all three: its error scales the point and leaves the direction.
         let sense = select(1.0, -1.0, y < 0.0);
-        let e = 0.5 * geo_exp(steep);
-        let r = 0.25 / e;
+        let e = geo_half_exp(steep, 0.0);
         let lifted = space.curve.w + sense * space.edge.z * space.curve.z;
-        return vec3<f32>(sense * space.project.w * (e - r), e + r, e * lifted + r / lifted);
+        return geo_Climb(
+            sense * space.project.w * (e.x + e.x * (e.y + (e.z - e.w))),
+            e.x + e.x * (e.y + (e.z + e.w)),
+            e.x,
+            lifted,
+            e.y + (e.z + e.w / (lifted * lifted)),
+        );
     }
-    let near = geo_sine_cosine(kappa * y * y);
-    let rise = near.x * y;
-    return vec3<f32>(rise, near.y, near.y * space.curve.w - kappa * rise * space.curve.z);
+    let near = geo_excess(kappa * y * y);
+    let rise = y + y * near.x;
+    let upright = (space.curve.w - 1.0) + (space.curve.w * near.y - kappa * rise * space.curve.z);
+    return geo_Climb(rise, 1.0 + near.y, 1.0, 1.0, upright);
 }
 
-// Horizon map, ported and boosted in closed form; p in metres from the eye. With q = S(r/2)^2:
-// Y' = S(u.y) + 2 kappa S(H) C(y) q, W' = C(u.y) - 2 kappa C(H) C(y) q.
+// Horizon map, ported and boosted in closed form; p in metres from the eye:
+// Y' = S(u.y) - S(H) C(y) (C(r) - 1), W' = C(u.y) + C(H) C(y) (C(r) - 1).
 fn geo_port_horizon(space: Space, p: vec3<f32>) -> vec4<f32> {
-    let kappa = space.curve.x;
     let u = geo_within_horizon(space, p);
-    let r_square = u.x * u.x + u.z * u.z;
-    let half = geo_sine_cosine(0.25 * kappa * r_square);
+    let s = space.curve.x * (u.x * u.x + u.z * u.z);
+    // (scale, sine, cosine, divisor) of the level distance.
+    var level: vec4<f32>;
+    if s > -1.0 {
+        level = vec4<f32>(1.0, geo_excess(s), 1.0);
+    } else {
+        level = geo_parts(-1.0, space.edge.z * vec3<f32>(u.x, 0.0, u.z));
+    }
     let climb = geo_climb(space, u.y);
-    let sag = 0.5 * climb.z * (half.x * half.x) * (kappa * r_square);
-    let across = climb.z * (half.x * half.y);
+    let upright = climb.scale * climb.lifted;
+    // (C(r) - 1)(1 + climb.upright)
+    let whole = level.x - 1.0;
+    let part = level.x * level.z;
+    let sag = upright * (whole + (part + (whole + part) * climb.upright));
+    let across = geo_product(upright * level.x, level.y, climb.upright);
     return vec4<f32>(
-        across * u.x,
-        climb.x + space.curve.z * sag,
-        across * u.z,
-        climb.y - space.curve.w * sag,
+        across * (u.x / level.w),
+        climb.rise - space.curve.z * sag,
+        across * (u.z / level.w),
+        climb.fall + space.curve.w * sag,
     );
 }
 
@@ -370,7 +458,8 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
     } else {
         u = geo_within_horizon(space, p);
         s = space.curve.x * (u.x * u.x + u.z * u.z);
-        upright = geo_climb(space, u.y).z;
+        let climb = geo_climb(space, u.y);
+        upright = climb.scale * climb.lifted * (1.0 + climb.upright);
         flip = select(1.0, -1.0, space.curve.x > 0.0);
         scale = abs(space.curve.x);
     }

@@ -2,12 +2,13 @@
 // grained in world space so that scale can be read, and faded into the haze behind it.
 
 struct VertexIn {
-    @location(0) position: vec3<f32>,   // metres from the chunk's corner
-    @location(1) normal: vec4<f32>,
+    @location(0) units: vec4<u32>,      // xyz: 1/1024 m from the chunk's corner
+    @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
     @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
-    @location(4) hemisphere: u32,
-    @location(5) world: vec3<f32>,      // the chunk's corner, wrapped to 256 m
+    @location(4) flags: u32,            // lowest bit: hemisphere; the rest: how many shades may fall on the chunk
+    @location(5) world: vec4<f32>,      // xyz: the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
+                                        // blend, the share of the pixels that show it; minus that of one that goes
     @location(6) frame_origin: vec4<f32>, // view coordinates of the reference, where the chunk is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
@@ -22,25 +23,27 @@ struct VertexOut {
     @location(3) veil: vec3<f32>,       // the fog's share of the colour
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
-    @location(6) @interpolate(flat) feet: vec3<f32>,
+    @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
 fn grain_point(world: vec3<f32>, hemisphere: u32) -> vec3<f32> {
-    let radius = scene.space.project.w;
-    if radius <= 0.0 {
+    if geo_kind(scene.space) != GEO_SPHERE {
         return world;
     }
+    let radius = scene.space.project.w;
     let r = max(length(world.xz), 1e-3);
     let sine = sin(r / radius) / r;
     let side = select(1.0, -1.0, hemisphere == 1u);
     return (radius + world.y) * vec3<f32>(side * sine * world.x, side * cos(r / radius), sine * world.z);
 }
 
-// Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air.
-fn nearest_feet(p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
+// Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air. How many
+// there are, the chunk says and not a uniform: lavapipe compiles a shader whose loops end by a uniform anew for every
+// frame, and keeps each.
+fn nearest_feet(p: vec3<f32>, hemisphere: u32, count: u32) -> vec3<f32> {
     var nearest = vec3<f32>(1e6);
-    for (var i = 0u; i < u32(scene.ambient_ground.w); i++) {
+    for (var i = 0u; i < count; i++) {
         let feet = scene.shades[i].xyz;
         let closer = distance(p, feet) < distance(p, nearest) && u32(scene.shades[i].w) == hemisphere;
         nearest = select(nearest, feet, closer);
@@ -48,10 +51,23 @@ fn nearest_feet(p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
     return nearest;
 }
 
+// Metres from the chunk's corner, exactly.
+fn position_of(in: VertexIn) -> vec3<f32> {
+    return vec3<f32>(in.units.xyz) * (1.0 / 1024.0);
+}
+
+fn normal_of(in: VertexIn) -> vec3<f32> {
+    let side = in.octahedral;
+    let y = 1.0 - abs(side.x) - abs(side.y);
+    let unfolded = side - max(-y, 0.0) * select(vec2<f32>(-1.0), vec2<f32>(1.0), side >= vec2<f32>(0.0));
+    return normalize(vec3<f32>(unfolded.x, y, unfolded.y));
+}
+
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
-    let authored = normalize(in.normal.xyz);
-    let world = in.world + in.position;
-    let grain = grain_point(world, in.hemisphere);
+    let authored = normal_of(in);
+    let world = in.world.xyz + position_of(in);
+    let hemisphere = in.flags & 1u;
+    let grain = grain_point(world, hemisphere);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
@@ -61,7 +77,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let spread_m = length(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(scene.space, view);
-    out.normal = port_normal(scene.space, p, authored, in.hemisphere);
+    out.normal = port_normal(scene.space, p, authored, hemisphere);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
@@ -69,20 +85,20 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
-    out.feet = nearest_feet(p, in.hemisphere);
+    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 1u), in.world.w);
     return out;
 }
 
 // A vertex from the reference. Offsets are whole metres and so are chunk borders, so the sum is exact there: both
 // chunks give a shared vertex the same bits, however far from the origin they lie.
 fn from_reference(in: VertexIn) -> vec3<f32> {
-    return (in.offset + in.position) - scene.fraction.xyz;
+    return (in.offset + position_of(in)) - scene.fraction.xyz;
 }
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    return land_at(in, p, port_to_view(scene.space, p, in.hemisphere));
+    return land_at(in, p, port_to_view(scene.space, p, in.flags & 1u));
 }
 
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
@@ -112,7 +128,7 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
     let line = 1.0 - smoothstep(width, 2.0 * width, to_contour);
     tone *= 1.0 - line * scene.up.w;
     // Figures stand in a soft shade of their own, wider and fainter the higher they are.
-    let under = (in.place.xyz - in.feet) * vec3<f32>(1.5, 0.45, 1.5);
+    let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
     let lit = in.albedo * light_on(normalize(in.normal));
@@ -157,6 +173,36 @@ fn fragment_deep(in: VertexOut) -> DeepOut {
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     if is_trimmed(in) {
+        discard;
+    }
+    return DeepOut(land_colour(in), own_depth(in));
+}
+
+// Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
+fn dither(pixel: vec2<f32>) -> f32 {
+    let p = vec2<u32>(pixel) & vec2<u32>(3u);
+    let a = p.x ^ p.y;
+    let rank = ((a & 1u) << 3u) | ((p.y & 1u) << 2u) | (a & 2u) | (p.y >> 1u);
+    return (f32(rank) + 0.5) * (1.0 / 16.0);
+}
+
+// Whether a pixel is left to the other mesh of a blend: exactly one of the two draws it.
+fn is_left_out(in: VertexOut) -> bool {
+    let share = in.feet.w;
+    return (dither(in.clip.xy) < abs(share)) != (share > 0.0);
+}
+
+@fragment
+fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
+    if is_left_out(in) || is_trimmed(in) {
+        discard;
+    }
+    return land_colour(in);
+}
+
+@fragment
+fn fragment_deep_blending(in: VertexOut) -> DeepOut {
+    if is_left_out(in) || is_trimmed(in) {
         discard;
     }
     return DeepOut(land_colour(in), own_depth(in));

@@ -53,7 +53,7 @@ fn open_edges(mesh: &ChunkMesh, axis: usize, at: f32) -> BTreeMap<Edge, i32> {
     }
     let mut open = BTreeMap::new();
     for ([a, b], times) in count {
-        let ends = [a, b].map(|i| mesh.vertices[i as usize].position);
+        let ends = [a, b].map(|i| mesh.vertices[i as usize].position().to_array());
         if times != 1 || ends.iter().any(|p| p[axis] != at) {
             continue;
         }
@@ -96,6 +96,9 @@ impl Shown {
                 Update::Unloaded(coord) => {
                     self.chunks.remove(&coord);
                 }
+                Update::Solid {
+                    coord, collider, ..
+                } => self.physics.set_terrain(coord, coord.origin(), collider),
                 Update::Saved => {}
                 Update::Problem(sentence) | Update::SaveFailed(sentence) => panic!("{sentence}"),
             }
@@ -137,7 +140,7 @@ impl Shown {
         for (coord, mesh) in &self.chunks {
             for triangle in mesh.triangles() {
                 let [a, b, c] = triangle.map(|i| {
-                    coord.origin() + glam::Vec3::from(mesh.vertices[i as usize].position).as_dvec3()
+                    coord.origin() + mesh.vertices[i as usize].position().as_dvec3()
                 });
                 if let Some(height) = height_in(from, a, b, c)
                     && height <= from.y
@@ -177,11 +180,7 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
         physics: PhysicsWorld::new(),
     };
     let centre = ChartPoint::a(DVec3::splat(16.0));
-    streamer.wish(&Wish {
-        centre,
-        front: DVec3::X,
-        view_distance: VIEW_DISTANCE,
-    });
+    streamer.wish(&Wish::new(centre, DVec3::X, VIEW_DISTANCE));
     shown.take(streamer.wait(Until::Idle, LIMIT));
     let mut dice = Dice(0x9E37_79B9_7F4A_7C15);
     let mut batches = 0;

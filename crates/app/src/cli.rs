@@ -34,7 +34,7 @@ pub struct Cli {
     /// Name of the new world.
     #[arg(long, requires = "geometry")]
     pub name: Option<String>,
-    /// Radius of the new spherical world in metres, 16 to 64.
+    /// Radius of the new spherical world in metres, 16 to 256.
     #[arg(long, requires = "geometry", value_name = "METRES")]
     pub radius: Option<f64>,
     /// Begin straight in a saved world.

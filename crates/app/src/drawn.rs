@@ -1,7 +1,7 @@
 //! What the last picture was drawn with, for the probe and for the frame figures of the display.
 
 use antipode_geometry::HyperbolicMap;
-use antipode_render::DrawStats;
+use antipode_render::{DrawStats, PlanStats};
 use antipode_scene::frame::Quality;
 use antipode_scene::{Lens, Scene};
 use antipode_ui::FigureModel;
@@ -14,48 +14,18 @@ pub struct Drawn {
     pub quality: &'static str,
     /// Triangles drawn.
     pub triangles: usize,
-    /// Chunks drawn as a whole, by one matrix.
-    pub chunks_by_frame: usize,
-    /// Chunks drawn vertex by vertex.
-    pub chunks_by_vertex: usize,
-    /// Chunks drawn with edges halved.
-    pub chunks_refined: usize,
-    /// Chunks whose fragments found their own depth.
-    pub chunks_fragment_depth: usize,
-    /// Figures drawn as a whole, by one matrix.
-    pub figures_by_frame: usize,
-    /// Figures drawn vertex by vertex.
-    pub figures_by_vertex: usize,
-    /// Triangles left out because they are out of the picture.
-    pub triangles_outside: usize,
-    /// Triangles left out because the curve of the land hides them.
-    pub triangles_hidden: usize,
-    /// Triangles left out because they rise over nearer land by less than the quality lets pass.
-    pub triangles_small: usize,
-    /// Triangles that halving edges added.
-    pub triangles_added: usize,
-    /// The largest error in the frame, in pixels.
-    pub error_px: f64,
+    /// What the renderer chose.
+    #[serde(flatten)]
+    pub plan: PlanStats,
 }
 
 impl Drawn {
     /// What the statistics of a frame of that quality tell.
     pub fn new(stats: &DrawStats, quality: Quality) -> Self {
-        let plan = &stats.plan;
         Self {
             quality: quality.name(),
             triangles: stats.triangles,
-            chunks_by_frame: plan.chunks_by_frame,
-            chunks_by_vertex: plan.chunks_by_vertex,
-            chunks_refined: plan.chunks_refined,
-            chunks_fragment_depth: plan.chunks_fragment_depth,
-            figures_by_frame: plan.figures_by_frame,
-            figures_by_vertex: plan.figures_by_vertex,
-            triangles_outside: plan.triangles_outside,
-            triangles_hidden: plan.triangles_hidden,
-            triangles_small: plan.triangles_small,
-            triangles_added: plan.triangles_added,
-            error_px: plan.error_px,
+            plan: stats.plan,
         }
     }
 
@@ -71,14 +41,15 @@ impl Drawn {
             gpu_ms,
             picture: picture_label(scene.lens()),
             quality: self.quality.to_owned(),
-            chunks_by_frame: self.chunks_by_frame,
-            chunks_by_vertex: self.chunks_by_vertex,
-            chunks_refined: self.chunks_refined,
+            chunks_by_frame: self.plan.chunks_by_frame,
+            chunks_by_vertex: self.plan.chunks_by_vertex,
+            chunks_refined: self.plan.chunks_refined,
+            chunks_by_level: self.plan.chunks_by_level,
             triangles: self.triangles,
-            outside: self.triangles_outside,
-            hidden: self.triangles_hidden,
-            small: self.triangles_small,
-            error_px: self.error_px,
+            outside: self.plan.triangles_outside,
+            hidden: self.plan.triangles_hidden,
+            small: self.plan.triangles_small,
+            error_px: self.plan.error_px,
         }
     }
 }
@@ -98,6 +69,22 @@ mod tests {
     use antipode_geometry::Geometry;
 
     use super::*;
+
+    #[test]
+    fn the_probe_tells_quality_triangles_and_what_was_chosen_side_by_side() {
+        let mut stats = DrawStats {
+            triangles: 7,
+            ..DrawStats::default()
+        };
+        stats.plan.chunks_by_level = [4, 3, 2, 1];
+        stats.plan.error_px = 0.25;
+        let said = serde_json::to_value(Drawn::new(&stats, Quality::Fast)).unwrap_or_default();
+        assert_eq!(said["quality"], "fast");
+        assert_eq!(said["triangles"], 7);
+        assert_eq!(said["chunks_by_level"], serde_json::json!([4, 3, 2, 1]));
+        assert_eq!(said["error_px"], 0.25);
+        assert_eq!(said["triangles_hidden"], 0);
+    }
 
     #[test]
     fn the_picture_is_named_with_its_dial() {

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::path::PathBuf;
 
 use antipode_lab::accuracy::{self, Bench};
+use antipode_lab::terrain::{self, Logs};
 use antipode_lab::{Effort, LabError, Report, Section, made_on, peer, speed, text};
 use antipode_render::AdapterChoice;
 use clap::{Args, Subcommand};
@@ -24,14 +25,25 @@ pub enum LabAction {
     Accuracy(Outputs),
     /// What each formula and each choice costs, beside its error.
     Speed(Outputs),
-    /// Both.
+    /// Accuracy and speed.
+    Exactness(Outputs),
+    /// How fast ground is made, loaded, changed and kept, beside other programs.
+    Terrain {
+        /// What is left behind.
+        #[command(flatten)]
+        outputs: Outputs,
+        /// Write the flight's log, one line a frame, as CSV.
+        #[arg(long, value_name = "FILE")]
+        frame_log: Option<PathBuf>,
+    },
+    /// All of it.
     All(Outputs),
-    /// Make the document from a report, without measuring.
+    /// Make the documents from a report, without measuring.
     Docs {
         /// The report to read.
         #[arg(long, value_name = "FILE")]
         json: PathBuf,
-        /// Where the document and its plots go.
+        /// Where the documents and their plots go.
         #[arg(long, value_name = "DIR")]
         docs: PathBuf,
     },
@@ -46,7 +58,7 @@ pub struct Outputs {
     /// Write the report as a page, DIR/index.html.
     #[arg(long, value_name = "DIR")]
     report: Option<PathBuf>,
-    /// Write the report as a document with plots, DIR/accuracy.md.
+    /// Write the report as documents with plots, DIR/accuracy.md and DIR/terrain.md.
     #[arg(long, value_name = "DIR")]
     docs: Option<PathBuf>,
     /// Fewer inputs and shorter runs, in under a minute.
@@ -54,22 +66,82 @@ pub struct Outputs {
     quick: bool,
 }
 
+/// Which parts of the laboratory are to run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Wanted {
+    accuracy: bool,
+    speed: bool,
+    terrain: bool,
+}
+
+impl LabAction {
+    /// What is to be measured and what comes of it; nothing where a report is only read.
+    fn measurement(&self) -> Option<(Wanted, &Outputs)> {
+        let none = Wanted::default();
+        let exactness = Wanted {
+            accuracy: true,
+            speed: true,
+            ..none
+        };
+        let all = Wanted {
+            terrain: true,
+            ..exactness
+        };
+        Some(match self {
+            Self::Accuracy(outputs) => (
+                Wanted {
+                    accuracy: true,
+                    ..none
+                },
+                outputs,
+            ),
+            Self::Speed(outputs) => (
+                Wanted {
+                    speed: true,
+                    ..none
+                },
+                outputs,
+            ),
+            Self::Exactness(outputs) => (exactness, outputs),
+            Self::Terrain { outputs, .. } => (
+                Wanted {
+                    terrain: true,
+                    ..none
+                },
+                outputs,
+            ),
+            Self::All(outputs) => (all, outputs),
+            Self::Docs { .. } => return None,
+        })
+    }
+
+    fn frame_log(&self) -> Option<&Path> {
+        match self {
+            Self::Terrain { frame_log, .. } => frame_log.as_deref(),
+            _ => None,
+        }
+    }
+}
+
 /// Does what was asked for.
 ///
 /// # Errors
 /// When a bar is not met, the adapter fails, or a file or standard output cannot be written.
 pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
-    let (outputs, wanted) = match action {
-        LabAction::Accuracy(outputs) => (outputs, [true, false]),
-        LabAction::Speed(outputs) => (outputs, [false, true]),
-        LabAction::All(outputs) => (outputs, [true, true]),
-        LabAction::Docs { json, docs } => {
-            let report = Report::read(json).map_err(failure)?;
-            return report.write_docs(docs).map_err(failure);
-        }
+    if let LabAction::Docs { json, docs } = action {
+        let report = Report::read(json).map_err(failure)?;
+        return report.write_docs(docs).map_err(failure);
+    }
+    let Some((wanted, outputs)) = action.measurement() else {
+        return Ok(());
     };
-    writable(outputs)?;
-    let report = measured(outputs, wanted, common)?;
+    let frame_log = action.frame_log();
+    writable(outputs, frame_log)?;
+    let mut logs = Logs::default();
+    let report = measured(outputs, wanted, common, &mut logs)?;
+    if let Some(file) = frame_log {
+        std::fs::write(file, &logs.flight).map_err(|error| unwritable(file, &error))?;
+    }
     if let Some(file) = &outputs.json {
         report.write_json(file).map_err(failure)?;
     }
@@ -82,18 +154,21 @@ pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
     judged(&report)
 }
 
+fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
+    Failure::Runtime(format!("{} cannot be written: {error}", path.display()))
+}
+
 /// Looks before minutes of measuring whether what comes of it can be written.
-fn writable(outputs: &Outputs) -> Result<(), Failure> {
-    let told = |path: &Path, error: std::io::Error| {
-        Failure::Runtime(format!("{} cannot be written: {error}", path.display()))
-    };
-    if let Some(file) = &outputs.json {
+fn writable(outputs: &Outputs, frame_log: Option<&Path>) -> Result<(), Failure> {
+    for file in [outputs.json.as_deref(), frame_log].into_iter().flatten() {
         let mut opened = OpenOptions::new();
         opened.create(true).append(true);
-        opened.open(file).map_err(|error| told(file, error))?;
+        opened
+            .open(file)
+            .map_err(|error| unwritable(file, &error))?;
     }
     for directory in [&outputs.report, &outputs.docs].into_iter().flatten() {
-        std::fs::create_dir_all(directory).map_err(|error| told(directory, error))?;
+        std::fs::create_dir_all(directory).map_err(|error| unwritable(directory, &error))?;
     }
     Ok(())
 }
@@ -101,8 +176,9 @@ fn writable(outputs: &Outputs) -> Result<(), Failure> {
 /// Measures and prints, one section after another.
 fn measured(
     outputs: &Outputs,
-    [accuracy, speed]: [bool; 2],
+    wanted: Wanted,
     common: &Common,
+    logs: &mut Logs,
 ) -> Result<Report, Failure> {
     let effort = Effort {
         quick: outputs.quick,
@@ -119,24 +195,27 @@ fn measured(
     if bench.gpu.is_none() {
         line("NOT RUN on any GPU: with --adapter none, no row says anything about the shaders.")?;
     }
-    let mut take = |sections: Vec<Section>| {
-        for section in sections {
-            line("")?;
-            line(text::section(&section).trim_end())?;
-            report.sections.push(section);
-        }
+    let mut take = |section: Section| {
+        line("")?;
+        line(text::section(&section).trim_end())?;
+        report.sections.push(section);
         Ok::<(), Failure>(())
     };
-    if accuracy {
+    if wanted.accuracy {
         for suite in accuracy::SUITES {
-            take(vec![suite.run(&bench).map_err(failure)?])?;
+            take(suite.run(&bench).map_err(failure)?)?;
         }
-        take(vec![peer::run(effort)])?;
+        take(peer::run(effort))?;
     }
-    if speed {
-        take(vec![speed::cpu_section(effort)])?;
+    if wanted.speed {
+        take(speed::cpu_section(effort))?;
         if let Some(adapter) = adapter {
-            take(vec![speed::gpu_section(effort, adapter).map_err(failure)?])?;
+            take(speed::gpu_section(effort, adapter).map_err(failure)?)?;
+        }
+    }
+    if wanted.terrain {
+        for suite in terrain::SUITES {
+            take(suite(effort, bench.gpu.as_ref(), logs).map_err(failure)?)?;
         }
     }
     Ok(report)
@@ -214,6 +293,27 @@ mod tests {
                 && many.ends_with("and 5 more"),
             "{many}"
         );
+    }
+
+    #[test]
+    fn every_word_asks_for_its_own_suites_and_the_last_for_all() {
+        use clap::Parser;
+        #[derive(Parser)]
+        struct Line {
+            #[command(subcommand)]
+            action: LabAction,
+        }
+        let wanted = |word: &str| {
+            let line = Line::try_parse_from(["lab", word, "--quick"]).unwrap();
+            let (wanted, outputs) = line.action.measurement().unwrap();
+            assert!(outputs.quick);
+            [wanted.accuracy, wanted.speed, wanted.terrain]
+        };
+        assert_eq!(wanted("accuracy"), [true, false, false]);
+        assert_eq!(wanted("speed"), [false, true, false]);
+        assert_eq!(wanted("terrain"), [false, false, true]);
+        assert_eq!(wanted("exactness"), [true, true, false]);
+        assert_eq!(wanted("all"), [true; 3]);
     }
 
     #[test]

@@ -51,6 +51,9 @@ pub trait Real:
     /// Magnitude.
     #[must_use]
     fn abs(self) -> Self;
+    /// The greatest whole number that is not greater.
+    #[must_use]
+    fn floor(self) -> Self;
     /// The greater of two numbers.
     #[must_use]
     fn max(self, other: Self) -> Self;
@@ -65,6 +68,13 @@ pub trait Real:
     /// The sine over its argument and the cosine of either curvature, for `s = kappa t^2`: entire
     /// in s, so nothing is switched at 0.
     fn sine_cosine(s: Self) -> [Self; 2];
+    /// What the two of [`Real::sine_cosine`] exceed 1 by, for s >= -1: no digit is lost near 0.
+    fn excess(s: Self) -> [Self; 2];
+    /// `[a, high, low, fade]`, a a power of two: half of exp(t + rest) is `a (1 + (high + low))` and
+    /// half of its reciprocal `a fade`; t >= 1, `f32` t < 88, |rest| an ulp of t at most.
+    fn half_exp(t: Self, rest: Self) -> [Self; 4];
+    /// The length of a vector, and in `f32` what rounding took from it; lengths of 1e-15 to 1e18.
+    fn length_rest(q: [Self; 3]) -> [Self; 2];
     /// e to the t; `f32` for 0 <= t < 88.
     #[must_use]
     fn exp(t: Self) -> Self;
@@ -108,6 +118,10 @@ macro_rules! real {
                 <$real>::abs(self)
             }
             #[inline]
+            fn floor(self) -> Self {
+                <$real>::floor(self)
+            }
+            #[inline]
             fn max(self, other: Self) -> Self {
                 <$real>::max(self, other)
             }
@@ -126,6 +140,18 @@ macro_rules! real {
             #[inline]
             fn sine_cosine(s: Self) -> [Self; 2] {
                 $functions::sine_cosine(s)
+            }
+            #[inline]
+            fn excess(s: Self) -> [Self; 2] {
+                $functions::excess(s)
+            }
+            #[inline]
+            fn half_exp(t: Self, rest: Self) -> [Self; 4] {
+                $functions::half_exp(t, rest)
+            }
+            #[inline]
+            fn length_rest(q: [Self; 3]) -> [Self; 2] {
+                $functions::length_rest(q)
             }
             #[inline]
             fn exp(t: Self) -> Self {

@@ -17,7 +17,7 @@ pub const DEFAULT_HYPERBOLIC_RADIUS_M: f64 = 20.0;
 /// Radius of spherical worlds unless a world says otherwise, in metres.
 pub const DEFAULT_SPHERE_RADIUS_M: f64 = 32.0;
 /// Radii that a player may choose for a spherical world, in metres.
-pub const SPHERE_RADIUS_RANGE_M: RangeInclusive<f64> = 16.0..=64.0;
+pub const SPHERE_RADIUS_RANGE_M: RangeInclusive<f64> = 16.0..=256.0;
 /// Hyperbolic worlds draw nothing farther than this many radii from the eye: past it a
 /// hyperboloid coordinate in `f32` has no digits left to order two surfaces by.
 pub const FAR_LIMIT_RADII: f64 = 20.0;

@@ -1,11 +1,12 @@
-//! `docs/accuracy.md`, made from a report: prose from a template, every figure from the report.
+//! The documents `docs/accuracy.md` and `docs/terrain.md`, made from a report: prose from a template, every figure
+//! from the report.
 //!
-//! The template is Markdown with three kinds of holes:
+//! A template is Markdown with four kinds of holes:
 //! - `{{made on}}`: program, machine and adapter;
 //! - `{{section ID}}`: a section, with its method, tables and plots;
 //! - `{{cell ID | WORDS | WORDS | COLUMN}}`: one cell, from the first row of the section in which
 //!   every one of the words is a whole cell;
-//! - `{{rest}}`: the sections that no other hole has shown.
+//! - `{{rest}}`: the document's sections that no other hole has shown.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -15,17 +16,43 @@ use crate::figure;
 use crate::markdown;
 use crate::report::{Cell, Report, Section};
 use crate::svg;
+use crate::terrain;
 
-/// The document's file name.
-pub const NAME: &str = "accuracy.md";
-/// The directory of its plots, beside it.
-pub const PLOTS: &str = "accuracy";
 /// What stands where a report has no answer.
 pub const NOT_MEASURED: &str = "*not measured*";
 
-const TEMPLATE: &str = include_str!("docs/accuracy.md");
+/// One of the documents.
+#[derive(Debug)]
+pub struct Kind {
+    /// Its file name.
+    pub name: &'static str,
+    /// The directory of its plots, beside it.
+    pub plots: &'static str,
+    template: &'static str,
+    /// Whether it is the one about terrain; the other has all other sections.
+    terrain: bool,
+}
 
-/// The document and the files that it shows.
+/// How exact the game is, and what that costs.
+pub const ACCURACY: Kind = Kind {
+    name: "accuracy.md",
+    plots: "accuracy",
+    template: include_str!("docs/accuracy.md"),
+    terrain: false,
+};
+
+/// How fast ground is made, and what it takes.
+pub const TERRAIN: Kind = Kind {
+    name: "terrain.md",
+    plots: "terrain",
+    template: include_str!("docs/terrain.md"),
+    terrain: true,
+};
+
+/// Every document.
+pub const ALL: [&Kind; 2] = [&ACCURACY, &TERRAIN];
+
+/// A document and the files that it shows.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Document {
     /// The document, Markdown.
@@ -34,18 +61,78 @@ pub struct Document {
     pub plots: Vec<(String, String)>,
 }
 
-/// The document of a report.
-///
-/// # Errors
-/// [`LabError::Template`] when the template itself has a mistake.
-pub fn document(report: &Report) -> Result<Document, LabError> {
-    let plots = report.sections.iter().flat_map(|section| &section.plots);
-    Ok(Document {
-        text: filled(TEMPLATE, report)?,
-        plots: plots
-            .map(|plot| (markdown::file_name(plot), svg::plot(plot)))
-            .collect(),
-    })
+impl Kind {
+    /// Whether a section belongs into this document.
+    pub fn has(&self, section: &Section) -> bool {
+        section.id.starts_with(terrain::PREFIX) == self.terrain
+    }
+
+    /// The document of a report.
+    ///
+    /// # Errors
+    /// [`LabError::Template`] when the template itself has a mistake.
+    pub fn document(&self, report: &Report) -> Result<Document, LabError> {
+        let own = report.sections.iter().filter(|section| self.has(section));
+        let plots = own.flat_map(|section| &section.plots);
+        Ok(Document {
+            text: self.filled(self.template, report)?,
+            plots: plots
+                .map(|plot| (markdown::file_name(plot), svg::plot(plot)))
+                .collect(),
+        })
+    }
+
+    fn filled(&self, template: &str, report: &Report) -> Result<String, LabError> {
+        let mut shown = Vec::new();
+        let mut out = String::new();
+        let mut left = template;
+        while let Some((before, after)) = left.split_once("{{") {
+            let Some((hole, rest)) = after.split_once("}}") else {
+                return Err(LabError::Template("a hole is not closed".into()));
+            };
+            out.push_str(before);
+            out.push_str(&self.answer(hole.trim(), report, &mut shown)?);
+            left = rest;
+        }
+        out.push_str(left);
+        Ok(out)
+    }
+
+    fn answer(
+        &self,
+        hole: &str,
+        report: &Report,
+        shown: &mut Vec<String>,
+    ) -> Result<String, LabError> {
+        let (verb, words) = hole.split_once(' ').unwrap_or((hole, ""));
+        match verb {
+            "made" => Ok(made_on(report)),
+            "section" => {
+                shown.push(words.to_owned());
+                let found = report.sections.iter().find(|section| section.id == words);
+                Ok(found.map_or_else(|| format!("{NOT_MEASURED}\n"), |it| self.part(it)))
+            }
+            "rest" => {
+                let others = report.sections.iter().filter(|section| self.has(section));
+                let others = others.filter(|section| !shown.contains(&section.id));
+                Ok(others
+                    .map(|it| self.part(it))
+                    .collect::<Vec<_>>()
+                    .join("\n"))
+            }
+            "cell" => {
+                let parts: Vec<&str> = words.split('|').map(str::trim).collect();
+                cell(report, &parts)
+            }
+            _ => Err(LabError::Template(format!(
+                "there is no hole called \"{verb}\""
+            ))),
+        }
+    }
+
+    fn part(&self, section: &Section) -> String {
+        markdown::section(section, 2, self.plots)
+    }
 }
 
 /// The plots that a directory holds; none where there is no such directory.
@@ -59,50 +146,6 @@ pub fn plots_in(folder: &Path) -> Vec<PathBuf> {
         .collect();
     files.sort();
     files
-}
-
-fn filled(template: &str, report: &Report) -> Result<String, LabError> {
-    let mut shown = Vec::new();
-    let mut out = String::new();
-    let mut left = template;
-    while let Some((before, after)) = left.split_once("{{") {
-        let Some((hole, rest)) = after.split_once("}}") else {
-            return Err(LabError::Template("a hole is not closed".into()));
-        };
-        out.push_str(before);
-        out.push_str(&answer(hole.trim(), report, &mut shown)?);
-        left = rest;
-    }
-    out.push_str(left);
-    Ok(out)
-}
-
-fn answer(hole: &str, report: &Report, shown: &mut Vec<String>) -> Result<String, LabError> {
-    let (verb, words) = hole.split_once(' ').unwrap_or((hole, ""));
-    match verb {
-        "made" => Ok(made_on(report)),
-        "section" => {
-            shown.push(words.to_owned());
-            let found = report.sections.iter().find(|section| section.id == words);
-            Ok(found.map_or_else(|| format!("{NOT_MEASURED}\n"), part))
-        }
-        "rest" => {
-            let others = report.sections.iter();
-            let others = others.filter(|section| !shown.contains(&section.id));
-            Ok(others.map(part).collect::<Vec<_>>().join("\n"))
-        }
-        "cell" => {
-            let parts: Vec<&str> = words.split('|').map(str::trim).collect();
-            cell(report, &parts)
-        }
-        _ => Err(LabError::Template(format!(
-            "there is no hole called \"{verb}\""
-        ))),
-    }
-}
-
-fn part(section: &Section) -> String {
-    markdown::section(section, 2, PLOTS)
 }
 
 fn made_on(report: &Report) -> String {
@@ -163,25 +206,41 @@ mod tests {
 
     #[test]
     fn holes_are_filled_from_the_report() {
-        let text = filled("{{cell a | port | Worst}}!", &report()).unwrap();
+        let text = ACCURACY
+            .filled("{{cell a | port | Worst}}!", &report())
+            .unwrap();
         assert_eq!(text, "1.50 ulp!");
-        let text = filled("{{section b}}--{{rest}}", &report()).unwrap();
+        let text = ACCURACY
+            .filled("{{section b}}--{{rest}}", &report())
+            .unwrap();
         assert!(
             text.starts_with("## B") && text.contains("--## A"),
             "{text}"
         );
         assert_eq!(text.matches("## ").count(), 2);
         assert_eq!(
-            filled("{{made on}}", &report()).unwrap(),
+            ACCURACY.filled("{{made on}}", &report()).unwrap(),
             "- adapter: none\n"
         );
     }
 
     #[test]
+    fn each_document_shows_its_own_sections_only() {
+        let mut report = report();
+        report.sections[1].id = "terrain-field".into();
+        let shown = ACCURACY.filled("{{rest}}", &report).unwrap();
+        assert!(shown.contains("## A") && !shown.contains("## B"), "{shown}");
+        let shown = TERRAIN.filled("{{rest}}", &report).unwrap();
+        assert!(shown.contains("## B") && !shown.contains("## A"), "{shown}");
+    }
+
+    #[test]
     fn what_is_missing_is_said_and_mistakes_are_errors() {
-        let text = filled("{{cell a | port | Best}} {{section c}}", &report()).unwrap();
+        let text = ACCURACY
+            .filled("{{cell a | port | Best}} {{section c}}", &report())
+            .unwrap();
         assert_eq!(text.matches(NOT_MEASURED).count(), 2);
-        assert!(filled("{{sum a}}", &report()).is_err());
-        assert!(filled("{{cell", &report()).is_err());
+        assert!(ACCURACY.filled("{{sum a}}", &report()).is_err());
+        assert!(ACCURACY.filled("{{cell", &report()).is_err());
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::docs::{self, Document};
+use crate::docs::{self, Document, Kind};
 use crate::error::LabError;
 use crate::report::Report;
 use crate::{html, json};
@@ -56,14 +56,22 @@ impl Report {
         write(&directory.join("index.html"), &html::page(self))
     }
 
-    /// Writes `accuracy.md` and its plots into a directory, which is made. Plots of an earlier
-    /// report that this one does not have are removed.
+    /// Writes the documents that the report has sections of, each with its plots, into a directory, which is made.
+    /// Plots of an earlier report that this one does not have are removed.
     ///
     /// # Errors
     /// [`LabError::Write`], or [`LabError::Template`].
     pub fn write_docs(&self, directory: &Path) -> Result<(), LabError> {
-        let Document { text, plots } = docs::document(self)?;
-        let folder = directory.join(docs::PLOTS);
+        let told = |kind: &&&Kind| self.sections.iter().any(|section| kind.has(section));
+        for kind in docs::ALL.iter().filter(told) {
+            self.write_document(kind, directory)?;
+        }
+        Ok(())
+    }
+
+    fn write_document(&self, kind: &Kind, directory: &Path) -> Result<(), LabError> {
+        let Document { text, plots } = kind.document(self)?;
+        let folder = directory.join(kind.plots);
         for old in docs::plots_in(&folder) {
             if !plots.iter().any(|(name, _)| folder.join(name) == old) {
                 fs::remove_file(&old).map_err(|source| LabError::Write { path: old, source })?;
@@ -72,7 +80,7 @@ impl Report {
         for (name, plot) in &plots {
             write(&folder.join(name), plot)?;
         }
-        write(&directory.join(docs::NAME), &text)
+        write(&directory.join(kind.name), &text)
     }
 }
 

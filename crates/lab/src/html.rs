@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::docs;
 use crate::figure;
 use crate::report::{Cell, Report, Section, Table};
 use crate::svg::{self, escape};
@@ -11,12 +12,18 @@ const STYLE: &str = include_str!("report.css");
 
 /// The whole page.
 pub fn page(report: &Report) -> String {
+    let terrain = report.sections.iter().all(|part| docs::TERRAIN.has(part));
+    let title = if terrain {
+        "terrain laboratory"
+    } else {
+        "exactness laboratory"
+    };
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>Antipode: exactness laboratory</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>Antipode: exactness laboratory</h1>\n"
+         <title>Antipode: {title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
+         <h1>Antipode: {title}</h1>\n"
     );
     summary(&mut out, report);
     for part in &report.sections {

@@ -1,7 +1,7 @@
-//! The laboratory: measures what the port's accuracy costs, and how it holds at the extremes.
+//! The laboratory: measures what the port's accuracy costs, how it holds at the extremes, and how fast ground is made.
 //!
 //! Every figure goes into a [`Report`], which is printed, written as JSON, shown as a web page and
-//! turned into the tables of `docs/accuracy.md`. The textbook formulas that the game does not use
+//! turned into the tables of `docs/accuracy.md` and `docs/terrain.md`. The textbook formulas that the game does not use
 //! live here, and only here, as the baseline to compare with.
 
 pub mod accuracy;
@@ -19,9 +19,11 @@ pub mod naive;
 pub mod peer;
 mod random;
 mod report;
+mod scene_frame;
 pub mod single;
 pub mod speed;
 pub mod svg;
+pub mod terrain;
 pub mod text;
 
 pub use error::LabError;

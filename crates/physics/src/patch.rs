@@ -73,7 +73,7 @@ impl Patch {
         let mut triangles = Vec::new();
         let mut found: Vec<u32> = Vec::new();
         for ground in world.grounds_in(min - skin, max + skin) {
-            let Some(mesh) = ground.collider.mesh() else {
+            let Some(mesh) = ground.block.mesh() else {
                 continue;
             };
             let (low, high) = (min - skin - ground.origin, max + skin - ground.origin);

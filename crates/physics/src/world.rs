@@ -18,6 +18,7 @@ use rapier3d::parry::query::DefaultQueryDispatcher;
 use rapier3d::pipeline::{QueryFilter, QueryPipeline};
 
 use crate::TerrainCollider;
+use crate::collider::{BLOCKS, Block};
 
 /// The floating origin moves when the focus is further than this from it along an axis.
 const RECENTRE_BEYOND_M: f64 = 512.0;
@@ -28,12 +29,16 @@ const ORIGIN_STEP_M: f64 = 32.0;
 /// Boxes in the tree are grown by this against the rounding of `f32` at the reach of the frame.
 const BOX_SKIN_M: f32 = 0.01;
 
-/// One chunk's terrain where it stands.
+/// A block of a chunk's terrain where it stands.
 pub(crate) struct Ground {
     pub coord: ChunkCoord,
+    number: usize,
     pub origin: DVec3,
-    pub collider: TerrainCollider,
+    pub block: Block,
 }
+
+/// Rapier's names of a chunk's blocks.
+type Standing = [Option<ColliderHandle>; BLOCKS];
 
 /// Everything solid, and the questions that can be asked of it.
 ///
@@ -44,7 +49,7 @@ pub struct PhysicsWorld {
     islands: IslandManager,
     colliders: ColliderSet,
     tree: Bvh,
-    chunks: HashMap<ChunkCoord, ColliderHandle>,
+    chunks: HashMap<ChunkCoord, Standing>,
     grounds: HashMap<u32, Ground>,
     origin: DVec3,
 }
@@ -80,31 +85,34 @@ impl PhysicsWorld {
     }
 
     /// Puts a chunk's terrain with its origin at `origin` (m), replacing what the chunk had;
-    /// `None` leaves the chunk empty.
+    /// `None` leaves the chunk empty. Parts that are the same as before stay as they are.
     pub fn set_terrain(
         &mut self,
         coord: ChunkCoord,
         origin: DVec3,
         collider: Option<TerrainCollider>,
     ) {
-        self.take_out(coord);
-        let Some(collider) = collider else { return };
-        let at = (origin - self.origin).as_vec3();
-        let handle = self
-            .colliders
-            .insert(ColliderBuilder::new(collider.shape().clone()).translation(at));
-        let index = handle.into_raw_parts().0;
-        self.tree
-            .insert(standing_box(&collider, origin - self.origin), index);
-        self.chunks.insert(coord, handle);
-        self.grounds.insert(
-            index,
-            Ground {
-                coord,
-                origin,
-                collider,
-            },
-        );
+        let mut standing = self.chunks.remove(&coord).unwrap_or_default();
+        for (number, place) in standing.iter_mut().enumerate() {
+            let block = collider.as_ref().and_then(|c| c.blocks()[number].as_ref());
+            if self.is_standing(*place, origin, block) {
+                continue;
+            }
+            if let Some(handle) = place.take() {
+                self.take_out(handle);
+            }
+            *place = block.map(|block| {
+                self.put_in(Ground {
+                    coord,
+                    number,
+                    origin,
+                    block: block.clone(),
+                })
+            });
+        }
+        if collider.is_some() {
+            self.chunks.insert(coord, standing);
+        }
         self.forget_changes();
     }
 
@@ -141,7 +149,7 @@ impl PhysicsWorld {
             .map(|(&index, ground)| {
                 (
                     index,
-                    standing_box(&ground.collider, ground.origin - self.origin),
+                    standing_box(&ground.block, ground.origin - self.origin),
                 )
             })
             .collect();
@@ -177,14 +185,37 @@ impl PhysicsWorld {
             .intersect_aabb(&wanted)
             .filter_map(|index| self.grounds.get(&index))
             .collect();
-        found.sort_unstable_by_key(|ground| ground.coord);
+        found.sort_unstable_by_key(|ground| (ground.coord, ground.number));
         found
     }
 
-    fn take_out(&mut self, coord: ChunkCoord) {
-        let Some(handle) = self.chunks.remove(&coord) else {
-            return;
-        };
+    fn is_standing(
+        &self,
+        place: Option<ColliderHandle>,
+        origin: DVec3,
+        block: Option<&Block>,
+    ) -> bool {
+        let standing = place.and_then(|handle| self.grounds.get(&handle.into_raw_parts().0));
+        match (standing, block) {
+            (Some(ground), Some(block)) => ground.origin == origin && ground.block.is(block),
+            (None, None) => true,
+            _ => false,
+        }
+    }
+
+    fn put_in(&mut self, ground: Ground) -> ColliderHandle {
+        let at = ground.origin - self.origin;
+        let shape = ground.block.shape.clone();
+        let handle = self
+            .colliders
+            .insert(ColliderBuilder::new(shape).translation(at.as_vec3()));
+        let index = handle.into_raw_parts().0;
+        self.tree.insert(standing_box(&ground.block, at), index);
+        self.grounds.insert(index, ground);
+        handle
+    }
+
+    fn take_out(&mut self, handle: ColliderHandle) {
         let index = handle.into_raw_parts().0;
         self.tree.remove(index);
         self.grounds.remove(&index);
@@ -195,7 +226,6 @@ impl PhysicsWorld {
             &mut self.soft_bodies,
             false,
         );
-        self.forget_changes();
     }
 
     /// Rapier notes what changed for its next step. Nothing steps yet, so the notes would only grow.
@@ -205,8 +235,8 @@ impl PhysicsWorld {
     }
 }
 
-fn standing_box(collider: &TerrainCollider, at: DVec3) -> Aabb {
-    let bounds = collider.bounds();
+fn standing_box(block: &Block, at: DVec3) -> Aabb {
+    let bounds = &block.bounds;
     let (skin, at) = (glam::Vec3::splat(BOX_SKIN_M), at.as_vec3());
     Aabb::new(bounds.mins + at - skin, bounds.maxs + at + skin)
 }
@@ -221,8 +251,14 @@ mod tests {
 
     #[test]
     fn terrain_is_found_in_the_order_of_the_chunks_not_of_their_arrival() {
-        let positions = [[0.0, 0.0, 0.0], [0.0, 0.0, 32.0], [32.0, 0.0, 0.0]];
-        let collider = TerrainCollider::build(&positions, &[[0, 1, 2]]).unwrap();
+        // A triangle of the low block and one of the high one.
+        let positions = [
+            [0.0, 0.0, 0.0],
+            [0.0, 0.0, 32.0],
+            [32.0, 0.0, 0.0],
+            [32.0, 0.0, 32.0],
+        ];
+        let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
         let mut world = PhysicsWorld::new();
         for x in [3, -2, 1, 0, -1, 2] {
             let coord = ChunkCoord {
@@ -237,7 +273,10 @@ mod tests {
         }
         let found = |min: f64, max: f64| -> Vec<i32> {
             let grounds = world.grounds_in(DVec3::new(min, -1.0, 1.0), DVec3::new(max, 1.0, 2.0));
-            grounds.iter().map(|ground| ground.coord.index.x).collect()
+            assert!(grounds.is_sorted_by_key(|ground| (ground.coord, ground.number)));
+            let mut chunks: Vec<_> = grounds.iter().map(|ground| ground.coord.index.x).collect();
+            chunks.dedup();
+            chunks
         };
         assert_eq!(found(-500.0, 500.0), [-2, -1, 0, 1, 2, 3]);
         assert_eq!(found(-40.0, 40.0), [-2, -1, 0, 1]);

@@ -1,294 +1,321 @@
-//! The terrain's meshes on the adapter.
+//! The terrain's meshes on the adapter: what is shown of each chunk, what waits to be, and what fades.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::{ChunkChange, Frame};
-use antipode_terrain::{ChunkMesh, Vertex};
-use glam::{DVec3, Vec3};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+use antipode_terrain::{ChunkMesh, Level, Vertex};
 
-use crate::mesh_buffers::MeshBuffers;
+use crate::blend::BlendClock;
+use crate::draw_list::DrawList;
+use crate::gpu::Gpu;
+use crate::land_mesh::{LandMesh, SeamMask};
+use crate::pages::Pages;
+use crate::parts::{parts, sections};
 use crate::pipelines::TerrainPipelines;
-use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port, RefineKey, Refined, refined};
-use crate::uniforms::{ChunkInstance, whole_reference};
+use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port};
+use crate::refinements::{Refinement, Refinements};
+use crate::seams;
+use crate::uniforms::{ChunkInstance, shades_on, whole_reference};
 
-/// Chunks whose halved edges are brought up to date in one frame, the nearest first: the main thread has other
-/// things to do, and what is late by a few frames is off by little.
-const REFINED_PER_FRAME: usize = 1;
-/// Buffers for refined meshes that are kept though no chunk needs them.
-const MOST_SPARE: usize = 8;
-/// A mesh that keeps this far from its chunk's floor does not go on below it, metres.
-const FLOOR_CLEARANCE_M: f32 = 0.01;
+/// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
+/// second as much as a player can run up against, and a fraction of a millisecond.
+const UPLOAD_BYTES: usize = 2 << 20;
 
 /// Attributes of a terrain vertex, from location 0 on.
 pub const VERTEX_ATTRIBUTES: [wgpu::VertexAttribute; 3] =
-    wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4];
+    wgpu::vertex_attr_array![0 => Uint16x4, 1 => Snorm16x2, 2 => Unorm8x4];
 /// Bytes of a terrain vertex.
 pub const VERTEX_BYTES: u64 = size_of::<Vertex>() as u64;
 
-/// One chunk's mesh.
+/// What is shown of a chunk.
 #[derive(Debug)]
 pub struct GpuChunk {
-    buffers: MeshBuffers,
+    /// Its mesh.
+    pub mesh: LandMesh,
+    /// What the mesh was made from.
+    pub source: Arc<ChunkMesh>,
+    /// What the planner knows of it.
+    pub land: ChunkLand,
     /// Its refinement, where it is near enough to need one.
-    refined: Option<Refinement>,
-    mesh: Arc<ChunkMesh>,
-    land: ChunkLand,
+    pub refined: Option<Refinement>,
+    /// Whether it had a refinement before it was edited, and so needs another at once.
+    pub is_urgent: bool,
+    /// The mesh of another level that it follows, for a moment.
+    fading: Option<Fading>,
 }
 
-/// A mesh with edges halved near the eye.
+/// A mesh that makes way for one of another level.
 #[derive(Debug)]
-struct Refinement {
-    made_for: RefineKey,
-    /// Nothing where no edge needed it.
-    buffers: Option<MeshBuffers>,
-    error_px: f64,
+struct Fading {
+    mesh: LandMesh,
+    level: Level,
+    began_s: f32,
 }
 
 impl GpuChunk {
-    fn new(device: &Device, coord: ChunkCoord, mesh: &Arc<ChunkMesh>) -> Self {
-        Self {
-            buffers: MeshBuffers::new(device, &mesh.vertices, &mesh.indices),
-            refined: None,
-            land: land_of(coord, mesh),
-            mesh: Arc::clone(mesh),
-        }
-    }
-
-    fn drawn(&self) -> &MeshBuffers {
+    fn drawn(&self) -> &LandMesh {
         match &self.refined {
             Some(Refinement {
-                buffers: Some(refined),
+                mesh: Some(refined),
                 ..
             }) => refined,
-            _ => &self.buffers,
+            _ => &self.mesh,
+        }
+    }
+
+    /// The finest level of which something is shown.
+    fn finest(&self) -> Level {
+        let fading = self.fading.as_ref().map(|fading| fading.level);
+        fading.map_or(self.land.level, |level| level.min(self.land.level))
+    }
+
+    fn give_back(self, pages: &mut Pages) {
+        self.mesh.give_back(pages);
+        if let Some(mesh) = self.refined.and_then(|refined| refined.mesh) {
+            mesh.give_back(pages);
+        }
+        if let Some(fading) = self.fading {
+            fading.mesh.give_back(pages);
         }
     }
 }
 
-/// What the planner is to know of a mesh.
-fn land_of(coord: ChunkCoord, mesh: &ChunkMesh) -> ChunkLand {
-    let positions = || {
-        mesh.vertices
-            .iter()
-            .map(|v| Vec3::from(v.position).as_dvec3())
-    };
-    let origin = coord.origin();
-    let lowest = mesh
-        .vertices
-        .iter()
-        .min_by(|a, b| a.position[1].total_cmp(&b.position[1]));
-    // Below the mesh's lowest place lies ground, if that place is a floor; and all the way down, if the mesh
-    // stays clear of the chunk's own floor.
-    let solid_below_m = lowest
-        .filter(|v| v.normal[1] > 0 && v.position[1] > FLOOR_CLEARANCE_M)
-        .map(|v| origin.y + f64::from(v.position[1]));
-    ChunkLand {
-        coord,
-        min: origin + positions().reduce(DVec3::min).unwrap_or_default(),
-        max: origin + positions().reduce(DVec3::max).unwrap_or_default(),
-        triangles: mesh.indices.len() / 3,
-        solid_below_m,
-    }
-}
-
-/// All chunks, and this frame's instances.
+/// All chunks.
 #[derive(Debug)]
 pub struct ChunkStore {
-    chunks: HashMap<ChunkCoord, GpuChunk>,
+    /// In an order that depends on nothing else.
+    pub(crate) chunks: BTreeMap<ChunkCoord, GpuChunk>,
+    /// New chunks and new levels that no frame had room for yet.
+    waiting: HashMap<ChunkCoord, Arc<ChunkMesh>>,
+    pub(crate) pages: Pages,
+    pub(crate) refinements: Refinements,
+    clock: BlendClock,
     world: Option<u64>,
-    instances: Buffer,
-    room: usize,
-    /// Buffers of refinements that are no longer needed.
-    spare: Vec<MeshBuffers>,
     /// Whether the next frame is to be complete, however long that takes.
-    rush: bool,
+    pub(crate) rush: bool,
 }
 
 impl ChunkStore {
     /// An empty store.
-    pub fn new(device: &Device) -> Self {
-        let room = 256;
+    pub fn new(gpu: &Gpu) -> Self {
         Self {
-            chunks: HashMap::new(),
+            chunks: BTreeMap::new(),
+            waiting: HashMap::new(),
+            pages: Pages::new(&gpu.device, &gpu.queue),
+            refinements: Refinements::default(),
+            clock: BlendClock::default(),
             world: None,
-            instances: instance_buffer(device, room),
-            room,
-            spare: Vec::new(),
             rush: false,
         }
     }
 
-    /// Takes the frame's changes, dropping everything first when the world is another.
-    pub fn apply(&mut self, device: &Device, frame: &Frame) {
+    /// Takes the frame's changes, dropping everything first when the world is another, and shows as much of what
+    /// waits as a frame has room for, the nearest first.
+    ///
+    /// A mesh of the level that is shown already is an edit. All that comes with an edit is shown at once: an edit
+    /// over several chunks appears as a whole.
+    pub fn apply(&mut self, frame: &Frame) {
         if self.world != Some(frame.loaded_world) {
-            self.chunks.clear();
+            self.clear();
             self.world = Some(frame.loaded_world);
         }
+        self.clock.advance(frame.time_s);
+        if self.rush {
+            self.clock.stop();
+        }
+        self.end_blends();
+        let at_once = self.rush || frame.chunk_changes.iter().any(|c| self.is_edit(c));
         for change in &frame.chunk_changes {
             match change {
                 ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
-                    self.chunks
-                        .insert(*coord, GpuChunk::new(device, *coord, mesh));
+                    self.waiting.remove(coord);
+                    if at_once {
+                        self.show(*coord, mesh);
+                    } else {
+                        self.waiting.insert(*coord, Arc::clone(mesh));
+                    }
                 }
                 ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
-                    self.chunks.remove(coord);
+                    self.waiting.remove(coord);
+                    if let Some(gone) = self.chunks.remove(coord) {
+                        gone.give_back(&mut self.pages);
+                    }
                 }
+            }
+        }
+        self.show_waiting(frame);
+    }
+
+    fn clear(&mut self) {
+        self.chunks.clear();
+        self.waiting.clear();
+        self.pages.clear();
+        self.clock = BlendClock::default();
+    }
+
+    fn is_edit(&self, change: &ChunkChange) -> bool {
+        let ChunkChange::Put(coord, mesh) = change else {
+            return false;
+        };
+        let shown = self.chunks.get(coord).map(|chunk| chunk.land.level);
+        let waiting = self.waiting.get(coord).map(|waiting| waiting.level);
+        [shown, waiting].contains(&Some(mesh.level))
+    }
+
+    fn show_waiting(&mut self, frame: &Frame) {
+        if self.waiting.is_empty() {
+            return;
+        }
+        let away = |coord: &ChunkCoord| {
+            let middle = coord.origin() + 0.5 * f64::from(antipode_geometry::CHUNK_CELLS);
+            let other_chart = coord.hemisphere != frame.eye.point.hemisphere;
+            (other_chart, middle.distance_squared(frame.eye.point.pos))
+        };
+        let mut order: Vec<_> = self.waiting.keys().map(|c| (away(c), *c)).collect();
+        order.sort_by(|(a, _), (b, _)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let mut left = if self.rush { usize::MAX } else { UPLOAD_BYTES };
+        for (_, coord) in order {
+            if left == 0 {
+                break;
+            }
+            if let Some(mesh) = self.waiting.remove(&coord) {
+                left = left.saturating_sub(bytes(&mesh));
+                self.show(coord, &mesh);
             }
         }
     }
 
-    /// The land of every chunk that has triangles, in an order that depends on nothing else.
-    pub fn land(&self) -> Vec<ChunkLand> {
-        let mut land: Vec<_> = self.chunks.values().map(|chunk| chunk.land).collect();
-        // A table's order differs from run to run; what is drawn first may not.
-        land.sort_by_key(|land| (land.coord.hemisphere, land.coord.index.to_array()));
-        land
+    /// Shows a mesh from this frame on.
+    fn show(&mut self, coord: ChunkCoord, mesh: &Arc<ChunkMesh>) {
+        let parts = parts(&mesh.vertices, sections(mesh));
+        let chunk = GpuChunk {
+            mesh: LandMesh::put(&mut self.pages, parts),
+            source: Arc::clone(mesh),
+            land: ChunkLand::of(coord, mesh),
+            refined: None,
+            is_urgent: false,
+            fading: None,
+        };
+        let Some(mut old) = self.chunks.insert(coord, chunk) else {
+            return;
+        };
+        if let Some(new) = self.chunks.get_mut(&coord) {
+            if old.land.level == mesh.level {
+                new.is_urgent = old.refined.is_some();
+                new.fading = old.fading.take();
+            } else if self.clock.moves() {
+                new.fading = Some(Fading {
+                    mesh: std::mem::take(&mut old.mesh),
+                    level: old.land.level,
+                    began_s: self.clock.now_s(),
+                });
+            }
+        }
+        old.give_back(&mut self.pages);
     }
 
-    /// Lets the next frame bring all refinements up to date.
+    /// Lets go of what has faded.
+    fn end_blends(&mut self) {
+        for chunk in self.chunks.values_mut() {
+            let clock = &self.clock;
+            let is_over = |fading: &mut Fading| clock.progress(fading.began_s).is_none();
+            if let Some(faded) = chunk.fading.take_if(is_over) {
+                faded.mesh.give_back(&mut self.pages);
+            }
+        }
+    }
+
+    /// The land of every chunk that is shown, in an order that depends on nothing else.
+    pub fn land(&self) -> Vec<ChunkLand> {
+        self.chunks.values().map(|chunk| chunk.land).collect()
+    }
+
+    /// Lets the next frame bring everything up to date.
     pub fn rush(&mut self) {
         self.rush = true;
     }
 
-    /// How many chunks have triangles.
+    /// The next frame has all the time that it needs, if that was asked for; asking clears it.
+    pub fn end_rush(&mut self) {
+        self.rush = false;
+    }
+
+    /// How many chunks are shown.
     pub fn len(&self) -> usize {
         self.chunks.len()
     }
 
-    /// Halves edges of the chunks whose choice says so, as far as that is not done, and adds to the plan's
-    /// figures what came of it.
-    pub fn refine(
-        &mut self,
-        device: &Device,
-        queue: &Queue,
+    /// Bytes of the adapter's memory that the meshes lie in.
+    pub fn bytes(&self) -> u64 {
+        self.pages.bytes()
+    }
+
+    /// The pages that the meshes lie in.
+    pub fn pages(&self) -> &Pages {
+        &self.pages
+    }
+
+    /// Lists the chosen chunks in order, with the seams that are needed beside what is finer.
+    pub fn list(
+        &self,
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
+        list: &mut DrawList,
     ) {
-        let key = RefineKey::of(frame, &plan.bounds);
-        let mut budget = if std::mem::take(&mut self.rush) {
-            usize::MAX
-        } else {
-            REFINED_PER_FRAME
-        };
+        list.clear();
         for choice in &plan.chunks {
-            let land = &land[choice.place];
-            let Some(chunk) = self.chunks.get_mut(&land.coord) else {
-                continue;
-            };
-            if !choice.refine {
-                self.spare
-                    .extend(chunk.refined.take().and_then(|r| r.buffers));
-                continue;
-            }
-            let current = chunk.refined.as_ref().is_some_and(|r| r.made_for == key);
-            let due = !current && budget > 0;
-            if due {
-                budget -= 1;
-                self.spare
-                    .extend(chunk.refined.take().and_then(|r| r.buffers));
-                chunk.refined =
-                    refined(frame, land, &chunk.mesh, &plan.bounds).map(|mesh| Refinement {
-                        made_for: key,
-                        error_px: mesh.error_px,
-                        buffers: (mesh.halved > 0)
-                            .then(|| filled(&mut self.spare, device, queue, &mesh)),
-                    });
-            }
-            if let Some(refined) = &chunk.refined {
-                plan.stats.error_at_least(refined.error_px);
-                if let Some(buffers) = &refined.buffers {
-                    plan.stats.chunks_refined += 1;
-                    plan.stats.triangles_added += buffers.triangles() - land.triangles;
-                }
-            }
-        }
-    }
-
-    /// Makes room for the instances of all chunks.
-    pub fn reserve(&mut self, device: &Device) {
-        if self.chunks.len() > self.room {
-            self.room = self.chunks.len().next_power_of_two();
-            self.instances = instance_buffer(device, self.room);
-        }
-    }
-
-    /// Sends where the chosen chunks stand.
-    pub fn upload(&self, queue: &Queue, frame: &Frame, land: &[ChunkLand], plan: &FramePlan) {
-        let instance = |choice: &ChunkChoice| {
             let coord = land[choice.place].coord;
-            let reference = whole_reference(frame, coord.hemisphere);
-            let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
-            match &choice.port {
-                Port::Vertex => plain,
-                Port::Frame(affine) => plain.framed(affine),
-            }
-        };
-        let instances: Vec<_> = plan.chunks.iter().map(instance).collect();
-        queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-    }
-
-    /// Draws the chosen chunks in order; returns triangles and draw calls.
-    pub fn draw(
-        &self,
-        pass: &mut RenderPass<'_>,
-        land: &[ChunkLand],
-        plan: &FramePlan,
-        pipelines: &TerrainPipelines,
-    ) -> (usize, usize) {
-        let (mut triangles, mut draws) = (0, 0);
-        let mut bound = None;
-        for (place, choice) in plan.chunks.iter().enumerate() {
-            let Some(chunk) = self.chunks.get(&land[choice.place].coord) else {
+            let Some(chunk) = self.chunks.get(&coord) else {
                 continue;
             };
-            let (number, pipeline) = pipelines.of(choice);
-            if bound != Some(number) {
-                bound = Some(number);
-                pass.set_pipeline(pipeline);
-            }
+            let shades = shades_on(frame, &chunk.land);
+            let instance = instance(frame, coord, choice).shaded(shades);
             let mesh = chunk.drawn();
-            // Binding the slice instead of naming a first instance works on OpenGL too.
-            let start = (place * size_of::<ChunkInstance>()) as u64;
-            pass.set_vertex_buffer(1, self.instances.slice(start..));
-            mesh.draw(pass);
-            triangles += mesh.triangles();
-            draws += 1;
+            let seams = self.seams(coord, chunk.land.level, mesh);
+            let blend = chunk
+                .fading
+                .as_ref()
+                .and_then(|fading| Some((fading, self.clock.progress(fading.began_s)?)));
+            let Some((old, progress)) = blend else {
+                let number = TerrainPipelines::number(choice, false);
+                list.add(instance, choice.distance_m, number, mesh.pieces(seams));
+                continue;
+            };
+            plan.stats.chunks_blending += 1;
+            let number = TerrainPipelines::number(choice, true);
+            let comes = instance.blending(progress);
+            list.add(comes, choice.distance_m, number, mesh.pieces(seams));
+            let seams = self.seams(coord, old.level, &old.mesh);
+            let goes = instance.blending(-progress);
+            list.add(goes, choice.distance_m, number, old.mesh.pieces(seams));
         }
-        (triangles, draws)
+    }
+
+    fn seams(&self, coord: ChunkCoord, level: Level, mesh: &LandMesh) -> SeamMask {
+        if level == Level::FULL || !mesh.has_seams() {
+            return 0;
+        }
+        seams::mask(coord, level, |other| {
+            self.chunks.get(&other).map(GpuChunk::finest)
+        })
     }
 }
 
-/// Buffers filled with a refined mesh: spare ones with room, or new ones.
-fn filled(
-    spare: &mut Vec<MeshBuffers>,
-    device: &Device,
-    queue: &Queue,
-    mesh: &Refined,
-) -> MeshBuffers {
-    let (vertices, indices) = (mesh.vertices.len(), mesh.indices.len());
-    let place = spare.iter().position(|b| b.has_room(vertices, indices));
-    let mut buffers = if let Some(place) = place {
-        spare.swap_remove(place)
-    } else {
-        // What is too small for one mesh is of little use for the next.
-        spare.truncate(MOST_SPARE);
-        MeshBuffers::roomy(device, vertices, indices)
-    };
-    buffers.fill(queue, &mesh.vertices, &mesh.indices);
-    buffers
+fn instance(frame: &Frame, coord: ChunkCoord, choice: &ChunkChoice) -> ChunkInstance {
+    let reference = whole_reference(frame, coord.hemisphere);
+    let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
+    match &choice.port {
+        Port::Vertex => plain,
+        Port::Frame(affine) => plain.framed(affine),
+    }
 }
 
-fn instance_buffer(device: &Device, room: usize) -> Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("chunks"),
-        size: (room * size_of::<ChunkInstance>()) as u64,
-        usage: BufferUsages::VERTEX | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
+/// Bytes that a mesh takes on the adapter.
+fn bytes(mesh: &ChunkMesh) -> usize {
+    size_of_val(mesh.vertices.as_slice()) + mesh.indices.len() * size_of::<u16>()
 }
 
 #[cfg(test)]
@@ -300,11 +327,11 @@ mod tests {
     #[test]
     fn terrain_vertices_are_laid_out_as_the_pipeline_reads_them() {
         let ours = [
-            offset_of!(Vertex, position),
-            offset_of!(Vertex, normal),
+            offset_of!(Vertex, units),
+            offset_of!(Vertex, octahedral),
             offset_of!(Vertex, colour),
         ];
         assert_eq!(VERTEX_ATTRIBUTES.map(|a| a.offset as usize), ours);
-        assert_eq!(VERTEX_BYTES, 24);
+        assert_eq!(VERTEX_BYTES, 16);
     }
 }

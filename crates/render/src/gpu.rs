@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use wgpu::rwh::HasDisplayHandle;
 use wgpu::{Adapter, Backends, Device, DeviceType, Instance, Queue, Surface};
 
+use crate::draw_list::MULTI_DRAW_FEATURES;
 use crate::error::RenderError;
 
 /// Which adapter to draw with.
@@ -89,10 +90,10 @@ impl Gpu {
     /// When there is no adapter of the kind asked for, or it will not open.
     pub fn headless(choice: AdapterChoice) -> Result<Self, RenderError> {
         first_that_works(|backends| {
-            let instance = Instance::new(wgpu::InstanceDescriptor {
+            let instance = Instance::new(described(
+                wgpu::InstanceDescriptor::new_without_display_handle_from_env(),
                 backends,
-                ..wgpu::InstanceDescriptor::new_without_display_handle_from_env()
-            });
+            ));
             let adapter = pick(&instance, backends, choice, None)?;
             Self::open(instance, adapter)
         })
@@ -116,10 +117,10 @@ impl Gpu {
         W: Into<wgpu::SurfaceTarget<'static>> + Clone,
     {
         first_that_works(|backends| {
-            let instance = Instance::new(wgpu::InstanceDescriptor {
+            let instance = Instance::new(described(
+                wgpu::InstanceDescriptor::new_with_display_handle_from_env(display.clone()),
                 backends,
-                ..wgpu::InstanceDescriptor::new_with_display_handle_from_env(display.clone())
-            });
+            ));
             let surface = instance
                 .create_surface(window.clone())
                 .map_err(|e| RenderError::NoSurface(e.to_string()))?;
@@ -145,7 +146,8 @@ impl Gpu {
         let info = adapter.get_info();
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("antipode"),
-            required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+            required_features: adapter.features()
+                & (wgpu::Features::TIMESTAMP_QUERY | MULTI_DRAW_FEATURES),
             required_limits: limits(&adapter),
             ..Default::default()
         };
@@ -227,6 +229,24 @@ impl Gpu {
 /// A watcher that panicked has still written a whole value.
 fn lock(watch: &Mutex<Watch>) -> MutexGuard<'_, Watch> {
     watch.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// An instance's description, for some backends. In an optimised build the arguments of draws that lie in buffers are
+/// not looked through by a compute pass before every frame: `draw_list` alone writes them, to ranges that its books
+/// vouch for.
+fn described(
+    environment: wgpu::InstanceDescriptor,
+    backends: Backends,
+) -> wgpu::InstanceDescriptor {
+    let mut flags = environment.flags;
+    if !cfg!(debug_assertions) {
+        flags.remove(wgpu::InstanceFlags::VALIDATION_INDIRECT_CALL);
+    }
+    wgpu::InstanceDescriptor {
+        backends,
+        flags,
+        ..environment
+    }
 }
 
 /// The richest of the standard sets of limits that the adapter meets, with its own texture sizes.

@@ -5,17 +5,25 @@
 //! Nothing here opens a window, loads a world or asks which space the world is in.
 
 mod astronaut;
+mod blend;
 mod celestial;
 mod chunk_store;
+mod draw_list;
 mod error;
 mod figures;
 mod gpu;
+mod land_mesh;
 mod marker;
-mod mesh_buffers;
 mod offscreen;
+mod page_book;
+mod pages;
+mod parts;
 mod pipelines;
 mod plan;
+mod refinements;
+mod refinery;
 mod renderer;
+mod seams;
 mod shaders;
 mod solids;
 mod targets;
@@ -26,5 +34,5 @@ mod uniforms;
 pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};
 pub use offscreen::Offscreen;
-pub use plan::{PlanStats, tolerance_px};
+pub use plan::{Affine, ChunkChoice, ChunkLand, FramePlan, PlanStats, Port, plan, tolerance_px};
 pub use renderer::{DrawStats, Options, Renderer};

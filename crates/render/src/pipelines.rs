@@ -74,6 +74,9 @@ impl Pipelines {
                 deep: terrain("vertex", "fragment_deep"),
                 deep_rim: terrain("vertex", "fragment_deep_rim"),
                 framed: terrain("vertex_framed", "fragment"),
+                blending: terrain("vertex", "fragment_blending"),
+                deep_blending: terrain("vertex", "fragment_deep_blending"),
+                framed_blending: terrain("vertex_framed", "fragment_blending"),
             },
             figure: solid(&figure, ["vertex", "fragment"], &figure_buffers),
             figure_framed: solid(&figure, ["vertex_framed", "fragment"], &figure_buffers),
@@ -106,18 +109,42 @@ pub struct TerrainPipelines {
     deep_rim: RenderPipeline,
     /// Ported as a whole.
     framed: RenderPipeline,
+    /// Some of the pixels of a mesh ported by vertex, trimmed.
+    blending: RenderPipeline,
+    /// The same, each fragment with its own depth.
+    deep_blending: RenderPipeline,
+    /// Some of the pixels of a mesh ported as a whole.
+    framed_blending: RenderPipeline,
 }
 
 impl TerrainPipelines {
-    /// The pipeline of a choice, and a number that tells it from the others.
-    pub fn of(&self, choice: &ChunkChoice) -> (u8, &RenderPipeline) {
+    /// The number of the pipeline of a choice, where `blends` says that only some of the pixels are drawn. What is
+    /// mostly nearer has lower numbers.
+    pub fn number(choice: &ChunkChoice, blends: bool) -> u8 {
         let deep = choice.depth == DepthMethod::Fragment;
-        match (&choice.port, deep, choice.trimmed) {
-            (Port::Frame(_), ..) => (0, &self.framed),
-            (Port::Vertex, false, false) => (1, &self.plain),
-            (Port::Vertex, false, true) => (2, &self.rim),
-            (Port::Vertex, true, false) => (3, &self.deep),
-            (Port::Vertex, true, true) => (4, &self.deep_rim),
+        match (&choice.port, deep, choice.trimmed, blends) {
+            (Port::Vertex, false, false, false) => 0,
+            (Port::Vertex, false, true, false) => 1,
+            (Port::Vertex, true, false, false) => 2,
+            (Port::Vertex, true, true, false) => 3,
+            (Port::Frame(_), .., false) => 4,
+            (Port::Vertex, false, _, true) => 5,
+            (Port::Vertex, true, _, true) => 6,
+            (Port::Frame(_), .., true) => 7,
+        }
+    }
+
+    /// The pipeline of a number.
+    pub fn numbered(&self, number: u8) -> &RenderPipeline {
+        match number {
+            0 => &self.plain,
+            1 => &self.rim,
+            2 => &self.deep,
+            3 => &self.deep_rim,
+            4 => &self.framed,
+            5 => &self.blending,
+            6 => &self.deep_blending,
+            _ => &self.framed_blending,
         }
     }
 }

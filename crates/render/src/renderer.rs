@@ -9,12 +9,13 @@ use wgpu::{
 
 use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
+use crate::draw_list::{DrawList, LandDraws};
 use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::marker::MarkerBalls;
 use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::{ChunkLand, FramePlan, PlanStats, plan};
+use crate::plan::{PlanStats, plan};
 use crate::targets::{Targets, drawn_size};
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
@@ -41,10 +42,12 @@ pub struct Options {
 pub struct DrawStats {
     /// Triangles sent.
     pub triangles: usize,
-    /// Draw calls.
+    /// Calls to the adapter that draw something; one may draw many chunks.
     pub draws: usize,
     /// Chunks with land that were left out.
     pub culled: usize,
+    /// Bytes of the buffers that the land's meshes lie in.
+    pub land_bytes: u64,
     /// What the planner chose, and the error that causes.
     pub plan: PlanStats,
     /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
@@ -73,6 +76,8 @@ pub struct Renderer {
     tonemap: Tonemap,
     light: BindGroup,
     chunks: ChunkStore,
+    land: LandDraws,
+    list: DrawList,
     figures: Figures,
     marker: MarkerBalls,
     celestial: Celestial,
@@ -108,7 +113,9 @@ impl Renderer {
         let tonemap = Tonemap::new(&device, options.output_format, options.scale != 1.0);
         let light = tonemap.bind(&device, &targets.light);
         Ok(Self {
-            chunks: ChunkStore::new(&device),
+            chunks: ChunkStore::new(gpu),
+            land: LandDraws::new(gpu),
+            list: DrawList::default(),
             figures: Figures::new(&device),
             marker: MarkerBalls::new(&device),
             celestial: Celestial::new(&device),
@@ -142,6 +149,11 @@ impl Renderer {
         self.chunks.rush();
     }
 
+    /// Draws each mesh by a call of its own from now on, as is done on adapters that cannot draw many by one.
+    pub fn draw_singly(&mut self) {
+        self.land.draw_singly();
+    }
+
     /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
     ///
     /// The encoder is to be submitted before the next frame is drawn: a frame's data lies in buffers that the
@@ -157,8 +169,7 @@ impl Renderer {
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
         let kind = self.make_pipelines(frame);
-        self.chunks.apply(&self.device, frame);
-        self.chunks.reserve(&self.device);
+        self.chunks.apply(frame);
         self.marker.prepare(&self.queue, frame);
         self.queue.write_buffer(
             &self.uniform,
@@ -167,18 +178,20 @@ impl Renderer {
         );
         let land = self.chunks.land();
         let mut plan = plan(frame, self.height_px, &land);
-        self.chunks
-            .refine(&self.device, &self.queue, frame, &land, &mut plan);
+        self.chunks.refine(frame, &land, &mut plan);
+        self.chunks.end_rush();
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
-        self.chunks.upload(&self.queue, frame, &land, &plan);
+        self.chunks.list(frame, &land, &mut plan, &mut self.list);
+        self.land.send(&self.queue, &mut self.list);
         let mut stats = DrawStats {
             culled: self.chunks.len() - plan.chunks.len(),
+            land_bytes: self.chunks.bytes(),
             plan: plan.stats,
             gpu_ms,
             ..DrawStats::default()
         };
-        self.draw_scene(frame, kind, &land, &plan, encoder, &mut stats);
+        self.draw_scene(frame, kind, encoder, &mut stats);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -254,8 +267,6 @@ impl Renderer {
         &self,
         frame: &Frame,
         kind: u32,
-        land: &[ChunkLand],
-        plan: &FramePlan,
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
@@ -266,7 +277,12 @@ impl Renderer {
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
         stats.add(self.figures.draw(&mut pass, pipelines));
-        stats.add(self.chunks.draw(&mut pass, land, plan, &pipelines.terrain));
+        stats.add(
+            self.land
+                .draw(&mut pass, &self.list, self.chunks.pages(), |number| {
+                    pipelines.terrain.numbered(number)
+                }),
+        );
         if frame.sky.dome {
             pass.set_pipeline(&pipelines.sky);
             pass.draw(0..3, 0..1);

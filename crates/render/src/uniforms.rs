@@ -1,16 +1,18 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
-use antipode_scene::frame::Frame;
+use antipode_scene::frame::{Figure, Frame};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
-use crate::plan::Affine;
+use crate::plan::{Affine, ChunkLand};
 
 /// Strength of the contour bands, where they are drawn.
 const CONTOUR_STRENGTH: f32 = 0.24;
 /// Figures whose shade on the ground is drawn; `SHADES` of common.wgsl.
 const SHADES: usize = 8;
+/// No shade reaches farther from the figure's feet than this, metres.
+const SHADE_REACH_M: f64 = 3.0;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
@@ -43,7 +45,7 @@ impl SceneUniform {
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
-        let (shades, shade_count) = shades(frame);
+        let shades = shades(frame);
         let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
         Self {
             space: frame.strategy.uniform(eye, &frame.projection),
@@ -65,15 +67,15 @@ impl SceneUniform {
             key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
-            ambient_ground: with(sky.ambient_ground.into(), shade_count as f32),
+            ambient_ground: with(sky.ambient_ground.into(), 0.0),
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             shades,
         }
     }
 }
 
-/// The feet of the figures nearest to the eye, and how many there are.
-fn shades(frame: &Frame) -> ([[f32; 4]; SHADES], usize) {
+/// The feet of the figures nearest to the eye.
+fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
     let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
     let mut feet: Vec<_> = frame.figures.iter().map(|figure| figure.point).collect();
     feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
@@ -84,7 +86,21 @@ fn shades(frame: &Frame) -> ([[f32; 4]; SHADES], usize) {
             hemisphere_index(point.hemisphere) as f32,
         );
     }
-    (shades, feet.len().min(SHADES))
+    shades
+}
+
+/// How many shades may fall on a chunk's land: all or none.
+pub fn shades_on(frame: &Frame, land: &ChunkLand) -> u32 {
+    let falls = |figure: &Figure| {
+        let (feet, hemisphere) = (figure.point.pos, figure.point.hemisphere);
+        hemisphere == land.coord.hemisphere
+            && feet.distance(feet.clamp(land.min, land.max)) < SHADE_REACH_M
+    };
+    if frame.figures.iter().any(falls) {
+        frame.figures.len().min(SHADES) as u32
+    } else {
+        0
+    }
 }
 
 fn with(v: Vec3, w: f32) -> [f32; 4] {
@@ -108,10 +124,13 @@ fn reference_fraction(frame: &Frame) -> DVec3 {
 pub struct ChunkInstance {
     /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub hemisphere: u32,
+    /// The hemisphere's number in the lowest bit, and above it how many figures' shades may fall on the chunk.
+    pub flags: u32,
     /// The chunk's corner wrapped to [-128, 128) metres.
     pub world: [f32; 3],
+    /// Of a mesh that comes in a blend, the share of the pixels that show it; of one that goes, minus the share that
+    /// no longer do.
+    pub blend: f32,
     /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
 }
@@ -121,8 +140,9 @@ impl ChunkInstance {
     pub fn new(origin: DVec3, hemisphere: Hemisphere, reference: DVec3) -> Self {
         Self {
             offset: (origin - reference).as_vec3().into(),
-            hemisphere: hemisphere_index(hemisphere),
+            flags: hemisphere_index(hemisphere),
             world: origin.map(wrap_m).as_vec3().into(),
+            blend: 0.0,
             frame: [[0.0; 4]; 4],
         }
     }
@@ -136,9 +156,24 @@ impl ChunkInstance {
         }
     }
 
+    /// The same, with so many shades that may fall on it.
+    #[must_use]
+    pub fn shaded(self, shades: u32) -> Self {
+        Self {
+            flags: self.flags & 1 | shades << 1,
+            ..self
+        }
+    }
+
+    /// The same, in a blend.
+    #[must_use]
+    pub fn blending(self, blend: f32) -> Self {
+        Self { blend, ..self }
+    }
+
     /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
-        3 => Float32x3, 4 => Uint32, 5 => Float32x3,
+        3 => Float32x3, 4 => Uint32, 5 => Float32x4,
         6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4
     ];
 }
@@ -350,7 +385,8 @@ mod tests {
         let instance =
             ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
         assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
-        assert_eq!(instance.hemisphere, 1);
+        assert_eq!(instance.flags, 1);
+        assert_eq!(instance.shaded(8).flags, 0b1_0001);
         assert_eq!(instance.world, [0.0, -32.0, 96.0]);
         assert_eq!(wrap_m(128.0), -128.0);
     }

@@ -226,15 +226,15 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
         index: glam::IVec3::new(1, 0, -1),
     };
     let reach = (rim_m - 32.0) as f32;
-    // A strip along x, at z = -1..1, seen from above: it passes the equator well inside the chunk.
+    // A strip along x, at z = -2..0, seen from above: it passes the equator well inside the chunk.
     let strip = [
-        [1.0, 31.0],
-        [1.0, 33.0],
-        [reach + 6.0, 33.0],
-        [reach + 6.0, 31.0],
+        [1.0, 30.0],
+        [1.0, 32.0],
+        [reach + 6.0, 32.0],
+        [reach + 6.0, 30.0],
     ]
     .map(|[x, z]: [f32; 2]| Vec3::new(x, 2.0, z));
-    let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, 0.0));
+    let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, -1.0));
     let mut frame = Frame {
         chunk_changes: vec![ChunkChange::Put(corner, plates(&[strip]))],
         sky: noon(false),
@@ -244,7 +244,7 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     let picture = studio.picture(&frame);
     let (_, line) = seen_at(
         &frame,
-        ChartPoint::a(DVec3::new(rim_m + 0.05, 2.0, 0.0)),
+        ChartPoint::a(DVec3::new(rim_m + 0.05, 2.0, -1.0)),
         SIZE,
     );
     let column = SIZE.0 / 2;

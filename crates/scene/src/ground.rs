@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
-use antipode_physics::PhysicsWorld;
+use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
 use antipode_terrain::{Field, Samples};
 use glam::{DVec3, IVec3};
@@ -19,7 +19,8 @@ const SEARCH_HALVINGS: u32 = 20;
 /// What is kept of a resident chunk that has a surface.
 #[derive(Debug)]
 struct Resident {
-    samples: Arc<Samples>,
+    /// Only near bodies.
+    samples: Option<Arc<Samples>>,
     triangles: usize,
 }
 
@@ -46,8 +47,7 @@ impl Ground {
 
     /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer.
     pub fn put(&mut self, chunk: Chunk, physics: &mut PhysicsWorld) {
-        let origin = chunk.coord.origin() + self.strategy.chart_origin_m(chunk.coord.hemisphere);
-        physics.set_terrain(chunk.coord, origin, chunk.collider);
+        physics.set_terrain(chunk.coord, self.origin(chunk.coord), chunk.collider);
         let triangles = chunk.mesh.triangles().len();
         self.chunks.insert(
             chunk.coord,
@@ -58,6 +58,25 @@ impl Ground {
         );
         self.changes
             .insert(chunk.coord, ChunkChange::Put(chunk.coord, chunk.mesh));
+    }
+
+    /// Makes a resident chunk solid, since a body has come near, or with nothing to be so no longer.
+    pub fn set_solid(
+        &mut self,
+        coord: ChunkCoord,
+        collider: Option<TerrainCollider>,
+        samples: Option<Arc<Samples>>,
+        physics: &mut PhysicsWorld,
+    ) {
+        if let Some(chunk) = self.chunks.get_mut(&coord) {
+            chunk.samples = samples;
+            physics.set_terrain(coord, self.origin(coord), collider);
+        }
+    }
+
+    /// Where a chunk stands in physics space.
+    fn origin(&self, coord: ChunkCoord) -> DVec3 {
+        coord.origin() + self.strategy.chart_origin_m(coord.hemisphere)
     }
 
     /// Lets a chunk go.
@@ -84,11 +103,12 @@ impl Ground {
     }
 
     /// The field at a point, edits included: negative inside the ground. Where no chunk with a surface is
-    /// resident, the unedited field.
+    /// resident, or no body near, the unedited field.
     pub fn density(&self, point: ChartPoint) -> f32 {
         let coord = ChunkCoord::containing(point);
-        match self.chunks.get(&coord) {
-            Some(chunk) => chunk.samples.density(point.pos - coord.origin()),
+        let chunk = self.chunks.get(&coord);
+        match chunk.and_then(|chunk| chunk.samples.as_ref()) {
+            Some(samples) => samples.density(point.pos - coord.origin()),
             None => self.field.sample(point),
         }
     }
@@ -151,19 +171,6 @@ pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> 
     }
     near.retain(|coord| is_in_world(strategy, *coord));
     near
-}
-
-/// The chunks of the column through `point` from `down_m` below it to `up_m` above it, as wide as a body.
-pub fn chunks_in_column(
-    strategy: &dyn Strategy,
-    point: ChartPoint,
-    down_m: f64,
-    up_m: f64,
-) -> Vec<ChunkCoord> {
-    let width = DVec3::new(1.0, 0.0, 1.0);
-    let mut column = chunks_in_box(point, -width - DVec3::Y * down_m, width + DVec3::Y * up_m);
-    column.retain(|coord| is_in_world(strategy, *coord));
-    column
 }
 
 fn chunks_in_box(point: ChartPoint, low: DVec3, high: DVec3) -> Vec<ChunkCoord> {
@@ -271,7 +278,7 @@ mod tests {
                     coord: coord(x),
                     mesh: Arc::default(),
                     collider: None,
-                    samples: Arc::new(samples),
+                    samples: Some(Arc::new(samples)),
                 };
                 ground.put(chunk, &mut physics);
             }

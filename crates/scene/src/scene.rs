@@ -12,13 +12,15 @@ use thiserror::Error;
 
 use crate::camera::{self, CameraMode};
 use crate::day;
+use crate::detail::Sight;
 use crate::frame::{Figure, Frame, Marker, Quality};
 use crate::ground::Ground;
 use crate::item::Inventory;
 use crate::lens::Lens;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::tuning::{
-    BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, VIEW_DISTANCE_CHUNKS,
+    BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
+    VIEW_DISTANCE_CHUNKS,
 };
 
 /// How many damaged places of a save are told one by one.
@@ -90,6 +92,10 @@ pub struct Scene {
     pub(crate) changed: bool,
     /// Whether the body was put where it is and may be stuck there.
     pub(crate) body_unchecked: bool,
+    /// Lines of a picture.
+    pub(crate) picture_height_px: u32,
+    /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
+    pub(crate) sight: Option<Arc<Sight>>,
 }
 
 impl std::fmt::Debug for Scene {
@@ -158,6 +164,8 @@ impl Scene {
             created_unix_s,
             changed: false,
             body_unchecked: true,
+            picture_height_px: PICTURE_HEIGHT_PX,
+            sight: None,
         };
         if let Some(state) = saved {
             scene.restore(&state);

@@ -2,21 +2,19 @@
 
 use std::time::Duration;
 
-use antipode_geometry::ChunkCoord;
-use antipode_streaming::{StreamingError, Until, Update, Wish};
+use std::sync::Arc;
+
+use antipode_streaming::{Detail, StreamingError, Until, Update, Wish};
 use thiserror::Error;
 
-use crate::ground::{chunks_in_column, chunks_near};
-use crate::persist::GROUND_SEARCH_M;
+use crate::detail::{Sharpness, Sight};
+use crate::ground::chunks_near;
+use crate::reach;
 use crate::scene::Scene;
-use crate::tuning::AUTOSAVE_S;
+use crate::tuning::{AUTOSAVE_S, FOV_Y_RAD};
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres.
 const PLAYABLE_AROUND_M: f64 = 24.0;
-/// Ground within this distance can be seen by a step, in metres: the tool's reach and the camera behind it.
-const STEP_SEES_M: f64 = 30.0;
-/// As far up as a body is lifted, and its height.
-const LIFT_SEES_M: f64 = 66.0;
 /// Times that a script waits for the ground around a body that was lifted to other ground.
 const MOST_LIFTS: usize = 4;
 
@@ -36,12 +34,35 @@ impl Scene {
     /// Tells the workers what is wanted now. Cheap; called every frame.
     pub fn request_ground(&mut self) {
         let head = self.head();
+        let (position, _, body, _) = self.player_parts();
+        self.renew_sight();
         let wish = Wish {
             centre: head.point,
             front: head.front(),
             view_distance: self.setup.view_distance,
+            bodies: reach::of_body(&*self.strategy, position.0, body.0.velocity),
+            detail: self.sight.clone().map(|sight| sight as Arc<dyn Detail>),
         };
         self.streamer.wish(&wish);
+    }
+
+    /// Takes the sizes of things in the picture anew, if they no longer hold.
+    fn renew_sight(&mut self) {
+        let sharpness = Sharpness::of(self.quality, self.picture_height_px, FOV_Y_RAD);
+        let Some(sharpness) = sharpness else {
+            self.sight = None;
+            return;
+        };
+        let (strategy, head) = (self.lens.strategy(), self.head());
+        let sight = self.sight.as_ref();
+        if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
+            self.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
+        }
+    }
+
+    /// Says how many lines pictures have, which decides how fine far land must be; at least 1.
+    pub fn set_picture_height_px(&mut self, lines: u32) {
+        self.picture_height_px = lines.max(1);
     }
 
     /// Takes finished work in until `budget` is used up. Never blocks.
@@ -73,30 +94,8 @@ impl Scene {
 
     /// Waits for the ground that a step, a probe or a lift may ask about.
     fn await_ground(&mut self, limit: Duration) {
-        let updates = if self.strategy.rim_m().is_some() {
-            // Towards a closed world's equator and ceiling the tool's reach spans ever more of the chart. Such a
-            // world is resident as a whole anyway.
-            self.streamer.wait(Until::Loads, limit)
-        } else {
-            let needed = self.ground_in_sight();
-            if needed.iter().all(|&coord| self.streamer.is_ready(coord)) {
-                return;
-            }
-            self.streamer.wait(Until::Chunks(&needed), limit)
-        };
+        let updates = self.streamer.wait(Until::Bodies, limit);
         self.apply(updates);
-    }
-
-    fn ground_in_sight(&self) -> Vec<ChunkCoord> {
-        let (strategy, feet) = (&*self.strategy, self.feet());
-        let mut needed = chunks_near(strategy, feet, STEP_SEES_M);
-        let up_m = if self.body_unchecked {
-            LIFT_SEES_M
-        } else {
-            0.0
-        };
-        needed.extend(chunks_in_column(strategy, feet, GROUND_SEARCH_M, up_m));
-        needed
     }
 
     /// Blocks until no chunk work is pending, or `limit` has passed; returns false when it did.
@@ -201,6 +200,13 @@ impl Scene {
                         self.ground.put(chunk, &mut self.physics);
                     }
                 }
+                Update::Solid {
+                    coord,
+                    collider,
+                    samples,
+                } => self
+                    .ground
+                    .set_solid(coord, collider, samples, &mut self.physics),
                 Update::Unloaded(coord) => self.ground.remove(coord, &mut self.physics),
                 Update::Saved => self.save_problem = None,
                 Update::SaveFailed(sentence) => {

@@ -30,6 +30,8 @@ pub const FOV_Y_RAD: f64 = 75.0 * std::f64::consts::PI / 180.0;
 /// Open worlds hold a player within this of their middle, in metres: far beyond it positions in `f64` would
 /// lose the millimetres that walking needs.
 pub const FARTHEST_M: f64 = 1e9;
+/// Lines of a picture, until it is known how many they are.
+pub const PICTURE_HEIGHT_PX: u32 = 720;
 /// Full health.
 pub const FULL_HEALTH: f64 = 20.0;
 /// Default view distance in chunks, and its allowed range.

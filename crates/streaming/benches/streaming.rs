@@ -26,11 +26,7 @@ fn world(config: Config) -> (Streamer, DVec3) {
     let ground_m = field.surface_height(Hemisphere::A, 0.0, 0.0);
     let corner = DVec3::new(0.0, (ground_m / 32.0).round() * 32.0, 0.0);
     let mut streamer = Streamer::start(field, space, None, config).expect("threads");
-    streamer.wish(&Wish {
-        centre: ChartPoint::a(corner),
-        front: DVec3::X,
-        view_distance: 1,
-    });
+    streamer.wish(&Wish::new(ChartPoint::a(corner), DVec3::X, 1));
     let loaded = streamer.wait(Until::Idle, LIMIT);
     assert!(!loaded.is_empty());
     (streamer, corner)
@@ -60,11 +56,7 @@ fn main_thread_wish_and_poll(bencher: divan::Bencher<'_, '_>) {
     bencher.bench_local(|| {
         turn += 0.3;
         let front = DVec3::new(turn.cos(), 0.0, turn.sin());
-        streamer.wish(&Wish {
-            centre: ChartPoint::a(corner),
-            front,
-            view_distance: 1,
-        });
+        streamer.wish(&Wish::new(ChartPoint::a(corner), front, 1));
         streamer.poll(Duration::from_millis(1))
     });
 }
@@ -78,11 +70,7 @@ fn main_thread_walk_over_a_border(bencher: divan::Bencher<'_, '_>) {
     bencher.bench_local(|| {
         chunk += 1.0;
         let centre = ChartPoint::a(corner + DVec3::X * (32.0 * chunk + 16.0));
-        streamer.wish(&Wish {
-            centre,
-            front: DVec3::X,
-            view_distance: 4,
-        });
+        streamer.wish(&Wish::new(centre, DVec3::X, 4));
     });
 }
 

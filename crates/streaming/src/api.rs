@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::thread;
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
 use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Samples};
 use glam::DVec3;
@@ -30,8 +30,52 @@ impl Default for Config {
     }
 }
 
-/// What the player needs around them.
+/// A box of a chart that a body may be in, or ask about, within the next moments: ground in it is
+/// solid, that is, it has its colliders and can be asked for its density.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reach {
+    /// The chart.
+    pub hemisphere: Hemisphere,
+    /// Least corner in chart metres; may be infinite.
+    pub min: DVec3,
+    /// Greatest corner in chart metres; may be infinite.
+    pub max: DVec3,
+}
+
+impl Reach {
+    /// All points of a point's chart within `reach_m` of it along each axis.
+    pub fn around(point: ChartPoint, reach_m: f64) -> Self {
+        Self {
+            hemisphere: point.hemisphere,
+            min: point.pos - reach_m,
+            max: point.pos + reach_m,
+        }
+    }
+
+    /// All of a chart.
+    pub fn whole(hemisphere: Hemisphere) -> Self {
+        Self::around(ChartPoint::new(hemisphere, DVec3::ZERO), f64::INFINITY)
+    }
+}
+
+/// How large the land is in the picture, which decides at what resolution it is made.
+///
+/// What is asked about a chunk must hold wherever the eye may go and turn until a wish brings
+/// another `Detail`. Asked on the workers.
+pub trait Detail: fmt::Debug + Send + Sync {
+    /// The most pixels that a metre anywhere in the chunk takes in the picture.
+    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64;
+
+    /// Pixels from one end of the chunk to the other, as it is seen from here; 0 for what lies
+    /// beyond what is drawn.
+    fn span_px(&self, coord: ChunkCoord) -> f64;
+
+    /// Errors of so many pixels are let pass; at 0 everything is made in full resolution.
+    fn tolerance_px(&self) -> f64;
+}
+
+/// What the player needs around them.
+#[derive(Clone, Debug)]
 pub struct Wish {
     /// Where the player is, chart metres.
     pub centre: ChartPoint,
@@ -40,24 +84,51 @@ pub struct Wish {
     /// Chunks to load in every direction, 1 to 64; a spherical world is wholly resident and
     /// ignores it.
     pub view_distance: u32,
+    /// Where ground must be solid. Chunks out of range are not made for it.
+    pub bodies: Vec<Reach>,
+    /// How large land is in the picture; without it everything in range is made in full
+    /// resolution. The plan is made anew when it is another `Arc`.
+    pub detail: Option<Arc<dyn Detail>>,
+}
+
+impl Wish {
+    /// Everything in range solid and in full resolution.
+    pub fn new(centre: ChartPoint, front: DVec3, view_distance: u32) -> Self {
+        Self {
+            centre,
+            front,
+            view_distance,
+            bodies: [Hemisphere::A, Hemisphere::B].map(Reach::whole).to_vec(),
+            detail: None,
+        }
+    }
 }
 
 /// A finished chunk.
 pub struct Chunk {
     /// Which chunk.
     pub coord: ChunkCoord,
-    /// Its surface, positions in metres from the chunk's origin; may have no triangles.
+    /// Its surface at `mesh.level`, positions in metres from the chunk's origin; may have no
+    /// triangles.
     pub mesh: Arc<ChunkMesh>,
-    /// The same surface for the physics; `None` where there are no triangles.
+    /// The same surface for the physics; `None` where there are no triangles, or no body near.
     pub collider: Option<TerrainCollider>,
-    /// The field with the edits applied, for point queries.
-    pub samples: Arc<Samples>,
+    /// The field with the edits applied, for point queries; only near bodies.
+    pub samples: Option<Arc<Samples>>,
+}
+
+impl Chunk {
+    /// Whether it is made for bodies too: then it has samples, and a collider if it has triangles.
+    pub fn is_solid(&self) -> bool {
+        self.samples.is_some()
+    }
 }
 
 impl fmt::Debug for Chunk {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Chunk")
             .field("coord", &self.coord)
+            .field("level", &self.mesh.level)
             .field("indices", &self.mesh.indices.len())
             .field("collider", &self.collider.is_some())
             .finish_non_exhaustive()
@@ -67,10 +138,20 @@ impl fmt::Debug for Chunk {
 /// What became of earlier wishes.
 #[derive(Debug)]
 pub enum Update {
-    /// A chunk to show.
+    /// A chunk to show, in place of what was shown of it.
     Loaded(Chunk),
     /// All chunks of one edit batch, to be shown in one frame.
     Edited(Vec<Chunk>),
+    /// A chunk that is shown has become solid, since a body came near, or is no longer: then both
+    /// are `None`.
+    Solid {
+        /// Which chunk.
+        coord: ChunkCoord,
+        /// Its collider, if it has triangles.
+        collider: Option<TerrainCollider>,
+        /// The field with the edits applied.
+        samples: Option<Arc<Samples>>,
+    },
     /// A chunk to forget.
     Unloaded(ChunkCoord),
     /// Everything up to the save is on disk.
@@ -90,7 +171,9 @@ pub enum Until<'a> {
     /// None of these chunks is still to come. One that is out of range, or was given up, does not
     /// hold the wait up.
     Chunks(&'a [ChunkCoord]),
-    /// Every chunk in range is there or was given up.
+    /// All ground that the bodies of the last wish reach is there and solid, or was given up.
+    Bodies,
+    /// Every chunk in range is there at its level, or was given up.
     Loads,
     /// Every save asked for so far has succeeded or failed.
     Saved,

@@ -2,10 +2,12 @@
 //!
 //! A batch enters whole under one write lock and raises the revision by one; whoever reads takes
 //! the revision and the edits under one read lock, so no chunk is ever made from half a batch.
-//! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk).
+//! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
+//! they are among those used last; of the others, what is saved is read again when it is needed.
 
 use std::collections::{HashMap, HashSet};
 use std::error::Error;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 
 use antipode_geometry::ChunkCoord;
@@ -13,6 +15,9 @@ use antipode_terrain::ChunkEdits;
 
 use crate::range::around;
 use crate::vault::{ReadFault, Vault, key_of};
+
+/// Saved chunks of a stored world that stay in memory, those used last: 32 MB of them.
+const MOST_SAVED: usize = 256;
 
 /// Edits of a chunk and its neighbours at one revision.
 pub(crate) struct Snapshot {
@@ -44,11 +49,20 @@ pub(crate) struct Change {
 pub(crate) struct Book {
     pages: RwLock<Pages>,
     vault: Option<Arc<dyn Vault>>,
+    /// Counts uses.
+    clock: AtomicU64,
+}
+
+/// The edits of a chunk.
+struct Page {
+    edits: Arc<ChunkEdits>,
+    /// When they were last used.
+    used: AtomicU64,
 }
 
 #[derive(Default)]
 struct Pages {
-    chunks: HashMap<ChunkCoord, Arc<ChunkEdits>>,
+    chunks: HashMap<ChunkCoord, Page>,
     /// Stored, but not yet read.
     on_disk: HashSet<ChunkCoord>,
     /// Stored, and told to be out of reach.
@@ -66,6 +80,7 @@ impl Book {
                 ..Pages::default()
             }),
             vault,
+            clock: AtomicU64::new(0),
         }
     }
 
@@ -79,7 +94,7 @@ impl Book {
         self.fetch(around(coord, -1, 1), problems);
         let pages = self.read();
         let near = around(coord, -1, 1)
-            .filter_map(|near| Some((near, Arc::clone(pages.chunks.get(&near)?))))
+            .filter_map(|near| Some((near, self.turn_to(&pages, near)?)))
             .collect();
         Snapshot {
             revision: pages.revision,
@@ -96,10 +111,9 @@ impl Book {
     ) -> Option<ChunkEdits> {
         self.fetch(std::iter::once(coord), problems);
         let pages = self.read();
-        let known = pages
-            .chunks
-            .get(&coord)
-            .map(|edits| ChunkEdits::clone(edits));
+        let known = self
+            .turn_to(&pages, coord)
+            .map(|edits| ChunkEdits::clone(&edits));
         known.or_else(|| (!pages.on_disk.contains(&coord)).then(ChunkEdits::default))
     }
 
@@ -116,7 +130,8 @@ impl Book {
             visible,
         } in batch
         {
-            pages.chunks.insert(coord, Arc::new(edits));
+            pages.on_disk.remove(&coord);
+            pages.chunks.insert(coord, self.page(edits));
             if visible {
                 pages.dirty.insert(coord);
             }
@@ -130,7 +145,7 @@ impl Book {
         let dirty = std::mem::take(&mut pages.dirty);
         let mut taken: Vec<_> = dirty
             .into_iter()
-            .filter_map(|coord| Some((coord, Arc::clone(pages.chunks.get(&coord)?))))
+            .filter_map(|coord| Some((coord, Arc::clone(&pages.chunks.get(&coord)?.edits))))
             .collect();
         taken.sort_unstable_by_key(|(coord, _)| *coord);
         taken
@@ -139,6 +154,58 @@ impl Book {
     /// Marks chunks as unsaved again, after a commit that failed.
     pub(crate) fn put_back(&self, coords: impl Iterator<Item = ChunkCoord>) {
         self.write().dirty.extend(coords);
+    }
+
+    /// After a commit: lets go of saved chunks that were not used for long. They are read again
+    /// when needed; of what adds up within less than a stored unit, nothing is left then.
+    pub(crate) fn forget_saved(&self) {
+        if self.vault.is_none() {
+            return;
+        }
+        let mut pages = self.write();
+        let pages = &mut *pages;
+        let saved = pages
+            .chunks
+            .iter()
+            .filter(|(coord, _)| !pages.dirty.contains(coord));
+        let mut uses: Vec<_> = saved
+            .map(|(&coord, page)| (page.used.load(Ordering::Relaxed), coord))
+            .collect();
+        let Some(count) = uses
+            .len()
+            .checked_sub(MOST_SAVED)
+            .filter(|&count| count > 0)
+        else {
+            return;
+        };
+        uses.select_nth_unstable(count - 1);
+        for &(_, coord) in &uses[..count] {
+            pages.chunks.remove(&coord);
+            pages.on_disk.insert(coord);
+        }
+    }
+
+    /// Chunks whose edits are in memory.
+    #[cfg(test)]
+    pub(crate) fn held(&self) -> usize {
+        self.read().chunks.len()
+    }
+
+    fn page(&self, edits: ChunkEdits) -> Page {
+        Page {
+            edits: Arc::new(edits),
+            used: AtomicU64::new(self.now()),
+        }
+    }
+
+    fn turn_to(&self, pages: &Pages, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
+        let page = pages.chunks.get(&coord)?;
+        page.used.store(self.now(), Ordering::Relaxed);
+        Some(Arc::clone(&page.edits))
+    }
+
+    fn now(&self) -> u64 {
+        self.clock.fetch_add(1, Ordering::Relaxed)
     }
 
     /// Reads those of the chunks that are stored and not read yet. One that cannot be had is told
@@ -164,7 +231,7 @@ impl Book {
             }
             match found {
                 Ok(Some(edits)) => {
-                    pages.chunks.insert(coord, Arc::new(edits));
+                    pages.chunks.insert(coord, self.page(edits));
                 }
                 Ok(None) => {}
                 Err(ReadFault::Damaged(why)) => problems.push(not_shown(coord, &*why)),
@@ -202,4 +269,103 @@ fn not_shown(coord: ChunkCoord, why: &(dyn Error + Send + Sync)) -> String {
         "The terrain of chunk {} {} {} is shown without what you changed there. {why}",
         at.x, at.y, at.z
     )
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use std::sync::Mutex;
+
+    use antipode_geometry::Hemisphere;
+    use antipode_storage::{Batch, ChunkKey};
+    use glam::IVec3;
+
+    use super::*;
+    use crate::vault::Failure;
+
+    #[derive(Default)]
+    struct Disk(Mutex<HashMap<ChunkKey, Vec<i16>>>);
+
+    impl Vault for Disk {
+        fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+            Ok(Vec::new())
+        }
+
+        fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+            Ok(self.0.lock().unwrap().get(key).cloned())
+        }
+
+        fn commit(&self, _: &Batch) -> Result<(), Failure> {
+            Ok(())
+        }
+    }
+
+    fn chunk(x: i32) -> ChunkCoord {
+        ChunkCoord {
+            hemisphere: Hemisphere::A,
+            index: IVec3::new(x, 0, 0),
+        }
+    }
+
+    fn enter(book: &Book, x: i32) {
+        let mut edits = book.edits(chunk(x), &mut Vec::new()).unwrap();
+        edits.add(1, 2, 3, 0.5);
+        book.enter(vec![Change {
+            coord: chunk(x),
+            edits,
+            visible: true,
+        }]);
+    }
+
+    fn save(book: &Book, disk: &Disk) {
+        for (coord, edits) in book.take_dirty() {
+            disk.0
+                .lock()
+                .unwrap()
+                .insert(key_of(coord), edits.to_units());
+        }
+        book.forget_saved();
+    }
+
+    #[test]
+    fn what_is_saved_and_not_used_leaves_the_memory_and_comes_back() {
+        let disk = Arc::new(Disk::default());
+        let book = Book::new(Some(Arc::clone(&disk) as Arc<dyn Vault>), HashSet::new());
+        let count = MOST_SAVED as i32 + 40;
+        for x in 0..count {
+            enter(&book, x);
+            save(&book, &disk);
+        }
+        assert_eq!(book.held(), MOST_SAVED);
+        for x in [0, 20, count - 1] {
+            let edits = book.edits(chunk(x), &mut Vec::new()).unwrap();
+            assert_eq!(edits.delta(1, 2, 3), 0.5, "{x}");
+        }
+        enter(&book, 3);
+        save(&book, &disk);
+        assert_eq!(
+            book.edits(chunk(3), &mut Vec::new())
+                .unwrap()
+                .delta(1, 2, 3),
+            1.0
+        );
+        assert_eq!(book.held(), MOST_SAVED);
+    }
+
+    #[test]
+    fn what_is_not_saved_stays_and_so_does_everything_without_a_store() {
+        let book = Book::new(Some(Arc::new(Disk::default())), HashSet::new());
+        let bare = Book::new(None, HashSet::new());
+        for x in 0..MOST_SAVED as i32 + 40 {
+            enter(&book, x);
+            enter(&bare, x);
+        }
+        book.forget_saved();
+        bare.take_dirty();
+        bare.forget_saved();
+        assert_eq!(
+            (book.held(), bare.held()),
+            (MOST_SAVED + 40, MOST_SAVED + 40)
+        );
+    }
 }

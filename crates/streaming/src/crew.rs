@@ -6,14 +6,15 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use antipode_geometry::ChunkCoord;
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
+use crate::ledger::Make;
 use crate::outcome::Outcome;
+use crate::plan::Request;
 use crate::round::EditBatch;
 use crate::saver::{self, Parts};
 use crate::shared::Shared;
-use crate::worker::{Desk, EditJob};
+use crate::worker::{Desk, UrgentJob};
 
 /// Loads handed to each worker at a time: enough to keep it busy for a frame, a slow one of a software
 /// adapter too, few enough that the order can still change.
@@ -35,8 +36,8 @@ pub(crate) struct Crew {
 }
 
 struct Ends {
-    loads: Sender<ChunkCoord>,
-    edits: Sender<EditJob>,
+    loads: Sender<Make>,
+    urgent: Sender<UrgentJob>,
     saves: Sender<Box<Parts>>,
 }
 
@@ -46,17 +47,17 @@ impl Crew {
         let workers = workers.max(1);
         let most_loads = workers * LOADS_PER_WORKER;
         let (loads, load_jobs) = bounded(most_loads);
-        // One batch, and calls for help to everybody else.
-        let (edits, edit_jobs) = bounded(workers + 1);
+        // One batch, one plan, and calls for help to everybody else.
+        let (urgent, urgent_jobs) = bounded(workers + 2);
         let (saves, save_jobs) = bounded(1);
-        // Room for every load, the batch and the save that can be in flight.
-        let (send_results, results) = bounded(most_loads + 2);
+        // Room for every load, the batch, the plan and the save that can be in flight.
+        let (send_results, results) = bounded(most_loads + 3);
         let (living, alive) = bounded(0);
         let mut crew = Self {
             shared: Arc::clone(&shared),
             ends: Some(Ends {
                 loads,
-                edits: edits.clone(),
+                urgent: urgent.clone(),
                 saves,
             }),
             results,
@@ -65,8 +66,8 @@ impl Crew {
             most_loads,
         };
         let desk = Desk {
-            edits: edit_jobs,
-            call: edits,
+            urgent: urgent_jobs,
+            call: urgent,
             loads: load_jobs,
             results: send_results.clone(),
             colleagues: workers - 1,
@@ -117,10 +118,18 @@ impl Crew {
     }
 
     /// Hands over a load; false if there is no room.
-    pub(crate) fn load(&self, coord: ChunkCoord) -> bool {
+    pub(crate) fn load(&self, make: Make) -> bool {
         self.ends
             .as_ref()
-            .is_some_and(|ends| ends.loads.try_send(coord).is_ok())
+            .is_some_and(|ends| ends.loads.try_send(make).is_ok())
+    }
+
+    /// Hands over a plan to be made; false if there is no room.
+    pub(crate) fn plan(&self, request: Request) -> bool {
+        let job = UrgentJob::Plan(Box::new(request));
+        self.ends
+            .as_ref()
+            .is_some_and(|ends| ends.urgent.try_send(job).is_ok())
     }
 
     /// Hands over a batch, or gives it back if there is no room.
@@ -128,11 +137,11 @@ impl Crew {
         let Some(ends) = &self.ends else {
             return Err(batch);
         };
-        ends.edits
-            .try_send(EditJob::Begin(batch))
+        ends.urgent
+            .try_send(UrgentJob::Begin(batch))
             .or_else(|refused| match refused.into_inner() {
-                EditJob::Begin(batch) => Err(batch),
-                EditJob::Help(_) => Ok(()),
+                UrgentJob::Begin(batch) => Err(batch),
+                UrgentJob::Help(_) | UrgentJob::Plan(_) => Ok(()),
             })
     }
 

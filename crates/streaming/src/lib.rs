@@ -10,6 +10,10 @@
 //!   [`Update::Edited`], or none. Strokes made while a batch is under way add up for the next.
 //! - Commits run on the saver alone, since waiting for the disk must never delay an edit.
 //!
+//! - Which chunks are to be there, and at which level of detail, is planned on a worker too, from
+//!   the size of the land in the picture ([`Detail`]). Only the ground that bodies reach
+//!   ([`Reach`]) is solid, that is, has colliders and samples; it is always in full resolution.
+//!
 //! What keeps a picture free of gaps: the edits of the world carry a revision that rises by one
 //! with each batch; a loaded chunk says which revision it was made from, is held back until that
 //! batch is shown, and is made again when a batch shown since has touched it.
@@ -19,9 +23,12 @@ mod bases;
 mod book;
 mod crew;
 mod ledger;
+mod levels;
 mod outcome;
+mod plan;
 mod queue;
 mod range;
+mod reaches;
 mod round;
 mod saver;
 mod shared;
@@ -34,6 +41,6 @@ mod worker;
 #[cfg(test)]
 mod tests;
 
-pub use api::{Chunk, Config, StreamingError, Until, Update, Wish};
+pub use api::{Chunk, Config, Detail, Reach, StreamingError, Until, Update, Wish};
 pub use range::is_in_world;
 pub use streamer::Streamer;

@@ -3,6 +3,8 @@
 use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
+use crate::ledger::Make;
+use crate::plan::Planned;
 use crate::saver::Unsaved;
 
 /// A finished job.
@@ -11,13 +13,15 @@ pub(crate) enum Outcome {
     Loaded(Loaded),
     /// One batch, whole.
     Edited(Edited),
+    /// One plan, or why it could not be made.
+    Planned(Result<Planned, Vec<String>>),
     /// One commit, and what failed of it.
     Saved(Option<Unsaved>),
 }
 
 /// The end of a load.
 pub(crate) struct Loaded {
-    pub(crate) coord: ChunkCoord,
+    pub(crate) make: Make,
     /// `None` if it was given up.
     pub(crate) chunk: Option<Chunk>,
     /// The revision of the edits it was made from.
@@ -28,8 +32,8 @@ pub(crate) struct Loaded {
 /// The end of an edit batch.
 #[derive(Default)]
 pub(crate) struct Edited {
-    /// Every chunk of `remeshed`, if complete.
-    pub(crate) chunks: Vec<Chunk>,
+    /// Every chunk of `remeshed` that was to be shown, if complete.
+    pub(crate) chunks: Vec<(Make, Chunk)>,
     /// Chunks that own a changed sample.
     pub(crate) touched: Vec<ChunkCoord>,
     /// Chunks that look different.

@@ -1,5 +1,8 @@
 //! The order in which chunks are loaded: what the player stands on, then what they see, then the
-//! rest; nearest first in each.
+//! rest; nearest first in each. Chunks that are there at another level come after all that are not.
+
+use std::cmp::Reverse;
+use std::collections::{BinaryHeap, HashMap};
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use glam::DVec3;
@@ -22,13 +25,19 @@ struct Aim {
     front: DVec3,
 }
 
+/// Group and distance in micrometres: the smaller the sooner.
+type Rank = (u8, u64);
+
 /// Chunks waiting to be handed to a worker.
 #[derive(Debug, Default)]
 pub(crate) struct Queue {
-    /// Worst first, so that the best is taken off the end.
-    order: Vec<ChunkCoord>,
+    /// The chunks that wait, and whether nothing of them is there yet.
+    waiting: HashMap<ChunkCoord, bool>,
+    /// Best first. Also holds chunks that wait no more; what waits is at least once in it.
+    order: BinaryHeap<Reverse<(Rank, ChunkCoord)>>,
     aim: Option<Aim>,
-    sorted: bool,
+    /// Is `order` made for `aim`?
+    ordered: bool,
 }
 
 impl Queue {
@@ -41,61 +50,62 @@ impl Queue {
         });
         if !same {
             self.aim = Some(Aim { centre, front });
-            self.sorted = false;
+            self.ordered = false;
         }
     }
 
-    /// Adds a chunk that is not in the queue.
-    pub(crate) fn push(&mut self, coord: ChunkCoord) {
-        self.order.push(coord);
-        self.sorted = false;
+    /// Adds a chunk; `missing` says that nothing of it is there yet.
+    pub(crate) fn push(&mut self, coord: ChunkCoord, missing: bool, strategy: &dyn Strategy) {
+        let before = self.waiting.insert(coord, missing);
+        if self.ordered && before != Some(missing) {
+            let rank = rank(strategy, self.aim, coord, missing);
+            self.order.push(Reverse((rank, coord)));
+        }
     }
 
-    /// Keeps only the chunks for which `keep` holds; the order stays.
+    /// Lets a chunk go that may be waiting.
+    pub(crate) fn remove(&mut self, coord: ChunkCoord) {
+        self.waiting.remove(&coord);
+    }
+
+    /// Keeps only the chunks for which `keep` holds.
     pub(crate) fn retain(&mut self, keep: impl Fn(ChunkCoord) -> bool) {
-        self.order.retain(|&coord| keep(coord));
+        self.waiting.retain(|&coord, _| keep(coord));
     }
 
     /// Is the chunk waiting?
     pub(crate) fn contains(&self, coord: ChunkCoord) -> bool {
-        self.order.contains(&coord)
+        self.waiting.contains_key(&coord)
     }
 
     /// How many chunks wait.
     pub(crate) fn len(&self) -> usize {
-        self.order.len()
+        self.waiting.len()
     }
 
     /// Takes the chunk that matters most.
     pub(crate) fn pop(&mut self, strategy: &dyn Strategy) -> Option<ChunkCoord> {
-        if !self.sorted {
-            self.sort(strategy);
+        if !self.ordered {
+            let aim = self.aim;
+            let ranked = self
+                .waiting
+                .iter()
+                .map(|(&coord, &missing)| Reverse((rank(strategy, aim, coord, missing), coord)));
+            self.order = ranked.collect();
+            self.ordered = true;
         }
-        self.order.pop()
-    }
-
-    fn sort(&mut self, strategy: &dyn Strategy) {
-        self.sorted = true;
-        let Some(aim) = self.aim else { return };
-        let mut ranked: Vec<_> = self
-            .order
-            .iter()
-            .map(|&coord| (rank(strategy, aim, coord), coord))
-            .collect();
-        ranked.sort_unstable_by(|((group_a, far_a), a), ((group_b, far_b), b)| {
-            group_b
-                .cmp(group_a)
-                .then(far_b.total_cmp(far_a))
-                .then(b.cmp(a))
-        });
-        self.order.clear();
-        self.order
-            .extend(ranked.into_iter().map(|(_, coord)| coord));
+        while let Some(Reverse((_, coord))) = self.order.pop() {
+            if self.waiting.remove(&coord).is_some() {
+                return Some(coord);
+            }
+        }
+        None
     }
 }
 
-/// Group (0 at hand, 1 seen, 2 the rest) and distance in metres: the smaller the sooner.
-fn rank(strategy: &dyn Strategy, aim: Aim, coord: ChunkCoord) -> (u8, f64) {
+/// At hand 0; seen 1 and unseen 2 while missing; 3 and 4 else.
+fn rank(strategy: &dyn Strategy, aim: Option<Aim>, coord: ChunkCoord, missing: bool) -> Rank {
+    let Some(aim) = aim else { return (0, 0) };
     let half = DVec3::splat(f64::from(CHUNK_CELLS) / 2.0);
     let mut middle = ChartPoint::new(coord.hemisphere, coord.origin() + half);
     if middle.hemisphere != aim.centre.hemisphere
@@ -105,14 +115,15 @@ fn rank(strategy: &dyn Strategy, aim: Aim, coord: ChunkCoord) -> (u8, f64) {
     }
     let to = middle.pos - aim.centre.pos;
     let distance_m = to.length();
-    let group = if distance_m < AT_HAND_M {
-        0
-    } else if to.dot(aim.front) >= SEEN_COS * distance_m {
-        1
-    } else {
-        2
+    let seen = to.dot(aim.front) >= SEEN_COS * distance_m;
+    let group = match (distance_m < AT_HAND_M, missing, seen) {
+        (true, _, _) => 0,
+        (false, true, true) => 1,
+        (false, true, false) => 2,
+        (false, false, true) => 3,
+        (false, false, false) => 4,
     };
-    (group, distance_m)
+    (group, (distance_m * 1e6) as u64)
 }
 
 #[cfg(test)]
@@ -123,6 +134,8 @@ mod tests {
         clippy::panic,
         reason = "tests fail by panicking"
     )]
+    use std::sync::Arc;
+
     use super::*;
     use antipode_geometry::{Geometry, Hemisphere, strategy};
     use glam::IVec3;
@@ -134,9 +147,12 @@ mod tests {
         }
     }
 
+    fn flat() -> Arc<dyn Strategy> {
+        strategy(Geometry::Euclidean, f64::INFINITY)
+    }
+
     fn drain(queue: &mut Queue) -> Vec<ChunkCoord> {
-        let space = strategy(Geometry::Euclidean, f64::INFINITY);
-        std::iter::from_fn(|| queue.pop(&*space)).collect()
+        std::iter::from_fn(|| queue.pop(&*flat())).collect()
     }
 
     #[test]
@@ -151,7 +167,7 @@ mod tests {
             chunk(0, 0, 0),
             chunk(-2, 0, 0),
         ] {
-            queue.push(coord);
+            queue.push(coord, true, &*flat());
         }
         let want = [
             chunk(0, 0, 0),
@@ -169,11 +185,12 @@ mod tests {
         let mut queue = Queue::default();
         let here = ChartPoint::a(DVec3::splat(16.0));
         queue.look(here, DVec3::X);
-        queue.push(chunk(3, 0, 0));
-        queue.push(chunk(-3, 0, 0));
-        queue.sort(&*strategy(Geometry::Euclidean, f64::INFINITY));
+        queue.push(chunk(5, 0, 0), true, &*flat());
+        assert_eq!(queue.pop(&*flat()), Some(chunk(5, 0, 0)));
+        queue.push(chunk(3, 0, 0), true, &*flat());
+        queue.push(chunk(-3, 0, 0), true, &*flat());
         queue.look(here, DVec3::new(1.0, 0.1, 0.0));
-        assert!(queue.sorted);
+        assert!(queue.ordered);
         queue.look(here, DVec3::NEG_X);
         assert_eq!(drain(&mut queue), [chunk(-3, 0, 0), chunk(3, 0, 0)]);
     }
@@ -193,8 +210,40 @@ mod tests {
             hemisphere: near.hemisphere,
             index: IVec3::new(near.index.x, near.index.y, -1 - near.index.z),
         };
-        queue.push(near);
-        queue.push(far);
+        queue.push(near, true, &*space);
+        queue.push(far, true, &*space);
         assert_eq!(queue.pop(&*space), Some(near));
+    }
+
+    #[test]
+    fn what_is_not_there_at_all_comes_before_what_is_to_change() {
+        let mut queue = Queue::default();
+        queue.look(ChartPoint::a(DVec3::splat(16.0)), DVec3::X);
+        queue.push(chunk(3, 0, 0), false, &*flat());
+        queue.push(chunk(-6, 0, 0), true, &*flat());
+        queue.push(chunk(9, 0, 0), true, &*flat());
+        queue.push(chunk(1, 0, 0), false, &*flat());
+        let want = [
+            chunk(1, 0, 0),
+            chunk(9, 0, 0),
+            chunk(-6, 0, 0),
+            chunk(3, 0, 0),
+        ];
+        assert_eq!(drain(&mut queue), want);
+    }
+
+    #[test]
+    fn a_chunk_waits_once_however_often_it_is_added_and_removed() {
+        let mut queue = Queue::default();
+        queue.look(ChartPoint::a(DVec3::splat(16.0)), DVec3::X);
+        queue.push(chunk(4, 0, 0), true, &*flat());
+        assert_eq!(queue.pop(&*flat()), Some(chunk(4, 0, 0)));
+        for missing in [true, false, true] {
+            queue.push(chunk(3, 0, 0), missing, &*flat());
+            queue.push(chunk(2, 0, 0), missing, &*flat());
+            queue.remove(chunk(2, 0, 0));
+        }
+        assert_eq!(queue.len(), 1);
+        assert_eq!(drain(&mut queue), [chunk(3, 0, 0)]);
     }
 }

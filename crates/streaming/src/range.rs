@@ -94,10 +94,22 @@ impl Range {
     }
 
     /// Every chunk to be loaded.
+    #[cfg(test)]
     pub(crate) fn all(&self) -> Vec<ChunkCoord> {
+        self.list(0)
+    }
+
+    /// Every chunk to be kept if it is there already; those to be loaded are among them.
+    pub(crate) fn kept(&self) -> Vec<ChunkCoord> {
+        self.list(KEPT_BEYOND)
+    }
+
+    fn list(&self, beyond: i32) -> Vec<ChunkCoord> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Around { centre, distance } => around(*centre, -distance, *distance).collect(),
+            Self::Around { centre, distance } => {
+                around(*centre, -distance - beyond, distance + beyond).collect()
+            }
             Self::Sphere(Closed { reach_m, layers }) => {
                 let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
                 let (low, high) = (

@@ -11,6 +11,7 @@ use antipode_terrain::Stroke;
 
 use crate::api::Chunk;
 use crate::book::Change;
+use crate::ledger::Make;
 use crate::outcome::Edited;
 use crate::range::around;
 use crate::shared::{Shared, Step};
@@ -23,11 +24,13 @@ pub(crate) struct EditBatch {
     pub(crate) strokes: Vec<Stroke>,
     /// Chunks whose meshes an earlier batch could not make.
     pub(crate) overdue: Vec<ChunkCoord>,
+    /// How chunks that the strokes may reach are to be made; those not named are not shown.
+    pub(crate) makes: Vec<Make>,
 }
 
 /// A batch that has entered the book and is being meshed.
 pub(crate) struct Round {
-    coords: Vec<ChunkCoord>,
+    makes: Vec<Make>,
     next: AtomicUsize,
     result: Mutex<Progress>,
 }
@@ -53,17 +56,18 @@ impl Round {
         let applied = tried.unwrap_or_default();
         shared.at(Step::Entered);
         problems.extend(applied.problems);
-        let coords: Vec<_> = applied.remeshed.into_iter().collect();
+        let shown = |make: &&Make| applied.remeshed.contains(&make.coord);
+        let makes: Vec<_> = batch.makes.iter().filter(shown).copied().collect();
         let edited = Edited {
-            chunks: Vec::with_capacity(coords.len()),
+            chunks: Vec::with_capacity(makes.len()),
             touched: applied.touched,
-            remeshed: coords.clone(),
+            remeshed: applied.remeshed.into_iter().collect(),
             revision: applied.revision,
             complete: true,
             problems,
         };
         Self {
-            coords,
+            makes,
             next: AtomicUsize::new(0),
             result: Mutex::new(Progress {
                 finished: 0,
@@ -74,16 +78,17 @@ impl Round {
 
     /// The chunks to make.
     pub(crate) fn len(&self) -> usize {
-        self.coords.len()
+        self.makes.len()
     }
 
     /// Makes chunks until none is left; returns the batch to the worker that made the last.
     pub(crate) fn help(&self, shared: &Shared) -> Option<Edited> {
-        if self.coords.is_empty() {
+        if self.makes.is_empty() {
             return Some(std::mem::take(&mut self.lock().edited));
         }
         while !shared.is_stopped() {
-            let coord = *self.coords.get(self.next.fetch_add(1, Ordering::Relaxed))?;
+            let make = *self.makes.get(self.next.fetch_add(1, Ordering::Relaxed))?;
+            let coord = make.coord;
             let mut problems = Vec::new();
             let made = guarded(
                 &mut problems,
@@ -92,7 +97,7 @@ impl Round {
                     let mut problems = Vec::new();
                     shared.at(Step::Remesh(coord));
                     let edits = shared.book.snapshot(coord, &mut problems);
-                    (shared.make(coord, &edits, true), problems)
+                    ((make, shared.make(make, &edits, true)), problems)
                 },
             );
             if let Some(edited) = self.finish(made, problems) {
@@ -102,7 +107,11 @@ impl Round {
         None
     }
 
-    fn finish(&self, made: Option<(Chunk, Vec<String>)>, problems: Vec<String>) -> Option<Edited> {
+    fn finish(
+        &self,
+        made: Option<((Make, Chunk), Vec<String>)>,
+        problems: Vec<String>,
+    ) -> Option<Edited> {
         let mut progress = self.lock();
         progress.finished += 1;
         progress.edited.problems.extend(problems);
@@ -113,9 +122,9 @@ impl Round {
             }
             None => progress.edited.complete = false,
         }
-        (progress.finished == self.coords.len()).then(|| {
+        (progress.finished == self.makes.len()).then(|| {
             let mut edited = std::mem::take(&mut progress.edited);
-            edited.chunks.sort_unstable_by_key(|chunk| chunk.coord);
+            edited.chunks.sort_unstable_by_key(|(make, _)| make.coord);
             edited
         })
     }

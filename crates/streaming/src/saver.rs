@@ -63,7 +63,10 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
         return None;
     }
     let why = match catch_unwind(AssertUnwindSafe(|| vault.commit(&batch))) {
-        Ok(Ok(())) => return None,
+        Ok(Ok(())) => {
+            shared.book.forget_saved();
+            return None;
+        }
         Ok(Err(why)) => why.to_string(),
         Err(panic) => format!("The store failed: {}.", reason(&*panic)),
     };

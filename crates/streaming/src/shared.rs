@@ -1,15 +1,16 @@
 //! What the workers share, and how one chunk is made.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_physics::TerrainCollider;
-use antipode_terrain::{ChunkMesh, Field, Samples, apply_edits, march};
+use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
 
 use crate::api::Chunk;
 use crate::bases::Bases;
 use crate::book::{Book, Snapshot};
+use crate::ledger::Make;
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +35,8 @@ pub(crate) struct Shared {
     pub(crate) book: Book,
     pub(crate) bases: Bases,
     pub(crate) watch: Option<Watch>,
+    /// Room for meshing that nobody uses at the moment.
+    meshers: Mutex<Vec<Mesher>>,
     stopped: AtomicBool,
 }
 
@@ -52,6 +55,7 @@ impl Shared {
             book,
             bases,
             watch,
+            meshers: Mutex::default(),
             stopped: AtomicBool::new(false),
         }
     }
@@ -73,25 +77,71 @@ impl Shared {
         }
     }
 
-    /// Makes mesh and collider of a chunk with the given edits. `again` says that the chunk is
-    /// being edited, so that its generated samples are worth keeping.
-    pub(crate) fn make(&self, coord: ChunkCoord, edits: &Snapshot, again: bool) -> Chunk {
-        let base = self.base(coord, again || !edits.near.is_empty());
-        let samples = if edits.near.is_empty() {
-            base
+    /// Makes a chunk with the given edits. `again` says that it is being edited, so that what it
+    /// is made from is worth keeping.
+    pub(crate) fn make(&self, make: Make, edits: &Snapshot, again: bool) -> Chunk {
+        let Make {
+            coord,
+            level,
+            solid,
+        } = make;
+        let samples = self.samples(coord, level, edits, again);
+        let mesh = Arc::new(self.mesh(coord, &samples));
+        let collider = if solid {
+            self.collider(coord, &mesh, again)
         } else {
-            let mut samples = Samples::clone(&base);
-            apply_edits(&mut samples, coord, |near| edits.of(near));
-            Arc::new(samples)
+            None
         };
-        let mesh = march(&samples, &self.field, coord);
-        let collider = collider(&mesh);
         Chunk {
             coord,
-            mesh: Arc::new(mesh),
+            mesh,
             collider,
-            samples,
+            samples: solid.then_some(samples),
         }
+    }
+
+    fn mesh(&self, coord: ChunkCoord, samples: &Samples) -> ChunkMesh {
+        let meshers = || self.meshers.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut mesher = meshers().pop().unwrap_or_default();
+        let mesh = mesher.march(samples, &self.field, coord);
+        meshers().push(mesher);
+        mesh
+    }
+
+    fn samples(
+        &self,
+        coord: ChunkCoord,
+        level: Level,
+        edits: &Snapshot,
+        again: bool,
+    ) -> Arc<Samples> {
+        let base = if level == Level::FULL {
+            self.base(coord, again || !edits.near.is_empty())
+        } else {
+            Arc::new(self.field.samples_at(coord, level))
+        };
+        if edits.near.is_empty() {
+            return base;
+        }
+        let mut samples = Arc::unwrap_or_clone(base);
+        apply_edits(&mut samples, coord, |near| edits.of(near));
+        Arc::new(samples)
+    }
+
+    /// Builds the collider, or only what an edit has changed of it.
+    fn collider(
+        &self,
+        coord: ChunkCoord,
+        mesh: &ChunkMesh,
+        again: bool,
+    ) -> Option<TerrainCollider> {
+        let before = self.bases.collider(coord);
+        let collider =
+            TerrainCollider::rebuild(before.as_ref(), &mesh.positions(), mesh.triangles());
+        if again {
+            self.bases.keep_collider(coord, collider.clone());
+        }
+        collider
     }
 
     fn base(&self, coord: ChunkCoord, keep: bool) -> Arc<Samples> {
@@ -106,8 +156,4 @@ impl Shared {
         }
         base
     }
-}
-
-fn collider(mesh: &ChunkMesh) -> Option<TerrainCollider> {
-    TerrainCollider::build(&mesh.positions(), mesh.triangles())
 }

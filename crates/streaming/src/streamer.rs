@@ -1,6 +1,6 @@
 //! The game's handle.
 
-use std::collections::{HashSet, VecDeque};
+use std::collections::{BTreeSet, HashSet, VecDeque};
 use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -27,6 +27,7 @@ const GAME_NS_PER_BYTE: usize = 1;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
+    strategy: Arc<dyn Strategy>,
     pub(crate) crew: Crew,
     pub(crate) ledger: Ledger,
     pub(crate) strokes: Strokes,
@@ -102,7 +103,7 @@ impl Streamer {
         let ledger = Ledger::new(Arc::clone(&field), Arc::clone(&strategy), edited.clone());
         let shared = Shared::new(
             field,
-            strategy,
+            Arc::clone(&strategy),
             Book::new(vault, edited),
             Bases::new(config.kept_samples),
             watch,
@@ -110,6 +111,7 @@ impl Streamer {
         let crew =
             Crew::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
         Ok(Self {
+            strategy,
             crew,
             ledger,
             strokes: Strokes::default(),
@@ -122,10 +124,11 @@ impl Streamer {
     }
 
     /// Says what the player needs now. Cheap: call it every frame. Loads that are no longer in
-    /// range and not begun are dropped, chunks more than one beyond the range are unloaded.
+    /// range and not begun are dropped, chunks more than one beyond the range are unloaded once the
+    /// plan has been made anew.
     pub fn wish(&mut self, wish: &Wish) {
-        let gone = self.ledger.wish(wish);
-        self.ready.extend(gone.into_iter().map(Update::Unloaded));
+        let left = self.ledger.wish(wish);
+        self.ready.extend(left.into_iter().map(softened));
         self.feed();
     }
 
@@ -226,18 +229,16 @@ impl Streamer {
     /// Hands over whatever there is room for: the batch first.
     pub(crate) fn feed(&mut self) {
         if !self.batch_in_flight && !self.strokes.is_empty() {
-            let batch = EditBatch {
-                strokes: self.strokes.take(),
-                overdue: self.overdue.iter().copied().collect(),
-            };
-            match self.crew.edit(batch) {
-                Ok(()) => self.batch_in_flight = true,
-                Err(batch) => self.strokes.put_back(batch.strokes),
-            }
+            self.feed_batch();
         }
-        while let Some(coord) = self.ledger.next_load(self.crew.most_loads()) {
-            if !self.crew.load(coord) {
-                self.ledger.not_sent(coord);
+        if let Some(request) = self.ledger.next_plan()
+            && !self.crew.plan(request)
+        {
+            self.ledger.plan_not_made();
+        }
+        while let Some(make) = self.ledger.next_load(self.crew.most_loads()) {
+            if !self.crew.load(make) {
+                self.ledger.not_sent(make.coord);
                 break;
             }
         }
@@ -255,11 +256,39 @@ impl Streamer {
         }
     }
 
+    fn feed_batch(&mut self) {
+        let strokes = self.strokes.take();
+        let mut coords: BTreeSet<_> = self.overdue.iter().copied().collect();
+        for stroke in &strokes {
+            coords.extend(stroke.remeshed(&*self.strategy));
+        }
+        let batch = EditBatch {
+            strokes,
+            overdue: self.overdue.iter().copied().collect(),
+            makes: self.ledger.begin_batch(coords.into_iter()),
+        };
+        match self.crew.edit(batch) {
+            Ok(()) => self.batch_in_flight = true,
+            Err(batch) => {
+                self.strokes.put_back(batch.strokes);
+                self.ledger.batch_not_sent();
+            }
+        }
+    }
+
     /// Turns a finished job into updates.
     pub(crate) fn take(&mut self, outcome: Outcome, updates: &mut Vec<Update>) {
         match outcome {
             Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
             Outcome::Edited(edited) => self.take_edited(edited, updates),
+            Outcome::Planned(Ok(planned)) => {
+                let gone = self.ledger.planned(planned);
+                updates.extend(gone.into_iter().map(Update::Unloaded));
+            }
+            Outcome::Planned(Err(problems)) => {
+                self.ledger.plan_failed();
+                updates.extend(problems.into_iter().map(Update::Problem));
+            }
             Outcome::Saved(failed) => self.take_saved(failed, updates),
         }
     }
@@ -271,11 +300,16 @@ impl Streamer {
                 .map(Update::Problem),
         );
         let Some(chunk) = loaded.chunk else {
-            self.ledger.give_up(loaded.coord);
+            self.ledger.give_up(loaded.make.coord);
             return;
         };
-        match self.ledger.loaded(loaded.coord, loaded.revision) {
+        match self.ledger.loaded(loaded.make, loaded.revision) {
             Verdict::Show => updates.push(Update::Loaded(chunk)),
+            Verdict::Harden => updates.push(Update::Solid {
+                coord: chunk.coord,
+                collider: chunk.collider,
+                samples: chunk.samples,
+            }),
             Verdict::Hold => self.held.push(Loaded {
                 chunk: Some(chunk),
                 ..loaded
@@ -293,8 +327,9 @@ impl Streamer {
         if edited.complete {
             let done: HashSet<_> = edited.remeshed.iter().collect();
             self.overdue.retain(|coord| !done.contains(coord));
-            let mut chunks = edited.chunks;
-            chunks.retain(|chunk| self.ledger.show_edited(chunk.coord));
+            let made = edited.chunks.into_iter();
+            let shown = made.filter(|(make, _)| self.ledger.show_edited(*make));
+            let chunks: Vec<_> = shown.map(|(_, chunk)| chunk).collect();
             if !chunks.is_empty() {
                 updates.push(Update::Edited(chunks));
             }
@@ -331,7 +366,20 @@ fn game_cost(update: &Update) -> Duration {
     let bytes = match update {
         Update::Loaded(chunk) => bytes(chunk),
         Update::Edited(chunks) => chunks.iter().map(bytes).sum(),
-        Update::Unloaded(_) | Update::Saved | Update::SaveFailed(_) | Update::Problem(_) => 0,
+        Update::Solid { .. }
+        | Update::Unloaded(_)
+        | Update::Saved
+        | Update::SaveFailed(_)
+        | Update::Problem(_) => 0,
     };
     Duration::from_nanos((bytes * GAME_NS_PER_BYTE) as u64)
+}
+
+/// Tells that no body is near a chunk any more.
+fn softened(coord: ChunkCoord) -> Update {
+    Update::Solid {
+        coord,
+        collider: None,
+        samples: None,
+    }
 }

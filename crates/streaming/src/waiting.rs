@@ -45,6 +45,7 @@ impl Streamer {
         match what {
             Until::Edits => !self.is_editing(),
             Until::Chunks(coords) => !coords.iter().any(|&coord| self.ledger.is_coming(coord)),
+            Until::Bodies => !self.ledger.is_ground_coming(),
             Until::Loads => self.ledger.coming() == 0,
             Until::Saved => self.saves_in_flight() == 0,
             Until::Idle => self.pending() == 0 && self.saves_in_flight() == 0,

@@ -1,13 +1,14 @@
-//! A chunk worker: edits before loads, and no panic leaves it.
+//! A chunk worker: edits and plans before loads, and no panic leaves it.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
-use antipode_geometry::ChunkCoord;
 use crossbeam_channel::{Receiver, Sender, select_biased};
 
+use crate::ledger::Make;
 use crate::outcome::{Loaded, Outcome};
+use crate::plan::{Planned, Request};
 use crate::round::{EditBatch, Round};
 use crate::shared::{Shared, Step};
 
@@ -15,20 +16,22 @@ use crate::shared::{Shared, Step};
 const TRIES: u32 = 2;
 
 /// Work that outranks loading.
-pub(crate) enum EditJob {
+pub(crate) enum UrgentJob {
     /// Apply a batch and see it through.
     Begin(EditBatch),
     /// Help with a batch that another worker has begun.
     Help(Arc<Round>),
+    /// Say what is to be there.
+    Plan(Box<Request>),
 }
 
 /// A worker's ends of the channels.
 #[derive(Clone)]
 pub(crate) struct Desk {
-    pub(crate) edits: Receiver<EditJob>,
+    pub(crate) urgent: Receiver<UrgentJob>,
     /// For calls for help; never waited on.
-    pub(crate) call: Sender<EditJob>,
-    pub(crate) loads: Receiver<ChunkCoord>,
+    pub(crate) call: Sender<UrgentJob>,
+    pub(crate) loads: Receiver<Make>,
     pub(crate) results: Sender<Outcome>,
     pub(crate) colleagues: usize,
 }
@@ -39,13 +42,13 @@ impl Desk {
     pub(crate) fn work(&self, shared: &Shared) {
         while !shared.is_stopped() {
             select_biased! {
-                recv(self.edits) -> job => match job {
-                    Ok(job) => self.edit(shared, job),
+                recv(self.urgent) -> job => match job {
+                    Ok(job) => self.hurry(shared, job),
                     Err(_) => return,
                 },
-                recv(self.loads) -> coord => match coord {
-                    Ok(coord) => {
-                        let _ = self.results.send(Outcome::Loaded(load(shared, coord)));
+                recv(self.loads) -> make => match make {
+                    Ok(make) => {
+                        let _ = self.results.send(Outcome::Loaded(load(shared, make)));
                     }
                     Err(_) => return,
                 },
@@ -53,25 +56,40 @@ impl Desk {
         }
     }
 
-    fn edit(&self, shared: &Shared, job: EditJob) {
+    fn hurry(&self, shared: &Shared, job: UrgentJob) {
         let round = match job {
-            EditJob::Help(round) => round,
-            EditJob::Begin(batch) => {
-                let round = Arc::new(Round::begin(shared, &batch));
-                for _ in 1..round.len().min(self.colleagues + 1) {
-                    // Help that cannot be called is done without.
-                    let _ = self.call.try_send(EditJob::Help(Arc::clone(&round)));
-                }
-                round
+            UrgentJob::Help(round) => round,
+            UrgentJob::Begin(batch) => self.begin(shared, &batch),
+            UrgentJob::Plan(request) => {
+                let _ = self.results.send(Outcome::Planned(plan(shared, &request)));
+                return;
             }
         };
         if let Some(edited) = round.help(shared) {
             let _ = self.results.send(Outcome::Edited(edited));
         }
     }
+
+    fn begin(&self, shared: &Shared, batch: &EditBatch) -> Arc<Round> {
+        let round = Arc::new(Round::begin(shared, batch));
+        for _ in 1..round.len().min(self.colleagues + 1) {
+            // Help that cannot be called is done without.
+            let _ = self.call.try_send(UrgentJob::Help(Arc::clone(&round)));
+        }
+        round
+    }
 }
 
-fn load(shared: &Shared, coord: ChunkCoord) -> Loaded {
+fn plan(shared: &Shared, request: &Request) -> Result<Planned, Vec<String>> {
+    let mut problems = Vec::new();
+    let planned = guarded(&mut problems, "planning which land is to be there", || {
+        request.plan(&shared.field)
+    });
+    planned.ok_or(problems)
+}
+
+fn load(shared: &Shared, make: Make) -> Loaded {
+    let coord = make.coord;
     let mut problems = Vec::new();
     let made = guarded(
         &mut problems,
@@ -80,7 +98,7 @@ fn load(shared: &Shared, coord: ChunkCoord) -> Loaded {
             let mut problems = Vec::new();
             let edits = shared.book.snapshot(coord, &mut problems);
             shared.at(Step::Load(coord));
-            (shared.make(coord, &edits, false), edits.revision, problems)
+            (shared.make(make, &edits, false), edits.revision, problems)
         },
     );
     let Some((chunk, revision, more)) = made else {
@@ -89,7 +107,7 @@ fn load(shared: &Shared, coord: ChunkCoord) -> Loaded {
             coord.index
         ));
         return Loaded {
-            coord,
+            make,
             chunk: None,
             revision: 0,
             problems,
@@ -97,7 +115,7 @@ fn load(shared: &Shared, coord: ChunkCoord) -> Loaded {
     };
     problems.extend(more);
     Loaded {
-        coord,
+        make,
         chunk: Some(chunk),
         revision,
         problems,

@@ -3,11 +3,14 @@
 //! Heights give the biome's low, middle and high ground, with borders that wander; steep
 //! faces show rock with strata. Colours are mixed in linear light and stored as sRGB.
 
+use std::cell::RefCell;
+
 use antipode_geometry::ChartPoint;
-use glam::{FloatExt, Vec3};
+use glam::{Vec3, Vec4};
 
 use crate::biome::Palette;
 use crate::field::Field;
+use crate::memo::{Memo, Places};
 
 /// Half width of the border between two kinds of ground, metres of height.
 const BLEND_M: f32 = 2.5;
@@ -26,30 +29,46 @@ const STRATA_RAD_PER_M: f32 = 2.4;
 /// How far wandering bends the strata, radians.
 const STRATA_BEND_RAD: f32 = 2.0;
 
+/// Linear light is told apart in this many steps: so fine that each of the 256 bytes has a step
+/// of its own even in the dark, where they lie 1.2 steps apart.
+const LIGHT_STEPS: usize = 4096;
+
+/// Bytes of sRGB by steps of linear light.
+#[derive(Debug)]
+pub(crate) struct Encoder {
+    bytes: Box<[u8]>,
+}
+
 /// Paints the ground of one field.
 #[derive(Debug)]
 pub(crate) struct Painter<'a> {
     field: &'a Field,
-    low: Vec3,
-    middle: Vec3,
-    high: Vec3,
-    rock: Vec3,
-    strata: Vec3,
+    low: Vec4,
+    middle: Vec4,
+    high: Vec4,
+    rock: Vec4,
+    strata: Vec4,
+    /// Heights of the borders between low, middle and high ground, metres in flat worlds.
+    borders_m: [f32; 2],
     /// A height becomes `(y - offset_m) * scale` in the biome's own heights.
     offset_m: f64,
     scale: f64,
+    /// Neighbouring vertices need nearly the same.
+    memo: RefCell<(Places, [Memo; 2])>,
 }
 
 impl<'a> Painter<'a> {
     pub(crate) fn new(field: &'a Field) -> Self {
+        let biome = field.biome();
         let Palette {
             bottom,
             middle,
             top,
             rock,
             strata,
-        } = field.biome().palette;
+        } = biome.palette;
         let (lowest, highest) = field.ground_range_m();
+        let waves = [WANDER_FREQUENCY, MOTTLE_FREQUENCY].map(Memo::new);
         Self {
             field,
             low: linear(bottom),
@@ -57,88 +76,199 @@ impl<'a> Painter<'a> {
             high: linear(top),
             rock: linear(rock),
             strata: linear(strata),
+            borders_m: [biome.middle_m() as f32, biome.top_m() as f32],
             offset_m: lowest,
-            scale: 2.0 * field.biome().max_amplitude_m() / (highest - lowest),
+            scale: 2.0 * biome.max_amplitude_m() / (highest - lowest),
+            memo: RefCell::new((Places::new(field), waves)),
         }
-    }
-
-    pub(crate) fn rim_m(&self) -> Option<f64> {
-        self.field.rim_m()
     }
 
     /// The colour of ground at a point with a unit normal: sRGB and 255.
     pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3) -> [u8; 4] {
-        let place = self.field.strategy().noise_point(point);
-        let lattice = self.field.lattice();
-        let wander = lattice.at(place, WANDER_FREQUENCY);
-        let mottle = lattice.at(place, MOTTLE_FREQUENCY);
+        let (places, waves) = &mut *self.memo.borrow_mut();
+        let place = places.at(self.field, point);
+        let [wander, mottle] = Memo::noise(waves, self.field.lattice(), place);
         let height = ((point.pos.y - self.offset_m) * self.scale) as f32;
 
         let level = height + WANDER_M * wander;
-        let biome = self.field.biome();
-        let above = |border: f64| rises(border as f32 - BLEND_M, border as f32 + BLEND_M, level);
-        let ground = self
-            .low
-            .lerp(self.middle, above(biome.middle_m()))
-            .lerp(self.high, above(biome.top_m()));
+        let [middle, high] = self
+            .borders_m
+            .map(|border| rises(border - BLEND_M, 0.5 / BLEND_M, level));
+        let ground = self.low.lerp(self.middle, middle).lerp(self.high, high);
 
-        let wave = (height * STRATA_RAD_PER_M + wander * STRATA_BEND_RAD).sin();
-        let rock = self.rock.lerp(self.strata, rises(-0.2, 0.8, wave));
-        let steepness = rises(STEEP.0, STEEP.1, 1.0 - normal.y + 0.1 * mottle);
-        encoded(ground.lerp(rock, steepness) * (1.0 + MOTTLE_SHARE * mottle))
+        let steepness = 1.0 - normal.y + 0.1 * mottle;
+        let share = rises(STEEP.0, 1.0 / (STEEP.1 - STEEP.0), steepness);
+        let colour = if share > 0.0 {
+            let wave = sine(height * STRATA_RAD_PER_M + wander * STRATA_BEND_RAD);
+            let rock = self.rock.lerp(self.strata, rises(-0.2, 1.0, wave));
+            ground.lerp(rock, share)
+        } else {
+            ground
+        };
+        self.field
+            .encoder()
+            .bytes(colour * (1.0 + MOTTLE_SHARE * mottle))
     }
 }
 
-/// 0 up to `from`, 1 after `to`, smooth between.
-fn rises(from: f32, to: f32, x: f32) -> f32 {
-    let t = x.remap(from, to, 0.0, 1.0).clamp(0.0, 1.0);
+/// 0 up to `from`, 1 from `1 / slope` after it on, smooth between.
+#[inline]
+fn rises(from: f32, slope: f32, x: f32) -> f32 {
+    let t = ((x - from) * slope).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
+/// The sine, to a thousandth: whole turns off, then a parabola for each half turn and its own
+/// square to bend it right.
+#[inline]
+fn sine(radians: f32) -> f32 {
+    /// Adding this to a number of turns leaves no room for a fraction.
+    const ROUNDS: f32 = 12_582_912.0;
+    let turns = radians * (0.5 * std::f32::consts::FRAC_1_PI);
+    let t = turns - ((turns + ROUNDS) - ROUNDS);
+    let wave = t * (8.0 - 16.0 * t.abs());
+    wave * (0.776 + 0.224 * wave.abs())
+}
+
 /// sRGB to linear light (IEC 61966-2-1).
-fn linear(srgb: [u8; 3]) -> Vec3 {
-    Vec3::from(srgb.map(|c| {
+fn linear([r, g, b]: [u8; 3]) -> Vec4 {
+    let of = |c: u8| {
         let c = f32::from(c) / 255.0;
         if c <= 0.040_45 {
             c / 12.92
         } else {
             ((c + 0.055) / 1.055).powf(2.4)
         }
-    }))
+    };
+    Vec4::new(of(r), of(g), of(b), 1.0)
 }
 
-/// Linear light to sRGB, and 255.
-fn encoded(linear: Vec3) -> [u8; 4] {
-    let [r, g, b] = linear.to_array().map(|c| {
-        let srgb = if c <= 0.003_130_8 {
-            c * 12.92
-        } else {
-            1.055 * c.powf(1.0 / 2.4) - 0.055
+impl Encoder {
+    pub(crate) fn new() -> Self {
+        let byte = |step: usize| {
+            let c = step as f32 / LIGHT_STEPS as f32;
+            let srgb = if c <= 0.003_130_8 {
+                c * 12.92
+            } else {
+                1.055 * c.powf(1.0 / 2.4) - 0.055
+            };
+            (srgb * 255.0).round() as u8
         };
-        (srgb * 255.0).round() as u8
-    });
-    [r, g, b, 255]
+        Self {
+            bytes: (0..=LIGHT_STEPS).map(byte).collect(),
+        }
+    }
+
+    /// Linear light to sRGB, and 255.
+    #[inline]
+    fn bytes(&self, linear: Vec4) -> [u8; 4] {
+        let steps = (linear * LIGHT_STEPS as f32).to_array();
+        let byte = |step: f32| {
+            let step = (step + 0.5).clamp(0.0, LIGHT_STEPS as f32) as usize;
+            self.bytes.get(step).copied().unwrap_or(u8::MAX)
+        };
+        [byte(steps[0]), byte(steps[1]), byte(steps[2]), u8::MAX]
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use glam::DVec3;
+    use noise::{NoiseFn, Perlin};
+
     use super::*;
+    use crate::fractal::AXIS_FREQUENCY;
+    use crate::lattice::table_seed;
 
     #[test]
     fn every_byte_survives_linear_light() {
+        let encoder = Encoder::new();
         for c in 0..=255 {
-            assert_eq!(encoded(linear([c, 0, 255 - c])), [c, 0, 255 - c, 255]);
+            let colour = [c, 0, 255 - c];
+            assert_eq!(encoder.bytes(linear(colour)), [c, 0, 255 - c, 255]);
+        }
+        let out = encoder.bytes(Vec4::new(-1.0, 1.1, f32::NAN, 1.0));
+        assert_eq!(out[..2], [0, 255], "held to what bytes can say");
+    }
+
+    #[test]
+    fn the_quick_sine_is_a_sine() {
+        for n in -4000..4000 {
+            let x = n as f32 * 0.037;
+            assert!((sine(x) - x.sin()).abs() < 1.2e-3, "{x}");
         }
     }
 
     #[test]
     fn borders_rise_smoothly_and_once() {
-        assert_eq!(rises(10.0, 15.0, 9.9), 0.0);
-        assert_eq!(rises(10.0, 15.0, 15.1), 1.0);
+        assert_eq!(rises(10.0, 0.2, 9.9), 0.0);
+        assert_eq!(rises(10.0, 0.2, 15.1), 1.0);
         let values: Vec<_> = (0..50)
-            .map(|n| rises(10.0, 15.0, 10.0 + 0.1 * n as f32))
+            .map(|n| rises(10.0, 0.2, 10.0 + 0.1 * n as f32))
             .collect();
         assert!(values.is_sorted());
         assert!((values[25] - 0.5).abs() < 1e-5);
+    }
+
+    /// The painting written down plainly, with exact functions and the noise crate's noise.
+    fn plainly(field: &Field, seed: u64, point: ChartPoint, normal: Vec3) -> [f32; 3] {
+        let perlin = Perlin::new(table_seed(seed));
+        let place = field.strategy().noise_point(point) * AXIS_FREQUENCY;
+        let noise = |frequency: f64| perlin.get((place * frequency).to_array()) as f32;
+        let (wander, mottle) = (noise(0.8), noise(3.1));
+        let biome = field.biome();
+        let (lowest, highest) = field.ground_range_m();
+        let scale = 2.0 * biome.max_amplitude_m() / (highest - lowest);
+        let height = ((point.pos.y - lowest) * scale) as f32;
+        let smooth = |from: f32, to: f32, x: f32| {
+            let t = ((x - from) / (to - from)).clamp(0.0, 1.0);
+            t * t * (3.0 - 2.0 * t)
+        };
+        let level = height + 2.0 * wander;
+        let above = |border: f64| smooth(border as f32 - 2.5, border as f32 + 2.5, level);
+        let palette = &biome.palette;
+        let ground = linear(palette.bottom)
+            .lerp(linear(palette.middle), above(biome.middle_m()))
+            .lerp(linear(palette.top), above(biome.top_m()));
+        let beds = smooth(-0.2, 0.8, (height * 2.4 + wander * 2.0).sin());
+        let rock = linear(palette.rock).lerp(linear(palette.strata), beds);
+        let steep = smooth(0.30, 0.60, 1.0 - normal.y + 0.1 * mottle);
+        let light = ground.lerp(rock, steep) * (1.0 + 0.1 * mottle);
+        let [r, g, b, _] = light.to_array().map(|c| {
+            let srgb = 1.055 * c.powf(1.0 / 2.4) - 0.055;
+            255.0 * if c <= 0.003_130_8 { c * 12.92 } else { srgb }
+        });
+        [r, g, b]
+    }
+
+    #[test]
+    fn colours_are_the_plain_formulas_to_a_255th() {
+        for seed in 0..5 {
+            for (geometry, radius_m) in [
+                (Geometry::Euclidean, 20.0),
+                (Geometry::Spherical, 16.0),
+                (Geometry::Spherical, 32.0),
+                (Geometry::Spherical, 256.0),
+            ] {
+                let field = Field::new(seed, strategy(geometry, radius_m));
+                let painter = Painter::new(&field);
+                let (low, high) = field.ground_range_m();
+                for n in 0..4000 {
+                    let t = f64::from(n);
+                    let y = low + (high - low) * (t * 0.618).fract();
+                    let pos = DVec3::new((t * 0.0117).sin() * 23.0, y, t * 0.006 - 12.0);
+                    let hemisphere = [Hemisphere::A, Hemisphere::B][n as usize % 2];
+                    let point = ChartPoint::new(hemisphere, pos);
+                    let normal = Vec3::new(0.3, (t * 0.37).fract() as f32, 0.1).normalize();
+                    let found = painter.paint(point, normal);
+                    let exact = plainly(&field, seed, point, normal);
+                    for (found, exact) in found.into_iter().zip(exact) {
+                        let off = (f32::from(found) - exact).abs();
+                        assert!(off < 1.5, "{seed} {geometry:?} {pos}: {found} {exact}");
+                    }
+                }
+            }
+        }
     }
 }

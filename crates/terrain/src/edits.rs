@@ -11,7 +11,8 @@ use antipode_geometry::ChunkCoord;
 use glam::IVec3;
 use thiserror::Error;
 
-use crate::samples::{SAMPLES, Samples, index};
+use crate::level::Level;
+use crate::samples::{FACE_AXES, Samples};
 
 /// Metres per stored unit.
 pub const EDIT_STEP: f32 = 1.0 / 2048.0;
@@ -170,18 +171,33 @@ impl ChunkEdits {
     }
 }
 
-/// The part of a padded axis that the neighbour at `offset` owns: first sample of the block,
-/// first owned sample, and how many.
-const fn overlap(offset: i32) -> (usize, usize, usize) {
+/// Samples along one axis that one chunk owns: the first in the block or face, the first that
+/// is owned, and how many.
+type Overlap = (usize, usize, usize);
+
+/// The part of a block's axis that the neighbour at `offset` owns.
+const fn overlap(offset: i32, level: Level) -> Overlap {
+    let (step, cells) = (level.step_m() as usize, level.cells());
     match offset {
-        0 => (1, 0, OWNED),
-        o if o < 0 => (0, OWNED - 1, 1),
-        _ => (OWNED + 1, 0, SAMPLES - OWNED - 1),
+        0 => (1, 0, cells),
+        o if o < 0 => (0, OWNED - step, 1),
+        _ => (cells + 1, 0, 2),
     }
 }
 
-/// Adds the edits of the chunk at `coord` and of its 26 neighbours to the chunk's block, its
-/// border included. Samples of bedrock and above the ceiling stay as they are.
+/// The part of an axis along a face that the neighbour at `offset` owns, at half the step.
+const fn face_overlap(offset: i32, level: Level) -> Overlap {
+    let cells = 2 * level.cells();
+    match offset {
+        0 => (0, 0, cells),
+        1 => (cells, 0, 1),
+        _ => (0, 0, 0),
+    }
+}
+
+/// Adds the edits of the chunk at `coord` and of its 26 neighbours to the chunk's samples, the
+/// border and the faces included. Samples of bedrock and above the ceiling stay as they are.
+/// At every level a sample takes the edit of its own place, so that levels agree where they meet.
 pub fn apply_edits(
     samples: &mut Samples,
     coord: ChunkCoord,
@@ -195,8 +211,12 @@ pub fn apply_edits(
                     hemisphere: coord.hemisphere,
                     index: coord.index.saturating_add(offset),
                 };
-                if let Some(edits) = lookup(owner) {
+                let Some(edits) = lookup(owner) else {
+                    continue;
+                };
+                if !edits.parts.is_empty() {
                     add_neighbour(samples, coord, offset, &edits);
+                    add_to_faces(samples, coord, offset, &edits);
                 }
             }
         }
@@ -204,22 +224,52 @@ pub fn apply_edits(
 }
 
 fn add_neighbour(samples: &mut Samples, coord: ChunkCoord, offset: IVec3, edits: &ChunkEdits) {
-    if edits.parts.is_empty() {
-        return;
-    }
     let (low, high) = samples.editable_y_m();
-    let first_m = coord.origin().y - 1.0;
-    let (i0, a0, na) = overlap(offset.x);
-    let (j0, b0, nb) = overlap(offset.y);
-    let (k0, c0, nc) = overlap(offset.z);
+    let level = samples.level();
+    let step = level.step_m() as usize;
+    let first_m = coord.origin().y - f64::from(level.step_m());
+    let (i0, a0, na) = overlap(offset.x, level);
+    let (j0, b0, nb) = overlap(offset.y, level);
+    let (k0, c0, nc) = overlap(offset.z, level);
     for a in 0..na {
         for c in 0..nc {
-            for b in 0..nb {
-                let y = first_m + (j0 + b) as f64;
+            let first = samples.index(i0 + a, j0, k0 + c);
+            let column = samples.values_mut().iter_mut().skip(first).take(nb);
+            for (b, value) in column.enumerate() {
+                let y = first_m + ((j0 + b) * step) as f64;
                 if y >= low && y <= high {
-                    let unit = edits.unit(owned_index(a0 + a, b0 + b, c0 + c));
-                    samples.values_mut()[index(i0 + a, j0 + b, k0 + c)] +=
-                        f32::from(unit) * EDIT_STEP;
+                    let owned = owned_index(a0 + a * step, b0 + b * step, c0 + c * step);
+                    *value += f32::from(edits.unit(owned)) * EDIT_STEP;
+                }
+            }
+        }
+    }
+}
+
+fn add_to_faces(samples: &mut Samples, coord: ChunkCoord, offset: IVec3, edits: &ChunkEdits) {
+    let level = samples.level();
+    let Some(finer) = level.finer() else {
+        return;
+    };
+    let (low, high) = samples.editable_y_m();
+    let (step, side) = (finer.step_m() as usize, samples.face_side());
+    let first_m = coord.origin().y;
+    for face in 0..6 {
+        let (axis, far) = (face / 2, face % 2);
+        if offset[axis] != far as i32 {
+            continue;
+        }
+        let (row, rows) = FACE_AXES[axis];
+        let (u0, a0, na) = face_overlap(offset[row], level);
+        let (v0, b0, nb) = face_overlap(offset[rows], level);
+        for b in 0..nb {
+            for a in 0..na {
+                let mut at = [0; 3];
+                (at[row], at[rows]) = (a0 + a * step, b0 + b * step);
+                let y = first_m + f64::from(offset.y * OWNED as i32) + at[1] as f64;
+                if y >= low && y <= high {
+                    let unit = edits.unit(owned_index(at[0], at[1], at[2]));
+                    samples.face_mut(face)[(v0 + b) * side + u0 + a] += f32::from(unit) * EDIT_STEP;
                 }
             }
         }

@@ -10,20 +10,21 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy};
 use glam::DVec3;
 
 use crate::biome::Biome;
-use crate::fractal::{Column, Lattice, Octave};
+use crate::colour::Encoder;
+use crate::fractal::{Column, Octave};
+use crate::lattice::Lattice;
+use crate::relief::{BLOCK, Relief, Rows};
 use crate::samples::{SAMPLES, Samples};
+use crate::{tilted, upright};
 
 /// Field values lie within this of zero, metres.
 pub const FIELD_BAND_M: f32 = 8.0;
 /// Ground is meshed this far past a hemisphere's rim, metres, for colliders.
 pub const RIM_REACH_M: f64 = 8.0;
-/// How much the squeezed noise of a sphere is steepened: fractal noise rarely comes near its
-/// bounds, and would leave most of the allowed heights unused.
-const SPHERE_GAIN: f32 = 2.2;
 /// Share of the sphere's range of heights that ground may use.
 const SPHERE_SHARE: f64 = 0.98;
 
@@ -34,16 +35,15 @@ pub struct Field {
     lattice: Arc<Lattice>,
     biome: &'static Biome,
     octaves: Vec<Octave>,
-    relief_m: f32,
-    /// Middle and half range of ground, metres, where the space bounds it.
-    squeeze: Option<(f64, f64)>,
+    relief: Relief,
+    encoder: Arc<Encoder>,
 }
 
 impl Field {
     /// The field of the world with this seed in this space.
     pub fn new(seed: u64, strategy: Arc<dyn Strategy>) -> Self {
         let biome = Biome::from_seed(seed);
-        let squeeze = strategy.limits().map(|limits| {
+        let bounds = strategy.limits().map(|limits| {
             let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
             let half = (limits.ground_max_m - limits.ground_min_m) / 2.0;
             (middle, half * SPHERE_SHARE)
@@ -51,9 +51,9 @@ impl Field {
         Self {
             lattice: Arc::new(Lattice::new(seed)),
             octaves: biome.octaves(),
-            relief_m: biome.max_amplitude_m() as f32,
+            relief: Relief::new(biome.max_amplitude_m(), bounds),
             biome,
-            squeeze,
+            encoder: Arc::new(Encoder::new()),
             strategy,
         }
     }
@@ -72,39 +72,82 @@ impl Field {
         &self.lattice
     }
 
+    pub(crate) fn encoder(&self) -> &Encoder {
+        &self.encoder
+    }
+
     pub(crate) fn rim_m(&self) -> Option<f64> {
         self.strategy.rim_m()
     }
 
     /// Lowest and highest height that untouched ground can have, metres.
     pub fn ground_range_m(&self) -> (f64, f64) {
-        match self.squeeze {
-            Some((middle, half)) => (middle - half, middle + half),
-            None => (0.0, 2.0 * f64::from(self.relief_m)),
-        }
+        self.relief.range_m()
     }
 
     /// The field at a point: below zero is solid, within [`FIELD_BAND_M`] of zero, and finite
     /// wherever the point is.
     pub fn sample(&self, point: ChartPoint) -> f32 {
-        let column = self.column(point.hemisphere, point.pos.x, point.pos.z);
         let mut out = [0.0];
-        self.fill(&column, point.pos.y, &mut out);
-        out[0]
+        if self.upright() {
+            self.fill_grid(point.hemisphere, point.pos, 1, [1; 3], &mut out);
+            return out[0];
+        }
+        let column = self.column(point.hemisphere, point.pos.x, point.pos.z);
+        let sum = tilted::sum_at(&self.lattice, &self.octaves, &column, point.pos.y);
+        self.relief.value(point.pos.y, sum)
     }
 
     /// The field over a chunk and its border.
     pub fn samples(&self, coord: ChunkCoord) -> Samples {
         let mut samples = Samples::empty(editable_y_m(&*self.strategy));
         let first = coord.origin() - 1.0;
-        for i in 0..SAMPLES {
-            for k in 0..SAMPLES {
-                let (x, z) = (first.x + i as f64, first.z + k as f64);
-                let column = self.column(coord.hemisphere, x, z);
-                self.fill(&column, first.y, samples.column_mut(i, k));
-            }
-        }
+        self.fill_grid(
+            coord.hemisphere,
+            first,
+            1,
+            [SAMPLES; 3],
+            samples.values_mut(),
+        );
         samples
+    }
+
+    /// The field at the points `first + step_m * (i, j, k)`, with `(i, j, k)` below `counts`,
+    /// into `out` by `(i * counts[2] + k) * counts[1] + j`: columns along y are contiguous.
+    ///
+    /// The value at a point with whole coordinates is the same bit for bit, whatever grid it
+    /// is asked for in. What `out` has no room for is left out.
+    pub(crate) fn fill_grid(
+        &self,
+        hemisphere: Hemisphere,
+        first: DVec3,
+        step_m: u32,
+        counts: [usize; 3],
+        out: &mut [f32],
+    ) {
+        let [_, height, depth] = counts;
+        if height > BLOCK || depth > BLOCK {
+            return self.fill_blocks(hemisphere, first, step_m, counts, out);
+        }
+        let step_m = f64::from(step_m);
+        let rows = self.relief.rows(first.y, step_m, height);
+        if rows.open.0 == rows.open.1 {
+            for column in out.chunks_exact_mut(height.max(1)) {
+                column.copy_from_slice(&rows.edge[..height]);
+            }
+        } else if self.upright() {
+            let ground = (&self.relief, &rows);
+            upright::fill(
+                &self.lattice,
+                &self.octaves,
+                ground,
+                (first, step_m),
+                counts,
+                out,
+            );
+        } else {
+            self.fill_tilted(hemisphere, (first, step_m), counts, &rows, out);
+        }
     }
 
     /// Height of the topmost surface of untouched ground over `(x, z)`, metres.
@@ -129,47 +172,66 @@ impl Field {
         air
     }
 
-    /// Noise space along a column of the chart. Every space's noise point is affine in the
-    /// height, so two heights give all.
+    /// [`Self::fill_grid`] where columns slant through the lattice.
+    fn fill_tilted(
+        &self,
+        hemisphere: Hemisphere,
+        (first, step_m): (DVec3, f64),
+        [width, height, depth]: [usize; 3],
+        rows: &Rows,
+        out: &mut [f32],
+    ) {
+        let mut columns = Vec::with_capacity(width * depth);
+        for i in 0..width {
+            for k in 0..depth {
+                let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
+                columns.push(self.column(hemisphere, x, z));
+            }
+        }
+        let ground = (&self.relief, rows);
+        let heights = (first.y, step_m, height);
+        tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
+    }
+
+    /// [`Self::fill_grid`] of grids with longer columns and rows than are filled at once.
+    fn fill_blocks(
+        &self,
+        hemisphere: Hemisphere,
+        first: DVec3,
+        step_m: u32,
+        [width, height, depth]: [usize; 3],
+        out: &mut [f32],
+    ) {
+        let mut block = vec![0.0; width * BLOCK * BLOCK];
+        for j in (0..height).step_by(BLOCK) {
+            for k in (0..depth).step_by(BLOCK) {
+                let (rows, deep) = (BLOCK.min(height - j), BLOCK.min(depth - k));
+                let corner = first + DVec3::new(0.0, j as f64, k as f64) * f64::from(step_m);
+                let block = &mut block[..width * rows * deep];
+                self.fill_grid(hemisphere, corner, step_m, [width, rows, deep], block);
+                for (n, column) in block.chunks_exact(rows).enumerate() {
+                    let at = ((n / deep) * depth + k + n % deep) * height + j;
+                    out[at..at + rows].copy_from_slice(column);
+                }
+            }
+        }
+    }
+
+    /// Whether the noise's axes are the chart's.
+    pub(crate) fn upright(&self) -> bool {
+        self.strategy.geometry() != Geometry::Spherical
+    }
+
+    /// A column of the chart in the lattice of the first octave. Noise space is radial about
+    /// the sphere's centre, so the height stretches the point on the ground.
     fn column(&self, hemisphere: Hemisphere, x: f64, z: f64) -> Column {
-        let at = |y| {
-            let point = ChartPoint::new(hemisphere, DVec3::new(x, y, z));
-            self.strategy.noise_point(point)
-        };
-        let base = at(0.0);
-        let slope = at(1.0) - base;
-        Column { base, slope }
-    }
-
-    /// The field up a column, at heights `first_m`, `first_m + 1`, ...
-    fn fill(&self, column: &Column, first_m: f64, out: &mut [f32]) {
-        out.fill(0.0);
-        for &octave in &self.octaves {
-            self.lattice.add_octave(octave, column, first_m, out);
+        let ground = ChartPoint::new(hemisphere, DVec3::new(x, 0.0, z));
+        let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
+        let base = self.strategy.noise_point(ground) * frequencies;
+        Column {
+            base,
+            slope: base / self.strategy.radius_m(),
         }
-        for (step, value) in out.iter_mut().enumerate() {
-            let y = first_m + step as f64;
-            let height = match self.squeeze {
-                Some((middle, half)) => middle - half * f64::from(self.squeezed(*value)),
-                None => f64::from(self.relief_m - *value),
-            };
-            *value = banded((y - height) as f32);
-        }
-    }
-
-    /// A sum of noise brought smoothly and strictly between -1 and 1.
-    fn squeezed(&self, sum: f32) -> f32 {
-        let t = SPHERE_GAIN * sum / self.relief_m;
-        t / (1.0 + t * t).sqrt()
-    }
-}
-
-/// A value held to the band. A place that is not a number is solid, not contagious.
-fn banded(value: f32) -> f32 {
-    if value.is_nan() {
-        -FIELD_BAND_M
-    } else {
-        value.clamp(-FIELD_BAND_M, FIELD_BAND_M)
     }
 }
 

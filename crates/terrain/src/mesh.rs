@@ -1,41 +1,193 @@
 //! Meshes of chunks, as the GPU and the collider take them.
 
-use bytemuck::{Pod, Zeroable};
+use std::ops::Range;
 
-/// A vertex of the ground: 24 bytes.
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+use crate::level::Level;
+
+/// Units of a vertex's position in a metre.
+pub const UNITS_PER_M: u32 = 1024;
+/// The greatest value of a signed normalised 16-bit integer.
+const SNORM_MAX: f32 = 32767.0;
+
+/// A vertex of the ground: 16 bytes.
 #[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Pod, Zeroable)]
 pub struct Vertex {
-    /// Metres from the chunk's origin, each 0..=32.
-    pub position: [f32; 3],
-    /// Unit normal in the chart, toward the air, as signed normalised integers; the fourth is 0.
-    pub normal: [i16; 4],
+    /// Place from the chunk's origin in 1/1024 m, each 0..=32768. Whole numbers, so that both
+    /// chunks at a face mean the same place, and exact in `f32` too.
+    pub units: [u16; 3],
+    /// Zero; vertex formats of three 16-bit numbers do not exist.
+    pub spare: u16,
+    /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
+    pub octahedral: [i16; 2],
     /// Colour, sRGB; the fourth is 255.
     pub colour: [u8; 4],
+}
+
+impl Vertex {
+    /// The vertex at a position in metres from the chunk's origin, held to the chunk and to
+    /// whole units, with a normal of any length and an sRGB colour.
+    pub fn new(position: Vec3, normal: Vec3, colour: [u8; 3]) -> Self {
+        let units = (position * UNITS_PER_M as f32).to_array();
+        let [r, g, b] = colour;
+        Self {
+            units: units.map(|u| u.round().clamp(0.0, 32768.0) as u16),
+            spare: 0,
+            octahedral: octahedral(normal),
+            colour: [r, g, b, 255],
+        }
+    }
+
+    /// Metres from the chunk's origin, each 0..=32.
+    #[inline]
+    pub fn position(&self) -> Vec3 {
+        Vec3::from(self.units.map(f32::from)) / UNITS_PER_M as f32
+    }
+
+    /// Unit normal in the chart, toward the air.
+    pub fn normal(&self) -> Vec3 {
+        let [x, z] = self.octahedral.map(|n| f32::from(n) / SNORM_MAX);
+        let y = 1.0 - x.abs() - z.abs();
+        let fold = (-y).max(0.0);
+        Vec3::new(x - fold.copysign(x), y, z - fold.copysign(z)).normalize_or(Vec3::Y)
+    }
+}
+
+/// A direction of any length as a point of the octahedron `|x| + |y| + |z| = 1`, whose lower
+/// half is folded outward, seen from above: `(x, z)` as signed normalised integers (Cigolle et
+/// al., "A Survey of Efficient Representations for Independent Unit Vectors", JCGT 2014). No
+/// direction gives up.
+#[inline]
+pub fn octahedral(direction: Vec3) -> [i16; 2] {
+    let Vec3 { x, y, z } = direction;
+    let sum = x.abs() + y.abs() + z.abs();
+    // Casts take what is not a number, after a division by zero, to zero: straight up.
+    let scale = SNORM_MAX / sum;
+    let (x, z) = if y < 0.0 {
+        ((sum - z.abs()).copysign(x), (sum - x.abs()).copysign(z))
+    } else {
+        (x, z)
+    };
+    // Rounded without a call.
+    [x, z].map(|c| (c * scale + 0.5_f32.copysign(c)) as i16)
 }
 
 /// Triangles of one chunk, counter-clockwise seen from the air.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChunkMesh {
+    /// The resolution it was made at.
+    pub level: Level,
     /// Vertices, each shared by the triangles that meet there.
     pub vertices: Vec<Vertex>,
-    /// Three indices into `vertices` for each triangle.
+    /// Three indices into `vertices` for each triangle: the surface's, then the seams'.
     pub indices: Vec<u32>,
+    /// For each face, -x, +x, -y, +y, -z and +z, the indices of the flat triangles in that face
+    /// that close the gap to a neighbour of half the step, to be drawn only beside one. Empty
+    /// where there is no gap, and at [`Level::FULL`].
+    pub seams: [Range<u32>; 6],
 }
 
 impl ChunkMesh {
-    /// Whether there is nothing to draw.
+    /// Whether there is nothing to draw, not even beside a finer neighbour.
     pub fn is_empty(&self) -> bool {
         self.indices.is_empty()
     }
 
-    /// The triangles, each as three indices into `vertices`.
+    /// The indices of the chunk's own surface.
+    pub fn surface_indices(&self) -> &[u32] {
+        let seamed = |seam: &&Range<u32>| !seam.is_empty();
+        let end = self
+            .seams
+            .iter()
+            .filter(seamed)
+            .map(|seam| seam.start)
+            .min();
+        let end = end.map_or(self.indices.len(), |end| end as usize);
+        self.indices.get(..end).unwrap_or_default()
+    }
+
+    /// The indices of the seam in a face, `0..6` for -x, +x, -y, +y, -z and +z; empty for others.
+    pub fn seam_indices(&self, face: usize) -> &[u32] {
+        let seam = self.seams.get(face).cloned().unwrap_or_default();
+        let range = seam.start as usize..seam.end as usize;
+        self.indices.get(range).unwrap_or_default()
+    }
+
+    /// The surface's triangles, each as three indices into `vertices`.
     pub fn triangles(&self) -> &[[u32; 3]] {
-        self.indices.as_chunks::<3>().0
+        self.surface_indices().as_chunks::<3>().0
     }
 
     /// Positions of the vertices, metres from the chunk's origin.
     pub fn positions(&self) -> Vec<[f32; 3]> {
-        self.vertices.iter().map(|v| v.position).collect()
+        self.vertices
+            .iter()
+            .map(|v| v.position().to_array())
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn positions_are_snapped_held_and_exact() {
+        let vertex = Vertex::new(Vec3::new(1.0 / 3.0, -4.0, 99.0), Vec3::Y, [1, 2, 3]);
+        assert_eq!(vertex.units, [341, 0, 32768]);
+        assert_eq!(vertex.position(), Vec3::new(341.0 / 1024.0, 0.0, 32.0));
+        assert_eq!(vertex.colour, [1, 2, 3, 255]);
+        assert_eq!(size_of::<Vertex>(), 16);
+    }
+
+    #[test]
+    fn normals_turn_by_less_than_a_two_hundredth_of_a_degree_either_side_of_every_fold() {
+        for i in -50..=50 {
+            for j in -50..=50 {
+                for (x, y, z) in [
+                    (i, j, 50),
+                    (i, j, -50),
+                    (50, i, j),
+                    (-50, i, j),
+                    (i, 50, j),
+                    (i, -50, j),
+                ] {
+                    let normal = Vec3::new(x as f32, y as f32, z as f32).normalize();
+                    let read = Vertex::new(Vec3::ZERO, normal * 3.0, [0; 3]).normal();
+                    let turned = normal.as_dvec3().angle_between(read.as_dvec3());
+                    assert!(turned.to_degrees() < 0.005, "{normal} {read}");
+                }
+            }
+        }
+        for axis in [
+            Vec3::X,
+            Vec3::Y,
+            Vec3::Z,
+            Vec3::NEG_X,
+            Vec3::NEG_Y,
+            Vec3::NEG_Z,
+        ] {
+            assert_eq!(Vertex::new(Vec3::ZERO, axis, [0; 3]).normal(), axis);
+        }
+        for none in [Vec3::ZERO, Vec3::NAN] {
+            assert_eq!(Vertex::new(Vec3::ZERO, none, [0; 3]).normal(), Vec3::Y);
+        }
+    }
+
+    #[test]
+    fn surfaces_end_where_the_first_seam_begins() {
+        let mut mesh = ChunkMesh {
+            indices: (0..12).collect(),
+            ..ChunkMesh::default()
+        };
+        assert_eq!(mesh.triangles().len(), 4);
+        mesh.seams[3] = 9..12;
+        mesh.seams[1] = 6..9;
+        assert_eq!(mesh.surface_indices(), [0, 1, 2, 3, 4, 5]);
+        assert_eq!(mesh.seam_indices(1), [6, 7, 8]);
+        assert!(mesh.seam_indices(0).is_empty() && mesh.seam_indices(6).is_empty());
     }
 }

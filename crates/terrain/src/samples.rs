@@ -1,54 +1,124 @@
-//! The block of field samples that one chunk is meshed from.
+//! The field samples that one chunk is meshed from.
+//!
+//! At each level there is a block of samples a step apart. A chunk of coarse cells also has,
+//! for each face, the samples that a neighbour of half the step has there: its seams go by them.
 
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use glam::DVec3;
 
-/// Samples along an edge of a chunk's block: 33 corners of its 32 cells and one sample of
-/// border on each side, which central differences need.
-pub const SAMPLES: usize = 35;
+use crate::field::{Field, editable_y_m};
+use crate::level::Level;
 
-/// Field samples of one chunk: sample `(i, j, k)`, each in `0..35`, stands at the chunk's
-/// origin plus `(i - 1, j - 1, k - 1)` metres. Below zero is solid.
+/// Samples along an edge of a chunk's block at [`Level::FULL`]: 33 corners of its 32 cells and
+/// one sample of border on each side, which central differences need.
+pub const SAMPLES: usize = 35;
+/// For a face across x, y or z, the axes along which its samples lie: the nearer ones, and the
+/// rows of those. So lie the samples of [`crate::Field::fill_grid`].
+pub(crate) const FACE_AXES: [(usize, usize); 3] = [(1, 2), (2, 0), (1, 0)];
+
+/// Field samples of one chunk: sample `(i, j, k)`, each from 0 to below [`Self::side`], stands at
+/// the chunk's origin plus `(i - 1, j - 1, k - 1)` steps. Below zero is solid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Samples {
+    level: Level,
     values: Box<[f32]>,
+    /// Face after face, each `face_side` squared; empty at [`Level::FULL`].
+    faces: Box<[f32]>,
     editable_y_m: (f64, f64),
 }
 
-/// Index of sample `(i, j, k)`: columns are contiguous, since the field is filled by columns.
-pub(crate) const fn index(i: usize, j: usize, k: usize) -> usize {
-    (i * SAMPLES + k) * SAMPLES + j
+/// Samples along an edge of a level's block.
+const fn side(level: Level) -> usize {
+    level.cells() + 3
+}
+
+/// Samples along an edge of a face, at half a level's step.
+const fn face_side(level: Level) -> usize {
+    2 * level.cells() + 1
 }
 
 impl Samples {
-    /// Samples of any function of the position relative to the chunk's origin, metres.
-    pub fn from_fn(density: impl Fn(DVec3) -> f32) -> Self {
-        let mut samples = Self::empty((f64::NEG_INFINITY, f64::INFINITY));
-        for i in 0..SAMPLES {
-            for k in 0..SAMPLES {
-                for j in 0..SAMPLES {
-                    let local = DVec3::new(i as f64, j as f64, k as f64) - 1.0;
-                    samples.values[index(i, j, k)] = density(local);
-                }
+    /// Full samples of any function of the position relative to the chunk's origin, metres.
+    pub fn from_fn(density: impl FnMut(DVec3) -> f32) -> Self {
+        Self::from_fn_at(Level::FULL, density)
+    }
+
+    /// Samples at a level of any function of the position relative to the chunk's origin, metres.
+    pub fn from_fn_at(level: Level, mut density: impl FnMut(DVec3) -> f32) -> Self {
+        let mut samples = Self::at(level, (f64::NEG_INFINITY, f64::INFINITY));
+        samples.fill_with(|first, step_m, counts, out| {
+            let [_, height, depth] = counts;
+            for (n, value) in out.iter_mut().enumerate() {
+                let (column, j) = (n / height, n % height);
+                let steps = [column / depth, j, column % depth].map(|c| c as f64);
+                *value = density(first + DVec3::from(steps) * f64::from(step_m));
             }
-        }
+        });
         samples
     }
 
     pub(crate) fn empty(editable_y_m: (f64, f64)) -> Self {
+        Self::at(Level::FULL, editable_y_m)
+    }
+
+    fn at(level: Level, editable_y_m: (f64, f64)) -> Self {
+        let faces = match level.finer() {
+            Some(_) => 6 * face_side(level).pow(2),
+            None => 0,
+        };
         Self {
-            values: vec![0.0; SAMPLES * SAMPLES * SAMPLES].into_boxed_slice(),
+            level,
+            values: vec![0.0; side(level).pow(3)].into_boxed_slice(),
+            faces: vec![0.0; faces].into_boxed_slice(),
             editable_y_m,
         }
     }
 
-    /// Sample `(i, j, k)`, each in `0..35`; indices past the block read its last sample.
-    #[inline]
-    pub fn get(&self, i: usize, j: usize, k: usize) -> f32 {
-        const LAST: usize = SAMPLES - 1;
-        self.values[index(i.min(LAST), j.min(LAST), k.min(LAST))]
+    /// Fills the block and the faces with grids, as [`crate::Field::fill_grid`] does: each is
+    /// asked for by its first sample relative to the chunk's origin, its step and its counts.
+    pub(crate) fn fill_with(&mut self, mut fill: impl FnMut(DVec3, u32, [usize; 3], &mut [f32])) {
+        let step_m = self.level.step_m();
+        let first = DVec3::splat(-f64::from(step_m));
+        fill(first, step_m, [self.side(); 3], &mut self.values);
+        let Some(finer) = self.level.finer() else {
+            return;
+        };
+        let n = face_side(self.level);
+        for (face, values) in self.faces.chunks_exact_mut(n * n).enumerate() {
+            let (axis, far) = (face / 2, face % 2);
+            let mut first = DVec3::ZERO;
+            first[axis] = f64::from(CHUNK_CELLS) * far as f64;
+            let mut counts = [n; 3];
+            counts[axis] = 1;
+            fill(first, finer.step_m(), counts, values);
+        }
     }
 
-    /// All samples, columns along y contiguous: `(i * 35 + k) * 35 + j`.
+    /// The level whose step the samples are apart.
+    pub fn level(&self) -> Level {
+        self.level
+    }
+
+    /// Samples along an edge of the block: 35, 19, 11 or 7.
+    #[inline]
+    pub fn side(&self) -> usize {
+        side(self.level)
+    }
+
+    /// Index of sample `(i, j, k)`: columns are contiguous, since the field is filled by columns.
+    #[inline]
+    pub(crate) fn index(&self, i: usize, j: usize, k: usize) -> usize {
+        (i * self.side() + k) * self.side() + j
+    }
+
+    /// Sample `(i, j, k)`; indices past the block read its last sample.
+    #[inline]
+    pub fn get(&self, i: usize, j: usize, k: usize) -> f32 {
+        let last = self.side() - 1;
+        self.values[self.index(i.min(last), j.min(last), k.min(last))]
+    }
+
+    /// All samples, columns along y contiguous: `(i * side + k) * side + j`.
     pub fn values(&self) -> &[f32] {
         &self.values
     }
@@ -57,10 +127,23 @@ impl Samples {
         &mut self.values
     }
 
-    /// Samples of the column `(i, k)`, upward.
-    pub(crate) fn column_mut(&mut self, i: usize, k: usize) -> &mut [f32] {
-        let first = index(i, 0, k);
-        &mut self.values[first..first + SAMPLES]
+    /// The samples of a face, `0..6` for -x, +x, -y, +y, -z and +z, at half the step: rows of
+    /// [`Self::face_side`] along the axes that [`FACE_AXES`] names. Empty at [`Level::FULL`].
+    pub(crate) fn face(&self, face: usize) -> &[f32] {
+        let n = self.face_side().pow(2);
+        self.faces.get(face * n..(face + 1) * n).unwrap_or_default()
+    }
+
+    pub(crate) fn face_mut(&mut self, face: usize) -> &mut [f32] {
+        let n = self.face_side().pow(2);
+        self.faces
+            .get_mut(face * n..(face + 1) * n)
+            .unwrap_or_default()
+    }
+
+    /// Samples along an edge of a face.
+    pub(crate) fn face_side(&self) -> usize {
+        face_side(self.level)
     }
 
     /// Lowest and highest height, metres, at which edits count.
@@ -69,10 +152,12 @@ impl Samples {
     }
 
     /// The field between the samples, trilinear: `local` is relative to the chunk's origin,
-    /// metres, and is held to -1..=33. Below zero is solid.
+    /// metres, and is held to the block, -1..=33 at [`Level::FULL`]. Below zero is solid.
     pub fn density(&self, local: DVec3) -> f32 {
-        let p = (local + 1.0).clamp(DVec3::ZERO, DVec3::splat((SAMPLES - 1) as f64));
-        let low = p.floor().min(DVec3::splat((SAMPLES - 2) as f64));
+        let last = (self.side() - 1) as f64;
+        let steps = local / f64::from(self.level.step_m());
+        let p = (steps + 1.0).clamp(DVec3::ZERO, DVec3::splat(last));
+        let low = p.floor().min(DVec3::splat(last - 1.0));
         let t = (p - low).as_vec3();
         let (i, j, k) = (low.x as usize, low.y as usize, low.z as usize);
         let column = |i, k| {
@@ -85,6 +170,19 @@ impl Samples {
     }
 }
 
+impl Field {
+    /// The field over a chunk, its border and, of a coarse level, its faces. Values at places
+    /// that levels share are the same bit for bit.
+    pub fn samples_at(&self, coord: ChunkCoord, level: Level) -> Samples {
+        let mut samples = Samples::at(level, editable_y_m(&**self.strategy()));
+        let origin = coord.origin();
+        samples.fill_with(|first, step_m, counts, out| {
+            self.fill_grid(coord.hemisphere, origin + first, step_m, counts, out);
+        });
+        samples
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,20 +190,43 @@ mod tests {
     #[test]
     fn density_is_exact_for_trilinear_functions_and_at_both_ends() {
         let f = |p: DVec3| (p.x * 2.0 - p.y + 0.5 * p.z + 0.01 * p.x * p.y * p.z) as f32;
-        let samples = Samples::from_fn(f);
-        for p in [
-            DVec3::new(3.25, 7.5, 30.125),
-            DVec3::splat(-1.0),
-            DVec3::splat(33.0),
-            DVec3::new(32.999, -0.001, 16.0),
-        ] {
-            let found = samples.density(p);
-            assert!((found - f(p)).abs() < 1e-3, "{p}: {found} {}", f(p));
+        for level in Level::ALL {
+            let samples = Samples::from_fn_at(level, f);
+            let step_m = f64::from(level.step_m());
+            let end = 32.0 + step_m;
+            for p in [
+                DVec3::new(3.25, 7.5, 30.125),
+                DVec3::splat(-step_m),
+                DVec3::splat(end),
+                DVec3::new(32.999, -0.001, 16.0),
+            ] {
+                let found = samples.density(p);
+                assert!((found - f(p)).abs() < 2e-3, "{p}: {found} {}", f(p));
+            }
+            assert_eq!(
+                samples.density(DVec3::splat(99.0)),
+                f(DVec3::splat(end)),
+                "held to the block"
+            );
         }
-        assert_eq!(
-            samples.density(DVec3::splat(99.0)),
-            f(DVec3::splat(33.0)),
-            "held to the block"
-        );
+    }
+
+    #[test]
+    fn faces_lie_in_the_chunks_planes_at_half_the_step() {
+        let f = |p: DVec3| (p.x + 64.0 * p.y + 4096.0 * p.z) as f32;
+        let samples = Samples::from_fn_at(Level::ALL[2], f);
+        assert_eq!((samples.side(), samples.face_side()), (11, 17));
+        for face in 0..6 {
+            let (row, rows) = FACE_AXES[face / 2];
+            for u in 0..17 {
+                for v in 0..17 {
+                    let mut p = DVec3::ZERO;
+                    p[face / 2] = 32.0 * (face % 2) as f64;
+                    (p[row], p[rows]) = (2.0 * u as f64, 2.0 * v as f64);
+                    assert_eq!(samples.face(face)[v * 17 + u], f(p), "{face} {p}");
+                }
+            }
+        }
+        assert!(Samples::from_fn(f).face(0).is_empty());
     }
 }

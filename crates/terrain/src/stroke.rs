@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
 use crate::field::{RIM_REACH_M, editable_y_m};
+use crate::level::Level;
 
 /// How fast a stroke weakens: `exp(-FALLOFF_PER_M2 d^2)`, as in the reference game.
 pub const FALLOFF_PER_M2: f64 = 0.1;
@@ -54,10 +55,17 @@ struct Seen {
 
 /// By its owner only.
 const OWNED: Seen = Seen { back: 0, ahead: 0 };
-/// By every chunk whose block of 35 holds it: samples -1..=33 of chunk 0.
-const PADDED: Seen = Seen { back: 2, ahead: 1 };
 
 impl Seen {
+    /// By every chunk whose block at a level holds it: samples -step..=32 + step of chunk 0.
+    const fn padded(level: Level) -> Self {
+        let step = level.step_m() as i64;
+        Self {
+            back: step + 1,
+            ahead: step,
+        }
+    }
+
     fn chunks(self, samples: &RangeInclusive<i64>) -> RangeInclusive<i32> {
         let first = (samples.start() - self.back).div_euclid(32);
         let last = (samples.end() + self.ahead).div_euclid(32);
@@ -83,7 +91,13 @@ impl Stroke {
     /// Chunks whose block of samples, border included, holds a sample within the stroke:
     /// [`Self::touched`] and the neighbours that see it. The chunks to mesh again.
     pub fn remeshed(&self, strategy: &dyn Strategy) -> Vec<ChunkCoord> {
-        self.chunks(strategy, PADDED)
+        self.remeshed_at(strategy, Level::FULL)
+    }
+
+    /// As [`Self::remeshed`], of chunks that are meshed at a level: the coarser, the farther
+    /// their border reaches.
+    pub fn remeshed_at(&self, strategy: &dyn Strategy, level: Level) -> Vec<ChunkCoord> {
+        self.chunks(strategy, Seen::padded(level))
     }
 
     /// Adds the stroke to the edits of the chunk at `coord`; says whether any edit's stored

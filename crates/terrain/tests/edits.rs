@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
-use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Stroke};
+use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Level, Stroke};
 use common::{Random, World, chunk, flat, sphere};
 use glam::{DVec2, DVec3};
 
@@ -169,6 +169,37 @@ fn remeshed_names_every_chunk_that_sees_a_change() {
     }
     assert!(both >= 6, "only {both} strokes reached the other chart");
     assert!(exact >= 20, "only {exact} lists of 24 name nothing in vain");
+}
+
+/// Coarse borders reach farther: a stroke next door may turn a normal.
+#[test]
+fn coarse_chunks_that_see_a_change_are_named_too() {
+    let mut random = Random(12);
+    for level in Level::ALL {
+        let mut beside = 0;
+        for n in 0..12 {
+            let space = flat();
+            let mut world = World::new(n, space.clone());
+            let all: Vec<_> = (0..27)
+                .map(|c| chunk(Hemisphere::A, c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1))
+                .collect();
+            let centre = DVec3::from([(); 3].map(|()| random.between(-2.0, 34.0)));
+            let one = stroke(centre, random.between(1.0, 6.0), 4.0);
+            let before: Vec<_> = all.iter().map(|&c| world.samples_at(c, level)).collect();
+            world.apply(&one);
+            let named = one.remeshed_at(&*space, level);
+            for (coord, before) in all.iter().zip(before) {
+                if world.samples_at(*coord, level) != before {
+                    assert!(named.contains(coord), "{level:?} {coord:?} {centre}");
+                    beside += usize::from(!one.touched(&*space).contains(coord));
+                }
+            }
+        }
+        assert!(
+            beside > 10,
+            "{level:?}: only {beside} chunks saw it from beside"
+        );
+    }
 }
 
 #[test]

@@ -17,7 +17,7 @@ use common::{Random, World, flat, sphere};
 use glam::{DVec3, IVec3};
 
 /// A vertex on a chunk's face: its place on the face, normal and colour, to the bit.
-type Seen = ([u32; 3], [i16; 4], [u8; 4]);
+type Seen = ([u16; 3], [i16; 2], [u8; 4]);
 
 /// A face of a chunk's cube.
 struct Face {
@@ -42,13 +42,13 @@ fn face_edges(mesh: &ChunkMesh, face: &Face) -> Vec<(Seen, Seen)> {
     } = *face;
     let see = |n: u32| {
         let vertex = &mesh.vertices[n as usize];
-        let mut place = vertex.position;
-        place[axis] = 0.0;
-        (place.map(f32::to_bits), vertex.normal, vertex.colour)
+        let mut place = vertex.units;
+        place[axis] = 0;
+        (place, vertex.octahedral, vertex.colour)
     };
     let on_face = |n: u32| {
-        let position = mesh.vertices[n as usize].position;
-        let place = coord.origin() + DVec3::from(position.map(f64::from));
+        let position = mesh.vertices[n as usize].position();
+        let place = coord.origin() + position.as_dvec3();
         position[axis] == level && place.x.hypot(place.z) <= reach_m
     };
     let mut edges = Vec::new();

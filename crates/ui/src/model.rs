@@ -148,7 +148,7 @@ pub enum Intent {
         geometry: GeometryChoice,
         /// `None` for a random one.
         seed: Option<u64>,
-        /// 16 to 64 m, in spherical worlds only.
+        /// 16 to 256 m, in spherical worlds only.
         radius_m: Option<f64>,
     },
     /// Enter a saved world.
@@ -176,6 +176,8 @@ pub enum Intent {
 pub enum ToastKind {
     /// Something done, 4 s.
     Info,
+    /// How something stands now, 4 s; takes the place of the one before, which no longer holds.
+    State,
     /// Something went wrong, 8 s.
     Problem,
 }

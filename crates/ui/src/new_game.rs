@@ -13,7 +13,7 @@ use crate::theme::{ACCENT, BAD, GOOD, GRID, TEXT, WEAK, small};
 use crate::widgets::{button, focus_ring, paint_card, primary_button};
 
 /// Radii of spherical worlds that the player may choose, in metres.
-const RADIUS_M: std::ops::RangeInclusive<f64> = 16.0..=64.0;
+const RADIUS_M: std::ops::RangeInclusive<f64> = 16.0..=256.0;
 const DEFAULT_RADIUS_M: f64 = 32.0;
 /// Longest text a field takes: far beyond what is valid, so that too long is
 /// said and not silently cut, but a pasted book stays out.

@@ -26,7 +26,10 @@ struct Toast {
 
 impl Toasts {
     pub(crate) fn push(&mut self, text: String, kind: ToastKind) {
-        self.up.retain(|toast| toast.text != text);
+        let replaced = |toast: &Toast| {
+            toast.text == text || (kind == ToastKind::State && toast.kind == ToastKind::State)
+        };
+        self.up.retain(|toast| !replaced(toast));
         self.up.push(Toast {
             text,
             kind,
@@ -71,7 +74,7 @@ fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast) {
     let id = Id::unique(("antipode-toast", index));
     let layer = LayerId::new(Order::Foreground, Id::unique("antipode-toasts"));
     let colour = match toast.kind {
-        ToastKind::Info => TEXT,
+        ToastKind::Info | ToastKind::State => TEXT,
         ToastKind::Problem => BAD,
     };
     let mut ui = Ui::new(
@@ -90,7 +93,22 @@ fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast) {
 
 fn stay_s(kind: ToastKind) -> f64 {
     match kind {
-        ToastKind::Info => 4.0,
+        ToastKind::Info | ToastKind::State => 4.0,
         ToastKind::Problem => 8.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_lines_that_tell_a_state_only_the_last_stays_up() {
+        let mut toasts = Toasts::default();
+        toasts.push("Raised map".into(), ToastKind::State);
+        toasts.push("Saved".into(), ToastKind::Info);
+        toasts.push("Horizon map".into(), ToastKind::State);
+        let up: Vec<_> = toasts.up.iter().map(|toast| toast.text.as_str()).collect();
+        assert_eq!(up, ["Saved", "Horizon map"]);
     }
 }

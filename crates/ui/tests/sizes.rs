@@ -170,6 +170,7 @@ fn measured_hud() -> HudModel {
             chunks_by_frame: 112,
             chunks_by_vertex: 31,
             chunks_refined: 4,
+            chunks_by_level: [80, 40, 20, 3],
             triangles: 1_234_567,
             outside: 654_321,
             hidden: 76_543,

@@ -24,7 +24,7 @@ cargo xtask play [--no-install] [ARGUMENTS OF THE GAME]   install what is missin
 cargo xtask test [--no-install] [FILTER]                  install what is missing, run every test
 cargo xtask ci [--no-install]                             format, lints, docs, laboratory, every bench once, every test
 cargo xtask bench [FILTER]                                measure every bench
-cargo xtask lab                                           measure everything, and remake docs/accuracy.md from it
+cargo xtask lab                                           measure everything, and remake docs/accuracy.md and docs/terrain.md
 cargo xtask packages                                      system packages: what for, and whether they are here
 
 --no-install names the missing packages and goes on without them.

@@ -45,16 +45,26 @@ pub fn bench(arguments: &[String]) -> Result<(), Error> {
     Steps::new(1).run("benches", command.args(arguments))
 }
 
-/// Measures everything the laboratory has, and remakes what is made from it: the report, its page,
-/// and `docs/accuracy.md` with its plots. They are written even where a bar is not met.
+/// Measures everything the laboratory has, and remakes what is made from it: the reports, their
+/// pages, the log of the flight, and `docs/accuracy.md` and `docs/terrain.md` with their plots. They
+/// are written even where a bar is not met.
 ///
 /// # Errors
 /// When cargo cannot be started, or the laboratory fails.
 pub fn lab() -> Result<(), Error> {
-    let mut command = cargo(&LABORATORY);
-    command.args(["all", "--json", "docs/measurements/lab.json"]);
-    command.args(["--report", "docs/measurements/lab", "--docs", "docs"]);
-    Steps::new(1).run("laboratory", &mut command)
+    let mut steps = Steps::new(2);
+    let mut laboratory = |name: &str, suite: &str, file: &str, more: &[&str]| {
+        let measurements = format!("docs/measurements/{file}");
+        let json = format!("{measurements}.json");
+        let mut command = cargo(&LABORATORY);
+        command.args([suite, "--json", &json, "--report", &measurements]);
+        command.args(["--docs", "docs"]).args(more);
+        steps.run(name, &mut command)
+    };
+    let log = ["--frame-log", "docs/measurements/terrain-flight.csv"];
+    let terrain = laboratory("terrain", "terrain", "terrain", &log);
+    let exactness = laboratory("exactness", "exactness", "lab", &[]);
+    terrain.and(exactness)
 }
 
 const LABORATORY: [&str; 6] = ["run", "--release", "--package", "antipode", "--", "lab"];
@@ -79,7 +89,7 @@ pub fn test(filter: &[String]) -> Result<(), Error> {
 /// # Errors
 /// At the first step that fails.
 pub fn ci() -> Result<(), Error> {
-    let mut steps = Steps::new(8);
+    let mut steps = Steps::new(9);
     steps.run("format", &mut cargo(&["fmt", "--all", "--check"]))?;
     steps.run(
         "lints",
@@ -104,6 +114,10 @@ pub fn ci() -> Result<(), Error> {
     let mut laboratory = cargo(&LABORATORY);
     laboratory.args(["accuracy", "--quick", "--adapter", "software"]);
     steps.run("laboratory", bed.surround(&mut laboratory))?;
+    // A quick run is judged by ratios between rivals of the same run and by counts, never by times.
+    let mut terrain = cargo(&LABORATORY);
+    terrain.args(["terrain", "--quick", "--adapter", "none"]);
+    steps.run("laboratory of terrain", bed.surround(&mut terrain))?;
     every_test(&mut steps, &bed)
 }
 

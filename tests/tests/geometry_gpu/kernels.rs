@@ -3,47 +3,13 @@
 use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::{Eye, Geometry, Horizon, HyperbolicMap, Projection, SpaceUniform, picture};
-use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, DVec4, Vec3, Vec4};
+use glam::{DVec3, DVec4};
 
-use crate::gpu::GPU;
+use crate::answers::answers;
+use crate::probes::Case;
 use crate::tables::{Worst, rows};
 
 const KERNELS: &str = include_str!("../../reference/kernels.json");
-
-const SHADER: &str = "
-struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }
-struct Answer { view: vec4<f32>, normal: vec3<f32>, distance: f32 }
-@group(0) @binding(0) var<storage, read> cases: array<Case>;
-@group(0) @binding(1) var<storage, read_write> answers: array<Answer>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3<u32>) {
-    let i = id.x;
-    if i >= arrayLength(&cases) { return; }
-    let space = cases[i].space;
-    let view = port_to_view(space, cases[i].p, cases[i].hemisphere);
-    answers[i].view = view;
-    answers[i].normal = port_normal(space, cases[i].p, cases[i].n, cases[i].hemisphere);
-    answers[i].distance = eye_distance(space, view);
-}";
-
-#[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Case {
-    space: SpaceUniform,
-    p: Vec3,
-    hemisphere: u32,
-    n: Vec3,
-    pad: u32,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Answer {
-    view: Vec4,
-    normal: Vec3,
-    distance: f32,
-}
 
 /// A uniform whose view is the identity: the map alone.
 fn bare(kind: u32, project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {
@@ -90,10 +56,6 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-fn run(cases: &[Case]) -> Option<Vec<Answer>> {
-    GPU.as_ref().map(|gpu| gpu.compute(SHADER, cases))
-}
-
 /// The directions of a map's golden rows within twenty radii, in radians.
 fn directions(
     table: &str,
@@ -109,7 +71,9 @@ fn directions(
         .iter()
         .map(|row| case(space(row[0], row[1]), &row[2..], DVec3::Y))
         .collect();
-    let Some(answers) = run(&cases) else { return };
+    let Some(answers) = answers(&cases) else {
+        return;
+    };
     let mut worst = Worst::default();
     for (row, answer) in rows.iter().zip(answers) {
         assert!(
@@ -155,7 +119,9 @@ fn normals_of_golden_rows_hold_on_the_adapter() {
             .iter()
             .map(|row| case(space(row[0], row[1]), &row[2..], vector(&row[5..])))
             .collect();
-        let Some(answers) = run(&cases) else { return };
+        let Some(answers) = answers(&cases) else {
+            return;
+        };
         let mut worst = Worst::default();
         for (row, answer) in rows.iter().zip(answers) {
             // Across the ray a rounding is multiplied by sinh d / d.
@@ -195,7 +161,9 @@ fn the_horizon_maps_directions_hold_to_twenty_radii() {
         exact.push(DVec4::from_array(map.port([row[0], row[1], row[2]])));
         cases.push(case(horizon(kappa, 1.625), &row, DVec3::Y));
     }
-    let Some(answers) = run(&cases) else { return };
+    let Some(answers) = answers(&cases) else {
+        return;
+    };
     let mut worst = Worst::default();
     for ((answer, exact), case) in answers.iter().zip(exact).zip(&cases) {
         let at = case.p.as_dvec3().to_array();
@@ -228,7 +196,9 @@ fn the_bend_through_zero_has_no_step_and_no_nan_on_the_adapter() {
             }
         }
     }
-    let Some(answers) = run(&cases) else { return };
+    let Some(answers) = answers(&cases) else {
+        return;
+    };
     for (answer, case) in answers.iter().zip(&cases) {
         let kappa = f64::from(case.space.curve[0]).abs();
         assert!(

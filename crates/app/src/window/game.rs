@@ -386,7 +386,7 @@ impl Game {
             self.shell.toast(notice, ToastKind::Problem);
         }
         for hint in session.scene.take_hints() {
-            self.shell.toast(hint, ToastKind::Info);
+            self.shell.toast(hint, ToastKind::State);
         }
     }
 }

@@ -7,12 +7,25 @@
 
 use super::exponential::{bend, sine_cosine};
 use super::linear::normalized;
+use super::parts::{Parts, product};
 use crate::real::Real;
 
 /// The point of the model at `p` radii. Domain: sign > 0, `f32`: r and |y| <= pi; sign < 0: r + |y|
 /// <= 350 in `f64`, 80 in `f32`.
 #[inline]
 pub fn point<T: Real>(sign: T, p: [T; 3]) -> [T; 4] {
+    if sign < T::ZERO {
+        let level = Parts::of(sign, [p[0], T::ZERO, p[2]]);
+        let climb = Parts::of(sign, [T::ZERO, p[1], T::ZERO]);
+        let scale = level.scale * climb.scale;
+        let across = product(scale, level.sine, climb.cosine);
+        return [
+            across * (p[0] / level.divisor),
+            (climb.scale + climb.scale * climb.sine) * (p[1] / climb.divisor),
+            across * (p[2] / level.divisor),
+            product(scale, level.cosine, climb.cosine),
+        ];
+    }
     let [level, far] = sine_cosine(sign, p[0] * p[0] + p[2] * p[2]);
     let [up, upright] = sine_cosine(sign, p[1] * p[1]);
     [

@@ -9,7 +9,7 @@
 //! Points must be near the origin of the model, that is, relative to the camera: a hyperboloid
 //! coordinate at distance D has an error of eps e^D, which a chord cannot give back.
 
-use super::linear::{along, dot, inner, length, scaled, space};
+use super::linear::{along, dot, inner, lacks, length, scaled, space};
 use crate::real::Real;
 
 /// `b - a`. The difference of two w near 1 has lost its digits; it follows from the rest, by
@@ -24,31 +24,34 @@ fn chord<T: Real>(sign: T, a: [T; 4], b: [T; 4]) -> [T; 4] {
     e
 }
 
-/// The length of a chord, its squares summed in double precision: half an ulp.
+/// `b - a` and `b + a` in double precision, where they are exact but for w.
 #[inline]
-fn chord_length<T: Real, const N: usize>(v: [T; N]) -> T {
-    T::of(length(v.map(T::to_f64)))
+fn chords<T: Real>(sign: f64, a: [T; 4], b: [T; 4]) -> [[f64; 4]; 2] {
+    let (a, b) = (a.map(T::to_f64), b.map(T::to_f64));
+    [chord(sign, a, b), along(a, b, 1.0)]
 }
 
-/// Distance of two points of the unit three-sphere, 0 to pi.
+/// Distance of two points of the unit three-sphere, 0 to pi. The chords are measured in double
+/// precision and rounded once.
 #[inline]
 pub fn spherical<T: Real>(a: [T; 4], b: [T; 4]) -> T {
-    let sum = along(a, b, T::ONE);
-    T::of(2.0) * T::angle(chord_length(chord(T::ONE, a, b)), chord_length(sum))
+    let [between, sum] = chords(1.0, a, b).map(|v| T::of(length(v)));
+    T::of(2.0) * T::angle(between, sum)
 }
 
-/// Distance of two points of the hyperboloid near its origin.
+/// Distance of two points of the hyperboloid near its origin. The chord is measured in double
+/// precision and rounded once.
 #[inline]
 pub fn hyperbolic<T: Real>(a: [T; 4], b: [T; 4]) -> T {
-    let e = chord(-T::ONE, a, b);
-    let out = chord_length(space(e));
-    if out == T::ZERO {
-        return out;
+    let [e, _] = chords(-1.0, a, b);
+    let out = length(space(e));
+    if out == 0.0 {
+        return T::ZERO;
     }
     // <e,e> as a part of the spatial length, so that nothing underflows.
     let w = e[3] / out;
-    let chord = out * ((T::ONE - w) * (T::ONE + w)).max(T::ZERO).sqrt();
-    T::of(2.0) * T::asinh(T::HALF * chord)
+    let chord = out * ((1.0 - w) * (1.0 + w)).max(0.0).sqrt();
+    T::of(2.0) * T::asinh(T::of(0.5 * chord))
 }
 
 /// Distance of two points of the hyperboloid anywhere, from their spatial parts:
@@ -69,6 +72,19 @@ pub fn hyperbolic_far<T: Real>(a: [T; 3], b: [T; 3]) -> T {
     let across = T::HALF * turn * sinh_a.sqrt() * sinh_b.sqrt();
     let climb = between * T::sinhc_cosh(between)[0];
     T::of(2.0) * T::asinh(length([climb, across]))
+}
+
+/// A vector of nearly unit length, moved by the little that it lacks: its length is off by one
+/// rounding of its coordinates, 1e-7 in `f32`, where they are within 2. Farther out no `f32`
+/// coordinate could say it better.
+#[inline]
+fn measured<T: Real>(sign: T, v: [T; 4]) -> [T; 4] {
+    let lacks = lacks(sign, v);
+    if lacks.abs() < T::of(1e-5) {
+        along(v, v, T::HALF * lacks)
+    } else {
+        v
+    }
 }
 
 /// The unit tangent at `a` towards `b`. Where every direction leads there, at one point and at the
@@ -92,7 +108,10 @@ pub fn direction<T: Real>(sign: T, a: [T; 4], b: [T; 4], otherwise: [T; 4]) -> [
     let half = T::HALF * sign * (q * most);
     let square = q - sign * (T::HALF * q * most) * (T::HALF * q * most);
     if square > T::ZERO {
-        scaled(along(unit, a, turn * half), T::ONE / square.sqrt())
+        measured(
+            sign,
+            scaled(along(unit, a, turn * half), T::ONE / square.sqrt()),
+        )
     } else {
         otherwise
     }

@@ -6,12 +6,19 @@
 //! along it.
 
 use super::linear::{along, dot, normalized, scaled};
+use super::parts::Parts;
 use crate::real::Real;
 
 /// The point of the model at `q` radii. Domain: sign > 0, `f32`: d <= pi; sign < 0: d <= 350 in
 /// `f64`, 80 in `f32`.
 #[inline]
 pub fn point<T: Real>(sign: T, q: [T; 3]) -> [T; 4] {
+    if sign < T::ZERO {
+        let of = Parts::of(sign, q);
+        let sine = of.scale + of.scale * of.sine;
+        let [x, y, z] = q.map(|x| x / of.divisor * sine);
+        return [x, y, z, of.scale + of.scale * of.cosine];
+    }
     let [sinc, cos] = sine_cosine(sign, dot(q, q));
     [q[0] * sinc, q[1] * sinc, q[2] * sinc, cos]
 }

@@ -53,5 +53,23 @@ pub fn orthonormalized<T: Real>(sign: T, frame: [[T; 4]; 4]) -> [[T; 4]; 4] {
             v
         }
     };
-    [level(x), level(y), level(z), point]
+    squared_up(sign, [level(x), level(y), level(z), point])
+}
+
+/// A frame that is orthonormal but for roundings, moved by half of what its products are off, all
+/// of it in double precision: what is left is one rounding of each entry.
+#[inline]
+fn squared_up<T: Real>(sign: T, frame: [[T; 4]; 4]) -> [[T; 4]; 4] {
+    let sign = sign.to_f64();
+    let wide = frame.map(|column| column.map(T::to_f64));
+    let signs = [1.0, 1.0, 1.0, sign];
+    let mut columns = wide;
+    for (j, column) in columns.iter_mut().enumerate() {
+        for (i, axis) in wide.iter().enumerate() {
+            let due = if i == j { signs[i] } else { 0.0 };
+            let off = inner(sign, *axis, wide[j]) - due;
+            *column = along(*column, *axis, -0.5 * signs[i] * off);
+        }
+    }
+    columns.map(|column| column.map(T::of))
 }

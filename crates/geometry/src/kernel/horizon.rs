@@ -1,15 +1,29 @@
 //! The horizon map at any curvature kappa, negative, zero or positive.
 //!
 //! With u the chart displacement from the eye in metres, H its height over the sheet, y = u.y + H,
-//! r = |(u.x, u.z)|, S(t) = t sinc(kappa t^2), C(t) = cos(kappa t^2) and q = S(r/2)^2, the boost
-//! along the axis by H takes (S(y), C(y) C(r)) to
-//! `Y' = S(u.y) + 2 kappa S(H) C(y) q` and `W' = C(u.y) - 2 kappa C(H) C(y) q`,
-//! by the addition theorems and `1 - C(r) = 2 kappa q`. X and Z are the cylindrical chart's.
+//! r = |(u.x, u.z)|, S(t) = t sinc(kappa t^2) and C(t) = cos(kappa t^2), the boost along the axis by
+//! H takes (S(y), C(y) C(r)) to
+//! `Y' = S(u.y) - S(H) C(y) (C(r) - 1)` and `W' = C(u.y) + C(H) C(y) (C(r) - 1)`,
+//! by the addition theorems. X and Z are the cylindrical chart's.
 
 use super::cylindrical::level_normal;
 use super::exponential::bend;
 use super::linear::drawn_in;
+use super::parts::{Parts, product};
 use crate::real::Real;
+
+/// A climb of y metres from the eye: S(y), C(y), and C(y + H) in parts.
+#[derive(Debug, Clone, Copy)]
+struct Climb<T> {
+    /// S(y) in metres.
+    rise: T,
+    /// C(y).
+    fall: T,
+    /// C(y + H) is `scale lifted (1 + upright)`, scale a power of two.
+    scale: T,
+    lifted: T,
+    upright: T,
+}
 
 /// The horizon map of one eye and curvature.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,38 +89,57 @@ impl<T: Real> HorizonMap<T> {
     #[inline]
     pub fn port(&self, u: [T; 3]) -> [T; 4] {
         let [x, y, z] = self.within_range(u);
-        let square = x * x + z * z;
-        let half = T::sine_cosine(T::HALF * T::HALF * self.kappa * square);
-        let [rise, fall, upright] = self.climb(y);
-        let sag = T::HALF * upright * (half[0] * half[0]) * (self.kappa * square);
-        let across = upright * (half[0] * half[1]);
+        let level = self.level(x, z);
+        let climb = self.climb(y);
+        let upright = climb.scale * climb.lifted;
+        // C(y) (C(r) - 1)
+        let sag = upright * level.cosine_less_one(climb.upright);
+        let across = product(upright * level.scale, level.sine, climb.upright);
         [
-            across * x,
-            rise + self.sin * sag,
-            across * z,
-            fall - self.cos * sag,
+            across * (x / level.divisor),
+            climb.rise - self.sin * sag,
+            across * (z / level.divisor),
+            climb.fall + self.cos * sag,
         ]
     }
 
-    /// S(y), C(y) and C(y + H) for a climb of y metres from the eye.
+    /// S(r)/r and C(r) of a level distance in metres, in parts.
     #[inline]
-    fn climb(&self, y: T) -> [T; 3] {
+    fn level(&self, x: T, z: T) -> Parts<T> {
+        let s = self.kappa * (x * x + z * z);
+        if s > -T::ONE {
+            Parts::near(s)
+        } else {
+            Parts::of(-T::ONE, [self.k * x, T::ZERO, self.k * z])
+        }
+    }
+
+    /// What a climb of y metres from the eye makes.
+    #[inline]
+    fn climb(&self, y: T) -> Climb<T> {
         let steep = self.k * y.abs();
         if self.kappa < T::ZERO && steep > T::ONE {
             // One exponential for all three: its error scales the point and leaves the direction.
             let sense = if y < T::ZERO { -T::ONE } else { T::ONE };
-            let e = T::HALF * T::exp(steep);
-            let r = T::HALF * T::HALF / e;
+            let [scale, high, low, fade] = T::half_exp(steep, T::ZERO);
             let lifted = self.cos + sense * self.k * self.sin;
-            return [
-                sense * self.radius_m * (e - r),
-                e + r,
-                e * lifted + r / lifted,
-            ];
+            return Climb {
+                rise: sense * self.radius_m * (scale + scale * (high + (low - fade))),
+                fall: scale + scale * (high + (low + fade)),
+                scale,
+                lifted,
+                upright: high + (low + fade / (lifted * lifted)),
+            };
         }
-        let [sinc, cos] = T::sine_cosine(self.kappa * y * y);
-        let rise = sinc * y;
-        [rise, cos, cos * self.cos - self.kappa * rise * self.sin]
+        let [sine, cosine] = T::excess(self.kappa * y * y);
+        let rise = y + y * sine;
+        Climb {
+            rise,
+            fall: T::ONE + cosine,
+            scale: T::ONE,
+            lifted: T::ONE,
+            upright: (self.cos - T::ONE) + (self.cos * cosine - self.kappa * rise * self.sin),
+        }
     }
 
     /// A chart normal at `u` as a unit covector in the chart's frame: lengths along the radial,
@@ -117,7 +150,8 @@ impl<T: Real> HorizonMap<T> {
         let square = u[0] * u[0] + u[2] * u[2];
         let s = self.kappa * square;
         let level = T::sine_cosine(s)[0];
-        let upright = self.climb(u[1])[2];
+        let climb = self.climb(u[1]);
+        let upright = climb.scale * climb.lifted * (T::ONE + climb.upright);
         let sign = if self.kappa > T::ZERO {
             T::ONE
         } else {

@@ -53,6 +53,29 @@ pub fn sine_cosine(s: f64) -> [f64; 2] {
     }
 }
 
+/// Half of exp(t + rest) and of its reciprocal, t >= 1, in the parts of the single-precision one,
+/// `[a, high, low, fade]` with `exp/2 = a (1 + (high + low))` and `exp(-)/2 = a fade`: 2 ulp.
+#[inline]
+pub fn half_exp(t: f64, rest: f64) -> [f64; 4] {
+    let e = t.exp();
+    [1.0, 0.5 * e - 1.0, 0.5 * e * rest, 0.5 / e]
+}
+
+/// The length of a vector; in double precision nothing is told of its rounding.
+#[inline]
+pub fn length_rest(q: [f64; 3]) -> [f64; 2] {
+    [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt(), 0.0]
+}
+
+/// What sin(t)/t and cos(t), or their hyperbolic counterparts, exceed 1 by, for s = kappa t^2 >=
+/// -1: 3 ulp of 1, and no less exact near 0.
+#[inline]
+pub fn excess(s: f64) -> [f64; 2] {
+    let half = sine_cosine(0.25 * s)[0];
+    let bend = sinc_bend(s.abs(), if s > 0.0 { 1.0 } else { -1.0 });
+    [s.abs() * bend, -0.5 * s * (half * half)]
+}
+
 /// e to the t: 1 ulp.
 #[inline]
 pub fn exp(t: f64) -> f64 {

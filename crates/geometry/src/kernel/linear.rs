@@ -67,6 +67,18 @@ pub fn normalized<T: Real>(v: [T; 3]) -> [T; 3] {
     }
 }
 
+/// What the square of a vector, under [`inner`], lacks of 1. Coordinates within 2, the square near
+/// 1: exact to 1e-9 in `f32`. Each coordinate is cut after 11 bits behind the point: squares of
+/// what is before the cut are whole multiples of 2^-22, which add up without rounding in any
+/// order, fused or not.
+#[inline]
+pub fn lacks<T: Real>(sign: T, v: [T; 4]) -> T {
+    let (unit, per_unit) = (T::of(1.0 / 2048.0), T::of(2048.0));
+    let cut = v.map(|x| (x * per_unit + T::HALF).floor() * unit);
+    let (rest, sum) = (along(v, cut, -T::ONE), along(v, cut, T::ONE));
+    (T::ONE - inner(sign, cut, cut)) - inner(sign, rest, sum)
+}
+
 /// A chart displacement drawn in to `limit` metres, where it is finite.
 #[inline]
 pub fn drawn_in<T: Real>(u: [T; 3], limit: T) -> [T; 3] {

@@ -12,6 +12,7 @@ pub mod frame;
 pub mod horizon;
 pub mod library;
 pub mod linear;
+pub mod parts;
 pub mod raised;
 pub mod series;
 pub mod sphere;

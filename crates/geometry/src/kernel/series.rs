@@ -146,36 +146,88 @@ fn sinhc_cosh_near(s: f32) -> [f32; 2] {
     ]
 }
 
-/// exp(t)/2 for 0 <= t < 88 as a power of two a, what of t is left over its exponent, times a, and
-/// the rest: it is their sum, and the second is exact.
+/// Half of exp(t + rest), 0 <= t < 88 and |rest| an ulp of t at most, as a power of two a, high
+/// and low: `a (1 + (high + low))`. High is what of t is left over the exponent, and exact.
 #[inline]
-fn half_exp(t: f32) -> [f32; 3] {
+fn half_exp_parts(t: f32, rest: f32) -> [f32; 3] {
     let n = (t * LOG2_E + 0.4).floor();
     let high = t - n * LN2_HIGH;
-    let low = n * LN2_LOW;
+    let low = n * LN2_LOW - rest;
     let x = high - low;
     let a = f32::from_bits(((n as i32 + 126) as u32) << 23);
-    [a, a * high, a * (x * (x * polynomial(x, &EXP)) - low)]
+    [a, high, x * (x * polynomial(x, &EXP)) - low]
+}
+
+/// Half of exp(t + rest) and of its reciprocal, 1 <= t < 88: `[a, high, low, fade]` with
+/// `exp/2 = a (1 + (high + low))` to half an ulp of a before the sum, and `exp(-)/2 = a fade`.
+#[inline]
+pub fn half_exp(t: f32, rest: f32) -> [f32; 4] {
+    let [a, high, low] = half_exp_parts(t, rest);
+    [a, high, low, 0.25 / (a * (1.0 + (high + low))) / a]
 }
 
 /// e to the t for 0 <= t < 88: 1 ulp.
 #[inline]
 pub fn exp(t: f32) -> f32 {
-    let [a, high, low] = half_exp(t);
-    2.0 * (a + (high + low))
+    let [a, high, low] = half_exp_parts(t, 0.0);
+    2.0 * a * (1.0 + (high + low))
 }
 
 /// (sinh(t)/t, cosh(t)) for |t| to 81: series to 1, where nothing cancels, then exponentials, the
-/// greatest part added last: 1.6 ulp.
+/// greatest part added last: 1.25 ulp. What is divided by t goes in two parts, the first of them
+/// short, so that no rounding is doubled by the quotient.
 #[inline]
 pub fn sinhc_cosh(t: f32) -> [f32; 2] {
     let t = t.abs();
     if t < 1.0 {
         return sinhc_cosh_near(t * t);
     }
-    let [a, high, low] = half_exp(t);
-    let r = 0.25 / (a + (high + low));
-    [(a + (high + (low - r))) / t, a + (high + (low + r))]
+    let [a, high, low, fade] = half_exp(t, 0.0);
+    let sine = low - fade;
+    let short = f32::from_bits((1.0 + (high + sine)).to_bits() & 0xffff_f000);
+    let left = ((1.0 - short) + high) + sine;
+    [
+        a * (short / t + left / t),
+        a * (1.0 + (high + (low + fade))),
+    ]
+}
+
+/// The length of a vector and what rounding took from it, which is known to 2^-33 of the length:
+/// half of `q.q - t^2` over t. Each coordinate and t are cut at one place, 11 bits from t's first;
+/// squares of what is before it add up without rounding in any order, fused or not.
+///
+/// Lengths from 1e-15 to 1e18.
+#[inline]
+pub fn length_rest(q: [f32; 3]) -> [f32; 2] {
+    let t = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt();
+    let exponent = t.to_bits() & 0x7f80_0000;
+    let unit = f32::from_bits(exponent) * (1.0 / 1024.0);
+    let per_unit = f32::from_bits(0x7f00_0000 - exponent) * 1024.0;
+    let cut = |x: f32| (x * per_unit + 0.5).floor() * unit;
+    let (h, ht) = (q.map(cut), cut(t));
+    let before = h[0] * h[0] + h[1] * h[1] + h[2] * h[2] - ht * ht;
+    let behind = (q[0] - h[0]) * (q[0] + h[0])
+        + (q[1] - h[1]) * (q[1] + h[1])
+        + (q[2] - h[2]) * (q[2] + h[2])
+        - (t - ht) * (t + ht);
+    [t, (before + behind) * (0.5 / t)]
+}
+
+/// What sin(t)/t and cos(t), or their hyperbolic counterparts, exceed 1 by, for s = kappa t^2 from
+/// -1 to pi^2: both to half an ulp of 1 before they are added to it, and no less exact near 0.
+#[inline]
+pub fn excess(s: f32) -> [f32; 2] {
+    if s <= 0.0 {
+        return [
+            -s * polynomial(-s, &SINH_BEND),
+            -s * polynomial(-s, &COSH_BEND),
+        ];
+    }
+    if s <= OBTUSE {
+        return [s * polynomial(s, &SIN), s * polynomial(s, &COS)];
+    }
+    let [sinc, cos] = sinc_cos(s);
+    [sinc - 1.0, cos - 1.0]
 }
 
 /// The sine over its argument and the cosine of either curvature, for s = kappa t^2.

@@ -10,6 +10,7 @@ const SOURCES: &[(&str, &str)] = &[
     ("library", include_str!("../../src/kernel/library.rs")),
     ("series", include_str!("../../src/kernel/series.rs")),
     ("linear", include_str!("../../src/kernel/linear.rs")),
+    ("parts", include_str!("../../src/kernel/parts.rs")),
     (
         "exponential",
         include_str!("../../src/kernel/exponential.rs"),
@@ -90,6 +91,23 @@ const EXCUSED: &[(&str, &str)] = &[
     (
         "frame::product",
         "sums of products; the composed moves of extremes.rs go through it",
+    ),
+    (
+        "linear::lacks",
+        "an exact identity: extremes.rs holds it to 1e-9 in both precisions",
+    ),
+    ("library::length_rest", "a length and nothing: extremes.rs"),
+    (
+        "series::length_rest",
+        "an exact identity: extremes.rs holds it to 2^-32 of the length",
+    ),
+    (
+        "parts::product",
+        "sums of products; the charts' rows go through it",
+    ),
+    (
+        "parts::cosine_less_one",
+        "sums of products; the horizon map's rows go through it",
     ),
     ("charts::inner", "one sum of products"),
     (

@@ -319,3 +319,46 @@ fn tiny_points_keep_their_directions() {
         }
     }
 }
+
+#[test]
+fn what_rounding_took_from_a_length_is_known_to_nine_digits() {
+    let mut rng = Numbers(9);
+    for i in 0..100_000 {
+        let size = 10.0_f64.powf(rng.between(-15.0, 18.0));
+        let mut q = (rng.direction() * size).to_array().map(|x| x as f32);
+        if i % 3 == 0 {
+            // On an axis nothing is rounded.
+            q[1] = 0.0;
+            q[2] = 0.0;
+        }
+        let exact = q.iter().map(|x| f64::from(*x).powi(2)).sum::<f64>().sqrt();
+        let [t, rest] = f32::length_rest(q).map(f64::from);
+        assert!(
+            (t + rest - exact).abs() <= exact * 2.0_f64.powi(-32),
+            "{q:?}"
+        );
+        assert!(rest.abs() <= exact * 2.0_f64.powi(-22), "{q:?}");
+        if i % 3 == 0 {
+            assert_eq!(rest, 0.0, "{q:?}");
+        }
+    }
+    assert_eq!(f64::length_rest([3.0, 0.0, 4.0]), [5.0, 0.0]);
+}
+
+#[test]
+fn what_a_unit_vector_lacks_is_known_to_nine_digits() {
+    let mut rng = Numbers(10);
+    for sign in [-1.0, 1.0] {
+        for _ in 0..50_000 {
+            let q = rng.direction() * rng.between(0.0, 0.5);
+            let v = exponential::direction(sign, q.to_array(), rng.direction().to_array());
+            let off = rng.between(-1e-6, 1e-6);
+            let v = v.map(|x| (x * (1.0 + off)) as f32);
+            let exact = 1.0 - linear::inner(sign, v.map(f64::from), v.map(f64::from));
+            let single = f64::from(linear::lacks(sign as f32, v));
+            assert!((single - exact).abs() < 1e-9, "{v:?}: {single} {exact}");
+            let double = linear::lacks(sign, v.map(f64::from));
+            assert!((double - exact).abs() < 1e-15, "{v:?}");
+        }
+    }
+}

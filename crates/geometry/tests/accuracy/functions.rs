@@ -1,6 +1,7 @@
 //! Functions of one or two numbers, in both precisions, against eighty digits.
 
 use antipode_geometry::kernel::linear;
+use antipode_geometry::kernel::parts::Parts;
 use antipode_geometry::{Real, scalar};
 
 use crate::golden::{Check, FUNCTIONS, Unit, failures, one};
@@ -11,6 +12,23 @@ fn sinc_cos<T: Real>(x: &[T]) -> Vec<T> {
 
 fn sinhc_cosh<T: Real>(x: &[T]) -> Vec<T> {
     T::sinhc_cosh(x[0]).to_vec()
+}
+
+/// The same in parts: half exponentials from t = 1, what exceeds 1 before.
+fn parts_of_sinhc_cosh<T: Real>(x: &[T]) -> Vec<T> {
+    let parts = Parts::of(-T::ONE, [x[0], T::ZERO, T::ZERO]);
+    vec![
+        (parts.scale + parts.scale * parts.sine) / parts.divisor,
+        parts.scale + parts.scale * parts.cosine,
+    ]
+}
+
+fn parts_of_sine_cosine<T: Real>(x: &[T]) -> Vec<T> {
+    if x[0] < -T::ONE {
+        return sine_cosine(x);
+    }
+    let parts = Parts::near(x[0]);
+    vec![T::ONE + parts.sine, T::ONE + parts.cosine]
 }
 
 fn sine_cosine<T: Real>(x: &[T]) -> Vec<T> {
@@ -105,9 +123,27 @@ pub fn checks() -> Vec<Check> {
             sinhc_cosh,
             Own,
             one,
-            [3.0, 1.6]
+            [3.0, 1.25]
         ),
         double!("sinhc_cosh_wide", &[], 1, sinhc_cosh, Own, one, 3.0),
+        both!(
+            "sinhc_cosh",
+            &["library::half_exp", "series::half_exp", "parts::of"],
+            1,
+            parts_of_sinhc_cosh,
+            Own,
+            one,
+            [4.0, 2.0]
+        ),
+        both!(
+            "sine_cosine",
+            &["library::excess", "series::excess", "parts::near"],
+            1,
+            parts_of_sine_cosine,
+            One,
+            root_condition,
+            [3.0, 1.5]
+        ),
         both!(
             "sine_cosine",
             &["library::sine_cosine", "series::sine_cosine"],

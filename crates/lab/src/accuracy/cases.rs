@@ -52,7 +52,8 @@ pub struct Answer {
     pub distance: f32,
 }
 
-const TYPES: &str = "
+/// What the shader is given and answers.
+pub const TYPES: &str = "
 struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }
 struct Answer { view: vec4<f32>, clip: vec4<f32>, normal: vec3<f32>, distance: f32 }";
 const BODY: &str = "let space = inputs[i].space;

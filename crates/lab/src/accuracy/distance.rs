@@ -6,37 +6,33 @@
 
 use antipode_geometry::kernel::distance;
 use antipode_geometry::{ChartPoint, Eye, charts};
-use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, Vec4};
 
-use super::cases::{self, RADIUS_M, Setting};
+use super::cases;
 use super::errors::relative;
-use super::row::{Curve, Subject, note_all, plot};
-use super::{Arithmetic, Bench, Findings, Row, Worst};
+use super::row::{Curve, Subject, plot};
+use super::{Arithmetic, Bench, Findings, Row, Worst, eye_distance, light};
 use crate::double_double::Double2;
 use crate::error::LabError;
 use crate::random::Numbers;
-use crate::{compute, naive, single};
+use crate::{naive, single};
 
 /// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "Distances between two points of the model at separations from 1e-8 to the far end, both near the camera, where positions are kept; the textbook takes acosh or acos of the inner product. Distances from the eye are those the shaders take for fog.",
-    "A light's direction is that from the surface to the light at the surface: its error here is that of its length. At separation 0 there is none, and the surface normal takes its place.",
+    "A light's direction is that from the surface to the light at the surface: its error here is that of its length, in pure f32 and as the game computes, in f64 from positions in f64 and rounded once. At separation 0 there is none, and the surface normal takes its place.",
     "Attenuation is 1/(1 + 0.7 d + 1.8 d^2), d in radii, near 0 and near the antipode. Its error is at most twice that of the distance.",
 ];
 
 /// Best known: the chord form for points 1e-3 apart.
 const CHORD: f64 = 1.6e-7;
 /// At any other separation and from the eye: three ulp.
-const ANY: f64 = 3.6e-7;
+pub const ANY: f64 = 3.6e-7;
 /// Far from the camera, where angle and distances are combined: the figure for angles.
 const FAR: f64 = 6e-7;
 
-/// Best known length of a direction, 1e-7 to its one digit.
-const DIRECTION: f64 = 1.5e-7;
-
 /// Positions are within half a radius of the camera.
-const HALF: f64 = 0.5;
+pub const HALF: f64 = 0.5;
 
 /// Runs distances between points, from the eye, directions and attenuation.
 pub fn run(bench: &Bench) -> Result<Findings, LabError> {
@@ -45,13 +41,14 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
     for sign in [-1.0, 1.0] {
         between(bench, sign, &mut found);
         in_double(bench, sign, &mut found);
-        from_eye(bench, sign, &mut found)?;
-        directions(bench, sign, &mut found);
+        eye_distance::measure(bench, sign, &mut found)?;
+        light::measure(bench, sign, &mut found);
     }
     Ok(found)
 }
 
-fn name(sign: f64) -> &'static str {
+/// The space's name by the sign of its curvature.
+pub fn name(sign: f64) -> &'static str {
     if sign < 0.0 {
         "hyperbolic"
     } else {
@@ -60,13 +57,13 @@ fn name(sign: f64) -> &'static str {
 }
 
 /// Two points of the model at a separation, the first within some radii of the camera.
-fn pair(rng: &mut Numbers, sign: f64, separation: f64, within: f64) -> [Vec4; 2] {
+pub fn pair(rng: &mut Numbers, sign: f64, separation: f64, within: f64) -> [DVec4; 2] {
     let q = rng.direction() * rng.between(0.0, within);
     let a = charts::exponential(sign, q);
     let v = charts::exponential_direction(sign, q, rng.direction());
     let half = charts::exponential(sign, DVec3::X * separation);
     let b = a * half.w + v * half.x;
-    [a.as_vec4(), b.as_vec4()]
+    [a, b]
 }
 
 fn chord(sign: f64, a: DVec4, b: DVec4) -> f64 {
@@ -114,14 +111,30 @@ fn attenuation_single(d: f32) -> f32 {
     1.0 / (1.0 + d * (0.7 + 1.8 * d))
 }
 
-/// Worst errors of ours and of the textbook's.
-type Both = [Worst; 2];
+/// Worst errors of ours in single precision, of ours in double rounded once, and of the textbook's.
+type Three = [Worst; 3];
+
+/// Distances of two points given in single precision by each of the three.
+fn distances(sign: f64, single: [Vec4; 2], double: [DVec4; 2]) -> [f32; 3] {
+    let [a, b] = double.map(|point| point.to_array());
+    let cast = if sign < 0.0 {
+        distance::hyperbolic(a, b)
+    } else {
+        distance::spherical(a, b)
+    };
+    let [a, b] = single;
+    [
+        single_distance(sign, a, b),
+        cast as f32,
+        naive::distance(sign as f32, a, b),
+    ]
+}
 
 fn between(bench: &Bench, sign: f64, found: &mut Findings) {
     let mut rng = Numbers::new(3);
-    let [mut all, mut near, mut light] = [(); 3].map(|()| Both::default());
-    let mut curves =
-        ["CPU f32, chord form", "textbook f32"].map(|name| Curve::new(name, 1e-8, far_end(sign)));
+    let [mut all, mut near, mut light] = [(); 3].map(|()| Three::default());
+    let mut curves = ["CPU f32, chord form", "CPU f64, then f32", "textbook f32"]
+        .map(|name| Curve::new(name, 1e-8, far_end(sign)));
     for i in 0..bench.effort.count(100_000) {
         let separation = if i % 4 == 0 && sign > 0.0 {
             far_end(sign) - rng.magnitude(1e-7, 1.0)
@@ -130,17 +143,14 @@ fn between(bench: &Bench, sign: f64, found: &mut Findings) {
         };
         // Roundings of positions must not be larger than what lies between them.
         let within = (1e3 * separation).min(HALF);
-        let [a, b] = pair(&mut rng, sign, separation, within);
-        let exact = chord(sign, on_model(sign, a), on_model(sign, b));
+        let single = pair(&mut rng, sign, separation, within).map(DVec4::as_vec4);
+        let double = single.map(|point| on_model(sign, point));
+        let exact = chord(sign, double[0], double[1]);
         if exact == 0.0 {
             continue;
         }
-        let words = || format!("a = {a}, b = {b}");
-        let distances = [
-            single_distance(sign, a, b),
-            naive::distance(sign as f32, a, b),
-        ];
-        for (k, d) in distances.into_iter().enumerate() {
+        let words = || format!("a = {}, b = {}", single[0], single[1]);
+        for (k, d) in distances(sign, single, double).into_iter().enumerate() {
             let error = relative(f64::from(d), exact);
             all[k].note(error, words);
             if (exact - 1e-3).abs() < 2e-4 {
@@ -151,42 +161,55 @@ fn between(bench: &Bench, sign: f64, found: &mut Findings) {
             light[k].note(less, words);
         }
     }
-    let range = format!("{}, separations 1e-8 to {:.2}", name(sign), far_end(sign));
-    let thousandth = format!("{}, separations of 1e-3", name(sign));
-    let ends = format!("{}, near 0 to the far end", name(sign));
-    found.rows.extend([
-        row("distance of two points", range, all, ANY),
-        row("distance of two points", thousandth, near, CHORD),
-        row("attenuation of a light", ends, light, 2.0 * ANY),
-    ]);
+    push_between(sign, [all, near, light], found);
+    let title = format!(
+        "Distance of two {} points: error against distance",
+        name(sign)
+    );
     found.plots.push(plot(
         &format!("distance-{}", name(sign)),
-        &format!(
-            "Distance of two {} points: error against distance",
-            name(sign)
-        ),
+        &title,
         "distance, radii",
         "worst relative error",
         &curves,
     ));
 }
 
-fn row(quantity: &'static str, range: String, [ours, textbook]: Both, bar: f64) -> Row {
-    Row {
-        quantity,
-        range,
-        arithmetic: Arithmetic::Single,
-        unit: "of it",
-        ours: Some(ours),
-        bar: Some(bar),
-        naive: Some(textbook),
+fn push_between(sign: f64, [all, near, light]: [Three; 3], found: &mut Findings) {
+    let name = name(sign);
+    let range = format!("{name}, separations 1e-8 to {:.2}", far_end(sign));
+    for (quantity, range, [single, cast, textbook], bar) in [
+        ("distance of two points", range, all, ANY),
+        (
+            "distance of two points",
+            format!("{name}, separations of 1e-3"),
+            near,
+            CHORD,
+        ),
+        (
+            "attenuation of a light",
+            format!("{name}, near 0 to the far end"),
+            light,
+            2.0 * ANY,
+        ),
+    ] {
+        let subject = Subject {
+            quantity,
+            range,
+            unit: "of it",
+            naive: Some(textbook),
+        };
+        found.rows.extend(subject.rows([
+            (Arithmetic::Single, Some(single), bar),
+            (Arithmetic::Cast, Some(cast), bar),
+        ]));
     }
 }
 
 /// Two hyperbolic points anywhere that is drawn, from angle and distances, against `f64`.
 fn far_apart(bench: &Bench, found: &mut Findings) {
     let mut rng = Numbers::new(19);
-    let mut both = Both::default();
+    let mut both = [(); 2].map(|()| Worst::default());
     for _ in 0..bench.effort.count(20_000) {
         let [a, b] = [(); 2].map(|()| {
             let q = rng.direction() * rng.between(0.5, 20.0);
@@ -205,9 +228,16 @@ fn far_apart(bench: &Bench, found: &mut Findings) {
         );
     }
     let range = "hyperbolic, both up to 20 radii from the camera".to_owned();
-    found
-        .rows
-        .push(row("distance of two points", range, both, FAR));
+    let [ours, textbook] = both;
+    found.rows.push(Row {
+        quantity: "distance of two points",
+        range,
+        arithmetic: Arithmetic::Single,
+        unit: "of it",
+        ours: Some(ours),
+        bar: Some(FAR),
+        naive: Some(textbook),
+    });
 }
 
 /// The strategy's own distance in `f64` against the chord form with thirty digits.
@@ -275,165 +305,4 @@ fn better_chord(sign: f64, a: [Double2; 4], b: [Double2; 4]) -> Double2 {
     } else {
         two * chord.atan2(square(|a, b| a + b, 1.0).sqrt())
     }
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Seen {
-    space: antipode_geometry::SpaceUniform,
-    view: Vec4,
-}
-
-/// View vectors at distances from 1e-8 to `far` radii.
-fn seen(bench: &Bench, sign: f64, far: f64, setting: &Setting) -> Vec<Seen> {
-    let space = setting.space.uniform(&Eye::default(), &cases::projection());
-    let mut rng = Numbers::new(13);
-    (0..bench.effort.count(100_000))
-        .map(|_| {
-            let end = charts::exponential(sign, DVec3::X * rng.magnitude(1e-8, far));
-            let view = (rng.direction() * end.x * RADIUS_M).extend(end.w).as_vec4();
-            Seen { space, view }
-        })
-        .collect()
-}
-
-/// The shader's distances, where there is an adapter.
-fn on_gpu(bench: &Bench, inputs: &[Seen]) -> Result<Option<Vec<f32>>, LabError> {
-    let shader = compute::shader(
-        "struct Seen { space: Space, view: vec4<f32> }",
-        "Seen",
-        "f32",
-        "outputs[i] = eye_distance(inputs[i].space, inputs[i].view);",
-    );
-    let gpu = bench.gpu.as_ref();
-    gpu.map(|gpu| compute::run(gpu, &shader, inputs))
-        .transpose()
-}
-
-/// The distance that fog is made of.
-fn from_eye(bench: &Bench, sign: f64, found: &mut Findings) -> Result<(), LabError> {
-    let setting = if sign < 0.0 {
-        cases::raised(10.0)
-    } else {
-        cases::sphere(RADIUS_M)
-    };
-    let far = if sign < 0.0 {
-        20.0
-    } else {
-        std::f64::consts::PI - 1e-3
-    };
-    let inputs = seen(bench, sign, far, &setting);
-    let gpu = on_gpu(bench, &inputs)?;
-    let mut worst = [(); 3].map(|()| Worst::default());
-    let mut curves = ["CPU f32", "GPU", "textbook f32"].map(|name| Curve::new(name, 1e-8, far));
-    let radius = RADIUS_M as f32;
-    for (i, input) in inputs.iter().enumerate() {
-        let (view, eye) = (input.view, Eye::default());
-        let exact = setting.space.eye_distance_m(&eye, view.as_dvec4());
-        let textbook = if sign < 0.0 {
-            view.w.acosh()
-        } else {
-            view.w.acos()
-        } * radius;
-        let errors = [
-            Some(distance::from_eye(
-                sign as f32,
-                1.0 / radius,
-                radius,
-                view.to_array(),
-            )),
-            gpu.as_ref().map(|gpu| gpu[i]),
-            Some(textbook),
-        ]
-        .map(|ours| ours.map(|ours| relative(f64::from(ours), exact)));
-        let at = || format!("view {view}");
-        note_all(errors, &mut worst, &mut curves, exact / RADIUS_M, at);
-    }
-    let [single, shader, textbook] = worst;
-    let subject = Subject {
-        quantity: "distance from the eye",
-        range: format!("{}, 1e-8 to {far:.4} radii", name(sign)),
-        unit: "of it",
-        naive: Some(textbook),
-    };
-    found.rows.extend(subject.rows([
-        (Arithmetic::Single, Some(single), ANY),
-        (Arithmetic::Gpu, gpu.is_some().then_some(shader), ANY),
-    ]));
-    found.plots.push(plot(
-        &format!("eye-distance-{}", name(sign)),
-        &format!(
-            "Distance from the eye, {}: error against distance",
-            name(sign)
-        ),
-        "distance, radii",
-        "worst relative error",
-        &curves,
-    ));
-    Ok(())
-}
-
-fn directions(bench: &Bench, sign: f64, found: &mut Findings) {
-    let mut curves =
-        ["CPU f32, chord form", "textbook f32"].map(|name| Curve::new(name, 1e-8, 1.0));
-    for (low, high) in [(1e-8, 1e-4), (1e-4, 1.0)] {
-        let mut rng = Numbers::new(17);
-        let (mut ours, mut textbook) = (Worst::default(), Worst::default());
-        for i in 0..bench.effort.count(50_000) {
-            let separation = if i == 0 {
-                0.0
-            } else {
-                rng.magnitude(low, high)
-            };
-            let [a, b] = pair(&mut rng, sign, separation, HALF);
-            let words = || format!("a = {a}, b = {b}");
-            let normal = normal_at(sign as f32, a);
-            let made = distance::direction(sign as f32, a.to_array(), b.to_array(), normal);
-            let error = length_error(sign, Vec4::from_array(made));
-            ours.note(error, words);
-            let error_textbook = length_error(sign, naive::direction(sign as f32, a, b));
-            textbook.note(error_textbook, words);
-            curves[0].note(separation, error);
-            curves[1].note(separation, error_textbook);
-        }
-        found.rows.push(Row {
-            quantity: "length of a light's direction",
-            range: format!("{}, separations {low:e} to {high:e}, and 0", name(sign)),
-            arithmetic: Arithmetic::Single,
-            unit: "of 1",
-            ours: Some(ours),
-            bar: Some(DIRECTION),
-            naive: Some(textbook),
-        });
-    }
-    found.plots.push(plot(
-        &format!("direction-{}", name(sign)),
-        &format!(
-            "Length of a light's direction, {}: error against separation",
-            name(sign)
-        ),
-        "separation, radii",
-        "worst error of the length",
-        &curves,
-    ));
-}
-
-/// A unit tangent at a, in the place of the surface's normal.
-fn normal_at(sign: f32, a: Vec4) -> [f32; 4] {
-    let q = a.truncate().as_dvec3();
-    let length = q.length();
-    let distance = if sign < 0.0 {
-        length.asinh()
-    } else {
-        length.atan2(a.w.into())
-    };
-    let q = q.normalize_or_zero() * distance;
-    charts::exponential_direction(sign.into(), q, DVec3::Y)
-        .as_vec4()
-        .to_array()
-}
-
-fn length_error(sign: f64, v: Vec4) -> f64 {
-    let v = v.as_dvec4();
-    ((v.truncate().length_squared() + sign * v.w * v.w).sqrt() - 1.0).abs()
 }

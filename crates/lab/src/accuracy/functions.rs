@@ -33,25 +33,6 @@ struct Function {
     absolute: bool,
 }
 
-const fn ours(
-    quantity: &'static str,
-    (low, high): (f64, f64),
-    [ours, library]: [fn(f32) -> f32; 2],
-    exact: fn(f64) -> f64,
-    slot: usize,
-) -> Function {
-    Function {
-        quantity,
-        low,
-        high,
-        ours: Some(ours),
-        library,
-        exact,
-        slots: (Some(slot), slot + 8),
-        absolute: false,
-    }
-}
-
 const fn built_in(
     quantity: &'static str,
     (low, high): (f64, f64),
@@ -73,71 +54,86 @@ const fn built_in(
 
 const HALF_PI: f64 = std::f64::consts::FRAC_PI_2;
 
+type Single = fn(f32) -> f32;
+type Exact = fn(f64) -> f64;
+/// Name, range, ours and the library's in f32, and exact.
+type Ours = (&'static str, (f64, f64), Single, Single, Exact);
+
+/// In the order of the shader's outputs.
+const OURS: [Ours; 8] = [
+    (
+        "sin(t)/t",
+        (1e-6, HALF_PI),
+        |t| f32::sinc_cos(t * t)[0],
+        |t| t.sin() / t,
+        sinc,
+    ),
+    (
+        COSINE,
+        (1e-6, HALF_PI),
+        |t| f32::sinc_cos(t * t)[1],
+        f32::cos,
+        f64::cos,
+    ),
+    (
+        "sinh(t)/t",
+        (1e-6, 80.0),
+        |t| f32::sinhc_cosh(t)[0],
+        |t| t.sinh() / t,
+        |t| t.sinh() / t,
+    ),
+    (
+        "cosh t",
+        (1e-6, 80.0),
+        |t| f32::sinhc_cosh(t)[1],
+        f32::cosh,
+        f64::cosh,
+    ),
+    (
+        "exp t",
+        (1e-6, 80.0),
+        <f32 as Real>::exp,
+        f32::exp,
+        f64::exp,
+    ),
+    (
+        "atan2(t, 1)",
+        (1e-6, 1e6),
+        |t| f32::angle(t, 1.0),
+        |t| t.atan2(1.0),
+        f64::atan,
+    ),
+    (
+        "asinh t",
+        (1e-8, 1e30),
+        <f32 as Real>::asinh,
+        f32::asinh,
+        f64::asinh,
+    ),
+    (
+        "(sinh(t)/t - 1)/t^2",
+        (1e-6, 1.0),
+        |t| f32::sinc_bend(t * t, -1.0),
+        |t| (t.sinh() / t - 1.0) / (t * t),
+        bend,
+    ),
+];
+/// Near its zero a cosine is judged in ulp of 1.
+const COSINE: &str = "cos t";
+
 /// Our own, with the built-in function that each takes the place of.
 fn our_functions() -> Vec<Function> {
-    let mut all = vec![
-        ours(
-            "sin(t)/t",
-            (1e-6, HALF_PI),
-            [|t| f32::sinc_cos(t * t)[0], |t| t.sin() / t],
-            sinc,
-            0,
-        ),
-        ours(
-            "cos t",
-            (1e-6, HALF_PI),
-            [|t| f32::sinc_cos(t * t)[1], f32::cos],
-            f64::cos,
-            1,
-        ),
-        ours(
-            "sinh(t)/t",
-            (1e-6, 80.0),
-            [|t| f32::sinhc_cosh(t)[0], |t| t.sinh() / t],
-            |t| t.sinh() / t,
-            2,
-        ),
-        ours(
-            "cosh t",
-            (1e-6, 80.0),
-            [|t| f32::sinhc_cosh(t)[1], f32::cosh],
-            f64::cosh,
-            3,
-        ),
-        ours(
-            "exp t",
-            (1e-6, 80.0),
-            [<f32 as Real>::exp, f32::exp],
-            f64::exp,
-            4,
-        ),
-        ours(
-            "atan2(t, 1)",
-            (1e-6, 1e6),
-            [|t| f32::angle(t, 1.0), |t| t.atan2(1.0)],
-            f64::atan,
-            5,
-        ),
-        ours(
-            "asinh t",
-            (1e-8, 1e30),
-            [<f32 as Real>::asinh, f32::asinh],
-            f64::asinh,
-            6,
-        ),
-        ours(
-            "(sinh(t)/t - 1)/t^2",
-            (1e-6, 1.0),
-            [
-                |t| f32::sinc_bend(t * t, -1.0),
-                |t| (t.sinh() / t - 1.0) / (t * t),
-            ],
-            bend,
-            7,
-        ),
-    ];
-    all[1].absolute = true;
-    all
+    let one = |(slot, (quantity, (low, high), ours, library, exact))| Function {
+        quantity,
+        low,
+        high,
+        ours: Some(ours),
+        library,
+        exact,
+        slots: (Some(slot), slot + 8),
+        absolute: quantity == COSINE,
+    };
+    OURS.into_iter().enumerate().map(one).collect()
 }
 
 /// What else a shader could use.

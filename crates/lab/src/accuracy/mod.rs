@@ -10,8 +10,9 @@ mod curvature;
 mod depth;
 mod distance;
 mod errors;
+mod eye_distance;
 mod functions;
-mod known;
+mod light;
 mod moves;
 mod normals;
 mod picture;
@@ -29,6 +30,7 @@ use crate::Effort;
 use crate::error::LabError;
 use crate::report::{Plot, Section};
 
+pub(crate) use cases::projection;
 pub use row::{Arithmetic, Row, Worst};
 
 /// What the suites work with.

@@ -179,56 +179,82 @@ fn model(bench: &Bench, d: f64, found: &mut Findings) -> Result<(), LabError> {
     let case = |(q, n): &(DVec3, DVec3)| cases::case(space, &eye, ChartPoint::a(*q * RADIUS_M), *n);
     let list: Vec<cases::Case> = normals.iter().map(case).collect();
     let gpu = cases::answers(bench.gpu.as_ref(), &list)?;
-    let [mut shader, mut length] = [(); 2].map(|()| Worst::default());
-    let [mut carried, mut carried_sphere, mut sphere, mut dark] =
-        [(); 4].map(|()| Worst::default());
+    let found_here = compared(&normals, gpu.as_deref());
+    push_model(d, gpu.is_some(), found_here, found);
+    Ok(())
+}
+
+/// Worst errors of [`model`].
+#[derive(Default)]
+struct Model {
+    /// The shader's normals, degrees, and their lengths, percent.
+    shader: Worst,
+    length: Worst,
+    /// Normals carried like directions, degrees, and ours of the sphere.
+    carried: Worst,
+    carried_sphere: Worst,
+    sphere: Worst,
+    /// Darkening by a Euclidean 4-norm, percent.
+    dark: Worst,
+}
+
+/// Each normal q, n against its definition.
+fn compared(normals: &[(DVec3, DVec3)], gpu: Option<&[cases::Answer]>) -> Model {
+    let mut all = Model::default();
     for (i, (q, n)) in normals.iter().enumerate() {
         let at = || format!("q = {}, n = {}", words(*q), words(*n));
         let (truth, _) = by_definition(true, *q, *n);
-        carried.note(angle(*n, truth).to_degrees(), at);
-        dark.note(darkening(*q, truth), at);
+        all.carried.note(angle(*n, truth).to_degrees(), at);
+        all.dark.note(darkening(*q, truth), at);
         // On the sphere the same chart shrinks what is across the ray by sin(d)/d.
         let along = q.normalize() * n.dot(q.normalize());
         let truth_sphere = along + (*n - along) / (q.length().sin() / q.length());
-        carried_sphere.note(angle(*n, truth_sphere).to_degrees(), at);
+        all.carried_sphere
+            .note(angle(*n, truth_sphere).to_degrees(), at);
         let ours = exponential::normal(1.0, q.to_array(), n.to_array());
-        sphere.note(
+        all.sphere.note(
             angle(DVec3::from_array(ours), truth_sphere).to_degrees(),
             at,
         );
-        if let Some(gpu) = &gpu {
+        if let Some(gpu) = gpu {
             let ours = gpu[i].normal.as_dvec3();
-            shader.note(angle(ours, truth).to_degrees(), at);
-            length.note((ours.length() - 1.0).abs() * 100.0, at);
+            all.shader.note(angle(ours, truth).to_degrees(), at);
+            all.length.note((ours.length() - 1.0).abs() * 100.0, at);
         }
     }
-    let ran = gpu.is_some();
+    all
+}
+
+fn push_model(d: f64, ran: bool, all: Model, found: &mut Findings) {
     let subject = |quantity, unit, naive| Subject {
         quantity,
         range: format!("d = {d}"),
         unit,
         naive: Some(naive),
     };
-    let shader = (Arithmetic::Gpu, ran.then_some(shader), SINGLE.to_degrees());
+    let shader = (
+        Arithmetic::Gpu,
+        ran.then_some(all.shader),
+        SINGLE.to_degrees(),
+    );
     let rows = subject(
         "normals carried like directions, hyperbolic",
         "deg",
-        carried,
+        all.carried,
     );
     found.rows.extend(rows.rows([shader]));
     let rows = subject(
         "normals carried like directions, spherical",
         "deg",
-        carried_sphere,
+        all.carried_sphere,
     );
     found
         .rows
-        .extend(rows.rows([(Arithmetic::Double, Some(sphere), 1e-12)]));
-    let rows = subject("darkening by a Euclidean 4-norm", "%", dark);
+        .extend(rows.rows([(Arithmetic::Double, Some(all.sphere), 1e-12)]));
+    let rows = subject("darkening by a Euclidean 4-norm", "%", all.dark);
     found
         .rows
-        .extend(rows.rows([(Arithmetic::Gpu, ran.then_some(length), UNIT)]));
-    Ok(())
+        .extend(rows.rows([(Arithmetic::Gpu, ran.then_some(all.length), UNIT)]));
 }
 
 /// Best known length of a unit normal in single precision, in per cent.

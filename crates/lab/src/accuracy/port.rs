@@ -23,10 +23,10 @@ pub const METHOD: &[&str] = &[
     "The textbook column is the exponential chart with the system's own sin, cos, sinh and cosh, and no guard at 0.",
 ];
 
-/// The exponential chart is the shader's sine and cosine of either curvature, times the point.
+/// The exponential chart is the shader's sine and cosine in parts, times the point.
 const EXPONENTIAL: &str = "let p = inputs[i].xyz;
-    let both = geo_sine_cosine(-dot(p, p));
-    outputs[i] = vec4<f32>(p * both.x, both.y);";
+    let both = geo_parts(-1.0, p);
+    outputs[i] = vec4<f32>(p / both.w * (both.x + both.x * both.y), both.x + both.x * both.z);";
 /// The unit sphere, seen from the pole along the axes.
 const SPHERE: &str = "var space = unit();
     space.curve = vec4<f32>(1.0, 0.0, 0.0, 1.0);

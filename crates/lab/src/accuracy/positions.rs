@@ -130,6 +130,11 @@ fn positions(
         worst[2].note(*textbook, at);
         curves[1].note(far, *textbook);
     }
+    push_positions(range, gpu.is_some(), worst, found);
+    Ok(())
+}
+
+fn push_positions(range: (f64, f64), ran: bool, worst: [Worst; 3], found: &mut Findings) {
     let [single, shader, textbook] = worst;
     let subject = |quantity| Subject {
         quantity,
@@ -137,7 +142,7 @@ fn positions(
         unit: "rad",
         naive: Some(textbook.clone()),
     };
-    let shader = gpu.is_some().then_some(shader);
+    let shader = ran.then_some(shader);
     let rows = subject("world positions, as the shader has them");
     found
         .rows
@@ -146,7 +151,6 @@ fn positions(
     found
         .rows
         .extend(rows.rows([(Arithmetic::Gpu, shader, WALKED)]));
-    Ok(())
 }
 
 /// The same vertex in two neighbouring chunks.

@@ -1,6 +1,5 @@
 //! What one test found: the worst error with its input, beside the bar and the textbook formula.
 
-use super::known::known;
 use crate::report::{Axis, Cell, Plot, Scale, Series, Table};
 
 /// In which arithmetic a quantity was computed.
@@ -106,19 +105,6 @@ impl Row {
         Some(ours.bad == 0 && ours.count > 0 && self.bar.is_none_or(|bar| ours.error <= bar))
     }
 
-    /// A verdict, or why a bar that is known not to be reached is not.
-    fn verdict(&self, ours: &Worst) -> Cell {
-        match self.passed() {
-            None => Cell::Empty,
-            Some(true) => Cell::Verdict(true),
-            Some(false) => known(self.quantity, self.arithmetic, ours.error)
-                .filter(|_| ours.bad == 0 && ours.count > 0)
-                .map_or(Cell::Verdict(false), |known| {
-                    Cell::Text(format!("NOT REACHED: {}", known.why))
-                }),
-        }
-    }
-
     fn cells(&self) -> Vec<Cell> {
         let figure = |value: f64| Cell::Figure(value, self.unit.to_owned());
         let count = |n: u64| Cell::Figure(n as f64, String::new());
@@ -132,7 +118,7 @@ impl Row {
             Some(ours) => cells.extend([
                 figure(ours.error),
                 bar,
-                self.verdict(ours),
+                self.passed().map_or(Cell::Empty, Cell::Verdict),
                 count(ours.bad),
                 count(ours.count),
             ]),

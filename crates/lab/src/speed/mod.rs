@@ -5,6 +5,7 @@ mod clock;
 mod cpu;
 mod culling;
 mod distance;
+mod equal;
 mod frames;
 mod gpu;
 mod inputs;
@@ -17,7 +18,7 @@ mod pictures;
 mod port;
 mod quality;
 mod scenes;
-mod stage;
+pub(crate) mod stage;
 mod vertex_stage;
 mod view;
 

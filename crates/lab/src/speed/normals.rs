@@ -79,20 +79,8 @@ pub fn hyperbolic_group(effort: Effort) -> Group {
             |i| normal_exponential(i).dot(LIGHT),
             error,
         ),
-        Rival::new(
-            "exact, f64",
-            "processor",
-            &inputs,
-            |i| normal_exponential_f64(i).dot(LIGHT.as_dvec3()) as f32,
-            error,
-        ),
-        Rival::new(
-            "carried like a direction",
-            "",
-            &inputs,
-            |i| i.normal.normalize().dot(LIGHT),
-            error,
-        ),
+        in_double(&inputs, normal_exponential_f64, error),
+        turned(&inputs, error),
         Rival::new(
             "exact four-vector, flat length",
             "",
@@ -151,20 +139,8 @@ pub fn sphere_group(effort: Effort) -> Group {
             |i| normal_sphere(i).dot(LIGHT),
             error,
         ),
-        Rival::new(
-            "exact, f64",
-            "processor",
-            &inputs,
-            |i| normal_sphere_f64(i).dot(LIGHT.as_dvec3()) as f32,
-            error,
-        ),
-        Rival::new(
-            "carried like a direction",
-            "",
-            &inputs,
-            |i| i.normal.normalize().dot(LIGHT),
-            error,
-        ),
+        in_double(&inputs, normal_sphere_f64, error),
+        turned(&inputs, error),
     ];
     race(
         "normal-sphere",
@@ -172,6 +148,22 @@ pub fn sphere_group(effort: Effort) -> Group {
         rivals,
         effort,
     )
+}
+
+/// The exact normal in doubles.
+fn in_double<'a>(
+    inputs: &'a [Input],
+    normal: fn(&Input) -> DVec3,
+    error: impl Fn(&Input, &f32) -> f64,
+) -> Rival<'a> {
+    let lit = move |i: &Input| normal(i).dot(LIGHT.as_dvec3()) as f32;
+    Rival::new("exact, f64", "processor", inputs, lit, error)
+}
+
+/// The chart's normal as it is, which is what carrying it out like a direction comes to.
+fn turned(inputs: &[Input], error: impl Fn(&Input, &f32) -> f64) -> Rival<'_> {
+    let lit = |i: &Input| i.normal.normalize().dot(LIGHT);
+    Rival::new("carried like a direction", "", inputs, lit, error)
 }
 
 fn race(id: &'static str, title: &str, rivals: Vec<Rival<'_>>, effort: Effort) -> Group {

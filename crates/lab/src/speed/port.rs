@@ -158,7 +158,7 @@ fn ulps(got: [f32; 4], true_one: [f64; 4]) -> f64 {
 pub fn raised_group(effort: Effort) -> Group {
     let (single, double) = raised_maps();
     let (middles, inputs) = objects(2, FAR_M, 20.0, EDGE_M);
-    let map = |p: [f64; 3]| double.port(p);
+    let map = move |p: [f64; 3]| double.port(p);
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
     let mut rivals = vec![
         Rival::new(
@@ -176,34 +176,20 @@ pub fn raised_group(effort: Effort) -> Group {
             error,
         ),
         Rival::new(
-            "closed form, library, f32",
-            "",
-            &inputs,
-            |v| library::raised(&single, v.at),
-            error,
-        ),
-        Rival::new(
-            "closed form, series, f32",
-            SHADER,
-            &inputs,
-            |v| single.port(v.at),
-            error,
-        ),
-        Rival::new(
             "port then boost, f64, then rounded",
             "",
             &inputs,
             |v| cast(library::port_then_boost(&double, wide(v.at))),
             error,
         ),
-        Rival::new(
-            "closed form, f64, then rounded",
-            PROCESSOR,
-            &inputs,
-            |v| cast(double.port(wide(v.at))),
-            error,
-        ),
     ];
+    rivals.extend(closed_forms(
+        &inputs,
+        move |at| library::raised(&single, at),
+        move |at| single.port(at),
+        map,
+        error,
+    ));
     let (affine, rigid) = frames(&middles, map, -1.0, double.k);
     rivals.extend(framed(&inputs, &affine, &rigid, &error));
     race(
@@ -223,31 +209,15 @@ pub fn horizon_group(effort: Effort) -> Group {
     let curve = [kappa, lift as f32, double.sin as f32, double.cos as f32];
     let single = HorizonMap::from_uniform(curve, k, 1.0 / k);
     let (middles, inputs) = objects(3, FAR_M, 20.0, EDGE_M);
-    let map = |p: [f64; 3]| double.port(p);
+    let map = move |p: [f64; 3]| double.port(p);
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
-    let mut rivals = vec![
-        Rival::new(
-            "closed form, library, f32",
-            "",
-            &inputs,
-            |v| library::horizon(&single, v.at),
-            error,
-        ),
-        Rival::new(
-            "closed form, series, f32",
-            SHADER,
-            &inputs,
-            |v| single.port(v.at),
-            error,
-        ),
-        Rival::new(
-            "closed form, f64, then rounded",
-            PROCESSOR,
-            &inputs,
-            |v| cast(double.port(wide(v.at))),
-            error,
-        ),
-    ];
+    let mut rivals = closed_forms(
+        &inputs,
+        move |at| library::horizon(&single, at),
+        move |at| single.port(at),
+        map,
+        error,
+    );
     let (affine, rigid) = frames(&middles, map, -1.0, f64::from(k));
     rivals.extend(framed(&inputs, &affine, &rigid, &error));
     race(
@@ -280,29 +250,13 @@ pub fn sphere_group(effort: Effort) -> Group {
     }
     let middles: Vec<_> = middles.iter().map(|m| [m[0], m[1] + lift, m[2]]).collect();
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
-    let mut rivals = vec![
-        Rival::new(
-            "library, f32",
-            "",
-            &inputs,
-            |v| library::seen(&view, library::sphere(k, v.at)),
-            error,
-        ),
-        Rival::new(
-            "series, f32",
-            SHADER,
-            &inputs,
-            |v| library::seen(&view, sphere::port(k, false, v.at)),
-            error,
-        ),
-        Rival::new(
-            "f64, then rounded",
-            PROCESSOR,
-            &inputs,
-            |v| cast(map(wide(v.at))),
-            error,
-        ),
-    ];
+    let mut rivals = closed_forms(
+        &inputs,
+        move |at| library::seen(&view, library::sphere(k, at)),
+        move |at| library::seen(&view, sphere::port(k, false, at)),
+        map,
+        error,
+    );
     let (affine, rigid) = frames(&middles, map, 1.0, f64::from(k));
     rivals.extend(framed(&inputs, &affine, &rigid, &error));
     race(
@@ -311,6 +265,39 @@ pub fn sphere_group(effort: Effort) -> Group {
         rivals,
         effort,
     )
+}
+
+/// A map's closed form by the library's functions, by the shader's series and in doubles.
+fn closed_forms<'a>(
+    inputs: &'a [Vertex],
+    library: impl Fn([f32; 3]) -> [f32; 4] + 'a,
+    series: impl Fn([f32; 3]) -> [f32; 4] + 'a,
+    double: impl Fn([f64; 3]) -> [f64; 4] + 'a,
+    error: impl Fn(&Vertex, &[f32; 4]) -> f64 + Copy,
+) -> Vec<Rival<'a>> {
+    vec![
+        Rival::new(
+            "closed form, library, f32",
+            "",
+            inputs,
+            move |v| library(v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, series, f32",
+            SHADER,
+            inputs,
+            move |v| series(v.at),
+            error,
+        ),
+        Rival::new(
+            "closed form, f64, then rounded",
+            PROCESSOR,
+            inputs,
+            move |v| cast(double(wide(v.at))),
+            error,
+        ),
+    ]
 }
 
 /// The raised map in both precisions.

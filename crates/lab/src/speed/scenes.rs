@@ -11,7 +11,7 @@ use antipode_render::Gpu;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Scene, WorldSetup};
-use antipode_terrain::ChunkMesh;
+use antipode_terrain::{ChunkMesh, Vertex};
 use glam::Vec3;
 
 use crate::LabError;
@@ -155,15 +155,29 @@ pub fn keep_common(
     height: u32,
     order: Order,
 ) -> Result<usize, LabError> {
+    let frames: Vec<Frame> = looks.iter().map(|look| look.at(frame)).collect();
+    keep_whole(gpu, frame, &frames, height, order)
+}
+
+/// The same for frames of any kind, which differ in how the land of `frame` is looked at.
+///
+/// # Errors
+/// When the adapter fails.
+pub fn keep_whole(
+    gpu: &Gpu,
+    frame: &mut Frame,
+    frames: &[Frame],
+    height: u32,
+    order: Order,
+) -> Result<usize, LabError> {
     // Choices are made in pixels of height; nothing is said of width.
     let mut stage = Stage::new(gpu, (16, height))?;
-    let frames: Vec<Frame> = looks.iter().map(|look| look.at(frame)).collect();
     let bare = |frame: &Frame, changes: &[ChunkChange]| Frame {
         chunk_changes: changes.to_vec(),
         ..frame.clone()
     };
     let mut empty = Vec::new();
-    for own in &frames {
+    for own in frames {
         empty.push(stage.draw(&bare(own, &[]))?.stats.triangles);
     }
     let mut changes = std::mem::take(&mut frame.chunk_changes);
@@ -203,7 +217,7 @@ pub fn keep_common(
 
 /// Whether the frame's space trims a chunk at the edge of its chart.
 fn trims(frame: &Frame, coord: ChunkCoord, mesh: &ChunkMesh) -> bool {
-    let places = || mesh.vertices.iter().map(|v| Vec3::from(v.position));
+    let places = || mesh.vertices.iter().map(Vertex::position);
     let corner = |local: Option<Vec3>| coord.origin() + local.unwrap_or_default().as_dvec3();
     let (min, max) = (
         corner(places().reduce(Vec3::min)),

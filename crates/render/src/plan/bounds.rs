@@ -5,7 +5,7 @@
 //! seen as an angle and turned to pixels, is all that the choices need: an edge strays by `bend L^2`, and a
 //! first-order frame about the middle of something of diameter L by no more at its ends.
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy};
 use antipode_scene::frame::Frame;
 use glam::{DMat3, DVec3, DVec4};
 
@@ -54,6 +54,12 @@ impl PictureScale {
     /// What an angle comes to in pixels where the picture is stretched most.
     pub fn widest_px(&self, angle_rad: f64) -> f64 {
         angle_rad * self.focal_px * self.stretch
+    }
+
+    /// What a cell of directions spans at most, in pixels.
+    pub fn spans_px(&self, cell: &SightCell) -> f64 {
+        let upright_rad = cell.slope[1].atan() - cell.slope[0].atan();
+        self.widest_px(upright_rad.max(2.0 * cell.half_width_rad))
     }
 }
 
@@ -166,9 +172,10 @@ impl Bounds {
         self.bend[step] + (self.bend[step + 1] - self.bend[step]) * part
     }
 
-    /// Edges of the land farther than this keep to the tolerance as they are, metres along the chart.
-    pub fn refine_within_m(&self, tolerance: &Tolerance) -> f64 {
-        let longest = super::choice::LONGEST_EDGE_M.powi(2);
+    /// Edges of the land up to so long that are farther than this keep to the tolerance as they are, metres along
+    /// the chart.
+    pub fn refine_within_m(&self, tolerance: &Tolerance, longest_edge_m: f64) -> f64 {
+        let longest = longest_edge_m.powi(2);
         let strays = |bend: &f64| bend * longest > tolerance.shape_px;
         let Some(step) = self.bend.iter().rposition(strays) else {
             return 0.0;

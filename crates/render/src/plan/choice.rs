@@ -7,7 +7,7 @@ use super::ChunkLand;
 use super::bounds::{Affine, Bounds};
 use super::quality::Tolerance;
 
-/// Longest edge of the land's triangles, metres: the diagonal of a cell.
+/// Longest edge of the land's triangles at full resolution, metres: the diagonal of a cell.
 pub const LONGEST_EDGE_M: f64 = 1.733;
 
 /// Measured beside L^2 k / 8: the most that depth strays in hyperbolic pictures, and in bent ones that close,
@@ -68,15 +68,13 @@ pub fn choose(
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);
     let near_m = Bounds::nearest_chart_m(frame, chunk);
-    let refine = affine.is_none() && near_m < bounds.refine_within_m(tolerance);
+    let longest_m = chunk.longest_edge_m();
+    let refine = affine.is_none() && near_m < bounds.refine_within_m(tolerance, longest_m);
     let (port, error_px) = match affine {
         Some((affine, error_px)) => (Port::Frame(affine), error_px),
         // Of refined chunks each edge is looked at.
         None if refine => (Port::Vertex, 0.0),
-        None => (
-            Port::Vertex,
-            bounds.bend_px(near_m) * LONGEST_EDGE_M * LONGEST_EDGE_M,
-        ),
+        None => (Port::Vertex, bounds.bend_px(near_m) * longest_m * longest_m),
     };
     ChunkChoice {
         place,

@@ -6,6 +6,8 @@
 
 mod bounds;
 mod choice;
+mod halver;
+mod land;
 mod quality;
 mod refine;
 mod skyline;
@@ -15,30 +17,15 @@ use std::collections::HashSet;
 
 use antipode_geometry::{ChunkCoord, SightCell};
 use antipode_scene::frame::{Frame, Quality};
-use glam::DVec3;
-
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
+pub use halver::{Halver, Refined};
+pub use land::ChunkLand;
 pub use quality::Tolerance;
-pub use refine::{RefineKey, Refined, refined};
+pub use refine::{RefineKey, RefineRules, unhalved_error_px};
 pub use stats::PlanStats;
 
 use skyline::Skyline;
-
-/// What the planner knows of a chunk's land.
-#[derive(Clone, Copy, Debug)]
-pub struct ChunkLand {
-    /// Which chunk.
-    pub coord: ChunkCoord,
-    /// Lowest corner of its mesh, chart metres.
-    pub min: DVec3,
-    /// Highest corner of its mesh, chart metres.
-    pub max: DVec3,
-    /// Triangles of its mesh.
-    pub triangles: usize,
-    /// Height below which the chunk's column is solid ground, if that is certain, chart metres.
-    pub solid_below_m: Option<f64>,
-}
 
 /// How a frame is drawn.
 #[derive(Debug)]
@@ -63,7 +50,7 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
     let scale = PictureScale::new(&frame.projection, height_px);
     let tolerance = Tolerance::of(frame.quality);
     let mut stats = PlanStats::default();
-    let candidates = candidates(frame, land, &mut stats);
+    let candidates = candidates(frame, land, scale, &tolerance, &mut stats);
     let bounds = Bounds::measure(frame, scale);
     let hides =
         tolerance.hides && frame.strategy.keeps_azimuths() && !skyline::is_underground(frame, land);
@@ -88,7 +75,7 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
         .collect();
     chunks.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
     for chunk in &chunks {
-        stats.count(chunk);
+        stats.count(chunk, &land[chunk.place]);
     }
     FramePlan {
         chunks,
@@ -97,8 +84,14 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
     }
 }
 
-/// The chunks in the picture and before the fog.
-fn candidates(frame: &Frame, land: &[ChunkLand], stats: &mut PlanStats) -> Vec<Candidate> {
+/// The chunks in the picture and before the fog that span more than the tolerance.
+fn candidates(
+    frame: &Frame,
+    land: &[ChunkLand],
+    scale: PictureScale,
+    tolerance: &Tolerance,
+    stats: &mut PlanStats,
+) -> Vec<Candidate> {
     let (strategy, eye) = (frame.strategy.as_ref(), &frame.eye);
     let frustum = strategy.frustum(eye, &frame.projection);
     let home = ChunkCoord::containing(eye.point).index;
@@ -108,6 +101,10 @@ fn candidates(frame: &Frame, land: &[ChunkLand], stats: &mut PlanStats) -> Vec<C
         let hemisphere = chunk.coord.hemisphere;
         let cell = frustum.cell_seen(strategy, eye, hemisphere, chunk.min, chunk.max);
         match cell.filter(|cell| cell.nearest_m <= fog_m) {
+            Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
+                stats.triangles_small += chunk.triangles;
+                stats.error_at_least(scale.spans_px(&cell));
+            }
             Some(cell) => {
                 let steps = chunk.coord.index - home;
                 let ring = steps.x.unsigned_abs() + steps.z.unsigned_abs();

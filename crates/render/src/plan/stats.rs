@@ -1,9 +1,12 @@
 //! What was chosen for a frame, in numbers.
 
+use serde::Serialize;
+
 use super::choice::{ChunkChoice, DepthMethod, Port};
+use super::land::ChunkLand;
 
 /// What the planner chose for a frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PlanStats {
     /// Chunks ported as a whole, by one matrix.
     pub chunks_by_frame: usize,
@@ -13,6 +16,10 @@ pub struct PlanStats {
     pub chunks_refined: usize,
     /// Chunks whose fragments find their own depth.
     pub chunks_fragment_depth: usize,
+    /// Chunks drawn at each level of detail, the finest first.
+    pub chunks_by_level: [usize; 4],
+    /// Chunks that blend from one level to another.
+    pub chunks_blending: usize,
     /// Figures ported as a whole, by one matrix.
     pub figures_by_frame: usize,
     /// Figures ported vertex by vertex.
@@ -39,7 +46,8 @@ impl PlanStats {
         self.error_px = self.error_px.max(px);
     }
 
-    pub(super) fn count(&mut self, chunk: &ChunkChoice) {
+    pub(super) fn count(&mut self, chunk: &ChunkChoice, land: &ChunkLand) {
+        self.chunks_by_level[land.level.index() % 4] += 1;
         match &chunk.port {
             Port::Vertex => self.chunks_by_vertex += 1,
             Port::Frame(_) => self.chunks_by_frame += 1,

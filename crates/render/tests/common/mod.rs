@@ -74,12 +74,22 @@ impl Studio {
         })
     }
 
+    /// A single picture, complete.
     pub fn draw(&mut self, frame: &Frame) -> (RgbaImage, DrawStats) {
+        self.renderer.complete_next();
+        self.draw_in_motion(frame)
+    }
+
+    pub fn renderer(&mut self) -> &mut Renderer {
+        &mut self.renderer
+    }
+
+    /// One frame of many.
+    pub fn draw_in_motion(&mut self, frame: &Frame) -> (RgbaImage, DrawStats) {
         let mut encoder = self
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.renderer.complete_next();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
@@ -191,16 +201,13 @@ pub fn plates(corners: &[[Vec3; 4]]) -> Arc<ChunkMesh> {
     const CUTS: u32 = 6;
     let mut mesh = ChunkMesh::default();
     for [a, b, c, d] in corners.iter().copied() {
-        let normal = (b - a).cross(d - a).normalize() * f32::from(i16::MAX);
+        let normal = (b - a).cross(d - a);
         let first = mesh.vertices.len() as u32;
         for (i, j) in (0..=CUTS).flat_map(|i| (0..=CUTS).map(move |j| (i, j))) {
             let (u, v) = (i as f32 / CUTS as f32, j as f32 / CUTS as f32);
             let position = a.lerp(b, u).lerp(d.lerp(c, u), v);
-            mesh.vertices.push(Vertex {
-                position: position.into(),
-                normal: [normal.x as i16, normal.y as i16, normal.z as i16, 0],
-                colour: [255, 40, 40, 255],
-            });
+            mesh.vertices
+                .push(Vertex::new(position, normal, [255, 40, 40]));
         }
         for (i, j) in (0..CUTS).flat_map(|i| (0..CUTS).map(move |j| (i, j))) {
             let at = first + i * (CUTS + 1) + j;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
-use antipode_terrain::{ChunkMesh, Content, EDIT_STEP};
+use antipode_terrain::{ChunkMesh, Content, EDIT_STEP, UNITS_PER_M};
 use glam::{DVec3, IVec3};
 
 use super::{Game, Gate, stroke};
@@ -17,13 +17,13 @@ fn corner(game: &Game) -> DVec3 {
 }
 
 /// The vertices of a mesh in one plane, exactly, without that plane's own coordinate.
-fn on_face(mesh: &ChunkMesh, axis: usize, plane: f32) -> BTreeSet<[u32; 2]> {
+fn on_face(mesh: &ChunkMesh, axis: usize, plane_m: u32) -> BTreeSet<[u16; 2]> {
     let others = [[1, 2], [0, 2], [0, 1]][axis];
     let on = mesh
         .vertices
         .iter()
-        .filter(|vertex| vertex.position[axis] == plane);
-    on.map(|vertex| others.map(|other| vertex.position[other].to_bits()))
+        .filter(|vertex| u32::from(vertex.units[axis]) == plane_m * UNITS_PER_M);
+    on.map(|vertex| others.map(|other| vertex.units[other]))
         .collect()
 }
 
@@ -49,10 +49,10 @@ fn an_edit_at_a_corner_of_eight_chunks_is_one_batch_whose_faces_match() {
             if !batch.contains(&next) {
                 continue;
             }
-            let here = on_face(&game.chunks[&coord].mesh, axis, 32.0);
+            let here = on_face(&game.chunks[&coord].mesh, axis, 32);
             assert_eq!(
                 here,
-                on_face(&game.chunks[&next].mesh, axis, 0.0),
+                on_face(&game.chunks[&next].mesh, axis, 0),
                 "{coord:?} axis {axis}"
             );
             compared += here.len();

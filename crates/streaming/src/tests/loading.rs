@@ -19,11 +19,8 @@ fn middle_distance(coord: ChunkCoord, at: DVec3) -> f64 {
 fn chunks_come_nearest_first_and_all_that_have_a_surface() {
     let mut game = Game::flat(1);
     let at = game.ground(16.0, 16.0);
-    game.streamer.wish(&Wish {
-        centre: ChartPoint::a(at),
-        front: DVec3::ZERO,
-        view_distance: 2,
-    });
+    game.streamer
+        .wish(&Wish::new(ChartPoint::a(at), DVec3::ZERO, 2));
     let seen = game.wait(Until::Idle);
     let far: Vec<_> = seen
         .loaded
@@ -117,11 +114,7 @@ fn a_sphere_is_there_whole_and_stays() {
         .map(|h| game.chunks.keys().filter(|c| c.hemisphere == h).count());
     assert!(sides[0] >= 4 && sides[1] >= 4, "{sides:?}");
     let across = ChartPoint::new(Hemisphere::B, DVec3::new(10.0, 8.0, 3.0));
-    game.streamer.wish(&Wish {
-        centre: across,
-        front: DVec3::X,
-        view_distance: 1,
-    });
+    game.streamer.wish(&Wish::new(across, DVec3::X, 1));
     let seen = game.wait(Until::Idle);
     assert!(seen.loaded.is_empty() && seen.unloaded.is_empty());
 }

@@ -8,9 +8,11 @@
 
 mod editing;
 mod failing;
+mod levels;
 mod loading;
 mod overlap;
 mod saving;
+mod solid;
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -19,7 +21,7 @@ use std::time::Duration;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_storage::{Batch, ChunkKey};
-use antipode_terrain::{Field, Stroke};
+use antipode_terrain::{Field, Samples, Stroke};
 use crossbeam_channel::{Receiver, Sender, bounded};
 use glam::{DVec3, IVec3};
 
@@ -55,7 +57,19 @@ impl Game {
         } else {
             20.0
         };
-        let space = strategy(geometry, radius_m);
+        Self::in_space(strategy(geometry, radius_m), workers, vault, watch)
+    }
+
+    fn of(geometry: Geometry, radius_m: f64, workers: usize) -> Self {
+        Self::in_space(strategy(geometry, radius_m), workers, None, None)
+    }
+
+    fn in_space(
+        space: Arc<dyn Strategy>,
+        workers: usize,
+        vault: Option<Arc<dyn Vault>>,
+        watch: Option<Watch>,
+    ) -> Self {
         let field = Arc::new(Field::new(SEED, Arc::clone(&space)));
         let config = Config {
             workers,
@@ -84,11 +98,8 @@ impl Game {
     }
 
     fn wish(&mut self, at: DVec3, view_distance: u32) {
-        self.streamer.wish(&Wish {
-            centre: ChartPoint::a(at),
-            front: DVec3::X,
-            view_distance,
-        });
+        self.streamer
+            .wish(&Wish::new(ChartPoint::a(at), DVec3::X, view_distance));
     }
 
     fn edit(&mut self, at: DVec3, amount: f32) {
@@ -115,6 +126,15 @@ impl Game {
                     self.chunks
                         .extend(chunks.into_iter().map(|chunk| (chunk.coord, chunk)));
                 }
+                Update::Solid {
+                    coord,
+                    collider,
+                    samples,
+                } => {
+                    seen.solid.push((coord, samples.is_some()));
+                    let chunk = self.chunks.get_mut(&coord).expect("a chunk that is there");
+                    (chunk.collider, chunk.samples) = (collider, samples);
+                }
                 Update::Unloaded(coord) => {
                     seen.unloaded.push(coord);
                     assert!(
@@ -131,18 +151,20 @@ impl Game {
         seen
     }
 
+    fn samples(&self, coord: ChunkCoord) -> &Samples {
+        self.chunks[&coord].samples.as_ref().expect("solid ground")
+    }
+
     /// The field at a sample of the grid, edits included, in a chunk that is there.
     fn sample(&self, at: IVec3) -> f32 {
         let coord = ChunkCoord::containing(ChartPoint::a(at.as_dvec3()));
-        self.chunks[&coord]
-            .samples
-            .density(at.as_dvec3() - coord.origin())
+        self.samples(coord).density(at.as_dvec3() - coord.origin())
     }
 
     fn sum(&self, coord: ChunkCoord) -> f64 {
         let grid = (0..32)
             .flat_map(|x| (0..32).flat_map(move |y| (0..32).map(move |z| IVec3::new(x, y, z))));
-        grid.map(|local| f64::from(self.chunks[&coord].samples.density(local.as_dvec3())))
+        grid.map(|local| f64::from(self.samples(coord).density(local.as_dvec3())))
             .sum()
     }
 }
@@ -152,6 +174,7 @@ struct Seen {
     loaded: Vec<ChunkCoord>,
     batches: Vec<Vec<ChunkCoord>>,
     unloaded: Vec<ChunkCoord>,
+    solid: Vec<(ChunkCoord, bool)>,
 }
 
 fn stroke(at: DVec3, amount: f32) -> Stroke {

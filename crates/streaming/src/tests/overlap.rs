@@ -115,7 +115,7 @@ fn the_same_strokes_give_the_same_world_whoever_makes_it() {
             a.vertices
                 .iter()
                 .zip(&b.vertices)
-                .all(|(a, b)| a.position == b.position),
+                .all(|(a, b)| a.units == b.units),
             "{coord:?}"
         );
     }

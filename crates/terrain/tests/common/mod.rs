@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antipode_geometry::{ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
-use antipode_terrain::{ChunkEdits, Field, Samples, Stroke, apply_edits};
+use antipode_terrain::{ChunkEdits, Field, Level, Samples, Stroke, apply_edits};
 use glam::IVec3;
 
 /// Radius of the tests' spherical world, metres.
@@ -73,6 +73,12 @@ impl World {
             .entry(coord)
             .or_insert_with(|| self.field.samples(coord));
         let mut samples = untouched.clone();
+        apply_edits(&mut samples, coord, |owner| self.edits.get(&owner).cloned());
+        samples
+    }
+
+    pub fn samples_at(&self, coord: ChunkCoord, level: Level) -> Samples {
+        let mut samples = self.field.samples_at(coord, level);
         apply_edits(&mut samples, coord, |owner| self.edits.get(&owner).cloned());
         samples
     }

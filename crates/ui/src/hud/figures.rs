@@ -22,6 +22,8 @@ pub struct FigureModel {
     pub chunks_by_vertex: usize,
     /// Chunks drawn with more triangles than their mesh has.
     pub chunks_refined: usize,
+    /// Chunks drawn at each level of detail, the finest first.
+    pub chunks_by_level: [usize; 4],
     /// Triangles drawn.
     pub triangles: usize,
     /// Triangles left out because they are out of the picture.
@@ -101,6 +103,16 @@ fn measured(model: &HudModel, figures: &FigureModel) -> Vec<String> {
                 grouped(figures.chunks_by_frame),
                 grouped(figures.chunks_by_vertex),
                 grouped(figures.chunks_refined)
+            ),
+        ),
+        line(
+            "detail",
+            format!(
+                "{} full, {} half, {} quarter, {} eighth",
+                grouped(figures.chunks_by_level[0]),
+                grouped(figures.chunks_by_level[1]),
+                grouped(figures.chunks_by_level[2]),
+                grouped(figures.chunks_by_level[3])
             ),
         ),
         line("drawn", format!("{} triangles", grouped(figures.triangles))),

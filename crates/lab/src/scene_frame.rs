@@ -1,0 +1,39 @@
+//! A frame that holds nothing but an eye in a space: for what is decided before anything is drawn.
+
+use std::sync::Arc;
+
+use antipode_geometry::{Eye, Strategy};
+use antipode_scene::frame::{Frame, Quality, Sky};
+
+use crate::accuracy::projection;
+
+/// The frame at *balanced*, without land, light and fog.
+pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
+    let (dark, up) = ([0.0; 3], [0.0, 1.0, 0.0]);
+    Frame {
+        eye: *eye,
+        projection: projection(),
+        strategy,
+        sky: Sky {
+            top: dark,
+            horizon: dark,
+            glare: dark,
+            stars: 0.0,
+            sun_direction: up,
+            moon_direction: up,
+            key_direction: up,
+            key_colour: dark,
+            ambient_sky: dark,
+            ambient_ground: dark,
+            dome: false,
+        },
+        chunk_changes: Vec::new(),
+        figures: Vec::new(),
+        marker: None,
+        fog_distance_m: 1e5,
+        contour_bands: false,
+        time_s: 0.0,
+        quality: Quality::Balanced,
+        loaded_world: 1,
+    }
+}

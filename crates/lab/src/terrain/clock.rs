@@ -1,0 +1,228 @@
+//! The clocks of the terrain suites: rivals raced for their least times, what a thread did itself while others ran
+//! beside it, and the spread of many times.
+
+use std::time::{Duration, Instant};
+
+use crate::Effort;
+
+/// Rounds that every rival runs at least.
+const LEAST_ROUNDS: usize = 5;
+
+/// One way to do some work.
+pub struct Rival<'a> {
+    /// Its name in tables.
+    pub name: &'static str,
+    /// Items that one run handles.
+    pub items: usize,
+    /// One run.
+    pub work: Box<dyn FnMut() + 'a>,
+}
+
+impl<'a> Rival<'a> {
+    /// A rival that handles `items` in a run; what it makes is hidden from the optimiser.
+    pub fn new<T>(name: &'static str, items: usize, mut work: impl FnMut() -> T + 'a) -> Self {
+        let work = Box::new(move || {
+            std::hint::black_box(work());
+        });
+        Self { name, items, work }
+    }
+}
+
+/// Least nanoseconds per item of each rival. They take turns, so that whatever else the machine does strikes all
+/// alike, and the least of many short runs is the one that nothing struck. Time is the thread's on the processor,
+/// where the system tells: a long run is interrupted by others more often than a short one, and would seem slower.
+pub fn race(rivals: &mut [Rival<'_>], effort: Effort) -> Vec<f64> {
+    let clock = ThreadClock::new();
+    let limit = Duration::from_millis(if effort.quick { 500 } else { 2500 });
+    let mut best = vec![f64::INFINITY; rivals.len()];
+    let began = Instant::now();
+    let mut rounds = 0;
+    while rounds < LEAST_ROUNDS || began.elapsed() < limit {
+        for (rival, least) in rivals.iter_mut().zip(&mut best) {
+            let then = clock.now();
+            (rival.work)();
+            *least = least.min(clock.since(then).cpu_ms * 1e6 / rival.items as f64);
+        }
+        rounds += 1;
+    }
+    best
+}
+
+/// Least milliseconds of one piece of work.
+pub fn least_ms<T>(effort: Effort, work: impl FnMut() -> T) -> f64 {
+    race(&mut [Rival::new("", 1, work)], effort)[0] * 1e-6
+}
+
+/// Percentiles by nearest rank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The middle.
+    pub p50: f64,
+    /// 99 of 100 are at most this.
+    pub p99: f64,
+    /// The greatest.
+    pub max: f64,
+}
+
+impl Spread {
+    /// Of some values; infinite where there are none.
+    pub fn of(values: &[f64]) -> Self {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let rank = |share: f64| {
+            let place = (share * sorted.len() as f64).ceil() as usize;
+            let value = sorted.get(place.saturating_sub(1)).copied();
+            value.unwrap_or(f64::INFINITY)
+        };
+        Self {
+            p50: rank(0.5),
+            p99: rank(0.99),
+            max: rank(1.0),
+        }
+    }
+}
+
+/// What a piece of a thread's work took, milliseconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Spent {
+    /// By the wall clock.
+    pub wall_ms: f64,
+    /// By the wall clock without the time in which the thread was ready but another had the core: what it would have
+    /// taken on a machine of its own. Waiting for locks or the disk counts.
+    pub own_ms: f64,
+    /// Time on the processor.
+    pub cpu_ms: f64,
+}
+
+/// A thread's clocks at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    wall: Instant,
+    cpu_ns: Option<u64>,
+    queued_ns: Option<u64>,
+}
+
+/// The clocks of the thread that made it.
+#[derive(Debug)]
+pub struct ThreadClock {
+    tells: imp::Tells,
+}
+
+impl ThreadClock {
+    /// Of this thread.
+    pub fn new() -> Self {
+        Self {
+            tells: imp::Tells::new(),
+        }
+    }
+
+    /// Now.
+    pub fn now(&self) -> Moment {
+        // The wall clock is read last here and first in `since`, so that the reading itself is not measured.
+        let (cpu_ns, queued_ns) = (imp::cpu_ns(), self.tells.queued_ns());
+        Moment {
+            wall: Instant::now(),
+            cpu_ns,
+            queued_ns,
+        }
+    }
+
+    /// What has been spent since then.
+    pub fn since(&self, then: Moment) -> Spent {
+        let wall_ms = then.wall.elapsed().as_secs_f64() * 1e3;
+        let between = |now: Option<u64>, then: Option<u64>| {
+            let (now, then) = (now?, then?);
+            Some(now.saturating_sub(then) as f64 * 1e-6)
+        };
+        let cpu_ms = between(imp::cpu_ns(), then.cpu_ns).unwrap_or(wall_ms);
+        let queued_ms = between(self.tells.queued_ns(), then.queued_ns).unwrap_or(0.0);
+        Spent {
+            wall_ms,
+            own_ms: (wall_ms - queued_ms).max(0.0),
+            cpu_ms: cpu_ms.min(wall_ms),
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+mod imp {
+    use std::fs::File;
+    use std::os::unix::fs::FileExt;
+
+    use rustix::time::{ClockId, clock_gettime};
+
+    pub fn cpu_ns() -> Option<u64> {
+        let time = clock_gettime(ClockId::ThreadCPUTime);
+        Some(time.tv_sec as u64 * 1_000_000_000 + time.tv_nsec as u64)
+    }
+
+    /// The kernel's account of this thread: nanoseconds run, nanoseconds ready but not running, turns.
+    #[derive(Debug)]
+    pub struct Tells(Option<File>);
+
+    impl Tells {
+        pub fn new() -> Self {
+            Self(File::open("/proc/thread-self/schedstat").ok())
+        }
+
+        pub fn queued_ns(&self) -> Option<u64> {
+            let mut text = [0; 64];
+            let length = self.0.as_ref()?.read_at(&mut text, 0).ok()?;
+            let text = std::str::from_utf8(&text[..length]).ok()?;
+            text.split_whitespace().nth(1)?.parse().ok()
+        }
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod imp {
+    pub fn cpu_ns() -> Option<u64> {
+        None
+    }
+
+    #[derive(Debug)]
+    pub struct Tells;
+
+    impl Tells {
+        pub fn new() -> Self {
+            Self
+        }
+
+        pub fn queued_ns(&self) -> Option<u64> {
+            None
+        }
+    }
+}
+
+/// Memory that the program holds resident, in MB of 10^6 bytes, where the system tells.
+pub fn resident_mb() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+    let kib: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
+    Some(kib * 1024.0 / 1e6)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_are_by_nearest_rank() {
+        let values: Vec<f64> = (1..=200).rev().map(f64::from).collect();
+        let spread = Spread::of(&values);
+        assert_eq!((spread.p50, spread.p99, spread.max), (100.0, 198.0, 200.0));
+        assert_eq!(Spread::of(&[]).max, f64::INFINITY);
+    }
+
+    #[test]
+    fn sleep_is_nobodys_work_but_counts_as_the_threads_own_time() {
+        let clock = ThreadClock::new();
+        let then = clock.now();
+        std::thread::sleep(Duration::from_millis(20));
+        let spent = clock.since(then);
+        assert!(spent.wall_ms >= 20.0 && spent.own_ms <= spent.wall_ms);
+        if cfg!(target_os = "linux") {
+            assert!(spent.cpu_ms < spent.wall_ms, "{spent:?}");
+        }
+    }
+}

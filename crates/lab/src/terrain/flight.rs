@@ -1,0 +1,306 @@
+//! A flight over land with a frame log: what the main thread does in each sixtieth of a second while the ground
+//! streams in.
+
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_scene::tuning::{FOV_Y_RAD, STEP_S};
+use antipode_scene::{Actions, Scene};
+use antipode_terrain::Field;
+use glam::DVec3;
+
+use super::clock::{Spent, Spread, ThreadClock};
+use super::engine::{SEED, open, space};
+use super::row::{Bar, Judged, Row, table};
+use crate::{Axis, Effort, LabError, Plot, Scale, Section, Series};
+
+/// Length of the flight, metres, and of a quick one.
+const LENGTH_M: [f64; 2] = [2000.0, 72.0];
+/// View distance in chunks.
+const VIEW_DISTANCE: u32 = 6;
+/// How far above the highest ground that there can be, metres.
+const ABOVE_M: f64 = 4.0;
+/// Where one looks, radians: along the land, a little down.
+const PITCH_RAD: f64 = -0.25;
+/// The view sweeps this far to either side, radians, once in this many seconds.
+const SWEEP: (f64, f64) = (0.6, 8.0);
+/// Most milliseconds of the main thread, 99 of 100 frames.
+const MAIN_MS: f64 = 4.0;
+/// Most that any frame may take of the middle one.
+const TIMES: f64 = 3.0;
+/// What a frame gives to finished chunks, as in the game.
+const CHUNK_BUDGET: Duration = Duration::from_millis(2);
+/// Longest wait for the first land.
+const PATIENCE: Duration = Duration::from_mins(2);
+/// The flight is given up when it takes this many times as long as it should.
+const OVERDUE: f64 = 3.0;
+/// Frames that each point of the plot stands for.
+const PLOTTED: usize = 15;
+
+/// One frame of the log.
+#[derive(Clone, Copy, Debug, Default)]
+struct Logged {
+    /// When it began, seconds from the first.
+    at_s: f64,
+    /// Distance flown, metres.
+    flown_m: f64,
+    /// Step, taking in of chunks, and making of the frame.
+    parts: [Spent; 3],
+    /// Chunks with a surface, and work not finished.
+    chunks: [usize; 2],
+    /// Meshes that appeared, changed or went.
+    changes: usize,
+}
+
+impl Logged {
+    fn sum(&self, of: fn(&Spent) -> f64) -> f64 {
+        self.parts.iter().map(of).sum()
+    }
+
+    fn own_ms(&self) -> f64 {
+        self.sum(|spent| spent.own_ms)
+    }
+}
+
+/// The section of the flight, and its log as CSV.
+///
+/// # Errors
+/// When the world cannot be opened or its first land is not made.
+pub fn section(effort: Effort) -> Result<(Section, String), LabError> {
+    let length_m = LENGTH_M[usize::from(effort.quick)];
+    let log = fly(length_m)?;
+    let section = Section {
+        id: "terrain-flight".to_owned(),
+        title: "A flight over land".to_owned(),
+        method: METHOD.map(str::to_owned).to_vec(),
+        tables: vec![table(
+            "The main thread, frame by frame",
+            &rows(&log, length_m),
+            effort,
+        )],
+        plots: vec![plot(&log)],
+    };
+    Ok((section, csv(&log)))
+}
+
+fn rows(log: &[Logged], length_m: f64) -> Vec<Row> {
+    let case = format!("{length_m:.0} m, view distance {VIEW_DISTANCE}");
+    let spread = |of: fn(&Logged) -> f64| Spread::of(&log.iter().map(of).collect::<Vec<_>>());
+    let own = spread(Logged::own_ms);
+    let wall = spread(|frame| frame.sum(|spent| spent.wall_ms));
+    let cpu = spread(|frame| frame.sum(|spent| spent.cpu_ms));
+    let step = spread(|frame| frame.parts[0].own_ms);
+    let take = spread(|frame| frame.parts[1].own_ms);
+    let make = spread(|frame| frame.parts[2].own_ms);
+    let row = |what: &str, value: f64| Row::new(what, &case, value, "ms");
+    let due_s = log.len() as f64 * STEP_S;
+    let flown_m = log.last().map_or(0.0, |frame| frame.flown_m);
+    let parts = |part: Spread| {
+        format!(
+            "p50 {:.3}, p99 {:.2}, most {:.2} ms",
+            part.p50, part.p99, part.max
+        )
+    };
+    vec![
+        row("main thread, p50", own.p50).note(format!("step: {}", parts(step))),
+        row("main thread, p99", own.p99)
+            .bar(Bar::AtMost(MAIN_MS), Judged::InFull)
+            .note(format!("taking in: {}", parts(take))),
+        row("main thread, the longest frame", own.max).note(format!("making: {}", parts(make))),
+        Row::new(
+            "the longest frame, times the median",
+            &case,
+            own.max / own.p50,
+            "",
+        )
+        .bar(Bar::AtMost(TIMES), Judged::InFull)
+        .note(format!(
+            "{} of {} frames are longer",
+            log.iter()
+                .filter(|frame| frame.own_ms() > TIMES * own.p50)
+                .count(),
+            log.len()
+        )),
+        row("by the wall clock, p99", wall.p99).note(parts(wall)),
+        row("on the processor, p99", cpu.p99).note(parts(cpu)),
+        Row::new("distance flown", &case, flown_m, "m")
+            .bar(Bar::AtLeast(length_m), Judged::InFull)
+            .note(format!("in {due_s:.1} simulated seconds")),
+        Row::new("chunks not there yet, at most", &case, most(log, 1), ""),
+    ]
+}
+
+fn most(log: &[Logged], which: usize) -> f64 {
+    log.iter()
+        .map(|frame| frame.chunks[which])
+        .max()
+        .unwrap_or(0) as f64
+}
+
+fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
+    let mut scene = open(Geometry::Euclidean, VIEW_DISTANCE, None)?;
+    let (_, high_m) = Field::new(SEED, space(Geometry::Euclidean)).ground_range_m();
+    let start = DVec3::new(16.0, high_m + ABOVE_M, 16.0);
+    scene.set_flying(true);
+    scene.teleport(ChartPoint::new(Hemisphere::A, start));
+    scene.aim(0.0, PITCH_RAD);
+    if !scene.settle(PATIENCE) {
+        return Err(LabError::Scene(
+            "the first land was not made in time".to_owned(),
+        ));
+    }
+    // The land that is there already is not the flight's.
+    drop(scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1));
+    let clock = ThreadClock::new();
+    let mut log: Vec<Logged> = Vec::new();
+    let began = Instant::now();
+    let speed_m_s = fly_speed_m_s();
+    let frames = (OVERDUE * length_m / speed_m_s / STEP_S) as usize;
+    for n in 0..frames {
+        let due = began + Duration::from_secs_f64(n as f64 * STEP_S);
+        std::thread::sleep(due.saturating_duration_since(Instant::now()));
+        let mut logged = frame(&mut scene, &clock, n);
+        logged.at_s = began.elapsed().as_secs_f64();
+        logged.flown_m = (scene.feet().pos - start).length();
+        let done = logged.flown_m >= length_m;
+        log.push(logged);
+        if done {
+            break;
+        }
+    }
+    Ok(log)
+}
+
+fn fly_speed_m_s() -> f64 {
+    let tuning = antipode_physics::CharacterTuning::default();
+    tuning.fly_speed_m_s * tuning.fly_sprint_factor
+}
+
+/// What the game does in a frame before anything is sent to the adapter.
+fn frame(scene: &mut Scene, clock: &ThreadClock, n: usize) -> Logged {
+    let turn = |n: usize| {
+        let (aside_rad, period_s) = SWEEP;
+        aside_rad * (std::f64::consts::TAU * n as f64 * STEP_S / period_s).sin()
+    };
+    // Looks to the sides and goes straight on all the same.
+    let yaw_rad = turn(n + 1);
+    let actions = Actions {
+        forward: yaw_rad.cos(),
+        strafe: -yaw_rad.sin(),
+        sprint: true,
+        look_yaw: yaw_rad - turn(n),
+        ..Actions::default()
+    };
+    let then = clock.now();
+    scene.step(&actions);
+    let step = clock.since(then);
+    let then = clock.now();
+    scene.pump(CHUNK_BUDGET);
+    let take = clock.since(then);
+    let then = clock.now();
+    let made = scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1);
+    let make = clock.since(then);
+    let chunks = scene.probe().chunks;
+    Logged {
+        parts: [step, take, make],
+        chunks: [chunks.resident, chunks.pending],
+        changes: made.chunk_changes.len(),
+        ..Logged::default()
+    }
+}
+
+/// The whole log, one line a frame.
+fn csv(log: &[Logged]) -> String {
+    let mut out = "frame,at_s,flown_m,own_ms,wall_ms,cpu_ms,step_ms,take_in_ms,make_frame_ms,\
+                   chunks,pending,changes\n"
+        .to_owned();
+    for (n, frame) in log.iter().enumerate() {
+        let [step, take, make] = frame.parts.map(|part| part.own_ms);
+        let _ = writeln!(
+            out,
+            "{n},{:.3},{:.1},{:.3},{:.3},{:.3},{step:.3},{take:.3},{make:.3},{},{},{}",
+            frame.at_s,
+            frame.flown_m,
+            frame.own_ms(),
+            frame.sum(|spent| spent.wall_ms),
+            frame.sum(|spent| spent.cpu_ms),
+            frame.chunks[0],
+            frame.chunks[1],
+            frame.changes,
+        );
+    }
+    out
+}
+
+fn plot(log: &[Logged]) -> Plot {
+    let curve = |name: &str, of: fn(Spread) -> f64| Series {
+        name: name.to_owned(),
+        points: log
+            .chunks(PLOTTED)
+            .map(|frames| {
+                let times: Vec<f64> = frames.iter().map(Logged::own_ms).collect();
+                (frames[0].at_s, of(Spread::of(&times)))
+            })
+            .collect(),
+        joined: true,
+    };
+    Plot {
+        id: "terrain-flight".to_owned(),
+        title: "The main thread on a flight over land, each quarter of a second".to_owned(),
+        x: Axis {
+            label: "time, s".to_owned(),
+            scale: Scale::Linear,
+        },
+        y: Axis {
+            label: "main thread in a frame, ms".to_owned(),
+            scale: Scale::Linear,
+        },
+        series: vec![
+            curve("longest frame", |spread| spread.max),
+            curve("median", |spread| spread.p50),
+        ],
+    }
+}
+
+const METHOD: [&str; 3] = [
+    "A spectator flies straight on over flat-space land at 24 m/s, looking to the left and to the right, in real time: a frame begins every sixtieth of a second. Nothing is drawn, so a frame is what the main thread does for it before anything goes to an adapter: one step of the simulation, telling the workers what is wanted and taking in what is finished, and filling the frame's snapshot.",
+    "Time is the thread's own: the wall clock's without the time in which the thread was ready to run and the system had given the core to another, since other programs run on the machine too; waiting for a lock or a channel counts. The wall clock and the time on the processor are shown beside it.",
+    "The whole log is in measurements/terrain-flight.csv.",
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_has_a_line_for_each_frame_and_its_plot_the_longest_of_them() {
+        let spent = |ms| Spent {
+            wall_ms: ms,
+            own_ms: ms,
+            cpu_ms: ms,
+        };
+        let mut log = vec![
+            Logged {
+                parts: [spent(0.1), spent(0.2), spent(0.1)],
+                ..Logged::default()
+            };
+            40
+        ];
+        log[20].parts[1] = spent(5.0);
+        let text = csv(&log);
+        assert_eq!(text.lines().count(), 41);
+        let columns = |line: &str| line.split(',').count();
+        assert!(text.lines().all(|line| columns(line) == 12), "{text}");
+        let plotted = plot(&log);
+        assert_eq!(plotted.series[0].points.len(), 3);
+        assert!((plotted.series[0].points[1].1 - 5.2).abs() < 1e-9);
+        let rows = rows(&log, 10.0);
+        assert_eq!(rows[3].met(), Some(false), "a frame of thirteen medians");
+        assert_eq!(
+            rows[1].met(),
+            Some(false),
+            "one of forty is in the last hundredth"
+        );
+    }
+}

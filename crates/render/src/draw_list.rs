@@ -1,0 +1,270 @@
+//! The calls that draw a frame's land, and their buffers on the adapter.
+//!
+//! Where the adapter can, one call draws everything that one pipeline draws from one page; the arguments lie in a
+//! buffer. OpenGL may not be able to, and gets a call for each piece. Either way what is nearer comes first, by
+//! bands of distance, and strictly so among what one call draws: what is drawn first hides what comes after before
+//! that is shaded.
+
+use antipode_terrain::Vertex;
+use wgpu::util::DrawIndexedIndirectArgs;
+use wgpu::{
+    Buffer, BufferUsages, Device, DownlevelFlags, Features, IndexFormat, Queue, RenderPass,
+};
+
+use crate::gpu::Gpu;
+use crate::land_mesh::Piece;
+use crate::pages::Pages;
+use crate::uniforms::ChunkInstance;
+
+/// What must be there for calls whose arguments lie in a buffer and name their instance.
+pub const MULTI_DRAW_FEATURES: Features = Features::INDIRECT_FIRST_INSTANCE;
+
+/// The first band of distance ends here, metres; each further one at twice the distance.
+const FIRST_BAND_M: f64 = 48.0;
+/// Bands of distance.
+const BANDS: u8 = 4;
+
+/// One piece of land to be drawn.
+#[derive(Clone, Copy, Debug)]
+struct Draw {
+    band: u8,
+    /// The pipeline's number.
+    pipeline: u8,
+    page: usize,
+    args: DrawIndexedIndirectArgs,
+}
+
+impl Draw {
+    /// What one call may draw together.
+    fn batch(&self) -> (u8, usize) {
+        (self.pipeline, self.page)
+    }
+}
+
+/// Everything to be drawn, and where it stands.
+#[derive(Debug, Default)]
+pub struct DrawList {
+    instances: Vec<ChunkInstance>,
+    draws: Vec<Draw>,
+}
+
+impl DrawList {
+    /// Nothing.
+    pub fn clear(&mut self) {
+        self.instances.clear();
+        self.draws.clear();
+    }
+
+    /// Adds the pieces of a mesh that stands at `instance` and begins `distance_m` metres away. Meshes are to be
+    /// added nearest first.
+    pub fn add(
+        &mut self,
+        instance: ChunkInstance,
+        distance_m: f64,
+        pipeline: u8,
+        pieces: impl Iterator<Item = Piece>,
+    ) {
+        let first_instance = self.instances.len() as u32;
+        let band = (distance_m / FIRST_BAND_M).max(0.5).log2().ceil();
+        let band = band.clamp(0.0, f64::from(BANDS - 1)) as u8;
+        self.instances.push(instance);
+        self.draws.extend(pieces.map(|piece| Draw {
+            band,
+            pipeline,
+            page: piece.page,
+            args: DrawIndexedIndirectArgs {
+                first_instance,
+                ..piece.args
+            },
+        }));
+    }
+
+    /// Brings together what one call can draw.
+    fn sort(&mut self) {
+        self.draws
+            .sort_by_key(|draw| (draw.band, draw.pipeline, draw.page));
+    }
+
+    /// Triangles of everything.
+    fn triangles(&self) -> usize {
+        let indices = |draw: &Draw| draw.args.index_count as usize;
+        self.draws.iter().map(indices).sum::<usize>() / 3
+    }
+}
+
+/// Instances and arguments on the adapter.
+#[derive(Debug)]
+pub struct LandDraws {
+    device: Device,
+    multi: bool,
+    instances: Buffer,
+    arguments: Buffer,
+}
+
+impl LandDraws {
+    /// Buffers for a handful of draws.
+    pub fn new(gpu: &Gpu) -> Self {
+        let device = gpu.device.clone();
+        let flags = gpu.adapter.get_downlevel_capabilities().flags;
+        Self {
+            multi: device.features().contains(MULTI_DRAW_FEATURES)
+                && flags.contains(DownlevelFlags::INDIRECT_EXECUTION),
+            instances: buffer::<ChunkInstance>(&device, 256, BufferUsages::VERTEX),
+            arguments: buffer::<DrawIndexedIndirectArgs>(&device, 256, BufferUsages::INDIRECT),
+            device,
+        }
+    }
+
+    /// Draws each piece by a call of its own from now on.
+    pub fn draw_singly(&mut self) {
+        self.multi = false;
+    }
+
+    /// Sends a list, in the order in which it is to be drawn.
+    pub fn send(&mut self, queue: &Queue, list: &mut DrawList) {
+        list.sort();
+        let device = &self.device;
+        let instances = &list.instances[..];
+        if holds::<ChunkInstance>(&self.instances) < instances.len() {
+            self.instances = buffer::<ChunkInstance>(device, instances.len(), BufferUsages::VERTEX);
+        }
+        queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(instances));
+        if self.multi {
+            let arguments: Vec<_> = list.draws.iter().map(|draw| draw.args).collect();
+            if holds::<DrawIndexedIndirectArgs>(&self.arguments) < arguments.len() {
+                let usage = BufferUsages::INDIRECT;
+                self.arguments = buffer::<DrawIndexedIndirectArgs>(device, arguments.len(), usage);
+            }
+            queue.write_buffer(&self.arguments, 0, bytemuck::cast_slice(&arguments));
+        }
+    }
+
+    /// Draws the list that was sent; returns triangles and calls. `pipeline` sets the pipeline of a number.
+    pub fn draw<'p>(
+        &self,
+        pass: &mut RenderPass<'_>,
+        list: &DrawList,
+        pages: &Pages,
+        pipeline: impl Fn(u8) -> &'p wgpu::RenderPipeline,
+    ) -> (usize, usize) {
+        let (mut calls, mut first) = (0, 0);
+        let mut bound = (None, None);
+        for batch in list.draws.chunk_by(|a, b| a.batch() == b.batch()) {
+            let (number, page) = batch[0].batch();
+            let Some(buffers) = pages.page(page) else {
+                first += batch.len();
+                continue;
+            };
+            if bound.0.replace(number) != Some(number) {
+                pass.set_pipeline(pipeline(number));
+            }
+            if bound.1.replace(page) != Some(page) {
+                pass.set_index_buffer(buffers.indices.slice(..), IndexFormat::Uint16);
+                pass.set_vertex_buffer(0, buffers.vertices.slice(..));
+                pass.set_vertex_buffer(1, self.instances.slice(..));
+            }
+            if self.multi {
+                let offset = first * size_of::<DrawIndexedIndirectArgs>();
+                pass.multi_draw_indexed_indirect(
+                    &self.arguments,
+                    offset as u64,
+                    batch.len() as u32,
+                );
+                calls += 1;
+            } else {
+                for draw in batch {
+                    self.draw_bound(pass, &draw.args, &buffers.vertices);
+                }
+                calls += batch.len();
+            }
+            first += batch.len();
+        }
+        (list.triangles(), calls)
+    }
+
+    /// Draws one piece. Binding slices, instead of naming a first vertex and a first instance, works on every
+    /// OpenGL.
+    fn draw_bound(
+        &self,
+        pass: &mut RenderPass<'_>,
+        args: &DrawIndexedIndirectArgs,
+        vertices: &Buffer,
+    ) {
+        let at = |first: u64, size: usize| first * size as u64;
+        let first_vertex = at(
+            u64::from(args.base_vertex.unsigned_abs()),
+            size_of::<Vertex>(),
+        );
+        let instance = at(u64::from(args.first_instance), size_of::<ChunkInstance>());
+        pass.set_vertex_buffer(0, vertices.slice(first_vertex..));
+        pass.set_vertex_buffer(1, self.instances.slice(instance..));
+        let indices = args.first_index..args.first_index + args.index_count;
+        pass.draw_indexed(indices, 0, 0..1);
+    }
+}
+
+/// How many of a thing a buffer holds.
+fn holds<T>(buffer: &Buffer) -> usize {
+    buffer.size() as usize / size_of::<T>()
+}
+
+fn buffer<T>(device: &Device, count: usize, usage: BufferUsages) -> Buffer {
+    device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("land draws"),
+        size: (count.next_power_of_two() * size_of::<T>()) as u64,
+        usage: usage | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::Hemisphere;
+    use glam::DVec3;
+
+    use super::*;
+
+    fn piece(page: usize, first_index: u32) -> Piece {
+        Piece {
+            page,
+            args: DrawIndexedIndirectArgs {
+                index_count: 3,
+                instance_count: 1,
+                first_index,
+                base_vertex: 0,
+                first_instance: 0,
+            },
+        }
+    }
+
+    #[test]
+    fn what_is_nearer_comes_first_and_a_call_draws_from_one_page_with_one_pipeline() {
+        let mut list = DrawList::default();
+        for i in 0..60_u32 {
+            let instance = ChunkInstance::new(DVec3::ZERO, Hemisphere::A, DVec3::ZERO);
+            let away_m = f64::from(i) * 8.0;
+            let pieces = [
+                piece(i as usize % 3, i * 10),
+                piece(i as usize % 3, i * 10 + 5),
+            ];
+            list.add(instance, away_m, u8::from(i % 7 > 3), pieces.into_iter());
+        }
+        list.sort();
+        assert_eq!(list.triangles(), 120);
+        let batches: Vec<_> = list.draws.chunk_by(|a, b| a.batch() == b.batch()).collect();
+        assert!(batches.len() <= 4 * 3 * 2, "{}", batches.len());
+        for batch in batches {
+            assert!(batch.is_sorted_by_key(|draw| draw.args.first_index));
+            assert!(batch.is_sorted_by_key(|draw| draw.args.first_instance));
+        }
+        let bands: Vec<_> = list.draws.iter().map(|draw| draw.band).collect();
+        assert!(bands.is_sorted());
+        for draw in &list.draws {
+            // Each piece is drawn where its mesh stands, and bands are bands of distance.
+            assert_eq!(draw.args.first_index / 10, draw.args.first_instance);
+            let away_m = f64::from(draw.args.first_instance) * 8.0;
+            let expected = [48.0, 96.0, 192.0].iter().filter(|end| away_m > **end);
+            assert_eq!(usize::from(draw.band), expected.count());
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! Halving of edges near the eye, so that straight drawn edges follow the bent ones of the chart.
+//!
+//! Whether an edge is halved depends on nothing but the edge, so that triangles on both sides of it agree, in
+//! two chunks too, and no crack opens. A triangle with one, two or three halved edges becomes two, three or
+//! four.
+
+use antipode_terrain::{ChunkMesh, Vertex, octahedral};
+use glam::Vec3;
+
+use super::refine::RefineRules;
+use crate::parts::{Part, SECTIONS, parts, sections};
+
+/// A chunk's mesh with edges halved, ready to be put into pages.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refined {
+    /// The mesh; no parts where no edge needed halving.
+    pub parts: Vec<Part>,
+    /// How many edges were halved.
+    pub halved: usize,
+    /// The largest stray of an edge near the eye that stayed as it is, pixels.
+    pub error_px: f64,
+}
+
+/// Halves the edges of one mesh after another, with the same memory.
+#[derive(Debug, Default)]
+pub struct Halver {
+    vertices: Vec<Vertex>,
+    positions: Vec<Vec3>,
+    middles: EdgeTable,
+    open: Vec<[u32; 3]>,
+    next: Vec<[u32; 3]>,
+    done: Vec<[u32; 3]>,
+    halved: usize,
+    /// The largest stray of an edge that stays, in tolerances.
+    worst: f32,
+}
+
+impl Halver {
+    /// The mesh with its edges near the eye halved; `eye` is metres from the chunk's corner.
+    pub fn refine(&mut self, rules: &RefineRules, eye: Vec3, mesh: &ChunkMesh) -> Refined {
+        self.begin(mesh);
+        let far_m = rules.reach_m() + 1.733 * mesh.level.step_m() as f32;
+        let near = |p: &Vec3| p.distance_squared(eye) < far_m * far_m;
+        let near: Vec<bool> = self.positions.iter().map(near).collect();
+        let mut starts = [0; SECTIONS + 1];
+        for (number, section) in sections(mesh).into_iter().enumerate() {
+            for corners in section.as_chunks::<3>().0 {
+                if corners.iter().any(|&i| near[i as usize]) {
+                    self.open.push(*corners);
+                } else {
+                    self.done.push(*corners);
+                }
+            }
+            self.divide_all(rules, eye);
+            starts[number + 1] = self.done.len();
+        }
+        let done = self.done.as_flattened();
+        let section = |n: usize| &done[3 * starts[n]..3 * starts[n + 1]];
+        Refined {
+            parts: if self.halved > 0 {
+                parts(&self.vertices, std::array::from_fn(section))
+            } else {
+                Vec::new()
+            },
+            halved: self.halved,
+            error_px: f64::from(self.worst) * rules.shape_px(),
+        }
+    }
+
+    fn begin(&mut self, mesh: &ChunkMesh) {
+        self.vertices.clone_from(&mesh.vertices);
+        self.positions.clear();
+        self.positions
+            .extend(mesh.vertices.iter().map(Vertex::position));
+        self.middles.clear();
+        self.open.clear();
+        self.done.clear();
+        self.halved = 0;
+        self.worst = 0.0;
+    }
+
+    /// Divides the open triangles until their edges keep to the tolerance, or were halved as often as they may be.
+    fn divide_all(&mut self, rules: &RefineRules, eye: Vec3) {
+        for _ in 0..rules.halvings() {
+            let mut open = std::mem::take(&mut self.open);
+            self.open = std::mem::take(&mut self.next);
+            for corners in open.drain(..) {
+                self.divide(rules, eye, corners);
+            }
+            self.next = open;
+        }
+        for [a, b, c] in std::mem::take(&mut self.open) {
+            for (a, b) in [(a, b), (b, c), (c, a)] {
+                self.worst = self.worst.max(self.strays(rules, eye, a, b));
+            }
+            self.done.push([a, b, c]);
+        }
+    }
+
+    /// Opens the triangles that a triangle becomes; one that needs no halving is done.
+    fn divide(&mut self, rules: &RefineRules, eye: Vec3, [a, b, c]: [u32; 3]) {
+        let middles = [(a, b), (b, c), (c, a)].map(|(a, b)| self.middle(rules, eye, a, b));
+        let open = &mut self.open;
+        match middles {
+            [None, None, None] => self.done.push([a, b, c]),
+            [Some(ab), Some(bc), Some(ca)] => {
+                open.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
+            }
+            [Some(ab), None, None] => open.extend([[a, ab, c], [ab, b, c]]),
+            [None, Some(bc), None] => open.extend([[b, bc, a], [bc, c, a]]),
+            [None, None, Some(ca)] => open.extend([[c, ca, b], [ca, a, b]]),
+            [Some(ab), Some(bc), None] => open.extend([[ab, b, bc], [a, ab, bc], [a, bc, c]]),
+            [None, Some(bc), Some(ca)] => open.extend([[bc, c, ca], [b, bc, ca], [b, ca, a]]),
+            [Some(ab), None, Some(ca)] => open.extend([[ca, a, ab], [c, ca, ab], [c, ab, b]]),
+        }
+    }
+
+    /// By what multiple of the tolerance an edge strays from its true picture, at most.
+    #[inline]
+    fn strays(&self, rules: &RefineRules, eye: Vec3, a: u32, b: u32) -> f32 {
+        let [p, q] = [a, b].map(|i| self.positions[i as usize]);
+        rules.strays(p.distance_squared(q), p.midpoint(q).distance_squared(eye))
+    }
+
+    /// The middle of an edge that is to be halved.
+    #[inline]
+    fn middle(&mut self, rules: &RefineRules, eye: Vec3, a: u32, b: u32) -> Option<u32> {
+        let strays = self.strays(rules, eye, a, b);
+        if strays <= 1.0 {
+            self.worst = self.worst.max(strays);
+            return None;
+        }
+        let next = self.vertices.len() as u32;
+        let index = self.middles.entry(a, b, next);
+        if index == next {
+            let middle = between(&self.vertices[a as usize], &self.vertices[b as usize]);
+            self.positions.push(middle.position());
+            self.vertices.push(middle);
+            self.halved += 1;
+        }
+        Some(index)
+    }
+}
+
+/// The vertex half way between two. Midpoints are rounded down to whole units of position, from whichever chunk
+/// one looks: chunks stand a whole even number of units apart.
+fn between(a: &Vertex, b: &Vertex) -> Vertex {
+    Vertex {
+        units: std::array::from_fn(|i| a.units[i].midpoint(b.units[i])),
+        spare: 0,
+        octahedral: octahedral(a.normal() + b.normal()),
+        colour: std::array::from_fn(|i| a.colour[i].midpoint(b.colour[i])),
+    }
+}
+
+/// The middles of halved edges: a hash table with open addressing and linear probing, at most half full. The
+/// library's table takes three times as long for keys that are as plain as these, and that is most of a halving.
+#[derive(Debug, Default)]
+struct EdgeTable {
+    /// Both ends, the smaller in the high half, and the middle. A power of two of them.
+    slots: Vec<(u64, u32)>,
+    taken: usize,
+}
+
+/// Both ends of an edge are the same vertex: no edge.
+const NO_EDGE: u64 = 0;
+const FIRST_SLOTS: usize = 1 << 12;
+
+impl EdgeTable {
+    fn clear(&mut self) {
+        self.slots.fill((NO_EDGE, 0));
+        self.taken = 0;
+    }
+
+    /// The middle of the edge between two different vertices, which is `next` if it has none yet.
+    #[inline]
+    fn entry(&mut self, a: u32, b: u32, next: u32) -> u32 {
+        if 2 * self.taken >= self.slots.len() {
+            self.grow();
+        }
+        let key = u64::from(a.min(b)) << 32 | u64::from(a.max(b));
+        let place = place(&self.slots, key);
+        let slot = &mut self.slots[place];
+        if slot.0 == NO_EDGE {
+            *slot = (key, next);
+            self.taken += 1;
+        }
+        slot.1
+    }
+
+    fn grow(&mut self) {
+        let room = (2 * self.slots.len()).max(FIRST_SLOTS);
+        let old = std::mem::replace(&mut self.slots, vec![(NO_EDGE, 0); room]);
+        for slot in old.into_iter().filter(|slot| slot.0 != NO_EDGE) {
+            let place = place(&self.slots, slot.0);
+            self.slots[place] = slot;
+        }
+    }
+}
+
+/// Where an edge stands in the table, or where there is room for it.
+#[inline]
+fn place(slots: &[(u64, u32)], key: u64) -> usize {
+    let mask = slots.len() - 1;
+    // Fibonacci hashing; the high bits are the well mixed ones.
+    let mut at = (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32) as usize & mask;
+    while slots[at].0 != NO_EDGE && slots[at].0 != key {
+        at = (at + 1) & mask;
+    }
+    at
+}
+
+#[cfg(test)]
+mod tests;

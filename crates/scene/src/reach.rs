@@ -1,0 +1,155 @@
+//! What ground bodies reach: within it the chunk workers keep colliders and samples.
+
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_streaming::Reach;
+use glam::DVec3;
+
+use crate::persist::GROUND_SEARCH_M;
+
+/// Ground within this distance can be touched or asked for by a step, in metres: the tool's reach
+/// and the camera behind it.
+const STEP_SEES_M: f64 = 30.0;
+/// As far up as a body is lifted, and its height, in metres.
+const LIFT_SEES_M: f64 = 66.0;
+/// Half the width of the column that a body stands in, in metres.
+const COLUMN_M: f64 = 1.0;
+/// Ground where a body will be so many seconds from now is made solid beforehand.
+const AHEAD_S: f64 = 1.0;
+/// Around that place, in metres.
+const AHEAD_M: f64 = 8.0;
+/// Height over the ground sphere, in radians, from which the chart is too wide to reach only part of it.
+const HIGHEST_RAD: f64 = 1.3;
+
+/// Where the ground around a body with its feet at `feet` must be solid; its velocity in m/s.
+pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
+    let Some(reach_m) = chart_reach_m(strategy, feet.pos.y) else {
+        return [Hemisphere::A, Hemisphere::B].map(Reach::whole).to_vec();
+    };
+    let mut reaches = vec![around_body(feet, reach_m)];
+    let ahead = DVec3::from(
+        velocity
+            .to_array()
+            .map(|v| if v.is_finite() { v } else { 0.0 }),
+    );
+    let way = ahead * AHEAD_S;
+    if way.length() > reach_m - AHEAD_M {
+        let there = ChartPoint::new(feet.hemisphere, feet.pos + way);
+        reaches.push(swept(feet, there));
+    }
+    reaches.push(column(feet));
+    if let (Some(rim_m), Some(over)) = (strategy.rim_m(), strategy.carry(feet))
+        && feet.pos.x.hypot(feet.pos.z) > rim_m - reach_m - AHEAD_M
+    {
+        reaches.push(around_body(over.point, reach_m));
+        reaches.push(column(over.point));
+    }
+    reaches
+}
+
+fn around_body(feet: ChartPoint, reach_m: f64) -> Reach {
+    Reach::around(feet, reach_m)
+}
+
+fn swept(from: ChartPoint, to: ChartPoint) -> Reach {
+    Reach {
+        hemisphere: from.hemisphere,
+        min: from.pos.min(to.pos) - AHEAD_M,
+        max: from.pos.max(to.pos) + AHEAD_M,
+    }
+}
+
+fn column(feet: ChartPoint) -> Reach {
+    Reach {
+        hemisphere: feet.hemisphere,
+        min: feet.pos - DVec3::new(COLUMN_M, GROUND_SEARCH_M, COLUMN_M),
+        max: feet.pos + DVec3::new(COLUMN_M, LIFT_SEES_M, COLUMN_M),
+    }
+}
+
+/// How far in the chart a step sees at a height of `y_m` metres; `None` for any distance.
+///
+/// The charts of a closed space are wider than the space: over a height `a` in radians lengths are
+/// shrunk by `cos(a)`, and round the pole, at the equator, by `2 / pi`.
+fn chart_reach_m(strategy: &dyn Strategy, y_m: f64) -> Option<f64> {
+    if strategy.rim_m().is_none() {
+        return Some(STEP_SEES_M);
+    }
+    let height_rad = (y_m.abs() + STEP_SEES_M) / strategy.radius_m();
+    let shrunk = height_rad.cos() * std::f64::consts::FRAC_2_PI;
+    (height_rad < HIGHEST_RAD).then_some(STEP_SEES_M / shrunk)
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    fn has(reaches: &[Reach], point: ChartPoint) -> bool {
+        reaches.iter().any(|reach| {
+            reach.hemisphere == point.hemisphere
+                && point.pos.cmpge(reach.min).all()
+                && point.pos.cmple(reach.max).all()
+        })
+    }
+
+    #[test]
+    fn what_a_fast_body_comes_to_within_a_second_is_within_reach() {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let feet = ChartPoint::a(DVec3::new(5.0, 100.0, -7.0));
+        for velocity in [DVec3::NEG_Y * 60.0, DVec3::new(60.0, 0.0, 0.0), DVec3::ZERO] {
+            let reaches = of_body(&*space, feet, velocity);
+            for share in 0..=10 {
+                let at = feet.pos + velocity * (f64::from(share) / 10.0);
+                for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z] {
+                    assert!(
+                        has(&reaches, ChartPoint::a(at + side * 4.0)),
+                        "{velocity} {share}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn everything_a_pick_may_follow_on_a_sphere_is_within_reach() {
+        for radius_m in [16.0, 32.0, 64.0, 128.0, 256.0] {
+            let space = strategy(Geometry::Spherical, radius_m);
+            let rim_m = space.rim_m().unwrap_or_default();
+            for (far, high) in [(0.0, 0.3), (0.5, 0.2), (0.97, 0.4), (1.0, 0.5), (0.6, 1.1)] {
+                let feet = ChartPoint::a(DVec3::new(far * rim_m, high * radius_m, 0.0));
+                let reaches = of_body(&*space, feet, DVec3::ZERO);
+                let eye = antipode_geometry::Eye {
+                    point: ChartPoint::a(feet.pos + DVec3::Y * 1.6),
+                    ..Default::default()
+                };
+                for turn in 0..200 {
+                    let z = f64::from(turn) / 100.0 - 0.995;
+                    let angle = f64::from(turn) * 2.4;
+                    let level = (1.0 - z * z).sqrt();
+                    let way = DVec3::new(level * angle.cos(), level * angle.sin(), z);
+                    for distance_m in [5.0, 15.0, 27.5] {
+                        let end = space.along(&eye, way, distance_m);
+                        let limits = space.limits().map(|l| (l.bedrock_m, l.ceiling_m));
+                        let (low, top) = limits.unwrap_or_default();
+                        let there = end.pos.y > low && end.pos.y < top;
+                        let other = space.carry(end).map_or(end, |over| over.point);
+                        assert!(
+                            !there || has(&reaches, end) || has(&reaches, other),
+                            "{radius_m} {far} {high}: {end:?}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn velocities_that_are_no_numbers_reach_no_farther() {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let feet = ChartPoint::a(DVec3::ZERO);
+        let still = of_body(&*space, feet, DVec3::ZERO);
+        assert_eq!(of_body(&*space, feet, DVec3::splat(f64::NAN)), still);
+        assert_eq!(of_body(&*space, feet, DVec3::splat(f64::INFINITY)), still);
+    }
+}

@@ -1,0 +1,90 @@
+//! Edit batches: how their chunks are made, and what follows from them.
+
+use std::sync::Arc;
+
+use antipode_geometry::ChunkCoord;
+use antipode_terrain::Level;
+
+use super::{Ledger, Make, Shown};
+use crate::plan::Target;
+
+impl Ledger {
+    /// How the chunks of a batch that is handed over are to be made. Until the batch has ended their
+    /// levels stay as they are.
+    pub(crate) fn begin_batch(&mut self, coords: impl Iterator<Item = ChunkCoord>) -> Vec<Make> {
+        let make = |coord| Make {
+            coord,
+            level: self.batch_level(coord),
+            solid: self.is_solid_ground(coord),
+        };
+        let makes: Vec<_> = coords.map(make).collect();
+        self.batch.extend(makes.iter().map(|make| make.coord));
+        makes
+    }
+
+    fn batch_level(&self, coord: ChunkCoord) -> Level {
+        if self.is_solid_ground(coord) {
+            return Level::FULL;
+        }
+        let coming = self.in_flight.get(&coord).map(|flight| flight.level);
+        let shown = self.resident.get(&coord).map(|shown| shown.level);
+        let planned = self.target(coord).map(|target| target.level);
+        let known = coming.or(shown).or(planned);
+        known.unwrap_or_else(|| self.wished.level(&self.field, coord))
+    }
+
+    /// Takes back a batch that could not be handed over.
+    pub(crate) fn batch_not_sent(&mut self) {
+        self.end_batch(&[]);
+    }
+
+    fn end_batch(&mut self, remeshed: &[ChunkCoord]) {
+        let held = std::mem::take(&mut self.batch);
+        for coord in held.into_iter().chain(remeshed.iter().copied()) {
+            self.enqueue(coord);
+        }
+    }
+
+    /// Notes a finished batch, shown or not: from now on nothing older of these chunks will do.
+    pub(crate) fn batch_ended(
+        &mut self,
+        touched: &[ChunkCoord],
+        remeshed: &[ChunkCoord],
+        revision: u64,
+    ) {
+        self.shown = self.shown.max(revision);
+        self.edited.extend(touched);
+        for &coord in remeshed {
+            if let Some(flight) = self.in_flight.get_mut(&coord) {
+                flight.least = revision.max(flight.least);
+            }
+            if !self.wished.near_edits.contains(&coord) {
+                Arc::make_mut(&mut self.wished.near_edits).insert(coord);
+                self.plan_due |= self.wished.range.keeps(coord);
+            }
+            if self.wished.range.keeps(coord) && self.target(coord).is_none() {
+                let level = self.wished.level(&self.field, coord);
+                let wanted = self.wished.range.contains(coord);
+                self.late.insert(coord, Target { level, wanted });
+            }
+        }
+        self.end_batch(remeshed);
+    }
+
+    /// Notes a chunk that came with a batch; false if it is out of range and not to be shown.
+    pub(crate) fn show_edited(&mut self, make: Make) -> bool {
+        let Make {
+            coord,
+            level,
+            solid,
+        } = make;
+        if !self.wished.range.keeps(coord) {
+            return false;
+        }
+        self.resident.insert(coord, Shown { level, solid });
+        self.given_up.remove(&coord);
+        self.queue.remove(coord);
+        self.release(coord);
+        true
+    }
+}

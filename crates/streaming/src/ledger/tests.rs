@@ -1,0 +1,349 @@
+//! The books without threads: every job ends when the test says so.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    reason = "tests fail by panicking"
+)]
+
+use super::*;
+use crate::api::{Detail, Reach, Wish};
+use crate::levels::faces;
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
+use glam::{DVec3, IVec3};
+
+fn ledger(edited: &[ChunkCoord]) -> Ledger {
+    let space = strategy(Geometry::Euclidean, f64::INFINITY);
+    let field = Arc::new(Field::new(3, Arc::clone(&space)));
+    Ledger::new(field, space, edited.iter().copied().collect())
+}
+
+fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
+    ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::new(x, y, z),
+    }
+}
+
+fn wish_at(x: f64, view_distance: u32) -> Wish {
+    let centre = ChartPoint::a(DVec3::new(x, 16.0, 16.0));
+    Wish::new(centre, DVec3::X, view_distance)
+}
+
+fn full(coord: ChunkCoord) -> Make {
+    Make {
+        coord,
+        level: Level::FULL,
+        solid: true,
+    }
+}
+
+fn take_all(ledger: &mut Ledger) -> Vec<ChunkCoord> {
+    std::iter::from_fn(|| ledger.next_load(usize::MAX))
+        .map(|make| make.coord)
+        .collect()
+}
+
+/// Wishes, and carries the plan out; returns the chunks that are gone.
+fn wish(ledger: &mut Ledger, wish: &Wish) -> Vec<ChunkCoord> {
+    ledger.wish(wish);
+    let Some(request) = ledger.next_plan() else {
+        return Vec::new();
+    };
+    let planned = request.plan(&ledger.field);
+    ledger.planned(planned)
+}
+
+#[test]
+fn going_there_and_back_neither_loses_nor_doubles_a_chunk() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_at(16.0, 1));
+    let first = take_all(&mut ledger);
+    wish(&mut ledger, &wish_at(16.0 + 96.0, 1));
+    wish(&mut ledger, &wish_at(16.0, 1));
+    assert!(
+        take_all(&mut ledger)
+            .iter()
+            .all(|coord| !first.contains(coord)),
+        "a chunk is made twice"
+    );
+    assert!(
+        first
+            .iter()
+            .all(|&coord| ledger.loaded(full(coord), 0) == Verdict::Show)
+    );
+    assert_eq!(ledger.resident_count(), first.len());
+}
+
+#[test]
+fn one_chunk_beyond_is_kept_and_two_are_not() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_at(16.0, 1));
+    let first = take_all(&mut ledger);
+    for &coord in &first {
+        assert_eq!(ledger.loaded(full(coord), 0), Verdict::Show);
+    }
+    assert!(wish(&mut ledger, &wish_at(16.0 + 32.0, 1)).is_empty());
+    let gone = wish(&mut ledger, &wish_at(16.0 + 64.0, 1));
+    let want: Vec<_> = first.iter().filter(|coord| coord.index.x == -1).collect();
+    assert!(
+        !want.is_empty()
+            && gone.len() == want.len()
+            && gone.iter().all(|coord| coord.index.x == -1)
+    );
+}
+
+#[test]
+fn a_load_older_than_a_shown_batch_is_made_again() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_at(16.0, 1));
+    let coord = take_all(&mut ledger)[0];
+    ledger.batch_ended(&[coord], &[coord], 1);
+    assert_eq!(ledger.loaded(full(coord), 0), Verdict::Drop);
+    assert_eq!(take_all(&mut ledger), [coord]);
+    assert_eq!(ledger.loaded(full(coord), 1), Verdict::Show);
+}
+
+#[test]
+fn a_load_newer_than_what_is_shown_waits_for_its_batch() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_at(16.0, 1));
+    let coords = take_all(&mut ledger);
+    assert_eq!(ledger.loaded(full(coords[0]), 1), Verdict::Hold);
+    ledger.batch_ended(&[coords[1]], &[coords[1]], 1);
+    assert_eq!(ledger.loaded(full(coords[0]), 1), Verdict::Show);
+}
+
+#[test]
+fn a_stored_edit_gives_a_chunk_without_a_surface_a_mesh() {
+    let sky = chunk(0, 60, 0);
+    let mut plain = ledger(&[]);
+    let mut built = ledger(&[sky]);
+    let there = Wish::new(ChartPoint::a(sky.origin()), DVec3::X, 2);
+    wish(&mut plain, &there);
+    wish(&mut built, &there);
+    assert!(plain.is_resident(sky) && plain.coming() == 0);
+    assert!(!built.is_resident(sky));
+    // Its own cells, and those of the seven chunks whose last layer uses its first samples.
+    assert_eq!(take_all(&mut built).len(), 8);
+}
+
+/// A picture in which a chunk's size goes by its distance from a place along x alone.
+#[derive(Debug)]
+struct Rings {
+    x: i32,
+    /// Chunks to a ring of one level.
+    width: i32,
+}
+
+impl Detail for Rings {
+    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
+        let ring = (coord.index.x - self.x).abs() / self.width;
+        // One pixel is let pass; the levels' errors are a few decimetres.
+        [1e3, 1.6, 0.9, 0.1][ring.min(3) as usize]
+    }
+
+    fn span_px(&self, _: ChunkCoord) -> f64 {
+        100.0
+    }
+
+    fn tolerance_px(&self) -> f64 {
+        1.0
+    }
+}
+
+fn wish_with_rings(x: i32, width: i32) -> Wish {
+    let centre = ChartPoint::a(DVec3::new(f64::from(x) * 32.0 + 16.0, 16.0, 16.0));
+    Wish {
+        bodies: vec![Reach::around(centre, 10.0)],
+        detail: Some(Arc::new(Rings { x, width })),
+        ..Wish::new(centre, DVec3::X, 8)
+    }
+}
+
+/// Ground under bodies waits for no neighbour.
+fn without_bodies(wish: Wish) -> Wish {
+    Wish {
+        bodies: Vec::new(),
+        ..wish
+    }
+}
+
+/// Greatest difference of level between neighbours that are there.
+fn widest_step(ledger: &Ledger) -> usize {
+    let steps = ledger.resident.iter().flat_map(|(&coord, shown)| {
+        let beside = faces(coord).filter_map(|next| ledger.resident.get(&next));
+        beside.map(|next| next.level.index().abs_diff(shown.level.index()))
+    });
+    steps.max().unwrap_or(0)
+}
+
+/// Makes what is asked for until nothing is, `at_once` chunks at a time and the last of them first;
+/// returns how many were made and the widest step seen after all of the first pass were there.
+fn make_all(ledger: &mut Ledger, at_once: usize) -> (usize, usize) {
+    let (mut made, mut widest) = (0, 0);
+    loop {
+        let makes: Vec<_> = std::iter::from_fn(|| ledger.next_load(at_once)).collect();
+        if makes.is_empty() {
+            return (made, widest);
+        }
+        for make in makes.into_iter().rev() {
+            ledger.loaded(make, 0);
+            made += 1;
+            widest = widest.max(widest_step(ledger));
+        }
+    }
+}
+
+fn assert_as_planned(ledger: &Ledger) {
+    let wanted = ledger
+        .plan
+        .targets
+        .iter()
+        .filter(|(_, target)| target.wanted);
+    for (&coord, target) in wanted {
+        assert_eq!(ledger.level(coord), Some(target.level), "{coord:?}");
+    }
+    assert_eq!(ledger.coming(), 0);
+}
+
+#[test]
+fn levels_follow_the_eye_and_neighbours_are_never_two_apart() {
+    for at_once in [1, 7, 10_000] {
+        let mut ledger = ledger(&[]);
+        for x in [0, 1, 2, 9, 3, -20, 0] {
+            wish(&mut ledger, &without_bodies(wish_with_rings(x, 2)));
+            let (made, widest) = make_all(&mut ledger, at_once);
+            assert!(
+                made > 0 && widest <= 1,
+                "{at_once} {x}: {made} made, {widest} apart"
+            );
+            assert_as_planned(&ledger);
+        }
+    }
+}
+
+#[test]
+fn a_plan_that_comes_while_chunks_are_made_is_carried_out_all_the_same() {
+    let mut ledger = ledger(&[]);
+    for x in 0..40 {
+        wish(
+            &mut ledger,
+            &without_bodies(wish_with_rings(x % 13, 1 + x % 3)),
+        );
+        for make in (0..9)
+            .map_while(|_| ledger.next_load(9))
+            .collect::<Vec<_>>()
+        {
+            ledger.loaded(make, 0);
+            assert!(widest_step(&ledger) <= 1);
+        }
+    }
+    make_all(&mut ledger, 5);
+    assert_as_planned(&ledger);
+}
+
+#[test]
+fn a_chunk_that_cannot_be_made_holds_nobody_up_for_ever() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_with_rings(0, 1));
+    make_all(&mut ledger, 5);
+    wish(&mut ledger, &wish_with_rings(6, 1));
+    let broken = ledger.next_load(5).map(|make| make.coord).unwrap();
+    ledger.give_up(broken);
+    make_all(&mut ledger, 5);
+    assert_eq!(ledger.coming(), 0);
+    assert!(ledger.is_ready(broken));
+}
+
+#[test]
+fn ground_is_solid_where_bodies_are_and_for_a_while_where_they_were() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_with_rings(0, 2));
+    make_all(&mut ledger, 5);
+    let solid = |ledger: &Ledger| {
+        let solid = ledger.resident.iter().filter(|(_, shown)| shown.solid);
+        solid
+            .map(|(coord, _)| coord.index.x)
+            .collect::<std::collections::BTreeSet<_>>()
+    };
+    assert_eq!(solid(&ledger), [0].into());
+    assert!(
+        ledger.wish(&wish_with_rings(1, 2)).is_empty(),
+        "half a chunk beyond it is kept"
+    );
+    let planned = ledger.next_plan().unwrap().plan(&ledger.field);
+    ledger.planned(planned);
+    make_all(&mut ledger, 5);
+    assert_eq!(solid(&ledger), [0, 1].into());
+    let left = ledger.wish(&wish_with_rings(3, 2));
+    assert!(!left.is_empty() && left.iter().all(|coord| coord.index.x < 2));
+}
+
+#[test]
+fn ground_that_a_body_comes_to_is_not_ready_before_it_is_solid() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_with_rings(0, 3));
+    make_all(&mut ledger, 5);
+    let there = wish_with_rings(2, 3);
+    let under = ChunkCoord::containing(there.centre);
+    assert!(ledger.is_ready(under) && ledger.level(under) == Some(Level::FULL));
+    ledger.wish(&there);
+    assert!(!ledger.is_ready(under) && ledger.is_coming(under) && ledger.is_ground_coming());
+    let make = ledger.next_load(5).unwrap();
+    assert!(make.solid && make.level == Level::FULL);
+    assert_eq!(ledger.loaded(make, 0), Verdict::Harden);
+    assert!(ledger.is_ready(make.coord));
+}
+
+#[test]
+fn an_edit_is_shown_at_the_level_the_chunk_has() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_with_rings(0, 2));
+    make_all(&mut ledger, 5);
+    let coarse = |coord: &&ChunkCoord| ledger.level(**coord) == Some(Level::ALL[2]);
+    let coord = *ledger.resident.keys().filter(coarse).min().unwrap();
+    let makes = ledger.begin_batch([coord].into_iter());
+    assert_eq!((makes[0].level, makes[0].solid), (Level::ALL[2], false));
+    // Nothing of the batch changes its level before it has ended.
+    wish(&mut ledger, &wish_with_rings(coord.index.x, 2));
+    while let Some(make) = ledger.next_load(100) {
+        assert_ne!(make.coord, coord);
+        ledger.loaded(make, 0);
+    }
+    ledger.batch_ended(&[coord], &[coord], 1);
+    assert!(ledger.show_edited(makes[0]));
+    assert_eq!(ledger.level(coord), Some(Level::ALL[2]));
+    // What was dug may be lost at a coarser level: with its next plan it is as fine as that takes.
+    let planned = ledger.next_plan().unwrap().plan(&ledger.field);
+    ledger.planned(planned);
+    make_all_at(&mut ledger, 1);
+    assert_eq!(ledger.level(coord), Some(Level::FULL));
+}
+
+fn make_all_at(ledger: &mut Ledger, revision: u64) {
+    while let Some(make) = ledger.next_load(100) {
+        ledger.loaded(make, revision);
+    }
+}
+
+#[test]
+fn walking_to_and_fro_over_a_border_makes_nothing_again() {
+    let mut ledger = ledger(&[]);
+    let there = wish_with_rings(0, 2);
+    let beyond = Wish {
+        centre: ChartPoint::a(there.centre.pos + DVec3::X * 17.0),
+        bodies: vec![Reach::around(
+            ChartPoint::a(there.centre.pos + DVec3::X * 17.0),
+            10.0,
+        )],
+        ..there.clone()
+    };
+    for wished in [&there, &beyond] {
+        wish(&mut ledger, wished);
+        make_all(&mut ledger, 5);
+    }
+    for wished in [&there, &beyond, &there, &beyond] {
+        assert!(wish(&mut ledger, wished).is_empty());
+        assert_eq!(make_all(&mut ledger, 5).0, 0);
+    }
+}

@@ -1,0 +1,142 @@
+//! Levels of detail with real meshes: what is far is coarse, and edits show at every level.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
+use antipode_terrain::Level;
+use glam::DVec3;
+
+use super::{Game, stroke};
+use crate::api::{Detail, Until, Wish};
+use crate::levels::faces;
+
+/// A flat picture whose pixels are so coarse that all levels fit in a few chunks.
+#[derive(Debug)]
+struct Coarse(DVec3);
+
+impl Detail for Coarse {
+    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
+        let nearest = self.0.clamp(coord.min(), coord.max());
+        30.0 / nearest.distance(self.0).max(1e-6)
+    }
+
+    fn span_px(&self, coord: ChunkCoord) -> f64 {
+        32.0 * self.pixels_per_metre(coord)
+    }
+
+    fn tolerance_px(&self) -> f64 {
+        1.0
+    }
+}
+
+impl Game {
+    fn look(&mut self, at: DVec3, view_distance: u32) {
+        let point = ChartPoint::a(at);
+        self.streamer.wish(&Wish {
+            bodies: Vec::new(),
+            detail: Some(Arc::new(Coarse(at))),
+            ..Wish::new(point, DVec3::X, view_distance)
+        });
+    }
+
+    fn levels(&self) -> BTreeSet<Level> {
+        self.chunks.values().map(|chunk| chunk.mesh.level).collect()
+    }
+}
+
+#[test]
+fn far_land_is_coarse_and_no_two_neighbours_are_far_apart_on_the_way() {
+    let mut game = Game::flat(2);
+    let at = game.ground(16.0, 16.0);
+    for way in [0.0, 70.0, 200.0, 10.0] {
+        game.look(at + DVec3::X * way, 8);
+        while game.streamer.pending() > 0 {
+            let updates = game.streamer.poll(std::time::Duration::ZERO);
+            game.apply(updates);
+            for chunk in game.chunks.values() {
+                for next in faces(chunk.coord).filter_map(|next| game.chunks.get(&next)) {
+                    let apart = next.mesh.level.index().abs_diff(chunk.mesh.level.index());
+                    assert!(apart <= 1, "{:?} {:?}", chunk, next);
+                }
+            }
+            std::thread::yield_now();
+        }
+        assert!(game.levels().len() >= 3, "{:?}", game.levels());
+    }
+}
+
+#[test]
+fn a_coarse_world_has_far_fewer_triangles_and_the_same_chunks() {
+    let triangles = |game: &Game| -> usize {
+        game.chunks
+            .values()
+            .map(|chunk| chunk.mesh.triangles().len())
+            .sum()
+    };
+    let (mut coarse, mut full) = (Game::flat(2), Game::flat(2));
+    let at = coarse.ground(16.0, 16.0);
+    coarse.look(at, 7);
+    coarse.wait(Until::Idle);
+    full.wish(at, 7);
+    full.wait(Until::Idle);
+    assert!(coarse.chunks.keys().eq(full.chunks.keys()));
+    assert!(triangles(&coarse) * 3 < triangles(&full));
+}
+
+#[test]
+fn an_edit_shows_at_every_level() {
+    let mut game = Game::flat(1);
+    let at = game.ground(16.0, 16.0);
+    game.look(at, 8);
+    game.wait(Until::Idle);
+    let levels = game.levels();
+    for level in levels {
+        let here = |chunk: &&crate::api::Chunk| chunk.mesh.level == level && !chunk.mesh.is_empty();
+        let found = game.chunks.values().find(here).map(|chunk| chunk.coord);
+        let coord = found.expect("a chunk of each level");
+        let middle = game.chunks[&coord].mesh.vertices[0].position().as_dvec3();
+        let before = Arc::clone(&game.chunks[&coord].mesh);
+        game.streamer.edit(stroke(coord.origin() + middle, 60.0));
+        let seen = game.wait(Until::Edits);
+        assert!(
+            seen.batches.iter().flatten().any(|&c| c == coord),
+            "{level:?}"
+        );
+        let after = &game.chunks[&coord].mesh;
+        assert!(after.level <= level && **after != *before, "{level:?}");
+        game.wait(Until::Idle);
+    }
+}
+
+#[test]
+fn edited_land_becomes_as_fine_as_what_may_be_lost_of_it() {
+    let mut game = Game::flat(1);
+    let at = game.ground(16.0, 16.0);
+    game.look(at, 8);
+    game.wait(Until::Idle);
+    // A pixel is let pass, and up to 60 m two metres take more.
+    let away = game.ground(16.0 + 60.0, 16.0);
+    let under = ChunkCoord::containing(ChartPoint::a(away));
+    assert_ne!(game.chunks[&under].mesh.level, Level::FULL);
+    game.streamer.edit(stroke(away, 20.0));
+    game.wait(Until::Idle);
+    assert_eq!(game.chunks[&under].mesh.level, Level::FULL);
+}
+
+#[test]
+fn the_whole_of_a_large_sphere_is_there_at_levels_that_suit_it() {
+    let mut game = Game::of(Geometry::Spherical, 96.0, 2);
+    game.look(DVec3::new(0.0, 30.0, 0.0), 1);
+    game.wait(Until::Idle);
+    let rim_m = game.space.rim_m().unwrap();
+    assert!(game.levels().len() >= 2);
+    let rings = [0.0, 0.5, 0.95].map(|share| share * rim_m);
+    for ring in rings {
+        let under = ChunkCoord::containing(ChartPoint::a(game.ground(ring, 0.0)));
+        assert!(
+            game.streamer.is_resident(under) && game.chunks.contains_key(&under),
+            "{ring}"
+        );
+    }
+}

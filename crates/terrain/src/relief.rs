@@ -1,0 +1,204 @@
+//! From sums of noise to the field, and where the band makes the rest of a sum needless.
+
+use glam::Vec4;
+
+use crate::field::FIELD_BAND_M;
+
+/// Rows of a grid, and samples of a row, that are dealt with at once: a chunk's 35 in whole
+/// vectors.
+pub(crate) const BLOCK: usize = 36;
+/// How much the squeezed noise of a sphere is steepened: fractal noise rarely comes near its
+/// bounds, and would leave most of the allowed heights unused.
+const SPHERE_GAIN: f32 = 2.2;
+/// Room for the rounding of `f32` sums, metres of field.
+const ROUNDING_M: f64 = 1e-3;
+
+/// How the ground rises with the noise: it lies at `middle - sum`, or, where the space bounds
+/// it, at `middle - half * squeezed(sum)`.
+#[derive(Debug, Clone, Copy)]
+#[expect(clippy::struct_field_names, reason = "units stand in names")]
+pub(crate) struct Relief {
+    /// The sum of noise is held to this on either side of zero, metres.
+    sum_m: f32,
+    middle_m: f64,
+    /// Half range of bounded ground, metres.
+    half_m: Option<f32>,
+}
+
+/// The rows of a grid: their heights, and which sums bring them into the band.
+pub(crate) struct Rows {
+    /// Heights above the middle of the ground, metres.
+    base_m: [f32; BLOCK],
+    /// A sum of at least this puts a sample at the upper edge of the band.
+    above: [f32; BLOCK],
+    /// A sum of at most this puts a sample at the lower edge.
+    below: [f32; BLOCK],
+    /// The field in rows that no sum brings into the band; any other number in the rest.
+    pub edge: [f32; BLOCK],
+    /// First and one past the last of the others.
+    pub open: (usize, usize),
+}
+
+impl Relief {
+    /// Ground around `sum_m`, the greatest sum of noise, or held to `bounds`: middle and half
+    /// range. Metres.
+    pub(crate) fn new(sum_m: f64, bounds: Option<(f64, f64)>) -> Self {
+        Self {
+            sum_m: sum_m as f32,
+            middle_m: bounds.map_or(sum_m, |(middle, _)| middle),
+            half_m: bounds.map(|(_, half)| half as f32),
+        }
+    }
+
+    /// Lowest and highest height that ground can have, metres.
+    pub(crate) fn range_m(&self) -> (f64, f64) {
+        let half = f64::from(self.half_m.unwrap_or(self.sum_m));
+        (self.middle_m - half, self.middle_m + half)
+    }
+
+    /// The greatest sum of noise, metres.
+    pub(crate) fn sum_m(&self) -> f32 {
+        self.sum_m
+    }
+
+    /// The field at heights above the ground's middle with these sums of noise.
+    #[inline]
+    pub(crate) fn values(&self, base_m: Vec4, sum: Vec4) -> Vec4 {
+        let lowered = match self.half_m {
+            None => sum,
+            Some(half) => {
+                let t = sum * (SPHERE_GAIN / self.sum_m);
+                t / (t * t + Vec4::ONE).sqrt() * half
+            }
+        };
+        Vec4::from((base_m + lowered).to_array().map(banded))
+    }
+
+    /// The field at one height with this sum of noise.
+    pub(crate) fn value(&self, y: f64, sum: f32) -> f32 {
+        let base = (y - self.middle_m) as f32;
+        self.values(Vec4::splat(base), Vec4::splat(sum)).x
+    }
+
+    /// The sum of noise that lowers the ground so far; infinite where none does.
+    fn sum_for(&self, lowered_m: f64) -> f32 {
+        let Some(half) = self.half_m else {
+            return lowered_m as f32;
+        };
+        let share = lowered_m / f64::from(half);
+        if share.abs() < 1.0 {
+            (share / (1.0 - share * share).sqrt()) as f32 * (self.sum_m / SPHERE_GAIN)
+        } else {
+            f32::INFINITY * share.signum() as f32
+        }
+    }
+
+    /// Rows at heights `first_m + step_m * n`, `count` of them, at most [`BLOCK`].
+    pub(crate) fn rows(&self, first_m: f64, step_m: f64, count: usize) -> Rows {
+        let mut rows = Rows {
+            base_m: [0.0; BLOCK],
+            above: [0.0; BLOCK],
+            below: [0.0; BLOCK],
+            edge: [0.0; BLOCK],
+            open: (0, count.min(BLOCK)),
+        };
+        let band = f64::from(FIELD_BAND_M) + ROUNDING_M;
+        for n in 0..rows.open.1 {
+            let base = first_m + n as f64 * step_m - self.middle_m;
+            rows.base_m[n] = base as f32;
+            rows.above[n] = self.sum_for(band - base);
+            rows.below[n] = self.sum_for(-band - base);
+        }
+        rows.open = rows.narrow(rows.open, self.sum_m, &[0.0; BLOCK]);
+        for first in (0..BLOCK).step_by(4) {
+            let edge = self.values(rows.base_m(first), Vec4::ZERO);
+            edge.write_to_slice(&mut rows.edge[first..first + 4]);
+        }
+        rows
+    }
+}
+
+impl Rows {
+    /// Heights of four rows above the middle of the ground, metres.
+    pub(crate) fn base_m(&self, first: usize) -> Vec4 {
+        Vec4::from_slice(&self.base_m[first..first + 4])
+    }
+
+    /// Whether all sums within `rest` of `sum` put a sample at the same edge of the band.
+    #[inline]
+    fn certain(&self, row: usize, sum: f32, rest: f32) -> bool {
+        sum - rest >= self.above[row] || sum + rest <= self.below[row]
+    }
+
+    /// The rows `open` without those at its ends whose samples are certain to lie at an edge of
+    /// the band while sums change by no more than `rest`: what is left out of their sums does not
+    /// change them by a bit.
+    #[inline]
+    pub(crate) fn narrow(
+        &self,
+        (mut from, mut to): (usize, usize),
+        rest: f32,
+        sums: &[f32; BLOCK],
+    ) -> (usize, usize) {
+        while from < to && self.certain(from, sums[from], rest) {
+            from += 1;
+        }
+        while from < to && self.certain(to - 1, sums[to - 1], rest) {
+            to -= 1;
+        }
+        (from, to)
+    }
+}
+
+/// A value held to the band. A place that is not a number is solid, not contagious.
+#[inline]
+#[expect(clippy::manual_clamp, reason = "`clamp` keeps what is not a number")]
+fn banded(value: f32) -> f32 {
+    value.max(-FIELD_BAND_M).min(FIELD_BAND_M)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_certain_only_where_every_sum_gives_that_very_value() {
+        for relief in [
+            Relief::new(18.75, None),
+            Relief::new(18.75, Some((10.4, 5.488))),
+            Relief::new(12.75, Some((83.2, 43.9))),
+        ] {
+            for first in [-40.0, -3.0, 30.0, 70.0, 120.0] {
+                let rows = relief.rows(first, 1.0, 35);
+                for row in 0..35 {
+                    let y = first + row as f64;
+                    let inside = (rows.open.0..rows.open.1).contains(&row);
+                    for n in 0..=40 {
+                        let sum = relief.sum_m * (n as f32 / 20.0 - 1.0);
+                        let found = relief.value(y, sum);
+                        assert!(inside || found == rows.edge[row], "{y} {sum}: {found}");
+                        let certain = rows.certain(row, sum, 0.0);
+                        assert!(!certain || found.abs() == FIELD_BAND_M, "{y} {sum}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rows_far_from_the_ground_are_all_closed() {
+        let relief = Relief::new(15.0, Some((10.4, 5.5)));
+        for (first, edge) in [(-100.0, -FIELD_BAND_M), (50.0, FIELD_BAND_M)] {
+            let rows = relief.rows(first, 1.0, 35);
+            assert_eq!(rows.open.0, rows.open.1);
+            assert_eq!(rows.edge[..35], [edge; 35]);
+        }
+    }
+
+    #[test]
+    fn no_number_is_solid() {
+        let relief = Relief::new(15.0, None);
+        assert_eq!(relief.value(f64::NAN, 1.0), -FIELD_BAND_M);
+        assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, (0, 3));
+    }
+}
