@@ -24,6 +24,15 @@ struct Scene {
 
 @group(0) @binding(0) var<uniform> scene: Scene;
 
+// The space, for a vertex or fragment with some number of its own, which no number changes. Branches on what this
+// gives depend on more than uniforms: lavapipe compiles a shader with branches on uniforms alone anew for every frame,
+// and keeps each.
+fn space_at(number: u32) -> Space {
+    var space = scene.space;
+    space.curve.x = select(space.curve.x, 1.0, number == 0xffffffffu);
+    return space;
+}
+
 // Chart direction, at the eye, in which a view point is seen.
 fn direction_of(view: vec3<f32>) -> vec3<f32> {
     return normalize(scene.right.xyz * view.x + scene.up.xyz * view.y - scene.front.xyz * view.z);

@@ -44,11 +44,12 @@ fn stance(in: VertexIn) -> vec3<f32> {
 
 fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let normal = face(turn_limb(in.normal.xyz, in.pose.z * in.swing.y), in.pose.xy);
-    let fog = fog_at(eye_distance(scene.space, view));
+    let space = space_at(in.hemisphere);
+    let fog = fog_at(eye_distance(space, view));
     let direction = direction_of(view.xyz);
     var out: VertexOut;
-    out.clip = clip_from_view(scene.space, view);
-    out.normal = port_normal(scene.space, p, normalize(normal), in.hemisphere);
+    out.clip = clip_from_view(space, view);
+    out.normal = port_normal(space, p, normalize(normal), in.hemisphere);
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
@@ -58,7 +59,7 @@ fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
     let p = in.offset + stance(in);
-    return figure_at(in, p, port_to_view(scene.space, p, in.hemisphere));
+    return figure_at(in, p, port_to_view(space_at(in.hemisphere), p, in.hemisphere));
 }
 
 // The whole figure by one first-order map, where that errs by less than anyone can see.

@@ -68,38 +68,38 @@ fn geo_sinh_bend(s: f32) -> f32 {
         + s * (2.99407006e-8 + s * -2.78099127e-10))));
 }
 
-// (cosh(t) - 1)/t^2 for s = t^2, t up to 1: 1.5 ulp.
-fn geo_cosh_bend(s: f32) -> f32 {
-    return 0.5 + s * (4.16666679e-2 + s * (1.38888322e-3 + s * (2.4808227e-5
-        + s * 2.75438339e-7)));
-}
-
-// (sin(t)/t - 1, cos(t) - 1) for s = t^2 up to GEO_OBTUSE: 1.5 ulp of themselves.
+// What (sin(t)/t, cos(t)) exceed 1 by, for s = t^2 from -1, where s < 0 stands for sinh and cosh, to
+// GEO_OBTUSE: both to half an ulp of 1 before they are added to it, and no less exact near 0.
 fn geo_sinc_cos_excess(s: f32) -> vec2<f32> {
     return vec2<f32>(
-        s * (-1.66666672e-1 + s * (8.33335239e-3 + s * (-1.98431677e-4
-            + s * (2.76172841e-6 + s * -2.51061216e-8)))),
-        s * (-0.5 + s * (4.16666679e-2 + s * (-1.38889183e-3
-            + s * (2.48037995e-5 + s * (-2.76158772e-7 + s * 2.09655426e-9))))),
+        s * (-1.66666672e-1 + s * (8.33333563e-3 + s * (-1.98408408e-4
+            + s * (2.75160755e-6 + s * -2.37021176e-8)))),
+        s * (-0.5 + s * (4.16666679e-2 + s * (-1.38888939e-3
+            + s * (2.48005163e-5 + s * (-2.74755109e-7 + s * 1.90350358e-9))))),
     );
 }
 
-// (sin(t)/t, cos(t)) for s = t^2, t up to pi; past t^2 = 3.2 from the half angle, by
-// sin t = 2 sin cos and cos t = 2 cos^2 - 1. The sine over t to 1.5 ulp up to a right angle, both
-// to 1.5 ulp of 1 everywhere.
+// (sin(t)/t, cos(t)) for s = t^2, t up to pi, and (sinh(t)/t, cosh(t)) for s = -t^2, t up to 1; past
+// GEO_OBTUSE from the half angle, by sin t = 2 sin cos and cos t = 2 cos^2 - 1. The sine over t to
+// 1.5 ulp up to a right angle, both to 1.5 ulp of 1 everywhere.
 fn geo_sinc_cos(s: f32) -> vec2<f32> {
     let far = s > GEO_OBTUSE;
-    let q = select(s, 0.25 * s, far);
-    let near = 1.0 + geo_sinc_cos_excess(q);
+    let near = 1.0 + geo_sinc_cos_excess(select(s, 0.25 * s, far));
     return vec2<f32>(
         select(near.x, near.x * near.y, far),
         select(near.y, 2.0 * (near.y * near.y) - 1.0, far),
     );
 }
 
-// (sinh(t)/t, cosh(t)) for s = t^2, t up to 1: 1.5 ulp.
-fn geo_sinhc_cosh_near(s: f32) -> vec2<f32> {
-    return vec2<f32>(1.0 + s * geo_sinh_bend(s), 1.0 + s * geo_cosh_bend(s));
+// What the two of geo_sinc_cos exceed 1 by; no digit is lost near 0.
+fn geo_excess(s: f32) -> vec2<f32> {
+    let far = s > GEO_OBTUSE;
+    let excess = geo_sinc_cos_excess(select(s, 0.25 * s, far));
+    let near = 1.0 + excess;
+    return vec2<f32>(
+        select(excess.x, near.x * near.y - 1.0, far),
+        select(excess.y, 2.0 * (near.y * near.y) - 2.0, far),
+    );
 }
 
 // Half of exp(t + rest), 0 <= t < 88 and |rest| an ulp of t at most, as a power of two a, high and
@@ -128,19 +128,24 @@ fn geo_exp(t: f32) -> f32 {
     return 2.0 * e.x * (1.0 + (e.y + e.z));
 }
 
-// (sinh(t)/t, cosh(t)) for |t| <= 81: series to 1, where nothing cancels, then exponentials, the
-// greatest part added last: 1.5 ulp. What is divided by t goes in two parts, the first of them
-// short, so that no rounding is doubled by the quotient.
-fn geo_sinhc_cosh(t: f32) -> vec2<f32> {
-    let a = abs(t);
-    if a < 1.0 {
-        return geo_sinhc_cosh_near(a * a);
-    }
-    let e = geo_half_exp(a, 0.0);
+// (sinh(t)/t, cosh(t)) for 1 <= t <= 81 from exponentials, the greatest part added last: 1.5 ulp.
+// What is divided by t goes in two parts, the first of them short, so that no rounding is doubled by
+// the quotient.
+fn geo_sinhc_cosh_far(t: f32) -> vec2<f32> {
+    let e = geo_half_exp(t, 0.0);
     let sine = e.z - e.w;
     let short = bitcast<f32>(bitcast<u32>(1.0 + (e.y + sine)) & 0xfffff000u);
     let left = ((1.0 - short) + e.y) + sine;
-    return vec2<f32>(e.x * (short / a + left / a), e.x * (1.0 + (e.y + (e.z + e.w))));
+    return vec2<f32>(e.x * (short / t + left / t), e.x * (1.0 + (e.y + (e.z + e.w))));
+}
+
+// (sinh(t)/t, cosh(t)) for |t| <= 81: 1.5 ulp. Series to 1, where nothing cancels.
+fn geo_sinhc_cosh(t: f32) -> vec2<f32> {
+    let a = abs(t);
+    if a < 1.0 {
+        return geo_sinc_cos(-a * a);
+    }
+    return geo_sinhc_cosh_far(a);
 }
 
 // The length of a vector and what rounding took from it, to 2^-33 of the length: half of
@@ -158,26 +163,10 @@ fn geo_length_rest(q: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(t, (before + (b.x + b.y + b.z - b.w)) * (0.5 / t));
 }
 
-// What sin(t)/t and cos(t), or their hyperbolic counterparts, exceed 1 by, for s = kappa t^2 from
-// -1 to pi^2: both to half an ulp of 1 before they are added to it, and no less exact near 0.
-fn geo_excess(s: f32) -> vec2<f32> {
-    if s <= 0.0 {
-        return vec2<f32>(-s * geo_sinh_bend(-s), -s * geo_cosh_bend(-s));
-    }
-    if s <= GEO_OBTUSE {
-        return geo_sinc_cos_excess(s);
-    }
-    return geo_sinc_cos(s) - 1.0;
-}
-
-// Sine and cosine in parts, (scale, sine, cosine, divisor), for the length of `q` radii under a
-// curvature of 1 or -1: sinc = scale (1 + sine) / divisor and cosine = scale (1 + cosine), scale a
-// power of two. A product of two of them has one rounding, by geo_product, and not three.
-fn geo_parts(sign: f32, q: vec3<f32>) -> vec4<f32> {
-    let s = sign * (q.x * q.x + q.y * q.y + q.z * q.z);
-    if s > -1.0 {
-        return vec4<f32>(1.0, geo_excess(s), 1.0);
-    }
+// Hyperbolic sine and cosine in parts, (scale, sine, cosine, divisor), for a length of 1 to 81 radii:
+// sinc = scale (1 + sine) / divisor and cosine = scale (1 + cosine), scale a power of two. A product
+// of two of them has one rounding, by geo_product, and not three.
+fn geo_parts_far(q: vec3<f32>) -> vec4<f32> {
     let t = geo_length_rest(q);
     let e = geo_half_exp(t.x, t.y);
     // sinh/(t + rest) is sinh/t less its part rest/t.
@@ -193,13 +182,10 @@ fn geo_product(scale: f32, x: f32, y: f32) -> f32 {
 // The sine over its argument and the cosine of any curvature: `s` is kappa t^2, from -81^2 to pi^2.
 // As geo_sinc_cos and geo_sinhc_cosh; past s = -1 the root adds t/2 ulp, the condition of exp.
 fn geo_sine_cosine(s: f32) -> vec2<f32> {
-    if s > 0.0 {
+    if s > -1.0 {
         return geo_sinc_cos(s);
     }
-    if s > -1.0 {
-        return geo_sinhc_cosh_near(-s);
-    }
-    return geo_sinhc_cosh(sqrt(-s));
+    return geo_sinhc_cosh_far(sqrt(-s));
 }
 
 // (sinc(t) - 1)/t^2 for t^2 = s, `flip` -1 for sin (t up to pi) and 1 for sinh (t up to 2): 1.5 ulp.
@@ -384,11 +370,9 @@ fn geo_port_horizon(space: Space, p: vec3<f32>) -> vec4<f32> {
     let u = geo_within_horizon(space, p);
     let s = space.curve.x * (u.x * u.x + u.z * u.z);
     // (scale, sine, cosine, divisor) of the level distance.
-    var level: vec4<f32>;
-    if s > -1.0 {
-        level = vec4<f32>(1.0, geo_excess(s), 1.0);
-    } else {
-        level = geo_parts(-1.0, space.edge.z * vec3<f32>(u.x, 0.0, u.z));
+    var level = vec4<f32>(1.0, geo_excess(s), 1.0);
+    if s <= -1.0 {
+        level = geo_parts_far(space.edge.z * vec3<f32>(u.x, 0.0, u.z));
     }
     let climb = geo_climb(space, u.y);
     let upright = climb.scale * climb.lifted;
@@ -396,11 +380,11 @@ fn geo_port_horizon(space: Space, p: vec3<f32>) -> vec4<f32> {
     let whole = level.x - 1.0;
     let part = level.x * level.z;
     let sag = upright * (whole + (part + (whole + part) * climb.upright));
-    let across = geo_product(upright * level.x, level.y, climb.upright);
+    let across = geo_product(upright * level.x, level.y, climb.upright) / level.w;
     return vec4<f32>(
-        across * (u.x / level.w),
+        across * u.x,
         climb.rise - space.curve.z * sag,
-        across * (u.z / level.w),
+        across * u.z,
         climb.fall + space.curve.w * sag,
     );
 }

@@ -18,10 +18,11 @@ struct VertexOut {
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let view = port_to_view(scene.space, in.offset + in.position * in.shape.x, in.hemisphere);
-    let centre = port_to_view(scene.space, in.offset, in.hemisphere);
+    let space = space_at(in.hemisphere);
+    let view = port_to_view(space, in.offset + in.position * in.shape.x, in.hemisphere);
+    let centre = port_to_view(space, in.offset, in.hemisphere);
     var out: VertexOut;
-    out.clip = clip_from_view(scene.space, view);
+    out.clip = clip_from_view(space, view);
     // Over so small a ball, view coordinates are as good as flat.
     out.outward = (view.xyz - centre.xyz) / in.shape.x;
     out.toward_eye = -normalize(view.xyz);

@@ -71,13 +71,14 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
-    let fog = fog_at(eye_distance(scene.space, view));
+    let space = space_at(in.flags);
+    let fog = fog_at(eye_distance(space, view));
     // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
     // closed world comes to look larger again, this falls.
     let spread_m = length(view.xyz);
     var out: VertexOut;
-    out.clip = clip_from_view(scene.space, view);
-    out.normal = port_normal(scene.space, p, authored, hemisphere);
+    out.clip = clip_from_view(space, view);
+    out.normal = port_normal(space, p, authored, hemisphere);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
@@ -98,7 +99,7 @@ fn from_reference(in: VertexIn) -> vec3<f32> {
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    return land_at(in, p, port_to_view(scene.space, p, in.flags & 1u));
+    return land_at(in, p, port_to_view(space_at(in.flags), p, in.flags & 1u));
 }
 
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
@@ -161,7 +162,8 @@ struct DeepOut {
 
 // Hyperbolic depth is not quite linear inside a triangle: here each fragment is ported for its own.
 fn own_depth(in: VertexOut) -> f32 {
-    let clip = clip_from_view(scene.space, port_to_view(scene.space, in.place.xyz, 0u));
+    let space = space_at(u32(in.clip.x));
+    let clip = clip_from_view(space, port_to_view(space, in.place.xyz, 0u));
     return clamp(clip.z / max(clip.w, 1e-6), 0.0, 1.0);
 }
 

@@ -40,7 +40,7 @@ pub struct GpuChunk {
     pub land: ChunkLand,
     /// Its refinement, where it is near enough to need one.
     pub refined: Option<Refinement>,
-    /// Whether it had a refinement before it was edited, and so needs another at once.
+    /// Whether it had a refinement before it changed, and so needs another at once.
     pub is_urgent: bool,
     /// The mesh of another level that it follows, for a moment.
     fading: Option<Fading>,
@@ -202,12 +202,13 @@ impl ChunkStore {
             return;
         };
         if let Some(new) = self.chunks.get_mut(&coord) {
+            new.is_urgent = old.refined.is_some();
             if old.land.level == mesh.level {
-                new.is_urgent = old.refined.is_some();
                 new.fading = old.fading.take();
             } else if self.clock.moves() {
+                let refined = old.refined.as_mut().and_then(|refined| refined.mesh.take());
                 new.fading = Some(Fading {
-                    mesh: std::mem::take(&mut old.mesh),
+                    mesh: refined.unwrap_or_else(|| std::mem::take(&mut old.mesh)),
                     level: old.land.level,
                     began_s: self.clock.now_s(),
                 });
@@ -281,16 +282,16 @@ impl ChunkStore {
                 .and_then(|fading| Some((fading, self.clock.progress(fading.began_s)?)));
             let Some((old, progress)) = blend else {
                 let number = TerrainPipelines::number(choice, false);
-                list.add(instance, choice.distance_m, number, mesh.pieces(seams));
+                list.add(instance, number, mesh.pieces(seams));
                 continue;
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true);
             let comes = instance.blending(progress);
-            list.add(comes, choice.distance_m, number, mesh.pieces(seams));
+            list.add(comes, number, mesh.pieces(seams));
             let seams = self.seams(coord, old.level, &old.mesh);
             let goes = instance.blending(-progress);
-            list.add(goes, choice.distance_m, number, old.mesh.pieces(seams));
+            list.add(goes, number, old.mesh.pieces(seams));
         }
     }
 
@@ -322,6 +323,8 @@ fn bytes(mesh: &ChunkMesh) -> usize {
 mod tests {
     use std::mem::offset_of;
 
+    use glam::Vec3;
+
     use super::*;
 
     #[test]
@@ -333,5 +336,23 @@ mod tests {
         ];
         assert_eq!(VERTEX_ATTRIBUTES.map(|a| a.offset as usize), ours);
         assert_eq!(VERTEX_BYTES, 16);
+    }
+
+    /// Vertices lie on the edges of the grid, so that one coordinate is rounded, and the others are whole metres.
+    #[test]
+    fn rounded_positions_are_off_by_less_than_half_a_pixel_from_half_a_metre_on() {
+        let focal_px = 360.0 / (0.5 * antipode_scene::tuning::FOV_Y_RAD).tan();
+        let mut worst_m: f64 = 0.0;
+        for i in 0..20_000 {
+            let exact = 7.0 + f64::from(i) * 1e-4 / 2.0;
+            let vertex = Vertex::new(Vec3::new(3.0, exact as f32, 31.0), Vec3::Y, [0; 3]);
+            let drawn = vertex.position().as_dvec3();
+            assert_eq!((drawn.x, drawn.z), (3.0, 31.0));
+            worst_m = worst_m.max((drawn.y - exact).abs());
+        }
+        assert!(worst_m > 4e-4, "{worst_m}");
+        // Half a metre; and where a standing player's eye is over level ground.
+        assert!(worst_m / 0.5 * focal_px < 0.5);
+        assert!(worst_m / 1.62 * focal_px < 0.15);
     }
 }

@@ -1,8 +1,8 @@
 //! The calls that draw a frame's land, and their buffers on the adapter.
 //!
 //! Where the adapter can, one call draws everything that one pipeline draws from one page; the arguments lie in a
-//! buffer. OpenGL may not be able to, and gets a call for each piece. Either way what is nearer comes first, by
-//! bands of distance, and strictly so among what one call draws: what is drawn first hides what comes after before
+//! buffer. OpenGL may not be able to, and gets a call for each piece. Either way what is nearer comes first, strictly
+//! where a handful of calls allows it and by bands of distance else: what is drawn first hides what comes after before
 //! that is shaded.
 
 use antipode_terrain::Vertex;
@@ -19,15 +19,15 @@ use crate::uniforms::ChunkInstance;
 /// What must be there for calls whose arguments lie in a buffer and name their instance.
 pub const MULTI_DRAW_FEATURES: Features = Features::INDIRECT_FIRST_INSTANCE;
 
-/// The first band of distance ends here, metres; each further one at twice the distance.
-const FIRST_BAND_M: f64 = 48.0;
-/// Bands of distance.
-const BANDS: u8 = 4;
+/// Calls that are worth a strict order, nearest first. Where there are more, the order is let go step by step, and in
+/// the end there is one call for each pipeline and page.
+const FEW_CALLS: usize = 16;
+/// Bands of so many meshes, as a power of two, hold all that there are.
+const WIDEST_BAND: u32 = 16;
 
 /// One piece of land to be drawn.
 #[derive(Clone, Copy, Debug)]
 struct Draw {
-    band: u8,
     /// The pipeline's number.
     pipeline: u8,
     page: usize,
@@ -55,21 +55,16 @@ impl DrawList {
         self.draws.clear();
     }
 
-    /// Adds the pieces of a mesh that stands at `instance` and begins `distance_m` metres away. Meshes are to be
-    /// added nearest first.
+    /// Adds the pieces of a mesh that stands at `instance`. Meshes are to be added nearest first.
     pub fn add(
         &mut self,
         instance: ChunkInstance,
-        distance_m: f64,
         pipeline: u8,
         pieces: impl Iterator<Item = Piece>,
     ) {
         let first_instance = self.instances.len() as u32;
-        let band = (distance_m / FIRST_BAND_M).max(0.5).log2().ceil();
-        let band = band.clamp(0.0, f64::from(BANDS - 1)) as u8;
         self.instances.push(instance);
         self.draws.extend(pieces.map(|piece| Draw {
-            band,
             pipeline,
             page: piece.page,
             args: DrawIndexedIndirectArgs {
@@ -79,10 +74,22 @@ impl DrawList {
         }));
     }
 
-    /// Brings together what one call can draw.
+    /// Brings together what one call can draw: within bands of 1, 4, 16... meshes, the first that make few calls.
     fn sort(&mut self) {
-        self.draws
-            .sort_by_key(|draw| (draw.band, draw.pipeline, draw.page));
+        for band in (0..=WIDEST_BAND).step_by(2) {
+            self.draws.sort_by_key(|draw| {
+                let place = draw.args.first_instance;
+                (place >> band, draw.pipeline, draw.page, place)
+            });
+            if self.batches().count() <= FEW_CALLS {
+                return;
+            }
+        }
+    }
+
+    /// What one call each can draw.
+    fn batches(&self) -> impl Iterator<Item = &[Draw]> {
+        self.draws.chunk_by(|a, b| a.batch() == b.batch())
     }
 
     /// Triangles of everything.
@@ -149,7 +156,7 @@ impl LandDraws {
     ) -> (usize, usize) {
         let (mut calls, mut first) = (0, 0);
         let mut bound = (None, None);
-        for batch in list.draws.chunk_by(|a, b| a.batch() == b.batch()) {
+        for batch in list.batches() {
             let (number, page) = batch[0].batch();
             let Some(buffers) = pages.page(page) else {
                 first += batch.len();
@@ -237,34 +244,41 @@ mod tests {
         }
     }
 
-    #[test]
-    fn what_is_nearer_comes_first_and_a_call_draws_from_one_page_with_one_pipeline() {
+    /// A list of meshes of two pieces each, whose pipeline and page follow from their place.
+    fn list(count: u32, of: impl Fn(u32) -> (u8, usize)) -> DrawList {
         let mut list = DrawList::default();
-        for i in 0..60_u32 {
+        for i in 0..count {
             let instance = ChunkInstance::new(DVec3::ZERO, Hemisphere::A, DVec3::ZERO);
-            let away_m = f64::from(i) * 8.0;
-            let pieces = [
-                piece(i as usize % 3, i * 10),
-                piece(i as usize % 3, i * 10 + 5),
-            ];
-            list.add(instance, away_m, u8::from(i % 7 > 3), pieces.into_iter());
+            let (pipeline, page) = of(i);
+            let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
+            list.add(instance, pipeline, pieces.into_iter());
         }
         list.sort();
-        assert_eq!(list.triangles(), 120);
-        let batches: Vec<_> = list.draws.chunk_by(|a, b| a.batch() == b.batch()).collect();
-        assert!(batches.len() <= 4 * 3 * 2, "{}", batches.len());
-        for batch in batches {
+        list
+    }
+
+    #[test]
+    fn where_few_calls_do_what_is_nearer_comes_first() {
+        let list = list(90, |i| (u8::from(i % 12 > 5), usize::from(i > 60)));
+        assert_eq!(list.triangles(), 180);
+        assert!(list.draws.is_sorted_by_key(|draw| draw.args.first_index));
+        assert_eq!(list.batches().count(), 16);
+    }
+
+    #[test]
+    fn a_call_draws_from_one_page_with_one_pipeline_what_is_nearer_first_and_there_are_few() {
+        let list = list(2000, |i| (u8::from(i % 7 > 3), i as usize % 3));
+        let mut found: Vec<_> = list.draws.iter().map(|d| d.args.first_index).collect();
+        found.sort_unstable();
+        assert!(found.iter().copied().eq((0..4000).map(|i| i * 5)));
+        assert!(list.batches().count() <= FEW_CALLS);
+        for batch in list.batches() {
+            assert!(batch.iter().all(|draw| draw.batch() == batch[0].batch()));
             assert!(batch.is_sorted_by_key(|draw| draw.args.first_index));
-            assert!(batch.is_sorted_by_key(|draw| draw.args.first_instance));
         }
-        let bands: Vec<_> = list.draws.iter().map(|draw| draw.band).collect();
-        assert!(bands.is_sorted());
         for draw in &list.draws {
-            // Each piece is drawn where its mesh stands, and bands are bands of distance.
+            // Each piece is drawn where its mesh stands.
             assert_eq!(draw.args.first_index / 10, draw.args.first_instance);
-            let away_m = f64::from(draw.args.first_instance) * 8.0;
-            let expected = [48.0, 96.0, 192.0].iter().filter(|end| away_m > **end);
-            assert_eq!(usize::from(draw.band), expected.count());
         }
     }
 }

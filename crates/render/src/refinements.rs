@@ -1,7 +1,7 @@
 //! Which chunks have their edges halved, and how far off what is drawn of them is.
 //!
 //! A thread makes the refinements, the nearest chunk's first. Until one comes, the last one is drawn, or the mesh as
-//! it is, and the error that is told is theirs. A chunk that was refined and is then edited would be seen to lose
+//! it is, and the error that is told is theirs. A chunk that was refined and then changes would be seen to lose
 //! its refinement for some frames, so the nearest such chunk is refined on the spot.
 
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use crate::plan::{
 };
 use crate::refinery::{Refinery, Task};
 
-/// Chunks that a frame refines on the spot: edited ones, and others where no thread does it.
+/// Chunks that a frame refines on the spot: changed ones, and others where no thread does it.
 const ON_THE_SPOT: usize = 1;
 /// Refinements that the thread made and a frame takes over: each is a megabyte to be sent.
 const TAKEN_PER_FRAME: usize = 1;

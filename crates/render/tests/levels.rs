@@ -46,7 +46,7 @@ fn before_the_wall(geometry: Geometry) -> Frame {
     frame
 }
 
-/// What goes is drawn without halved edges, so that its shading may be off by a shade.
+/// The same but for rounding.
 fn near(a: &image::Rgba<u8>, b: &image::Rgba<u8>) -> bool {
     a.0.iter().zip(&b.0).all(|(a, b)| a.abs_diff(*b) <= 1)
 }

@@ -73,8 +73,8 @@ impl Sight {
         let (there, here) = (self.eye.point, eye.point);
         let roamed = there.hemisphere != here.hemisphere || there.pos.distance(here.pos) > ROAM_M;
         let rescaled = || {
-            let pairs = self.scale.into_iter().zip(scale(strategy, eye));
-            pairs.into_iter().any(|(before, now)| differs(before, now))
+            let mut pairs = self.scale.into_iter().zip(scale(strategy, eye));
+            pairs.any(|(before, now)| differs(before, now))
         };
         self.sharpness == sharpness && !roamed && !rescaled()
     }
@@ -192,7 +192,8 @@ fn scale(strategy: &dyn Strategy, eye: &Eye) -> [f64; 6 * SCALE_AT_M.len()] {
 
 /// Differ two sizes by more than may be? What is not a number is the same as itself.
 fn differs(before: f64, now: f64) -> bool {
-    before.to_bits() != now.to_bits() && !((now / before).ln().abs() <= SCALE_CHANGE)
+    let change = (now / before).ln().abs();
+    before.to_bits() != now.to_bits() && (change.is_nan() || change > SCALE_CHANGE)
 }
 
 #[cfg(test)]

@@ -6,8 +6,9 @@ use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry,
     Hemisphere, strategy,
 };
-use antipode_terrain::{ChunkEdits, Field, Stroke, march};
+use antipode_terrain::{ChunkEdits, Field, Level, SAMPLES, Stroke, march};
 use divan::Bencher;
+use divan::counter::ItemsCount;
 use glam::{DVec3, IVec3};
 
 const GEOMETRIES: [Geometry; 2] = [Geometry::Euclidean, Geometry::Spherical];
@@ -39,16 +40,29 @@ fn sample(bencher: Bencher<'_, '_>, geometry: Geometry) {
     bencher.bench_local(|| field.sample(black_box(point)));
 }
 
-#[divan::bench(args = GEOMETRIES)]
-fn content(bencher: Bencher<'_, '_>, geometry: Geometry) {
-    let field = field(geometry);
-    bencher.bench_local(|| field.content(black_box(chunk())));
+/// Chunks under, in and over the ground of a volcanic world.
+#[divan::bench(args = [-1, 0, 1, 2])]
+fn content(bencher: Bencher<'_, '_>, layer: i32) {
+    let field = field(Geometry::Euclidean);
+    let coord = ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::new(0, layer, 0),
+    };
+    bencher.bench_local(|| field.content(black_box(coord)));
 }
 
 #[divan::bench(args = GEOMETRIES)]
 fn chunk_samples(bencher: Bencher<'_, '_>, geometry: Geometry) {
     let field = field(geometry);
-    bencher.bench_local(|| field.samples(black_box(chunk())));
+    bencher
+        .counter(ItemsCount::new(SAMPLES.pow(3)))
+        .bench_local(|| field.samples(black_box(chunk())));
+}
+
+#[divan::bench(args = GEOMETRIES, consts = [1, 2, 3])]
+fn level_samples<const LEVEL: usize>(bencher: Bencher<'_, '_>, geometry: Geometry) {
+    let field = field(geometry);
+    bencher.bench_local(|| field.samples_at(black_box(chunk()), Level::ALL[LEVEL]));
 }
 
 #[divan::bench(args = GEOMETRIES)]

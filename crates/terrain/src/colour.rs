@@ -10,7 +10,7 @@ use glam::{Vec3, Vec4};
 
 use crate::biome::Palette;
 use crate::field::Field;
-use crate::memo::{Memo, Places};
+use crate::memo::{Places, Waves};
 
 /// Half width of the border between two kinds of ground, metres of height.
 const BLEND_M: f32 = 2.5;
@@ -33,10 +33,13 @@ const STRATA_BEND_RAD: f32 = 2.0;
 /// of its own even in the dark, where they lie 1.2 steps apart.
 const LIGHT_STEPS: usize = 4096;
 
+/// Room for every index of 13 bits.
+const ENTRIES: usize = 2 * LIGHT_STEPS;
+
 /// Bytes of sRGB by steps of linear light.
 #[derive(Debug)]
 pub(crate) struct Encoder {
-    bytes: Box<[u8]>,
+    bytes: Box<[u8; ENTRIES]>,
 }
 
 /// Paints the ground of one field.
@@ -54,7 +57,7 @@ pub(crate) struct Painter<'a> {
     offset_m: f64,
     scale: f64,
     /// Neighbouring vertices need nearly the same.
-    memo: RefCell<(Places, [Memo; 2])>,
+    memo: RefCell<(Places, Waves)>,
 }
 
 impl<'a> Painter<'a> {
@@ -68,7 +71,7 @@ impl<'a> Painter<'a> {
             strata,
         } = biome.palette;
         let (lowest, highest) = field.ground_range_m();
-        let waves = [WANDER_FREQUENCY, MOTTLE_FREQUENCY].map(Memo::new);
+        let waves = Waves::new([WANDER_FREQUENCY, MOTTLE_FREQUENCY]);
         Self {
             field,
             low: linear(bottom),
@@ -87,7 +90,7 @@ impl<'a> Painter<'a> {
     pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3) -> [u8; 4] {
         let (places, waves) = &mut *self.memo.borrow_mut();
         let place = places.at(self.field, point);
-        let [wander, mottle] = Memo::noise(waves, self.field.lattice(), place);
+        let [wander, mottle] = waves.at(self.field.lattice(), place);
         let height = ((point.pos.y - self.offset_m) * self.scale) as f32;
 
         let level = height + WANDER_M * wander;
@@ -152,22 +155,23 @@ impl Encoder {
             } else {
                 1.055 * c.powf(1.0 / 2.4) - 0.055
             };
+            // The cast saturates, for the entries past full light.
             (srgb * 255.0).round() as u8
         };
         Self {
-            bytes: (0..=LIGHT_STEPS).map(byte).collect(),
+            bytes: Box::new(std::array::from_fn(byte)),
         }
     }
 
     /// Linear light to sRGB, and 255.
     #[inline]
     fn bytes(&self, linear: Vec4) -> [u8; 4] {
-        let steps = (linear * LIGHT_STEPS as f32).to_array();
-        let byte = |step: f32| {
-            let step = (step + 0.5).clamp(0.0, LIGHT_STEPS as f32) as usize;
-            self.bytes.get(step).copied().unwrap_or(u8::MAX)
-        };
-        [byte(steps[0]), byte(steps[1]), byte(steps[2]), u8::MAX]
+        /// Adding this rounds to a whole number and leaves it in the low bits.
+        const ROUNDS: f32 = 8_388_608.0;
+        let most = LIGHT_STEPS as f32;
+        let steps = (linear * most).clamp(Vec4::ZERO, Vec4::splat(most)) + ROUNDS;
+        let byte = |step: f32| self.bytes[step.to_bits() as usize % ENTRIES];
+        [byte(steps.x), byte(steps.y), byte(steps.z), u8::MAX]
     }
 }
 
@@ -188,8 +192,8 @@ mod tests {
             let colour = [c, 0, 255 - c];
             assert_eq!(encoder.bytes(linear(colour)), [c, 0, 255 - c, 255]);
         }
-        let out = encoder.bytes(Vec4::new(-1.0, 1.1, f32::NAN, 1.0));
-        assert_eq!(out[..2], [0, 255], "held to what bytes can say");
+        let out = encoder.bytes(Vec4::new(-1.0, 1.1, 9.0, 1.0));
+        assert_eq!(out, [0, 255, 255, 255], "held to what bytes can say");
     }
 
     #[test]

@@ -1,9 +1,22 @@
 //! What a chunk can hold, from bounds alone.
+//!
+//! Ground lies between two heights, so most layers of chunks are known to be air or ground. In
+//! the layers that ground can reach into, the coarse octaves are looked at in a few nodes: in
+//! between, a function strays from what its nodes enclose by no more than `h^2 / 8` times its
+//! second derivative along each axis, which is bounded for the noise. Octaves that stray further
+//! than they are high count with their full height.
+//!
+//! Of the chunks without surface in the layers just under and over the middle of flat worlds, all
+//! are recognised so in the desert, the forest and the toxic land, nine in ten in the jungle and
+//! three in four in the volcanic land, whose relief is greatest. On the sphere the ground's range
+//! decides alone: ground is squeezed into so few layers that nearly all their chunks hold surface.
 
-use antipode_geometry::ChunkCoord;
-use glam::DVec2;
+use antipode_geometry::{ChartPoint, ChunkCoord};
+use glam::{DVec2, DVec3};
 
 use crate::field::{Field, RIM_REACH_M};
+use crate::fractal::Octave;
+use crate::upright;
 
 /// What a chunk of untouched ground holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -18,21 +31,122 @@ pub enum Content {
 }
 
 /// Room for the rounding of `f32` sums of noise.
-const ROUNDING_M: f64 = 1e-3;
+const ROUNDING_M: f32 = 1e-3;
+/// The second derivative of one octave of noise along an axis of the lattice is at most this: at
+/// any place in a cell, the sum over the corners of the most that a gradient there adds.
+const BEND: f64 = 14.0;
+/// Before it is held to 1, noise is at most this.
+const OVERSHOOT: f32 = 1.25;
+/// From the first to the last sample of a chunk's block, metres.
+const SPAN_M: f64 = 34.0;
+/// Nodes along x and z that a chunk is looked at in, coarse ones first; whole vectors along z.
+const STAGES: [[usize; 2]; 2] = [[8, 8], [18, 12]];
+/// A chunk's extreme sums of noise are seldom nearer to zero than this share of the greatest sum.
+/// A stage that could not decide there is left out.
+const USUAL: f32 = 0.3;
 
 impl Field {
     /// What the chunk holds before any edit, its border of one sample included. Decided from
-    /// the noise's bounds, without sampling: `Air` and `Solid` are certain, `Surface` is not.
+    /// the noise's bounds, in microseconds: `Air` and `Solid` are certain, `Surface` is not.
     pub fn content(&self, coord: ChunkCoord) -> Content {
-        let (low, high) = self.ground_range_m();
         let bottom = f64::from(coord.index.y) * 32.0;
-        if !self.within_rim(coord) || bottom - 1.0 > high + ROUNDING_M {
+        let (first, last) = (bottom - 1.0, bottom - 1.0 + SPAN_M);
+        let relief = self.relief();
+        let (low, high) = relief.range_m();
+        if !self.within_rim(coord) || relief.value(first, -relief.sum_m()) > ROUNDING_M {
             Content::Air
-        } else if bottom + 33.0 < low - ROUNDING_M {
+        } else if relief.value(last, relief.sum_m()) < -ROUNDING_M {
+            Content::Solid
+        } else if !self.upright() {
+            Content::Surface
+        } else if first >= low && self.is_all(false, coord, (first, last.min(high))) {
+            Content::Air
+        } else if last <= high && self.is_all(true, coord, (first.max(low), last)) {
             Content::Solid
         } else {
             Content::Surface
         }
+    }
+
+    /// Whether all the chunk's samples between two heights are certainly solid, or certainly not.
+    fn is_all(&self, solid: bool, coord: ChunkCoord, mut heights: (f64, f64)) -> bool {
+        let corner = coord.origin() - 1.0;
+        let mut middle = corner + SPAN_M / 2.0;
+        middle.y = if solid { heights.1 } else { heights.0 };
+        if (self.sample(ChartPoint::new(coord.hemisphere, middle)) < 0.0) != solid {
+            return false;
+        }
+        for stage in STAGES {
+            match self.doubtful(solid, corner, heights, stage) {
+                Doubt::None => return true,
+                Doubt::Between(low, high) => heights = (low, high),
+                Doubt::Lost => return false,
+            }
+        }
+        false
+    }
+
+    /// Where between two heights samples may not all be as asked, by nodes of a stage.
+    fn doubtful(
+        &self,
+        solid: bool,
+        corner: DVec3,
+        (low, high): (f64, f64),
+        [width, depth]: [usize; 2],
+    ) -> Doubt {
+        let rows = ((high - low) * (width - 1) as f64 / SPAN_M).ceil().max(1.0);
+        let counts = [width, rows as usize + 1, depth];
+        let spans = DVec3::new((width - 1) as f64, rows, (depth - 1) as f64);
+        let step_m = DVec3::new(SPAN_M, high - low, SPAN_M) / spans;
+        let (coarse, strays_m, unknown_m) = self.coarse(step_m);
+        let sign = if solid { -1.0 } else { 1.0 };
+        let relief = self.relief();
+        let usual = relief.sum_m() * USUAL + strays_m + unknown_m;
+        if sign * relief.value(if solid { high } else { low }, -sign * usual) <= 0.0 {
+            return Doubt::Between(low, high);
+        }
+        let held = if solid {
+            [-1.0, OVERSHOOT]
+        } else {
+            [-OVERSHOOT, 1.0]
+        };
+        let grid = (DVec3::new(corner.x, low, corner.z), step_m);
+        let [least, most] = upright::extremes(self.lattice(), coarse, held, grid, counts);
+
+        let at = |row: usize| low + row as f64 * step_m.y;
+        let mut doubt: Option<(f64, f64)> = None;
+        for row in 0..rows as usize {
+            let (edge, other, worst) = if solid {
+                (row + 1, row, most[row].max(most[row + 1]))
+            } else {
+                (row, row + 1, least[row].min(least[row + 1]))
+            };
+            let value = |row, slack| sign * relief.value(at(row), worst + sign * slack);
+            if value(other, unknown_m) < 0.0 {
+                return Doubt::Lost;
+            }
+            if value(edge, -strays_m - unknown_m) <= ROUNDING_M {
+                let from = doubt.map_or(at(row), |(from, _)| from);
+                doubt = Some((from, at(row + 1)));
+            }
+        }
+        doubt.map_or(Doubt::None, |(low, high)| Doubt::Between(low, high))
+    }
+
+    /// The octaves that nodes so far apart tell something of, how far their sum strays between
+    /// the nodes, and how far from zero the rest of the octaves is at most, metres.
+    fn coarse(&self, step_m: DVec3) -> (&[Octave], f32, f32) {
+        let octaves = self.octaves();
+        let strays_m = |octave: &Octave| {
+            let steps = octave.frequencies() * step_m;
+            BEND / 8.0 * steps.length_squared() * f64::from(octave.half_m())
+        };
+        let tells = |octave: &&Octave| strays_m(octave) < f64::from(octave.half_m());
+        let count = octaves.iter().take_while(tells).count();
+        let (coarse, fine) = octaves.split_at(count);
+        let strays: f64 = coarse.iter().map(strays_m).sum();
+        let unknown = fine.iter().map(|octave| octave.half_m()).sum();
+        (coarse, strays as f32, unknown)
     }
 
     /// Whether any cell of the chunk touches the part of its chart that is meshed.
@@ -42,5 +156,72 @@ impl Field {
         };
         let low = DVec2::new(f64::from(coord.index.x), f64::from(coord.index.z)) * 32.0;
         DVec2::ZERO.clamp(low, low + 32.0).length() <= rim_m + RIM_REACH_M
+    }
+}
+
+/// Whether samples are as asked.
+enum Doubt {
+    /// All are.
+    None,
+    /// All are, but perhaps between these heights.
+    Between(f64, f64),
+    /// Some are not.
+    Lost,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lattice::fade;
+
+    /// The weight of a lattice point, with its first two derivatives, at a distance of up to 1.
+    fn weight(t: f64) -> [f64; 3] {
+        let (s, sign) = (t.abs(), t.signum());
+        [
+            1.0 - f64::from(fade(s as f32)),
+            -sign * 30.0 * (s * (1.0 - s)).powi(2),
+            -60.0 * s * (1.0 - s) * (1.0 - 2.0 * s),
+        ]
+    }
+
+    /// The most that gradients of a cell's corners add up to at a place: noise before it is held,
+    /// and its second derivative along x. The corners' gradients are anything's.
+    fn most(place: [f64; 3]) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for corner in 0..8 {
+            let at = [0, 1, 2].map(|axis| place[axis] - f64::from(corner >> axis & 1));
+            let [x, y, z] = at.map(weight);
+            let rest = y[0] * z[0];
+            let mut found = [0.0_f64; 2];
+            for (plus, minus) in [(0, 1), (0, 2), (1, 2)] {
+                for signs in 0..4 {
+                    let mut g = [0.0; 3];
+                    g[plus] = 1.0 - f64::from(signs & 1) * 2.0;
+                    g[minus] = 1.0 - f64::from(signs & 2);
+                    let dot: f64 = (0..3).map(|axis| g[axis] * at[axis]).sum();
+                    found[0] = found[0].max(x[0] * rest * dot);
+                    found[1] = found[1].max((rest * (x[2] * dot + 2.0 * x[1] * g[0])).abs());
+                }
+            }
+            sums = [sums[0] + found[0], sums[1] + found[1]];
+        }
+        sums.map(|sum| sum * 2.0 / 3.0_f64.sqrt())
+    }
+
+    #[test]
+    fn noise_bends_and_overshoots_no_more_than_said() {
+        const N: i32 = 40;
+        let mut greatest = [0.0_f64; 2];
+        for n in 0..(N + 1).pow(3) {
+            let place = [n % (N + 1), n / (N + 1) % (N + 1), n / (N + 1).pow(2)];
+            let found = most(place.map(|c| f64::from(c) / f64::from(N)));
+            greatest = [greatest[0].max(found[0]), greatest[1].max(found[1])];
+        }
+        let [value, bend] = greatest;
+        assert!(
+            value > 1.1 && value < 0.99 * f64::from(OVERSHOOT),
+            "{value}"
+        );
+        assert!(bend > 12.0 && bend < 0.998 * BEND, "{bend}");
     }
 }

@@ -72,6 +72,14 @@ impl Field {
         &self.lattice
     }
 
+    pub(crate) fn octaves(&self) -> &[Octave] {
+        &self.octaves
+    }
+
+    pub(crate) fn relief(&self) -> &Relief {
+        &self.relief
+    }
+
     pub(crate) fn encoder(&self) -> &Encoder {
         &self.encoder
     }
@@ -88,14 +96,14 @@ impl Field {
     /// The field at a point: below zero is solid, within [`FIELD_BAND_M`] of zero, and finite
     /// wherever the point is.
     pub fn sample(&self, point: ChartPoint) -> f32 {
-        let mut out = [0.0];
-        if self.upright() {
-            self.fill_grid(point.hemisphere, point.pos, 1, [1; 3], &mut out);
-            return out[0];
-        }
-        let column = self.column(point.hemisphere, point.pos.x, point.pos.z);
-        let sum = tilted::sum_at(&self.lattice, &self.octaves, &column, point.pos.y);
-        self.relief.value(point.pos.y, sum)
+        let ChartPoint { hemisphere, pos } = point;
+        let sum = if self.upright() {
+            upright::sum_at(&self.lattice, &self.octaves, pos)
+        } else {
+            let column = self.column(hemisphere, pos.x, pos.z);
+            tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
+        };
+        self.relief.value(pos.y, sum)
     }
 
     /// The field over a chunk and its border.
@@ -181,16 +189,18 @@ impl Field {
         rows: &Rows,
         out: &mut [f32],
     ) {
-        let mut columns = Vec::with_capacity(width * depth);
-        for i in 0..width {
-            for k in 0..depth {
-                let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
-                columns.push(self.column(hemisphere, x, z));
+        let (ground, heights) = ((&self.relief, rows), (first.y, step_m, height));
+        let block = (BLOCK * depth * height).max(1);
+        for (from, out) in (0..width).step_by(BLOCK).zip(out.chunks_mut(block)) {
+            let mut columns = Vec::with_capacity(BLOCK * depth);
+            for i in from..width.min(from + BLOCK) {
+                for k in 0..depth {
+                    let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
+                    columns.push(self.column(hemisphere, x, z));
+                }
             }
+            tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
         }
-        let ground = (&self.relief, rows);
-        let heights = (first.y, step_m, height);
-        tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
     }
 
     /// [`Self::fill_grid`] of grids with longer columns and rows than are filled at once.
@@ -244,4 +254,36 @@ pub(crate) fn editable_y_m(strategy: &dyn Strategy) -> (f64, f64) {
         .map_or((f64::NEG_INFINITY, f64::INFINITY), |limits| {
             (limits.bedrock_m + 1.0, limits.ceiling_m - 1.0)
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::strategy;
+
+    use super::*;
+
+    #[test]
+    fn grids_of_any_step_and_size_hold_what_single_samples_do() {
+        for geometry in [Geometry::Euclidean, Geometry::Spherical] {
+            let field = Field::new(4, strategy(geometry, 32.0));
+            for (first, step_m, counts) in [
+                (DVec3::new(-20.0, -9.0, 3.0), 1, [38, 40, 41]),
+                (DVec3::new(-8.0, -8.0, -8.0), 8, [7, 7, 7]),
+                (DVec3::new(0.0, 11.0, -2.0), 2, [37, 1, 39]),
+                (DVec3::new(5.0, 0.0, 4.0), 4, [1, 37, 2]),
+                (DVec3::new(5.0, 0.0, 4.0), 1, [3, 0, 2]),
+            ] {
+                let [width, height, depth] = counts;
+                let mut out = vec![0.0; width * height * depth];
+                field.fill_grid(Hemisphere::B, first, step_m, counts, &mut out);
+                for (n, found) in out.into_iter().enumerate() {
+                    let (column, j) = (n / height, n % height);
+                    let steps = [column / depth, j, column % depth].map(|c| c as f64);
+                    let p = first + DVec3::from(steps) * f64::from(step_m);
+                    let single = field.sample(ChartPoint::new(Hemisphere::B, p));
+                    assert_eq!(found, single, "{geometry:?} {step_m} {p}");
+                }
+            }
+        }
+    }
 }

@@ -84,6 +84,14 @@ pub(crate) fn fade(t: f32) -> f32 {
     s * (q * (q * 6.0 - 5.0) + 1.875) + 0.5
 }
 
+/// [`fade`] of four.
+#[inline]
+pub(crate) fn fades(t: Vec4) -> Vec4 {
+    let s = t - 0.5;
+    let q = s * s;
+    s * (q * (q * 6.0 - 5.0) + 1.875) + 0.5
+}
+
 /// All 64 bits of a world's seed stirred into the 32 that the table's generator takes
 /// (the finaliser of splitmix64), so that neighbouring seeds have unrelated tables.
 pub(crate) fn table_seed(seed: u64) -> u32 {

@@ -14,6 +14,7 @@ mod content;
 mod crossings;
 mod edits;
 mod field;
+mod fixed;
 mod fractal;
 mod lattice;
 mod level;

@@ -71,9 +71,9 @@ impl Mesher {
                 };
                 if lines.masks != [0; 3] {
                     let needed = reach.has_edges(i, k);
-                    for axis in 0..3 {
+                    for (axis, needed) in needed.into_iter().enumerate() {
                         lines.first[axis] = self.vertices.len() as u32;
-                        lines.masks[axis] *= u64::from(needed[axis]);
+                        lines.masks[axis] *= u64::from(needed);
                         let mut left = lines.masks[axis];
                         while left != 0 {
                             let j = left.trailing_zeros() as usize;
@@ -112,12 +112,12 @@ impl Mesher {
 
     fn lines_around(&self, i: usize, k: usize, corners: usize) -> Around {
         let at = i * corners + k;
-        let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| self.lines[n]);
+        let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| &self.lines[n]);
         let mut around = Around([(0, 0); 16]);
         for (to, edge) in around.0.iter_mut().zip(EDGES) {
             let column = edge.corner & 1 | edge.corner >> 1 & 2;
             let upper = edge.corner >> 1 & 1;
-            let Lines { masks, first } = columns[column];
+            let Lines { masks, first } = *columns[column];
             // The vertex below the first corner of an edge half way up is counted always.
             let below = masks[edge.axis] & upper as u64;
             *to = (

@@ -5,42 +5,98 @@ use glam::{DVec3, Vec4};
 
 use crate::field::Field;
 use crate::fractal::AXIS_FREQUENCY;
-use crate::lattice::{Cell, Lattice, Place, SCALE, blend, fade};
+use crate::lattice::{Cell, Lattice, Place, SCALE, blend, fades};
 
+/// Adding this to a small whole number leaves it in the low bits.
+const ROUNDS: f32 = 8_388_608.0;
 /// Cells that are remembered: those of a slab of a chunk, waves of 2 m by 3.5 m, do not meet.
 const CELLS: usize = 64;
+/// Points are taken relative to the corner of a cube of this edge, metres of noise space: near
+/// enough for `f32`, and the same corner whichever chunk a point is painted for.
+const CUBE_M: f64 = 64.0;
 
-/// Noise of one frequency at many points near each other.
+/// Noise of two frequencies at many points near each other.
 #[derive(Debug)]
-pub(crate) struct Memo {
-    frequency: DVec3,
-    keys: [u32; CELLS],
-    cells: Box<[Cell]>,
+pub(crate) struct Waves {
+    corner: DVec3,
+    waves: [Wave; 2],
 }
 
-impl Memo {
-    /// `frequency` multiplies the axes'.
-    pub(crate) fn new(frequency: f64) -> Self {
+/// Noise of one frequency within a cube.
+#[derive(Debug)]
+struct Wave {
+    /// Lattice coordinates per metre.
+    frequency: DVec3,
+    quick: Vec4,
+    /// Where the cube's corner lies in the lattice: coordinates below, and what is left.
+    low: [u8; 3],
+    rest: Vec4,
+    keys: [u32; CELLS],
+    cells: Box<[Cell; CELLS]>,
+}
+
+impl Waves {
+    /// The frequencies multiply the axes'.
+    pub(crate) fn new(frequencies: [f64; 2]) -> Self {
         Self {
-            frequency: AXIS_FREQUENCY * frequency,
-            keys: [u32::MAX; CELLS],
-            cells: vec![Cell::default(); CELLS].into_boxed_slice(),
+            corner: DVec3::NAN,
+            waves: frequencies.map(Wave::new),
         }
     }
 
-    /// Noise in -1..=1 of two frequencies at a point of noise space.
-    pub(crate) fn noise(memos: &mut [Self; 2], lattice: &Lattice, point: DVec3) -> [f32; 2] {
-        let mut corners = [Vec4::ZERO; 4];
-        let (mut u, mut v) = (Vec4::ZERO, Vec4::ZERO);
-        for (lane, memo) in memos.iter_mut().enumerate() {
-            let [x, y, z] = (point * memo.frequency).to_array().map(Place::new);
-            let cell = memo.cell(lattice, [x.low, y.low, z.low]);
-            corners[lane] = cell.corners(x.part, y.part, z.part, fade(z.part));
-            u[lane] = fade(x.part);
-            v[lane] = fade(y.part);
+    /// Noise in -1..=1 of each frequency at a point of noise space.
+    #[inline]
+    pub(crate) fn at(&mut self, lattice: &Lattice, point: DVec3) -> [f32; 2] {
+        let mut local = point - self.corner;
+        let within = local.cmpge(DVec3::ZERO) & local.cmplt(DVec3::splat(CUBE_M));
+        if !within.all() {
+            self.corner = (point / CUBE_M).floor() * CUBE_M;
+            local = point - self.corner;
+            for wave in &mut self.waves {
+                wave.enter(self.corner);
+            }
         }
-        let noise = (blend(corners, u, v) * SCALE).clamp(Vec4::NEG_ONE, Vec4::ONE);
+        let local = local.as_vec3().extend(0.0);
+        let [a, b] = &mut self.waves;
+        let ((c, u), (d, v)) = (a.corners(lattice, local), b.corners(lattice, local));
+        let (x, y) = (Vec4::new(u.x, v.x, 0.0, 0.0), Vec4::new(u.y, v.y, 0.0, 0.0));
+        let noise = (blend([c, d, c, d], x, y) * SCALE).clamp(Vec4::NEG_ONE, Vec4::ONE);
         [noise.x, noise.y]
+    }
+}
+
+impl Wave {
+    fn new(frequency: f64) -> Self {
+        let frequency = AXIS_FREQUENCY * frequency;
+        Self {
+            frequency,
+            quick: frequency.as_vec3().extend(0.0),
+            low: [0; 3],
+            rest: Vec4::ZERO,
+            keys: [u32::MAX; CELLS],
+            cells: Box::new([Cell::default(); CELLS]),
+        }
+    }
+
+    fn enter(&mut self, corner: DVec3) {
+        let [x, y, z] = (corner * self.frequency).to_array().map(Place::new);
+        self.low = [x.low, y.low, z.low];
+        self.rest = Vec4::new(x.part, y.part, z.part, 0.0);
+    }
+
+    /// What the corners of a point's cell contribute, and its weights over the axes.
+    #[inline]
+    fn corners(&mut self, lattice: &Lattice, local: Vec4) -> (Vec4, Vec4) {
+        let place = local * self.quick + self.rest;
+        let whole = place.floor();
+        let part = place - whole;
+        let weights = fades(part);
+        let [x, y, z, _] = whole.to_array();
+        let [a, b, c] = self.low;
+        // The coordinates above are in 0..=32.
+        let index = |low: u8, above: f32| low.wrapping_add((above + ROUNDS).to_bits() as u8);
+        let cell = self.cell(lattice, [index(a, x), index(b, y), index(c, z)]);
+        (cell.corners(part.x, part.y, part.z, weights.z), weights)
     }
 
     #[inline]
@@ -70,7 +126,10 @@ pub(crate) struct Places {
     stretch: f64,
     spacing_m: f64,
     keys: Box<[u64]>,
-    points: Box<[DVec3]>,
+    points: Box<[Vec4]>,
+    /// The square that the last point was in, and its corners.
+    last: Option<(Hemisphere, f64, f64)>,
+    corners: [Vec4; 4],
 }
 
 impl Places {
@@ -85,7 +144,9 @@ impl Places {
             stretch,
             spacing_m: SPACING_M[usize::from(radius_m >= 32.0)],
             keys: vec![u64::MAX; count].into_boxed_slice(),
-            points: vec![DVec3::ZERO; count].into_boxed_slice(),
+            points: vec![Vec4::ZERO; count].into_boxed_slice(),
+            last: None,
+            corners: [Vec4::ZERO; 4],
         }
     }
 
@@ -96,26 +157,35 @@ impl Places {
         }
         let (x, z) = (point.pos.x / self.spacing_m, point.pos.z / self.spacing_m);
         let (i, k) = (x.floor(), z.floor());
-        let mut node = |i: f64, k: f64| self.node(field, point.hemisphere, i as i32, k as i32);
-        let near = node(i, k).lerp(node(i + 1.0, k), x - i);
-        let far = node(i, k + 1.0).lerp(node(i + 1.0, k + 1.0), x - i);
-        let chord = near.lerp(far, z - k);
+        let square = Some((point.hemisphere, i, k));
+        if self.last != square {
+            self.last = square;
+            self.corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)]
+                .map(|(a, b)| self.node(field, point.hemisphere, (i + a) as i32, (k + b) as i32));
+        }
+        let [a, b, c, d] = self.corners;
+        let (u, w) = ((x - i) as f32, (z - k) as f32);
+        let (near, far) = (a.lerp(b, u), c.lerp(d, u));
+        let chord = near.lerp(far, w);
         // Out to the sphere again: a step of Newton's towards 1 / |chord|.
-        let length = (chord * self.stretch).length_squared();
-        chord * ((1.5 - 0.5 * length) * (1.0 + point.pos.y * self.stretch))
+        let stretch = self.stretch as f32;
+        let length = chord.length_squared() * (stretch * stretch);
+        let place = chord * ((1.5 - 0.5 * length) * (1.0 + point.pos.y as f32 * stretch));
+        place.truncate().as_dvec3()
     }
 
-    #[inline]
-    fn node(&mut self, field: &Field, hemisphere: Hemisphere, i: i32, k: i32) -> DVec3 {
+    fn node(&mut self, field: &Field, hemisphere: Hemisphere, i: i32, k: i32) -> Vec4 {
         let wrapped = |n: i32| n.cast_unsigned() as usize % PLACES;
         let at = wrapped(i) * PLACES + wrapped(k);
         let side = u64::from(hemisphere == Hemisphere::B);
         let key = u64::from(i.cast_unsigned()) << 33 | u64::from(k.cast_unsigned()) << 1 | side;
         if self.keys[at] != key {
             let ground = DVec3::new(f64::from(i), 0.0, f64::from(k)) * self.spacing_m;
-            let ground = ChartPoint::new(hemisphere, ground);
+            let place = field
+                .strategy()
+                .noise_point(ChartPoint::new(hemisphere, ground));
             self.keys[at] = key;
-            self.points[at] = field.strategy().noise_point(ground);
+            self.points[at] = place.as_vec3().extend(0.0);
         }
         self.points[at]
     }

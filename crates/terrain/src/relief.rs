@@ -7,6 +7,8 @@ use crate::field::FIELD_BAND_M;
 /// Rows of a grid, and samples of a row, that are dealt with at once: a chunk's 35 in whole
 /// vectors.
 pub(crate) const BLOCK: usize = 36;
+/// Vectors of rows.
+pub(crate) const VECTORS: usize = BLOCK / 4;
 /// How much the squeezed noise of a sphere is steepened: fractal noise rarely comes near its
 /// bounds, and would leave most of the allowed heights unused.
 const SPHERE_GAIN: f32 = 2.2;
@@ -25,17 +27,17 @@ pub(crate) struct Relief {
     half_m: Option<f32>,
 }
 
-/// The rows of a grid: their heights, and which sums bring them into the band.
+/// The rows of a grid in vectors: their heights, and which sums bring them into the band.
 pub(crate) struct Rows {
     /// Heights above the middle of the ground, metres.
-    base_m: [f32; BLOCK],
+    pub base_m: [Vec4; VECTORS],
     /// A sum of at least this puts a sample at the upper edge of the band.
-    above: [f32; BLOCK],
+    above: [Vec4; VECTORS],
     /// A sum of at most this puts a sample at the lower edge.
-    below: [f32; BLOCK],
+    below: [Vec4; VECTORS],
     /// The field in rows that no sum brings into the band; any other number in the rest.
     pub edge: [f32; BLOCK],
-    /// First and one past the last of the others.
+    /// First and one past the last of the vectors of rows that some sum may bring into it.
     pub open: (usize, usize),
 }
 
@@ -95,42 +97,43 @@ impl Relief {
 
     /// Rows at heights `first_m + step_m * n`, `count` of them, at most [`BLOCK`].
     pub(crate) fn rows(&self, first_m: f64, step_m: f64, count: usize) -> Rows {
-        let mut rows = Rows {
-            base_m: [0.0; BLOCK],
-            above: [0.0; BLOCK],
-            below: [0.0; BLOCK],
-            edge: [0.0; BLOCK],
-            open: (0, count.min(BLOCK)),
-        };
+        // Past the last row everything is certain.
+        let (mut base_m, mut above, mut below) = ([0.0; BLOCK], [f32::MIN; BLOCK], [0.0; BLOCK]);
         let band = f64::from(FIELD_BAND_M) + ROUNDING_M;
-        for n in 0..rows.open.1 {
+        for n in 0..count.min(BLOCK) {
             let base = first_m + n as f64 * step_m - self.middle_m;
-            rows.base_m[n] = base as f32;
-            rows.above[n] = self.sum_for(band - base);
-            rows.below[n] = self.sum_for(-band - base);
+            base_m[n] = base as f32;
+            above[n] = self.sum_for(band - base);
+            below[n] = self.sum_for(-band - base);
         }
-        rows.open = rows.narrow(rows.open, self.sum_m, &[0.0; BLOCK]);
-        for first in (0..BLOCK).step_by(4) {
-            let edge = self.values(rows.base_m(first), Vec4::ZERO);
-            edge.write_to_slice(&mut rows.edge[first..first + 4]);
+        let vectors = |values: [f32; BLOCK]| {
+            std::array::from_fn(|v| Vec4::from_slice(&values[v * 4..v * 4 + 4]))
+        };
+        let mut rows = Rows {
+            base_m: vectors(base_m),
+            above: vectors(above),
+            below: vectors(below),
+            edge: [0.0; BLOCK],
+            open: (0, VECTORS),
+        };
+        rows.open = rows.narrow(rows.open, self.sum_m, &[Vec4::ZERO; VECTORS]);
+        for (edge, base) in rows.edge.chunks_exact_mut(4).zip(rows.base_m) {
+            self.values(base, Vec4::ZERO).write_to_slice(edge);
         }
         rows
     }
 }
 
 impl Rows {
-    /// Heights of four rows above the middle of the ground, metres.
-    pub(crate) fn base_m(&self, first: usize) -> Vec4 {
-        Vec4::from_slice(&self.base_m[first..first + 4])
-    }
-
-    /// Whether all sums within `rest` of `sum` put a sample at the same edge of the band.
+    /// Whether no sums within `rest` of `sum` bring a sample of four rows into the band.
     #[inline]
-    fn certain(&self, row: usize, sum: f32, rest: f32) -> bool {
-        sum - rest >= self.above[row] || sum + rest <= self.below[row]
+    fn certain(&self, vector: usize, sum: Vec4, rest: f32) -> bool {
+        let above = (sum - rest).cmpge(self.above[vector]);
+        let below = (sum + rest).cmple(self.below[vector]);
+        (above | below).all()
     }
 
-    /// The rows `open` without those at its ends whose samples are certain to lie at an edge of
+    /// The vectors `open` without those at the ends whose samples are certain to lie at an edge of
     /// the band while sums change by no more than `rest`: what is left out of their sums does not
     /// change them by a bit.
     #[inline]
@@ -138,7 +141,7 @@ impl Rows {
         &self,
         (mut from, mut to): (usize, usize),
         rest: f32,
-        sums: &[f32; BLOCK],
+        sums: &[Vec4; VECTORS],
     ) -> (usize, usize) {
         while from < to && self.certain(from, sums[from], rest) {
             from += 1;
@@ -171,13 +174,13 @@ mod tests {
             for first in [-40.0, -3.0, 30.0, 70.0, 120.0] {
                 let rows = relief.rows(first, 1.0, 35);
                 for row in 0..35 {
-                    let y = first + row as f64;
-                    let inside = (rows.open.0..rows.open.1).contains(&row);
+                    let (y, vector) = (first + row as f64, row / 4);
+                    let inside = (rows.open.0..rows.open.1).contains(&vector);
                     for n in 0..=40 {
                         let sum = relief.sum_m * (n as f32 / 20.0 - 1.0);
                         let found = relief.value(y, sum);
                         assert!(inside || found == rows.edge[row], "{y} {sum}: {found}");
-                        let certain = rows.certain(row, sum, 0.0);
+                        let certain = rows.certain(vector, Vec4::splat(sum), 0.0);
                         assert!(!certain || found.abs() == FIELD_BAND_M, "{y} {sum}");
                     }
                 }
@@ -199,6 +202,6 @@ mod tests {
     fn no_number_is_solid() {
         let relief = Relief::new(15.0, None);
         assert_eq!(relief.value(f64::NAN, 1.0), -FIELD_BAND_M);
-        assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, (0, 3));
+        assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, (0, 1));
     }
 }

@@ -56,7 +56,7 @@ impl Face<'_> {
     /// Whether loops run the other way: the nearer face looks down its axis, and rows and
     /// columns across z are a left-handed pair.
     fn is_turned(&self) -> bool {
-        (self.number % 2 == 0) != (self.axis() == 2)
+        self.number.is_multiple_of(2) != (self.axis() == 2)
     }
 
     /// The place of an edge in the table of vertices, coarse edges after the fine ones.
@@ -97,6 +97,15 @@ impl Face<'_> {
         let mut units = [self.plane(); 3];
         (units[row], units[rows]) = (at[0], at[1]);
         units
+    }
+
+    fn corner(&self, index: u32, vertices: &[Vertex]) -> Corner {
+        let (row, rows) = FACE_AXES[self.axis()];
+        let units = vertices[index as usize].units;
+        Corner {
+            at: [row, rows].map(|axis| i64::from(units[axis])),
+            vertex: index,
+        }
     }
 }
 
@@ -169,11 +178,27 @@ impl Tailor {
                     continue;
                 }
                 each_loop(successors(solid), |nodes| {
-                    let mut corners = [Corner::default(); NODES];
-                    for (corner, &node) in corners.iter_mut().zip(nodes) {
+                    let place = |node: u8| {
                         let mut edge = EDGES[usize::from(node)];
                         edge.low = [2 * u + edge.low[0], 2 * v + edge.low[1]];
-                        *corner = self.corner(face, edge, maker, vertices);
+                        edge
+                    };
+                    // What is seen of a sliver, if anything, looks as the surface beside it.
+                    let coarse = nodes.iter().find(|node| place(**node).length == 2);
+                    let like = coarse.map(|&node| self.known[face.slot(place(node))]);
+                    let like = like.and_then(|known| vertices.get(known as usize)).copied();
+                    let mut corners = [Corner::default(); NODES];
+                    for (corner, &node) in corners.iter_mut().zip(nodes) {
+                        let index = &mut self.known[face.slot(place(node))];
+                        if *index == NO_VERTEX {
+                            *index = vertices.len() as u32;
+                            let units = face.place(place(node));
+                            vertices.push(match like {
+                                Some(like) => Vertex { units, ..like },
+                                None => maker.at(units),
+                            });
+                        }
+                        *corner = face.corner(*index, vertices);
                     }
                     fill(&corners[..nodes.len()], face.is_turned(), indices);
                 });
@@ -185,26 +210,6 @@ impl Tailor {
     fn solid(&self, u: usize, v: usize) -> u16 {
         let row = |n: usize| (self.rows[2 * v + n] >> (2 * u) & 7) as u16;
         row(0) | row(1) << 3 | row(2) << 6
-    }
-
-    fn corner(
-        &mut self,
-        face: &Face<'_>,
-        edge: Node,
-        maker: &Maker<'_>,
-        vertices: &mut Vec<Vertex>,
-    ) -> Corner {
-        let known = &mut self.known[face.slot(edge)];
-        if *known == NO_VERTEX {
-            *known = vertices.len() as u32;
-            vertices.push(maker.at(face.place(edge)));
-        }
-        let (row, rows) = FACE_AXES[face.axis()];
-        let units = vertices[*known as usize].units;
-        Corner {
-            at: [row, rows].map(|axis| i64::from(units[axis])),
-            vertex: *known,
-        }
     }
 }
 

@@ -2,33 +2,21 @@
 //!
 //! Nothing comes apart by axes here, so the eight corners of a sample's cell are worked on as
 //! vectors, and cells are put together once for a whole block of columns and looked up after.
-//!
-//! Positions are fixed-point: 8 bits of lattice coordinate, which wrap as the table of hashes
-//! does, and 56 of fraction. Sums of them are exact, so a sample is the same bit for bit wherever
-//! its column starts, and doubling the frequency is a shift.
 
 use glam::{DVec3, Vec4};
 
+use crate::fixed::{self, FRACTION_BITS, PART_BITS, Positions, Ray, fixed};
 use crate::fractal::{Column, Octave};
-use crate::lattice::{Cell, Lattice, SCALE, blend, fade};
-use crate::relief::{BLOCK, Relief, Rows};
+use crate::lattice::{Cell, Lattice, SCALE, blend, fade, fades};
+use crate::relief::{BLOCK, Relief, Rows, VECTORS};
 
-/// Bits of a position's fraction.
-const FRACTION_BITS: u32 = 56;
-/// A fraction keeps this many bits, as many as `f32` holds exactly.
-const PART_BITS: u32 = 24;
 /// Stands for a cell that was not met yet; a block has fewer samples.
 const UNKNOWN: u16 = u16::MAX;
 /// Most cells that a block of columns may run through. A chunk's run through a tenth of that;
 /// the places far from any world where they would be more are not worth the room.
 const SLOT_LIMIT: f64 = 131_072.0;
-
-/// A column through the lattice of the first octave, in fixed point.
-#[derive(Debug, Clone, Copy)]
-struct Ray {
-    start: [u64; 3],
-    rise: [u64; 3],
-}
+/// Columns of fewer samples than this would leave most of a vector empty.
+const SHORT: usize = 3;
 
 /// Cells of one octave that a block of columns meets, put together when first met.
 struct Region {
@@ -39,56 +27,19 @@ struct Region {
     strides: [f32; 2],
     slots: Vec<u16>,
     cells: Vec<Cell>,
+    /// Room for the places of a column.
+    fours: [Four; VECTORS],
 }
 
-/// Positions of a column's rows along one axis of the first octave: upper and lower halves.
+/// Four samples in the lattice of one octave.
 #[derive(Clone, Copy)]
-struct Positions {
-    upper: [u32; BLOCK],
-    lower: [u32; BLOCK],
-}
-
-/// Rows of a column in the lattice of one octave: room to work in.
-struct Line {
-    axes: [Axis; 3],
-    /// Which of the region's cells each row is in.
-    slot: [u32; BLOCK],
-}
-
-/// Rows along one axis of an octave's lattice.
-#[derive(Clone, Copy)]
-struct Axis {
-    /// Whole lattice points above the region's first.
-    whole: [f32; BLOCK],
-    part: [f32; BLOCK],
-    fade: [f32; BLOCK],
-}
-
-impl Positions {
-    fn new() -> Self {
-        Self {
-            upper: [0; BLOCK],
-            lower: [0; BLOCK],
-        }
-    }
-
-    fn at(&self, n: usize) -> u64 {
-        u64::from(self.upper[n]) << 32 | u64::from(self.lower[n])
-    }
-}
-
-impl Line {
-    fn new() -> Self {
-        let axis = Axis {
-            whole: [0.0; BLOCK],
-            part: [0.0; BLOCK],
-            fade: [0.0; BLOCK],
-        };
-        Self {
-            axes: [axis; 3],
-            slot: [0; BLOCK],
-        }
-    }
+struct Four {
+    /// Fractions of the cells, by axis.
+    part: [Vec4; 3],
+    /// Weights of the upper lattice points.
+    fade: [Vec4; 3],
+    /// Which of the region's cells each is in.
+    slots: [u32; 4],
 }
 
 /// Fills columns of `height` samples, at most [`BLOCK`], at `first_m + step_m * n` above each of
@@ -110,10 +61,21 @@ pub(crate) fn fill(
         }
         return;
     };
-    let mut line = Line::new();
+    let ground = (relief, rows);
+    if height < SHORT {
+        return fill_short(
+            lattice,
+            &mut regions,
+            ground,
+            columns,
+            (first_m, step_m),
+            height,
+            out,
+        );
+    }
     let mut positions = [Positions::new(); 3];
     for (column, out) in columns.iter().zip(out.chunks_exact_mut(height.max(1))) {
-        let mut sums = [0.0; BLOCK];
+        let mut sums = [Vec4::ZERO; VECTORS];
         let mut open = rows.open;
         let mut rest = relief.sum_m();
         Ray::new(column, first_m, step_m).fill(&mut positions);
@@ -121,19 +83,53 @@ pub(crate) fn fill(
             if open.0 == open.1 {
                 break;
             }
-            let vectors = (open.0 & !3, open.1.next_multiple_of(4));
-            region.add(lattice, &positions, vectors, &mut line, &mut sums);
+            region.add(lattice, &positions, open, &mut sums);
             rest -= region.half_m;
             open = rows.narrow(open, rest, &sums);
         }
         let mut values = rows.edge;
-        for first in (rows.open.0 & !3..rows.open.1).step_by(4) {
-            let sums = Vec4::from_slice(&sums[first..first + 4]);
-            relief
-                .values(rows.base_m(first), sums)
-                .write_to_slice(&mut values[first..first + 4]);
+        for vector in rows.open.0..rows.open.1 {
+            let found = relief.values(rows.base_m[vector], sums[vector]);
+            found.write_to_slice(&mut values[vector * 4..vector * 4 + 4]);
         }
         out.copy_from_slice(&values[..height]);
+    }
+}
+
+/// [`fill`] of columns that are too short to fill vectors: rows go along the columns then.
+fn fill_short(
+    lattice: &Lattice,
+    regions: &mut [Region],
+    (relief, rows): (&Relief, &Rows),
+    columns: &[Column],
+    (first_m, step_m): (f64, f64),
+    height: usize,
+    out: &mut [f32],
+) {
+    let mut positions = [Positions::new(); 3];
+    for (columns, out) in columns.chunks(BLOCK).zip(out.chunks_mut(BLOCK * height)) {
+        let vectors = columns.len().div_ceil(4);
+        for row in 0..height {
+            let y = first_m + row as f64 * step_m;
+            for n in 0..vectors * 4 {
+                let column = &columns[n.min(columns.len() - 1)];
+                let start = Ray::new(column, y, 0.0).start;
+                for (positions, at) in positions.iter_mut().zip(start) {
+                    positions.set(n, at);
+                }
+            }
+            let mut sums = [Vec4::ZERO; VECTORS];
+            for region in &mut *regions {
+                region.add(lattice, &positions, (0, vectors), &mut sums);
+            }
+            let base = Vec4::splat(rows.base_m[row / 4][row % 4]);
+            for (sum, out) in sums.into_iter().zip(out.chunks_mut(4 * height)) {
+                let values = relief.values(base, sum).to_array();
+                for (column, value) in out.chunks_exact_mut(height).zip(values) {
+                    column[row] = value;
+                }
+            }
+        }
     }
 }
 
@@ -143,7 +139,7 @@ pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], column: &Column, y: 
     let mut sum = 0.0;
     for (octave, doublings) in octaves.iter().zip(0..) {
         let at = position.map(|p| (p << doublings) >> (64 - 8 - PART_BITS));
-        let [x, y, z] = at.map(|p| part(p as u32));
+        let [x, y, z] = at.map(|p| fixed::part(p as u32));
         let cell = Cell::new(lattice, at.map(|p| (p >> PART_BITS) as u8));
         let corners = cell.corners(x, y, z, fade(z));
         let noise = blend([corners; 4], Vec4::splat(fade(x)), Vec4::splat(fade(y))).x;
@@ -151,13 +147,6 @@ pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], column: &Column, y: 
         sum += (noise * (half * SCALE)).clamp(-half, half);
     }
     sum
-}
-
-/// The fraction of a position of [`PART_BITS`] bits of it.
-#[inline]
-fn part(position: u32) -> f32 {
-    const SHARE: f32 = 1.0 / (1_u32 << PART_BITS) as f32;
-    (position & ((1 << PART_BITS) - 1)).cast_signed() as f32 * SHARE
 }
 
 /// Where the columns of a block run, for each octave.
@@ -181,42 +170,6 @@ fn regions(
         .collect()
 }
 
-fn fixed(v: f64) -> u64 {
-    let turn = v / 256.0;
-    ((turn - turn.floor()) * (256.0 * (1_u64 << FRACTION_BITS) as f64)) as u64
-}
-
-impl Ray {
-    /// The samples of a column at heights `first_m + step_m * n`.
-    fn new(&Column { base, slope }: &Column, first_m: f64, step_m: f64) -> Self {
-        let rises = slope.to_array().map(fixed);
-        let whole = first_m.floor();
-        let ahead = (slope * (first_m - whole)).to_array().map(fixed);
-        let steps = |n: f64| (n as i64).cast_unsigned();
-        let mut start = base.to_array().map(fixed);
-        for axis in 0..3 {
-            start[axis] = start[axis]
-                .wrapping_add(rises[axis].wrapping_mul(steps(whole)))
-                .wrapping_add(ahead[axis]);
-        }
-        Self {
-            start,
-            rise: rises.map(|rise| rise.wrapping_mul(steps(step_m))),
-        }
-    }
-
-    /// Where the rows lie.
-    fn fill(&self, positions: &mut [Positions; 3]) {
-        for (axis, rows) in positions.iter_mut().enumerate() {
-            let mut position = self.start[axis];
-            for (upper, lower) in rows.upper.iter_mut().zip(&mut rows.lower) {
-                (*upper, *lower) = ((position >> 32) as u32, position as u32);
-                position = position.wrapping_add(self.rise[axis]);
-            }
-        }
-    }
-}
-
 impl Region {
     /// Room for the cells between `min` and `max`, lattice coordinates of the first octave.
     /// `None` where they are too many, or not numbers.
@@ -232,82 +185,83 @@ impl Region {
             strides: [(size.y * size.z) as f32, size.z as f32],
             slots: vec![UNKNOWN; slots as usize],
             cells: Vec::new(),
+            fours: [Four {
+                part: [Vec4::ZERO; 3],
+                fade: [Vec4::ZERO; 3],
+                slots: [0; 4],
+            }; VECTORS],
         })
     }
 
-    /// Works out where the rows `from..to` of a column lie in this octave's lattice.
-    fn place(&self, positions: &[Positions; 3], from: usize, to: usize, line: &mut Line) {
-        /// Adding this to a small whole number leaves it in the low bits.
-        const ROUNDS: f32 = 8_388_608.0;
-        let (up, down) = (self.doublings, 31 - self.doublings);
-        for ((position, first), axis) in positions.iter().zip(self.first).zip(&mut line.axes) {
-            let first = u32::from(first) << PART_BITS;
-            let upper = position.upper[from..to].iter();
-            let lower = position.lower[from..to].iter();
-            let parts = axis.part[from..to].iter_mut();
-            let fades = axis.fade[from..to].iter_mut();
-            let wholes = axis.whole[from..to].iter_mut();
-            for ((((upper, lower), rest), faded), whole) in
-                upper.zip(lower).zip(parts).zip(fades).zip(wholes)
-            {
-                let p = upper.wrapping_shl(up) | (lower >> 1).wrapping_shr(down);
-                let p = p.wrapping_sub(first);
-                *rest = part(p);
-                *faded = fade(*rest);
-                *whole = (p >> PART_BITS).cast_signed() as f32;
-            }
-        }
-        let [a, b] = self.strides;
-        let [x, y, z] = line.axes.each_ref().map(|axis| &axis.whole);
-        for n in from..to {
-            let slot = x[n] * a + y[n] * b + z[n];
-            line.slot[n] = (slot + ROUNDS).to_bits() & 0x7f_ffff;
-        }
-    }
-
-    /// Adds the octave to the rows `from..to` of a column, whole vectors of rows.
+    /// Adds the octave to the samples of the vectors `from..to`.
     fn add(
         &mut self,
         lattice: &Lattice,
         positions: &[Positions; 3],
         (from, to): (usize, usize),
-        line: &mut Line,
-        sums: &mut [f32; BLOCK],
+        sums: &mut [Vec4; VECTORS],
     ) {
-        self.place(positions, from, to, line);
         let weight = self.half_m * SCALE;
         let (least, most) = (Vec4::splat(-self.half_m), Vec4::splat(self.half_m));
-        let [x, y, z] = line.axes.each_ref().map(|axis| &axis.part);
-        let [u, v, w] = line.axes.each_ref().map(|axis| &axis.fade);
-        for first in (from..to).step_by(4) {
+        // First all places, then all cells: the processor overlaps the vectors better so.
+        for (four, vector) in self.fours.iter_mut().zip(from..to) {
+            *four = place(self.doublings, self.first, self.strides, positions, vector);
+        }
+        for (n, (vector, sum)) in (from..to).zip(&mut sums[from..to]).enumerate() {
+            let Four { part, fade, slots } = self.fours[n];
+            let [x, y, z] = part.map(|v| v.to_array());
+            let w = fade[2].to_array();
             let mut corners = [Vec4::ZERO; 4];
             for (lane, corners) in corners.iter_mut().enumerate() {
-                let n = first + lane;
-                let mut cell = self.slots[line.slot[n] as usize];
+                let mut cell = self.slots[slots[lane] as usize];
                 if cell == UNKNOWN {
-                    cell = self.meet(
-                        lattice,
-                        [0, 1, 2].map(|axis: usize| positions[axis].at(n)),
-                        line.slot[n],
-                    );
+                    cell = self.meet(lattice, positions, vector * 4 + lane, slots[lane]);
                 }
-                *corners = self.cells[usize::from(cell)].corners(x[n], y[n], z[n], w[n]);
+                let cell = &self.cells[usize::from(cell)];
+                *corners = cell.corners(x[lane], y[lane], z[lane], w[lane]);
             }
-            let at = |values: &[f32; BLOCK]| Vec4::from_slice(&values[first..first + 4]);
-            let noise = blend(corners, at(u), at(v)) * weight;
-            let sum = at(sums) + noise.clamp(least, most);
-            sum.write_to_slice(&mut sums[first..first + 4]);
+            let noise = blend(corners, fade[0], fade[1]) * weight;
+            *sum += noise.clamp(least, most);
         }
     }
 
     /// Puts together the cell of a position.
     #[cold]
-    fn meet(&mut self, lattice: &Lattice, position: [u64; 3], slot: u32) -> u16 {
-        let low = position.map(|p| ((p << self.doublings) >> FRACTION_BITS) as u8);
+    fn meet(&mut self, lattice: &Lattice, at: &[Positions; 3], n: usize, slot: u32) -> u16 {
+        let low = at
+            .each_ref()
+            .map(|axis| ((axis.at(n) << self.doublings) >> FRACTION_BITS) as u8);
         let at = self.cells.len() as u16;
         self.cells.push(Cell::new(lattice, low));
         self.slots[slot as usize] = at;
         at
+    }
+}
+
+/// Where four samples lie in the lattice of an octave.
+#[inline(always)]
+fn place(
+    doublings: u32,
+    first: [u8; 3],
+    [a, b]: [f32; 2],
+    positions: &[Positions; 3],
+    vector: usize,
+) -> Four {
+    /// Adding this to a small whole number leaves it in the low bits.
+    const ROUNDS: f32 = 8_388_608.0;
+    let (mut part, mut whole) = ([Vec4::ZERO; 3], [Vec4::ZERO; 3]);
+    for axis in 0..3 {
+        let first = u32::from(first[axis]) << PART_BITS;
+        let at = positions[axis].four(vector, doublings);
+        let at = at.map(|p| p.wrapping_sub(first));
+        whole[axis] = Vec4::from(at.map(|p| (p >> PART_BITS).cast_signed() as f32));
+        part[axis] = Vec4::from(at.map(fixed::part));
+    }
+    let slots = whole[0] * a + whole[1] * b + whole[2] + ROUNDS;
+    Four {
+        part,
+        fade: part.map(fades),
+        slots: slots.to_array().map(|slot| slot.to_bits() & 0x7f_ffff),
     }
 }
 
@@ -375,7 +329,12 @@ mod tests {
             })
             .collect();
         for columns in [far, near] {
-            for (first_m, step_m, height) in [(-11.0, 1.0, 35), (1.0, 8.0, 3), (4.25, 1.0, 1)] {
+            for (first_m, step_m, height) in [
+                (-11.0, 1.0, 35),
+                (1.0, 8.0, 3),
+                (4.25, 1.0, 1),
+                (-2.0, 4.0, 2),
+            ] {
                 let rows = relief.rows(first_m, step_m, height);
                 let mut out = vec![0.0; columns.len() * height];
                 let heights = (first_m, step_m, height);

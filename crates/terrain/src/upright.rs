@@ -10,10 +10,7 @@ use glam::{DVec3, Mat4, Vec4};
 
 use crate::fractal::Octave;
 use crate::lattice::{Lattice, Place, SCALE, fade};
-use crate::relief::{BLOCK, Relief, Rows};
-
-/// Vectors along z that are dealt with at once.
-const VECTORS: usize = BLOCK / 4;
+use crate::relief::{BLOCK, Relief, Rows, VECTORS};
 
 /// Samples of constant x: rows of constant y, along z.
 type Slab = [[Vec4; VECTORS]; BLOCK];
@@ -34,6 +31,7 @@ struct Plane {
 /// One octave over a grid, as far as it is the same for every slab.
 struct Layer {
     octave: Octave,
+    held_m: [f32; 2],
     ys: Axis,
     zs: Axis,
     depth: usize,
@@ -50,17 +48,58 @@ pub(crate) fn fill(
 ) {
     let layers: Vec<_> = octaves
         .iter()
-        .map(|&octave| Layer::new(octave, first, step_m, height, depth))
+        .map(|&octave| Layer::new(octave, first, DVec3::splat(step_m), height, depth))
         .collect();
     let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
     for (i, out) in out.chunks_exact_mut((height * depth).max(1)).enumerate() {
         let x = first.x + i as f64 * step_m;
-        slab[rows.open.0..rows.open.1].fill([Vec4::ZERO; VECTORS]);
+        let open = (4 * rows.open.0, height.min(4 * rows.open.1));
+        slab[open.0..open.1].fill([Vec4::ZERO; VECTORS]);
         for layer in &layers {
-            layer.add(lattice, x, rows.open, &mut slab);
+            layer.add(lattice, x, open, &mut slab);
         }
         write(relief, rows, &slab, height, out);
     }
+}
+
+/// Least and greatest sum in each row of a grid, the octaves held to `held` times what they are
+/// held to else.
+pub(crate) fn extremes(
+    lattice: &Lattice,
+    octaves: &[Octave],
+    held: [f32; 2],
+    (first, step_m): (DVec3, DVec3),
+    [width, height, depth]: [usize; 3],
+) -> [[f32; BLOCK]; 2] {
+    let layers: Vec<_> = octaves
+        .iter()
+        .map(|&octave| {
+            let mut layer = Layer::new(octave, first, step_m, height, depth);
+            layer.held_m = held.map(|share| share * octave.half_m());
+            layer
+        })
+        .collect();
+    let mut least = [Vec4::INFINITY; BLOCK];
+    let mut most = [Vec4::NEG_INFINITY; BLOCK];
+    let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
+    for i in 0..width {
+        slab[..height].fill([Vec4::ZERO; VECTORS]);
+        for layer in &layers {
+            layer.add(
+                lattice,
+                first.x + i as f64 * step_m.x,
+                (0, height),
+                &mut slab,
+            );
+        }
+        let bounds = least.iter_mut().zip(&mut most);
+        for (sums, (least, most)) in slab[..height].iter().zip(bounds) {
+            for &sum in &sums[..depth / 4] {
+                (*least, *most) = (least.min(sum), most.max(sum));
+            }
+        }
+    }
+    [least.map(Vec4::min_element), most.map(Vec4::max_element)]
 }
 
 /// Turns the sums of a slab into columns of the field.
@@ -68,12 +107,13 @@ fn write(relief: &Relief, rows: &Rows, slab: &Slab, height: usize, out: &mut [f3
     let height = height.max(1);
     let mut values = [rows.edge; 4];
     for (v, columns) in out.chunks_mut(4 * height).enumerate() {
-        for first in (rows.open.0 & !3..rows.open.1).step_by(4) {
+        for vector in rows.open.0..rows.open.1 {
+            let first = vector * 4;
             let [a, b, c, d] = [0, 1, 2, 3].map(|n: usize| slab[first + n][v]);
             let sums = Mat4::from_cols(a, b, c, d).transpose();
             for (lane, values) in values.iter_mut().enumerate() {
                 relief
-                    .values(rows.base_m(first), sums.col(lane))
+                    .values(rows.base_m[vector], sums.col(lane))
                     .write_to_slice(&mut values[first..first + 4]);
             }
         }
@@ -101,12 +141,14 @@ impl Axis {
 }
 
 impl Layer {
-    fn new(octave: Octave, first: DVec3, step_m: f64, height: usize, depth: usize) -> Self {
+    fn new(octave: Octave, first: DVec3, step_m: DVec3, height: usize, depth: usize) -> Self {
         let frequency = octave.frequencies();
+        let half_m = octave.half_m();
         Self {
             octave,
-            ys: Axis::new(first.y, step_m, height, frequency.y),
-            zs: Axis::new(first.z, step_m, depth, frequency.z),
+            held_m: [-half_m, half_m],
+            ys: Axis::new(first.y, step_m.y, height, frequency.y),
+            zs: Axis::new(first.z, step_m.z, depth, frequency.z),
             depth: depth.min(BLOCK),
         }
     }
@@ -114,7 +156,7 @@ impl Layer {
     /// Adds the octave to the rows `from..to` of the slab at `x`.
     fn add(&self, lattice: &Lattice, x: f64, (from, to): (usize, usize), slab: &mut Slab) {
         let place = Place::new(x * self.octave.frequencies().x);
-        let half = Vec4::splat(self.octave.half_m());
+        let [least, most] = self.held_m.map(Vec4::splat);
         let vectors = self.depth.div_ceil(4);
         let mut known = None;
         let (mut low, mut high) = (Plane::new(), Plane::new());
@@ -132,40 +174,86 @@ impl Layer {
             let (near, fade) = (self.ys.part[row], Vec4::splat(self.ys.fade[row]));
             let lines = low.lines(near).zip(high.lines(near - 1.0));
             for (sum, (a, b)) in sums.iter_mut().zip(lines).take(vectors) {
-                *sum += (a + fade * (b - a)).clamp(-half, half);
+                *sum += (a + fade * (b - a)).clamp(least, most);
             }
         }
     }
 
     /// The lattice plane at `y` over the slab at `x`.
     fn fill_plane(&self, lattice: &Lattice, x: Place, y: u8, plane: &mut Plane) {
-        let columns = lattice.pair(x.low, y);
-        let weight = self.octave.half_m() * SCALE;
-        let (near, far, u) = (x.part, x.part - 1.0, fade(x.part));
-        let node = |z: u8| {
-            let [a, b] = columns.map(|column| lattice.gradient(column, z));
-            let across = |a: f32, b: f32| (a + u * (b - a)) * weight;
-            [
-                across(a[0] * near, b[0] * far),
-                across(a[2], b[2]),
-                across(a[1], b[1]),
-            ]
-        };
+        let line = Line::new(lattice, x, y, self.octave.half_m() * SCALE);
         let mut ends = [[0.0; 3]; 2];
         let mut known = None;
         for n in 0..self.depth {
             let z = self.zs.low[n];
             if known != Some(z) {
-                ends = [node(z), node(z.wrapping_add(1))];
+                ends = [line.node(z), line.node(z.wrapping_add(1))];
                 known = Some(z);
             }
-            let (part, w) = (self.zs.part[n], self.zs.fade[n]);
-            let [[a, da, rise_a], [b, db, rise_b]] = ends;
-            let (a, b) = (a + da * part, b + db * (part - 1.0));
-            plane.rest[n] = a + w * (b - a);
-            plane.rise[n] = rise_a + w * (rise_b - rise_a);
+            (plane.rest[n], plane.rise[n]) = between(ends, self.zs.part[n], self.zs.fade[n]);
         }
     }
+}
+
+/// Where a plane of constant x cuts a lattice plane of constant y.
+struct Line<'a> {
+    lattice: &'a Lattice,
+    columns: [u8; 2],
+    near: f32,
+    far: f32,
+    fade: f32,
+    weight: f32,
+}
+
+impl<'a> Line<'a> {
+    fn new(lattice: &'a Lattice, x: Place, y: u8, weight: f32) -> Self {
+        Self {
+            lattice,
+            columns: lattice.pair(x.low, y),
+            near: x.part,
+            far: x.part - 1.0,
+            fade: fade(x.part),
+            weight,
+        }
+    }
+
+    /// Between the lattice points of one z: the value there, its slope along z and along y.
+    #[inline]
+    fn node(&self, z: u8) -> [f32; 3] {
+        let [a, b] = self.columns.map(|column| self.lattice.gradient(column, z));
+        let across = |a: f32, b: f32| (a + self.fade * (b - a)) * self.weight;
+        [
+            across(a[0] * self.near, b[0] * self.far),
+            across(a[2], b[2]),
+            across(a[1], b[1]),
+        ]
+    }
+}
+
+/// Rest and rise of a plane between two nodes.
+#[inline]
+fn between([a, b]: [[f32; 3]; 2], part: f32, fade: f32) -> (f32, f32) {
+    let (low, high) = (a[0] + a[1] * part, b[0] + b[1] * (part - 1.0));
+    (low + fade * (high - low), a[2] + fade * (b[2] - a[2]))
+}
+
+/// The sum of the octaves at a point: bit for bit what [`fill`] finds there.
+pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], point: DVec3) -> f32 {
+    let mut sum = 0.0;
+    for octave in octaves {
+        let at = point * octave.frequencies();
+        let [x, y, z] = at.to_array().map(Place::new);
+        let half = octave.half_m();
+        let plane = |y: u8| {
+            let line = Line::new(lattice, x, y, half * SCALE);
+            let ends = [line.node(z.low), line.node(z.low.wrapping_add(1))];
+            between(ends, z.part, fade(z.part))
+        };
+        let ((a, low), (b, high)) = (plane(y.low), plane(y.low.wrapping_add(1)));
+        let (a, b) = (a + low * y.part, b + high * (y.part - 1.0));
+        sum += (a + fade(y.part) * (b - a)).clamp(-half, half);
+    }
+    sum
 }
 
 impl Plane {
@@ -207,14 +295,16 @@ mod tests {
             let t = f64::from(n);
             let first = DVec3::new(t * 73.3 - 900.0, 31.0 - t * 19.3, t * t * 3.1 - 2000.0);
             for step_m in [1.0, 8.0] {
-                let layer = Layer::new(OCTAVE, first, step_m, 35, 33);
+                let layer = Layer::new(OCTAVE, first, DVec3::splat(step_m), 35, 33);
                 let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
                 layer.add(&lattice, first.x, (0, 35), &mut slab);
                 for (j, row) in slab.iter().enumerate().take(35) {
                     for k in 0..33 {
                         let p = first + DVec3::new(0.0, j as f64, k as f64) * step_m;
                         let expected = perlin.get((p * OCTAVE.frequencies()).to_array());
-                        let found = f64::from(row[k / 4][k % 4]);
+                        let found = row[k / 4][k % 4];
+                        assert_eq!(found, sum_at(&lattice, &[OCTAVE], p));
+                        let found = f64::from(found);
                         assert!((found - expected).abs() < 2e-6, "{p}: {found} {expected}");
                     }
                 }

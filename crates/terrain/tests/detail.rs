@@ -77,7 +77,7 @@ fn height(&[a, b, c]: &Triangle, p: Vec3) -> Option<f32> {
     let whole = cross(b - a, c - a);
     let (s, t) = (cross(p - a, c - a) / whole, cross(b - a, p - a) / whole);
     let inside = s >= -1e-4 && t >= -1e-4 && s + t <= 1.0002;
-    (whole.abs() > 1e-4 && inside).then(|| a.y + s * (b.y - a.y) + t * (c.y - a.y))
+    (whole.abs() > 1e-4 && inside).then_some(a.y + s * (b.y - a.y) + t * (c.y - a.y))
 }
 
 /// The distance from a point to a triangle: to its plane where the point is over it, or to the
@@ -158,6 +158,52 @@ fn spaces() -> Vec<(String, Arc<dyn Strategy>)> {
     let mut all = vec![("flat".to_owned(), flat())];
     all.extend([16.0, 32.0, 64.0, 128.0, 256.0].map(sphere));
     all
+}
+
+/// The table says no less than a few chunks show, and not much more.
+#[test]
+fn levels_are_off_by_what_the_table_says() {
+    for seed in 0..5 {
+        let field = Field::new(seed + 10, flat());
+        assert_eq!(field.level_error_m(Level::FULL), 0.0);
+        for level in &Level::ALL[1..] {
+            let table = field.level_error_m(*level) as f32;
+            let [near, _] = measure(&field, *level, 8, &mut Random(seed));
+            let name = field.biome().name();
+            assert!(
+                near.most <= 1.1 * table,
+                "{name} {level:?} {near:?} {table}"
+            );
+            assert!(
+                near.most >= 0.6 * table,
+                "{name} {level:?} {near:?} {table}"
+            );
+            assert!(
+                near.median < 0.3 * table,
+                "{name} {level:?} {near:?} {table}"
+            );
+        }
+    }
+}
+
+#[test]
+fn levels_of_spheres_are_off_by_no_more_than_the_table_says() {
+    for (seed, radius_m) in [(0, 16.0), (1, 32.0), (2, 64.0), (3, 128.0), (4, 256.0)] {
+        let field = Field::new(seed + 10, strategy(Geometry::Spherical, radius_m));
+        for level in &Level::ALL[1..] {
+            let table = field.level_error_m(*level) as f32;
+            let [near, _] = measure(&field, *level, 8, &mut Random(seed));
+            let name = field.biome().name();
+            assert!(
+                near.most <= 1.1 * table,
+                "{name} {radius_m} {near:?} {table}"
+            );
+            assert!(
+                near.most >= 0.25 * table,
+                "{name} {radius_m} {near:?} {table}"
+            );
+        }
+    }
 }
 
 #[test]

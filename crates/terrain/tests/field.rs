@@ -8,7 +8,7 @@
 
 mod common;
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, strategy};
 use antipode_terrain::{Biome, Content, FIELD_BAND_M, Field, march};
 use common::{Random, chunk, flat, sphere};
 use glam::{DVec2, DVec3};
@@ -54,6 +54,38 @@ fn the_field_is_the_references_formula_near_the_surface() {
         }
     }
     assert!(compared > 1000);
+}
+
+#[test]
+fn the_field_of_a_sphere_is_the_same_noise_squeezed() {
+    let noise = Perlin::new(FOREST_TABLE);
+    for radius in [16.0, 32.0, 256.0] {
+        let space = strategy(Geometry::Spherical, radius);
+        let field = Field::new(FOREST, space.clone());
+        let (low, high) = (0.15 * radius, 0.5 * radius);
+        let mut random = Random(8);
+        for _ in 0..2000 {
+            let p = ChartPoint::new(
+                [Hemisphere::A, Hemisphere::B][usize::from(random.unit() < 0.5)],
+                DVec3::new(
+                    random.between(-radius, radius),
+                    random.between(low, high),
+                    random.between(-radius, radius),
+                ),
+            );
+            let q = space.noise_point(p) * DVec3::new(0.1553, 0.1271, 0.0916);
+            let sum: f64 = [(0.20, 18.0), (0.40, 9.0), (0.80, 4.5)]
+                .iter()
+                .map(|&(f, a)| noise.get((q * f).to_array()) / 2.0 * a)
+                .sum();
+            let t = 2.2 * sum / 15.75;
+            let ground = f64::midpoint(low, high) - 0.49 * (high - low) * t / (1.0 + t * t).sqrt();
+            let band = f64::from(FIELD_BAND_M);
+            let expected = (p.pos.y - ground).clamp(-band, band);
+            let found = f64::from(field.sample(p));
+            assert!((found - expected).abs() < 1e-4, "{p:?}: {found} {expected}");
+        }
+    }
 }
 
 const GOLDEN: [[f32; 3]; 5] = [
@@ -200,7 +232,11 @@ fn content_costs_layers_only_where_ground_can_be() {
     let field = Field::new(0, flat());
     let at = |y| field.content(chunk(Hemisphere::A, 7, y, -3));
     assert_eq!(at(-2), Content::Solid);
-    assert_eq!(at(-1), Content::Surface, "its border reaches up to y = 1");
+    assert_eq!(
+        at(-1),
+        Content::Solid,
+        "up to y = 1 by a look at the ground"
+    );
     assert_eq!(at(0), Content::Surface);
     assert_eq!(at(2), Content::Air);
     assert!(
@@ -212,8 +248,8 @@ fn content_costs_layers_only_where_ground_can_be() {
     let above = chunk(Hemisphere::A, 7, 1, -3);
     assert_eq!(
         forest.content(above),
-        Content::Surface,
-        "peaks reach 31.5 m, its border 31 m"
+        Content::Air,
+        "peaks reach 31.5 m, its border 31 m, but not here"
     );
 
     let field = Field::new(0, sphere());
@@ -222,6 +258,57 @@ fn content_costs_layers_only_where_ground_can_be() {
     assert_eq!(at(1, 0), Content::Surface);
     assert_eq!(at(0, 1), Content::Air);
     assert_eq!(at(2, 0), Content::Air, "past the rim and its reach");
+}
+
+/// What the chunk's samples are, all of them.
+fn truly(field: &Field, coord: ChunkCoord) -> Content {
+    let samples = field.samples(coord);
+    let solid = samples.values().iter().filter(|&&v| v < 0.0).count();
+    if solid == 0 {
+        Content::Air
+    } else if solid == samples.values().len() {
+        Content::Solid
+    } else {
+        Content::Surface
+    }
+}
+
+#[test]
+fn most_chunks_without_surface_are_known_and_none_is_mistaken() {
+    for seed in 0..10 {
+        let field = Field::new(seed, flat());
+        for layer in [-1, 0, 1] {
+            let (mut free, mut known) = (0, 0);
+            for n in 0..49 {
+                let coord = chunk(Hemisphere::A, n % 7 * 5 - 300, layer, n / 7 * 9);
+                let (found, truth) = (field.content(coord), truly(&field, coord));
+                assert!(
+                    found == truth || found == Content::Surface,
+                    "{seed} {coord:?}"
+                );
+                free += i32::from(truth != Content::Surface);
+                known += i32::from(found != Content::Surface);
+            }
+            assert!(known * 2 >= free, "{seed} {layer}: {known} of {free}");
+        }
+    }
+}
+
+#[test]
+fn content_of_spheres_of_every_size_is_never_mistaken() {
+    for radius in [16.0, 20.0, 64.0, 100.0, 256.0] {
+        for seed in 0..5 {
+            let field = Field::new(seed, strategy(Geometry::Spherical, radius));
+            for layer in -1..5 {
+                let coord = chunk(Hemisphere::B, -1, layer, 0);
+                let (found, truth) = (field.content(coord), truly(&field, coord));
+                assert!(
+                    found == truth || found == Content::Surface,
+                    "{seed} {coord:?}"
+                );
+            }
+        }
+    }
 }
 
 proptest! {

@@ -123,8 +123,8 @@ fn tunnel(world: &mut World, hemisphere: Hemisphere, first: IVec3, size: i32, ra
         let side = f64::from(size) * 32.0;
         // On a plane between chunks, on two of them, or anywhere.
         let mut at = [(); 3].map(|()| random.between(0.0, side));
-        for axis in 0..n % 4 {
-            at[axis] = (at[axis] / 32.0).round() * 32.0 + random.between(-0.5, 0.5);
+        for place in at.iter_mut().take(n % 4) {
+            *place = (*place / 32.0).round() * 32.0 + random.between(-0.5, 0.5);
         }
         let along = n / 2 % 3;
         let (radius_m, amount) = (random.between(2.0, 6.0), random.between(-6.0, 9.0) as f32);
@@ -181,6 +181,43 @@ fn round_ground_of_any_mix_of_levels_is_watertight() {
 fn hyperbolic_ground_of_any_mix_of_levels_is_watertight() {
     let space = strategy(Geometry::Hyperbolic, 40.0);
     edited_blocks_are_watertight(&space, 4, IVec3::new(5, -1, -3), 4);
+}
+
+/// No triangle of a surface is empty, at any level, and but for slivers all face the air that
+/// their corners' normals point to.
+#[test]
+fn coarse_ground_has_no_empty_triangles_and_faces_the_air() {
+    for (seed, space) in [(11, flat()), (13, flat()), (14, sphere())] {
+        let mut world = World::new(seed, space);
+        let first = IVec3::new(-1, 0, -1);
+        tunnel(&mut world, Hemisphere::A, first, 2, &mut Random(seed));
+        for level in Level::ALL {
+            let (mut area, mut wrong) = (0.0, 0.0);
+            for n in 0..8 {
+                let index = first + IVec3::new(n % 2, n / 2 % 2, n / 4);
+                let coord = chunk(Hemisphere::A, index.x, index.y, index.z);
+                let samples = world.samples_at(coord, level);
+                let mesh = antipode_terrain::march(&samples, &world.field, coord);
+                assert_eq!(mesh.level, level);
+                for &t in mesh.triangles() {
+                    let corners = t.map(|n| mesh.vertices[n as usize]);
+                    let [a, b, c] = corners.map(|v| I64Vec3::from(v.units.map(i64::from)));
+                    let face = (b - a).cross(c - a);
+                    assert_ne!(face, I64Vec3::ZERO, "{a} {b} {c}");
+                    let face = face.as_dvec3();
+                    let smooth = corners.iter().map(|v| v.normal().as_dvec3()).sum::<DVec3>();
+                    area += face.length();
+                    if face.dot(smooth) <= 0.0 {
+                        wrong += face.length();
+                    }
+                }
+            }
+            assert!(
+                area > 1e9 && wrong < 0.01 * area,
+                "{seed} {level:?} {wrong} {area}"
+            );
+        }
+    }
 }
 
 /// Uncorrelated samples bring every case of every seam; corners shared by levels are the same.

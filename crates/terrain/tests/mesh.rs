@@ -11,7 +11,7 @@ mod common;
 use std::collections::HashMap;
 
 use antipode_geometry::Hemisphere;
-use antipode_terrain::{ChunkMesh, Field, Samples, march};
+use antipode_terrain::{ChunkMesh, Field, Level, Samples, march};
 use common::{Random, chunk, flat, sphere};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -157,5 +157,35 @@ fn solid_and_empty_blocks_have_no_mesh() {
             chunk(Hemisphere::A, 0, 0, 0),
         );
         assert!(mesh.is_empty() && mesh.vertices.is_empty());
+    }
+}
+
+/// A graphics card keeps the last few corners it worked out; in a good order most of a
+/// triangle's are among them, and no corner costs much more than one working out.
+#[test]
+fn triangles_come_where_their_corners_were_just_used() {
+    let field = Field::new(10, flat());
+    for level in Level::ALL {
+        let (mut misses, mut corners) = (0, 0);
+        for x in 0..4 {
+            let coord = chunk(Hemisphere::A, x, 0, 1);
+            let mesh = march(&field.samples_at(coord, level), &field, coord);
+            let mut kept = std::collections::VecDeque::new();
+            for &index in mesh.surface_indices() {
+                if !kept.contains(&index) {
+                    kept.push_front(index);
+                    kept.truncate(32);
+                    misses += 1;
+                }
+            }
+            corners += mesh
+                .surface_indices()
+                .iter()
+                .max()
+                .map_or(0, |&last| last + 1);
+        }
+        let share = f64::from(misses) / f64::from(corners);
+        println!("{level:?}: {share:.3}");
+        assert!(share < 1.5, "{level:?}: {share}");
     }
 }

@@ -18,11 +18,12 @@ pub fn point<T: Real>(sign: T, p: [T; 3]) -> [T; 4] {
         let level = Parts::of(sign, [p[0], T::ZERO, p[2]]);
         let climb = Parts::of(sign, [T::ZERO, p[1], T::ZERO]);
         let scale = level.scale * climb.scale;
-        let across = product(scale, level.sine, climb.cosine);
+        let across = product(scale, level.sine, climb.cosine) / level.divisor;
+        let up = (climb.scale + climb.scale * climb.sine) / climb.divisor;
         return [
-            across * (p[0] / level.divisor),
-            (climb.scale + climb.scale * climb.sine) * (p[1] / climb.divisor),
-            across * (p[2] / level.divisor),
+            across * p[0],
+            up * p[1],
+            across * p[2],
             product(scale, level.cosine, climb.cosine),
         ];
     }

@@ -15,8 +15,8 @@ use crate::real::Real;
 pub fn point<T: Real>(sign: T, q: [T; 3]) -> [T; 4] {
     if sign < T::ZERO {
         let of = Parts::of(sign, q);
-        let sine = of.scale + of.scale * of.sine;
-        let [x, y, z] = q.map(|x| x / of.divisor * sine);
+        let sinc = (of.scale + of.scale * of.sine) / of.divisor;
+        let [x, y, z] = q.map(|x| x * sinc);
         return [x, y, z, of.scale + of.scale * of.cosine];
     }
     let [sinc, cos] = sine_cosine(sign, dot(q, q));

@@ -94,11 +94,11 @@ impl<T: Real> HorizonMap<T> {
         let upright = climb.scale * climb.lifted;
         // C(y) (C(r) - 1)
         let sag = upright * level.cosine_less_one(climb.upright);
-        let across = product(upright * level.scale, level.sine, climb.upright);
+        let across = product(upright * level.scale, level.sine, climb.upright) / level.divisor;
         [
-            across * (x / level.divisor),
+            across * x,
             climb.rise - self.sin * sag,
-            across * (z / level.divisor),
+            across * z,
             climb.fall + self.cos * sag,
         ]
     }

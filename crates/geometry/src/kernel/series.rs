@@ -36,22 +36,22 @@ const SIN_BEND: [f32; 7] = [
     2.162_827e-10,
     -2.450_907_5e-12,
 ];
-/// (sin(t)/t - 1)/t^2 on 0 <= t^2 <= 3.2.
+/// (sin(t)/t - 1)/t^2 on -1 <= t^2 <= 3.2, where t^2 < 0 stands for sinh.
 const SIN: [f32; 5] = [
     -0.166_666_67,
-    0.008_333_352,
-    -0.000_198_431_68,
-    2.761_728_4e-6,
-    -2.510_612_2e-8,
+    0.008_333_336,
+    -0.000_198_408_41,
+    2.751_607_6e-6,
+    -2.370_211_8e-8,
 ];
-/// (cos(t) - 1)/t^2 on 0 <= t^2 <= 3.2.
+/// (cos(t) - 1)/t^2 on -1 <= t^2 <= 3.2, where t^2 < 0 stands for cosh.
 const COS: [f32; 6] = [
     -0.5,
     0.041_666_668,
-    -0.001_388_891_8,
-    2.480_38e-5,
-    -2.761_587_7e-7,
-    2.096_554_3e-9,
+    -0.001_388_889_4,
+    2.480_051_6e-5,
+    -2.747_551e-7,
+    1.903_503_6e-9,
 ];
 /// (sinh(t)/t - 1)/t^2 on 0 <= t^2 <= 4.
 const SINH_BEND: [f32; 6] = [
@@ -61,14 +61,6 @@ const SINH_BEND: [f32; 6] = [
     2.736_083_4e-6,
     2.994_07e-8,
     -2.780_991_3e-10,
-];
-/// (cosh(t) - 1)/t^2 on 0 <= t^2 <= 1.
-const COSH_BEND: [f32; 5] = [
-    0.5,
-    0.041_666_668,
-    0.001_388_883_2,
-    2.480_822_7e-5,
-    2.754_383_4e-7,
 ];
 /// (exp(x) - 1 - x)/x^2 on -0.4 ln(2) <= x <= 0.6 ln(2).
 const EXP: [f32; 6] = [
@@ -121,15 +113,19 @@ fn polynomial<const N: usize>(x: f32, coefficients: &[f32; N]) -> f32 {
     rest.iter().rev().fold(last, |sum, c| c + x * sum)
 }
 
-/// (sin(t)/t, cos(t)) for t^2 = s, t up to pi; past t^2 = 3.2 from the half angle:
-/// sin t = 2 sin cos, cos t = 2 cos^2 - 1. The sine over t to 1.5 ulp up to a right angle, both to
-/// 1.5 ulp of 1 everywhere.
+/// What both exceed 1 by, for s = kappa t^2 from -1 to [`OBTUSE`].
+#[inline]
+fn sinc_cos_excess(s: f32) -> [f32; 2] {
+    [s * polynomial(s, &SIN), s * polynomial(s, &COS)]
+}
+
+/// (sin(t)/t, cos(t)) for t^2 = s, t up to pi, and (sinh(t)/t, cosh(t)) for t^2 = -s, t up to 1; past
+/// s = 3.2 from the half angle: sin t = 2 sin cos, cos t = 2 cos^2 - 1. The sine over t to 1.5 ulp up
+/// to a right angle, both to 1.5 ulp of 1 everywhere.
 #[inline]
 pub fn sinc_cos(s: f32) -> [f32; 2] {
     let far = s > OBTUSE;
-    let q = if far { 0.25 * s } else { s };
-    let sinc = 1.0 + q * polynomial(q, &SIN);
-    let cos = 1.0 + q * polynomial(q, &COS);
+    let [sinc, cos] = sinc_cos_excess(if far { 0.25 * s } else { s }).map(|x| 1.0 + x);
     if far {
         [sinc * cos, 2.0 * (cos * cos) - 1.0]
     } else {
@@ -137,13 +133,15 @@ pub fn sinc_cos(s: f32) -> [f32; 2] {
     }
 }
 
-/// (sinh(t)/t, cosh(t)) for t^2 = s up to 1.
+/// What the two of [`sinc_cos`] exceed 1 by: both to half an ulp of 1 before they are added to it,
+/// and no less exact near 0.
 #[inline]
-fn sinhc_cosh_near(s: f32) -> [f32; 2] {
-    [
-        1.0 + s * polynomial(s, &SINH_BEND),
-        1.0 + s * polynomial(s, &COSH_BEND),
-    ]
+pub fn excess(s: f32) -> [f32; 2] {
+    if s > OBTUSE {
+        sinc_cos(s).map(|x| x - 1.0)
+    } else {
+        sinc_cos_excess(s)
+    }
 }
 
 /// Half of exp(t + rest), 0 <= t < 88 and |rest| an ulp of t at most, as a power of two a, high
@@ -180,7 +178,7 @@ pub fn exp(t: f32) -> f32 {
 pub fn sinhc_cosh(t: f32) -> [f32; 2] {
     let t = t.abs();
     if t < 1.0 {
-        return sinhc_cosh_near(t * t);
+        return sinc_cos(-(t * t));
     }
     let [a, high, low, fade] = half_exp(t, 0.0);
     let sine = low - fade;
@@ -213,31 +211,11 @@ pub fn length_rest(q: [f32; 3]) -> [f32; 2] {
     [t, (before + behind) * (0.5 / t)]
 }
 
-/// What sin(t)/t and cos(t), or their hyperbolic counterparts, exceed 1 by, for s = kappa t^2 from
-/// -1 to pi^2: both to half an ulp of 1 before they are added to it, and no less exact near 0.
-#[inline]
-pub fn excess(s: f32) -> [f32; 2] {
-    if s <= 0.0 {
-        return [
-            -s * polynomial(-s, &SINH_BEND),
-            -s * polynomial(-s, &COSH_BEND),
-        ];
-    }
-    if s <= OBTUSE {
-        return [s * polynomial(s, &SIN), s * polynomial(s, &COS)];
-    }
-    let [sinc, cos] = sinc_cos(s);
-    [sinc - 1.0, cos - 1.0]
-}
-
 /// The sine over its argument and the cosine of either curvature, for s = kappa t^2.
 #[inline]
 pub fn sine_cosine(s: f32) -> [f32; 2] {
-    if s > 0.0 {
-        return sinc_cos(s);
-    }
     if s > -1.0 {
-        return sinhc_cosh_near(-s);
+        return sinc_cos(s);
     }
     sinhc_cosh((-s).sqrt())
 }

@@ -25,8 +25,10 @@ pub const METHOD: &[&str] = &[
 
 /// The exponential chart is the shader's sine and cosine in parts, times the point.
 const EXPONENTIAL: &str = "let p = inputs[i].xyz;
-    let both = geo_parts(-1.0, p);
-    outputs[i] = vec4<f32>(p / both.w * (both.x + both.x * both.y), both.x + both.x * both.z);";
+    let s = dot(p, p);
+    var both = vec4<f32>(1.0, geo_excess(-s), 1.0);
+    if s >= 1.0 { both = geo_parts_far(p); }
+    outputs[i] = vec4<f32>(p * ((both.x + both.x * both.y) / both.w), both.x + both.x * both.z);";
 /// The unit sphere, seen from the pole along the axes.
 const SPHERE: &str = "var space = unit();
     space.curve = vec4<f32>(1.0, 0.0, 0.0, 1.0);

@@ -2,7 +2,8 @@
 //!
 //! A map that shows land larger has more to shade, which is the picture's doing and not the
 //! engine's. Of each curved picture and the flat one, the one that covers more is looked at with a
-//! wider field of view until both cover as many pixels.
+//! wider field of view, or where that does not help from an eye that looks up, until both cover as
+//! many pixels.
 
 use antipode_render::Gpu;
 use antipode_scene::frame::Frame;
@@ -16,11 +17,9 @@ use crate::{Cell, Effort, LabError, Table};
 const MOST_COST: f64 = 1.15;
 /// Coverages count as equal within this part.
 const EQUAL: f64 = 0.03;
-/// Widest that a field of view is made, as a factor on the tangents of its halves.
-const WIDEST: f64 = 3.0;
-/// Halvings of the range of fields of view.
+/// Halvings of a knob's range.
 const HALVINGS: usize = 9;
-/// How often what a wider picture hides or divides is left out and the pixels matched again.
+/// How often what one of the pictures does not draw whole is left out and the pixels matched again.
 const MATCHES: usize = 3;
 /// Of fewer pixels than this nothing can be said.
 const FEWEST: usize = 5_000;
@@ -48,13 +47,27 @@ pub fn shown(stage: &mut Stage<'_>, frame: &Frame, width: u32) -> Result<Shown, 
     })
 }
 
-/// The frame with a wider field of view.
+/// The frame with a wider field of view, by a factor on the tangents of its halves.
 fn widened(frame: &Frame, factor: f64) -> Frame {
     let mut own = frame.clone();
     own.projection.sx /= factor;
     own.projection.sy /= factor;
     own
 }
+
+/// The frame from an eye that looks up by so many radians more.
+fn tilted(frame: &Frame, by_rad: f64) -> Frame {
+    let mut own = frame.clone();
+    own.eye.pitch += by_rad;
+    own
+}
+
+/// A way to cover fewer pixels, from not at all to the most.
+type Knob = (fn(&Frame, f64) -> Frame, [f64; 2]);
+
+/// What is far gets smaller in a wider field of view; of what is near as much more comes in at the
+/// sides, but it sinks out of the picture as the eye looks up.
+const KNOBS: [Knob; 2] = [(widened, [1.0, 3.0]), (tilted, [0.0, 0.8])];
 
 /// A flat and a curved frame of the same land, and what each shows.
 struct Pair {
@@ -73,7 +86,7 @@ impl Pair {
     }
 }
 
-/// Widens whichever of the frames covers more until both cover as much, as far as that goes.
+/// Turns a knob on whichever of the frames covers more until both cover as much, as far as that goes.
 fn matched(stage: &mut Stage<'_>, frames: [Frame; 2], width: u32) -> Result<Pair, LabError> {
     let mut pair = Pair {
         shown: [
@@ -84,19 +97,23 @@ fn matched(stage: &mut Stage<'_>, frames: [Frame; 2], width: u32) -> Result<Pair
     };
     let more = usize::from(pair.shown[1].pixels > pair.shown[0].pixels);
     let due = pair.shown[1 - more].pixels;
-    let whole = pair.frames[more].clone();
-    let (mut narrow, mut wide) = (1.0, WIDEST);
-    for _ in 0..HALVINGS {
-        if pair.same_pixels() || due < FEWEST {
-            break;
+    let whole = (pair.frames[more].clone(), pair.shown[more]);
+    for (turned, [mut low, mut high]) in KNOBS {
+        for _ in 0..HALVINGS {
+            if pair.same_pixels() || due < FEWEST {
+                return Ok(pair);
+            }
+            let middle = 0.5 * (low + high);
+            pair.frames[more] = turned(&whole.0, middle);
+            pair.shown[more] = shown(stage, &pair.frames[more], width)?;
+            if pair.shown[more].pixels > due {
+                low = middle;
+            } else {
+                high = middle;
+            }
         }
-        let factor = 0.5 * (narrow + wide);
-        pair.frames[more] = widened(&whole, factor);
-        pair.shown[more] = shown(stage, &pair.frames[more], width)?;
-        if pair.shown[more].pixels > due {
-            narrow = factor;
-        } else {
-            wide = factor;
+        if !pair.same_pixels() {
+            (pair.frames[more], pair.shown[more]) = whole.clone();
         }
     }
     Ok(pair)
@@ -116,7 +133,7 @@ fn pair(
         if found.same_triangles() || !found.same_pixels() {
             break;
         }
-        // What a wider field of view hides or divides.
+        // What is hidden, divided or out of the picture now.
         keep_whole(gpu, &mut frame, &found.frames, size.1, Order::NearestFirst)?;
         found = matched(stage, look.map(|look| look.at(&frame)), size.0)?;
     }

@@ -151,11 +151,11 @@ pub fn sphere_group(effort: Effort) -> Group {
 }
 
 /// The exact normal in doubles.
-fn in_double<'a>(
-    inputs: &'a [Input],
+fn in_double(
+    inputs: &[Input],
     normal: fn(&Input) -> DVec3,
     error: impl Fn(&Input, &f32) -> f64,
-) -> Rival<'a> {
+) -> Rival<'_> {
     let lit = move |i: &Input| normal(i).dot(LIGHT.as_dvec3()) as f32;
     Rival::new("exact, f64", "processor", inputs, lit, error)
 }

@@ -14,17 +14,26 @@ pub struct Rival<'a> {
     pub name: &'static str,
     /// Items that one run handles.
     pub items: usize,
-    /// One run.
-    pub work: Box<dyn FnMut() + 'a>,
+    /// One run; returns how many things it made, if it counts them.
+    pub work: Box<dyn FnMut() -> usize + 'a>,
 }
 
 impl<'a> Rival<'a> {
     /// A rival that handles `items` in a run; what it makes is hidden from the optimiser.
     pub fn new<T>(name: &'static str, items: usize, mut work: impl FnMut() -> T + 'a) -> Self {
-        let work = Box::new(move || {
+        Self::counting(name, items, move || {
             std::hint::black_box(work());
-        });
-        Self { name, items, work }
+            0
+        })
+    }
+
+    /// A rival that tells how many things it made.
+    pub fn counting(name: &'static str, items: usize, work: impl FnMut() -> usize + 'a) -> Self {
+        Self {
+            name,
+            items,
+            work: Box::new(work),
+        }
     }
 }
 
@@ -40,7 +49,7 @@ pub fn race(rivals: &mut [Rival<'_>], effort: Effort) -> Vec<f64> {
     while rounds < LEAST_ROUNDS || began.elapsed() < limit {
         for (rival, least) in rivals.iter_mut().zip(&mut best) {
             let then = clock.now();
-            (rival.work)();
+            std::hint::black_box((rival.work)());
             *least = least.min(clock.since(then).cpu_ms * 1e6 / rival.items as f64);
         }
         rounds += 1;
@@ -84,6 +93,7 @@ impl Spread {
 
 /// What a piece of a thread's work took, milliseconds.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "units stand in names")]
 pub struct Spent {
     /// By the wall clock.
     pub wall_ms: f64,
@@ -144,6 +154,11 @@ impl ThreadClock {
     }
 }
 
+/// Processor time of all threads of the program so far, milliseconds, where the system tells.
+pub fn program_ms() -> Option<f64> {
+    imp::program_ns().map(|ns| ns as f64 * 1e-6)
+}
+
 #[cfg(target_os = "linux")]
 mod imp {
     use std::fs::File;
@@ -152,7 +167,16 @@ mod imp {
     use rustix::time::{ClockId, clock_gettime};
 
     pub fn cpu_ns() -> Option<u64> {
-        let time = clock_gettime(ClockId::ThreadCPUTime);
+        nanoseconds(ClockId::ThreadCPUTime)
+    }
+
+    pub fn program_ns() -> Option<u64> {
+        nanoseconds(ClockId::ProcessCPUTime)
+    }
+
+    #[expect(clippy::unnecessary_wraps, reason = "other systems do not tell")]
+    fn nanoseconds(clock: ClockId) -> Option<u64> {
+        let time = clock_gettime(clock);
         Some(time.tv_sec as u64 * 1_000_000_000 + time.tv_nsec as u64)
     }
 
@@ -177,6 +201,10 @@ mod imp {
 #[cfg(not(target_os = "linux"))]
 mod imp {
     pub fn cpu_ns() -> Option<u64> {
+        None
+    }
+
+    pub fn program_ns() -> Option<u64> {
         None
     }
 

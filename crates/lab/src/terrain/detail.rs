@@ -85,8 +85,13 @@ fn rows_of(case: &str, view: &View) -> Vec<Row> {
     let drawn = |of: fn((f64, f64)) -> f64| view.drawn.map(of);
     vec![
         Row::new("chunks resident", case, view.chunks as f64, "").note(levels.join(", ")),
-        Row::new("triangles resident", case, view.triangles as f64, ""),
-        Row::new("triangles drawn", case, drawn(|d| d.0), ""),
+        Row::new(
+            "triangles resident",
+            case,
+            view.triangles as f64 * 1e-3,
+            "thousand",
+        ),
+        Row::new("triangles drawn", case, drawn(|d| d.0 * 1e-3), "thousand"),
         Row::new("draws", case, drawn(|d| d.1), ""),
         Row::new("time until everything stands", case, view.seconds, "s"),
     ]

@@ -17,8 +17,9 @@ const BLOCK: usize = SAMPLES * SAMPLES * SAMPLES;
 const SAMPLE_NS: f64 = 30.0;
 /// Most microseconds to decide what a chunk can hold.
 const CONTENT_US: f64 = 10.0;
-/// Times that a library must take of ours, by the beginning of its name.
-const LEAST: [Least; 2] = [("noise 0.9", 5.0), ("fastnoise-lite", 3.0)];
+/// Times that a library must take of ours, on flat land and on the sphere, by the beginning of its name. On the
+/// sphere no two samples lie along an axis of the noise, and each place has to be found first.
+const LEAST: [Least<'_>; 2] = [("noise 0.9", &[5.0, 3.0]), ("fastnoise-lite", &[5.0, 2.0])];
 
 /// The section of the field's figures.
 pub fn field_section(effort: Effort) -> Section {
@@ -46,7 +47,7 @@ pub fn field_section(effort: Effort) -> Section {
         method: METHOD.map(str::to_owned).to_vec(),
         tables: vec![
             table("Samples and decisions", &rows, effort),
-            versus("Fractal noise, a sample", &rivals, &ns, 1, &LEAST),
+            versus("Fractal noise, a sample", &rivals, &ns, 2, &LEAST),
         ],
         plots: Vec::new(),
     }

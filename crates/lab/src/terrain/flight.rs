@@ -29,6 +29,8 @@ const SWEEP: (f64, f64) = (0.6, 8.0);
 const MAIN_MS: f64 = 4.0;
 /// Most that any frame may take of the middle one.
 const TIMES: f64 = 3.0;
+/// A frame has waited for another thread if it was neither on a processor nor ready for one for so long, milliseconds.
+const WAITED_MS: f64 = 1.0;
 /// What a frame gives to finished chunks, as in the game.
 const CHUNK_BUDGET: Duration = Duration::from_millis(2);
 /// Longest wait for the first land.
@@ -86,56 +88,77 @@ pub fn section(effort: Effort) -> Result<(Section, String), LabError> {
 
 fn rows(log: &[Logged], length_m: f64) -> Vec<Row> {
     let case = format!("{length_m:.0} m, view distance {VIEW_DISTANCE}");
+    let mut rows = work_rows(log, &case);
+    let between: Vec<f64> = log
+        .windows(2)
+        .map(|pair| 1e3 * (pair[1].at_s - pair[0].at_s))
+        .collect();
+    let between = Spread::of(&between);
+    let flown_m = log.last().map_or(0.0, |frame| frame.flown_m);
+    let due_s = log.len() as f64 * STEP_S;
+    let pending = log.iter().map(|frame| frame.chunks[1]).max().unwrap_or(0);
+    let between_row = "the longest time between two frames, times the median";
+    rows.extend([
+        Row::new(between_row, &case, between.max / between.p50, "")
+            .bar(Bar::AtMost(TIMES), Judged::InFull)
+            .note(format!(
+                "median {:.1}, longest {:.1} ms",
+                between.p50, between.max
+            )),
+        Row::new("distance flown", &case, flown_m, "m")
+            .bar(Bar::AtLeast(length_m), Judged::InFull)
+            .note(format!("in {due_s:.1} simulated seconds")),
+        Row::new("chunks not there yet, at most", &case, pending as f64, ""),
+    ]);
+    rows
+}
+
+/// What the main thread did.
+fn work_rows(log: &[Logged], case: &str) -> Vec<Row> {
     let spread = |of: fn(&Logged) -> f64| Spread::of(&log.iter().map(of).collect::<Vec<_>>());
     let own = spread(Logged::own_ms);
     let wall = spread(|frame| frame.sum(|spent| spent.wall_ms));
     let cpu = spread(|frame| frame.sum(|spent| spent.cpu_ms));
-    let step = spread(|frame| frame.parts[0].own_ms);
-    let take = spread(|frame| frame.parts[1].own_ms);
-    let make = spread(|frame| frame.parts[2].own_ms);
-    let row = |what: &str, value: f64| Row::new(what, &case, value, "ms");
-    let due_s = log.len() as f64 * STEP_S;
-    let flown_m = log.last().map_or(0.0, |frame| frame.flown_m);
-    let parts = |part: Spread| {
-        format!(
-            "p50 {:.3}, p99 {:.2}, most {:.2} ms",
-            part.p50, part.p99, part.max
-        )
+    let words = |spread: Spread| {
+        let Spread { p50, p99, max } = spread;
+        format!("p50 {p50:.3}, p99 {p99:.2}, most {max:.2} ms")
     };
+    let part = |name: &str, of: fn(&Logged) -> f64| format!("{name}: {}", words(spread(of)));
+    let row = |what: &str, value: f64| Row::new(what, case, value, "ms");
+    let longer = log.iter().filter(|it| it.own_ms() > TIMES * own.p50);
+    let waited = log.iter().filter(|it| {
+        let cpu_ms = it.sum(|spent| spent.cpu_ms);
+        it.own_ms() - cpu_ms > WAITED_MS
+    });
     vec![
-        row("main thread, p50", own.p50).note(format!("step: {}", parts(step))),
+        row("main thread, p50", own.p50).note(part("step", |it| it.parts[0].own_ms)),
         row("main thread, p99", own.p99)
             .bar(Bar::AtMost(MAIN_MS), Judged::InFull)
-            .note(format!("taking in: {}", parts(take))),
-        row("main thread, the longest frame", own.max).note(format!("making: {}", parts(make))),
+            .note(part("taking in", |it| it.parts[1].own_ms)),
+        row("main thread, the longest frame", own.max)
+            .note(part("making", |it| it.parts[2].own_ms)),
         Row::new(
             "the longest frame, times the median",
-            &case,
+            case,
             own.max / own.p50,
             "",
         )
         .bar(Bar::AtMost(TIMES), Judged::InFull)
         .note(format!(
             "{} of {} frames are longer",
-            log.iter()
-                .filter(|frame| frame.own_ms() > TIMES * own.p50)
-                .count(),
+            longer.count(),
             log.len()
         )),
-        row("by the wall clock, p99", wall.p99).note(parts(wall)),
-        row("on the processor, p99", cpu.p99).note(parts(cpu)),
-        Row::new("distance flown", &case, flown_m, "m")
-            .bar(Bar::AtLeast(length_m), Judged::InFull)
-            .note(format!("in {due_s:.1} simulated seconds")),
-        Row::new("chunks not there yet, at most", &case, most(log, 1), ""),
+        Row::new(
+            "frames that waited for another thread",
+            case,
+            waited.count() as f64,
+            "",
+        )
+        .note(format!("over {WAITED_MS} ms")),
+        row("by the wall clock, p99", wall.p99).note(words(wall)),
+        row("on the processor, p99", cpu.p99).note(words(cpu)),
     ]
-}
-
-fn most(log: &[Logged], which: usize) -> f64 {
-    log.iter()
-        .map(|frame| frame.chunks[which])
-        .max()
-        .unwrap_or(0) as f64
 }
 
 fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
@@ -160,8 +183,9 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     for n in 0..frames {
         let due = began + Duration::from_secs_f64(n as f64 * STEP_S);
         std::thread::sleep(due.saturating_duration_since(Instant::now()));
+        let at_s = began.elapsed().as_secs_f64();
         let mut logged = frame(&mut scene, &clock, n);
-        logged.at_s = began.elapsed().as_secs_f64();
+        logged.at_s = at_s;
         logged.flown_m = (scene.feet().pos - start).length();
         let done = logged.flown_m >= length_m;
         log.push(logged);
@@ -265,7 +289,7 @@ fn plot(log: &[Logged]) -> Plot {
 
 const METHOD: [&str; 3] = [
     "A spectator flies straight on over flat-space land at 24 m/s, looking to the left and to the right, in real time: a frame begins every sixtieth of a second. Nothing is drawn, so a frame is what the main thread does for it before anything goes to an adapter: one step of the simulation, telling the workers what is wanted and taking in what is finished, and filling the frame's snapshot.",
-    "Time is the thread's own: the wall clock's without the time in which the thread was ready to run and the system had given the core to another, since other programs run on the machine too; waiting for a lock or a channel counts. The wall clock and the time on the processor are shown beside it.",
+    "Time is the thread's own: the wall clock's without the time in which the thread was ready to run and the system had given the core to another, since other programs run on the machine too; waiting for a lock or a channel counts. The wall clock and the time on the processor are shown beside it. The time between two frames is what a player would see: from the begin of one to the begin of the next, a sixtieth of a second unless the main thread took longer.",
     "The whole log is in measurements/terrain-flight.csv.",
 ];
 

@@ -26,7 +26,7 @@ pub struct Strokes {
     /// Where the eight chunks meet.
     pub corner: DVec3,
     /// The strokes in order.
-    pub strokes: Vec<Stroke>,
+    pub row: Vec<Stroke>,
     /// The field before the first and after each.
     pub marks: Vec<Mark>,
 }
@@ -50,7 +50,7 @@ impl Strokes {
         }
         Self {
             corner,
-            strokes,
+            row: strokes,
             marks,
         }
     }
@@ -90,7 +90,11 @@ fn stroke(corner: DVec3, n: usize) -> Stroke {
     let place = (n as i64 * 37).rem_euclid(side * side * side);
     let step = |of: i64| (place / of).rem_euclid(side) - ASIDE;
     let aside = DVec3::new(step(1) as f64, step(side) as f64, step(side * side) as f64);
-    let sense = if n / PER_S % 2 == 0 { 1.0 } else { -1.0 };
+    let sense = if (n / PER_S).is_multiple_of(2) {
+        1.0
+    } else {
+        -1.0
+    };
     Stroke {
         centre: ChartPoint::a(corner + aside),
         radius_m: RADIUS_M,
@@ -133,7 +137,7 @@ mod tests {
         let (field, _) = surface_chunk(Geometry::Euclidean);
         let strokes = Strokes::new(&field, 5 * PER_S);
         for (n, mark) in strokes.marks.iter().enumerate() {
-            assert_eq!(strokes.held(mark, 0, strokes.strokes.len()), Some(n));
+            assert_eq!(strokes.held(mark, 0, strokes.row.len()), Some(n));
         }
         let mut strange = strokes.marks[40];
         strange[3] += 0.01;
@@ -145,7 +149,7 @@ mod tests {
         let (field, _) = surface_chunk(Geometry::Euclidean);
         let strokes = Strokes::new(&field, 30);
         let mut edits: BTreeMap<ChunkCoord, ChunkEdits> = BTreeMap::new();
-        for stroke in &strokes.strokes[..20] {
+        for stroke in &strokes.row[..20] {
             for coord in stroke.touched(&**field.strategy()) {
                 stroke.apply(coord, edits.entry(coord).or_default(), &**field.strategy());
             }

@@ -3,46 +3,56 @@
 use super::clock::Rival;
 use crate::{Cell, Table};
 
-/// The beginning of a rival's name, and how many times our time it takes at least.
-pub type Least = (&'static str, f64);
+/// The beginning of a rival's name, and how many times the time of each of ours it takes at least.
+pub type Least<'a> = (&'static str, &'a [f64]);
 
-/// A table of raced rivals. The first `ours + 1` of them are ours, and the slowest of those is what the others are
-/// compared with.
+/// A table of raced rivals, of which the first `ours` are our own. Bars are those of `least`, in the order of ours.
 pub fn versus(
     title: &str,
     rivals: &[Rival<'_>],
     ns: &[f64],
-    last_of_ours: usize,
-    least: &[Least],
+    ours: usize,
+    least: &[Least<'_>],
 ) -> Table {
-    let own = ns[..=last_of_ours].iter().copied().fold(0.0, f64::max);
     let rows = rivals
         .iter()
         .zip(ns)
         .enumerate()
-        .map(|(place, (rival, ns))| {
+        .map(|(place, (rival, theirs))| {
             let mut row = vec![
                 Cell::Text(title.to_owned()),
                 Cell::Text(rival.name.to_owned()),
-                Cell::Figure(*ns, "ns".to_owned()),
+                Cell::Figure(*theirs, "ns".to_owned()),
             ];
-            if place <= last_of_ours {
-                row.extend([Cell::Empty, Cell::Empty, Cell::Empty]);
+            if place < ours {
+                row.extend(vec![Cell::Empty; ours + 2]);
                 return row;
             }
-            let ratio = ns / own;
-            row.push(Cell::Figure(ratio, String::new()));
-            let bar = least.iter().find(|(name, _)| rival.name.starts_with(name));
-            row.extend(bar.map_or([Cell::Empty, Cell::Empty], |(_, times)| {
-                let words = format!("at least {times}");
-                [Cell::Text(words), Cell::Verdict(ratio >= *times)]
+            let times: Vec<f64> = ns[..ours].iter().map(|own| theirs / own).collect();
+            row.extend(
+                times
+                    .iter()
+                    .map(|times| Cell::Figure(*times, String::new())),
+            );
+            let bars = least.iter().find(|(name, _)| rival.name.starts_with(name));
+            row.extend(bars.map_or([Cell::Empty, Cell::Empty], |(_, bars)| {
+                let words: Vec<String> = bars.iter().map(f64::to_string).collect();
+                let met = times.iter().zip(*bars).all(|(times, bar)| times >= bar);
+                let words = format!("at least {}", words.join(" and "));
+                [Cell::Text(words), Cell::Verdict(met)]
             }));
             row
         });
-    let columns = ["What", "Whose", "Least time", "Times ours", "Bar", "Passed"];
+    let own = rivals[..ours]
+        .iter()
+        .map(|own| format!("Times {}", own.name));
+    let columns = ["What", "Whose", "Least time"]
+        .map(str::to_owned)
+        .into_iter();
+    let last = ["Bar", "Passed"].map(str::to_owned);
     Table {
         title: format!("{title}: ours and others in one run"),
-        columns: columns.map(str::to_owned).to_vec(),
+        columns: columns.chain(own).chain(last).collect(),
         rows: rows.collect(),
     }
 }
@@ -52,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rivals_are_compared_with_the_slowest_of_ours() {
+    fn a_rival_has_to_be_slower_than_each_of_ours_by_its_own_bar() {
         let rival = |name| Rival::new(name, 1, || ());
         let rivals = [
             rival("ours, a"),
@@ -60,15 +70,20 @@ mod tests {
             rival("theirs 0.9"),
             rival("other"),
         ];
-        let table = versus(
-            "T",
-            &rivals,
-            &[10.0, 20.0, 90.0, 50.0],
-            1,
-            &[("theirs", 5.0)],
+        let made = |b_ns: f64| {
+            let ns = [10.0, b_ns, 90.0, 50.0];
+            versus("T", &rivals, &ns, 2, &[("theirs", &[5.0, 3.0])])
+        };
+        let (quick, slow) = (made(20.0), made(40.0));
+        assert_eq!(quick.rows[2][4], Cell::Figure(4.5, String::new()));
+        assert_eq!(quick.rows[2][6], Cell::Verdict(true));
+        assert_eq!(slow.rows[2][6], Cell::Verdict(false));
+        assert_eq!(quick.rows[3][6], Cell::Empty);
+        assert!(
+            quick
+                .rows
+                .iter()
+                .all(|row| row.len() == quick.columns.len())
         );
-        assert_eq!(table.rows[2][3], Cell::Figure(4.5, String::new()));
-        assert_eq!(table.rows[2][5], Cell::Verdict(false));
-        assert_eq!(table.rows[3][5], Cell::Empty);
     }
 }

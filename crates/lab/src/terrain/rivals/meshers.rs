@@ -18,8 +18,8 @@ const CELLS: usize = 32;
 /// Cells of a chunk.
 const COUNT: usize = CELLS * CELLS * CELLS;
 
-/// Every extractor over those samples.
-pub fn meshers<'a>(samples: &'a Samples) -> Vec<Rival<'a>> {
+/// Every extractor over those samples; a run returns its triangles.
+pub fn meshers(samples: &Samples) -> Vec<Rival<'_>> {
     vec![
         isosurface_cubes(samples),
         transvoxel_cubes(samples),
@@ -38,12 +38,12 @@ impl ScalarSource for Corners<'_> {
     }
 }
 
-fn isosurface_cubes<'a>(samples: &'a Samples) -> Rival<'a> {
+fn isosurface_cubes(samples: &Samples) -> Rival<'_> {
     let (mut vertices, mut indices) = (Vec::new(), Vec::new());
     let mut cubes = MarchingCubes::<Signed>::new(CELLS + 1);
     // It goes through one layer more than its grid has.
     let cells = CELLS * CELLS * (CELLS + 1);
-    Rival::new("isosurface 0.1.0-alpha.0", cells, move || {
+    Rival::counting("isosurface 0.1.0-alpha.0", cells, move || {
         vertices.clear();
         indices.clear();
         let source = Corners(samples);
@@ -62,7 +62,7 @@ fn transvoxel_cubes<'a>(samples: &Samples) -> Rival<'a> {
         -samples.get(i, j, k)
     };
     let voxels = Voxels::cache(&density, Block::new([0.0; 3], CELLS as f32, CELLS));
-    Rival::new("transvoxel 2.0", COUNT, move || {
+    Rival::counting("transvoxel 2.0", COUNT, move || {
         let view = BlockStarView::<f32, f32, &Voxels, &Voxels>::new_simple(&voxels);
         extract(&view, 0.0, GenericMeshBuilder::new())
             .build()
@@ -70,39 +70,14 @@ fn transvoxel_cubes<'a>(samples: &Samples) -> Rival<'a> {
     })
 }
 
-fn surface_nets_of<'a>(samples: &'a Samples) -> Rival<'a> {
+fn surface_nets_of(samples: &Samples) -> Rival<'_> {
     type Shape = ConstShape3u32<35, 35, 35>;
     let mut buffer = SurfaceNetsBuffer::default();
-    Rival::new("fast-surface-nets 0.2", COUNT, move || {
+    Rival::counting("fast-surface-nets 0.2", COUNT, move || {
         let last = [SAMPLES as u32 - 2; 3];
         surface_nets(samples.values(), &Shape {}, [0; 3], last, &mut buffer);
         buffer.indices.len() / 3
     })
-}
-
-/// Triangles that each makes, in the order of [`meshers`].
-#[cfg(test)]
-fn triangles(samples: &Samples) -> [usize; 3] {
-    let (mut vertices, mut indices) = (Vec::new(), Vec::new());
-    let source = Corners(samples);
-    let mut out = IndexedVertices::new(&mut vertices, &mut indices);
-    MarchingCubes::<Signed>::new(CELLS + 1).extract(&Sampler::new(&source), &mut out);
-    let density = |x: f32, y: f32, z: f32| {
-        let [i, j, k] = [x, y, z].map(|c| (c + 1.5) as usize);
-        -samples.get(i, j, k)
-    };
-    let voxels = Voxels::cache(&density, Block::new([0.0; 3], CELLS as f32, CELLS));
-    let view = BlockStarView::<f32, f32, &Voxels, &Voxels>::new_simple(&voxels);
-    let mut buffer = SurfaceNetsBuffer::default();
-    let shape = ConstShape3u32::<35, 35, 35> {};
-    surface_nets(samples.values(), &shape, [0; 3], [33; 3], &mut buffer);
-    [
-        indices.len() / 3,
-        extract(&view, 0.0, GenericMeshBuilder::new())
-            .build()
-            .num_tris(),
-        buffer.indices.len() / 3,
-    ]
 }
 
 #[cfg(test)]
@@ -117,11 +92,13 @@ mod tests {
         let (field, coord) = engine::surface_chunk(antipode_geometry::Geometry::Euclidean);
         let samples = field.samples(coord);
         let ours = march(&samples, &field, coord).triangles().len() as f64;
-        for found in triangles(&samples) {
+        for mut rival in meshers(&samples) {
+            let found = (rival.work)();
             let share = found as f64 / ours;
             assert!(
                 (0.9..1.1).contains(&share),
-                "{found} triangles, ours {ours}"
+                "{}: {found} triangles, ours {ours}",
+                rival.name
             );
         }
     }

@@ -15,9 +15,12 @@ const COUNT: usize = SAMPLES * SAMPLES * SAMPLES;
 
 /// Every library that runs on this machine, each filling one block.
 pub fn noises<'a>() -> Vec<Rival<'a>> {
-    let mut rivals = vec![noise_perlin(), fastnoise_lite()];
-    rivals.extend(simdnoise_simplex());
-    rivals
+    vec![
+        noise_perlin(),
+        fastnoise_lite(),
+        #[cfg(target_arch = "x86_64")]
+        simdnoise_simplex(),
+    ]
 }
 
 /// A block from a function of the place, columns upward as ours.
@@ -60,21 +63,15 @@ fn fastnoise_lite<'a>() -> Rival<'a> {
 }
 
 #[cfg(target_arch = "x86_64")]
-fn simdnoise_simplex<'a>() -> Option<Rival<'a>> {
+fn simdnoise_simplex<'a>() -> Rival<'a> {
     use simdnoise::NoiseBuilder;
-    let work = || {
+    Rival::new("simdnoise 3.1, simplex", COUNT, || {
         NoiseBuilder::fbm_3d(SAMPLES, SAMPLES, SAMPLES)
             .with_seed(20)
             .with_freq(FREQUENCY as f32)
             .with_octaves(OCTAVES)
             .generate()
-    };
-    Some(Rival::new("simdnoise 3.1, simplex", COUNT, work))
-}
-
-#[cfg(not(target_arch = "x86_64"))]
-fn simdnoise_simplex<'a>() -> Option<Rival<'a>> {
-    None
+    })
 }
 
 #[cfg(test)]
