@@ -48,4 +48,7 @@ pub use uniform::SpaceUniform;
 /// The shader text that mirrors this crate: `struct Space` and the four functions that port,
 /// light, project and measure. It has no entry point and no binding; other shaders are
 /// appended to it.
-pub const WGSL: &str = include_str!("../../../shaders/geometry.wgsl");
+pub const WGSL: &str = concat!(
+    include_str!("../../../shaders/trigonometry.wgsl"),
+    include_str!("../../../shaders/geometry.wgsl"),
+);

@@ -145,8 +145,16 @@ const BOUNDS: [(&str, &str, f64); 32] = [
         "one frame an object, the map's differential",
         1e-2,
     ),
-    ("Port of one vertex by the sphere", "library, f32", 4e-6),
-    ("Port of one vertex by the sphere", "series, f32", 4e-6),
+    (
+        "Port of one vertex by the sphere",
+        "closed form, library, f32",
+        4e-6,
+    ),
+    (
+        "Port of one vertex by the sphere",
+        "closed form, series, f32",
+        4e-6,
+    ),
     (
         "Port of one vertex by the sphere",
         "one frame an object, the map's differential",

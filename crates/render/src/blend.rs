@@ -41,17 +41,17 @@ impl BlendClock {
     }
 
     /// Whether anything blends at all.
-    pub fn moves(&self) -> bool {
+    pub fn moves(self) -> bool {
         self.frames_since < STILL_FRAMES
     }
 
     /// The time, seconds.
-    pub fn now_s(&self) -> f32 {
+    pub fn now_s(self) -> f32 {
         self.time_s
     }
 
     /// How much of a blend that began at `began_s` is done, above 0 and below 1; `None` when all of it is.
-    pub fn progress(&self, began_s: f32) -> Option<f32> {
+    pub fn progress(self, began_s: f32) -> Option<f32> {
         let done = (self.time_s - began_s) / BLEND_S;
         // A fresh blend shows a little of what is new already.
         ((0.0..1.0).contains(&done) && self.moves()).then(|| done.max(1.0 / 32.0))

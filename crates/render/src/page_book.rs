@@ -44,7 +44,7 @@ impl fmt::Debug for Place {
             .field("page", &self.page)
             .field("first_vertex", &self.first_vertex())
             .field("first_index", &self.first_index())
-            .finish()
+            .finish_non_exhaustive()
     }
 }
 
@@ -124,15 +124,20 @@ impl PageBooks {
 
     /// Takes a place back; true if that leaves its page empty and it was given up, since there are others.
     pub fn give_back(&mut self, place: Place) -> bool {
+        let Place {
+            page,
+            vertices,
+            words,
+        } = place;
         let others = self.books.iter().flatten().count() > 1;
-        let Some(slot) = self.books.get_mut(place.page) else {
+        let Some(slot) = self.books.get_mut(page) else {
             return false;
         };
         let Some(book) = slot else {
             return false;
         };
-        book.vertices.free(place.vertices);
-        book.words.free(place.words);
+        book.vertices.free(vertices);
+        book.words.free(words);
         book.places -= 1;
         let gone = book.places == 0 && others;
         if gone {

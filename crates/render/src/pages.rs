@@ -41,7 +41,7 @@ pub struct Pages {
     queue: Queue,
     half_bytes: u64,
     books: PageBooks,
-    pages: Vec<Option<Page>>,
+    buffers: Vec<Option<Page>>,
 }
 
 impl Pages {
@@ -57,7 +57,7 @@ impl Pages {
                 vertices: (half_bytes / size_of::<Vertex>() as u64) as u32,
                 indices: (half_bytes / size_of::<u16>() as u64) as u32,
             }),
-            pages: Vec::new(),
+            buffers: Vec::new(),
         }
     }
 
@@ -73,11 +73,11 @@ impl Pages {
         if indices.len() % 2 == 1 {
             indices.push(0);
         }
-        if self.pages.len() <= place.page {
-            self.pages.resize_with(place.page + 1, || None);
+        if self.buffers.len() <= place.page {
+            self.buffers.resize_with(place.page + 1, || None);
         }
-        let page =
-            self.pages[place.page].get_or_insert_with(|| Page::new(&self.device, self.half_bytes));
+        let page = self.buffers[place.page]
+            .get_or_insert_with(|| Page::new(&self.device, self.half_bytes));
         let at = |first: u32, bytes: usize| u64::from(first) * bytes as u64;
         self.queue.write_buffer(
             &page.vertices,
@@ -96,23 +96,23 @@ impl Pages {
     pub fn give_back(&mut self, place: Place) {
         let page = place.page;
         if self.books.give_back(place) {
-            self.pages[page] = None;
+            self.buffers[page] = None;
         }
     }
 
     /// Gives up everything.
     pub fn clear(&mut self) {
         self.books.clear();
-        self.pages.clear();
+        self.buffers.clear();
     }
 
     /// The buffers of a page that something lies in.
     pub fn page(&self, page: usize) -> Option<&Page> {
-        self.pages.get(page).and_then(Option::as_ref)
+        self.buffers.get(page).and_then(Option::as_ref)
     }
 
     /// Bytes of all pages.
     pub fn bytes(&self) -> u64 {
-        2 * self.half_bytes * self.pages.iter().flatten().count() as u64
+        2 * self.half_bytes * self.buffers.iter().flatten().count() as u64
     }
 }

@@ -22,11 +22,19 @@ const KEPT_SPAN_PX: f64 = LEAST_SPAN_PX / 2.0;
 /// line; there only this share of the error is let pass.
 const RIM_SHARE: f64 = 0.25;
 
-/// Share of [`Field::level_error_m`] that levels are chosen by. That is the error of the one vertex in
-/// a hundred; it is far from what the land as a whole is off by, of which half is within a seventh.
-/// With this share most of the land is within what is let pass, and levels stay in proportion: by
-/// the whole of it rough biomes would be made in full as far as one can see.
-const ERROR_SHARE: f64 = 0.2;
+/// Within [`NEAR_CHUNKS`] of the eye levels are as fine as the quality asks. By that rule alone rough
+/// land would be made in full as far as one can see; so a wider range may cost this many times what
+/// is near, and what is farther is as coarse as that takes. A little under the two that is promised,
+/// since levels do not cost exactly a quarter of each other.
+const FAR_SHARE: f64 = 1.8;
+const NEAR_CHUNKS: i64 = 6;
+/// What a closed world may cost, in chunks of full level: about what is near in an open one, twice.
+const CLOSED_BUDGET: f64 = 400.0;
+/// Where that does not suffice, what is let pass grows by this from step to step, up to a most.
+const LENIENCY_STEP: f64 = 1.25;
+const MOST_LENIENT: f64 = 32.0;
+/// Levels become stricter again where they then stay within this share of the budget.
+const SPARE_SHARE: f64 = 0.85;
 
 /// What is planned for a chunk that has a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,11 +44,20 @@ pub(crate) struct Target {
     pub(crate) wanted: bool,
 }
 
+/// How a chunk looks in the picture.
+#[derive(Clone, Copy, Debug)]
+struct Look {
+    errors_px: [f64; Level::ALL.len()],
+    wanted: bool,
+}
+
 /// Targets of every chunk with a surface in range and a little beyond.
 #[derive(Debug)]
 pub(crate) struct Plan {
     pub(crate) targets: HashMap<ChunkCoord, Target>,
     pub(crate) range: Range,
+    /// How many times what the quality lets pass the levels were allowed to be off.
+    pub(crate) leniency: f64,
 }
 
 impl Plan {
@@ -49,6 +66,7 @@ impl Plan {
         Self {
             targets: HashMap::new(),
             range: Range::Nothing,
+            leniency: 1.0,
         }
     }
 }
@@ -75,24 +93,10 @@ pub(crate) struct Planned {
 impl Request {
     /// Makes the plan.
     pub(crate) fn plan(&self, field: &Field) -> Planned {
-        let mut levels = HashMap::new();
-        let mut unwanted = HashSet::new();
-        for coord in self.range.kept() {
-            if !self.near_edits.contains(&coord) && field.content(coord) != Content::Surface {
-                continue;
-            }
-            let span_px = self.span_px(coord);
-            if span_px < KEPT_SPAN_PX {
-                continue;
-            }
-            if span_px < LEAST_SPAN_PX || !self.range.contains(coord) {
-                unwanted.insert(coord);
-            }
-            levels.insert(coord, self.level(field, coord));
-        }
-        relax(&mut levels);
+        let looks = self.looks(field);
+        let (levels, leniency) = self.affordable(&looks);
         let target = |(coord, level)| {
-            let wanted = !unwanted.contains(&coord);
+            let wanted = looks.get(&coord).is_some_and(|look| look.wanted);
             (coord, Target { level, wanted })
         };
         let targets: HashMap<_, _> = levels.into_iter().map(target).collect();
@@ -104,32 +108,121 @@ impl Request {
             plan: Plan {
                 targets,
                 range: self.range.clone(),
+                leniency,
             },
         }
     }
 
+    /// Every chunk with a surface that is large enough to be there.
+    fn looks(&self, field: &Field) -> HashMap<ChunkCoord, Look> {
+        let mut looks = HashMap::new();
+        for coord in self.range.kept() {
+            if !self.near_edits.contains(&coord) && field.content(coord) != Content::Surface {
+                continue;
+            }
+            let span_px = self.span_px(coord);
+            if span_px < KEPT_SPAN_PX {
+                continue;
+            }
+            let look = Look {
+                errors_px: self.errors_px(field, coord),
+                wanted: span_px >= LEAST_SPAN_PX && self.range.contains(coord),
+            };
+            looks.insert(coord, look);
+        }
+        looks
+    }
+
+    /// The levels, and how many times what the quality lets pass they had to be allowed, so that
+    /// the whole stays within what may be drawn. Of two that would do it is the one before, unless
+    /// the stricter has room to spare.
+    fn affordable(&self, looks: &HashMap<ChunkCoord, Look>) -> (HashMap<ChunkCoord, Level>, f64) {
+        let strict = self.levels(looks, 1.0);
+        let exact = self.detail.as_ref().is_none_or(|d| d.tolerance_px() <= 0.0);
+        if exact {
+            return (strict, 1.0);
+        }
+        let affordable = self.budget(looks, &strict);
+        let mut levels = strict;
+        let mut leniency = 1.0;
+        while leniency < MOST_LENIENT {
+            let share = if leniency < self.before.leniency {
+                SPARE_SHARE
+            } else {
+                1.0
+            };
+            if cost(&levels, |coord| looks[&coord].wanted) <= affordable * share {
+                break;
+            }
+            leniency *= LENIENCY_STEP;
+            levels = self.levels(looks, leniency);
+        }
+        (levels, leniency)
+    }
+
+    /// What may be drawn, in chunks of full level.
+    fn budget(
+        &self,
+        looks: &HashMap<ChunkCoord, Look>,
+        strict: &HashMap<ChunkCoord, Level>,
+    ) -> f64 {
+        if matches!(self.range, Range::Sphere(_)) {
+            return CLOSED_BUDGET;
+        }
+        FAR_SHARE * cost(strict, |coord| self.is_near(coord) && looks[&coord].wanted)
+    }
+
+    /// Whether the chunk is so near that nothing but the quality tells its level.
+    fn is_near(&self, coord: ChunkCoord) -> bool {
+        let Range::Around { centre, .. } = &self.range else {
+            return false;
+        };
+        let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
+        apart.abs().max_element() <= NEAR_CHUNKS
+    }
+
+    fn levels(
+        &self,
+        looks: &HashMap<ChunkCoord, Look>,
+        leniency: f64,
+    ) -> HashMap<ChunkCoord, Level> {
+        let tolerance_px = self.detail.as_ref().map_or(0.0, |d| d.tolerance_px());
+        let level = |(&coord, look): (&ChunkCoord, &Look)| {
+            let before = self.before.targets.get(&coord).map(|target| target.level);
+            let let_pass = if self.is_near(coord) { 1.0 } else { leniency };
+            let level = choose(&look.errors_px, 1.0, tolerance_px * let_pass, before);
+            (coord, level)
+        };
+        let mut levels = looks.iter().map(level).collect();
+        relax(&mut levels);
+        levels
+    }
+
     /// The level of a chunk as such, whatever its neighbours have.
     pub(crate) fn level(&self, field: &Field, coord: ChunkCoord) -> Level {
-        let Some(detail) = &self.detail else {
-            return Level::FULL;
+        let tolerance_px = self.detail.as_ref().map_or(0.0, |d| d.tolerance_px());
+        let before = self.before.targets.get(&coord).map(|target| target.level);
+        let errors_px = self.errors_px(field, coord);
+        choose(&errors_px, 1.0, tolerance_px * self.before.leniency, before)
+    }
+
+    /// What each level of a chunk is off by in the picture; without one, and near bodies, anything
+    /// but the full level is off without bound.
+    fn errors_px(&self, field: &Field, coord: ChunkCoord) -> [f64; Level::ALL.len()] {
+        let Some(detail) = self.detail.as_ref().filter(|_| !self.bodies.keeps(coord)) else {
+            return Level::ALL.map(|level| match level {
+                Level::FULL => 0.0,
+                _ => f64::INFINITY,
+            });
         };
-        let tolerance_px = detail.tolerance_px();
-        if tolerance_px <= 0.0 || self.bodies.keeps(coord) {
-            return Level::FULL;
-        }
         let share = if meets_rim(&**field.strategy(), coord) {
             RIM_SHARE
         } else {
             1.0
         };
-        let errors_m = errors_m(field, self.near_edits.contains(&coord));
-        let before = self.before.targets.get(&coord).map(|target| target.level);
-        choose(
-            &errors_m,
-            detail.pixels_per_metre(coord),
-            tolerance_px * share,
-            before,
-        )
+        let pixels_per_metre = detail.pixels_per_metre(coord);
+        errors_m(field, self.near_edits.contains(&coord))
+            .map(|error_m| error_m * pixels_per_metre / share)
     }
 
     /// Pixels that a chunk takes from one end to the other; ground near bodies always counts.
@@ -141,13 +234,21 @@ impl Request {
     }
 }
 
+/// What the chunks that count cost, in chunks of full level: half the resolution has a quarter of
+/// the triangles.
+fn cost(levels: &HashMap<ChunkCoord, Level>, counts: impl Fn(ChunkCoord) -> bool) -> f64 {
+    let own = |level: &Level| 0.25_f64.powi(level.index() as i32);
+    let counted = levels.iter().filter(|&(&coord, _)| counts(coord));
+    counted.map(|(_, level)| own(level)).sum()
+}
+
 /// What each level may be off by, in metres. What was dug or built may be as thin as a cell of any
 /// level, and is wholly lost then.
 fn errors_m(field: &Field, edited: bool) -> [f64; Level::ALL.len()] {
     Level::ALL.map(|level| match level {
         Level::FULL => 0.0,
         _ if edited => f64::from(level.step_m()),
-        _ => field.level_error_m(level) * ERROR_SHARE,
+        _ => field.level_error_m(level),
     })
 }
 
@@ -231,6 +332,45 @@ mod tests {
             }
         }
         assert!(counts[0] > 20 && counts[1] > counts[0], "{counts:?}");
+    }
+
+    #[test]
+    fn sixteen_chunks_of_distance_cost_at_most_twice_as_much_as_six() {
+        for seed in 0..5 {
+            let cost_at = |distance| {
+                let (mut request, _) = request(Geometry::Euclidean, f64::INFINITY, eye(), distance);
+                let field = Field::new(seed, Arc::clone(&strategy(Geometry::Euclidean, 0.0)));
+                request.near_edits = Arc::default();
+                let plan = request.plan(&field).plan;
+                let levels = plan
+                    .targets
+                    .iter()
+                    .map(|(&coord, target)| (coord, target.level));
+                let wanted = |coord| plan.targets[&coord].wanted;
+                (cost(&levels.collect(), wanted), plan.leniency)
+            };
+            let ((far, lenient), (near, strict)) = (cost_at(16), cost_at(6));
+            assert!(
+                far > near && far <= 2.0 * near,
+                "seed {seed}: {far} against {near}"
+            );
+            assert!(
+                strict == 1.0 && lenient < 16.0,
+                "seed {seed}: {lenient} times"
+            );
+        }
+    }
+
+    #[test]
+    fn the_largest_closed_world_stays_within_its_budget() {
+        let (request, field) = request(Geometry::Spherical, 256.0, eye(), 6);
+        let plan = request.plan(&field).plan;
+        let levels = plan
+            .targets
+            .iter()
+            .map(|(&coord, target)| (coord, target.level));
+        let cost = cost(&levels.collect(), |_| true);
+        assert!(cost <= CLOSED_BUDGET, "{cost} with {} times", plan.leniency);
     }
 
     #[test]

@@ -182,7 +182,8 @@ impl Runner {
         self.enter(session)
     }
 
-    fn enter(&mut self, session: Session) -> Result<(), Failure> {
+    fn enter(&mut self, mut session: Session) -> Result<(), Failure> {
+        session.scene.set_picture_height_px(self.common.size.1);
         self.worlds_opened += 1;
         self.controls.release_all();
         self.session = Some(session);

@@ -187,13 +187,14 @@ impl Game {
     }
 
     /// The picture to draw, if a world is open.
-    pub fn frame(&mut self, aspect: f64) -> Option<Frame> {
+    pub fn frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
         // Behind the loading screen nothing is seen; what drawing would cost goes into making the land.
         if matches!(self.phase, Phase::Loading(_)) {
             return None;
         }
         let id = self.worlds_opened;
         let session = self.phase.session_mut()?;
+        session.scene.set_picture_height_px(height_px);
         Some(session.scene.frame(FOV_Y_RAD, aspect, id))
     }
 

@@ -251,7 +251,7 @@ impl Open {
         if self.game.take_wants_picture() {
             self.take_picture();
         }
-        let frame = self.game.frame(self.stage.aspect());
+        let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
         let input = self.stage.input.take_egui_input(&self.stage.window);
         let game = &mut self.game;
         let drawn = self.stage.drawn();

@@ -135,6 +135,11 @@ impl Stage {
         f64::from(self.config.width) / f64::from(self.config.height)
     }
 
+    /// Lines of the picture, pixels.
+    pub fn height_px(&self) -> u32 {
+        self.config.height
+    }
+
     /// The window has a new size in pixels; a size of zero (minimised) changes nothing.
     pub fn resize(&mut self, width: u32, height: u32) {
         if width == 0 || height == 0 {

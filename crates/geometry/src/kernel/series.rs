@@ -1,4 +1,4 @@
-//! Trigonometry in single precision: the functions of `shaders/geometry.wgsl`, line by line.
+//! Trigonometry in single precision: the functions of `shaders/trigonometry.wgsl`, line by line.
 //!
 //! Only + - * /, square roots and shifts of the exponent, so the bits are the same on every system
 //! and thread. Coefficients are least-squares fits at Chebyshev nodes in 60 digits, rounded to
