@@ -123,6 +123,10 @@ impl PageBooks {
     }
 
     /// Takes a place back; true if that leaves its page empty and it was given up, since there are others.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "a place that went back is nobody's any more"
+    )]
     pub fn give_back(&mut self, place: Place) -> bool {
         let Place {
             page,

@@ -47,7 +47,7 @@ fn before_the_wall(geometry: Geometry) -> Frame {
 }
 
 /// The same but for rounding.
-fn near(a: &image::Rgba<u8>, b: &image::Rgba<u8>) -> bool {
+fn near(a: image::Rgba<u8>, b: image::Rgba<u8>) -> bool {
     a.0.iter().zip(&b.0).all(|(a, b)| a.abs_diff(*b) <= 1)
 }
 
@@ -77,11 +77,11 @@ fn in_a_blend_each_pixel_shows_one_of_the_two_levels_and_in_the_end_the_new_one(
         let (mut old, mut new) = (0, 0);
         for ((a, b), shown) in coarse.pixels().zip(fine.pixels()).zip(half.pixels()) {
             assert!(
-                near(shown, a) || near(shown, b),
+                near(*shown, *a) || near(*shown, *b),
                 "{geometry}: {a:?} {b:?} {shown:?}"
             );
-            old += usize::from(near(shown, a) && !near(shown, b));
-            new += usize::from(near(shown, b) && !near(shown, a));
+            old += usize::from(near(*shown, *a) && !near(*shown, *b));
+            new += usize::from(near(*shown, *b) && !near(*shown, *a));
         }
         let share = new as f64 / (old + new) as f64;
         assert!(

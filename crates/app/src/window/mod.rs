@@ -275,7 +275,7 @@ impl Open {
     fn take_picture(&mut self) {
         let picture = self
             .game
-            .frame(16.0 / 9.0)
+            .frame(16.0 / 9.0, self.stage.height_px())
             .and_then(|frame| self.stage.thumbnail(&frame));
         if let Some(picture) = picture {
             self.game.keep_picture(picture);

@@ -86,7 +86,7 @@ impl RefineRules {
         };
         Self {
             key: RefineKey::of(frame, bounds),
-            longest_square: (0..(reach_m * f64::from(STEPS_PER_M)) as u32 + 1)
+            longest_square: (0..=(reach_m * f64::from(STEPS_PER_M)) as u32)
                 .map(at)
                 .collect(),
             bounds: bounds.clone(),

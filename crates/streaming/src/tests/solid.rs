@@ -126,7 +126,7 @@ fn a_stroke_builds_only_the_parts_of_a_collider_that_it_changes() {
     let mut parts = Vec::new();
     for _ in 0..3 {
         let before = game.chunks[&coord].collider.clone().expect("ground");
-        game.streamer.edit(crate::tests::stroke(at, 2.0));
+        game.streamer.edit(stroke(at, 2.0));
         game.wait(Until::Edits);
         let after = game.chunks[&coord].collider.as_ref().expect("ground");
         parts.push(after.shared_parts(&before));
