@@ -16,8 +16,8 @@ use antipode_terrain::ChunkEdits;
 use crate::range::around;
 use crate::vault::{ReadFault, Vault, key_of};
 
-/// Saved chunks of a stored world that stay in memory, those used last: 32 MB of them.
-const MOST_SAVED: usize = 256;
+/// Saved chunks of a stored world that stay in memory, those used last: 8 MB of them.
+const MOST_SAVED: usize = 64;
 
 /// Edits of a chunk and its neighbours at one revision.
 pub(crate) struct Snapshot {

@@ -39,6 +39,9 @@ pub struct Streamer {
     pub(crate) saves: Saves,
     /// Updates that arose outside `poll`.
     ready: VecDeque<Update>,
+    /// Chunks that no body is near any more: told one at a time, since taking colliders away costs
+    /// the game as much as a frame's other work.
+    leaving: VecDeque<ChunkCoord>,
 }
 
 /// Where saving stands.
@@ -120,6 +123,7 @@ impl Streamer {
             held: Vec::new(),
             saves: Saves::default(),
             ready,
+            leaving: VecDeque::new(),
         })
     }
 
@@ -128,7 +132,7 @@ impl Streamer {
     /// plan has been made anew.
     pub fn wish(&mut self, wish: &Wish) {
         let left = self.ledger.wish(wish);
-        self.ready.extend(left.into_iter().map(softened));
+        self.leaving.extend(left);
         self.feed();
     }
 
@@ -163,7 +167,18 @@ impl Streamer {
             }
         }
         self.feed();
+        self.settle_leaving(&updates);
+        updates.extend(self.leaving.pop_front().map(softened));
         updates
+    }
+
+    /// What an update tells anew of a chunk stands, and no longer what was to be told before.
+    fn settle_leaving(&mut self, updates: &[Update]) {
+        if self.leaving.is_empty() {
+            return;
+        }
+        let told: HashSet<ChunkCoord> = updates.iter().flat_map(coords).collect();
+        self.leaving.retain(|coord| !told.contains(coord));
     }
 
     /// Chunks to be loaded, and one more while an edit is under way.
@@ -218,7 +233,10 @@ impl Streamer {
     }
 
     pub(crate) fn take_ready(&mut self) -> Vec<Update> {
-        Vec::from(std::mem::take(&mut self.ready))
+        let mut ready = Vec::from(std::mem::take(&mut self.ready));
+        self.settle_leaving(&ready);
+        ready.extend(self.leaving.drain(..).map(softened));
+        ready
     }
 
     /// Keeps updates for the next [`poll`](Self::poll) or [`wait`](Self::wait).
@@ -373,6 +391,16 @@ fn game_cost(update: &Update) -> Duration {
         | Update::Problem(_) => 0,
     };
     Duration::from_nanos((bytes * GAME_NS_PER_BYTE) as u64)
+}
+
+/// The chunks that an update tells of.
+fn coords(update: &Update) -> Vec<ChunkCoord> {
+    match update {
+        Update::Loaded(chunk) => vec![chunk.coord],
+        Update::Edited(chunks) => chunks.iter().map(|chunk| chunk.coord).collect(),
+        Update::Solid { coord, .. } | Update::Unloaded(coord) => vec![*coord],
+        Update::Saved | Update::SaveFailed(_) | Update::Problem(_) => Vec::new(),
+    }
 }
 
 /// Tells that no body is near a chunk any more.

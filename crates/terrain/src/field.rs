@@ -27,6 +27,9 @@ pub const FIELD_BAND_M: f32 = 8.0;
 pub const RIM_REACH_M: f64 = 8.0;
 /// Share of the sphere's range of heights that ground may use.
 const SPHERE_SHARE: f64 = 0.98;
+/// Half range of ground on large spheres, metres: that of a radius of 64 m. The noise is as fine on
+/// all of them, and stretched higher it would tear off rocks that float.
+const SPHERE_MOST_M: f64 = 11.0;
 
 /// The ground of a world before any edit: a pure function of seed and space.
 #[derive(Debug, Clone)]
@@ -46,7 +49,7 @@ impl Field {
         let bounds = strategy.limits().map(|limits| {
             let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
             let half = (limits.ground_max_m - limits.ground_min_m) / 2.0;
-            (middle, half * SPHERE_SHARE)
+            (middle, (half * SPHERE_SHARE).min(SPHERE_MOST_M))
         });
         Self {
             lattice: Arc::new(Lattice::new(seed)),
