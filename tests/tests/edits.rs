@@ -139,9 +139,8 @@ impl Shown {
         let mut nearest: Option<f64> = None;
         for (coord, mesh) in &self.chunks {
             for triangle in mesh.triangles() {
-                let [a, b, c] = triangle.map(|i| {
-                    coord.origin() + mesh.vertices[i as usize].position().as_dvec3()
-                });
+                let [a, b, c] = triangle
+                    .map(|i| coord.origin() + mesh.vertices[i as usize].position().as_dvec3());
                 if let Some(height) = height_in(from, a, b, c)
                     && height <= from.y
                 {

@@ -86,6 +86,10 @@ impl PhysicsWorld {
 
     /// Puts a chunk's terrain with its origin at `origin` (m), replacing what the chunk had;
     /// `None` leaves the chunk empty. Parts that are the same as before stay as they are.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "the terrain is handed over: its parts are shared, and whoever kept it would keep them alive"
+    )]
     pub fn set_terrain(
         &mut self,
         coord: ChunkCoord,
