@@ -50,6 +50,7 @@ impl Drawn {
             hidden: self.plan.triangles_hidden,
             small: self.plan.triangles_small,
             error_px: self.plan.error_px,
+            level_error_px: self.plan.level_error_px,
         }
     }
 }

@@ -103,6 +103,7 @@ pub mod tests {
     fn every_file_of_shaders_is_used() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders");
         let known = [
+            "trigonometry",
             "geometry",
             "common",
             TERRAIN.name,

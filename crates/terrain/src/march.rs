@@ -58,6 +58,7 @@ impl Mesher {
             vertices: self.vertices.clone(),
             indices: self.indices.clone(),
             seams,
+            error_m: field.level_error_m(level) as f32,
         }
     }
 

@@ -88,6 +88,9 @@ pub struct ChunkMesh {
     /// that close the gap to a neighbour of half the step, to be drawn only beside one. Empty
     /// where there is no gap, and at [`Level::FULL`].
     pub seams: [Range<u32>; 6],
+    /// What the level is off by, metres: 99 of 100 places of untouched land lie nearer to the full
+    /// surface ([`Field::level_error_m`](crate::Field::level_error_m)). 0 at [`Level::FULL`].
+    pub error_m: f32,
 }
 
 impl ChunkMesh {

@@ -176,6 +176,7 @@ fn measured_hud() -> HudModel {
             hidden: 76_543,
             small: 987,
             error_px: 0.4321,
+            level_error_px: 2.4,
         }),
         ..full_hud()
     }

@@ -183,6 +183,7 @@ fn slab(seen: &Seen) -> ChunkLand {
         min,
         max,
         triangles: 1,
+        error_m: 0.0,
         solid_below_m: None,
     }
 }

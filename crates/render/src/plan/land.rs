@@ -22,6 +22,8 @@ pub struct ChunkLand {
     pub max: DVec3,
     /// Triangles of its surface.
     pub triangles: usize,
+    /// What its level is off by, metres.
+    pub error_m: f64,
     /// Height below which the chunk's column is solid ground, if that is certain, chart metres.
     pub solid_below_m: Option<f64>,
 }
@@ -51,6 +53,7 @@ impl ChunkLand {
             min: if is_empty { origin } else { corner(min) },
             max: if is_empty { origin } else { corner(max) },
             triangles: mesh.triangles().len(),
+            error_m: f64::from(mesh.error_m),
             solid_below_m,
         }
     }

@@ -15,7 +15,7 @@ mod stats;
 
 use std::collections::HashSet;
 
-use antipode_geometry::{ChunkCoord, SightCell};
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord, SightCell};
 use antipode_scene::frame::{Frame, Quality};
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
@@ -63,6 +63,9 @@ pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
         .into_iter()
         .map(|candidate| {
             let chunk = &land[candidate.place];
+            // A metre takes about as many pixels as the chunk has, over its side.
+            let metre_px = scale.spans_px(&candidate.cell) / f64::from(CHUNK_CELLS);
+            stats.level_error_at_least(chunk.error_m * metre_px);
             choice::choose(
                 frame,
                 chunk,

@@ -34,6 +34,8 @@ pub struct PlanStats {
     pub triangles_added: usize,
     /// The largest error that these choices cause in the frame, pixels.
     pub error_px: f64,
+    /// What the levels of detail are off by in the frame, pixels: 99 of 100 places of the land less.
+    pub level_error_px: f64,
 }
 
 impl PlanStats {
@@ -44,6 +46,10 @@ impl PlanStats {
 
     pub(crate) fn error_at_least(&mut self, px: f64) {
         self.error_px = self.error_px.max(px);
+    }
+
+    pub(super) fn level_error_at_least(&mut self, px: f64) {
+        self.level_error_px = self.level_error_px.max(px);
     }
 
     pub(super) fn count(&mut self, chunk: &ChunkChoice, land: &ChunkLand) {
