@@ -111,7 +111,8 @@ pub struct Marker {
 pub enum Quality {
     /// Errors and land too small to notice in motion are let pass.
     Fast,
-    /// Nothing is off, and nothing missing, by half a pixel or more.
+    /// Nothing is off, and nothing missing, by half a pixel or more; but for the levels of detail
+    /// of land over six chunks away, which are as coarse as the budget of triangles takes.
     #[default]
     Balanced,
     /// Everything is drawn, each vertex by the full formulas.
