@@ -71,14 +71,6 @@ pub struct Report {
     pub edit_latency_ms: Option<Percentiles>,
 }
 
-/// Memory the process holds resident, in MB (10^6 bytes); none where the system does not tell.
-pub fn memory_mb() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-    let kib: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
-    Some(kib * 1024.0 / 1e6)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -62,6 +62,17 @@ pub struct WorldSetup {
     pub view_distance: u32,
 }
 
+impl WorldSetup {
+    /// The same, with a view distance that can be had.
+    fn within_range(self) -> Self {
+        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
+        Self {
+            view_distance: self.view_distance.clamp(least, most),
+            ..self
+        }
+    }
+}
+
 /// One world being played.
 pub struct Scene {
     pub(crate) setup: WorldSetup,
@@ -132,13 +143,8 @@ impl Scene {
         let mut ecs = hecs::World::new();
         let start = crate::spawn::spawn_point(&field);
         let player = ecs.spawn(player::components(start, crate::spawn::FIRST_YAW_RAD));
-        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
-        let view_distance = setup.view_distance.clamp(least, most);
         let mut scene = Self {
-            setup: WorldSetup {
-                view_distance,
-                ..setup
-            },
+            setup: setup.within_range(),
             ground: Ground::new(field, Arc::clone(&strategy)),
             lens,
             strategy,

@@ -39,7 +39,7 @@ pub fn probe(
 ) -> Result<(), Failure> {
     line(&FullProbe {
         scene,
-        memory_mb: crate::perf::memory_mb(),
+        memory_mb: antipode_lab::resident_mb(),
         fps,
         adapter,
         picture,

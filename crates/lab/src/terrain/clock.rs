@@ -166,10 +166,12 @@ mod imp {
 
     use rustix::time::{ClockId, clock_gettime};
 
+    /// Nanoseconds that this thread has run.
     pub fn cpu_ns() -> Option<u64> {
         nanoseconds(ClockId::ThreadCPUTime)
     }
 
+    /// Nanoseconds that all threads of the program have run.
     pub fn program_ns() -> Option<u64> {
         nanoseconds(ClockId::ProcessCPUTime)
     }
@@ -185,10 +187,12 @@ mod imp {
     pub struct Tells(Option<File>);
 
     impl Tells {
+        /// Opens this thread's account.
         pub fn new() -> Self {
             Self(File::open("/proc/thread-self/schedstat").ok())
         }
 
+        /// Nanoseconds that the thread was ready and did not run.
         pub fn queued_ns(&self) -> Option<u64> {
             let mut text = [0; 64];
             let length = self.0.as_ref()?.read_at(&mut text, 0).ok()?;
@@ -200,34 +204,31 @@ mod imp {
 
 #[cfg(not(target_os = "linux"))]
 mod imp {
+    /// This system does not tell.
     pub fn cpu_ns() -> Option<u64> {
         None
     }
 
+    /// This system does not tell.
     pub fn program_ns() -> Option<u64> {
         None
     }
 
+    /// No account of a thread is kept here.
     #[derive(Debug)]
     pub struct Tells;
 
     impl Tells {
+        /// Nothing to open.
         pub fn new() -> Self {
             Self
         }
 
+        /// This system does not tell.
         pub fn queued_ns(&self) -> Option<u64> {
             None
         }
     }
-}
-
-/// Memory that the program holds resident, in MB of 10^6 bytes, where the system tells.
-pub fn resident_mb() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-    let kib: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
-    Some(kib * 1024.0 / 1e6)
 }
 
 #[cfg(test)]

@@ -11,9 +11,9 @@ use antipode_storage::{SavesDir, WorldStore};
 use antipode_terrain::Field;
 use glam::DVec3;
 
-use super::clock::resident_mb;
 use super::engine::{SEED, open, setup, space};
 use super::row::{Bar, Judged, Row, table};
+use crate::resident_mb;
 use crate::{Axis, Effort, LabError, Plot, Scale, Section, Series};
 
 /// Simulated seconds of the way, and of a quick one.
