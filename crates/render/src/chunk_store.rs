@@ -12,7 +12,7 @@ use crate::draw_list::DrawList;
 use crate::gpu::Gpu;
 use crate::land_mesh::{LandMesh, SeamMask};
 use crate::pages::Pages;
-use crate::parts::{parts, sections};
+use crate::parts::{Block, parts, sections};
 use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, Port};
 use crate::refinements::{Refinement, Refinements};
@@ -189,7 +189,7 @@ impl ChunkStore {
 
     /// Shows a mesh from this frame on.
     fn show(&mut self, coord: ChunkCoord, mesh: &Arc<ChunkMesh>) {
-        let parts = parts(&mesh.vertices, sections(mesh));
+        let parts = parts(&mesh.vertices, sections(mesh), &[]);
         let chunk = GpuChunk {
             mesh: LandMesh::put(&mut self.pages, parts),
             source: Arc::clone(mesh),
@@ -267,6 +267,7 @@ impl ChunkStore {
         list: &mut DrawList,
     ) {
         list.clear();
+        let frustum = frame.strategy.frustum(&frame.eye, &frame.projection);
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
@@ -282,7 +283,15 @@ impl ChunkStore {
                 .and_then(|fading| Some((fading, self.clock.progress(fading.began_s)?)));
             let Some((old, progress)) = blend else {
                 let number = TerrainPipelines::number(choice, false);
-                list.add(instance, number, mesh.pieces(seams));
+                let is_seen = |block: &Block| {
+                    let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
+                    let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+                    let cell = frustum.cell_seen(space, eye, coord.hemisphere, min, max);
+                    cell.is_some()
+                };
+                let (pieces, left_out) = mesh.pieces_seen(seams, is_seen);
+                plan.stats.triangles_outside += left_out;
+                list.add(instance, number, pieces.into_iter());
                 continue;
             };
             plan.stats.chunks_blending += 1;

@@ -6,7 +6,7 @@ use wgpu::util::DrawIndexedIndirectArgs;
 
 use crate::page_book::Place;
 use crate::pages::Pages;
-use crate::parts::{Part, SECTIONS};
+use crate::parts::{Block, Part, SECTIONS};
 
 /// Which seams of a mesh are drawn: bit f for the face f, in the order of [`FACES`](crate::seams::FACES).
 pub type SeamMask = u8;
@@ -23,6 +23,8 @@ struct PlacedPart {
     place: Place,
     /// Counted from the page's first index.
     sections: [Range<u32>; SECTIONS],
+    /// The surface's blocks, counted from its first index; none where it is drawn as a whole.
+    blocks: Vec<Block>,
 }
 
 /// What is drawn of one part: a page, and the arguments of a call but for the instance.
@@ -44,7 +46,11 @@ impl LandMesh {
             };
             let first = place.first_index();
             let sections = part.sections.map(|s| s.start + first..s.end + first);
-            placed.push(PlacedPart { place, sections });
+            placed.push(PlacedPart {
+                place,
+                sections,
+                blocks: part.blocks,
+            });
         }
         Self { parts: placed }
     }
@@ -70,14 +76,34 @@ impl LandMesh {
 
     /// The pieces of its surface and of the chosen seams. Sections that lie side by side are one piece.
     pub fn pieces(&self, seams: SeamMask) -> impl Iterator<Item = Piece> {
-        self.parts.iter().flat_map(move |part| part.pieces(seams))
+        let part =
+            move |part: &'_ PlacedPart| part.pieces(1 | u32::from(seams) << 1).collect::<Vec<_>>();
+        self.parts.iter().flat_map(part)
+    }
+
+    /// The pieces of those blocks of its surface that are seen, and of the chosen seams; and how many triangles are
+    /// left out.
+    pub fn pieces_seen(
+        &self,
+        seams: SeamMask,
+        is_seen: impl Fn(&Block) -> bool,
+    ) -> (Vec<Piece>, usize) {
+        let (mut pieces, mut left_out) = (Vec::new(), 0);
+        for part in &self.parts {
+            if part.blocks.is_empty() {
+                pieces.extend(part.pieces(1 | u32::from(seams) << 1));
+            } else {
+                left_out += part.push_blocks(&mut pieces, &is_seen);
+                pieces.extend(part.pieces(u32::from(seams) << 1));
+            }
+        }
+        (pieces, left_out)
     }
 }
 
 impl PlacedPart {
-    fn pieces(&self, seams: SeamMask) -> impl Iterator<Item = Piece> {
-        // The surface is section 0, the seam of face f section f + 1.
-        let chosen = 1 | u32::from(seams) << 1;
+    /// The pieces of the chosen sections: the surface is bit 0, the seam of face f bit f + 1.
+    fn pieces(&self, chosen: u32) -> impl Iterator<Item = Piece> {
         let mut section = 0;
         std::iter::from_fn(move || {
             let is_drawn = |s: usize| chosen >> s & 1 == 1 && !self.sections[s].is_empty();
@@ -90,6 +116,27 @@ impl PlacedPart {
             }
             Some(self.piece(start..end))
         })
+    }
+
+    /// Adds the blocks that are seen, and tells how many triangles the others have. Blocks that lie side by side are
+    /// one piece.
+    fn push_blocks(&self, pieces: &mut Vec<Piece>, is_seen: impl Fn(&Block) -> bool) -> usize {
+        let first = self.sections[0].start;
+        let mut run: Option<Range<u32>> = None;
+        let mut left_out = 0;
+        for block in &self.blocks {
+            if !is_seen(block) {
+                left_out += block.indices.len() / 3;
+                continue;
+            }
+            let indices = block.indices.start + first..block.indices.end + first;
+            match &mut run {
+                Some(run) if run.end == indices.start => run.end = indices.end,
+                _ => pieces.extend(run.replace(indices).map(|run| self.piece(run))),
+            }
+        }
+        pieces.extend(run.map(|run| self.piece(run)));
+        left_out
     }
 
     fn piece(&self, indices: Range<u32>) -> Piece {
@@ -123,6 +170,7 @@ mod tests {
         PlacedPart {
             place: books.take(20, 18).unwrap(),
             sections: [12..21, 21..24, 24..27, 27..27, 27..27, 27..30, 30..30],
+            blocks: Vec::new(),
         }
     }
 
@@ -144,5 +192,30 @@ mod tests {
         assert_eq!(drawn(0b10), [(12, 9, 10), (24, 3, 10)]);
         assert_eq!(drawn(0b10_1100), [(12, 9, 10)]);
         assert_eq!(drawn(0b11_1111), [(12, 15, 10), (27, 3, 10)]);
+    }
+
+    #[test]
+    fn of_a_surface_in_blocks_only_those_that_are_seen_are_drawn() {
+        let block = |from: u32, to: u32| Block {
+            indices: from..to,
+            min: glam::Vec3::ZERO,
+            max: glam::Vec3::splat(to as f32),
+        };
+        let blocks = vec![block(0, 3), block(3, 6), block(6, 9)];
+        let mesh = LandMesh {
+            parts: vec![PlacedPart { blocks, ..part() }],
+        };
+        let drawn = |seams, seen: [f32; 2]| -> (Vec<_>, usize) {
+            let is_seen = |b: &Block| (seen[0]..=seen[1]).contains(&b.max.x);
+            let (pieces, left_out) = mesh.pieces_seen(seams, is_seen);
+            let args = pieces
+                .iter()
+                .map(|p| (p.args.first_index, p.args.index_count));
+            (args.collect(), left_out)
+        };
+        assert_eq!(drawn(0, [0.0, 9.0]), (vec![(12, 9)], 0));
+        assert_eq!(drawn(0b1, [4.0, 7.0]), (vec![(15, 3), (21, 3)], 2));
+        assert_eq!(drawn(0b1, [4.0, 9.0]), (vec![(15, 6), (21, 3)], 1));
+        assert_eq!(drawn(0, [10.0, 11.0]), (vec![], 3));
     }
 }

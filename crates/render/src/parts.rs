@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use antipode_terrain::{ChunkMesh, Vertex};
+use glam::Vec3;
 
 /// Sections of a mesh that are drawn or left out each by itself: the surface, and the seam of each face.
 pub const SECTIONS: usize = 7;
@@ -22,6 +23,19 @@ pub struct Part {
     pub indices: Vec<u16>,
     /// Where each section's indices lie.
     pub sections: [Range<u32>; SECTIONS],
+    /// The surface in pieces that lie together; none where it is drawn as a whole.
+    pub blocks: Vec<Block>,
+}
+
+/// Triangles of the surface that lie together, so that those out of the picture can be left out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// Where its indices lie, counted from the surface's first.
+    pub indices: Range<u32>,
+    /// Lowest corner, metres from the chunk's corner.
+    pub min: Vec3,
+    /// Highest corner, metres from the chunk's corner.
+    pub max: Vec3,
 }
 
 /// The sections of a chunk's mesh, as indices into its vertices: first the surface, then a seam for each face.
@@ -32,8 +46,31 @@ pub fn sections(mesh: &ChunkMesh) -> [&[u32]; SECTIONS] {
     })
 }
 
-/// The parts of a mesh; none of one without triangles.
-pub fn parts(vertices: &[Vertex], sections: [&[u32]; SECTIONS]) -> Vec<Part> {
+/// The parts of a mesh; none of one without triangles. Its surface lies in `blocks`, or in none.
+pub fn parts(vertices: &[Vertex], sections: [&[u32]; SECTIONS], blocks: &[Block]) -> Vec<Part> {
+    let mut parts = in_parts(vertices, sections);
+    let mut start = 0;
+    for part in &mut parts {
+        let end = start + part.sections[0].len() as u32;
+        part.blocks = blocks_between(blocks, start, end);
+        start = end;
+    }
+    parts
+}
+
+/// The blocks that lie between two indices of the surface, as far as they do, counted from the first.
+fn blocks_between(blocks: &[Block], start: u32, end: u32) -> Vec<Block> {
+    let between = |block: &Block| {
+        let indices = block.indices.start.max(start)..block.indices.end.min(end);
+        (indices.start < indices.end).then(|| Block {
+            indices: indices.start - start..indices.end - start,
+            ..block.clone()
+        })
+    };
+    blocks.iter().filter_map(between).collect()
+}
+
+fn in_parts(vertices: &[Vertex], sections: [&[u32]; SECTIONS]) -> Vec<Part> {
     let count: usize = sections.iter().map(|section| section.len()).sum();
     if count == 0 {
         return Vec::new();
@@ -55,6 +92,7 @@ fn whole(vertices: &[Vertex], sections: [&[u32]; SECTIONS], count: usize) -> Par
         vertices: vertices.to_vec(),
         indices,
         sections,
+        blocks: Vec::new(),
     }
 }
 
@@ -128,7 +166,7 @@ mod tests {
         let mut sections: [&[u32]; SECTIONS] = [&[]; SECTIONS];
         sections[0] = &surface;
         sections[4] = &seam;
-        let whole = parts(&vertices, sections);
+        let whole = parts(&vertices, sections, &[]);
         assert_eq!(whole.len(), 1);
         for (most_vertices, most_indices) in [(20, 1000), (1000, 30), (3, 3), (100, 99)] {
             let cut = cut(&vertices, sections, most_vertices, most_indices);
@@ -141,6 +179,30 @@ mod tests {
                 assert_eq!(drawn(&cut, section), drawn(&whole, section), "{section}");
             }
         }
-        assert!(parts(&vertices, [&[]; SECTIONS]).is_empty());
+        assert!(parts(&vertices, [&[]; SECTIONS], &[]).is_empty());
+    }
+
+    #[test]
+    fn blocks_that_are_cut_keep_every_index_once() {
+        let block = |from: u32, to: u32| Block {
+            indices: from..to,
+            min: Vec3::splat(from as f32),
+            max: Vec3::splat(to as f32),
+        };
+        let blocks = [block(0, 30), block(30, 36), block(36, 90)];
+        assert_eq!(blocks_between(&blocks, 0, 90), blocks);
+        let cut: Vec<_> = [(0, 33), (33, 60), (60, 90)]
+            .map(|(start, end)| blocks_between(&blocks, start, end))
+            .into();
+        let range = |b: &Block| (b.indices.start, b.indices.end);
+        let ranges: Vec<Vec<_>> = cut
+            .iter()
+            .map(|part| part.iter().map(range).collect())
+            .collect();
+        assert_eq!(
+            ranges,
+            [vec![(0, 30), (30, 33)], vec![(0, 3), (3, 27)], vec![(0, 30)]]
+        );
+        assert_eq!(cut[1][0].max, blocks[1].max);
     }
 }

@@ -10,6 +10,8 @@ use glam::Vec3;
 use super::refine::RefineRules;
 use crate::parts::{Part, SECTIONS, parts, sections};
 
+mod blocks;
+
 /// A chunk's mesh with edges halved, ready to be put into pages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined {
@@ -54,17 +56,23 @@ impl Halver {
             self.divide_all(rules, eye);
             starts[number + 1] = self.done.len();
         }
-        let done = self.done.as_flattened();
-        let section = |n: usize| &done[3 * starts[n]..3 * starts[n + 1]];
         Refined {
             parts: if self.halved > 0 {
-                parts(&self.vertices, std::array::from_fn(section))
+                self.parts(&starts)
             } else {
                 Vec::new()
             },
             halved: self.halved,
             error_px: f64::from(self.worst) * rules.shape_px(),
         }
+    }
+
+    /// What was done, the surface in blocks; each section's first triangle is given.
+    fn parts(&mut self, starts: &[usize; SECTIONS + 1]) -> Vec<Part> {
+        let blocks = blocks::arrange(&mut self.done[..starts[1]], &self.positions);
+        let done = self.done.as_flattened();
+        let section = |n: usize| &done[3 * starts[n]..3 * starts[n + 1]];
+        parts(&self.vertices, std::array::from_fn(section), &blocks)
     }
 
     fn begin(&mut self, mesh: &ChunkMesh) {
@@ -119,7 +127,7 @@ impl Halver {
     #[inline]
     fn strays(&self, rules: &RefineRules, eye: Vec3, a: u32, b: u32) -> f32 {
         let [p, q] = [a, b].map(|i| self.positions[i as usize]);
-        rules.strays(p.distance_squared(q), p.midpoint(q).distance_squared(eye))
+        rules.strays(p.distance_squared(q), p.midpoint(q) - eye)
     }
 
     /// The middle of an edge that is to be halved.

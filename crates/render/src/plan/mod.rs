@@ -4,6 +4,7 @@
 //! Chunks are taken front to back, so that the skyline of nearer land is known when a farther chunk is
 //! looked at; what stays behind it, or rises over it by less than the tolerance, is not drawn.
 
+mod bend;
 mod bounds;
 mod choice;
 mod halver;

@@ -1,10 +1,13 @@
 //! What edges near the eye are halved for, and how far off a halving is that was made for another eye.
 
+use std::f64::consts::FRAC_PI_2;
+
 use antipode_geometry::{ChartPoint, Hemisphere};
 use antipode_scene::frame::{Frame, Quality};
 use glam::{IVec3, Vec3};
 
-use super::bounds::{BendSteps, Bounds};
+use super::bend::{BANDS, BendSteps, band, sines};
+use super::bounds::Bounds;
 use super::choice::LONGEST_EDGE_M;
 use super::land::ChunkLand;
 use super::quality::Tolerance;
@@ -38,10 +41,10 @@ pub struct RefineKey {
 pub struct RefineRules {
     /// What they are for.
     pub key: RefineKey,
-    bounds: Bounds,
     tolerance: Tolerance,
-    /// The square of the longest edge that may stay, by distance in [`STEPS_PER_M`]; any may where it ends.
-    longest_square: Vec<f32>,
+    /// The square of the longest edge that may stay, by distance in [`STEPS_PER_M`] and band of elevation; any may
+    /// where it ends.
+    longest_square: Vec<[f32; BANDS]>,
 }
 
 impl RefineKey {
@@ -82,14 +85,17 @@ impl RefineRules {
             + EYE_SLACK_M;
         let at = |step: u32| {
             let distance_m = f64::from(step) / f64::from(STEPS_PER_M) - EYE_SLACK_M;
-            (tolerance.shape_px / bounds.bend_px(distance_m.max(0.0))) as f32
+            std::array::from_fn(|band| {
+                let sines = about(band, EYE_SLACK_M, distance_m);
+                let most = bounds.bend.between(distance_m.max(0.0), sines);
+                (tolerance.shape_px / most) as f32
+            })
         };
         Self {
             key: RefineKey::of(frame, bounds),
             longest_square: (0..=(reach_m * f64::from(STEPS_PER_M)) as u32)
                 .map(at)
                 .collect(),
-            bounds: bounds.clone(),
             tolerance,
         }
     }
@@ -119,22 +125,34 @@ impl RefineRules {
         self.longest_square.len() as f32 / STEPS_PER_M
     }
 
-    /// By what multiple of the tolerance an edge strays from its true picture at most, given the squares of its
-    /// length and of its middle's distance from the eye.
+    /// By what multiple of the tolerance an edge strays from its true picture at most, given the square of its length
+    /// and where its middle lies from the eye.
     #[inline]
-    pub fn strays(&self, length_square: f32, distance_square: f32) -> f32 {
-        let step = distance_square.sqrt() * STEPS_PER_M;
-        match self.longest_square.get(step as usize) {
-            Some(longest_square) => length_square / longest_square,
+    pub fn strays(&self, length_square: f32, from_eye: Vec3) -> f32 {
+        let distance = from_eye.length();
+        match self.longest_square.get((distance * STEPS_PER_M) as usize) {
+            Some(longest_square) => length_square / longest_square[band(from_eye.y / distance)],
             None => 0.0,
         }
+    }
+
+    /// The square of the longest edge that may stay at a distance, at elevations between two sines.
+    fn longest_square(&self, distance_m: f64, sines: [f64; 2]) -> f64 {
+        let Some(row) = self
+            .longest_square
+            .get((distance_m * f64::from(STEPS_PER_M)) as usize)
+        else {
+            return f64::INFINITY;
+        };
+        let [first, last] = sines.map(|sine| band(sine as f32));
+        row[first..=last].iter().copied().fold(0.0, f32::max).into()
     }
 
     /// The most that the edges of a chunk stray now, in pixels, though they were halved by these rules, when the
     /// largest stray left was `error_px`.
     ///
     /// An edge at a distance d from the eye of now was at most at d + m from the eye of then, if that stood m away,
-    /// and so is no longer than was let pass there.
+    /// and so is no longer than was let pass there, at the elevations where it may have been.
     pub fn stale_error_px(
         &self,
         error_px: f64,
@@ -150,7 +168,7 @@ impl RefineRules {
             }
         }
         let moved_m = eye.pos.distance(self.key.eye().pos);
-        let left = (error_px / self.tolerance.shape_px).max(1.0) * self.tolerance.shape_px;
+        let left = (error_px / self.tolerance.shape_px).max(1.0);
         let longest_square = chunk.longest_edge_m().powi(2);
         let near_m = Bounds::nearest_chart_m(frame, chunk);
         let far_m = near_m + (chunk.max - chunk.min).length();
@@ -158,9 +176,11 @@ impl RefineRules {
         let mut from_m = near_m.max(0.05);
         while from_m < far_m {
             let to_m = from_m * LOOK_RATIO;
-            let then_m = (to_m + moved_m - EYE_SLACK_M).max(0.0);
-            let square = (left / self.bounds.bend_px(then_m)).min(longest_square);
-            worst = worst.max(now.bend_px(from_m) * square);
+            for now_in in 0..BANDS {
+                let passed = self.longest_square(to_m + moved_m, about(now_in, moved_m, from_m));
+                let most = now.bend.between(from_m, sines(now_in));
+                worst = worst.max(most * (passed * left).min(longest_square));
+            }
             from_m = to_m;
         }
         worst
@@ -171,4 +191,16 @@ impl RefineRules {
 pub fn unhalved_error_px(frame: &Frame, bounds: &Bounds, chunk: &ChunkLand) -> f64 {
     let near_m = Bounds::nearest_chart_m(frame, chunk);
     bounds.bend_px(near_m) * chunk.longest_edge_m().powi(2)
+}
+
+/// The sines of elevation at which something in a band, a distance from an eye, may lie from another eye `away_m` from
+/// the first: a step m turns the direction to what is at a distance d by an angle whose sine is at most m / d.
+fn about(band: usize, away_m: f64, distance_m: f64) -> [f64; 2] {
+    let [low, high] = sines(band);
+    if distance_m <= away_m {
+        return [-1.0, 1.0];
+    }
+    let turn = (away_m / distance_m).asin();
+    let turned = |sine: f64, by: f64| (sine.asin() + by).clamp(-FRAC_PI_2, FRAC_PI_2).sin();
+    [turned(low, -turn), turned(high, turn)]
 }

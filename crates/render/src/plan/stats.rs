@@ -24,7 +24,7 @@ pub struct PlanStats {
     pub figures_by_frame: usize,
     /// Figures ported vertex by vertex.
     pub figures_by_vertex: usize,
-    /// Triangles of chunks out of the picture or behind the fog.
+    /// Triangles out of the picture or behind the fog: of chunks, and of blocks of those with edges halved.
     pub triangles_outside: usize,
     /// Triangles of chunks behind nearer land.
     pub triangles_hidden: usize,

@@ -177,8 +177,9 @@ fn truth_px(frame: &Frame, land: &ChunkLand, triangles: &[[Vec3; 3]]) -> f64 {
         .iter()
         .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     let stray = |(a, b): (Vec3, Vec3)| {
-        let away_m = a.midpoint(b).distance(eye);
-        bounds.bend_px(f64::from(away_m)) * f64::from(a.distance_squared(b))
+        let toward = a.midpoint(b) - eye;
+        let sine = f64::from(toward.y / toward.length());
+        bounds.bend.between(toward.length().into(), [sine; 2]) * f64::from(a.distance_squared(b))
     };
     edges.map(stray).fold(0.0, f64::max)
 }
