@@ -2,7 +2,7 @@
 // grained in world space so that scale can be read, and faded into the haze behind it.
 
 struct VertexIn {
-    @location(0) units: vec4<u32>,      // xyz: 1/1024 m from the chunk's corner
+    @location(0) units: vec4<u32>,      // xyz: 1/1024 m from the chunk's corner; w: 32nds of those, five bits each
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
     @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
@@ -53,7 +53,8 @@ fn nearest_feet(p: vec3<f32>, hemisphere: u32, count: u32) -> vec3<f32> {
 
 // Metres from the chunk's corner, exactly.
 fn position_of(in: VertexIn) -> vec3<f32> {
-    return vec3<f32>(in.units.xyz) * (1.0 / 1024.0);
+    let parts = (vec3<u32>(in.units.w) >> vec3<u32>(0u, 5u, 10u)) & vec3<u32>(31u);
+    return vec3<f32>((in.units.xyz << vec3<u32>(5u)) | parts) * (1.0 / 32768.0);
 }
 
 fn normal_of(in: VertexIn) -> vec3<f32> {

@@ -1,5 +1,6 @@
 //! Helpers shared by the tests: running the program, reading its probes, comparing pictures.
 
+pub mod background;
 pub mod program;
 pub mod seam;
 pub mod window;

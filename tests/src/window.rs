@@ -44,6 +44,8 @@ impl Window {
     pub fn open(display: &str, saves: &Path, options: &[&str]) -> Self {
         let child = game(saves)
             .args(options)
+            .arg("--config")
+            .arg(saves.join("settings.ron"))
             .env("DISPLAY", display)
             .env_remove("WAYLAND_DISPLAY")
             .stderr(Stdio::inherit())
@@ -57,7 +59,10 @@ impl Window {
         let began = Instant::now();
         while window.id.is_empty() {
             window.give_up_after(began, "the window never appeared");
-            let found = window.tool("xdotool", &["search", "--name", "^Antipode$"]);
+            // By its process, too: others may have the game open on the same display.
+            let process = window.child.id().to_string();
+            let search = ["search", "--all", "--pid", &process, "--name", "^Antipode$"];
+            let found = window.tool("xdotool", &search);
             let listed = String::from_utf8_lossy(&found.stdout).into_owned();
             listed
                 .lines()
@@ -145,6 +150,11 @@ impl Window {
             self.give_up_after(began, what);
             sleep(GLANCE);
         }
+    }
+
+    /// The number of the program's process.
+    pub fn process(&self) -> u32 {
+        self.child.id()
     }
 
     /// Waits until the program has ended by itself; its exit status.

@@ -100,7 +100,8 @@ impl Shown {
                     coord, collider, ..
                 } => self.physics.set_terrain(coord, coord.origin(), collider),
                 Update::Saved => {}
-                Update::Problem(sentence) | Update::SaveFailed(sentence) => panic!("{sentence}"),
+                Update::Problem(sentence) => panic!("{sentence}"),
+                Update::SaveFailed(cause) => panic!("{cause}"),
             }
         }
         batches

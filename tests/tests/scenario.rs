@@ -274,3 +274,22 @@ fn a_repair_that_lost_the_land_says_so() {
         "what was lost is not told: {said}"
     );
 }
+
+#[test]
+fn a_world_in_which_a_command_cheated_is_marked_and_others_are_not() {
+    let saves = tempfile::tempdir().unwrap();
+    run(
+        saves.path(),
+        "new euclidean seed=3 name=Fair\nhold KeyW 0.5\nset view-distance 2\nset bend 3\nsave\n\
+         new euclidean seed=3 name=Foul\ngive pickaxe-iron 1\nsave",
+    );
+    let marked = |name: &str| {
+        let world = antipode_storage::SavesDir::new(saves.path())
+            .find(name)
+            .unwrap();
+        world.meta.unwrap().cheated
+    };
+    assert!(!marked("Fair") && marked("Foul"));
+    run(saves.path(), "load Foul\nwait 0.1\nsave");
+    assert!(marked("Foul"), "the mark stays");
+}

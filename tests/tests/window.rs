@@ -21,7 +21,7 @@ const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
-const QUIT: (u32, u32) = (132, 294);
+const QUIT: (u32, u32) = (132, 342);
 
 /// The main menu: a dark column, and bright dusk beside it while no world is open.
 fn shows_main_menu(picture: &image::RgbImage) -> bool {

@@ -1,5 +1,6 @@
 //! The command line: what may be asked for, and who answers.
 
+use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 
 use antipode_geometry::Geometry;
@@ -9,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::failure::Failure;
 use crate::log::LogLevel;
 use crate::script::Shooting;
+use crate::{crash, log_file};
 use crate::{lab_command, saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
@@ -40,6 +42,12 @@ pub struct Cli {
     /// Begin straight in a saved world.
     #[arg(long, value_name = "NAME", conflicts_with = "geometry")]
     pub load: Option<String>,
+    /// The report of a crash to tell of first; the game starts itself so after one.
+    #[arg(long, hide = true, value_name = "REPORT", conflicts_with_all = ["geometry", "load"])]
+    pub after_crash: Option<PathBuf>,
+    /// Break on purpose, to see what becomes of it.
+    #[arg(long, hide = true, value_enum)]
+    pub inject: Option<Fault>,
     /// Options of every command.
     #[command(flatten)]
     pub common: Common,
@@ -54,9 +62,13 @@ pub struct Common {
     /// What draws the pictures.
     #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
     pub adapter: Adapter,
-    /// How much exactness pictures trade for speed: fast, balanced or exact.
-    #[arg(long, global = true, default_value_t = Quality::Balanced)]
-    pub quality: Quality,
+    /// How much exactness pictures trade for speed: fast, balanced or exact [default: the settings', for commands
+    /// balanced].
+    #[arg(long, global = true)]
+    pub quality: Option<Quality>,
+    /// The file of the settings; without it commands go by the defaults, and the window by the player's own file.
+    #[arg(long, global = true, value_name = "FILE")]
+    pub config: Option<PathBuf>,
     /// Size of the window or the pictures in pixels.
     #[arg(long, global = true, value_parser = parse_size, default_value = "1280x720", value_name = "WxH")]
     pub size: (u32, u32),
@@ -77,6 +89,13 @@ impl Cli {
         };
         self.common.log.unwrap_or(usual)
     }
+}
+
+/// What can be broken on purpose while the game runs in its window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Fault {
+    /// A panic of the main thread, two seconds after the first frame.
+    Panic,
 }
 
 /// What draws the pictures.
@@ -196,17 +215,20 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Some(Command::Lab { action }) => lab_command::run(&action, &cli.common),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
-            let start = match (cli.geometry, cli.load) {
-                (Some(geometry), _) => window::Start::New {
+            let again = cli.after_crash.is_none();
+            let start = match (cli.after_crash, cli.geometry, cli.load) {
+                (Some(report), ..) => window::Start::AfterCrash { report },
+                (None, Some(geometry), _) => window::Start::New {
                     geometry,
                     seed: cli.seed,
                     name: cli.name,
                     radius_m: cli.radius,
                 },
-                (None, Some(name)) => window::Start::Load { name },
-                (None, None) => window::Start::Menu,
+                (None, None, Some(name)) => window::Start::Load { name },
+                (None, None, None) => window::Start::Menu,
             };
-            window::run(start, &cli.common)
+            let play = AssertUnwindSafe(|| window::run(start, &cli.common, cli.inject));
+            crash::guard(log_file::folder().as_deref(), again, play)
         }
     }
 }
@@ -303,7 +325,7 @@ mod tests {
         assert_eq!(
             cli.map(|c| (c.common.adapter, c.common.size, c.common.quality))
                 .ok(),
-            Some((Adapter::None, (320, 200), Quality::Exact))
+            Some((Adapter::None, (320, 200), Some(Quality::Exact)))
         );
     }
 }

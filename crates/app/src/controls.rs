@@ -3,82 +3,149 @@
 use std::collections::HashSet;
 
 use antipode_scene::Actions;
+use antipode_settings::{Action, Config, Input, Profile, Settings};
 
-use crate::bindings::{Bindings, Command, Input};
-
-/// Turn of the view per pixel of mouse motion, in radians.
-pub const LOOK_RAD_PER_PIXEL: f64 = 0.12 * std::f64::consts::PI / 180.0;
+use crate::bindings::wheel_input;
 
 /// What is held and what has happened since the last step.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Controls {
-    bindings: Bindings,
-    held: HashSet<Command>,
+    profile: Profile,
+    look_rad_per_px: f64,
+    /// 1, or -1 where moving the mouse away looks down.
+    look_up: f64,
+    curvature_step: f64,
+    held: HashSet<Input>,
     /// What went down since the last step: a press shorter than a step still acts in one.
-    pressed: HashSet<Command>,
+    pressed: HashSet<Action>,
     events: Actions,
+    /// Whether the picture has a dial now.
+    has_dial: bool,
     /// Parts of a notch that wait for the rest; touchpads and fine wheels tell the wheel in fractions.
-    slot_notches: f64,
+    notches: f64,
+}
+
+impl Default for Controls {
+    fn default() -> Self {
+        let Config { settings, profiles } = Config::default();
+        let mut controls = Self {
+            profile: profiles.chosen().clone(),
+            look_rad_per_px: 0.0,
+            look_up: 1.0,
+            curvature_step: 1.0,
+            held: HashSet::new(),
+            pressed: HashSet::new(),
+            events: Actions::default(),
+            has_dial: false,
+            notches: 0.0,
+        };
+        controls.follow(&settings);
+        controls
+    }
 }
 
 impl Controls {
-    /// The bindings in use.
-    pub fn bindings(&self) -> &Bindings {
-        &self.bindings
+    /// Goes by these settings and bindings from now on; what is held is let go where the bindings differ.
+    pub fn set_config(&mut self, config: &Config) {
+        self.follow(&config.settings);
+        let profile = config.profiles.chosen();
+        if self.profile != *profile {
+            self.profile = profile.clone();
+            self.release_all();
+        }
     }
 
-    /// An input went down or up. Returns the command if it went down and is one for the shell (menu, display).
-    pub fn input(&mut self, input: Input, pressed: bool) -> Option<Command> {
-        let command = self.bindings.command(input)?;
+    fn follow(&mut self, settings: &Settings) {
+        self.look_rad_per_px = settings.mouse_sensitivity_deg_per_px.to_radians();
+        self.look_up = if settings.invert_look { -1.0 } else { 1.0 };
+        self.curvature_step = settings.curvature_step;
+    }
+
+    /// Whether an input does an action.
+    pub fn does(&self, input: Input, action: Action) -> bool {
+        self.profile.inputs(action).contains(&input)
+    }
+
+    /// An input went down or up. Returns the action if it went down and does one for the shell (menu, display).
+    pub fn input(&mut self, input: Input, pressed: bool) -> Option<Action> {
         if !pressed {
-            self.held.remove(&command);
+            self.held.remove(&input);
             return None;
         }
-        self.held.insert(command);
-        self.pressed.insert(command);
-        match command {
-            Command::Slot(slot) => self.events.slot = Some(slot),
-            Command::BrushLarger => self.events.brush_step += 1,
-            Command::BrushSmaller => self.events.brush_step -= 1,
-            Command::Camera => self.events.toggle_camera = !self.events.toggle_camera,
-            Command::OtherMap => self.events.turn_map = !self.events.turn_map,
-            Command::Menu | Command::HideDisplay | Command::FrameFigures => return Some(command),
-            _ => {}
+        self.held.insert(input);
+        let actions: Vec<_> = self.profile.actions(input).collect();
+        let turns_dial = self.turns_dial(&actions);
+        let mut for_shell = None;
+        for action in actions {
+            if is_slot_step(action) && turns_dial {
+                continue;
+            }
+            for_shell = for_shell.or(self.act(action));
+            match action {
+                Action::DialUp => self.events.dial += self.curvature_step,
+                Action::DialDown => self.events.dial -= self.curvature_step,
+                _ => {}
+            }
         }
-        None
+        for_shell
     }
 
     /// The mouse moved by pixels, right and down positive.
     pub fn motion(&mut self, dx: f64, dy: f64) {
-        self.events.look_yaw += dx * LOOK_RAD_PER_PIXEL;
-        self.events.look_pitch -= dy * LOOK_RAD_PER_PIXEL;
+        self.events.look_yaw += dx * self.look_rad_per_px;
+        self.events.look_pitch -= dy * self.look_rad_per_px * self.look_up;
+    }
+
+    /// Tells whether the picture has a dial now: what turns both, turns it and not the hotbar.
+    pub fn set_has_dial(&mut self, has_dial: bool) {
+        self.has_dial = has_dial;
     }
 
     /// The wheel turned by notches, away from the player positive. `has_dial`: whether the picture has a dial now.
-    pub fn wheel(&mut self, notches: f64, has_dial: bool) {
-        if has_dial && !self.held.contains(&Command::WheelSlots) {
-            self.events.dial += notches;
-        } else {
-            self.slot_notches += notches;
-            let whole = self.slot_notches.trunc();
-            self.slot_notches -= whole;
-            self.events.slot_step -= whole as i32;
+    /// Returns an action for the shell, as [`Controls::input`] does.
+    pub fn wheel(&mut self, notches: f64, has_dial: bool) -> Option<Action> {
+        self.has_dial = has_dial;
+        let actions: Vec<_> = self.profile.actions(wheel_input(notches)).collect();
+        let turns_dial = self.turns_dial(&actions);
+        let turned = notches.abs() * self.curvature_step;
+        let mut by_notch = Vec::new();
+        for action in actions {
+            match action {
+                Action::DialUp if turns_dial => self.events.dial += turned,
+                Action::DialDown if turns_dial => self.events.dial -= turned,
+                Action::DialUp | Action::DialDown => {}
+                _ if is_slot_step(action) && turns_dial => {}
+                _ => by_notch.push(action),
+            }
         }
+        if by_notch.is_empty() {
+            return None;
+        }
+        self.notches += notches;
+        let whole = self.notches.trunc();
+        self.notches -= whole;
+        let mut for_shell = None;
+        for _ in 0..whole.abs() as u32 {
+            for action in &by_notch {
+                for_shell = for_shell.or(self.act(*action));
+            }
+        }
+        for_shell
     }
 
     /// The actions of the next step; what is an event happens once.
     pub fn take(&mut self) -> Actions {
         let pressed = std::mem::take(&mut self.pressed);
-        let held = |command| self.held.contains(&command) || pressed.contains(&command);
+        let held = |action| self.is_held(action) || pressed.contains(&action);
         let axis = |plus, minus| f64::from(i8::from(held(plus)) - i8::from(held(minus)));
         let actions = Actions {
-            forward: axis(Command::Forward, Command::Backward),
-            strafe: axis(Command::Right, Command::Left),
-            sprint: held(Command::Sprint),
-            jump: held(Command::Jump),
-            sink: held(Command::Sink),
-            primary: held(Command::Use),
-            secondary: held(Command::SecondUse),
+            forward: axis(Action::Forward, Action::Backward),
+            strafe: axis(Action::Right, Action::Left),
+            sprint: held(Action::Sprint),
+            jump: held(Action::Jump),
+            sink: held(Action::Sink),
+            primary: held(Action::Use),
+            secondary: held(Action::SecondUse),
             ..self.events
         };
         self.events = Actions::default();
@@ -90,37 +157,79 @@ impl Controls {
         self.held.clear();
         self.pressed.clear();
         self.events = Actions::default();
-        self.slot_notches = 0.0;
+        self.notches = 0.0;
     }
+
+    fn is_held(&self, action: Action) -> bool {
+        let mut inputs = self.profile.inputs(action).iter();
+        inputs.any(|input| self.held.contains(input))
+    }
+
+    /// Whether these actions of one input turn the dial now.
+    fn turns_dial(&self, actions: &[Action]) -> bool {
+        let dial = |action: &Action| matches!(action, Action::DialUp | Action::DialDown);
+        self.has_dial && !self.is_held(Action::WheelSlots) && actions.iter().any(dial)
+    }
+
+    /// Does once what an action does once.
+    fn act(&mut self, action: Action) -> Option<Action> {
+        self.pressed.insert(action);
+        match action {
+            Action::Slot(slot) => self.events.slot = Some(slot),
+            Action::PreviousSlot => self.events.slot_step -= 1,
+            Action::NextSlot => self.events.slot_step += 1,
+            Action::BrushLarger => self.events.brush_step += 1,
+            Action::BrushSmaller => self.events.brush_step -= 1,
+            Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
+            Action::OtherMap => self.events.turn_map = !self.events.turn_map,
+            Action::Menu
+            | Action::HideDisplay
+            | Action::FrameFigures
+            | Action::Fullscreen
+            | Action::Screenshot
+            | Action::PhotoMode
+            | Action::Console => return Some(action),
+            _ => {}
+        }
+        None
+    }
+}
+
+fn is_slot_step(action: Action) -> bool {
+    matches!(action, Action::PreviousSlot | Action::NextSlot)
 }
 
 #[cfg(test)]
 mod tests {
-    use winit::keyboard::KeyCode;
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+    use antipode_settings::MouseButton;
 
     use super::*;
 
-    fn key(controls: &mut Controls, code: KeyCode, pressed: bool) -> Option<Command> {
-        controls.input(Input::Key(code), pressed)
+    const LEFT: Input = Input::Mouse(MouseButton::Left);
+
+    fn key(controls: &mut Controls, name: &str, pressed: bool) -> Option<Action> {
+        controls.input(Input::key(name).unwrap(), pressed)
     }
 
     #[test]
     fn a_held_key_acts_until_it_is_let_go() {
         let mut c = Controls::default();
-        key(&mut c, KeyCode::KeyW, true);
+        key(&mut c, "KeyW", true);
         assert_eq!(c.take().forward, 1.0);
         assert_eq!(c.take().forward, 1.0);
-        key(&mut c, KeyCode::KeyS, true);
+        key(&mut c, "KeyS", true);
         assert_eq!(c.take().forward, 0.0);
-        key(&mut c, KeyCode::KeyW, false);
+        key(&mut c, "KeyW", false);
         assert_eq!(c.take().forward, -1.0);
     }
 
     #[test]
     fn an_event_happens_once_however_many_steps_a_frame_has() {
         let mut c = Controls::default();
-        key(&mut c, KeyCode::Tab, true);
-        key(&mut c, KeyCode::KeyH, true);
+        key(&mut c, "Tab", true);
+        key(&mut c, "KeyH", true);
         c.motion(10.0, -5.0);
         let first = c.take();
         assert!(first.turn_map);
@@ -135,7 +244,7 @@ mod tests {
         assert_eq!(c.take().dial, 2.0);
         c.wheel(1.0, false);
         assert_eq!(c.take().slot_step, -1);
-        key(&mut c, KeyCode::AltLeft, true);
+        key(&mut c, "AltLeft", true);
         c.wheel(-1.0, true);
         let actions = c.take();
         assert_eq!((actions.dial, actions.slot_step), (0.0, 1));
@@ -144,12 +253,12 @@ mod tests {
     #[test]
     fn a_press_shorter_than_a_step_still_acts_in_one() {
         let mut c = Controls::default();
-        c.input(Input::MouseLeft, true);
-        c.input(Input::MouseLeft, false);
+        c.input(LEFT, true);
+        c.input(LEFT, false);
         assert!(c.take().primary);
         assert!(!c.take().primary);
-        key(&mut c, KeyCode::Space, true);
-        key(&mut c, KeyCode::Space, false);
+        key(&mut c, "Space", true);
+        key(&mut c, "Space", false);
         c.release_all();
         assert!(!c.take().jump);
     }
@@ -171,8 +280,8 @@ mod tests {
     #[test]
     fn letting_go_of_everything_leaves_no_stuck_key_and_no_late_click() {
         let mut c = Controls::default();
-        key(&mut c, KeyCode::KeyW, true);
-        c.input(Input::MouseLeft, true);
+        key(&mut c, "KeyW", true);
+        c.input(LEFT, true);
         c.motion(500.0, 0.0);
         c.release_all();
         assert_eq!(c.take(), Actions::default());
@@ -181,8 +290,70 @@ mod tests {
     #[test]
     fn the_menu_key_is_handed_to_the_shell_on_the_way_down_only() {
         let mut c = Controls::default();
-        assert_eq!(key(&mut c, KeyCode::Escape, true), Some(Command::Menu));
-        assert_eq!(key(&mut c, KeyCode::Escape, false), None);
-        assert_eq!(key(&mut c, KeyCode::F4, true), Some(Command::FrameFigures));
+        assert_eq!(key(&mut c, "Escape", true), Some(Action::Menu));
+        assert_eq!(key(&mut c, "Escape", false), None);
+        assert_eq!(key(&mut c, "F4", true), Some(Action::FrameFigures));
+    }
+
+    #[test]
+    fn the_mouse_goes_by_the_settings() {
+        let turned = |settings: &dyn Fn(&mut Settings)| {
+            let mut config = Config::default();
+            settings(&mut config.settings);
+            let mut c = Controls::default();
+            c.set_config(&config);
+            c.motion(100.0, 100.0);
+            let actions = c.take();
+            (
+                actions.look_yaw.to_degrees(),
+                actions.look_pitch.to_degrees(),
+            )
+        };
+        let near =
+            |(a, b): (f64, f64), (x, y): (f64, f64)| (a - x).abs() < 1e-9 && (b - y).abs() < 1e-9;
+        assert!(near(turned(&|_| {}), (12.0, -12.0)));
+        assert!(near(
+            turned(&|own| own.mouse_sensitivity_deg_per_px = 0.5),
+            (50.0, -50.0)
+        ));
+        assert!(near(turned(&|own| own.invert_look = true), (12.0, 12.0)));
+    }
+
+    #[test]
+    fn the_dial_goes_by_its_step() {
+        let mut config = Config::default();
+        config.settings.curvature_step = 0.25;
+        let mut c = Controls::default();
+        c.set_config(&config);
+        c.wheel(-2.0, true);
+        assert_eq!(c.take().dial, -0.5);
+    }
+
+    #[test]
+    fn bindings_change_at_once_and_two_keys_of_an_action_do_not_disturb_each_other() {
+        let mut config = Config::default();
+        let own = config.profiles.chosen_mut();
+        own.bind(Action::Forward, Input::key("KeyI").unwrap())
+            .unwrap();
+        own.bind(Action::Jump, Input::WheelUp).unwrap();
+        own.rebind(Action::DialUp, Input::WheelUp, Input::key("KeyR").unwrap())
+            .unwrap();
+        let mut c = Controls::default();
+        key(&mut c, "KeyW", true);
+        c.set_config(&config);
+        assert_eq!(c.take().forward, 0.0, "what was held is let go");
+        key(&mut c, "KeyW", true);
+        key(&mut c, "KeyI", true);
+        key(&mut c, "KeyW", false);
+        assert_eq!(c.take().forward, 1.0, "the other key is still held");
+        c.wheel(1.0, true);
+        let first = c.take();
+        assert!(
+            first.jump && first.slot_step == -1 && first.dial == 0.0,
+            "{first:?}"
+        );
+        assert!(!c.take().jump, "a notch is no hold");
+        key(&mut c, "KeyR", true);
+        assert_eq!(c.take().dial, 1.0);
     }
 }

@@ -1,6 +1,7 @@
 //! What the last picture was drawn with, for the probe and for the frame figures of the display.
 
 use antipode_geometry::HyperbolicMap;
+use antipode_language::{Texts, Value};
 use antipode_render::{DrawStats, PlanStats};
 use antipode_scene::frame::Quality;
 use antipode_scene::{Lens, Scene};
@@ -32,6 +33,7 @@ impl Drawn {
     /// The frame figures of the display; the times are in milliseconds, where they are known.
     pub fn figures(
         &self,
+        texts: &Texts,
         scene: &Scene,
         frame_ms: Option<f64>,
         gpu_ms: Option<f64>,
@@ -39,8 +41,8 @@ impl Drawn {
         FigureModel {
             frame_ms,
             gpu_ms,
-            picture: picture_label(scene.lens()),
-            quality: self.quality.to_owned(),
+            picture: picture_label(texts, scene.lens()),
+            quality: texts.say(&format!("quality-{}", self.quality)),
             chunks_by_frame: self.plan.chunks_by_frame,
             chunks_by_vertex: self.plan.chunks_by_vertex,
             chunks_refined: self.plan.chunks_refined,
@@ -56,13 +58,17 @@ impl Drawn {
 }
 
 /// Map and dial in words; empty where a space has but one picture and no dial.
-fn picture_label(lens: &Lens) -> String {
+fn picture_label(texts: &Texts, lens: &Lens) -> String {
     let value = lens.value();
-    match (lens.map().map(HyperbolicMap::name), lens.bend()) {
-        (Some(map), _) => format!("{map} map {value:.1}"),
-        (None, Some(_)) => format!("bend {value:+.1}"),
-        (None, None) => String::new(),
-    }
+    let key = match (lens.map(), lens.bend()) {
+        (Some(HyperbolicMap::Raised), _) => "picture-raised",
+        (Some(HyperbolicMap::Horizon), _) => "picture-horizon",
+        (None, Some(_)) => "picture-bend",
+        (None, None) => return String::new(),
+    };
+    let sign = if value >= 0.0 { "+" } else { "" };
+    let values = [("sign", sign.into()), ("value", Value::decimals(value, 1))];
+    texts.say_with(key, &values)
 }
 
 #[cfg(test)]
@@ -89,13 +95,14 @@ mod tests {
 
     #[test]
     fn the_picture_is_named_with_its_dial() {
+        let texts = Texts::default();
         let mut lens = Lens::new(Geometry::Hyperbolic, 20.0);
-        assert_eq!(picture_label(&lens), "raised map 10.0");
+        assert_eq!(picture_label(&texts, &lens), "raised map 10.0");
         assert!(lens.set_map(HyperbolicMap::Horizon) && lens.set_curvature(3.25));
-        assert_eq!(picture_label(&lens), "horizon map 3.2");
+        assert_eq!(picture_label(&texts, &lens), "horizon map 3.2");
         let mut lens = Lens::new(Geometry::Euclidean, f64::INFINITY);
-        assert_eq!(picture_label(&lens), "");
+        assert_eq!(picture_label(&texts, &lens), "");
         assert!(lens.set_bend(-4.0));
-        assert_eq!(picture_label(&lens), "bend -4.0");
+        assert_eq!(picture_label(&texts, &lens), "bend -4.0");
     }
 }

@@ -34,6 +34,17 @@ pub enum Failure {
     /// The command line asks for something that does not exist.
     #[error("{0}")]
     Usage(String),
+    /// The system or the terminal has asked for the end, by this signal.
+    #[error("The program was asked to stop (signal {0}); what was open is saved.")]
+    Stopped(i32),
+    /// The game itself broke.
+    #[error(
+        "The game has crashed, and is sorry. The world is as it was last saved, at most a few seconds ago. What is known is in {report}."
+    )]
+    Crashed {
+        /// The report's file.
+        report: String,
+    },
     /// Something failed while running, in words.
     #[error("{0}")]
     Runtime(String),
@@ -61,6 +72,8 @@ impl Failure {
     pub fn exit_status(&self) -> u8 {
         match self {
             Self::Script(_) | Self::Usage(_) => EXIT_USAGE,
+            // As shells tell the end by a signal.
+            Self::Stopped(signal) => u8::try_from(128 + signal).unwrap_or(EXIT_FAILED),
             _ => EXIT_FAILED,
         }
     }

@@ -1,12 +1,15 @@
 //! From the scene to what the heads-up display shows.
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
+use antipode_language::Texts;
 use antipode_scene::{CameraMode, Item, Lens, Scene};
 use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView};
 use glam::DVec3;
 
+use crate::wording;
+
 /// What the display shows of a scene, with what drawing it took where the player wants to know.
-pub fn model(scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel {
+pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel {
     let feet = scene.feet();
     // Told from the world's origin: from the eye, which never moves in its own space, it would say nothing.
     let origin = Eye {
@@ -25,7 +28,7 @@ pub fn model(scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel 
             .inventory()
             .slots()
             .iter()
-            .map(|stack| slot(stack.map(|s| (s.item, s.count))))
+            .map(|stack| slot(texts, stack.map(|s| (s.item, s.count))))
             .collect(),
         selected: usize::from(scene.inventory().selected()),
         curvature: dial(scene.lens()),
@@ -36,13 +39,14 @@ pub fn model(scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel 
                 'B'
             }
         }),
-        geometry: scene.setup().geometry.to_string(),
+        geometry: wording::geometry(texts, scene.setup().geometry),
         brush_radius_m: scene.inventory().held().map(|_| scene.brush_radius_m()),
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,
         time_label: clock(scene.time_of_day_s()),
         notice: None,
+        cheated: scene.cheated(),
         figures,
     }
 }
@@ -62,7 +66,7 @@ fn dial(lens: &Lens) -> Option<CurvatureView> {
     })
 }
 
-fn slot(held: Option<(Item, u32)>) -> SlotView {
+fn slot(texts: &Texts, held: Option<(Item, u32)>) -> SlotView {
     match held {
         None => SlotView {
             label: String::new(),
@@ -70,7 +74,7 @@ fn slot(held: Option<(Item, u32)>) -> SlotView {
             count: None,
         },
         Some((item, count)) => SlotView {
-            label: item.label().to_owned(),
+            label: wording::item(texts, item),
             icon: match item {
                 Item::PickaxeWood => SlotIcon::PickaxeWood,
                 Item::PickaxeIron => SlotIcon::PickaxeIron,

@@ -21,7 +21,8 @@ fn main() -> ExitCode {
             };
         }
     };
-    antipode::log::start(cli.log_level());
+    // Commands leave no traces beside what they were asked for.
+    let _log = antipode::log::start(cli.log_level(), cli.command.is_none());
     match cli::run(cli) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

@@ -29,12 +29,12 @@ impl Overlay {
         &self.context
     }
 
-    /// Paints one pass of the interface over what the target holds.
+    /// Paints one pass of the interface over what each of the targets, all of one size in pixels, holds.
     pub fn paint(
         &mut self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
+        targets: &[&wgpu::TextureView],
         size: (u32, u32),
         output: egui::FullOutput,
     ) {
@@ -55,21 +55,23 @@ impl Overlay {
             self.renderer
                 .update_buffers(&gpu.device, &gpu.queue, encoder, &shapes, &screen);
         gpu.queue.submit(uploads);
-        let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("interface"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Load,
-                    store: wgpu::StoreOp::Store,
-                },
-            })],
-            ..Default::default()
-        });
-        self.renderer
-            .render(&mut pass.forget_lifetime(), &shapes, &screen);
+        for target in targets {
+            let pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("interface"),
+                color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                    view: target,
+                    depth_slice: None,
+                    resolve_target: None,
+                    ops: wgpu::Operations {
+                        load: wgpu::LoadOp::Load,
+                        store: wgpu::StoreOp::Store,
+                    },
+                })],
+                ..Default::default()
+            });
+            self.renderer
+                .render(&mut pass.forget_lifetime(), &shapes, &screen);
+        }
         for id in &output.textures_delta.free {
             self.renderer.free_texture(id);
         }

@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use antipode_language::Texts;
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
 use antipode_scene::frame::Frame;
 use antipode_ui::HudModel;
@@ -95,6 +96,7 @@ impl Studio {
     pub fn shoot(
         &mut self,
         frame: &Frame,
+        texts: &Texts,
         display: impl FnOnce(&DrawStats) -> Option<HudModel>,
     ) -> Result<RgbaImage, Failure> {
         self.renderer.complete_next();
@@ -106,11 +108,11 @@ impl Studio {
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
         if let Some(display) = display(&stats) {
-            let output = self.display(&display);
+            let output = self.display(texts, &display);
             self.overlay.paint(
                 &self.gpu,
                 &mut encoder,
-                self.offscreen.view(),
+                &[self.offscreen.view()],
                 self.size,
                 output,
             );
@@ -119,7 +121,7 @@ impl Studio {
         Ok(self.offscreen.read(&self.gpu)?)
     }
 
-    fn display(&self, model: &HudModel) -> egui::FullOutput {
+    fn display(&self, texts: &Texts, model: &HudModel) -> egui::FullOutput {
         let scale = display_scale(self.size.1);
         let size = egui::vec2(self.size.0 as f32, self.size.1 as f32) / scale;
         let mut input = egui::RawInput {
@@ -129,9 +131,9 @@ impl Studio {
         if let Some(viewport) = input.viewports.get_mut(&egui::ViewportId::ROOT) {
             viewport.native_pixels_per_point = Some(scale);
         }
-        self.overlay
-            .context()
-            .run_pass(input, |context| antipode_ui::show_hud(context, model))
+        self.overlay.context().run_pass(input, |context| {
+            antipode_ui::show_hud(context, texts, model)
+        })
     }
 }
 

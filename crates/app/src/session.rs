@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use antipode_geometry::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, SPHERE_RADIUS_RANGE_M,
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap,
+    SPHERE_RADIUS_RANGE_M,
 };
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
@@ -54,6 +55,19 @@ pub struct Unclosed {
 }
 
 impl Session {
+    /// Keeps a picture for the menu, to be written when the world is closed. Returns the work that writes it at
+    /// once, so that a world that is never closed has one too.
+    pub fn keep_picture(&mut self, picture: RgbaImage) -> impl FnOnce() + Send + use<> {
+        let store = self.store.clone();
+        let copy = picture.clone();
+        self.picture = Some(picture);
+        move || {
+            if let Some(Err(why)) = store.map(|store| write_picture(&store, &copy)) {
+                tracing::info!("the menu's picture could not be written: {why}");
+            }
+        }
+    }
+
     /// Commits everything and lets the world go, so that it can be opened again.
     ///
     /// # Errors
@@ -93,6 +107,8 @@ pub struct Worlds {
     saves: SavesDir,
     view_distance: Option<u32>,
     quality: Quality,
+    /// The map that new hyperbolic worlds begin with.
+    map: HyperbolicMap,
 }
 
 impl Worlds {
@@ -102,13 +118,24 @@ impl Worlds {
         Self {
             saves: SavesDir::new(path),
             view_distance: common.view_distance,
-            quality: common.quality,
+            quality: common.quality.unwrap_or_default(),
+            map: HyperbolicMap::default(),
         }
     }
 
     /// Sets the quality that worlds are opened with from now on.
     pub fn set_quality(&mut self, quality: Quality) {
         self.quality = quality;
+    }
+
+    /// Sets how far land is loaded in worlds that are opened from now on, in chunks.
+    pub fn set_view_distance(&mut self, chunks: u32) {
+        self.view_distance = Some(chunks);
+    }
+
+    /// Sets the map that new hyperbolic worlds begin with from now on.
+    pub fn set_map(&mut self, map: HyperbolicMap) {
+        self.map = map;
     }
 
     /// The directory of worlds.
@@ -130,11 +157,15 @@ impl Worlds {
     /// When the name or radius will not do, or the disk refuses.
     pub fn create(&self, wanted: &NewWorld) -> Result<Session, Failure> {
         let setup = self.setup(wanted)?;
-        let Some(_) = wanted.name else {
-            return self.open(setup, None, String::new());
+        let mut session = if wanted.name.is_some() {
+            let (slug, store) = self.saves.create(&setup.to_meta())?;
+            self.open(setup, Some(Arc::new(store)), slug)?
+        } else {
+            self.open(setup, None, String::new())?
         };
-        let (slug, store) = self.saves.create(&setup.to_meta())?;
-        self.open(setup, Some(Arc::new(store)), slug)
+        // Other spaces have no map to choose.
+        let _ = session.scene.set_map(self.map);
+        Ok(session)
     }
 
     /// Opens a saved world by name or slug.

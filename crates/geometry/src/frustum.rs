@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use crate::sight::Side;
 use crate::{Eye, Hemisphere, Projection, SightCell, Strategy};
 
 /// A cell is divided at most this often before it is taken as seen.
@@ -15,8 +16,8 @@ const NARROW_RAD: f64 = 0.12;
 /// The region that the picture shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frustum {
-    /// Inward unit normals of the four sides, in the chart's axes at the eye.
-    sides: [DVec3; 4],
+    /// The four sides, by their inward normals.
+    sides: [Side; 4],
     /// Nothing farther than this is drawn, in metres of the space.
     limit_m: f64,
 }
@@ -32,14 +33,14 @@ impl Frustum {
             DVec3::new(0.0, -sy, -1.0),
         ];
         Self {
-            sides: sides.map(|side| eye.to_chart(side.normalize_or_zero())),
+            sides: sides.map(|side| Side::new(eye.to_chart(side.normalize_or_zero()))),
             limit_m,
         }
     }
 
     /// Whether anything in the cell may be in the picture. False only where nothing is.
     pub fn sees(&self, cell: &SightCell) -> bool {
-        let behind = |side: &DVec3| cell.greatest(*side) < 0.0;
+        let behind = |side: &Side| cell.greatest(side) < 0.0;
         !cell.is_empty() && cell.nearest_m <= self.limit_m && !self.sides.iter().any(behind)
     }
 

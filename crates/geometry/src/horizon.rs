@@ -17,7 +17,7 @@ use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
-use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy};
+use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy, Viewer};
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
 const RADIUS_NOTCHES_M: f64 = 80.0;
@@ -127,6 +127,15 @@ impl Strategy for Horizon {
         let u = (point.pos - eye.point.pos).to_array();
         let x = DVec4::from_array(self.map(eye).port(u));
         eye.to_view(x.truncate()).extend(x.w)
+    }
+
+    fn viewer<'a>(&'a self, eye: &'a Eye) -> Viewer<'a> {
+        let (map, rotation) = (self.map(eye), rotation(eye));
+        Box::new(move |point| {
+            let u = (point.pos - eye.point.pos).to_array();
+            let x = DVec4::from_array(map.port(u));
+            (rotation * x.truncate()).extend(x.w)
+        })
     }
 
     fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {

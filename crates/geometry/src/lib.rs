@@ -37,11 +37,11 @@ pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use raised::Raised;
 pub use real::Real;
-pub use sight::SightCell;
+pub use sight::{Drum, SightCell, azimuth_spread};
 pub use spherical::Spherical;
 pub use strategy::{
     DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII, HeightLimits,
-    SPHERE_RADIUS_RANGE_M, Strategy, picture, strategy,
+    SPHERE_RADIUS_RANGE_M, Strategy, Viewer, picture, strategy,
 };
 pub use uniform::SpaceUniform;
 

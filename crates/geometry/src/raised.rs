@@ -17,7 +17,9 @@ use crate::real::Real;
 use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
-use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy};
+use crate::{
+    ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy, Viewer,
+};
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
 const BISECTIONS: u32 = 24;
@@ -121,6 +123,15 @@ impl Strategy for Raised {
         let u = (point.pos - eye.point.pos).to_array();
         let x = DVec4::from_array(self.map(eye).port(u));
         eye.to_view(x.truncate()).extend(x.w)
+    }
+
+    fn viewer<'a>(&'a self, eye: &'a Eye) -> Viewer<'a> {
+        let (map, rotation) = (self.map(eye), rotation(eye));
+        Box::new(move |point| {
+            let u = (point.pos - eye.point.pos).to_array();
+            let x = DVec4::from_array(map.port(u));
+            (rotation * x.truncate()).extend(x.w)
+        })
     }
 
     fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {

@@ -10,6 +10,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
+use crate::Hemisphere;
 use crate::scalar::{acos_k, cos_k, sin_k};
 
 /// A cell of directions about the upright through the eye, in the chart's axes at the eye.
@@ -25,6 +26,27 @@ pub struct SightCell {
     pub slope: [f64; 2],
     /// No point of the box is nearer to the eye than this, in metres of the space.
     pub nearest_m: f64,
+}
+
+/// An upright drum of the chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drum {
+    /// The chart it lies in.
+    pub hemisphere: Hemisphere,
+    /// The middle of its circle, x and z in metres.
+    pub middle: DVec2,
+    /// Radius of its circle, in metres.
+    pub radius_m: f64,
+    /// Where it begins and ends, in metres of y.
+    pub heights_m: [f64; 2],
+}
+
+impl Drum {
+    /// Least and greatest corner of as high a box that goes that far to each side.
+    pub(crate) fn square(&self, half: DVec3) -> [DVec3; 2] {
+        let at = |y: f64| DVec3::new(self.middle.x, y, self.middle.y);
+        [at(self.heights_m[0]) - half, at(self.heights_m[1]) + half]
+    }
 }
 
 impl SightCell {
@@ -62,14 +84,33 @@ impl SightCell {
     }
 
     /// The greatest value that a plane through the eye takes in the cell, at unit level distance.
-    pub(crate) fn greatest(&self, normal: DVec3) -> f64 {
-        let away = turn(self.azimuth_rad - normal.z.atan2(normal.x)).abs();
-        let level = normal.x.hypot(normal.z) * (away - self.half_width_rad).max(0.0).cos();
-        let steepest = self.slope[usize::from(normal.y > 0.0)];
-        if normal.y == 0.0 {
+    pub(crate) fn greatest(&self, side: &Side) -> f64 {
+        let away = turn(self.azimuth_rad - side.azimuth_rad).abs();
+        let level = side.level * (away - self.half_width_rad).max(0.0).cos();
+        let steepest = self.slope[usize::from(side.rise > 0.0)];
+        if side.rise == 0.0 {
             level
         } else {
-            level + normal.y * steepest
+            level + side.rise * steepest
+        }
+    }
+}
+
+/// A plane through the eye by its unit normal, in the chart's axes at the eye.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Side {
+    azimuth_rad: f64,
+    level: f64,
+    rise: f64,
+}
+
+impl Side {
+    /// The plane of a unit normal.
+    pub fn new(normal: DVec3) -> Self {
+        Self {
+            azimuth_rad: normal.z.atan2(normal.x),
+            level: normal.x.hypot(normal.z),
+            rise: normal.y,
         }
     }
 }
@@ -77,6 +118,29 @@ impl SightCell {
 /// An angle brought to [-pi, pi].
 pub(crate) fn turn(angle: f64) -> f64 {
     angle - (angle / (2.0 * PI)).round() * 2.0 * PI
+}
+
+/// How far a rectangle from `low` to `high` that does not hold the origin reaches to either side of its middle, seen
+/// from there: the least and the greatest azimuth of a corner less that of the middle, in radians.
+pub fn azimuth_spread(low: DVec2, high: DVec2) -> [f64; 2] {
+    let middle = 0.5 * (low + high);
+    let corners = [
+        low,
+        DVec2::new(high.x, low.y),
+        high,
+        DVec2::new(low.x, high.y),
+    ];
+    let [mut first, mut last] = [low; 2];
+    for corner in corners {
+        // The corners lie within a half turn, so that each is to one side of each other.
+        if first.perp_dot(corner) < 0.0 {
+            first = corner;
+        }
+        if last.perp_dot(corner) > 0.0 {
+            last = corner;
+        }
+    }
+    [first, last].map(|corner| middle.perp_dot(corner).atan2(middle.dot(corner)))
 }
 
 /// The ground plan of something, seen from the upright through the eye.
@@ -101,16 +165,10 @@ impl Plan {
             };
         }
         let middle = 0.5 * (low + high);
-        let corners = [
-            low,
-            high,
-            DVec2::new(low.x, high.y),
-            DVec2::new(high.x, low.y),
-        ];
-        let aside = |c: DVec2| middle.perp_dot(c).atan2(middle.dot(c)).abs();
+        let [first, last] = azimuth_spread(low, high);
         Self {
             azimuth_rad: middle.y.atan2(middle.x),
-            half_width_rad: corners.map(aside).into_iter().fold(0.0, f64::max),
+            half_width_rad: last.max(-first),
             level_m,
         }
     }

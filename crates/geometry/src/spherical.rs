@@ -5,7 +5,7 @@
 //! first mirrored by G = diag(-1, 1, 1) and then w is negated: B = diag(-1, 1, 1, -1) A, a
 //! rotation, so orientation, winding and "up" are the same in both.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 use glam::{DMat4, DVec3, DVec4};
 
@@ -15,7 +15,8 @@ use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::strategy::HeightLimits;
 use crate::{
-    ChartPoint, Crossing, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy,
+    ChartPoint, Crossing, Drum, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform,
+    Strategy, Viewer,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -102,6 +103,11 @@ impl Strategy for Spherical {
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         self.metres(self.view(eye) * self.model(point))
+    }
+
+    fn viewer<'a>(&'a self, eye: &'a Eye) -> Viewer<'a> {
+        let view = self.view(eye);
+        Box::new(move |point| self.metres(view * self.model(point)))
     }
 
     fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint {
@@ -232,6 +238,13 @@ impl Strategy for Spherical {
             level_m: [(away - radius).max(0.0), (away + radius).min(PI)].map(|a| a * self.radius_m),
         };
         Axis::new(self.radius_m.powi(-2), eye.point.pos.y).cell(&plan, heights)
+    }
+
+    /// Boxes count as the drums around them, and drums as the boxes in them.
+    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
+        let half_m = FRAC_1_SQRT_2 * drum.radius_m;
+        let [min, max] = drum.square(DVec3::new(half_m, 0.0, half_m));
+        self.sight_cell(eye, drum.hemisphere, min, max)
     }
 
     fn keeps_azimuths(&self) -> bool {

@@ -1,15 +1,16 @@
 //! The one trait through which the game knows its space.
 
+use std::f64::consts::PI;
 use std::fmt::Debug;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
 use crate::kernel::distance;
 use crate::{
-    ChartPoint, Crossing, Euclidean, Eye, Frustum, Geometry, Hemisphere, Horizon, HyperbolicMap,
-    Projection, Raised, SightCell, SpaceUniform, Spherical,
+    ChartPoint, Crossing, Drum, Euclidean, Eye, Frustum, Geometry, Hemisphere, Horizon,
+    HyperbolicMap, Projection, Raised, SightCell, SpaceUniform, Spherical,
 };
 
 /// Radius of curvature of hyperbolic worlds unless a world says otherwise, in metres.
@@ -46,6 +47,9 @@ pub struct HeightLimits {
     pub ceiling_m: f64,
 }
 
+/// View coordinates of chart points, for one eye.
+pub type Viewer<'a> = Box<dyn Fn(ChartPoint) -> DVec4 + 'a>;
+
 /// A space: how chart points look from an eye, and what the charts are like.
 ///
 /// View coordinates are x right, y up, z back, in metres, and w without unit.
@@ -68,6 +72,11 @@ pub trait Strategy: Debug + Send + Sync {
 
     /// The point as seen: view coordinates with the eye at (0, 0, 0, 1).
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4;
+
+    /// [`Strategy::view_point`] of one point after another: what depends on the eye alone is worked out once.
+    fn viewer<'a>(&'a self, eye: &'a Eye) -> Viewer<'a> {
+        Box::new(move |point| self.view_point(eye, point))
+    }
 
     /// The chart point that is seen at `view`: the inverse of [`Strategy::view_point`].
     fn chart_point(&self, eye: &Eye, view: DVec4) -> ChartPoint;
@@ -146,6 +155,26 @@ pub trait Strategy: Debug + Send + Sync {
 
     /// The directions in which the chart box from `min` to `max` metres is seen.
     fn sight_cell(&self, eye: &Eye, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell;
+
+    /// A cell that holds those of all chart boxes inside an upright drum whose circles about their
+    /// own middles are inside too, so that a drum that is not seen tells that none of them is.
+    ///
+    /// A drum is seen at the azimuths of its circle, and as high and low as the square around it.
+    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
+        let half = DVec3::new(drum.radius_m, 0.0, drum.radius_m);
+        let [min, max] = drum.square(half);
+        let away = drum.middle - DVec2::new(eye.point.pos.x, eye.point.pos.z);
+        let apart = away.length() > drum.radius_m;
+        SightCell {
+            azimuth_rad: away.y.atan2(away.x),
+            half_width_rad: if apart {
+                (drum.radius_m / away.length()).asin()
+            } else {
+                PI
+            },
+            ..self.sight_cell(eye, drum.hemisphere, min, max)
+        }
+    }
 
     /// Whether azimuths about the eye in the chart are those of the picture, so that level
     /// distances tell which of two things in one direction is in front.

@@ -54,7 +54,6 @@ impl Block {
 #[derive(Clone)]
 pub struct TerrainCollider {
     blocks: [Option<Block>; BLOCKS],
-    triangles: usize,
 }
 
 impl TerrainCollider {
@@ -74,7 +73,6 @@ impl TerrainCollider {
         positions: &[[f32; 3]],
         triangles: &[[u32; 3]],
     ) -> Option<Self> {
-        let mut count = 0;
         let mut places = vec![u32::MAX; positions.len()];
         let mut sorted: [Vec<[u32; 3]>; BLOCKS] = Default::default();
         for &triangle in triangles {
@@ -86,22 +84,27 @@ impl TerrainCollider {
         let blocks = sorted.map(|triangles| {
             let old = before.and_then(|before| before.blocks[number].as_ref());
             number += 1;
-            count += triangles.len();
             let (vertices, triangles) = own(positions, triangles, &mut places);
             match old {
                 Some(old) if old.has(&vertices, &triangles) => Some(old.clone()),
                 _ => Block::build(vertices, triangles),
             }
         });
-        (count > 0).then_some(Self {
-            blocks,
-            triangles: count,
-        })
+        Self::of(blocks)
+    }
+
+    /// The collider of some blocks; `None` if there are none.
+    pub(crate) fn of(blocks: [Option<Block>; BLOCKS]) -> Option<Self> {
+        blocks
+            .iter()
+            .any(Option::is_some)
+            .then_some(Self { blocks })
     }
 
     /// How many triangles the mesh holds.
     pub fn triangle_count(&self) -> usize {
-        self.triangles
+        let meshes = self.blocks.iter().flatten().filter_map(Block::mesh);
+        meshes.map(TriMesh::num_triangles).sum()
     }
 
     /// How many of the parts it is made of are the very ones of `other`, and how many it has.
@@ -119,7 +122,7 @@ impl TerrainCollider {
 impl std::fmt::Debug for TerrainCollider {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("TerrainCollider")
-            .field("triangles", &self.triangles)
+            .field("triangles", &self.triangle_count())
             .finish_non_exhaustive()
     }
 }

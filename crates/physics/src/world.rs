@@ -86,25 +86,35 @@ impl PhysicsWorld {
 
     /// Puts a chunk's terrain with its origin at `origin` (m), replacing what the chunk had;
     /// `None` leaves the chunk empty. Parts that are the same as before stay as they are.
-    #[expect(
-        clippy::needless_pass_by_value,
-        reason = "the terrain is handed over: its parts are shared, and whoever kept it would keep them alive"
-    )]
     pub fn set_terrain(
         &mut self,
         coord: ChunkCoord,
         origin: DVec3,
         collider: Option<TerrainCollider>,
     ) {
+        drop(self.replace_terrain(coord, origin, collider));
+    }
+
+    /// As [`set_terrain`](Self::set_terrain); returns the parts that stand there no longer, so that
+    /// another thread may drop them, which takes longer than all the rest.
+    #[expect(
+        clippy::needless_pass_by_value,
+        reason = "the terrain is handed over: its parts are shared, and whoever kept it would keep them alive"
+    )]
+    pub fn replace_terrain(
+        &mut self,
+        coord: ChunkCoord,
+        origin: DVec3,
+        collider: Option<TerrainCollider>,
+    ) -> Option<TerrainCollider> {
         let mut standing = self.chunks.remove(&coord).unwrap_or_default();
+        let mut removed: [Option<Block>; BLOCKS] = Default::default();
         for (number, place) in standing.iter_mut().enumerate() {
             let block = collider.as_ref().and_then(|c| c.blocks()[number].as_ref());
             if self.is_standing(*place, origin, block) {
                 continue;
             }
-            if let Some(handle) = place.take() {
-                self.take_out(handle);
-            }
+            removed[number] = place.take().and_then(|handle| self.take_out(handle));
             *place = block.map(|block| {
                 self.put_in(Ground {
                     coord,
@@ -118,6 +128,7 @@ impl PhysicsWorld {
             self.chunks.insert(coord, standing);
         }
         self.forget_changes();
+        TerrainCollider::of(removed)
     }
 
     /// Whether a chunk has terrain to stand on or bump into.
@@ -219,10 +230,10 @@ impl PhysicsWorld {
         handle
     }
 
-    fn take_out(&mut self, handle: ColliderHandle) {
+    fn take_out(&mut self, handle: ColliderHandle) -> Option<Block> {
         let index = handle.into_raw_parts().0;
         self.tree.remove(index);
-        self.grounds.remove(&index);
+        let ground = self.grounds.remove(&index);
         self.colliders.remove(
             handle,
             &mut self.islands,
@@ -230,6 +241,7 @@ impl PhysicsWorld {
             &mut self.soft_bodies,
             false,
         );
+        ground.map(|ground| ground.block)
     }
 
     /// Rapier notes what changed for its next step. Nothing steps yet, so the notes would only grow.
@@ -285,5 +297,39 @@ mod tests {
         assert_eq!(found(-500.0, 500.0), [-2, -1, 0, 1, 2, 3]);
         assert_eq!(found(-40.0, 40.0), [-2, -1, 0, 1]);
         assert_eq!(found(500.0, 900.0), [0; 0]);
+    }
+
+    #[test]
+    fn what_stands_no_longer_is_handed_back_and_what_stays_is_not() {
+        let square = |y: f32| [[0.0, y, 0.0], [0.0, y, 9.0], [9.0, y, 9.0], [9.0, y, 0.0]];
+        let shape = |high: f32| {
+            let positions = [square(1.0), square(high)].concat();
+            [[0, 1, 2], [4, 5, 6]].map(|triangle| (positions.clone(), triangle))
+        };
+        let build = |before: Option<&TerrainCollider>, high: f32| {
+            let [(positions, low), (_, top)] = shape(high);
+            TerrainCollider::rebuild(before, &positions, &[low, top]).unwrap()
+        };
+        let (coord, at) = (ChunkCoord::new(Hemisphere::A, IVec3::ZERO), DVec3::ZERO);
+        let first = build(None, 20.0);
+        let second = build(Some(&first), 25.0);
+        let mut world = PhysicsWorld::new();
+        assert!(
+            world
+                .replace_terrain(coord, at, Some(first.clone()))
+                .is_none()
+        );
+        assert!(
+            world
+                .replace_terrain(coord, at, Some(first.clone()))
+                .is_none()
+        );
+        let removed = world
+            .replace_terrain(coord, at, Some(second.clone()))
+            .unwrap();
+        assert_eq!(removed.shared_parts(&first), (1, 1), "the high block alone");
+        assert_eq!(removed.shared_parts(&second), (0, 1));
+        let removed = world.replace_terrain(coord, at, None).unwrap();
+        assert_eq!(removed.shared_parts(&second), (2, 2));
     }
 }

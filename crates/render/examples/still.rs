@@ -133,6 +133,8 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
             point: marker,
             radius_m: 3.0,
             active: false,
+            by_lightness: false,
+            still: false,
         }),
         fog_distance_m: space.rim_m().map_or(reach_m - 8.0, |rim_m| rim_m * 3.0) as f32,
         contour_bands: true,

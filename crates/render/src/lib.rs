@@ -27,12 +27,18 @@ mod seams;
 mod shaders;
 mod solids;
 mod targets;
+mod tile;
 mod timing;
 mod tonemap;
 mod uniforms;
+mod workshop;
 
 pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};
-pub use offscreen::Offscreen;
-pub use plan::{Affine, ChunkChoice, ChunkLand, FramePlan, PlanStats, Port, plan, tolerance_px};
+pub use offscreen::{Offscreen, PictureReading};
+pub use plan::{
+    Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandBook, PlanStats, Planner, Port, plan,
+    tolerance_px,
+};
 pub use renderer::{DrawStats, Options, Renderer};
+pub use tile::Tile;

@@ -13,9 +13,15 @@ const BALL_SHARE: f64 = 0.2;
 /// Linear light of the marker at rest, and while it digs or builds.
 const AT_REST: [f32; 3] = [0.55, 0.85, 1.0];
 const AT_WORK: [f32; 3] = [1.25, 0.52, 0.12];
+/// The same for eyes that see few colours: white, and black.
+const SAFE_AT_REST: [f32; 3] = [1.6, 1.6, 1.6];
+const SAFE_AT_WORK: [f32; 3] = [0.01, 0.01, 0.01];
 /// Opacity of the ball, face on and edge on; then of the shell.
 const BALL_OPACITY: (f32, f32) = (0.34, 0.95);
 const SHELL_OPACITY: (f32, f32) = (0.0, 0.34);
+/// The same where lightness alone must tell: less of the land shines through.
+const SAFE_BALL_OPACITY: (f32, f32) = (0.7, 1.0);
+const SAFE_SHELL_OPACITY: (f32, f32) = (0.0, 0.7);
 /// Rate of the glow while at work, radians per second.
 const PULSE_RAD_S: f32 = 9.0;
 const RINGS: u16 = 20;
@@ -97,12 +103,23 @@ impl MarkerBalls {
 }
 
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
-    let glow = if marker.active {
+    let glow = if marker.active && !marker.still {
         1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin()
     } else {
         1.0
     };
-    let [r, g, b] = if marker.active { AT_WORK } else { AT_REST }.map(|channel| channel * glow);
+    let colour = match (marker.by_lightness, marker.active) {
+        (false, false) => AT_REST,
+        (false, true) => AT_WORK,
+        (true, false) => SAFE_AT_REST,
+        (true, true) => SAFE_AT_WORK,
+    };
+    let [r, g, b] = colour.map(|channel| channel * glow);
+    let (shell, core) = if marker.by_lightness {
+        (SAFE_SHELL_OPACITY, SAFE_BALL_OPACITY)
+    } else {
+        (SHELL_OPACITY, BALL_OPACITY)
+    };
     let ball = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
         offset: offset_of(frame, marker.point),
         hemisphere: hemisphere_index(marker.point.hemisphere),
@@ -110,7 +127,32 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };
     [
-        ball(marker.radius_m, SHELL_OPACITY),
-        ball(marker.radius_m * BALL_SHARE, BALL_OPACITY),
+        ball(marker.radius_m, shell),
+        ball(marker.radius_m * BALL_SHARE, core),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance by the weights of BT.709.
+    fn luminance([r, g, b]: [f32; 3]) -> f32 {
+        0.2126 * r + 0.7152 * g + 0.0722 * b
+    }
+
+    #[test]
+    fn without_colours_rest_and_work_differ_as_black_from_white() {
+        for colour in [SAFE_AT_REST, SAFE_AT_WORK] {
+            assert!(
+                colour[0] == colour[1] && colour[1] == colour[2],
+                "{colour:?} has a hue"
+            );
+        }
+        let (rest, work) = (luminance(SAFE_AT_REST), luminance(SAFE_AT_WORK));
+        // The contrast of the Web Content Accessibility Guidelines, 7 being their highest demand.
+        assert!((rest + 0.05) / (work + 0.05) > 7.0);
+        let usual = (luminance(AT_REST) + 0.05) / (luminance(AT_WORK) + 0.05);
+        assert!(usual < 7.0, "told by hue: {usual}");
+    }
 }

@@ -1,5 +1,7 @@
 //! A picture in the adapter's memory that can be drawn into and read back.
 
+use std::sync::{Arc, OnceLock};
+
 use image::RgbaImage;
 use wgpu::{Texture, TextureFormat, TextureUsages, TextureView};
 
@@ -50,6 +52,11 @@ impl Offscreen {
     /// # Errors
     /// When the adapter is lost or its memory cannot be read.
     pub fn read(&self, gpu: &Gpu) -> Result<RgbaImage, RenderError> {
+        self.begin_read(gpu).finish(gpu)
+    }
+
+    /// Has the picture read once everything submitted is drawn, without waiting for it.
+    pub fn begin_read(&self, gpu: &Gpu) -> PictureReading {
         let (width, height) = (self.texture.width(), self.texture.height());
         let row_bytes = (width * 4).next_multiple_of(ROW_ALIGNMENT);
         let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
@@ -74,12 +81,65 @@ impl Offscreen {
             self.texture.size(),
         );
         gpu.queue.submit([encoder.finish()]);
-        buffer.map_async(wgpu::MapMode::Read, .., |_| ());
-        gpu.wait()?;
-        let bytes = buffer
+        let mapped = Arc::new(OnceLock::new());
+        let outcome = Arc::clone(&mapped);
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The only one to set it.
+            let _ = outcome.set(result.map_err(|error| error.to_string()));
+        });
+        PictureReading {
+            buffer,
+            mapped,
+            size: (width, height),
+            row_bytes,
+            swap: swapped(self.texture.format()),
+        }
+    }
+}
+
+/// A picture on its way out of the adapter's memory.
+#[derive(Debug)]
+pub struct PictureReading {
+    buffer: wgpu::Buffer,
+    /// How mapping the buffer has ended, when it has.
+    mapped: Arc<OnceLock<Result<(), String>>>,
+    size: (u32, u32),
+    row_bytes: u32,
+    swap: bool,
+}
+
+impl PictureReading {
+    /// The picture if it is there, otherwise the reading, to ask again. Never waits.
+    ///
+    /// # Errors
+    /// The reading itself while it is not finished; what is inside fails as [`Offscreen::read`] does.
+    pub fn poll(self, gpu: &Gpu) -> Result<Result<RgbaImage, RenderError>, Self> {
+        // A lost adapter never maps anything, and its loss is told elsewhere.
+        let lost = gpu.device.poll(wgpu::PollType::Poll).is_err() || gpu.lost().is_some();
+        if lost || self.mapped.get().is_some() {
+            Ok(self.finish(gpu))
+        } else {
+            Err(self)
+        }
+    }
+
+    /// Waits for the picture.
+    ///
+    /// # Errors
+    /// As [`Offscreen::read`].
+    pub fn finish(self, gpu: &Gpu) -> Result<RgbaImage, RenderError> {
+        if self.mapped.get().is_none() {
+            gpu.wait()?;
+        }
+        if let Some(Err(why)) = self.mapped.get() {
+            return Err(RenderError::Readback(why.clone()));
+        }
+        let bytes = self
+            .buffer
             .get_mapped_range(..)
             .map_err(|e| RenderError::Readback(e.to_string()))?;
-        let rows = unpad(&bytes, width, row_bytes, swapped(self.texture.format()));
+        let (width, height) = self.size;
+        let rows = unpad(&bytes, width, self.row_bytes, self.swap);
         RgbaImage::from_raw(width, height, rows)
             .ok_or_else(|| RenderError::Readback("the picture came back incomplete".to_owned()))
     }

@@ -201,7 +201,11 @@ mod tests {
             .collect();
         assert_eq!(
             ranges,
-            [vec![(0, 30), (30, 33)], vec![(0, 3), (3, 27)], vec![(0, 30)]]
+            [
+                vec![(0, 30), (30, 33)],
+                vec![(0, 3), (3, 27)],
+                vec![(0, 30)]
+            ]
         );
         assert_eq!(cut[1][0].max, blocks[1].max);
     }

@@ -2,9 +2,9 @@
 
 use antipode_scene::frame::Frame;
 use wgpu::{
-    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
-    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, StoreOp, TextureFormat, TextureView,
+    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
+    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    StoreOp, TextureFormat, TextureView,
 };
 
 use crate::celestial::Celestial;
@@ -14,15 +14,15 @@ use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::marker::MarkerBalls;
-use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::{PlanStats, plan};
+use crate::pipelines::scene_layout;
+use crate::plan::{PlanStats, Planner};
 use crate::targets::{Targets, drawn_size};
+use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
+use crate::workshop::Workshop;
 
-/// Maps that shaders are compiled for.
-const MAPS: usize = 4;
 /// The number of the map that every open world can turn to.
 const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
 
@@ -67,15 +67,16 @@ pub struct Renderer {
     device: Device,
     queue: Queue,
     options: Options,
-    scene_layout: BindGroupLayout,
-    /// By the map's number in `SpaceUniform::kind`; made when a world first needs them.
-    pipelines: [Option<Pipelines>; MAPS],
+    pipelines: Workshop,
+    /// The last frame's map, by its number in `SpaceUniform::kind`.
+    map: Option<u32>,
     uniform: Buffer,
     scene_bindings: BindGroup,
     targets: Targets,
     tonemap: Tonemap,
     light: BindGroup,
     chunks: ChunkStore,
+    planner: Planner,
     land: LandDraws,
     list: DrawList,
     figures: Figures,
@@ -84,6 +85,8 @@ pub struct Renderer {
     timing: Option<Timing>,
     /// Height of the targets, pixels: what errors are measured in.
     height_px: u32,
+    /// The part of a larger picture that is being drawn.
+    tile: Option<Tile>,
 }
 
 impl Renderer {
@@ -109,11 +112,13 @@ impl Renderer {
                 resource: uniform.as_entire_binding(),
             }],
         });
+        let pipelines = Workshop::new(&device, &scene_layout, options.samples);
         let targets = Targets::new(&device, (1, 1), options.samples);
         let tonemap = Tonemap::new(&device, options.output_format, options.scale != 1.0);
         let light = tonemap.bind(&device, &targets.light);
         Ok(Self {
             chunks: ChunkStore::new(gpu),
+            planner: Planner::default(),
             land: LandDraws::new(gpu),
             list: DrawList::default(),
             figures: Figures::new(&device),
@@ -121,11 +126,12 @@ impl Renderer {
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
             height_px: 1,
+            tile: None,
             device,
             queue,
             options,
-            scene_layout,
-            pipelines: [const { None }; MAPS],
+            pipelines,
+            map: None,
             uniform,
             scene_bindings,
             targets,
@@ -141,6 +147,65 @@ impl Renderer {
         self.height_px = height;
         self.targets = Targets::new(&self.device, size, self.options.samples);
         self.light = self.tonemap.bind(&self.device, &self.targets.light);
+    }
+
+    /// Begins to make ready for all maps, in a thread: for whoever has time before the first frame. What is not ready
+    /// when a frame needs it, that frame waits for.
+    pub fn prepare_maps(&mut self) {
+        self.pipelines.order_all();
+    }
+
+    /// Makes ready for targets of `width` by `height` pixels at their full resolution, whatever share the options
+    /// say: for pictures that are kept. [`Renderer::resize`] goes back.
+    pub fn resize_full(&mut self, width: u32, height: u32) {
+        let most = self.largest_side();
+        self.height_px = height;
+        let size = drawn_size(width, height, 1.0, most);
+        self.targets = Targets::new(&self.device, size, self.options.samples);
+        self.light = self.tonemap.bind(&self.device, &self.targets.light);
+    }
+
+    /// The longest side of a picture that can be drawn, in tiles or at once, pixels.
+    pub fn largest_side(&self) -> u32 {
+        self.device.limits().max_texture_dimension_2d
+    }
+
+    /// As [`Renderer::draw`], but draws a part of a larger picture: complete, however long that takes. The targets are
+    /// to be as large as the part, and drawn at full resolution ([`Renderer::resize_full`]); no side of the whole may
+    /// be longer than [`Renderer::largest_side`].
+    pub fn draw_tile(
+        &mut self,
+        frame: &Frame,
+        tile: Tile,
+        encoder: &mut CommandEncoder,
+        target: &TextureView,
+    ) -> DrawStats {
+        self.tile = Some(tile);
+        self.complete_next();
+        let stats = self.draw(frame, encoder, target);
+        self.tile = None;
+        stats
+    }
+
+    /// Records the picture of the last frame into another target of the same size and format.
+    pub fn show_again(&self, encoder: &mut CommandEncoder, target: &TextureView) {
+        self.tonemap.draw(encoder, &self.light, target, None);
+    }
+
+    /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
+    /// the samples differ. Sizes hold from the next [`Renderer::resize`] on, which must follow.
+    ///
+    /// # Errors
+    /// When the options are out of range; nothing is changed then.
+    pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
+        check(&options)?;
+        if options.samples != self.options.samples {
+            self.pipelines =
+                Workshop::new(&self.device, &scene_layout(&self.device), options.samples);
+        }
+        self.tonemap = Tonemap::new(&self.device, options.output_format, options.scale != 1.0);
+        self.options = options;
+        Ok(())
     }
 
     /// Lets the next frame be complete, however long that takes: for a single picture. Frames in motion bring what
@@ -168,21 +233,24 @@ impl Renderer {
             .timing
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
-        let kind = self.make_pipelines(frame);
+        let map = self.map_of(frame);
+        let drawn = self.tile.map_or(self.targets.size, |tile| tile.whole);
+        let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
         self.chunks.apply(frame);
         self.marker.prepare(&self.queue, frame);
         self.queue.write_buffer(
             &self.uniform,
             0,
-            bytemuck::bytes_of(&SceneUniform::new(frame, self.targets.size)),
+            bytemuck::bytes_of(&SceneUniform::new(frame, drawn)),
         );
-        let land = self.chunks.land();
-        let mut plan = plan(frame, self.height_px, &land);
-        self.chunks.refine(frame, &land, &mut plan);
+        let book = self.chunks.land();
+        let land = book.land();
+        let mut plan = self.planner.plan(frame, height_px, &book);
+        self.chunks.refine(frame, land, &mut plan);
         self.chunks.end_rush();
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
-        self.chunks.list(frame, &land, &mut plan, &mut self.list);
+        self.chunks.list(frame, land, &mut plan, &mut self.list);
         self.land.send(&self.queue, &mut self.list);
         let mut stats = DrawStats {
             culled: self.chunks.len() - plan.chunks.len(),
@@ -191,7 +259,7 @@ impl Renderer {
             gpu_ms,
             ..DrawStats::default()
         };
-        self.draw_scene(frame, kind, encoder, &mut stats);
+        self.draw_scene(frame, map, encoder, &mut stats);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -204,30 +272,17 @@ impl Renderer {
         stats
     }
 
-    /// Makes the pipelines of the frame's map, and of the map that the player may turn to from there, so that a
-    /// turn does not stutter. Returns the map's number.
-    fn make_pipelines(&mut self, frame: &Frame) -> u32 {
-        let kind = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
-        if self.pipelines[kind as usize % MAPS].is_none() {
-            let companion = if frame.strategy.has_sky() {
-                HORIZON
-            } else {
-                kind
-            };
-            for kind in [kind, companion] {
-                let place = &mut self.pipelines[kind as usize % MAPS];
-                if place.is_none() {
-                    let samples = self.options.samples;
-                    *place = Some(Pipelines::new(
-                        &self.device,
-                        &self.scene_layout,
-                        kind,
-                        samples,
-                    ));
-                }
+    /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
+    /// meanwhile, so that a turn does not stutter.
+    fn map_of(&mut self, frame: &Frame) -> u32 {
+        let map = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
+        if self.map != Some(map) {
+            self.map = Some(map);
+            if frame.strategy.has_sky() {
+                self.pipelines.order(HORIZON);
             }
         }
-        kind
+        map
     }
 
     fn begin_scene<'e>(
@@ -266,14 +321,15 @@ impl Renderer {
     fn draw_scene(
         &self,
         frame: &Frame,
-        kind: u32,
+        map: u32,
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
         let mut pass = self.begin_scene(encoder, frame.sky.horizon);
-        let Some(pipelines) = &self.pipelines[kind as usize % MAPS] else {
-            return;
-        };
+        if let Some(tile) = self.tile {
+            tile.lay(&mut pass);
+        }
+        let pipelines = self.pipelines.get(map);
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
         stats.add(self.figures.draw(&mut pass, pipelines));

@@ -44,6 +44,8 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
                     point,
                     radius_m: 0.8,
                     active: true,
+                    by_lightness: false,
+                    still: false,
                 }),
                 ..frame.clone()
             };
@@ -282,6 +284,8 @@ fn a_marker_behind_land_still_shows_but_faintly() {
                 point,
                 radius_m: 4.0,
                 active: true,
+                by_lightness: false,
+                still: false,
             }),
             ..frame.clone()
         };

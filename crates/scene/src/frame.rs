@@ -104,6 +104,10 @@ pub struct Marker {
     pub radius_m: f64,
     /// Whether it is digging or building at the moment.
     pub active: bool,
+    /// Whether rest and work are told apart by lightness, for eyes that see few colours.
+    pub by_lightness: bool,
+    /// Whether it does not pulse.
+    pub still: bool,
 }
 
 /// How much exactness a picture trades for speed: each is a measured point between the two.

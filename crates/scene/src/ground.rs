@@ -6,8 +6,8 @@ use std::sync::Arc;
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
-use antipode_terrain::{Field, Samples};
-use glam::{DVec3, IVec3};
+use antipode_terrain::{Cover, Field, Samples};
+use glam::{DVec3, IVec3, Vec3};
 
 use crate::frame::ChunkChange;
 
@@ -23,6 +23,9 @@ struct Resident {
     samples: Option<Arc<Samples>>,
     triangles: usize,
 }
+
+/// What is needed no more of a chunk. To drop it takes longer than a frame should.
+pub type Spent = (Option<TerrainCollider>, Option<Arc<Samples>>);
 
 /// Resident ground around the player.
 #[derive(Debug)]
@@ -45,11 +48,13 @@ impl Ground {
         }
     }
 
-    /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer.
-    pub fn put(&mut self, chunk: Chunk, physics: &mut PhysicsWorld) {
-        physics.set_terrain(chunk.coord, self.origin(chunk.coord), chunk.collider);
+    /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer. Returns what it takes the
+    /// place of.
+    pub fn put(&mut self, chunk: Chunk, physics: &mut PhysicsWorld) -> Spent {
+        let origin = self.origin(chunk.coord);
+        let collider = physics.replace_terrain(chunk.coord, origin, chunk.collider);
         let triangles = chunk.mesh.triangles().len();
-        self.chunks.insert(
+        let before = self.chunks.insert(
             chunk.coord,
             Resident {
                 samples: chunk.samples,
@@ -58,20 +63,24 @@ impl Ground {
         );
         self.changes
             .insert(chunk.coord, ChunkChange::Put(chunk.coord, chunk.mesh));
+        (collider, before.and_then(|chunk| chunk.samples))
     }
 
-    /// Makes a resident chunk solid, since a body has come near, or with nothing to be so no longer.
+    /// Makes a resident chunk solid, since a body has come near, or with nothing to be so no longer. Returns
+    /// what this takes the place of.
     pub fn set_solid(
         &mut self,
         coord: ChunkCoord,
         collider: Option<TerrainCollider>,
         samples: Option<Arc<Samples>>,
         physics: &mut PhysicsWorld,
-    ) {
-        if let Some(chunk) = self.chunks.get_mut(&coord) {
-            chunk.samples = samples;
-            physics.set_terrain(coord, self.origin(coord), collider);
-        }
+    ) -> Spent {
+        let origin = self.origin(coord);
+        let Some(chunk) = self.chunks.get_mut(&coord) else {
+            return (collider, samples);
+        };
+        let before = std::mem::replace(&mut chunk.samples, samples);
+        (physics.replace_terrain(coord, origin, collider), before)
     }
 
     /// Where a chunk stands in physics space.
@@ -79,12 +88,16 @@ impl Ground {
         coord.origin() + self.strategy.chart_origin_m(coord.hemisphere)
     }
 
-    /// Lets a chunk go.
-    pub fn remove(&mut self, coord: ChunkCoord, physics: &mut PhysicsWorld) {
-        if self.chunks.remove(&coord).is_some() {
-            physics.set_terrain(coord, coord.origin(), None);
-            self.changes.insert(coord, ChunkChange::Remove(coord));
-        }
+    /// Lets a chunk go, and returns what there was of it.
+    pub fn remove(&mut self, coord: ChunkCoord, physics: &mut PhysicsWorld) -> Spent {
+        let Some(chunk) = self.chunks.remove(&coord) else {
+            return (None, None);
+        };
+        self.changes.insert(coord, ChunkChange::Remove(coord));
+        (
+            physics.replace_terrain(coord, coord.origin(), None),
+            chunk.samples,
+        )
     }
 
     /// What became of each chunk since it was last asked, in the order of the chunks.
@@ -121,6 +134,16 @@ impl Ground {
     /// The field at a point as it was before any edit.
     pub fn untouched_density(&self, point: ChartPoint) -> f32 {
         self.field.sample(point)
+    }
+
+    /// What covers ground with this unit normal at a point.
+    pub fn cover(&self, point: ChartPoint, normal: Vec3) -> Cover {
+        self.field.cover(point, normal)
+    }
+
+    /// Lowest and highest height that untouched ground can have, metres.
+    pub fn height_range_m(&self) -> (f64, f64) {
+        self.field.ground_range_m()
     }
 
     /// Height of the topmost surface of untouched ground in a point's column, metres.

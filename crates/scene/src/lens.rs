@@ -185,6 +185,17 @@ impl Lens {
         true
     }
 
+    /// Sets the dial of a bent picture at once; 0 shows it flat, and bent it stays. Returns false when out of range
+    /// or the picture is not bent.
+    pub(crate) fn set_bend_dial(&mut self, value: f64) -> bool {
+        self.bend().is_some() && self.set_at_once(View::Bent, value)
+    }
+
+    /// Shows at once what it glides to.
+    pub(crate) fn settle(&mut self) {
+        self.arrive(self.wanted);
+    }
+
     /// Takes over what a save tells; settings out of range are left as they are in a new world.
     pub fn restore(&mut self, map: HyperbolicMap, bent: bool, goals: DialGoals) {
         let maps = HyperbolicMap::ALL.map(View::Map);
@@ -222,6 +233,14 @@ impl Lens {
         if self.share != share {
             self.share = glided(self.share, share, dt_s);
             self.show(self.shown);
+        }
+    }
+
+    /// Arrives at once where a glide would lead to.
+    pub fn jump(&mut self) {
+        let there = self.shown == self.wanted && self.value == self.goal() && self.share == 1.0;
+        if !there {
+            self.arrive(self.wanted);
         }
     }
 

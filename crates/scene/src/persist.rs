@@ -11,6 +11,7 @@ use crate::camera::CameraMode;
 use crate::ground::height_below;
 use crate::item::{Inventory, Item, Stack};
 use crate::lens::DialGoals;
+use crate::notice::Notice;
 use crate::player::{Health, Look};
 use crate::probe::{
     CameraProbe, ChunkProbe, MarkerProbe, PlayerProbe, Probe, SlotProbe, TerrainProbe,
@@ -55,6 +56,7 @@ impl WorldSetup {
             created_unix_s: now,
             last_played_unix_s: now,
             played_s: 0.0,
+            cheated: false,
         }
     }
 }
@@ -65,6 +67,7 @@ impl Scene {
         let mut meta = self.setup.to_meta();
         meta.created_unix_s = self.created_unix_s;
         meta.played_s = self.simulated_s;
+        meta.cheated = self.cheated;
         (meta, self.state())
     }
 
@@ -120,10 +123,7 @@ impl Scene {
                         count: record.count.max(1),
                     },
                 ),
-                None => self.notices.push(format!(
-                    "The save holds an item this version does not know (\"{}\"); it was left out.",
-                    record.item
-                )),
+                None => self.notices.push(Notice::UnknownItem(record.item.clone())),
             }
         }
         self.inventory.select(state.item_slot);
@@ -137,10 +137,7 @@ impl Scene {
 
     fn restore_lens(&mut self, state: &WorldState) {
         let map = state.map.parse().unwrap_or_else(|_| {
-            self.notices.push(format!(
-                "The save names a map this version does not know (\"{}\"); another is shown.",
-                state.map
-            ));
+            self.notices.push(Notice::UnknownMap(state.map.clone()));
             HyperbolicMap::default()
         });
         let goals = DialGoals {
@@ -158,7 +155,7 @@ impl Scene {
             &record.health,
         ]);
         if !numbers.into_iter().all(|n| n.is_finite()) {
-            self.notices.push("The save's player was damaged; you begin at the start again. Your land is as it was.".into());
+            self.notices.push(Notice::PlayerDamaged);
             return;
         }
         let hemisphere = if record.hemisphere == 1 && self.strategy.rim_m().is_some() {

@@ -2,6 +2,7 @@
 
 use antipode_geometry::HyperbolicMap;
 
+use crate::notice::Hint;
 use crate::scene::Scene;
 
 impl Scene {
@@ -13,13 +14,13 @@ impl Scene {
     /// Asks for the space's other picture, as the key does: it comes gliding, and the player is told its name.
     pub fn turn_map(&mut self) {
         let hint = if !self.lens.turn_map() {
-            "The sphere has no other map.".to_owned()
+            Hint::NoOtherMap
         } else if let Some(map) = self.lens.map() {
-            format!("The {map} map")
+            Hint::Map(map)
         } else if self.lens.bend().is_some() {
-            "Wheel up bends the picture to hyperbolic, down to spherical.".to_owned()
+            Hint::Bent
         } else {
-            "The picture is flat again.".to_owned()
+            Hint::Unbent
         };
         self.hints.push(hint);
         self.changed = true;

@@ -102,14 +102,18 @@ pub fn eye(position: &Position, look: &Look, dial: f64, height_m: f64) -> Eye {
     }
 }
 
-/// Advances the walk by the ground covered; standing still lets it come to rest.
-pub fn walk(appearance: &mut Appearance, ground_speed_m_s: f64, grounded: bool, dt_s: f64) {
-    if grounded && ground_speed_m_s > 0.3 {
-        appearance.stride = (appearance.stride + ground_speed_m_s * dt_s / STRIDE_M_PER_RAD)
-            .rem_euclid(std::f64::consts::TAU);
-    } else {
+/// Advances the walk by the ground covered; standing still lets it come to rest. Returns whether a foot came down:
+/// each does once a turn.
+pub fn walk(appearance: &mut Appearance, ground_speed_m_s: f64, grounded: bool, dt_s: f64) -> bool {
+    use std::f64::consts::{PI, TAU};
+    if !grounded || ground_speed_m_s <= 0.3 {
         appearance.stride *= 1.0 - (8.0 * dt_s).min(1.0);
+        return false;
     }
+    let on = appearance.stride + ground_speed_m_s * dt_s / STRIDE_M_PER_RAD;
+    let foot_down = (on / PI).floor() != (appearance.stride / PI).floor();
+    appearance.stride = on.rem_euclid(TAU);
+    foot_down
 }
 
 /// The angle within (-pi, pi].
@@ -164,6 +168,20 @@ mod tests {
             &look,
         );
         assert!((both.length() - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn each_foot_comes_down_once_a_turn_and_none_in_the_air_or_at_rest() {
+        let (.., mut appearance) = components(ChartPoint::a(DVec3::ZERO), 0.0);
+        let mut feet = |speed_m_s: f64, grounded: bool| {
+            (0..600)
+                .filter(|_| walk(&mut appearance, speed_m_s, grounded, 1.0 / 60.0))
+                .count()
+        };
+        // Ten seconds at 4 m/s are 40 m, and a half turn is 0.88 m.
+        assert_eq!(feet(4.0, true), 45);
+        assert_eq!(feet(4.0, false), 0);
+        assert_eq!(feet(0.2, true), 0);
     }
 
     #[test]

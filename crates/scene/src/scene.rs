@@ -13,15 +13,19 @@ use thiserror::Error;
 use crate::camera::{self, CameraMode};
 use crate::day;
 use crate::detail::Sight;
+use crate::dip::HeadDip;
 use crate::frame::{Figure, Frame, Marker, Quality};
 use crate::ground::Ground;
 use crate::item::Inventory;
 use crate::lens::Lens;
+use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
+use crate::sound::Sounds;
 use crate::tuning::{
     BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
     VIEW_DISTANCE_CHUNKS,
 };
+use crate::viewing::Viewing;
 
 /// How many damaged places of a save are told one by one.
 const MOST_PROBLEMS_TOLD: usize = 3;
@@ -92,13 +96,16 @@ pub struct Scene {
     pub(crate) time_of_day_s: f64,
     pub(crate) simulated_s: f64,
     pub(crate) saved_at_s: f64,
-    pub(crate) contour_bands: bool,
+    pub(crate) viewing: Viewing,
+    pub(crate) dip: HeadDip,
     pub(crate) quality: Quality,
-    pub(crate) notices: Vec<String>,
-    pub(crate) hints: Vec<String>,
+    pub(crate) notices: Vec<Notice>,
+    pub(crate) hints: Vec<Hint>,
     pub(crate) stored: bool,
-    pub(crate) save_problem: Option<String>,
+    pub(crate) save_problem: Option<Notice>,
     pub(crate) created_unix_s: u64,
+    /// Whether a command that cheats was ever used in this world.
+    pub(crate) cheated: bool,
     /// Whether anything but the terrain may differ from what was last given to be saved.
     pub(crate) changed: bool,
     /// Whether the body was put where it is and may be stuck there.
@@ -107,6 +114,10 @@ pub struct Scene {
     pub(crate) picture_height_px: u32,
     /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
     pub(crate) sight: Option<Arc<Sight>>,
+    /// A camera that is elsewhere than the player: land is made around it.
+    pub(crate) watched: Option<Eye>,
+    /// What could be heard since somebody last listened.
+    pub(crate) sounds: Sounds,
 }
 
 impl std::fmt::Debug for Scene {
@@ -132,7 +143,7 @@ impl Scene {
             Some(store) => saved_state(store)?,
             None => (None, Vec::new()),
         };
-        let created_unix_s = store.as_ref().map_or(0, |s| s.meta().created_unix_s);
+        let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
         let stored = store.is_some();
         let streamer = Streamer::start(
             Arc::clone(&field),
@@ -161,17 +172,21 @@ impl Scene {
             time_of_day_s: DAY_START_S,
             simulated_s: 0.0,
             saved_at_s: 0.0,
-            contour_bands: true,
+            viewing: Viewing::default(),
+            dip: HeadDip::default(),
             quality: Quality::default(),
             notices,
             hints: Vec::new(),
             stored,
             save_problem: None,
-            created_unix_s,
+            created_unix_s: meta.created_unix_s,
+            cheated: meta.cheated,
             changed: false,
             body_unchecked: true,
             picture_height_px: PICTURE_HEIGHT_PX,
             sight: None,
+            watched: None,
+            sounds: Sounds::default(),
         };
         if let Some(state) = saved {
             scene.restore(&state);
@@ -226,6 +241,17 @@ impl Scene {
     /// Simulated time since the world was made, in seconds.
     pub fn simulated_s(&self) -> f64 {
         self.simulated_s
+    }
+
+    /// Whether a command that cheats was ever used in this world.
+    pub fn cheated(&self) -> bool {
+        self.cheated
+    }
+
+    /// Marks the world as one in which a command that cheats was used, for ever.
+    pub fn mark_cheated(&mut self) {
+        self.cheated = true;
+        self.changed = true;
     }
 
     /// Whether the player flies as a spectator.
@@ -295,7 +321,12 @@ impl Scene {
     /// The eye in the player's head.
     pub fn head(&self) -> Eye {
         let (position, look, ..) = self.player_parts();
-        let height_m = self.tuning.eye_height_m();
+        // Seen from behind, the body does not dip, and the camera would shake without a cause.
+        let dip_m = match self.camera {
+            CameraMode::First => self.dip.depth_m(),
+            CameraMode::Third => 0.0,
+        };
+        let height_m = self.tuning.eye_height_m() - dip_m;
         player::eye(&position, &look, self.lens.value(), height_m)
     }
 
@@ -329,13 +360,13 @@ impl Scene {
         self.quality = quality;
     }
 
-    /// Sentences for the player that have come up since they were last taken.
-    pub fn take_notices(&mut self) -> Vec<String> {
+    /// What has gone wrong since they were last taken.
+    pub fn take_notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
     }
 
     /// Short answers to what the player did that have come up since they were last taken.
-    pub fn take_hints(&mut self) -> Vec<String> {
+    pub fn take_hints(&mut self) -> Vec<Hint> {
         std::mem::take(&mut self.hints)
     }
 
@@ -348,10 +379,10 @@ impl Scene {
             strategy: Arc::clone(self.lens.strategy()),
             sky: day::sky(self.time_of_day_s, &**self.lens.strategy()),
             chunk_changes: self.ground.take_changes(),
-            figures: self.figures(),
+            figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
             marker: self.marker,
-            fog_distance_m: self.fog_distance_m(),
-            contour_bands: self.contour_bands,
+            fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
+            contour_bands: self.viewing.contour_bands,
             time_s: self.simulated_s as f32,
             quality: self.quality,
             loaded_world: world_id,
@@ -359,15 +390,15 @@ impl Scene {
     }
 
     /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
-    fn figures(&self) -> Vec<Figure> {
-        let eye = self.eye().point;
+    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<Figure> {
+        let eye = eye.point;
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
         for (entity, position, look, appearance) in
             &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
         {
-            if entity == self.player && (self.camera == CameraMode::First || inside_own) {
+            if entity == self.player && (!sees_player || inside_own) {
                 continue;
             }
             seen.push(Figure {
@@ -382,8 +413,8 @@ impl Scene {
 
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
     /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
-    fn fog_distance_m(&self) -> f32 {
-        let far_m = self.lens.strategy().sight_limit_m(&self.eye());
+    pub(crate) fn fog_distance_from_m(&self, eye: &Eye, pictured: &dyn Strategy) -> f32 {
+        let far_m = pictured.sight_limit_m(eye);
         match self.strategy.rim_m() {
             Some(rim) => (rim * 3.0) as f32,
             None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
@@ -392,18 +423,14 @@ impl Scene {
 }
 
 /// The state a store holds, and what is damaged in it. A damaged player must not lock a whole world.
-fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<String>), StorageError> {
+fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<Notice>), StorageError> {
     let state = match store.state() {
         Err(StorageError::Damaged { .. }) => None,
         other => other?,
     };
-    let mut problems = store.problems();
-    if problems.len() > MOST_PROBLEMS_TOLD {
-        let rest = problems.len() - MOST_PROBLEMS_TOLD;
-        problems.truncate(MOST_PROBLEMS_TOLD);
-        problems.push(format!(
-            "There are {rest} more damaged places in this world; `antipode saves verify` lists them."
-        ));
-    }
-    Ok((state, problems))
+    let problems = store.problems();
+    let more = problems.len().saturating_sub(MOST_PROBLEMS_TOLD);
+    let told = problems.into_iter().take(MOST_PROBLEMS_TOLD);
+    let more = (more > 0).then_some(Notice::MoreDamaged(more));
+    Ok((state, told.map(Notice::Damaged).chain(more).collect()))
 }

@@ -11,6 +11,7 @@ use crate::ground::chunks_near;
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
+use crate::sound::SoundEvent;
 use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S};
 
 /// Ground within this distance of a body must be there with its collider before the body moves, in metres.
@@ -23,7 +24,12 @@ impl Scene {
     pub fn step(&mut self, actions: &Actions) {
         self.changed = true;
         self.handle_switches(actions);
-        self.lens.glide(STEP_S);
+        if self.viewing.reduced_motion {
+            self.lens.jump();
+        } else {
+            self.lens.glide(STEP_S);
+        }
+        self.dip.pass(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
         if self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
@@ -46,10 +52,14 @@ impl Scene {
         if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
             look.turn(actions.look_yaw, actions.look_pitch);
         }
+        let in_hand = self.inventory.selected();
         if let Some(slot) = actions.slot {
             self.inventory.select(slot);
         }
         self.inventory.step(actions.slot_step);
+        if self.inventory.selected() != in_hand {
+            self.sounds.push(SoundEvent::SlotChanged);
+        }
         if actions.turn_map {
             self.turn_map();
         }
@@ -99,8 +109,12 @@ impl Scene {
             }
         }
         player::cross(&*strategy, position, look, body);
+        if self.viewing.dips() {
+            self.dip.land(body.0.impact_m_s);
+        }
         let speed = DVec3::new(body.0.velocity.x, 0.0, body.0.velocity.z).length();
-        player::walk(appearance, speed, body.0.grounded, STEP_S);
+        let foot_down = player::walk(appearance, speed, body.0.grounded, STEP_S);
+        self.hear_body(foot_down);
     }
 
     /// Points the marker anew, as after the view was set from outside a step.
@@ -123,15 +137,18 @@ impl Scene {
                 point: found.point,
                 radius_m: self.brush_radius_m,
                 active: false,
+                by_lightness: self.viewing.safe_marker,
+                still: self.viewing.reduced_motion,
             }
         });
     }
 
     fn use_tool(&mut self, actions: &Actions) {
+        let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
+        self.hear_tool(sign, STEP_S);
         let (Some(item), Some(marker)) = (self.inventory.held(), self.marker.as_mut()) else {
             return;
         };
-        let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
         if sign == 0.0 {
             return;
         }

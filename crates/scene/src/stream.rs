@@ -4,14 +4,15 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
-use antipode_streaming::{Detail, StreamingError, Until, Update, Wish};
+use antipode_streaming::{Chunk, Detail, StreamingError, Until, Update, Wish};
 use thiserror::Error;
 
 use crate::detail::{Sharpness, Sight};
-use crate::ground::chunks_near;
+use crate::ground::{Spent, chunks_near};
+use crate::notice::Notice;
 use crate::reach;
 use crate::scene::Scene;
-use crate::tuning::{AUTOSAVE_S, FOV_Y_RAD};
+use crate::tuning::AUTOSAVE_S;
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres.
 const PLAYABLE_AROUND_M: f64 = 24.0;
@@ -33,7 +34,7 @@ pub struct CloseFailure {
 impl Scene {
     /// Tells the workers what is wanted now. Cheap; called every frame.
     pub fn request_ground(&mut self) {
-        let head = self.head();
+        let head = self.watched.unwrap_or_else(|| self.head());
         let (position, _, body, _) = self.player_parts();
         self.renew_sight();
         let wish = Wish {
@@ -48,12 +49,13 @@ impl Scene {
 
     /// Takes the sizes of things in the picture anew, if they no longer hold.
     fn renew_sight(&mut self) {
-        let sharpness = Sharpness::of(self.quality, self.picture_height_px, FOV_Y_RAD);
+        let sharpness = Sharpness::of(self.quality, self.picture_height_px, self.viewing.fov_y_rad);
         let Some(sharpness) = sharpness else {
             self.sight = None;
             return;
         };
-        let (strategy, head) = (self.lens.strategy(), self.head());
+        let head = self.watched.unwrap_or_else(|| self.head());
+        let strategy = self.lens.strategy();
         let sight = self.sight.as_ref();
         if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
             self.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
@@ -177,7 +179,7 @@ impl Scene {
     }
 
     /// Why the last commit failed, if it did.
-    pub fn save_problem(&self) -> Option<String> {
+    pub fn save_problem(&self) -> Option<Notice> {
         self.save_problem.clone()
     }
 
@@ -193,34 +195,51 @@ impl Scene {
         let mut edited = false;
         for update in updates {
             match update {
-                Update::Loaded(chunk) => self.ground.put(chunk, &mut self.physics),
+                Update::Loaded(chunk) => self.put(chunk),
                 Update::Edited(chunks) => {
                     edited = true;
                     for chunk in chunks {
-                        self.ground.put(chunk, &mut self.physics);
+                        self.put(chunk);
                     }
                 }
                 Update::Solid {
                     coord,
                     collider,
                     samples,
-                } => self
-                    .ground
-                    .set_solid(coord, collider, samples, &mut self.physics),
-                Update::Unloaded(coord) => self.ground.remove(coord, &mut self.physics),
-                Update::Saved => self.save_problem = None,
-                Update::SaveFailed(sentence) => {
-                    // The same failure comes back with every autosave; once told is enough.
-                    if self.save_problem.as_ref() != Some(&sentence) {
-                        self.notices.push(sentence.clone());
-                    }
-                    self.save_problem = Some(sentence);
+                } => {
+                    let physics = &mut self.physics;
+                    let spent = self.ground.set_solid(coord, collider, samples, physics);
+                    self.discard(spent);
                 }
-                Update::Problem(sentence) => self.notices.push(sentence),
+                Update::Unloaded(coord) => {
+                    let spent = self.ground.remove(coord, &mut self.physics);
+                    self.discard(spent);
+                }
+                Update::Saved => self.save_problem = None,
+                Update::SaveFailed(why) => {
+                    let problem = Notice::NotSaved(why);
+                    // The same failure comes back with every autosave; once told is enough.
+                    if self.save_problem.as_ref() != Some(&problem) {
+                        self.notices.push(problem.clone());
+                    }
+                    self.save_problem = Some(problem);
+                }
+                Update::Problem(sentence) => self.notices.push(Notice::Land(sentence)),
             }
         }
         if edited {
             self.lift_player_out();
+        }
+    }
+
+    fn put(&mut self, chunk: Chunk) {
+        let spent = self.ground.put(chunk, &mut self.physics);
+        self.discard(spent);
+    }
+
+    fn discard(&self, spent: Spent) {
+        if spent.0.is_some() || spent.1.is_some() {
+            self.streamer.discard(spent);
         }
     }
 }

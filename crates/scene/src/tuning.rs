@@ -42,3 +42,11 @@ pub const AUTOSAVE_S: f64 = 3.0;
 pub const STRIDE_M_PER_RAD: f64 = 0.28;
 /// Nearest to the head, in metres, from which the camera behind a figure still shows it.
 pub const FIGURE_SEEN_FROM_M: f64 = 2.2;
+/// Slowest fall whose end dips the head, in metres per second: a step down a stair does not.
+pub const DIP_FROM_M_S: f64 = 2.0;
+/// Share of the fall's speed with which the head goes on down.
+pub const DIP_PUSH: f64 = 0.5;
+/// Fastest that the head goes down after the hardest fall, in metres per second.
+pub const DIP_PUSH_MOST_M_S: f64 = 6.0;
+/// Rate of the spring that brings the head back, per second.
+pub const DIP_RATE_PER_S: f64 = 12.0;

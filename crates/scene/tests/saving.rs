@@ -180,7 +180,9 @@ fn a_damaged_player_costs_the_player_and_not_the_world() {
     assert!(home_m < 12.0, "a fresh player, {home_m} m from the start");
     let notices = again.take_notices();
     assert!(
-        notices.iter().any(|notice| notice.contains("damaged")),
+        notices
+            .iter()
+            .any(|notice| notice.to_string().contains("damaged")),
         "{notices:?}"
     );
     again.close().unwrap();
@@ -224,7 +226,9 @@ fn a_map_this_version_does_not_know_costs_the_map_alone() {
     let mut again = kept.open();
     let notices = again.take_notices();
     assert!(
-        notices.iter().any(|said| said.contains("mercator")),
+        notices
+            .iter()
+            .any(|said| said.to_string().contains("mercator")),
         "{notices:?}"
     );
     assert_eq!(again.probe().player.pos, state.player.pos);

@@ -120,7 +120,10 @@ fn the_other_picture_answers_in_words_and_a_sphere_has_none() {
         let eye = scene.eye();
         steps(&mut scene, 1, &turn);
         let hints = scene.take_hints();
-        assert!(hints.len() == 1 && hints[0].contains(says), "{hints:?}");
+        assert!(
+            hints.len() == 1 && hints[0].to_string().contains(says),
+            "{hints:?}"
+        );
         assert!(scene.take_hints().is_empty());
         if geometry == Geometry::Spherical {
             steps(&mut scene, 60, &Actions::default());

@@ -23,8 +23,15 @@ const BLOCK_BYTES: usize = 1 << 20;
 /// small archive from filling the disk with zeros.
 const FILES: [(&str, u64); 2] = [(WORLD_FILE, 1 << 36), (THUMBNAIL_FILE, MAX_THUMBNAIL_BYTES)];
 
-/// Writes the world in `dir` into `archive`, which must not exist. A failure
-/// leaves no archive.
+/// How much an archive may unpack to: this, and [`MOST_EXPANSION`] times its own length.
+/// A store of a single edit is mostly empty pages, one of many is not; LZ4 alone would
+/// let a megabyte of nothing become a quarter of a gigabyte.
+const FREE_EXPANSION_BYTES: u64 = 64 << 20;
+/// See [`FREE_EXPANSION_BYTES`]. Stores of densely edited chunks pack about 1.5 to 1.
+const MOST_EXPANSION: u64 = 32;
+
+/// Writes the world in `dir`, which nobody else may be writing to, into `archive`,
+/// which must not exist. A failure leaves no archive.
 pub(crate) fn pack(dir: &Path, archive: &Path) -> Result<(), StorageError> {
     let out = StorageError::at("Making", archive, File::create_new(archive))?;
     let packed = pack_into(dir, archive, out);
@@ -48,20 +55,28 @@ fn pack_into(dir: &Path, archive: &Path, out: File) -> Result<(), StorageError> 
     writing(out.write_all(&[present.len() as u8]))?;
     for (name, most) in present {
         let path = dir.join(name);
-        // Read as a whole: its length must be the one written before its blocks.
-        let bytes = StorageError::at("Reading", &path, regular::read(&path, most))?;
-        writing(pack_file(&mut out, name, &bytes))?;
+        let (file, length) = StorageError::at("Reading", &path, regular::open(&path))?;
+        if length > most {
+            return Err(StorageError::unreadable(&path, "it grew while it was read"));
+        }
+        writing(pack_file(&mut out, name, length, BufReader::new(file)))?;
     }
     writing(out.write_all(&END))?;
     writing(out.flush())?;
     writing(out.get_ref().sync_all())
 }
 
-fn pack_file(out: &mut impl Write, name: &str, bytes: &[u8]) -> io::Result<()> {
+/// Packs one file of `length` bytes; [`io::ErrorKind::UnexpectedEof`] if there are fewer.
+fn pack_file(out: &mut impl Write, name: &str, length: u64, mut file: impl Read) -> io::Result<()> {
     out.write_all(&[name.len() as u8])?;
     out.write_all(name.as_bytes())?;
-    out.write_all(&(bytes.len() as u64).to_le_bytes())?;
-    for block in bytes.chunks(BLOCK_BYTES) {
+    out.write_all(&length.to_le_bytes())?;
+    let mut block = vec![0; BLOCK_BYTES];
+    let mut left = length;
+    while left > 0 {
+        let block = &mut block[..left.min(BLOCK_BYTES as u64) as usize];
+        file.read_exact(block)?;
+        left -= block.len() as u64;
         let packed = lz4_flex::block::compress(block);
         for number in [block.len() as u32, packed.len() as u32, crc32(&packed)] {
             out.write_all(&number.to_le_bytes())?;
@@ -108,6 +123,8 @@ pub(crate) fn unpack(archive: &Path, dir: &Path) -> Result<(), StorageError> {
 struct Input<'a> {
     archive: &'a Path,
     reader: BufReader<File>,
+    /// Bytes that may still be unpacked.
+    budget: u64,
 }
 
 impl<'a> Input<'a> {
@@ -116,7 +133,7 @@ impl<'a> Input<'a> {
             path: archive.to_path_buf(),
             reason: reason.to_owned(),
         };
-        let (file, _) = regular::open(archive).map_err(|error| match error.kind() {
+        let (file, length) = regular::open(archive).map_err(|error| match error.kind() {
             io::ErrorKind::NotFound => refuse("there is no such file"),
             io::ErrorKind::InvalidInput => refuse(&error.to_string()),
             _ => StorageError::io("Reading", archive, error),
@@ -124,6 +141,9 @@ impl<'a> Input<'a> {
         Ok(Self {
             archive,
             reader: BufReader::new(file),
+            budget: MOST_EXPANSION
+                .saturating_mul(length)
+                .saturating_add(FREE_EXPANSION_BYTES),
         })
     }
 
@@ -171,6 +191,11 @@ impl<'a> Input<'a> {
                 "a file in it has {left} bytes, and at most {most} make sense"
             )));
         }
+        self.budget = self.budget.checked_sub(left).ok_or_else(|| {
+            self.refuse(&format!(
+                "{left} bytes are said to be packed into it, which no world of this game does"
+            ))
+        })?;
         while left > 0 {
             let block = self.block()?;
             left = left
@@ -281,7 +306,7 @@ mod tests {
             "",
         ] {
             let mut bytes = [MAGIC.as_slice(), &CONTAINER_VERSION.to_le_bytes(), &[1]].concat();
-            pack_file(&mut bytes, name, b"evil").unwrap();
+            pack_file(&mut bytes, name, 4, b"evil".as_slice()).unwrap();
             bytes.extend(END);
             let refusal = unpacked(&bytes).unwrap_err();
             assert!(refusal.contains("which no world has"), "{refusal}");
@@ -292,7 +317,7 @@ mod tests {
         let count = [files.len() as u8];
         let mut bytes = [MAGIC.as_slice(), &version.to_le_bytes(), &count].concat();
         for (name, contents) in files {
-            pack_file(&mut bytes, name, contents).unwrap();
+            pack_file(&mut bytes, name, contents.len() as u64, *contents).unwrap();
         }
         bytes.extend(END);
         bytes
@@ -327,6 +352,32 @@ mod tests {
             let refusal = unpacked(&bytes).unwrap_err();
             assert!(refusal.contains("at most"), "{refusal}");
         }
+    }
+
+    #[test]
+    fn a_bomb_is_refused_before_anything_is_unpacked() {
+        // 1 GiB of zeros in 4 MB, as far as LZ4 shrinks them.
+        let zeros = io::repeat(0).take(1 << 30);
+        let mut bytes = [MAGIC.as_slice(), &CONTAINER_VERSION.to_le_bytes(), &[1]].concat();
+        pack_file(&mut bytes, WORLD_FILE, 1 << 30, zeros).unwrap();
+        bytes.extend(END);
+        let dir = tempfile::tempdir().unwrap();
+        let archive = dir.path().join("bomb");
+        fs::write(&archive, &bytes).unwrap();
+        let refusal = unpack(&archive, dir.path()).unwrap_err().to_string();
+        assert!(
+            refusal.contains("which no world of this game does"),
+            "{refusal}"
+        );
+        let unpacked = fs::metadata(dir.path().join(WORLD_FILE)).map_or(0, |file| file.len());
+        assert_eq!(unpacked, 0);
+    }
+
+    #[test]
+    fn a_file_that_shrinks_while_it_is_packed_is_no_archive() {
+        let mut bytes = Vec::new();
+        let error = pack_file(&mut bytes, WORLD_FILE, 9, b"short".as_slice()).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::UnexpectedEof);
     }
 
     #[test]

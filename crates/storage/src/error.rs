@@ -115,6 +115,12 @@ pub enum StorageError {
         /// What was being written.
         path: PathBuf,
     },
+    /// The permissions forbid even to look.
+    #[error("{} cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.", path.display())]
+    NotReadable {
+        /// What was being read.
+        path: PathBuf,
+    },
     /// Any other failure of the file system.
     #[error("{action} {} failed: {source}. Check the disk and try again.", path.display())]
     Io {
@@ -147,6 +153,7 @@ impl StorageError {
             ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
                 Self::DiskFull { path }
             }
+            ErrorKind::PermissionDenied if action == "Reading" => Self::NotReadable { path },
             ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
                 Self::NotWritable { path }
             }
@@ -255,6 +262,12 @@ mod tests {
         assert!(say(ErrorKind::QuotaExceeded).contains("no space left"));
         assert!(say(ErrorKind::ReadOnlyFilesystem).contains("read-only"));
         assert!(say(ErrorKind::PermissionDenied).contains("--saves-dir"));
+        let denied = io::Error::from(ErrorKind::PermissionDenied);
+        let reading = StorageError::io("Reading", path, denied).to_string();
+        assert!(
+            reading.contains("cannot be read: its permissions"),
+            "{reading}"
+        );
         assert!(say(ErrorKind::TimedOut).starts_with("Writing saves/x/world.redb failed"));
         assert!(say(ErrorKind::StorageFull).contains("saves/x/world.redb"));
     }

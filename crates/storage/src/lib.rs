@@ -18,6 +18,7 @@ mod archive;
 mod atomic_file;
 mod chunk_codec;
 mod codec;
+mod copying;
 mod error;
 mod guard;
 mod listing;
@@ -32,17 +33,19 @@ mod slug;
 mod store;
 mod summary;
 mod survey;
+mod transfer;
 mod world;
 
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
 pub use error::StorageError;
 pub use guard::is_guarded;
-pub use listing::{WorldInfo, WorldSummary, saves_dir};
+pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError};
 pub use saves::SavesDir;
 pub use schema::{ChunkKey, PlayerRecord, SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState};
 pub use slug::slug_of;
+pub use transfer::{ArchiveFile, archives_in};
 pub use world::{Batch, WorldStore};
 
 /// Name of the store inside a world's directory.

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::error::StorageError;
 use crate::regular::Entry;
@@ -56,6 +57,25 @@ pub struct WorldSummary {
     /// What is wrong with it and what can be done, as a sentence; `None` if it is sound
     /// as far as a look tells.
     pub problem: Option<String>,
+    /// The error that keeps it from being opened, if that is the problem.
+    pub error: Option<LookError>,
+}
+
+/// Why a look at a world failed. Two are the same if they say the same.
+#[derive(Debug, Clone)]
+pub struct LookError(Arc<StorageError>);
+
+impl LookError {
+    /// The error itself.
+    pub fn get(&self) -> &StorageError {
+        &self.0
+    }
+}
+
+impl PartialEq for LookError {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.to_string() == other.0.to_string()
+    }
 }
 
 impl WorldSummary {
@@ -121,10 +141,15 @@ pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
             })
             .sum()
     });
-    let (meta, in_use, problem) = match look(&dir) {
-        Ok(meta) => (Some(meta), false, summary::fault(&dir)),
+    let (meta, in_use, error) = match look(&dir) {
+        Ok(meta) => (Some(meta), false, None),
         Err(StorageError::InUse { .. }) => (summary::read(&dir), true, None),
-        Err(error) => (summary::read(&dir), false, Some(error.to_string())),
+        Err(error) => (summary::read(&dir), false, Some(error)),
+    };
+    let problem = match &error {
+        Some(error) => Some(error.to_string()),
+        None if in_use => None,
+        None => summary::fault(&dir),
     };
     WorldSummary {
         slug,
@@ -133,6 +158,7 @@ pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
         thumbnail,
         in_use,
         problem,
+        error: error.map(|error| LookError(Arc::new(error))),
     }
 }
 

@@ -1,4 +1,4 @@
-//! The directory of worlds: list, find, make, delete, give and take.
+//! The directory of worlds: list, find, make, delete. What moves worlds is in `transfer`.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -10,8 +10,8 @@ use crate::name::{self, NameError};
 use crate::schema::{SCHEMA_VERSION, WorldMeta};
 use crate::scratch::{self, Scratch};
 use crate::slug::{numbered, slug_of};
-use crate::world::{self, Batch, WorldStore};
-use crate::{MAX_NAME_CHARS, THUMBNAIL_FILE, archive, atomic_file, store, summary};
+use crate::world::{self, WorldStore};
+use crate::{THUMBNAIL_FILE, atomic_file, store, summary};
 
 /// A directory of worlds. Need not exist until the first world is made.
 #[derive(Debug, Clone)]
@@ -66,6 +66,29 @@ impl SavesDir {
                 .find(|world| world.slug == name_or_slug.trim())
         });
         found.cloned().ok_or_else(|| self.not_found(name_or_slug))
+    }
+
+    /// The world in the directory `slug`.
+    ///
+    /// # Errors
+    /// [`StorageError::NotFound`].
+    pub fn find_slug(&self, slug: &str) -> Result<WorldSummary, StorageError> {
+        self.world_dir(slug)?;
+        Ok(listing::summarise(&self.path, slug.to_owned()))
+    }
+
+    /// How many chunks of a world are edited. A short look, after which anyone can open the world.
+    ///
+    /// # Errors
+    /// As [`WorldStore::open`].
+    pub fn edited_chunks(&self, slug: &str) -> Result<usize, StorageError> {
+        let dir = self.world_dir(slug)?;
+        let counted = store::peek_chunk_count(&world::store_path(&dir)?, &world::label(&dir))?;
+        match counted {
+            Some(count) => Ok(count),
+            // Not closed properly: opening recovers it.
+            None => Ok(WorldStore::open(&dir)?.edited_chunks()?.len()),
+        }
     }
 
     /// Whether a new world may be called `name` when the worlds of the given names are there. Reads no
@@ -190,73 +213,12 @@ impl SavesDir {
         maintenance::repair(&dir, scratch.path())
     }
 
-    /// Writes a world into one file, which must not exist.
-    ///
-    /// # Errors
-    /// [`StorageError::InUse`], [`StorageError::Unreadable`] (repair it first),
-    /// [`StorageError::Exists`], failures of the file system.
-    pub fn export(&self, slug: &str, file: &Path) -> Result<(), StorageError> {
-        let dir = self.world_dir(slug)?;
-        // Opening recovers a world that was not closed, and refuses a damaged one.
-        drop(WorldStore::open(&dir)?);
-        archive::pack(&dir, file)
-    }
-
-    /// Adds a world from an exported file and returns its directory's name. Nothing
-    /// is overwritten: if its name is taken it gets a number.
-    ///
-    /// # Errors
-    /// [`StorageError::Archive`], [`StorageError::Newer`], failures of the file system.
-    pub fn import(&self, file: &Path) -> Result<String, StorageError> {
-        let scratch = Scratch::new(&self.path, "import")?;
-        archive::unpack(file, scratch.path())?;
-        let world = WorldStore::open(scratch.path()).map_err(|error| match error {
-            damaged if damaged.is_damage() => no_world(file),
-            StorageError::NotFound { .. } => no_world(file),
-            // Its name cannot be read then, and its directory here is none.
-            StorageError::Newer { found, .. } => StorageError::Newer {
-                world: file.display().to_string(),
-                found,
-            },
-            other => other,
-        })?;
-        let mut meta = world.meta();
-        meta.name = self.free_name(&meta.name)?;
-        let renamed = Batch {
-            meta: Some(meta.clone()),
-            ..Batch::default()
-        };
-        world.commit(&renamed)?;
-        drop(world);
-        self.settle(&scratch, &meta.name)
-    }
-
     /// Where a world's menu picture is or would be.
     ///
     /// # Errors
     /// [`StorageError::NotFound`].
     pub fn thumbnail_path(&self, slug: &str) -> Result<PathBuf, StorageError> {
         Ok(self.world_dir(slug)?.join(THUMBNAIL_FILE))
-    }
-
-    /// A name like `name` that may be used: itself, or with a number.
-    fn free_name(&self, wanted: &str) -> Result<String, StorageError> {
-        let mut number = 1;
-        loop {
-            let suffix = if number == 1 {
-                String::new()
-            } else {
-                format!(" {number}")
-            };
-            let room = MAX_NAME_CHARS - suffix.len();
-            let stem: String = wanted.trim().chars().take(room).collect();
-            let candidate = format!("{}{suffix}", stem.trim_end());
-            match self.check_name(&candidate) {
-                Ok(()) => return Ok(candidate),
-                Err(NameError::Taken { .. }) => number += 1,
-                Err(error) => return Err(error.into()),
-            }
-        }
     }
 
     fn not_found(&self, world: &str) -> StorageError {
@@ -267,7 +229,7 @@ impl SavesDir {
     }
 
     /// The directory of an existing world. A slug is one plain directory name.
-    fn world_dir(&self, slug: &str) -> Result<PathBuf, StorageError> {
+    pub(crate) fn world_dir(&self, slug: &str) -> Result<PathBuf, StorageError> {
         let mut parts = Path::new(slug).components();
         let plain = matches!((parts.next(), parts.next()), (Some(Component::Normal(part)), None) if part == slug);
         let dir = self.path.join(slug);
@@ -282,7 +244,7 @@ impl SavesDir {
     }
 
     /// Moves a finished world to the first free directory name for `name`.
-    fn settle(&self, scratch: &Scratch, name: &str) -> Result<String, StorageError> {
+    pub(crate) fn settle(&self, scratch: &Scratch, name: &str) -> Result<String, StorageError> {
         let base = slug_of(name);
         let mut number = 1;
         loop {
@@ -301,13 +263,6 @@ impl SavesDir {
             }
             number += 1;
         }
-    }
-}
-
-fn no_world(archive: &Path) -> StorageError {
-    StorageError::Archive {
-        path: archive.to_path_buf(),
-        reason: "the world in it is damaged or missing".to_owned(),
     }
 }
 

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::codec::{self, Fault, Kind, Record};
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 2;
+pub const SCHEMA_VERSION: u16 = 3;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -33,6 +33,8 @@ pub struct WorldMeta {
     pub last_played_unix_s: u64,
     /// Time spent in it, seconds.
     pub played_s: f64,
+    /// Whether a command that cheats was ever used in it.
+    pub cheated: bool,
 }
 
 /// The player's body.
@@ -181,8 +183,11 @@ pub(crate) trait Versioned: Sized {
 impl Versioned for WorldMeta {
     const KIND: Kind = Kind::Meta;
 
-    fn upgrade(_version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
-        decode(body)
+    fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
+        match version {
+            1 | 2 => decode::<v2::WorldMeta>(body).map(Self::from),
+            _ => decode(body),
+        }
     }
 }
 
@@ -232,6 +237,40 @@ mod v1 {
                 brush_radius_m: old.brush_radius_m,
                 simulated_s: old.simulated_s,
                 view_distance: old.view_distance,
+            }
+        }
+    }
+}
+
+/// The shapes of version 2 that have changed since: it knew nothing of commands that cheat.
+mod v2 {
+    use serde::{Deserialize, Serialize};
+
+    /// What versions 1 and 2 kept of what a world is.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(super) struct WorldMeta {
+        pub name: String,
+        pub seed: u64,
+        pub geometry: String,
+        pub radius_m: f64,
+        pub biome: String,
+        pub created_unix_s: u64,
+        pub last_played_unix_s: u64,
+        pub played_s: f64,
+    }
+
+    impl From<WorldMeta> for super::WorldMeta {
+        fn from(old: WorldMeta) -> Self {
+            Self {
+                name: old.name,
+                seed: old.seed,
+                geometry: old.geometry,
+                radius_m: old.radius_m,
+                biome: old.biome,
+                created_unix_s: old.created_unix_s,
+                last_played_unix_s: old.last_played_unix_s,
+                played_s: old.played_s,
+                cheated: false,
             }
         }
     }
@@ -376,15 +415,23 @@ mod tests {
             created_unix_s: 1,
             last_played_unix_s: 2,
             played_s: 0.5,
+            cheated: false,
         };
-        let body = codec::encode(&meta).unwrap();
+        let today = codec::encode(&meta).unwrap();
+        let (cheated, body) = today.split_last().unwrap();
+        assert_eq!(*cheated, 0);
         let mut expected = vec![3, b'A', 0xc3, 0xa9, 251, 44, 1, 9];
         expected.extend(b"spherical");
         expected.extend(32.0_f64.to_le_bytes());
         expected.extend([0, 1, 2]);
         expected.extend(0.5_f64.to_le_bytes());
         assert_eq!(body, expected);
-        assert_eq!(WorldMeta::upgrade(1, &body), Ok(meta));
+        for version in [1, 2] {
+            assert_eq!(WorldMeta::upgrade(version, body), Ok(meta.clone()));
+            assert!(WorldMeta::upgrade(version, &today).is_err());
+        }
+        assert_eq!(WorldMeta::upgrade(3, &today), Ok(meta));
+        assert!(WorldMeta::upgrade(3, body).is_err());
     }
 
     #[test]
@@ -404,7 +451,9 @@ mod tests {
         assert_eq!((state.bent, state.bend), (false, 0.0));
         assert_eq!((state.brush_radius_m, state.view_distance), (4.0, 5));
         let today = codec::encode(&state).unwrap();
-        assert_eq!(WorldState::upgrade(2, &today), Ok(state));
+        for version in [2, 3] {
+            assert_eq!(WorldState::upgrade(version, &today).as_ref(), Ok(&state));
+        }
         assert!(WorldState::upgrade(1, &today).is_err());
     }
 
@@ -423,7 +472,8 @@ mod tests {
             prop_assert!(read.is_err());
             let _ = WorldState::upgrade(1, &bytes);
             let _ = WorldState::upgrade(2, &bytes);
-            let _ = WorldMeta::upgrade(1, &bytes);
+            let _ = WorldMeta::upgrade(2, &bytes);
+            let _ = WorldMeta::upgrade(3, &bytes);
         }
     }
 }

@@ -16,7 +16,9 @@ use crate::error::StorageError;
 use crate::regular::{Entry, FileId};
 
 const DAY: Duration = Duration::from_hours(24);
-const PURPOSES: [&str; 4] = [".new-", ".trash-", ".import-", ".repair-"];
+const PURPOSES: [&str; 6] = [
+    ".new-", ".trash-", ".import-", ".repair-", ".copy-", ".export-",
+];
 const LOCK_SUFFIX: &str = ".lock";
 
 /// A hidden directory for something unfinished.
@@ -29,7 +31,7 @@ pub(crate) struct Scratch {
 
 impl Scratch {
     /// A new hidden directory in `saves`, removed with what is in it when dropped.
-    /// `purpose` is one of `new`, `trash`, `import`, `repair`.
+    /// `purpose` is one of `new`, `trash`, `import`, `repair`, `copy`, `export`.
     pub(crate) fn new(saves: &Path, purpose: &str) -> Result<Self, StorageError> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         fs::create_dir_all(saves).map_err(|error| StorageError::place("Making", saves, error))?;
@@ -39,7 +41,8 @@ impl Scratch {
             let path = saves.join(format!(".{purpose}-{}-{number}", std::process::id()));
             let lock = lock_of(&path);
             // Before the directory: none is ever seen without its lock.
-            let Some(held) = StorageError::at("Making", &lock, hold(&lock))? else {
+            // A refusal is told of the directory: its hidden names mean nothing to a player.
+            let Some(held) = StorageError::at("Making", saves, hold(&lock))? else {
                 continue;
             };
             match fs::create_dir(&path) {
@@ -54,7 +57,7 @@ impl Scratch {
                     let _ = fs::remove_file(&lock);
                     // Left over from a process of the same number that was killed.
                     if error.kind() != io::ErrorKind::AlreadyExists {
-                        return Err(StorageError::io("Making", &path, error));
+                        return Err(StorageError::io("Making", saves, error));
                     }
                 }
             }

@@ -5,8 +5,8 @@
 use std::path::{Path, PathBuf};
 
 use redb::{
-    Builder, Database, ReadTransaction, ReadableDatabase, ReadableTable, ReadableTableMetadata,
-    TableDefinition, TableError,
+    Builder, Database, ReadOnlyDatabase, ReadTransaction, ReadableDatabase, ReadableTable,
+    ReadableTableMetadata, TableDefinition, TableError,
 };
 
 use crate::codec::Kind;
@@ -214,17 +214,45 @@ impl Drop for Store {
 /// not closed (its recovery writes) or holds none.
 pub(crate) fn peek_meta(path: &Path, world: &str) -> Result<Option<Vec<u8>>, StorageError> {
     guard(path, || {
-        let mut builder = Builder::new();
-        let db = match builder.set_cache_size(CACHE_BYTES).open_read_only(path) {
-            Ok(db) => db,
-            Err(redb::DatabaseError::RepairAborted) => return Ok(None),
-            Err(error) => return Err(StorageError::store(path, world, error)),
+        let Some(db) = open_to_look(path, world)? else {
+            return Ok(None);
         };
         let read = db
             .begin_read()
             .map_err(|e| StorageError::store(path, world, e))?;
         value_in(&read, META_KEY).map_err(|e| StorageError::store(path, world, e))
     })
+}
+
+/// How many chunks are stored, without writing to the file: `None` if the world was not closed.
+pub(crate) fn peek_chunk_count(path: &Path, world: &str) -> Result<Option<usize>, StorageError> {
+    guard(path, || {
+        let Some(db) = open_to_look(path, world)? else {
+            return Ok(None);
+        };
+        let read = db
+            .begin_read()
+            .map_err(|e| StorageError::store(path, world, e))?;
+        let table =
+            absent(read.open_table(CHUNKS)).map_err(|e| StorageError::store(path, world, e))?;
+        let Some(table) = table else {
+            return Ok(Some(0));
+        };
+        let count = table
+            .len()
+            .map_err(|e| StorageError::store(path, world, e))?;
+        Ok(Some(usize::try_from(count).unwrap_or(usize::MAX)))
+    })
+}
+
+/// Opens a store for reading alone; `None` if it was not closed, as its recovery writes.
+fn open_to_look(path: &Path, world: &str) -> Result<Option<ReadOnlyDatabase>, StorageError> {
+    let mut builder = Builder::new();
+    match builder.set_cache_size(CACHE_BYTES).open_read_only(path) {
+        Ok(db) => Ok(Some(db)),
+        Err(redb::DatabaseError::RepairAborted) => Ok(None),
+        Err(error) => Err(StorageError::store(path, world, error)),
+    }
 }
 
 fn value_in(read: &ReadTransaction, key: &str) -> Result<Option<Vec<u8>>, redb::Error> {

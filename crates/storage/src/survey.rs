@@ -199,7 +199,7 @@ mod tests {
             saves.open("future"),
             Err(StorageError::Damaged { .. })
         ));
-        let (_root, saves) = planted([1, 0, 0]);
+        let (_root, saves) = planted([SCHEMA_VERSION, 0, 0]);
         let world = saves.open("future").unwrap();
         assert!(matches!(world.state(), Err(StorageError::Damaged { .. })));
         assert!(matches!(

@@ -14,7 +14,7 @@ use crate::schema::{
 };
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
-use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, pack_chunk, summary};
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, summary};
 
 /// How long a look into a store takes at most, about.
 const LOOK: Duration = Duration::from_millis(10);
@@ -271,6 +271,12 @@ impl WorldStore {
         self.check_place()?;
         let path = self.dir.join(THUMBNAIL_FILE);
         StorageError::at("Writing", &path, atomic_file::replace(&path, png))
+    }
+
+    /// Writes all that was committed, and the menu picture, into the empty directory `dir`.
+    pub(crate) fn copy_to(&self, dir: &Path) -> Result<(), StorageError> {
+        let name = self.known().meta.name.clone();
+        self.with_store(|store| copying::copy(store, &self.dir, dir, &name))
     }
 
     /// The sealed meta record as stored, for the summary.

@@ -6,7 +6,9 @@ mod common;
 
 use std::path::Path;
 
-use antipode_storage::{Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, SlotRecord, WorldState};
+use antipode_storage::{
+    Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, SlotRecord, WorldMeta, WorldState,
+};
 use common::{meta, state};
 
 const V1: &str = concat!(
@@ -16,6 +18,10 @@ const V1: &str = concat!(
 const V2: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v2/v2.antipode-world"
+);
+const V3: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v3/v3.antipode-world"
 );
 
 const FAR: ChunkKey = ChunkKey {
@@ -67,13 +73,21 @@ fn v1_state() -> WorldState {
     }
 }
 
+/// What version 3 added: a world marked by a command that cheats.
+fn v3_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v3")
+    }
+}
+
 /// How the file was made; kept so that the next version's is made alike.
 #[test]
 #[ignore = "writes the file of the current version; run once per schema version"]
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&meta("Żółw of v2")).unwrap();
+    let (slug, world) = saves.create(&v3_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
@@ -84,22 +98,23 @@ fn write_the_world_of_this_version() {
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V2)).unwrap();
+    saves.export(&slug, Path::new(V3)).unwrap();
 }
 
 #[test]
 fn the_worlds_of_all_versions_open_with_their_values() {
-    opens(V1, "Żółw of v1", &v1_state());
-    opens(V2, "Żółw of v2", &v2_state());
+    opens(V1, &meta("Żółw of v1"), &v1_state());
+    opens(V2, &meta("Żółw of v2"), &v2_state());
+    opens(V3, &v3_meta(), &v2_state());
 }
 
-fn opens(file: &str, name: &str, state: &WorldState) {
+fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
     let slug = saves.import(Path::new(file)).unwrap();
     let world = saves.open(&slug).unwrap();
     assert_eq!(world.problems(), Vec::<String>::new());
-    assert_eq!(world.meta(), meta(name));
+    assert_eq!(&world.meta(), meta);
     assert_eq!(world.state().unwrap().as_ref(), Some(state));
     assert_eq!(world.edited_chunks().unwrap(), [NEAR, FAR]);
     assert_eq!(world.chunk(&NEAR).unwrap(), Some(ramp()));

@@ -10,6 +10,9 @@ use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Samples};
 use glam::DVec3;
 
+/// Why a save failed: the store's own error, with its sentence.
+pub type Cause = Arc<dyn Error + Send + Sync>;
+
 /// How many threads and how much memory the streamer may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Config {
@@ -156,9 +159,8 @@ pub enum Update {
     Unloaded(ChunkCoord),
     /// Everything up to the save is on disk.
     Saved,
-    /// A sentence for the player: the save failed, and why. Nothing of it is lost; the next save
-    /// tries again.
-    SaveFailed(String),
+    /// The save failed, and why. Nothing of it is lost; the next save tries again.
+    SaveFailed(Cause),
     /// A sentence for the player: what else went wrong and what they can do.
     Problem(String),
 }
@@ -190,9 +192,9 @@ pub enum StreamingError {
     /// The list of edited chunks could not be read; the store's own sentence.
     #[error("{0}")]
     Store(#[source] Box<dyn Error + Send + Sync>),
-    /// The last commit failed; the store's own sentence.
+    /// The last commit failed.
     #[error("The last changes to the world are not saved. {0}")]
-    NotSaved(String),
+    NotSaved(Cause),
     /// An edit did not finish in time, so it is not in the save.
     #[error(
         "The last change to the terrain or its save did not finish in time; everything saved before is safe."

@@ -1,5 +1,6 @@
 //! The threads and the game's ends of their channels.
 
+use std::any::Any;
 use std::convert::Infallible;
 use std::io;
 use std::sync::Arc;
@@ -20,6 +21,9 @@ use crate::worker::{Desk, UrgentJob};
 /// adapter too, few enough that the order can still change.
 const LOADS_PER_WORKER: usize = 10;
 
+/// Things that wait for a worker to drop them; what is too much is dropped at once.
+const MOST_DISCARDED: usize = 256;
+
 /// How long a stopped crew may take before it is left alone; a job takes some ten milliseconds and
 /// a commit is the disk's business.
 const LEAVE_LIMIT: Duration = Duration::from_secs(10);
@@ -39,6 +43,8 @@ struct Ends {
     loads: Sender<Make>,
     urgent: Sender<UrgentJob>,
     saves: Sender<Box<Parts>>,
+    /// Nobody waits at its other end, so that sending wakes nobody.
+    discarded: Sender<Box<dyn Any + Send>>,
 }
 
 impl Crew {
@@ -52,6 +58,7 @@ impl Crew {
         let (saves, save_jobs) = bounded(1);
         // Room for every load, the batch, the plan and the save that can be in flight.
         let (send_results, results) = bounded(most_loads + 3);
+        let (discarded, to_drop) = bounded(MOST_DISCARDED);
         let (living, alive) = bounded(0);
         let mut crew = Self {
             shared: Arc::clone(&shared),
@@ -59,6 +66,7 @@ impl Crew {
                 loads,
                 urgent: urgent.clone(),
                 saves,
+                discarded,
             }),
             results,
             alive,
@@ -70,6 +78,7 @@ impl Crew {
             call: urgent,
             loads: load_jobs,
             results: send_results.clone(),
+            discarded: to_drop,
             colleagues: workers - 1,
         };
         crew.hire(workers, &desk, living, move || {
@@ -153,6 +162,14 @@ impl Crew {
         ends.saves
             .try_send(parts)
             .map_err(crossbeam_channel::TrySendError::into_inner)
+    }
+
+    /// Hands over what a worker is to drop after its next job.
+    pub(crate) fn discard(&self, thing: Box<dyn Any + Send>) {
+        if let Some(ends) = &self.ends {
+            // If there is no room it is dropped here.
+            let _ = ends.discarded.try_send(thing);
+        }
     }
 
     /// Finished jobs.

@@ -1,11 +1,12 @@
 //! The game's own books: what is to be there of each chunk, what is being made, what is there.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_terrain::{Content, Field, Level};
 
+use crate::maps::{ChunkMap, ChunkSet};
 use crate::plan::{Plan, Request, Target};
 use crate::queue::Queue;
 use crate::range::{Range, around};
@@ -55,30 +56,31 @@ pub(crate) struct Ledger {
     plan_due: bool,
     planning: bool,
     /// Targets of chunks that were edited after `plan` was asked for.
-    late: HashMap<ChunkCoord, Target>,
+    late: ChunkMap<Target>,
+    /// Chunks whose target may have changed, still to be looked at.
+    unsettled: VecDeque<ChunkCoord>,
     queue: Queue,
     /// Chunks whose turn has come, but whose neighbours do not allow it yet.
-    blocked: HashSet<ChunkCoord>,
+    blocked: ChunkSet,
     /// Chunks left out since the last wish does not ask for them; the next plan may again.
     left_out: Vec<ChunkCoord>,
-    in_flight: HashMap<ChunkCoord, Flight>,
+    in_flight: ChunkMap<Flight>,
     /// Chunks of the batch under way.
-    batch: HashSet<ChunkCoord>,
-    resident: HashMap<ChunkCoord, Shown>,
-    given_up: HashSet<ChunkCoord>,
+    batch: ChunkSet,
+    /// What is there; never without a target but for chunks that are `unsettled`.
+    resident: ChunkMap<Shown>,
+    /// Those of `resident` that are solid.
+    solid: ChunkSet,
+    given_up: ChunkSet,
     /// Chunks that own an edit.
-    edited: HashSet<ChunkCoord>,
+    edited: ChunkSet,
     /// Revision of the last batch shown.
     shown: u64,
 }
 
 impl Ledger {
     /// Books of a world whose stored edits lie in `edited`.
-    pub(crate) fn new(
-        field: Arc<Field>,
-        strategy: Arc<dyn Strategy>,
-        edited: HashSet<ChunkCoord>,
-    ) -> Self {
+    pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Strategy>, edited: ChunkSet) -> Self {
         // The cells of a chunk use its own samples and the first layer of the next ones.
         let near_edits = edited
             .iter()
@@ -98,14 +100,16 @@ impl Ledger {
             plan,
             plan_due: false,
             planning: false,
-            late: HashMap::new(),
+            late: ChunkMap::default(),
+            unsettled: VecDeque::new(),
             queue: Queue::default(),
-            blocked: HashSet::new(),
+            blocked: ChunkSet::default(),
             left_out: Vec::new(),
-            in_flight: HashMap::new(),
-            batch: HashSet::new(),
-            resident: HashMap::new(),
-            given_up: HashSet::new(),
+            in_flight: ChunkMap::default(),
+            batch: ChunkSet::default(),
+            resident: ChunkMap::default(),
+            solid: ChunkSet::default(),
+            given_up: ChunkSet::default(),
             edited,
             shown: 0,
         }
@@ -122,19 +126,27 @@ impl Ledger {
 
     /// Leaves everything that has not begun.
     pub(crate) fn clear_queue(&mut self) {
-        self.queue.retain(|_| false);
+        self.queue.clear();
         self.blocked.clear();
+        self.unsettled.clear();
         self.plan_due = false;
     }
 
     /// Wants again what [`clear_queue`](Self::clear_queue) has left.
     pub(crate) fn refill_queue(&mut self) {
-        let plan = Arc::clone(&self.plan);
-        let late: Vec<_> = self.late.keys().copied().collect();
-        for coord in plan.targets.keys().copied().chain(late) {
-            self.enqueue(coord);
-        }
+        let known = self.plan.targets.keys().chain(self.late.keys());
+        self.unsettled.extend(known.chain(self.resident.keys()));
         self.plan_due = true;
+    }
+
+    /// Notes what is there of a chunk now.
+    fn put(&mut self, coord: ChunkCoord, shown: Shown) {
+        self.resident.insert(coord, shown);
+        if shown.solid {
+            self.solid.insert(coord);
+        } else {
+            self.solid.remove(&coord);
+        }
     }
 
     /// Is something of the chunk still to come, without which it is not ready?
@@ -143,7 +155,8 @@ impl Ledger {
             return false;
         }
         let known = self.queue.contains(coord) || self.blocked.contains(&coord);
-        let planned = (self.plan_due || self.planning) && self.wished.range.contains(coord);
+        let planning = self.plan_due || self.planning || !self.unsettled.is_empty();
+        let planned = planning && self.wished.range.contains(coord);
         known || self.in_flight.contains_key(&coord) || planned
     }
 
@@ -174,10 +187,12 @@ impl Ledger {
         self.wished.range.contains(coord)
     }
 
-    /// Chunks waiting or being made, and one more while a plan is due or being made.
+    /// Chunks waiting, being made, or still to be looked at after a new plan, and one more while a
+    /// plan is due or being made.
     pub(crate) fn coming(&self) -> usize {
         let plan = usize::from(self.plan_due || self.planning);
-        self.queue.len() + self.blocked.len() + self.in_flight.len() + plan
+        let waiting = self.unsettled.len() + self.queue.len() + self.blocked.len();
+        waiting + self.in_flight.len() + plan
     }
 
     /// Chunks with a mesh that are there.

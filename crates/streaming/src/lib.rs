@@ -24,6 +24,7 @@ mod book;
 mod crew;
 mod ledger;
 mod levels;
+mod maps;
 mod outcome;
 mod plan;
 mod queue;
@@ -34,6 +35,7 @@ mod saver;
 mod shared;
 mod streamer;
 mod strokes;
+mod updates;
 mod vault;
 mod waiting;
 mod worker;
@@ -41,6 +43,6 @@ mod worker;
 #[cfg(test)]
 mod tests;
 
-pub use api::{Chunk, Config, Detail, Reach, StreamingError, Until, Update, Wish};
+pub use api::{Cause, Chunk, Config, Detail, Reach, StreamingError, Until, Update, Wish};
 pub use range::is_in_world;
 pub use streamer::Streamer;

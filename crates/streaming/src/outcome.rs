@@ -38,6 +38,8 @@ pub(crate) struct Edited {
     pub(crate) touched: Vec<ChunkCoord>,
     /// Chunks that look different.
     pub(crate) remeshed: Vec<ChunkCoord>,
+    /// Coarse chunks beside them of which only the borders have changed, and so the normals.
+    pub(crate) bordering: Vec<ChunkCoord>,
     pub(crate) revision: u64,
     /// False if a chunk was given up; then none may be shown.
     pub(crate) complete: bool,

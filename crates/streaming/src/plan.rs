@@ -1,7 +1,6 @@
 //! The plan: which chunks are to be there and at which level. Made on a worker, since a wide range
 //! has tens of thousands of chunks to ask about; only the first is made on the spot.
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use antipode_geometry::{ChunkCoord, Strategy};
@@ -10,6 +9,7 @@ use glam::{DVec2, Vec3Swizzles};
 
 use crate::api::Detail;
 use crate::levels::{choose, relax};
+use crate::maps::{ChunkMap, ChunkSet};
 use crate::range::Range;
 use crate::reaches::Reaches;
 
@@ -54,7 +54,7 @@ struct Look {
 /// Targets of every chunk with a surface in range and a little beyond.
 #[derive(Debug)]
 pub(crate) struct Plan {
-    pub(crate) targets: HashMap<ChunkCoord, Target>,
+    pub(crate) targets: ChunkMap<Target>,
     pub(crate) range: Range,
     /// How many times what the quality lets pass the levels were allowed to be off.
     pub(crate) leniency: f64,
@@ -64,7 +64,7 @@ impl Plan {
     /// Nothing is to be there.
     pub(crate) fn nothing() -> Self {
         Self {
-            targets: HashMap::new(),
+            targets: ChunkMap::default(),
             range: Range::Nothing,
             leniency: 1.0,
         }
@@ -78,7 +78,7 @@ pub(crate) struct Request {
     pub(crate) detail: Option<Arc<dyn Detail>>,
     pub(crate) bodies: Reaches,
     /// Chunks that may have a surface because of an edit.
-    pub(crate) near_edits: Arc<HashSet<ChunkCoord>>,
+    pub(crate) near_edits: Arc<ChunkSet>,
     pub(crate) before: Arc<Plan>,
 }
 
@@ -86,7 +86,8 @@ pub(crate) struct Request {
 #[derive(Debug)]
 pub(crate) struct Planned {
     pub(crate) plan: Plan,
-    /// Chunks with another target than before, or none before.
+    /// Chunks with another target than before, among them those that had or have none; in the order
+    /// in which to look at them.
     pub(crate) changed: Vec<ChunkCoord>,
 }
 
@@ -99,12 +100,10 @@ impl Request {
             let wanted = looks.get(&coord).is_some_and(|look| look.wanted);
             (coord, Target { level, wanted })
         };
-        let targets: HashMap<_, _> = levels.into_iter().map(target).collect();
-        let before = &self.before.targets;
-        let differs = |(coord, target): &(&ChunkCoord, &Target)| before.get(coord) != Some(target);
-        let changed = targets.iter().filter(differs).map(|(&coord, _)| coord);
+        let targets: ChunkMap<_> = levels.into_iter().map(target).collect();
+        let changed = self.changed(&targets);
         Planned {
-            changed: changed.collect(),
+            changed,
             plan: Plan {
                 targets,
                 range: self.range.clone(),
@@ -113,9 +112,32 @@ impl Request {
         }
     }
 
+    /// The chunks that are gone, in their order, and then those with another target than before, or
+    /// none before: nearest first, since they are looked at some each frame.
+    fn changed(&self, targets: &ChunkMap<Target>) -> Vec<ChunkCoord> {
+        let before = &self.before.targets;
+        let gone = before.keys().filter(|coord| !targets.contains_key(coord));
+        let mut changed: Vec<_> = gone.copied().collect();
+        changed.sort_unstable();
+        let differs = |(coord, target): &(&ChunkCoord, &Target)| before.get(coord) != Some(target);
+        let differing = targets.iter().filter(differs).map(|(&coord, _)| coord);
+        let mut differing: Vec<_> = differing.collect();
+        differing.sort_unstable_by_key(|&coord| (self.apart2(coord), coord));
+        changed.append(&mut differing);
+        changed
+    }
+
+    /// Squared distance from the middle of the range in chunks; 0 in a closed world, which has none.
+    fn apart2(&self, coord: ChunkCoord) -> i64 {
+        let Range::Around { centre, .. } = &self.range else {
+            return 0;
+        };
+        (coord.index.as_i64vec3() - centre.index.as_i64vec3()).length_squared()
+    }
+
     /// Every chunk with a surface that is large enough to be there.
-    fn looks(&self, field: &Field) -> HashMap<ChunkCoord, Look> {
-        let mut looks = HashMap::new();
+    fn looks(&self, field: &Field) -> ChunkMap<Look> {
+        let mut looks = ChunkMap::default();
         for coord in self.range.kept() {
             if !self.near_edits.contains(&coord) && field.content(coord) != Content::Surface {
                 continue;
@@ -136,7 +158,7 @@ impl Request {
     /// The levels, and how many times what the quality lets pass they had to be allowed, so that
     /// the whole stays within what may be drawn. Of two that would do it is the one before, unless
     /// the stricter has room to spare.
-    fn affordable(&self, looks: &HashMap<ChunkCoord, Look>) -> (HashMap<ChunkCoord, Level>, f64) {
+    fn affordable(&self, looks: &ChunkMap<Look>) -> (ChunkMap<Level>, f64) {
         let strict = self.levels(looks, 1.0);
         let exact = self.detail.as_ref().is_none_or(|d| d.tolerance_px() <= 0.0);
         if exact {
@@ -161,11 +183,7 @@ impl Request {
     }
 
     /// What may be drawn, in chunks of full level.
-    fn budget(
-        &self,
-        looks: &HashMap<ChunkCoord, Look>,
-        strict: &HashMap<ChunkCoord, Level>,
-    ) -> f64 {
+    fn budget(&self, looks: &ChunkMap<Look>, strict: &ChunkMap<Level>) -> f64 {
         if matches!(self.range, Range::Sphere(_)) {
             return CLOSED_BUDGET;
         }
@@ -181,11 +199,7 @@ impl Request {
         apart.abs().max_element() <= NEAR_CHUNKS
     }
 
-    fn levels(
-        &self,
-        looks: &HashMap<ChunkCoord, Look>,
-        leniency: f64,
-    ) -> HashMap<ChunkCoord, Level> {
+    fn levels(&self, looks: &ChunkMap<Look>, leniency: f64) -> ChunkMap<Level> {
         let tolerance_px = self.detail.as_ref().map_or(0.0, |d| d.tolerance_px());
         let level = |(&coord, look): (&ChunkCoord, &Look)| {
             let before = self.before.targets.get(&coord).map(|target| target.level);
@@ -236,7 +250,7 @@ impl Request {
 
 /// What the chunks that count cost, in chunks of full level: half the resolution has a quarter of
 /// the triangles.
-fn cost(levels: &HashMap<ChunkCoord, Level>, counts: impl Fn(ChunkCoord) -> bool) -> f64 {
+fn cost(levels: &ChunkMap<Level>, counts: impl Fn(ChunkCoord) -> bool) -> f64 {
     let own = |level: &Level| 0.25_f64.powi(level.index() as i32);
     let counted = levels.iter().filter(|&(&coord, _)| counts(coord));
     counted.map(|(_, level)| own(level)).sum()

@@ -2,10 +2,12 @@
 //! rest; nearest first in each. Chunks that are there at another level come after all that are not.
 
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::BinaryHeap;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use glam::DVec3;
+
+use crate::maps::ChunkMap;
 
 /// Chunks whose centres are this near come first wherever the player looks, for the ground under
 /// their feet is among them: less than two chunks.
@@ -32,7 +34,7 @@ type Rank = (u8, u64);
 #[derive(Debug, Default)]
 pub(crate) struct Queue {
     /// The chunks that wait, and whether nothing of them is there yet.
-    waiting: HashMap<ChunkCoord, bool>,
+    waiting: ChunkMap<bool>,
     /// Best first. Also holds chunks that wait no more; what waits is at least once in it.
     order: BinaryHeap<Reverse<(Rank, ChunkCoord)>>,
     aim: Option<Aim>,
@@ -68,9 +70,10 @@ impl Queue {
         self.waiting.remove(&coord);
     }
 
-    /// Keeps only the chunks for which `keep` holds.
-    pub(crate) fn retain(&mut self, keep: impl Fn(ChunkCoord) -> bool) {
-        self.waiting.retain(|&coord, _| keep(coord));
+    /// Lets all chunks go.
+    pub(crate) fn clear(&mut self) {
+        self.waiting.clear();
+        self.order.clear();
     }
 
     /// Is the chunk waiting?

@@ -24,7 +24,8 @@ pub(crate) struct EditBatch {
     pub(crate) strokes: Vec<Stroke>,
     /// Chunks whose meshes an earlier batch could not make.
     pub(crate) overdue: Vec<ChunkCoord>,
-    /// How chunks that the strokes may reach are to be made; those not named are not shown.
+    /// How chunks are to be made that the strokes may reach, they or the borders of their coarse
+    /// cells; those not named are not shown.
     pub(crate) makes: Vec<Make>,
 }
 
@@ -56,12 +57,15 @@ impl Round {
         let applied = tried.unwrap_or_default();
         shared.at(Step::Entered);
         problems.extend(applied.problems);
-        let shown = |make: &&Make| applied.remeshed.contains(&make.coord);
+        let shown = |make: &&Make| {
+            applied.remeshed.contains(&make.coord) || applied.bordering.contains(&make.coord)
+        };
         let makes: Vec<_> = batch.makes.iter().filter(shown).copied().collect();
         let edited = Edited {
             chunks: Vec::with_capacity(makes.len()),
             touched: applied.touched,
             remeshed: applied.remeshed.into_iter().collect(),
+            bordering: applied.bordering.into_iter().collect(),
             revision: applied.revision,
             complete: true,
             problems,
@@ -138,6 +142,7 @@ impl Round {
 struct Applied {
     touched: Vec<ChunkCoord>,
     remeshed: BTreeSet<ChunkCoord>,
+    bordering: BTreeSet<ChunkCoord>,
     revision: u64,
     problems: Vec<String>,
 }
@@ -145,8 +150,8 @@ struct Applied {
 fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
     shared.at(Step::Apply);
     let mut problems = Vec::new();
-    let mut seen = BTreeSet::new();
-    let changed = changes(shared, &batch.strokes, &mut seen, &mut problems).unwrap_or_else(|| {
+    let mut reached = BTreeSet::new();
+    let changed = changes(shared, &batch.strokes, &mut reached, &mut problems).unwrap_or_else(|| {
         problems.push(
             "The last change to the terrain is left out, since it would overwrite stored changes that cannot be \
              read now. See that the disk is there and try again."
@@ -163,22 +168,27 @@ fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
         .iter()
         .flat_map(|&coord| around(coord, -1, 1))
         .collect();
-    seen.retain(|coord| beside.contains(coord));
-    seen.extend(&batch.overdue);
+    // What is to be made without being reached by the strokes is so for its border's sake.
+    let makes = batch.makes.iter().map(|make| make.coord);
+    let bordering = makes.filter(|coord| beside.contains(coord) && !reached.contains(coord));
+    let bordering = bordering.collect();
+    reached.retain(|coord| beside.contains(coord));
+    reached.extend(&batch.overdue);
     Applied {
         touched,
-        remeshed: seen,
+        remeshed: reached,
+        bordering,
         revision: shared.book.enter(changed),
         problems,
     }
 }
 
-/// The new edits of every chunk that a stroke reaches, and in `seen` the chunks that show them;
+/// The new edits of every chunk that a stroke reaches, and in `reached` the chunks that show them;
 /// `None` if one of them is stored and cannot be read now.
 fn changes(
     shared: &Shared,
     strokes: &[Stroke],
-    seen: &mut BTreeSet<ChunkCoord>,
+    reached: &mut BTreeSet<ChunkCoord>,
     problems: &mut Vec<String>,
 ) -> Option<Vec<Change>> {
     let strategy = &*shared.strategy;
@@ -198,7 +208,7 @@ fn changes(
             };
             change.visible |= stroke.apply(coord, &mut change.edits, strategy);
         }
-        seen.extend(stroke.remeshed(strategy));
+        reached.extend(stroke.remeshed(strategy));
     }
     Some(pages.into_values().collect())
 }

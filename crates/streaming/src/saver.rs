@@ -1,10 +1,12 @@
 //! The thread that owns commits: waiting for the disk must never delay an edit or a load.
 
+use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use antipode_storage::{Batch, WorldMeta, WorldState};
 use crossbeam_channel::{Receiver, Sender};
 
+use crate::api::Cause;
 use crate::outcome::Outcome;
 use crate::shared::Shared;
 use crate::vault::key_of;
@@ -29,8 +31,7 @@ impl Parts {
 
 /// A commit that failed.
 pub(crate) struct Unsaved {
-    /// The store's sentence.
-    pub(crate) why: String,
+    pub(crate) why: Cause,
     /// What is not on disk; the chunks are unsaved in the book again.
     pub(crate) parts: Parts,
 }
@@ -67,8 +68,11 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
             shared.book.forget_saved();
             return None;
         }
-        Ok(Err(why)) => why.to_string(),
-        Err(panic) => format!("The store failed: {}.", reason(&*panic)),
+        Ok(Err(why)) => Cause::from(why),
+        Err(panic) => {
+            Box::<dyn Error + Send + Sync>::from(format!("The store failed: {}.", reason(&*panic)))
+                .into()
+        }
     };
     shared.book.put_back(dirty.iter().map(|(coord, _)| *coord));
     Some(Unsaved {

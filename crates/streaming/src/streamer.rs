@@ -9,7 +9,7 @@ use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_storage::{WorldMeta, WorldState, WorldStore};
 use antipode_terrain::{Field, Stroke};
 
-use crate::api::{Chunk, Config, StreamingError, Update, Wish};
+use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::book::Book;
 use crate::crew::Crew;
@@ -19,11 +19,8 @@ use crate::round::EditBatch;
 use crate::saver::{Parts, Unsaved};
 use crate::shared::{Shared, Watch};
 use crate::strokes::Strokes;
+use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::vault::{Vault, coord_of};
-
-/// What the game itself spends on a byte of a delivered mesh (upload and insertion), nanoseconds,
-/// counted against the budget of [`Streamer::poll`]: about a gigabyte a second.
-const GAME_NS_PER_BYTE: usize = 1;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
@@ -53,7 +50,7 @@ pub(crate) struct Saves {
     /// Not on disk because the commit failed; tried again with the next save.
     unsaved: Parts,
     /// Why the last commit failed.
-    pub(crate) last_failure: Option<String>,
+    pub(crate) last_failure: Option<Cause>,
     /// Has a batch ended since the last save was handed over?
     stale: bool,
 }
@@ -103,7 +100,11 @@ impl Streamer {
                 "{strange} stored changes of the terrain belong to no place in this world and are not shown."
             )));
         }
-        let ledger = Ledger::new(Arc::clone(&field), Arc::clone(&strategy), edited.clone());
+        let ledger = Ledger::new(
+            Arc::clone(&field),
+            Arc::clone(&strategy),
+            edited.iter().copied().collect(),
+        );
         let shared = Shared::new(
             field,
             Arc::clone(&strategy),
@@ -152,7 +153,8 @@ impl Streamer {
     }
 
     /// Takes finished work until about `budget` is spent, counting what the game itself will spend
-    /// on each mesh; at least one result if there is any. A batch is always delivered whole.
+    /// on each mesh; at least one result if there is any. A batch is always delivered whole. Ground
+    /// that is shown becomes solid, or ceases to be, one chunk at a time.
     pub fn poll(&mut self, budget: Duration) -> Vec<Update> {
         let started = Instant::now();
         let mut updates = Vec::from(std::mem::take(&mut self.ready));
@@ -162,13 +164,16 @@ impl Streamer {
             self.take(outcome, &mut updates);
             spent += updates[before..].iter().map(game_cost).sum::<Duration>();
             self.feed();
-            if started.elapsed() + spent >= budget {
+            if started.elapsed() + spent >= budget || updates[before..].iter().any(is_solid) {
                 break;
             }
         }
+        updates.extend(self.ledger.settle_some().into_iter().map(Update::Unloaded));
         self.feed();
         self.settle_leaving(&updates);
-        updates.extend(self.leaving.pop_front().map(softened));
+        if !updates.iter().any(is_solid) {
+            updates.extend(self.leaving.pop_front().map(softened));
+        }
         updates
     }
 
@@ -179,6 +184,12 @@ impl Streamer {
         }
         let told: HashSet<ChunkCoord> = updates.iter().flat_map(coords).collect();
         self.leaving.retain(|coord| !told.contains(coord));
+    }
+
+    /// Has a worker drop what the game needs no more: samples, colliders, meshes. Freeing them takes
+    /// longer than a frame should.
+    pub fn discard(&self, thing: impl Send + 'static) {
+        self.crew.discard(Box::new(thing));
     }
 
     /// Chunks to be loaded, and one more while an edit is under way.
@@ -280,6 +291,8 @@ impl Streamer {
         for stroke in &strokes {
             coords.extend(stroke.remeshed(&*self.strategy));
         }
+        let bordering = self.bordering(&strokes, &coords);
+        coords.extend(bordering);
         let batch = EditBatch {
             strokes,
             overdue: self.overdue.iter().copied().collect(),
@@ -294,14 +307,28 @@ impl Streamer {
         }
     }
 
+    /// Chunks beside `coords` that the strokes do not reach, but the borders of their coarse cells,
+    /// from which the normals at their faces come.
+    fn bordering(&self, strokes: &[Stroke], coords: &BTreeSet<ChunkCoord>) -> Vec<ChunkCoord> {
+        let mut found = Vec::new();
+        for (level, beside) in self.ledger.coarse_beside(coords) {
+            let seen = strokes
+                .iter()
+                .flat_map(|stroke| stroke.remeshed_at(&*self.strategy, level));
+            let seen: BTreeSet<_> = seen.collect();
+            found.extend(beside.into_iter().filter(|coord| seen.contains(coord)));
+        }
+        found
+    }
+
     /// Turns a finished job into updates.
     pub(crate) fn take(&mut self, outcome: Outcome, updates: &mut Vec<Update>) {
         match outcome {
             Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
             Outcome::Edited(edited) => self.take_edited(edited, updates),
             Outcome::Planned(Ok(planned)) => {
-                let gone = self.ledger.planned(planned);
-                updates.extend(gone.into_iter().map(Update::Unloaded));
+                let before = self.ledger.planned(planned);
+                self.discard(before);
             }
             Outcome::Planned(Err(problems)) => {
                 self.ledger.plan_failed();
@@ -332,7 +359,7 @@ impl Streamer {
                 chunk: Some(chunk),
                 ..loaded
             }),
-            Verdict::Drop => {}
+            Verdict::Drop => self.discard(chunk),
         }
     }
 
@@ -342,8 +369,10 @@ impl Streamer {
         updates.extend(edited.problems.into_iter().map(Update::Problem));
         self.ledger
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
+        self.ledger
+            .borders_changed(&edited.bordering, edited.revision);
         if edited.complete {
-            let done: HashSet<_> = edited.remeshed.iter().collect();
+            let done: HashSet<_> = edited.remeshed.iter().chain(&edited.bordering).collect();
             self.overdue.retain(|coord| !done.contains(coord));
             let made = edited.chunks.into_iter();
             let shown = made.filter(|(make, _)| self.ledger.show_edited(*make));
@@ -353,6 +382,7 @@ impl Streamer {
             }
         } else {
             self.overdue.extend(edited.remeshed);
+            self.overdue.extend(edited.bordering);
             updates.push(Update::Problem(
                 "The last change to the terrain is kept but cannot be shown yet; the next change shows it."
                     .to_owned(),
@@ -370,44 +400,8 @@ impl Streamer {
             updates.push(Update::Saved);
             return;
         };
-        updates.push(Update::SaveFailed(format!(
-            "The world could not be saved; the next save tries again. {why}"
-        )));
+        updates.push(Update::SaveFailed(Cause::clone(&why)));
         self.saves.last_failure = Some(why);
         self.saves.unsaved = parts;
-    }
-}
-
-fn game_cost(update: &Update) -> Duration {
-    let bytes =
-        |chunk: &Chunk| size_of_val(&*chunk.mesh.vertices) + size_of_val(&*chunk.mesh.indices);
-    let bytes = match update {
-        Update::Loaded(chunk) => bytes(chunk),
-        Update::Edited(chunks) => chunks.iter().map(bytes).sum(),
-        Update::Solid { .. }
-        | Update::Unloaded(_)
-        | Update::Saved
-        | Update::SaveFailed(_)
-        | Update::Problem(_) => 0,
-    };
-    Duration::from_nanos((bytes * GAME_NS_PER_BYTE) as u64)
-}
-
-/// The chunks that an update tells of.
-fn coords(update: &Update) -> Vec<ChunkCoord> {
-    match update {
-        Update::Loaded(chunk) => vec![chunk.coord],
-        Update::Edited(chunks) => chunks.iter().map(|chunk| chunk.coord).collect(),
-        Update::Solid { coord, .. } | Update::Unloaded(coord) => vec![*coord],
-        Update::Saved | Update::SaveFailed(_) | Update::Problem(_) => Vec::new(),
-    }
-}
-
-/// Tells that no body is near a chunk any more.
-fn softened(coord: ChunkCoord) -> Update {
-    Update::Solid {
-        coord,
-        collider: None,
-        samples: None,
     }
 }

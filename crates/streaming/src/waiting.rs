@@ -25,6 +25,7 @@ impl Streamer {
             while let Ok(outcome) = self.crew.results().try_recv() {
                 self.take(outcome, &mut updates);
             }
+            updates.extend(self.ledger.settle_all().into_iter().map(Update::Unloaded));
             self.feed();
             if self.holds(what) {
                 return updates;

@@ -33,6 +33,9 @@ pub(crate) struct Desk {
     pub(crate) call: Sender<UrgentJob>,
     pub(crate) loads: Receiver<Make>,
     pub(crate) results: Sender<Outcome>,
+    /// What the game needs no more: freeing a chunk's memory takes as long as all else that a frame
+    /// does, and longer where the allocator's lock is a worker's.
+    pub(crate) discarded: Receiver<Box<dyn Any + Send>>,
     pub(crate) colleagues: usize,
 }
 
@@ -53,6 +56,7 @@ impl Desk {
                     Err(_) => return,
                 },
             }
+            self.discarded.try_iter().for_each(drop);
         }
     }
 

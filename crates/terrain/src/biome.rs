@@ -3,6 +3,7 @@
 //! Octaves, frequencies, amplitudes and levels are the reference game's; its colours
 //! are the starting point of the palettes, which are tuned for linear light.
 
+use crate::cover::Cover;
 use crate::fractal::Octave;
 
 /// Frequencies double from octave to octave.
@@ -33,6 +34,8 @@ pub struct Biome {
     first_amplitude_m: f64,
     middle_m: f64,
     top_m: f64,
+    /// What low, middle and high ground is covered with.
+    pub(crate) covers: [Cover; 3],
     pub(crate) palette: Palette,
 }
 
@@ -44,6 +47,7 @@ static BIOMES: [Biome; 5] = [
         first_amplitude_m: 20.0,
         middle_m: 15.0,
         top_m: 23.0,
+        covers: [Cover::Rock, Cover::Gravel, Cover::Gravel],
         palette: Palette {
             bottom: [206, 92, 48],
             middle: [96, 74, 78],
@@ -59,6 +63,7 @@ static BIOMES: [Biome; 5] = [
         first_amplitude_m: 17.0,
         middle_m: 10.0,
         top_m: 14.0,
+        covers: [Cover::Gravel, Cover::Sand, Cover::Sand],
         palette: Palette {
             bottom: [166, 96, 66],
             middle: [220, 164, 102],
@@ -74,6 +79,7 @@ static BIOMES: [Biome; 5] = [
         first_amplitude_m: 18.0,
         middle_m: 10.0,
         top_m: 18.0,
+        covers: [Cover::Soil, Cover::Grass, Cover::Grass],
         palette: Palette {
             bottom: [120, 88, 64],
             middle: [124, 128, 80],
@@ -89,6 +95,7 @@ static BIOMES: [Biome; 5] = [
         first_amplitude_m: 16.0,
         middle_m: 10.0,
         top_m: 18.0,
+        covers: [Cover::Soil, Cover::Soil, Cover::Grass],
         palette: Palette {
             bottom: [74, 88, 84],
             middle: [122, 138, 82],
@@ -104,6 +111,7 @@ static BIOMES: [Biome; 5] = [
         first_amplitude_m: 20.0,
         middle_m: 10.0,
         top_m: 18.0,
+        covers: [Cover::Soil, Cover::Grass, Cover::Grass],
         palette: Palette {
             bottom: [108, 88, 66],
             middle: [78, 104, 66],

@@ -60,6 +60,21 @@ pub(crate) struct Painter<'a> {
     memo: RefCell<(Places, Waves)>,
 }
 
+/// How much of each kind of ground shows at a point, 0 to 1, and the noise that decided it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shares {
+    /// In the biome's own heights, metres.
+    height: f32,
+    wander: f32,
+    mottle: f32,
+    /// Of middle ground over low ground.
+    pub middle: f32,
+    /// Of high ground over both.
+    pub high: f32,
+    /// Of rock over all.
+    pub rock: f32,
+}
+
 impl<'a> Painter<'a> {
     pub(crate) fn new(field: &'a Field) -> Self {
         let biome = field.biome();
@@ -88,6 +103,26 @@ impl<'a> Painter<'a> {
 
     /// The colour of ground at a point with a unit normal: sRGB and 255.
     pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3) -> [u8; 4] {
+        let at = self.shares(point, normal);
+        let ground = self
+            .low
+            .lerp(self.middle, at.middle)
+            .lerp(self.high, at.high);
+        let colour = if at.rock > 0.0 {
+            let wave = sine(at.height * STRATA_RAD_PER_M + at.wander * STRATA_BEND_RAD);
+            let rock = self.rock.lerp(self.strata, rises(-0.2, 1.0, wave));
+            ground.lerp(rock, at.rock)
+        } else {
+            ground
+        };
+        self.field
+            .encoder()
+            .bytes(colour * (1.0 + MOTTLE_SHARE * at.mottle))
+    }
+
+    /// How much of each kind of ground shows at a point with a unit normal.
+    #[inline]
+    pub(crate) fn shares(&self, point: ChartPoint, normal: Vec3) -> Shares {
         let (places, waves) = &mut *self.memo.borrow_mut();
         let place = places.at(self.field, point);
         let [wander, mottle] = waves.at(self.field.lattice(), place);
@@ -97,20 +132,16 @@ impl<'a> Painter<'a> {
         let [middle, high] = self
             .borders_m
             .map(|border| rises(border - BLEND_M, 0.5 / BLEND_M, level));
-        let ground = self.low.lerp(self.middle, middle).lerp(self.high, high);
 
         let steepness = 1.0 - normal.y + 0.1 * mottle;
-        let share = rises(STEEP.0, 1.0 / (STEEP.1 - STEEP.0), steepness);
-        let colour = if share > 0.0 {
-            let wave = sine(height * STRATA_RAD_PER_M + wander * STRATA_BEND_RAD);
-            let rock = self.rock.lerp(self.strata, rises(-0.2, 1.0, wave));
-            ground.lerp(rock, share)
-        } else {
-            ground
-        };
-        self.field
-            .encoder()
-            .bytes(colour * (1.0 + MOTTLE_SHARE * mottle))
+        Shares {
+            height,
+            wander,
+            mottle,
+            middle,
+            high,
+            rock: rises(STEEP.0, 1.0 / (STEEP.1 - STEEP.0), steepness),
+        }
     }
 }
 

@@ -143,9 +143,7 @@ impl Field {
         let step_m = f64::from(step_m);
         let rows = self.relief.rows(first.y, step_m, height);
         if rows.open.0 == rows.open.1 {
-            for column in out.chunks_exact_mut(height.max(1)) {
-                column.copy_from_slice(&rows.edge[..height]);
-            }
+            rows.fill_closed(height, out);
         } else if self.upright() {
             let ground = (&self.relief, &rows);
             upright::fill(

@@ -3,7 +3,6 @@
 //! wherever its column starts, and doubling the frequency is a shift.
 
 use crate::fractal::Column;
-use crate::relief::VECTORS;
 
 /// Bits of a position's fraction.
 pub(crate) const FRACTION_BITS: u32 = 56;
@@ -18,14 +17,8 @@ pub(crate) struct Ray {
     rise: [u64; 3],
 }
 
-/// Positions of a column's rows along one axis of the first octave: upper and lower halves.
-#[derive(Clone, Copy)]
-pub(crate) struct Positions {
-    /// Lattice coordinate and the upper 24 bits of fraction.
-    upper: [[u32; 4]; VECTORS],
-    /// The rest of the fraction.
-    lower: [[u32; 4]; VECTORS],
-}
+/// Four positions in the lattice of the first octave, by axis.
+pub(crate) type Positions = [[u64; 4]; 3];
 
 /// A lattice coordinate in fixed point, less whole turns of the table.
 pub(crate) fn fixed(v: f64) -> u64 {
@@ -42,35 +35,6 @@ pub(crate) fn fixed(v: f64) -> u64 {
 pub(crate) fn part(position: u32) -> f32 {
     const SHARE: f32 = 1.0 / (1_u32 << PART_BITS) as f32;
     (position & ((1 << PART_BITS) - 1)).cast_signed() as f32 * SHARE
-}
-
-impl Positions {
-    pub(crate) fn new() -> Self {
-        Self {
-            upper: [[0; 4]; VECTORS],
-            lower: [[0; 4]; VECTORS],
-        }
-    }
-
-    pub(crate) fn set(&mut self, n: usize, position: u64) {
-        let (vector, lane) = (n / 4, n % 4);
-        self.upper[vector][lane] = (position >> 32) as u32;
-        self.lower[vector][lane] = position as u32;
-    }
-
-    /// Four positions in a lattice of so many octaves above, in [`PART_BITS`] bits of fraction.
-    #[inline]
-    pub(crate) fn four(&self, vector: usize, doublings: u32) -> [u32; 4] {
-        let (upper, lower) = (self.upper[vector], self.lower[vector]);
-        std::array::from_fn(|lane| {
-            upper[lane].wrapping_shl(doublings) | (lower[lane] >> 1).wrapping_shr(31 - doublings)
-        })
-    }
-
-    pub(crate) fn at(&self, n: usize) -> u64 {
-        let (vector, lane) = (n / 4, n % 4);
-        u64::from(self.upper[vector][lane]) << 32 | u64::from(self.lower[vector][lane])
-    }
 }
 
 impl Ray {
@@ -92,14 +56,16 @@ impl Ray {
         }
     }
 
-    /// Where the rows lie.
-    pub(crate) fn fill(&self, positions: &mut [Positions; 3]) {
-        for (axis, rows) in positions.iter_mut().enumerate() {
-            let mut position = self.start[axis];
-            let upper = rows.upper.as_flattened_mut().iter_mut();
-            for (upper, lower) in upper.zip(rows.lower.as_flattened_mut()) {
-                (*upper, *lower) = ((position >> 32) as u32, position as u32);
-                position = position.wrapping_add(self.rise[axis]);
+    /// The rows by fours, but for the first `skipped` fours.
+    pub(crate) fn fill(&self, skipped: usize, fours: &mut [Positions]) {
+        for axis in 0..3 {
+            let rise = self.rise[axis];
+            let ahead = |start: u64, rows: u64| start.wrapping_add(rise.wrapping_mul(rows));
+            let first = ahead(self.start[axis], 4 * skipped as u64);
+            let mut rows = [0, 1, 2, 3].map(|row| ahead(first, row));
+            for four in &mut *fours {
+                four[axis] = rows;
+                rows = rows.map(|row| ahead(row, 4));
             }
         }
     }

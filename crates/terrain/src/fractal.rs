@@ -9,7 +9,7 @@
 //! | the `noise` crate, octaves left out where the band decides | 88 |
 //! | `simdnoise`, four octaves of another noise (simplex) | 24 |
 //! | ours in flat spaces (`upright`) | 4.7 |
-//! | ours in curved ones (`tilted`), a sphere of 32 m | 28 |
+//! | ours in curved ones (`tilted`), a sphere of 32 m | 22 |
 //!
 //! No vector library has this very noise, on which saved worlds rest, and none can know that a
 //! chunk's samples share lattice planes and cells. So the kernels are ours, on glam's vectors.

@@ -8,24 +8,24 @@ use noise::permutationtable::{NoiseHasher, PermutationTable};
 
 /// Brings three-dimensional gradient noise to -1..=1: 2/sqrt(3).
 pub(crate) const SCALE: f32 = 1.154_700_5;
-/// The sixteen hashes' gradients; twelve cube edges, four of them twice.
-const GRADIENTS: [[f32; 3]; 16] = [
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
-    [1.0, -1.0, 0.0],
-    [-1.0, -1.0, 0.0],
-    [1.0, 0.0, 1.0],
-    [-1.0, 0.0, 1.0],
-    [1.0, 0.0, -1.0],
-    [-1.0, 0.0, -1.0],
-    [0.0, 1.0, 1.0],
-    [0.0, -1.0, 1.0],
-    [0.0, 1.0, -1.0],
-    [0.0, -1.0, -1.0],
-    [1.0, 1.0, 0.0],
-    [-1.0, 1.0, 0.0],
-    [0.0, -1.0, 1.0],
-    [0.0, -1.0, -1.0],
+/// The sixteen hashes' gradients, filled up to vectors; twelve cube edges, four of them twice.
+const GRADIENTS: [[f32; 4]; 16] = [
+    [1.0, 1.0, 0.0, 0.0],
+    [-1.0, 1.0, 0.0, 0.0],
+    [1.0, -1.0, 0.0, 0.0],
+    [-1.0, -1.0, 0.0, 0.0],
+    [1.0, 0.0, 1.0, 0.0],
+    [-1.0, 0.0, 1.0, 0.0],
+    [1.0, 0.0, -1.0, 0.0],
+    [-1.0, 0.0, -1.0, 0.0],
+    [0.0, 1.0, 1.0, 0.0],
+    [0.0, -1.0, 1.0, 0.0],
+    [0.0, 1.0, -1.0, 0.0],
+    [0.0, -1.0, -1.0, 0.0],
+    [1.0, 1.0, 0.0, 0.0],
+    [-1.0, 1.0, 0.0, 0.0],
+    [0.0, -1.0, 1.0, 0.0],
+    [0.0, -1.0, -1.0, 0.0],
 ];
 
 /// Seeded gradients on the whole points of noise space.
@@ -122,10 +122,16 @@ impl Lattice {
         [x, x.wrapping_add(1)].map(|x| self.hash(self.hash(x) ^ y))
     }
 
+    #[inline]
+    fn entry(&self, column: u8, z: u8) -> [f32; 4] {
+        GRADIENTS[usize::from(self.hash(column ^ z) & 0b1111)]
+    }
+
     /// The gradient at `z` in a column of [`Self::pair`].
     #[inline]
     pub(crate) fn gradient(&self, column: u8, z: u8) -> [f32; 3] {
-        GRADIENTS[usize::from(self.hash(column ^ z) & 0b1111)]
+        let [x, y, z, _] = self.entry(column, z);
+        [x, y, z]
     }
 }
 
@@ -134,19 +140,14 @@ impl Cell {
     pub(crate) fn new(lattice: &Lattice, [x, y, z]: [u8; 3]) -> Self {
         let ([a, b], [c, d]) = (lattice.pair(x, y), lattice.pair(x, y.wrapping_add(1)));
         let side = |z: u8| {
-            [a, b, c, d].map(
-                #[inline(always)]
-                |column| lattice.gradient(column, z),
-            )
+            let [a, b, c, d] = [a, b, c, d].map(|column| Vec4::from(lattice.entry(column, z)));
+            Mat4::from_cols(a, b, c, d).transpose()
         };
-        let [low, high] = [side(z), side(z.wrapping_add(1))];
-        let axis = |side: &[[f32; 3]; 4], axis: usize| {
-            Vec4::new(side[0][axis], side[1][axis], side[2][axis], side[3][axis])
-        };
+        let (low, high) = (side(z), side(z.wrapping_add(1)));
         Self {
-            x: [axis(&low, 0), axis(&high, 0)],
-            y: [axis(&low, 1), axis(&high, 1)],
-            z: [axis(&low, 2), axis(&high, 2)],
+            x: [low.x_axis, high.x_axis],
+            y: [low.y_axis, high.y_axis],
+            z: [low.z_axis, high.z_axis],
         }
     }
 
@@ -156,10 +157,19 @@ impl Cell {
     pub(crate) fn corners(&self, x: f32, y: f32, z: f32, w: f32) -> Vec4 {
         let across = Vec4::splat(x) - Vec4::new(0.0, 1.0, 0.0, 1.0);
         let along = Vec4::splat(y) - Vec4::new(0.0, 0.0, 1.0, 1.0);
-        let side =
-            |n: usize, z: f32| self.x[n] * across + self.y[n] * along + self.z[n] * Vec4::splat(z);
-        let (low, high) = (side(0, z), side(1, z - 1.0));
-        low + Vec4::splat(w) * (high - low)
+        let deep = [Vec4::splat(z), Vec4::splat(z - 1.0)];
+        self.corners_at(across, along, deep, Vec4::splat(w))
+    }
+
+    /// [`Self::corners`] at distances from the corners: along x and y for each, along z from the
+    /// lower and from the upper. The unit of length is the caller's.
+    #[inline]
+    pub(crate) fn corners_at(&self, across: Vec4, along: Vec4, deep: [Vec4; 2], w: Vec4) -> Vec4 {
+        let [low, high] = [0, 1].map(
+            #[inline(always)]
+            |n: usize| self.x[n] * across + self.y[n] * along + self.z[n] * deep[n],
+        );
+        low + w * (high - low)
     }
 }
 

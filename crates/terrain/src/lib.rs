@@ -11,6 +11,7 @@
 mod biome;
 mod colour;
 mod content;
+mod cover;
 mod crossings;
 mod edits;
 mod field;
@@ -23,6 +24,7 @@ mod maker;
 mod march;
 mod memo;
 mod mesh;
+mod region;
 mod relief;
 mod samples;
 mod seam;
@@ -33,10 +35,11 @@ mod upright;
 
 pub use biome::Biome;
 pub use content::Content;
+pub use cover::Cover;
 pub use edits::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, apply_edits};
 pub use field::{FIELD_BAND_M, Field, RIM_REACH_M};
 pub use level::Level;
 pub use march::{Mesher, march};
-pub use mesh::{ChunkMesh, UNITS_PER_M, Vertex, octahedral};
+pub use mesh::{ChunkMesh, PARTS_PER_M, UNITS_PER_M, Vertex, octahedral};
 pub use samples::{SAMPLES, Samples};
 pub use stroke::{FALLOFF_PER_M2, Stroke};

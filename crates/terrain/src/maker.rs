@@ -5,25 +5,25 @@ use glam::{DVec3, Vec3};
 
 use crate::colour::Painter;
 use crate::field::Field;
-use crate::mesh::{UNITS_PER_M, Vertex, octahedral};
+use crate::mesh::{PARTS_PER_M, Vertex, octahedral};
 use crate::samples::Samples;
 
-/// Vertices keep this many units away from the ends of their edge, so that ground through a
+/// Vertices keep this many parts away from the ends of their edge, so that ground through a
 /// sample gives small triangles, never empty ones that would have to be cut out of a closed
 /// surface.
-const END_UNITS: f32 = 2.0;
+const END_PARTS: f32 = 64.0;
 
-/// Where the field is zero between the samples at an edge's lower and upper end: units from the
+/// Where the field is zero between the samples at an edge's lower and upper end: parts from the
 /// lower, of the edge's own length. Samples that are not finite still give a place on it.
 #[inline]
-pub(crate) fn place_on_edge(low: f32, high: f32, length: u16) -> u16 {
-    let length = f32::from(length);
-    let units = length * low / (low - high);
-    if units.is_nan() {
-        (0.5 * length) as u16
+pub(crate) fn place_on_edge(low: f32, high: f32, length: u32) -> u32 {
+    let length = length as f32;
+    let parts = length * low / (low - high);
+    if parts.is_nan() {
+        (0.5 * length) as u32
     } else {
         // Rounded without a call: it is positive.
-        (units.clamp(END_UNITS, length - END_UNITS) + 0.5) as u16
+        (parts.clamp(END_PARTS, length - END_PARTS) + 0.5) as u32
     }
 }
 
@@ -34,8 +34,8 @@ pub(crate) struct Maker<'a> {
     coord: ChunkCoord,
     origin: DVec3,
     painter: Painter<'a>,
-    /// Units along an edge of a cell.
-    length: u16,
+    /// Parts along an edge of a cell.
+    length: u32,
     /// How far apart in the block a sample's neighbours along x, y and z are.
     strides: [usize; 3],
 }
@@ -48,7 +48,7 @@ impl<'a> Maker<'a> {
             coord,
             origin: coord.origin(),
             painter: Painter::new(field),
-            length: (samples.level().step_m() * UNITS_PER_M) as u16,
+            length: samples.level().step_m() * PARTS_PER_M,
             strides: [side * side, 1, side],
         }
     }
@@ -64,38 +64,34 @@ impl<'a> Maker<'a> {
         let high = low + self.strides[axis];
         let values = self.samples.values();
         let place = place_on_edge(values[low], values[high], self.length);
-        let mut units = corner.map(|c| c as u16 * self.length);
-        units[axis] += place;
-        let share = f32::from(place) / f32::from(self.length);
+        let mut at = corner.map(|c| c as u32 * self.length);
+        at[axis] += place;
+        let share = place as f32 / self.length as f32;
         let slope = self.slope(low);
         let normal = slope + (self.slope(high) - slope) * share;
-        self.finished(units, normal)
+        self.finished(at, normal)
     }
 
-    /// A vertex anywhere in the chunk, with the normal of the field between the samples.
-    pub(crate) fn at(&self, units: [u16; 3]) -> Vertex {
-        let local = DVec3::from(units.map(f64::from)) / f64::from(UNITS_PER_M);
+    /// A vertex anywhere in the chunk, in parts, with the normal of the field between the samples.
+    pub(crate) fn at(&self, place: [u32; 3]) -> Vertex {
+        let local = DVec3::from(place.map(f64::from)) / f64::from(PARTS_PER_M);
         let half = 0.5 * f64::from(self.samples.level().step_m());
         let rise = |axis: DVec3| {
             self.samples.density(local + axis * half) - self.samples.density(local - axis * half)
         };
         let normal = Vec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
-        self.finished(units, normal)
+        self.finished(place, normal)
     }
 
-    fn finished(&self, units: [u16; 3], normal: Vec3) -> Vertex {
+    fn finished(&self, place: [u32; 3], normal: Vec3) -> Vertex {
         let normal = normal.normalize_or(Vec3::Y);
-        let local = DVec3::from(units.map(f64::from)) / f64::from(UNITS_PER_M);
+        let local = DVec3::from(place.map(f64::from)) / f64::from(PARTS_PER_M);
         let point = ChartPoint {
             hemisphere: self.coord.hemisphere,
             pos: self.origin + local,
         };
-        Vertex {
-            units,
-            spare: 0,
-            octahedral: octahedral(normal),
-            colour: self.painter.paint(point, normal),
-        }
+        let colour = self.painter.paint(point, normal);
+        Vertex::at(place, octahedral(normal), colour)
     }
 
     /// Twice the field's gradient at a sample, by central differences, per step.

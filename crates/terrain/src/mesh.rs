@@ -9,6 +9,12 @@ use crate::level::Level;
 
 /// Units of a vertex's position in a metre.
 pub const UNITS_PER_M: u32 = 1024;
+/// A unit has two to the power of this many parts.
+const PART_BITS: usize = 5;
+/// Parts of units in a metre: places are whole multiples of their size.
+pub const PARTS_PER_M: u32 = UNITS_PER_M << PART_BITS;
+/// Parts along a chunk's edge.
+const CHUNK_PARTS: u32 = antipode_geometry::CHUNK_CELLS as u32 * PARTS_PER_M;
 /// The greatest value of a signed normalised 16-bit integer.
 const SNORM_MAX: f32 = 32767.0;
 
@@ -16,11 +22,11 @@ const SNORM_MAX: f32 = 32767.0;
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Pod, Zeroable)]
 pub struct Vertex {
-    /// Place from the chunk's origin in 1/1024 m, each 0..=32768. Whole numbers, so that both
-    /// chunks at a face mean the same place, and exact in `f32` too.
+    /// Place from the chunk's origin in 1/1024 m, rounded down, each 0..=32768. Whole numbers,
+    /// so that both chunks at a face mean the same place.
     pub units: [u16; 3],
-    /// Zero; vertex formats of three 16-bit numbers do not exist.
-    pub spare: u16,
+    /// What is left of it in 1/32768 m: five bits for each axis, x lowest. Exact in `f32` too.
+    pub parts: u16,
     /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
     pub octahedral: [i16; 2],
     /// Colour, sRGB; the fourth is 255.
@@ -29,22 +35,47 @@ pub struct Vertex {
 
 impl Vertex {
     /// The vertex at a position in metres from the chunk's origin, held to the chunk and to
-    /// whole units, with a normal of any length and an sRGB colour.
+    /// whole parts, with a normal of any length and an sRGB colour.
     pub fn new(position: Vec3, normal: Vec3, colour: [u8; 3]) -> Self {
-        let units = (position * UNITS_PER_M as f32).to_array();
+        let parts = (position * PARTS_PER_M as f32).to_array();
+        let place = parts.map(|p| p.round().clamp(0.0, CHUNK_PARTS as f32) as u32);
         let [r, g, b] = colour;
+        Self::at(place, octahedral(normal), [r, g, b, 255])
+    }
+
+    /// The vertex at a place in 1/32768 m from the chunk's origin, each 0..=2^20.
+    #[inline]
+    pub fn at(place: [u32; 3], octahedral: [i16; 2], colour: [u8; 4]) -> Self {
+        let [x, y, z] = place.map(|p| (p & ((1 << PART_BITS) - 1)) as u16);
         Self {
-            units: units.map(|u| u.round().clamp(0.0, 32768.0) as u16),
-            spare: 0,
-            octahedral: octahedral(normal),
-            colour: [r, g, b, 255],
+            units: place.map(|p| (p >> PART_BITS) as u16),
+            parts: x | y << PART_BITS | z << (2 * PART_BITS),
+            octahedral,
+            colour,
         }
+    }
+
+    /// Place from the chunk's origin in 1/32768 m, each 0..=2^20.
+    #[inline]
+    pub fn place(&self) -> [u32; 3] {
+        std::array::from_fn(|axis| u32::from(self.units[axis]) << PART_BITS | self.left(axis))
+    }
+
+    /// [`Self::units`], but rounded up.
+    pub fn units_above(&self) -> [u16; 3] {
+        std::array::from_fn(|axis| self.units[axis].saturating_add(u16::from(self.left(axis) > 0)))
+    }
+
+    /// What is left of a coordinate above whole units, in parts.
+    #[inline]
+    fn left(&self, axis: usize) -> u32 {
+        u32::from(self.parts) >> (PART_BITS * axis) & ((1 << PART_BITS) - 1)
     }
 
     /// Metres from the chunk's origin, each 0..=32.
     #[inline]
     pub fn position(&self) -> Vec3 {
-        Vec3::from(self.units.map(f32::from)) / UNITS_PER_M as f32
+        Vec3::from(self.place().map(|p| p as f32)) / PARTS_PER_M as f32
     }
 
     /// Unit normal in the chart, toward the air.
@@ -140,8 +171,20 @@ mod tests {
     #[test]
     fn positions_are_snapped_held_and_exact() {
         let vertex = Vertex::new(Vec3::new(1.0 / 3.0, -4.0, 99.0), Vec3::Y, [1, 2, 3]);
-        assert_eq!(vertex.units, [341, 0, 32768]);
-        assert_eq!(vertex.position(), Vec3::new(341.0 / 1024.0, 0.0, 32.0));
+        assert_eq!((vertex.units, vertex.parts), ([341, 0, 32768], 11));
+        assert_eq!(vertex.units_above(), [342, 0, 32768]);
+        assert_eq!(vertex.position(), Vec3::new(10923.0 / 32768.0, 0.0, 32.0));
+        for place in [
+            [0; 3],
+            [1, 2, 3],
+            [31, 1 << 20, 32],
+            [(1 << 20) - 1, 33, 99_999],
+        ] {
+            let vertex = Vertex::at(place, [0; 2], [0; 4]);
+            assert_eq!(vertex.place(), place);
+            let metres = place.map(|p| p as f32 / 32768.0);
+            assert_eq!(vertex.position().to_array(), metres);
+        }
         assert_eq!(vertex.colour, [1, 2, 3, 255]);
         assert_eq!(size_of::<Vertex>(), 16);
     }

@@ -125,9 +125,16 @@ impl Relief {
 }
 
 impl Rows {
+    /// Fills columns of `height` samples whose rows are all closed.
+    pub(crate) fn fill_closed(&self, height: usize, out: &mut [f32]) {
+        for column in out.chunks_exact_mut(height.max(1)) {
+            column.copy_from_slice(&self.edge[..height]);
+        }
+    }
+
     /// Whether no sums within `rest` of `sum` bring a sample of four rows into the band.
     #[inline]
-    fn certain(&self, vector: usize, sum: Vec4, rest: f32) -> bool {
+    pub(crate) fn certain(&self, vector: usize, sum: Vec4, rest: f32) -> bool {
         let above = (sum - rest).cmpge(self.above[vector]);
         let below = (sum + rest).cmple(self.below[vector]);
         (above | below).all()
@@ -137,7 +144,7 @@ impl Rows {
     /// the band while sums change by no more than `rest`: what is left out of their sums does not
     /// change them by a bit.
     #[inline]
-    pub(crate) fn narrow(
+    fn narrow(
         &self,
         (mut from, mut to): (usize, usize),
         rest: f32,

@@ -10,11 +10,11 @@ use std::ops::Range;
 use crate::crossings::{Reach, solid_bits};
 use crate::loops::{EDGES, NODES, Node, each_loop, successors};
 use crate::maker::{Maker, place_on_edge};
-use crate::mesh::{UNITS_PER_M, Vertex};
+use crate::mesh::{PARTS_PER_M, Vertex};
 use crate::samples::FACE_AXES;
 
-/// A chunk's length in units of position.
-const CHUNK_UNITS: u16 = (CHUNK_CELLS as u32 * UNITS_PER_M) as u16;
+/// A chunk's length in parts of position.
+const CHUNK_PARTS: u32 = CHUNK_CELLS as u32 * PARTS_PER_M;
 const NO_VERTEX: u32 = u32::MAX;
 
 /// Makes seams; what it holds is kept from chunk to chunk only for its room.
@@ -33,11 +33,11 @@ struct Face<'a> {
     values: &'a [f32],
     /// Samples in a row.
     side: usize,
-    /// Units from sample to sample.
-    spacing: u16,
+    /// Parts from sample to sample.
+    spacing: u32,
 }
 
-/// A corner of a seam: where it is in the face, units, and its vertex.
+/// A corner of a seam: where it is in the face, parts, and its vertex.
 #[derive(Debug, Clone, Copy, Default)]
 struct Corner {
     at: [i64; 2],
@@ -49,8 +49,8 @@ impl Face<'_> {
         self.number / 2
     }
 
-    fn plane(&self) -> u16 {
-        CHUNK_UNITS * (self.number % 2) as u16
+    fn plane(&self) -> u32 {
+        CHUNK_PARTS * (self.number % 2) as u32
     }
 
     /// Whether loops run the other way: the nearer face looks down its axis, and rows and
@@ -73,37 +73,38 @@ impl Face<'_> {
     /// this face.
     fn coarse_edge(&self, vertex: &Vertex) -> Option<Node> {
         let axis = self.axis();
-        if vertex.units[axis] != self.plane() {
+        let place = vertex.place();
+        if place[axis] != self.plane() {
             return None;
         }
         let (row, rows) = FACE_AXES[axis];
-        let at = [vertex.units[row], vertex.units[rows]];
+        let at = [place[row], place[rows]];
         let length = 2 * self.spacing;
         Some(Node {
-            low: at.map(|c| 2 * usize::from(c / length)),
+            low: at.map(|c| 2 * (c / length) as usize),
             along: usize::from(at[0].is_multiple_of(length)),
             length: 2,
         })
     }
 
     /// Where the contour crosses an edge of the face.
-    fn place(&self, edge: Node) -> [u16; 3] {
+    fn place(&self, edge: Node) -> [u32; 3] {
         let low = edge.low[1] * self.side + edge.low[0];
         let high = low + edge.length * [1, self.side][edge.along];
-        let length = self.spacing * edge.length as u16;
-        let mut at = edge.low.map(|c| c as u16 * self.spacing);
+        let length = self.spacing * edge.length as u32;
+        let mut at = edge.low.map(|c| c as u32 * self.spacing);
         at[edge.along] += place_on_edge(self.values[low], self.values[high], length);
         let (row, rows) = FACE_AXES[self.axis()];
-        let mut units = [self.plane(); 3];
-        (units[row], units[rows]) = (at[0], at[1]);
-        units
+        let mut place = [self.plane(); 3];
+        (place[row], place[rows]) = (at[0], at[1]);
+        place
     }
 
     fn corner(&self, index: u32, vertices: &[Vertex]) -> Corner {
         let (row, rows) = FACE_AXES[self.axis()];
-        let units = vertices[index as usize].units;
+        let place = vertices[index as usize].place();
         Corner {
-            at: [row, rows].map(|axis| i64::from(units[axis])),
+            at: [row, rows].map(|axis| i64::from(place[axis])),
             vertex: index,
         }
     }
@@ -129,7 +130,7 @@ impl Tailor {
                 number,
                 values: samples.face(number),
                 side: samples.face_side(),
-                spacing: (finer.step_m() * UNITS_PER_M) as u16,
+                spacing: finer.step_m() * PARTS_PER_M,
             };
             let first = indices.len() as u32;
             if self.read(&face) {
@@ -192,10 +193,10 @@ impl Tailor {
                         let index = &mut self.known[face.slot(place(node))];
                         if *index == NO_VERTEX {
                             *index = vertices.len() as u32;
-                            let units = face.place(place(node));
+                            let at = face.place(place(node));
                             vertices.push(match like {
-                                Some(like) => Vertex { units, ..like },
-                                None => maker.at(units),
+                                Some(like) => Vertex::at(at, like.octahedral, like.colour),
+                                None => maker.at(at),
                             });
                         }
                         *corner = face.corner(*index, vertices);
@@ -253,7 +254,7 @@ fn fill(corners: &[Corner], turned: bool, indices: &mut Vec<u32>) {
     }
 }
 
-/// Twice the area of a triangle, whichever way it runs, square units.
+/// Twice the area of a triangle, whichever way it runs, square parts.
 fn twice_area([a, b, c]: [Corner; 3]) -> i64 {
     let across = |p: Corner, q: Corner| [q.at[0] - p.at[0], q.at[1] - p.at[1]];
     let (p, q) = (across(a, b), across(a, c));

@@ -1,46 +1,15 @@
 //! Noise along columns that run through the lattice at any slant, as curved spaces have them.
-//!
-//! Nothing comes apart by axes here, so the eight corners of a sample's cell are worked on as
-//! vectors, and cells are put together once for a whole block of columns and looked up after.
 
 use glam::{DVec3, Vec4};
 
-use crate::fixed::{self, FRACTION_BITS, PART_BITS, Positions, Ray, fixed};
+use crate::fixed::{self, PART_BITS, Ray};
 use crate::fractal::{Column, Octave};
-use crate::lattice::{Cell, Lattice, SCALE, blend, fade, fades};
-use crate::relief::{BLOCK, Relief, Rows, VECTORS};
+use crate::lattice::{Cell, Lattice, SCALE, blend, fade};
+use crate::region::{Batch, LIMIT, Region};
+use crate::relief::{BLOCK, Relief, Rows};
 
-/// Stands for a cell that was not met yet; a block has fewer samples.
-const UNKNOWN: u16 = u16::MAX;
-/// Most cells that a block of columns may run through. A chunk's run through a tenth of that;
-/// the places far from any world where they would be more are not worth the room.
-const SLOT_LIMIT: f64 = 131_072.0;
 /// Columns of fewer samples than this would leave most of a vector empty.
 const SHORT: usize = 3;
-
-/// Cells of one octave that a block of columns meets, put together when first met.
-struct Region {
-    /// Whole octaves above the first.
-    doublings: u32,
-    half_m: f32,
-    first: [u8; 3],
-    strides: [f32; 2],
-    slots: Vec<u16>,
-    cells: Vec<Cell>,
-    /// Room for the places of a column.
-    fours: [Four; VECTORS],
-}
-
-/// Four samples in the lattice of one octave.
-#[derive(Clone, Copy)]
-struct Four {
-    /// Fractions of the cells, by axis.
-    part: [Vec4; 3],
-    /// Weights of the upper lattice points.
-    fade: [Vec4; 3],
-    /// Which of the region's cells each is in.
-    slots: [u32; 4],
-}
 
 /// Fills columns of `height` samples, at most [`BLOCK`], at `first_m + step_m * n` above each of
 /// `columns`, which hold lattice coordinates of the first octave.
@@ -73,26 +42,38 @@ pub(crate) fn fill(
             out,
         );
     }
-    let mut positions = [Positions::new(); 3];
-    for (column, out) in columns.iter().zip(out.chunks_exact_mut(height.max(1))) {
-        let mut sums = [Vec4::ZERO; VECTORS];
-        let mut open = rows.open;
-        let mut rest = relief.sum_m();
-        Ray::new(column, first_m, step_m).fill(&mut positions);
-        for region in &mut regions {
-            if open.0 == open.1 {
-                break;
+    let (from, to) = rows.open;
+    let open = to - from;
+    let Some(together) = LIMIT.checked_div(open) else {
+        return rows.fill_closed(height, out);
+    };
+    let mut batch = Batch::new(open);
+    for (columns, out) in columns
+        .chunks(together)
+        .zip(out.chunks_mut(together * height))
+    {
+        batch.restart(columns.len() * open);
+        for (column, fours) in columns.iter().zip(batch.positions.chunks_exact_mut(open)) {
+            Ray::new(column, first_m, step_m).fill(from, fours);
+        }
+        for (n, region) in regions.iter_mut().enumerate() {
+            region.add(lattice, &mut batch);
+            // The first octave is more than all others together: asked again after those, the
+            // question costs more than it saves.
+            if n == 0 {
+                let rest = relief.sum_m() - region.half_m();
+                batch.retain(|row, sum| !rows.certain(from + row, sum, rest));
             }
-            region.add(lattice, &positions, open, &mut sums);
-            rest -= region.half_m;
-            open = rows.narrow(open, rest, &sums);
         }
-        let mut values = rows.edge;
-        for vector in rows.open.0..rows.open.1 {
-            let found = relief.values(rows.base_m[vector], sums[vector]);
-            found.write_to_slice(&mut values[vector * 4..vector * 4 + 4]);
+        let sums = batch.sums.chunks_exact(open);
+        for (sums, out) in sums.zip(out.chunks_exact_mut(height)) {
+            let mut values = rows.edge;
+            let fours = values[4 * from..].chunks_exact_mut(4);
+            for ((&base, &sum), four) in rows.base_m[from..to].iter().zip(sums).zip(fours) {
+                relief.values(base, sum).write_to_slice(four);
+            }
+            out.copy_from_slice(&values[..height]);
         }
-        out.copy_from_slice(&values[..height]);
     }
 }
 
@@ -106,24 +87,24 @@ fn fill_short(
     height: usize,
     out: &mut [f32],
 ) {
-    let mut positions = [Positions::new(); 3];
+    let mut batch = Batch::new(1);
     for (columns, out) in columns.chunks(BLOCK).zip(out.chunks_mut(BLOCK * height)) {
         let vectors = columns.len().div_ceil(4);
         for row in 0..height {
             let y = first_m + row as f64 * step_m;
+            batch.restart(vectors);
             for n in 0..vectors * 4 {
                 let column = &columns[n.min(columns.len() - 1)];
                 let start = Ray::new(column, y, 0.0).start;
-                for (positions, at) in positions.iter_mut().zip(start) {
-                    positions.set(n, at);
+                for (axis, start) in batch.positions[n / 4].iter_mut().zip(start) {
+                    axis[n % 4] = start;
                 }
             }
-            let mut sums = [Vec4::ZERO; VECTORS];
             for region in &mut *regions {
-                region.add(lattice, &positions, (0, vectors), &mut sums);
+                region.add(lattice, &mut batch);
             }
             let base = Vec4::splat(rows.base_m[row / 4][row % 4]);
-            for (sum, out) in sums.into_iter().zip(out.chunks_mut(4 * height)) {
+            for (&sum, out) in batch.sums.iter().zip(out.chunks_mut(4 * height)) {
                 let values = relief.values(base, sum).to_array();
                 for (column, value) in out.chunks_exact_mut(height).zip(values) {
                     column[row] = value;
@@ -168,101 +149,6 @@ fn regions(
     octaves
         .map(|(&octave, doublings)| Region::new(octave, doublings, min, max))
         .collect()
-}
-
-impl Region {
-    /// Room for the cells between `min` and `max`, lattice coordinates of the first octave.
-    /// `None` where they are too many, or not numbers.
-    fn new(octave: Octave, doublings: u32, min: DVec3, max: DVec3) -> Option<Self> {
-        let scale = f64::from(1_u32 << doublings);
-        let low = (min * scale).floor() - 1.0;
-        let size = (max * scale).floor() + 2.0 - low;
-        let slots = size.element_product();
-        (slots <= SLOT_LIMIT).then(|| Self {
-            doublings,
-            half_m: octave.half_m(),
-            first: low.to_array().map(|v| (fixed(v) >> FRACTION_BITS) as u8),
-            strides: [(size.y * size.z) as f32, size.z as f32],
-            slots: vec![UNKNOWN; slots as usize],
-            cells: Vec::new(),
-            fours: [Four {
-                part: [Vec4::ZERO; 3],
-                fade: [Vec4::ZERO; 3],
-                slots: [0; 4],
-            }; VECTORS],
-        })
-    }
-
-    /// Adds the octave to the samples of the vectors `from..to`.
-    fn add(
-        &mut self,
-        lattice: &Lattice,
-        positions: &[Positions; 3],
-        (from, to): (usize, usize),
-        sums: &mut [Vec4; VECTORS],
-    ) {
-        let weight = self.half_m * SCALE;
-        let (least, most) = (Vec4::splat(-self.half_m), Vec4::splat(self.half_m));
-        // First all places, then all cells: the processor overlaps the vectors better so.
-        for (four, vector) in self.fours.iter_mut().zip(from..to) {
-            *four = place(self.doublings, self.first, self.strides, positions, vector);
-        }
-        for (n, (vector, sum)) in (from..to).zip(&mut sums[from..to]).enumerate() {
-            let Four { part, fade, slots } = self.fours[n];
-            let [x, y, z] = part.map(|v| v.to_array());
-            let w = fade[2].to_array();
-            let mut corners = [Vec4::ZERO; 4];
-            for (lane, corners) in corners.iter_mut().enumerate() {
-                let mut cell = self.slots[slots[lane] as usize];
-                if cell == UNKNOWN {
-                    cell = self.meet(lattice, positions, vector * 4 + lane, slots[lane]);
-                }
-                let cell = &self.cells[usize::from(cell)];
-                *corners = cell.corners(x[lane], y[lane], z[lane], w[lane]);
-            }
-            let noise = blend(corners, fade[0], fade[1]) * weight;
-            *sum += noise.clamp(least, most);
-        }
-    }
-
-    /// Puts together the cell of a position.
-    #[cold]
-    fn meet(&mut self, lattice: &Lattice, at: &[Positions; 3], n: usize, slot: u32) -> u16 {
-        let low = at
-            .each_ref()
-            .map(|axis| ((axis.at(n) << self.doublings) >> FRACTION_BITS) as u8);
-        let at = self.cells.len() as u16;
-        self.cells.push(Cell::new(lattice, low));
-        self.slots[slot as usize] = at;
-        at
-    }
-}
-
-/// Where four samples lie in the lattice of an octave.
-#[inline(always)]
-fn place(
-    doublings: u32,
-    first: [u8; 3],
-    [a, b]: [f32; 2],
-    positions: &[Positions; 3],
-    vector: usize,
-) -> Four {
-    /// Adding this to a small whole number leaves it in the low bits.
-    const ROUNDS: f32 = 8_388_608.0;
-    let (mut part, mut whole) = ([Vec4::ZERO; 3], [Vec4::ZERO; 3]);
-    for axis in 0..3 {
-        let first = u32::from(first[axis]) << PART_BITS;
-        let at = positions[axis].four(vector, doublings);
-        let at = at.map(|p| p.wrapping_sub(first));
-        whole[axis] = Vec4::from(at.map(|p| (p >> PART_BITS).cast_signed() as f32));
-        part[axis] = Vec4::from(at.map(fixed::part));
-    }
-    let slots = whole[0] * a + whole[1] * b + whole[2] + ROUNDS;
-    Four {
-        part,
-        fade: part.map(fades),
-        slots: slots.to_array().map(|slot| slot.to_bits() & 0x7f_ffff),
-    }
 }
 
 #[cfg(test)]

@@ -118,7 +118,7 @@ fn ground_faces_the_air_its_normals_point_to() {
         assert!(area > 500.0 && wrong < 1e-4 * area, "{wrong} of {area}");
         for (n, vertex) in mesh.vertices.iter().enumerate() {
             assert!((normal(&mesh, n as u32).length() - 1.0).abs() < 1e-3);
-            assert_eq!((vertex.spare, vertex.colour[3]), (0, 255));
+            assert_eq!((vertex.parts >> 15, vertex.colour[3]), (0, 255));
         }
     }
 }

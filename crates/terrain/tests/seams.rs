@@ -17,7 +17,7 @@ use common::{Random, World, flat, sphere};
 use glam::{DVec3, IVec3};
 
 /// A vertex on a chunk's face: its place on the face, normal and colour, to the bit.
-type Seen = ([u16; 3], [i16; 2], [u8; 4]);
+type Seen = ([u32; 3], [i16; 2], [u8; 4]);
 
 /// A face of a chunk's cube.
 struct Face {
@@ -42,7 +42,7 @@ fn face_edges(mesh: &ChunkMesh, face: &Face) -> Vec<(Seen, Seen)> {
     } = *face;
     let see = |n: u32| {
         let vertex = &mesh.vertices[n as usize];
-        let mut place = vertex.units;
+        let mut place = vertex.place();
         place[axis] = 0;
         (place, vertex.octahedral, vertex.colour)
     };

@@ -19,7 +19,15 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     );
     let mut ui = ui.new_child(UiBuilder::new().id_salt("column").max_rect(inner));
     ui.set_clip_rect(regions.column);
-    ui.spacing_mut().interact_size.y = if regions.compact { 32.0 } else { 40.0 };
+    let spacing = ui.spacing_mut();
+    if regions.compact {
+        // Nine buttons under the title need no scrolling at 360 points.
+        spacing.interact_size.y = 28.0;
+        spacing.button_padding.y = 4.0;
+        spacing.item_spacing.y = 2.0;
+    } else {
+        spacing.interact_size.y = 40.0;
+    }
     scroll(&mut ui, inner.height(), |ui| {
         title(ui, pass);
         buttons(ui, pass, current);
@@ -43,32 +51,34 @@ fn title(ui: &mut Ui, pass: &Pass<'_>) {
 
 fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     let running = pass.model.running_world.is_some();
+    let texts = pass.model.texts;
     let in_world = [
-        ("Resume", Intent::Resume),
-        ("Save", Intent::Save),
-        ("Save and quit to menu", Intent::SaveAndQuitToMenu),
+        (texts.say("menu-resume"), Intent::Resume),
+        (texts.say("menu-save"), Intent::Save),
+        (texts.say("menu-save-and-quit"), Intent::SaveAndQuitToMenu),
     ];
     for (label, intent) in in_world.into_iter().filter(|_| running) {
-        let response = column_button(ui, label, false);
+        let response = column_button(ui, &label, false);
         offer(pass, current, &response);
         if response.clicked() {
             pass.intents.push(intent);
         }
     }
     let screens = [
-        ("New Game", Screen::NewGame),
-        ("Load", Screen::Load),
-        ("Delete", Screen::Delete),
-        ("Controls", Screen::Controls),
+        (texts.say("menu-new-game"), Screen::NewGame),
+        (texts.say("menu-load"), Screen::Load),
+        (texts.say("menu-delete"), Screen::Delete),
+        (texts.say("menu-settings"), Screen::Settings),
+        (texts.say("menu-controls"), Screen::Controls),
     ];
     for (label, screen) in screens {
-        let response = column_button(ui, label, *current == screen);
+        let response = column_button(ui, &label, *current == screen);
         offer(pass, current, &response);
         if response.clicked() {
             pass.go = Some(screen);
         }
     }
-    if column_button(ui, "Quit", false).clicked() {
+    if column_button(ui, &texts.say("menu-quit"), false).clicked() {
         pass.intents.push(Intent::Quit);
     }
 }
@@ -82,7 +92,8 @@ fn offer(pass: &mut Pass<'_>, current: &Screen, response: &egui::Response) {
 
 /// The version, and what there is to know about the graphics device.
 fn notes(ui: &mut Ui, pass: &Pass<'_>) {
-    let version = format!("Version {}", pass.model.version);
+    let values = [("version", pass.model.version.into())];
+    let version = pass.model.texts.say_with("version", &values);
     ui.label(RichText::new(version).font(small()).color(WEAK));
     if let Some(notice) = pass.model.adapter_notice {
         ui.label(RichText::new(notice).font(small()).color(WEAK));

@@ -1,6 +1,7 @@
 //! Dialogs in the middle of the screen: work in progress, messages, and the
 //! question before something is lost.
 
+use antipode_language::Value;
 use egui::{FontId, Rect, RichText, Role, Sense, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::layout::{inset, scroll};
@@ -18,7 +19,8 @@ pub(crate) fn busy(ui: &mut Ui, pass: &Pass<'_>, title: &str, progress: Option<f
     let below = 3.0 * GRID + ui.fonts_mut(|fonts| fonts.row_height(&small()));
     dialog(ui, pass, title, "", below, |ui| {
         progress_bar(ui, title, progress);
-        let percent = progress.map(|part| format!("{:.0} %", part.clamp(0.0, 1.0) * 100.0));
+        let texts = pass.model.texts;
+        let percent = progress.map(|part| texts.say_with("percent", &[("percent", percent(part))]));
         let words = match (percent, detail.is_empty()) {
             (Some(percent), true) => percent,
             (Some(percent), false) => format!("{percent}  ·  {detail}"),
@@ -28,13 +30,18 @@ pub(crate) fn busy(ui: &mut Ui, pass: &Pass<'_>, title: &str, progress: Option<f
     });
 }
 
+/// A share of the whole as percent to put into a message.
+pub(crate) fn percent(part: f32) -> Value<'static> {
+    Value::decimals(f64::from(part.clamp(0.0, 1.0)) * 100.0, 0)
+}
+
 /// Something to read; OK dismisses it.
 pub(crate) fn message(ui: &mut Ui, pass: &mut Pass<'_>, title: &str, text: &str) {
     let mut done = false;
     let below = ui.spacing().interact_size.y + GRID;
     let mut ok = None;
     dialog(ui, pass, title, text, below, |ui| {
-        let response = primary_button(ui, "OK", true);
+        let response = primary_button(ui, &pass.model.texts.say("ok"), true);
         done = response.clicked();
         ok = Some(response);
     });
@@ -51,16 +58,21 @@ pub(crate) fn unsaved(ui: &mut Ui, pass: &mut Pass<'_>, text: &str) {
     let mut asked = None;
     let mut first = None;
     // Where they do not fit side by side, the buttons stand one under another.
-    let narrow = WIDTH.min(pass.regions.whole.width()) < 440.0;
+    let texts = pass.model.texts;
+    let labels = [
+        texts.say("unsaved-again"),
+        texts.say("unsaved-stay"),
+        texts.say("unsaved-leave"),
+    ];
+    let narrow = side_by_side_width(ui, &labels) > inner_width(pass);
     let rows = if narrow { 3.0 } else { 1.0 };
     let below = rows * (ui.spacing().interact_size.y + GRID);
-    dialog(ui, pass, "The world is not saved", text, below, |ui| {
+    let [again, stay, leave] = &labels;
+    dialog(ui, pass, &texts.say("unsaved-title"), text, below, |ui| {
         let buttons = |ui: &mut Ui| {
-            let again = primary_button(ui, "Try again", true);
-            let stay = button(ui, "Stay in the world");
-            let lose = ui.add(egui::Button::new(
-                RichText::new("Leave without saving").color(BAD),
-            ));
+            let again = primary_button(ui, again, true);
+            let stay = button(ui, stay);
+            let lose = ui.add(egui::Button::new(RichText::new(leave).color(BAD)));
             focus_ring(ui, &lose);
             asked = [
                 (again.clicked(), Intent::TrySavingAgain),
@@ -83,34 +95,32 @@ pub(crate) fn unsaved(ui: &mut Ui, pass: &mut Pass<'_>, text: &str) {
     pass.intents.extend(asked);
 }
 
-/// Asks before a world is lost: `Some(true)` to delete it, `Some(false)` to keep it.
-pub(crate) fn confirm_delete(ui: &mut Ui, pass: &mut Pass<'_>, name: &str) -> Option<bool> {
-    let mut answer = None;
-    let mut safe = None;
-    let below = ui.spacing().interact_size.y + GRID;
-    let question = format!("Delete “{name}”?");
-    dialog(ui, pass, &question, "This cannot be undone.", below, |ui| {
-        ui.horizontal(|ui| {
-            let delete = ui.add(egui::Button::new(RichText::new("Delete").color(BAD)));
-            focus_ring(ui, &delete);
-            let keep = button(ui, "Keep");
-            if delete.clicked() {
-                answer = Some(true);
-            } else if keep.clicked() {
-                answer = Some(false);
-            }
-            safe = Some(keep);
-        });
-    });
-    if let Some(keep) = safe {
-        pass.offer_focus(&keep);
-    }
-    answer
+/// The width that buttons of these labels take beside one another.
+fn side_by_side_width(ui: &Ui, labels: &[String]) -> f32 {
+    let spacing = ui.spacing();
+    let width = |label: &String| {
+        let font = FontId::proportional(16.0);
+        let words = ui.painter().layout_no_wrap(label.clone(), font, TEXT);
+        words.size().x + 2.0 * spacing.button_padding.x
+    };
+    let gaps = labels.len().saturating_sub(1) as f32 * spacing.item_spacing.x;
+    labels.iter().map(width).sum::<f32>() + gaps
+}
+
+/// Width inside a dialog, in points.
+fn inner_width(pass: &Pass<'_>) -> f32 {
+    let screen = inset(pass.regions.whole, GRID);
+    WIDTH.min(screen.width()) - 2.0 * margin(pass)
+}
+
+/// Between a dialog's edge and its words, in points.
+fn margin(pass: &Pass<'_>) -> f32 {
+    if pass.regions.compact { GRID } else { MARGIN }
 }
 
 /// A panel just high enough for its words, which scroll if the screen is not,
 /// and `below` points of something under them.
-fn dialog(
+pub(crate) fn dialog(
     ui: &mut Ui,
     pass: &Pass<'_>,
     title: &str,
@@ -119,7 +129,7 @@ fn dialog(
     contents: impl FnOnce(&mut Ui),
 ) {
     let screen = inset(pass.regions.whole, GRID);
-    let margin = if pass.regions.compact { GRID } else { MARGIN };
+    let margin = margin(pass);
     let width = WIDTH.min(screen.width());
     let wrap = (width - 2.0 * margin - GRID).max(1.0);
     let heading = FontId::proportional(24.0);

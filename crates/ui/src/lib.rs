@@ -8,21 +8,32 @@
 
 mod backdrop;
 mod column;
+mod console;
+mod contrast;
 mod controls;
 mod dialog;
+mod entry;
+mod fonts;
 mod hud;
 mod layout;
 mod model;
 mod new_game;
+mod photo;
 mod seed;
+mod settings;
 mod shell;
 mod theme;
 mod toasts;
 mod widgets;
 mod worlds;
 
+pub use console::{Completion, Console, LineKind};
+pub use contrast::{heighten_contrast, set_calm};
+pub use controls::{action_label, first_input_label, input_label};
 pub use hud::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, show_hud};
-pub use model::{Binding, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
+pub use model::{GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
+pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, show_photo};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;
 pub use theme::apply_theme;
+pub use worlds::{ArchiveRow, WorldFiles, WorldsIntent};

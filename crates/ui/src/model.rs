@@ -1,5 +1,10 @@
 //! What the menus are shown and what they give back: plain data, no behaviour.
 
+use antipode_language::Texts;
+use antipode_settings::{Config, Profiles, Value};
+
+use crate::worlds::{WorldFiles, WorldsIntent};
+
 /// The space a new world is made in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum GeometryChoice {
@@ -17,12 +22,12 @@ impl GeometryChoice {
     pub const ALL: [Self; 3] = [Self::Hyperbolic, Self::Euclidean, Self::Spherical];
 
     /// The name on the card.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Hyperbolic => "Hyperbolic",
-            Self::Euclidean => "Euclidean",
-            Self::Spherical => "Spherical",
-        }
+    pub fn label(self, texts: &Texts) -> String {
+        texts.say(match self {
+            Self::Hyperbolic => "geometry-hyperbolic",
+            Self::Euclidean => "geometry-euclidean",
+            Self::Spherical => "geometry-spherical",
+        })
     }
 
     /// The lower-case word that the command line, scripts and saves use.
@@ -35,12 +40,12 @@ impl GeometryChoice {
     }
 
     /// One sentence for somebody who has never heard the word.
-    pub fn description(self) -> &'static str {
-        match self {
-            Self::Hyperbolic => "Space fans out: the land drops away and everything far is small.",
-            Self::Euclidean => "Flat space, endless and familiar.",
-            Self::Spherical => "A small closed world: the land climbs and meets overhead.",
-        }
+    pub fn description(self, texts: &Texts) -> String {
+        texts.say(match self {
+            Self::Hyperbolic => "geometry-hyperbolic-about",
+            Self::Euclidean => "geometry-euclidean-about",
+            Self::Spherical => "geometry-spherical-about",
+        })
     }
 }
 
@@ -59,36 +64,43 @@ pub struct WorldRow {
     pub last_played: String,
     /// Size on disk, e.g. "1.2 MB".
     pub size: String,
+    /// Whether a command that cheats was ever used in it.
+    pub cheated: bool,
     /// Why it cannot be loaded, as a sentence; `None` when it is well.
     pub problem: Option<String>,
     /// Whether this is the world being played.
     pub running: bool,
-}
-
-/// One line of the Controls screen.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Binding {
-    /// What happens, e.g. "Jump".
-    pub action: String,
-    /// The keys in words, e.g. "Space".
-    pub keys: String,
-    /// The heading it stands under; groups keep the order of their first line.
-    pub group: String,
+    /// Its picture, if it has one and it has been read; the game keeps it alive.
+    pub picture: Option<egui::TextureId>,
+    /// Its directory.
+    pub path: String,
+    /// How many chunks were changed by hand; `None` until it is known.
+    pub edits: Option<usize>,
+    /// The file that an export is proposed to go to.
+    pub export_to: String,
 }
 
 /// Everything the menus show in one frame.
 pub struct MenuModel<'a> {
+    /// The words of the player's language.
+    pub texts: &'a Texts,
     /// Name of the world behind the menu: it stays visible, dimmed. `None`
     /// (also while one is being loaded) puts our own backdrop there.
     pub running_world: Option<&'a str>,
     /// All worlds, newest first.
     pub worlds: &'a [WorldRow],
-    /// All key bindings.
-    pub bindings: &'a [Binding],
+    /// The settings and key bindings that hold.
+    pub config: &'a Config,
     /// Whether a new world may bear this name; the error is a sentence.
     pub check_name: &'a dyn Fn(&str) -> Result<(), String>,
+    /// Whether the world of that directory may bear this name from now on; the error is a sentence.
+    pub check_rename: &'a dyn Fn(&str, &str) -> Result<(), String>,
+    /// What is known of worlds in files.
+    pub world_files: &'a WorldFiles,
     /// Something to know about the graphics device, e.g. that it is software.
     pub adapter_notice: Option<&'a str>,
+    /// Why nothing can be heard, if so.
+    pub sound_notice: Option<&'a str>,
     /// The game's version.
     pub version: &'a str,
 }
@@ -106,6 +118,8 @@ pub enum Screen {
     Load,
     /// The list of worlds to delete.
     Delete,
+    /// The settings.
+    Settings,
     /// The key bindings.
     Controls,
     /// Work in progress that the player waits for.
@@ -161,6 +175,19 @@ pub enum Intent {
         /// [`WorldRow::slug`].
         slug: String,
     },
+    /// Something else about saved worlds.
+    Worlds(WorldsIntent),
+    /// Give a setting a value that it takes; it is given also if it has it already.
+    Set {
+        /// The setting's id.
+        id: &'static str,
+        /// The value.
+        value: Value,
+    },
+    /// Give a setting its default, by its id.
+    ResetSetting(&'static str),
+    /// Put these key bindings in use.
+    Bind(Box<Profiles>),
     /// Leave the game.
     Quit,
     /// A message was read, or the player stays in an unsaved world; it is closed already.

@@ -1,13 +1,14 @@
 //! The form for a new world: what is wrong is said in words while typing.
 
+use antipode_language::Texts;
 use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Pos2, Rect, Response, RichText, Role, Sense, Shape,
-    Slider, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, EventFilter, FontId, Key, Label, Pos2, Rect, Response, RichText, Role, Sense,
+    Shape, Slider, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
 use crate::layout::{Stops, pane};
 use crate::model::{GeometryChoice, Intent, Screen};
-use crate::seed::parse_seed;
+use crate::seed::{SeedError, parse_seed};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, BAD, GOOD, GRID, TEXT, WEAK, small};
 use crate::widgets::{button, focus_ring, paint_card, primary_button};
@@ -65,31 +66,33 @@ impl NewGameForm {
         let regions = pass.regions;
         let mut create = false;
         let mut back = false;
+        let texts = pass.model.texts;
         let name = (pass.model.check_name)(self.name.trim());
         let seed = parse_seed(&self.seed);
         let missing = match (&name, &seed) {
-            (Err(_), _) => Some("Needs a valid name"),
-            (_, Err(_)) => Some("Needs a valid seed"),
+            (Err(_), _) => Some(texts.say("needs-name")),
+            (_, Err(_)) => Some(texts.say("needs-seed")),
             _ => None,
         };
         let body = |ui: &mut Ui, stops: &mut Stops| {
             let name = self.name_field(ui, pass, &name);
             stops.add(&name);
-            self.cards(ui, stops);
-            let seed = self.seed_field(ui, seed.map_err(|error| error.to_string()));
+            self.cards(ui, texts, stops);
+            let seed = self.seed_field(ui, texts, seed);
             stops.add(&seed);
             let spherical = self.geometry == GeometryChoice::Spherical;
-            let radius = spherical.then(|| self.radius_slider(ui));
+            let radius = spherical.then(|| self.radius_slider(ui, texts));
             if let Some(radius) = &radius {
                 stops.add(radius);
             }
             Fields { name, seed, radius }
         };
-        let fields = pane(ui, regions.pane, "New Game", body, |ui| {
-            create = primary_button(ui, "Create", missing.is_none()).clicked();
-            back = button(ui, "Back").clicked();
-            if let Some(missing) = missing {
-                ui.label(RichText::new(missing).font(small()).color(WEAK));
+        let fields = pane(ui, regions.pane, &texts.say("menu-new-game"), body, |ui| {
+            create = primary_button(ui, &texts.say("create"), missing.is_none()).clicked();
+            back = button(ui, &texts.say("back")).clicked();
+            if let Some(missing) = &missing {
+                let words = RichText::new(missing).font(small()).color(WEAK);
+                ui.add(Label::new(words).wrap());
             }
         });
         let enter = ui.input(|input| input.key_pressed(Key::Enter));
@@ -129,31 +132,41 @@ impl NewGameForm {
         pass: &mut Pass<'_>,
         check: &Result<(), String>,
     ) -> Response {
-        let label = ui.label("Name");
-        let field =
-            text_field(ui, &mut self.name, "What shall it be called?").labelled_by(label.id);
+        let texts = pass.model.texts;
+        let label = ui.label(texts.say("name"));
+        let hint = texts.say("name-hint");
+        let field = text_field(ui, &mut self.name, &hint).labelled_by(label.id);
         pass.offer_focus(&field);
         self.touched |= field.changed();
         match check {
-            Ok(()) => verdict(ui, "This name is free.", GOOD),
+            Ok(()) => verdict(ui, &texts.say("name-free"), GOOD),
             Err(reason) => verdict(ui, reason, if self.touched { BAD } else { WEAK }),
         }
         field
     }
 
-    fn seed_field(&mut self, ui: &mut Ui, seed: Result<Option<u64>, String>) -> Response {
-        let label = ui.label("Seed (optional)");
-        let field = text_field(ui, &mut self.seed, "A number or words").labelled_by(label.id);
+    fn seed_field(
+        &mut self,
+        ui: &mut Ui,
+        texts: &Texts,
+        seed: Result<Option<u64>, SeedError>,
+    ) -> Response {
+        let label = ui.label(texts.say("seed"));
+        let hint = texts.say("seed-hint");
+        let field = text_field(ui, &mut self.seed, &hint).labelled_by(label.id);
         match seed {
-            Ok(None) => verdict(ui, "Left empty, it is drawn at random.", WEAK),
-            Ok(Some(seed)) => verdict(ui, &format!("The seed is {seed}."), GOOD),
-            Err(reason) => verdict(ui, &reason, BAD),
+            Ok(None) => verdict(ui, &texts.say("seed-random"), WEAK),
+            Ok(Some(seed)) => {
+                let values = [("seed", seed.to_string().into())];
+                verdict(ui, &texts.say_with("seed-is", &values), GOOD);
+            }
+            Err(error) => verdict(ui, &error.say(texts), BAD),
         }
         field
     }
 
-    fn radius_slider(&mut self, ui: &mut Ui) -> Response {
-        let label = ui.label("Radius of the world");
+    fn radius_slider(&mut self, ui: &mut Ui, texts: &Texts) -> Response {
+        let label = ui.label(texts.say("radius"));
         // Rail and number stand on one line.
         ui.spacing_mut().slider_width = (ui.available_width() - 88.0).clamp(24.0, 320.0);
         let slider = Slider::new(&mut self.radius_m, RADIUS_M)
@@ -164,8 +177,8 @@ impl NewGameForm {
         response
     }
 
-    fn cards(&mut self, ui: &mut Ui, stops: &mut Stops) {
-        ui.label("Space");
+    fn cards(&mut self, ui: &mut Ui, texts: &Texts, stops: &mut Stops) {
+        ui.label(texts.say("space"));
         let across = ui.available_width() >= 480.0;
         let width = if across {
             (ui.available_width() - 2.0 * GRID) / 3.0
@@ -173,13 +186,13 @@ impl NewGameForm {
             ui.available_width()
         };
         let height = GeometryChoice::ALL
-            .map(|choice| card_height(ui, choice, width, across))
+            .map(|choice| card_height(ui, &choice.description(texts), width, across))
             .into_iter()
             .fold(0.0, f32::max);
         let size = vec2(width, height);
         let mut draw = |ui: &mut Ui| {
             for choice in GeometryChoice::ALL {
-                let response = card(ui, choice, self.geometry == choice, size, across);
+                let response = card(ui, texts, choice, self.geometry == choice, size, across);
                 stops.add(&response);
                 if response.clicked() {
                     self.geometry = choice;
@@ -225,11 +238,11 @@ fn card_wrap(width: f32, across: bool) -> f32 {
     (width - 24.0 - beside).max(1.0)
 }
 
-fn card_height(ui: &Ui, choice: GeometryChoice, width: f32, across: bool) -> f32 {
+fn card_height(ui: &Ui, description: &str, width: f32, across: bool) -> f32 {
     let words = ui
         .painter()
         .layout(
-            choice.description().to_owned(),
+            description.to_owned(),
             small(),
             WEAK,
             card_wrap(width, across),
@@ -246,13 +259,15 @@ fn card_height(ui: &Ui, choice: GeometryChoice, width: f32, across: bool) -> f32
 
 fn card(
     ui: &mut Ui,
+    texts: &Texts,
     choice: GeometryChoice,
     chosen: bool,
     size: egui::Vec2,
     across: bool,
 ) -> Response {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, choice.label()));
+    let label = choice.label(texts);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, &label));
     paint_card(ui, &response, chosen);
     let painter = ui.painter().with_clip_rect(ui.clip_rect().intersect(rect));
     let corner = rect.min + vec2(12.0, 10.0);
@@ -268,12 +283,12 @@ fn card(
     painter.text(
         words,
         Align2::LEFT_TOP,
-        choice.label(),
+        label,
         FontId::proportional(16.0),
         TEXT,
     );
     let wrap = card_wrap(size.x, across);
-    let text = painter.layout(choice.description().to_owned(), small(), WEAK, wrap);
+    let text = painter.layout(choice.description(texts), small(), WEAK, wrap);
     painter.galley(words + vec2(0.0, 22.0), text, WEAK);
     response
 }

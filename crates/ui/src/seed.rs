@@ -1,12 +1,13 @@
 //! From what the player types as a seed to the number: digits are taken as they
 //! are, words are hashed so that the same words make the same world everywhere.
 
+use antipode_language::Texts;
 use thiserror::Error;
 
 /// The longest seed text, in characters.
 const LONGEST: usize = 64;
 
-/// Why a text cannot be a seed; each message is shown as it is.
+/// Why a text cannot be a seed; its text is English, [`SeedError::say`] the player's.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum SeedError {
     /// A number beyond 64 bits.
@@ -21,6 +22,18 @@ pub enum SeedError {
     /// Something that cannot be seen or typed again.
     #[error("Only printable characters, please.")]
     Unprintable,
+}
+
+impl SeedError {
+    /// The reason in the player's language.
+    pub fn say(self, texts: &Texts) -> String {
+        texts.say(match self {
+            Self::TooLarge => "seed-too-large",
+            Self::NotWhole => "seed-not-whole",
+            Self::TooLong => "seed-too-long",
+            Self::Unprintable => "seed-unprintable",
+        })
+    }
 }
 
 /// The seed that `text` stands for; `None` when it is blank (a random one).

@@ -1,13 +1,17 @@
 //! The menus' state: which screen is up, where Esc leads, who gets the focus.
 
+use antipode_settings::Input;
 use egui::{Context, Event, Id, Key, LayerId, Ui, UiBuilder};
 
+use crate::controls::ControlsScreen;
 use crate::layout::Regions;
 use crate::model::{Intent, MenuModel, Screen, ToastKind};
 use crate::new_game::NewGameForm;
+use crate::settings::SettingsScreen;
 use crate::theme::SCRIM;
 use crate::toasts::Toasts;
-use crate::{backdrop, column, controls, dialog, worlds};
+use crate::worlds::WorldScreens;
+use crate::{backdrop, column, dialog};
 
 /// The menus. It starts on the main menu.
 ///
@@ -20,8 +24,10 @@ pub struct Shell {
     /// progress nor a message.
     behind: Screen,
     form: NewGameForm,
-    /// The world (slug, name) whose deletion is being asked about.
-    confirming: Option<(String, String)>,
+    /// What is up on the screens about worlds.
+    worlds: WorldScreens,
+    settings: SettingsScreen,
+    controls: ControlsScreen,
     toasts: Toasts,
     /// The next widget that is first on its screen takes the focus.
     focus_first: bool,
@@ -63,7 +69,9 @@ impl Shell {
             screen: Screen::Main,
             behind: Screen::Main,
             form: NewGameForm::default(),
-            confirming: None,
+            worlds: WorldScreens::default(),
+            settings: SettingsScreen::default(),
+            controls: ControlsScreen::default(),
             toasts: Toasts::default(),
             focus_first: true,
             by_keyboard: true,
@@ -102,7 +110,12 @@ impl Shell {
     /// `running`; from the world into the pause menu. Work in progress stays.
     pub fn escape(&mut self, running: bool) {
         self.by_keyboard = true;
-        if self.confirming.take().is_some() {
+        let back = match self.screen {
+            Screen::Settings => self.settings.back(),
+            Screen::Controls => self.controls.back(),
+            _ => self.worlds.back(),
+        };
+        if back {
             self.focus_first = true;
             return;
         }
@@ -114,11 +127,28 @@ impl Shell {
             }
             Screen::Main if running => self.switch(Screen::Hidden),
             Screen::Main => self.focus_first = true,
-            Screen::Hidden | Screen::NewGame | Screen::Load | Screen::Delete | Screen::Controls => {
+            Screen::Hidden
+            | Screen::NewGame
+            | Screen::Load
+            | Screen::Delete
+            | Screen::Settings
+            | Screen::Controls => {
                 self.switch(Screen::Main);
                 self.focus_first = true;
             }
         }
+    }
+
+    /// Whether the player has been asked to press something for an action: the next key, button or notch goes to
+    /// [`Shell::take_input`] and nowhere else. Esc goes to [`Shell::escape`] as ever, and cancels.
+    pub fn wants_input(&self) -> bool {
+        self.screen == Screen::Controls && self.controls.is_waiting()
+    }
+
+    /// Takes what the player has pressed for an action.
+    pub fn take_input(&mut self, input: Input) {
+        self.by_keyboard = true;
+        self.controls.take(input);
     }
 
     /// Puts a line up for some seconds, over whatever is on the screen.
@@ -162,14 +192,8 @@ impl Shell {
     }
 
     fn draw(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) {
-        if let Some((slug, name)) = &self.confirming {
-            if let Some(sure) = dialog::confirm_delete(ui, pass, name) {
-                if sure {
-                    pass.intents.push(Intent::Delete { slug: slug.clone() });
-                }
-                self.confirming = None;
-                self.focus_first = self.by_keyboard;
-            }
+        if let Some(answered) = self.worlds.ask(ui, pass) {
+            self.focus_first |= answered && self.by_keyboard;
             return;
         }
         match &self.screen {
@@ -189,18 +213,22 @@ impl Shell {
         if pass.regions.wide || self.screen == Screen::Main {
             column::show(ui, pass, &self.screen);
         }
-        match &self.screen {
-            Screen::NewGame => self.form.show(ui, pass),
-            Screen::Load => worlds::load(ui, pass),
-            Screen::Delete => {
-                if let Some(asked) = worlds::delete(ui, pass) {
-                    self.confirming = Some(asked);
-                    self.focus_first = true;
-                }
+        let turned = match &self.screen {
+            Screen::Load => self.worlds.load(ui, pass),
+            Screen::Delete => self.worlds.delete(ui, pass),
+            Screen::Controls => self.controls.show(ui, pass),
+            Screen::NewGame => {
+                self.form.show(ui, pass);
+                false
             }
-            Screen::Controls => controls::show(ui, pass),
-            _ => {}
-        }
+            Screen::Settings => {
+                self.settings.show(ui, pass);
+                false
+            }
+            _ => false,
+        };
+        // Something else is up on the same screen from the next frame on.
+        self.focus_first |= turned;
     }
 
     /// Carries out what the screens asked for. Screens change between frames
@@ -229,7 +257,9 @@ impl Shell {
         if !passing {
             self.behind = self.screen.clone();
         }
-        self.confirming = None;
+        self.worlds.reset();
+        self.settings = SettingsScreen::default();
+        self.controls.reset();
         self.screen = screen;
     }
 

@@ -6,6 +6,8 @@ use egui::{
     TextStyle, Theme, vec2,
 };
 
+use crate::fonts;
+
 /// The one accent: warm orange, as the lamps.
 pub(crate) const ACCENT: Color32 = Color32::from_rgb(0xF2, 0x99, 0x4A);
 /// The accent where it lies behind text.
@@ -36,8 +38,12 @@ pub(crate) const GRID: f32 = 8.0;
 /// Rounding of every corner, in points.
 pub(crate) const ROUNDING: u8 = 8;
 
+/// Time in which buttons and scrolling come to rest, in seconds.
+pub(crate) const ANIMATION_S: f32 = 0.08;
+
 /// Gives `ctx` the game's look; call once, before the first frame.
 pub fn apply_theme(ctx: &Context) {
+    fonts::add(ctx);
     ctx.set_theme(Theme::Dark);
     ctx.all_styles_mut(style);
     // A button acts on release however long it was held; at ten frames a second a click is easily long.
@@ -78,7 +84,7 @@ fn style(style: &mut Style) {
     style.spacing.slider_rail_height = 6.0;
     style.spacing.scroll = egui::style::ScrollStyle::solid();
     style.interaction.selectable_labels = false;
-    style.animation_time = 0.08;
+    style.animation_time = ANIMATION_S;
     visuals(&mut style.visuals);
 }
 

@@ -1,14 +1,9 @@
-//! The few widgets egui has not: menu buttons with a focus ring, and the row of
-//! a world.
+//! The few widgets egui has not: menu buttons with a focus ring.
 
 use egui::text::LayoutJob;
-use egui::{
-    Button, Color32, FontId, Response, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    vec2,
-};
+use egui::{Button, Color32, FontId, Response, RichText, Stroke, StrokeKind, Ui, vec2};
 
-use crate::model::WorldRow;
-use crate::theme::{ACCENT, BAD, FOCUS, ON_ACCENT, ROUNDING, TEXT, WEAK, small};
+use crate::theme::{ACCENT, FOCUS, ON_ACCENT, ROUNDING};
 
 /// Draws the ring round what has the focus, and brings it into view when it
 /// has just got it.
@@ -72,52 +67,4 @@ pub(crate) fn paint_card(ui: &Ui, response: &Response, chosen: bool) {
         StrokeKind::Inside,
     );
     focus_ring(ui, response);
-}
-
-/// One world as one wide button, called "`verb` “name”" by screen readers.
-/// `remark` is a line more, in words; `bad` colours it as a problem.
-pub(crate) fn world_row(
-    ui: &mut Ui,
-    row: &WorldRow,
-    verb: &str,
-    remark: Option<&str>,
-    bad: bool,
-) -> Response {
-    let width = ui.available_width();
-    let inner = (width - 24.0).max(1.0);
-    let painter = ui.painter().clone();
-    let mut lines =
-        vec![painter.layout_job(one_line(&row.name, FontId::proportional(16.0), TEXT, inner))];
-    let facts = [
-        row.geometry.as_str(),
-        &format!("played {}", row.played),
-        &row.last_played,
-        &row.size,
-    ]
-    .iter()
-    .filter(|fact| !fact.is_empty())
-    .copied()
-    .collect::<Vec<_>>()
-    .join("  ·  ");
-    lines.push(painter.layout(facts, small(), WEAK, inner));
-    if let Some(remark) = remark {
-        let colour = if bad { BAD } else { ACCENT };
-        lines.push(painter.layout(remark.to_owned(), small(), colour, inner));
-    }
-    let height = lines.iter().map(|line| line.size().y + 2.0).sum::<f32>() + 14.0;
-    let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
-    let label = format!("{verb} “{}”", row.name);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &label));
-    if ui.is_rect_visible(rect) {
-        paint_card(ui, &response, false);
-        let mut at = rect.min + vec2(12.0, 8.0);
-        for line in lines {
-            let step = line.size().y + 2.0;
-            painter.galley(at, line, TEXT);
-            at.y += step;
-        }
-    } else {
-        focus_ring(ui, &response);
-    }
-    response
 }

@@ -1,26 +1,148 @@
-//! The Load and Delete screens: every world as a row, newest first.
+//! The screens about saved worlds: the list, one world's page, what is asked before one
+//! is deleted, and worlds brought in from files.
+
+mod field;
+mod import;
+mod list;
+mod model;
+mod page;
+mod picture;
+mod question;
 
 use egui::Ui;
 
-use crate::layout::{Stops, pane};
-use crate::model::{Intent, Screen, WorldRow};
+use crate::model::{Intent, MenuModel, Screen, WorldRow};
 use crate::shell::Pass;
-use crate::widgets::{button, world_row};
+use list::Choice;
+use page::Page;
 
-/// Why the world being played cannot be deleted.
-const RUNNING: &str = "This world is running. Save and quit to the menu first, then delete it.";
+pub use model::{ArchiveRow, WorldFiles, WorldsIntent};
 
-/// Draws the list of worlds to load.
-pub(crate) fn load(ui: &mut Ui, pass: &mut Pass<'_>) {
-    let Some(row) = list(ui, pass, "Load", load_remark) else {
-        return;
-    };
+/// What is up on the screens about worlds, beside which screen it is.
+#[derive(Default)]
+pub(crate) struct WorldScreens {
+    /// The page of one world, on the screen Load.
+    page: Option<Page>,
+    /// The form for a world from a file, on the screen Load.
+    import: Option<import::Form>,
+    /// The directory of the world whose deletion is being asked about.
+    doomed: Option<String>,
+}
+
+impl WorldScreens {
+    /// Back to the plain lists.
+    pub(crate) fn reset(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Esc: one level back within these screens; false if there is none.
+    pub(crate) fn back(&mut self) -> bool {
+        self.doomed.take().is_some()
+            || self.page.as_mut().is_some_and(Page::back)
+            || self.page.take().is_some()
+            || self.import.take().is_some()
+    }
+
+    /// Draws the question before a world is deleted, and says whether it was answered;
+    /// `None` if nothing is being asked.
+    pub(crate) fn ask(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> Option<bool> {
+        let slug = self.doomed.clone()?;
+        // Deleted elsewhere meanwhile: nothing is left to ask.
+        let Some(row) = find(pass.model, &slug) else {
+            self.doomed = None;
+            return None;
+        };
+        let Some(sure) = question::show(ui, pass, row) else {
+            return Some(false);
+        };
+        self.doomed = None;
+        if sure {
+            pass.intents.push(Intent::Delete { slug });
+            self.page = None;
+        }
+        Some(true)
+    }
+
+    /// Draws the screen Load. True if something else is up from the next frame on.
+    pub(crate) fn load(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> bool {
+        import::take_dropped(ui, pass);
+        let row = self
+            .page
+            .as_ref()
+            .and_then(|page| find(pass.model, page.slug()));
+        if let (Some(page), Some(row)) = (&mut self.page, row) {
+            return match page.show(ui, pass, row) {
+                page::Turn::Stay => false,
+                page::Turn::Redraw => true,
+                page::Turn::Delete => {
+                    self.doomed = Some(row.slug.clone());
+                    true
+                }
+                page::Turn::Back => {
+                    self.page = None;
+                    true
+                }
+            };
+        }
+        self.page = None;
+        if let Some(form) = &mut self.import {
+            let done = form.show(ui, pass);
+            if done {
+                self.import = None;
+            }
+            return done;
+        }
+        match list::show(ui, pass, list::Purpose::Load) {
+            Some(Choice::Row(row)) => {
+                enter(pass, row);
+                false
+            }
+            Some(Choice::Manage(row)) => {
+                self.page = Some(Page::new(&row.slug));
+                look_at(pass, &row.slug);
+                true
+            }
+            Some(Choice::Import) => {
+                self.import = Some(import::Form::default());
+                pass.intents
+                    .push(Intent::Worlds(WorldsIntent::FindArchives));
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// Draws the screen Delete. True if something else is up from the next frame on.
+    pub(crate) fn delete(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) -> bool {
+        let Some(Choice::Row(row)) = list::show(ui, pass, list::Purpose::Delete) else {
+            return false;
+        };
+        if row.running {
+            let values = [("name", row.name.as_str().into())];
+            let texts = pass.model.texts;
+            pass.go = Some(Screen::Message {
+                title: texts.say_with("worlds-cannot-delete-title", &values),
+                text: texts.say("worlds-running-no-delete"),
+            });
+            return false;
+        }
+        self.doomed = Some(row.slug.clone());
+        look_at(pass, &row.slug);
+        true
+    }
+}
+
+/// Goes into a world, or says why that cannot be.
+fn enter(pass: &mut Pass<'_>, row: &WorldRow) {
     if row.running {
         pass.intents.push(Intent::Resume);
     } else if let Some(problem) = &row.problem {
-        let title = format!("“{}” cannot be loaded", row.name);
+        let values = [("name", row.name.as_str().into())];
         pass.go = Some(Screen::Message {
-            title,
+            title: pass
+                .model
+                .texts
+                .say_with("worlds-cannot-load-title", &values),
             text: problem.clone(),
         });
     } else {
@@ -30,77 +152,44 @@ pub(crate) fn load(ui: &mut Ui, pass: &mut Pass<'_>) {
     }
 }
 
-/// Draws the list of worlds to delete; returns the slug and name of the one
-/// whose deletion should be asked about.
-pub(crate) fn delete(ui: &mut Ui, pass: &mut Pass<'_>) -> Option<(String, String)> {
-    let row = list(ui, pass, "Delete", delete_remark)?;
-    if row.running {
-        let title = format!("“{}” cannot be deleted now", row.name);
-        pass.go = Some(Screen::Message {
-            title,
-            text: RUNNING.to_owned(),
-        });
-        return None;
-    }
-    Some((row.slug.clone(), row.name.clone()))
+/// Asks for what only opening a world tells.
+fn look_at(pass: &mut Pass<'_>, slug: &str) {
+    pass.intents.push(Intent::Worlds(WorldsIntent::LookAt {
+        slug: slug.to_owned(),
+    }));
 }
 
-/// A line under a row, and whether it tells of something bad.
-type Remark<'a> = (Option<&'a str>, bool);
-
-fn load_remark(row: &WorldRow) -> Remark<'_> {
-    match &row.problem {
-        _ if row.running => (Some("Running now"), false),
-        Some(problem) => (Some(problem), true),
-        None => (None, false),
-    }
+fn find<'a>(model: &MenuModel<'a>, slug: &str) -> Option<&'a WorldRow> {
+    model.worlds.iter().find(|row| row.slug == slug)
 }
 
-fn delete_remark(row: &WorldRow) -> Remark<'_> {
-    if row.running {
-        (Some(RUNNING), true)
-    } else {
-        load_remark(row)
-    }
+/// A world's facts in one line, those that are known.
+fn facts(pass: &Pass<'_>, row: &WorldRow) -> String {
+    let played = [("time", row.played.as_str().into())];
+    let facts = [
+        row.geometry.clone(),
+        if row.played.is_empty() {
+            String::new()
+        } else {
+            pass.model.texts.say_with("worlds-played", &played)
+        },
+        row.last_played.clone(),
+        row.size.clone(),
+        if row.cheated {
+            pass.model.texts.say("cheats-used")
+        } else {
+            String::new()
+        },
+    ];
+    let known: Vec<_> = facts.into_iter().filter(|fact| !fact.is_empty()).collect();
+    known.join("  ·  ")
 }
 
-/// The list itself; returns the row that was chosen.
-fn list<'a>(
-    ui: &mut Ui,
-    pass: &mut Pass<'a>,
-    verb: &str,
-    remark: fn(&WorldRow) -> Remark<'_>,
-) -> Option<&'a WorldRow> {
-    let worlds = pass.model.worlds;
-    let regions = pass.regions;
-    let mut chosen = None;
-    let mut back = None;
-    let body = |ui: &mut Ui, stops: &mut Stops| {
-        if worlds.is_empty() {
-            ui.label("There are no worlds yet. New Game makes one.");
-        }
-        for row in worlds {
-            let (words, bad) = remark(row);
-            let response = ui
-                .push_id(&row.slug, |ui| world_row(ui, row, verb, words, bad))
-                .inner;
-            stops.add(&response);
-            pass.offer_focus(&response);
-            if response.clicked() {
-                chosen = Some(row);
-            }
-        }
-    };
-    pane(ui, regions.pane, verb, body, |ui| {
-        back = Some(button(ui, "Back"));
-    });
-    if let Some(back) = back {
-        if worlds.is_empty() {
-            pass.offer_focus(&back);
-        }
-        if back.clicked() {
-            pass.go = Some(Screen::Main);
-        }
+/// How much of a world was changed by hand.
+fn edits(pass: &Pass<'_>, row: &WorldRow) -> String {
+    let texts = pass.model.texts;
+    match row.edits {
+        Some(count) => texts.say_with("worlds-edits", &[("count", count.into())]),
+        None => texts.say("worlds-edits-unknown"),
     }
-    chosen
 }

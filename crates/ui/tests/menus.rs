@@ -9,7 +9,7 @@
 mod common;
 
 use antipode_ui::{Intent, Screen, ToastKind};
-use common::{Game, bindings, click, focused, intents, painted, press, window, world};
+use common::{Game, click, decisions, focused, intents, painted, press, window, world};
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -107,7 +107,7 @@ fn escape_goes_one_level_back_and_out_of_the_pause_menu() {
         &Screen::Main,
         "without a world there is nothing to go back to"
     );
-    assert_eq!(intents(&mut harness), []);
+    assert_eq!(decisions(&mut harness), []);
 }
 
 #[test]
@@ -271,11 +271,11 @@ fn deleting_asks_first() {
     harness.get_by_label("This cannot be undone.");
     assert_eq!(focused(&harness), "Keep");
     press(&mut harness, Key::Enter);
-    assert_eq!(intents(&mut harness), []);
+    assert_eq!(decisions(&mut harness), []);
     click(&mut harness, "Delete “World 1”");
     click(&mut harness, "Delete");
     let slug = "world-1".to_owned();
-    assert_eq!(intents(&mut harness), [Intent::Delete { slug }]);
+    assert_eq!(decisions(&mut harness), [Intent::Delete { slug }]);
     assert_eq!(screen(&harness), &Screen::Delete);
 }
 
@@ -289,25 +289,6 @@ fn the_running_world_cannot_be_deleted() {
     click(&mut harness, "OK");
     assert_eq!(screen(&harness), &Screen::Delete);
     assert_eq!(intents(&mut harness), [Intent::DismissMessage]);
-}
-
-#[test]
-fn controls_list_every_binding_under_its_group() {
-    let mut game = Game::new();
-    game.bindings = bindings();
-    let mut harness = common::harness(game, vec2(640.0, 360.0));
-    click(&mut harness, "Controls");
-    for binding in bindings() {
-        harness.get_by_label(&format!("{}: {}", binding.action, binding.keys));
-        harness.get_by_label(&binding.group);
-    }
-    let last = "Action number 39: Key39 or MouseButton39";
-    harness.get_by_label(last).focus();
-    harness.run();
-    assert!(
-        harness.get_by_label(last).rect().max.y < 360.0,
-        "the focus brings a line into view"
-    );
 }
 
 #[test]

@@ -146,7 +146,7 @@ fn arrows_and_enter_alone_reach_every_part() {
         assert!(
             GeometryChoice::ALL
                 .iter()
-                .any(|choice| choice.label() == card),
+                .any(|choice| choice.label(&harness.state().texts) == card),
             "{card} at {size}"
         );
         press(&mut harness, Key::ArrowUp);

@@ -8,11 +8,12 @@
 
 mod common;
 
+use antipode_language::{Language, Texts};
 use antipode_ui::{
     CurvatureView, DialKind, FigureModel, HudModel, Screen, SlotIcon, SlotView, ToastKind,
     apply_theme, show_hud,
 };
-use common::{Game, bindings, painted, world};
+use common::{Game, painted, world};
 use egui::{Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 
@@ -38,6 +39,7 @@ fn screens() -> Vec<Screen> {
         Screen::NewGame,
         Screen::Load,
         Screen::Delete,
+        Screen::Settings,
         Screen::Controls,
         Screen::Busy {
             title: "Loading Ωμέγα".to_owned(),
@@ -55,14 +57,18 @@ fn screens() -> Vec<Screen> {
 }
 
 fn crowded(running: bool) -> Game {
+    crowded_in(Language::English, running)
+}
+
+fn crowded_in(language: Language, running: bool) -> Game {
     let mut game = Game::new();
+    game.texts = Texts::new(language);
     game.worlds = (0..50).map(world).collect();
     game.worlds[0].name = "Ж".repeat(40);
     game.worlds[1].name = "界".repeat(40);
     game.worlds[2].name = "W".repeat(40);
     game.worlds[2].problem = Some("Its file ends too early. ".repeat(6));
     game.worlds[3].running = running;
-    game.bindings = bindings();
     game.running = running.then(|| "👩‍🚀".repeat(40));
     game
 }
@@ -83,14 +89,14 @@ fn no_size_makes_any_screen_panic() {
 }
 
 #[test]
-fn no_words_are_cut_off_sideways() {
-    for size in SIZES {
+fn no_words_are_cut_off_sideways_in_any_language() {
+    for (language, size) in everywhere(&SIZES) {
         let window = Rect::from_min_size(Pos2::ZERO, size);
         for (screen, running) in screens()
             .into_iter()
             .flat_map(|screen| [(screen.clone(), false), (screen, true)])
         {
-            let mut game = crowded(running);
+            let mut game = crowded_in(language, running);
             game.shell.open(screen.clone());
             let mut harness = common::harness(game, size);
             harness.run_ok();
@@ -113,13 +119,25 @@ fn no_words_are_cut_off_sideways() {
 
 #[test]
 fn the_main_menu_needs_no_scrolling_at_640_by_360() {
-    let mut harness = common::harness(crowded(true), vec2(640.0, 360.0));
-    harness.run();
-    let quit = painted(harness.output())
-        .into_iter()
-        .find(|text| text.text == "Quit")
-        .unwrap();
-    assert!(quit.rect.max.y < 356.0, "{:?}", quit.rect);
+    for language in Language::ALL {
+        let label = Texts::new(language).say("menu-quit");
+        let mut harness = common::harness(crowded_in(language, true), vec2(640.0, 360.0));
+        harness.run();
+        let texts = painted(harness.output()).into_iter();
+        let lowest = texts
+            .filter(|text| text.text == label)
+            .map(|text| text.rect.max.y);
+        let lowest = lowest.fold(f32::NAN, f32::max);
+        assert!(lowest < 356.0, "“{label}” ends at {lowest}");
+    }
+}
+
+/// Every language with every one of these sizes.
+fn everywhere(sizes: &[Vec2]) -> Vec<(Language, Vec2)> {
+    let languages = Language::ALL.into_iter();
+    languages
+        .flat_map(|language| sizes.iter().map(move |size| (language, *size)))
+        .collect()
 }
 
 fn pickaxe(label: &str, icon: SlotIcon) -> SlotView {
@@ -155,6 +173,7 @@ fn full_hud() -> HudModel {
         loading: Some(0.43),
         time_label: "12:40".to_owned(),
         notice: Some("You are near the edge of the loaded land.".to_owned()),
+        cheated: true,
         figures: None,
     }
 }
@@ -183,10 +202,18 @@ fn measured_hud() -> HudModel {
 }
 
 fn hud(model: HudModel, size: Vec2) -> Harness<'static, HudModel> {
+    hud_in(Language::English, model, size)
+}
+
+fn hud_in(language: Language, model: HudModel, size: Vec2) -> Harness<'static, HudModel> {
+    let texts = Texts::new(language);
     let mut harness = Harness::builder()
         .with_size(size)
         .with_context_setup(apply_theme)
-        .build_ui_state(|ui, model: &mut HudModel| show_hud(ui.ctx(), model), model);
+        .build_ui_state(
+            move |ui, model: &mut HudModel| show_hud(ui.ctx(), &texts, model),
+            model,
+        );
     harness.run();
     harness
 }
@@ -280,24 +307,24 @@ fn the_display_leaves_out_what_a_world_has_not() {
 }
 
 #[test]
-fn the_display_neither_overlaps_nor_leaves_the_screen() {
-    for size in [
+fn the_display_neither_overlaps_nor_leaves_the_screen_in_any_language() {
+    for (language, size) in everywhere(&[
         vec2(640.0, 360.0),
         vec2(427.0, 240.0),
         vec2(1280.0, 720.0),
         vec2(800.0, 600.0),
-    ] {
+    ]) {
         for model in [full_hud(), measured_hud()] {
             if model.figures.is_some() && size.y < 300.0 {
                 continue;
             }
-            neither_overlaps_nor_leaves(model, size);
+            neither_overlaps_nor_leaves(language, model, size);
         }
     }
 }
 
-fn neither_overlaps_nor_leaves(model: HudModel, size: Vec2) {
-    let harness = hud(model, size);
+fn neither_overlaps_nor_leaves(language: Language, model: HudModel, size: Vec2) {
+    let harness = hud_in(language, model, size);
     let texts = painted(harness.output());
     let window = Rect::from_min_size(Pos2::ZERO, size);
     for (index, text) in texts.iter().enumerate() {

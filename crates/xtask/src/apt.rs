@@ -82,7 +82,7 @@ mod tests {
         assert!(
             error
                 .to_string()
-                .contains("apt-get install libvulkan1 mesa-vulkan-drivers")
+                .contains("apt-get install pkg-config libasound2-dev libudev-dev libvulkan1")
         );
     }
 

@@ -5,7 +5,9 @@
 
 mod apt;
 mod display;
+mod dist;
 mod error;
+mod licences;
 mod machine;
 mod packages;
 mod steps;
@@ -25,6 +27,7 @@ cargo xtask test [--no-install] [FILTER]                  install what is missin
 cargo xtask ci [--no-install]                             format, lints, docs, laboratory, every bench once, every test
 cargo xtask bench [FILTER]                                measure every bench
 cargo xtask lab                                           measure everything, and remake docs/accuracy.md and docs/terrain.md
+cargo xtask dist                                          an archive and a Debian package of the game, in target/dist
 cargo xtask packages                                      system packages: what for, and whether they are here
 
 --no-install names the missing packages and goes on without them.
@@ -61,6 +64,13 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             provide(Purpose::Test, options.install)?;
             steps::lab().map(|()| 0)
         }
+        "dist" if options.rest.is_empty() => {
+            provide(Purpose::Play(Session::current()), options.install)?;
+            for made in dist::dist()? {
+                println!("{}", made.display());
+            }
+            Ok(0)
+        }
         "packages" if options.rest.is_empty() => {
             print!("{}", packages::inventory(&Machine::look()));
             Ok(0)
@@ -69,7 +79,7 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             println!("{USAGE}");
             Ok(0)
         }
-        "ci" | "lab" | "packages" => Err(Error::Usage(format!(
+        "ci" | "lab" | "dist" | "packages" => Err(Error::Usage(format!(
             "`{command}` does not know `{}`",
             options.rest.join(" ")
         ))),
@@ -113,19 +123,32 @@ impl Options {
 fn play(options: &Options) -> Result<u8, Error> {
     let session = Session::current();
     provide(Purpose::Play(session), options.install)?;
+    let features = features();
+    let features = features.as_deref();
     if session.has_display() || !options.rest.is_empty() {
-        return steps::game(&options.rest);
+        return steps::game(&options.rest, features);
     }
     eprintln!(
         "xtask: there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set), so the tour is played offscreen"
     );
     // The whole path, because the game says where the pictures are.
     let pictures = steps::root().join("tour");
-    steps::game(&[
+    let tour = [
         OsStr::new("tour"),
         OsStr::new("--out"),
         pictures.as_os_str(),
-    ])
+    ];
+    steps::game(&tour, features)
+}
+
+/// The features the game is built with, where that is not all of them: what lacks its library is left out.
+fn features() -> Option<Vec<&'static str>> {
+    if !cfg!(target_os = "linux") {
+        return None;
+    }
+    let (with, without) = packages::reduced_features(&Machine::look())?;
+    eprintln!("xtask: the game is built without {}", without.join(" and "));
+    Some(with)
 }
 
 /// Sees to the system packages, or says what they are.

@@ -1,7 +1,9 @@
 //! The system packages that the game and its tests need, and which are missing.
 //!
-//! The game loads all of these libraries at run time, so it builds without any
-//! of them; only a C linker has to be there, and Rust itself needed that.
+//! The game loads the libraries of graphics and windows at run time and builds
+//! without any of them. Only those of sound and gamepads have to be there when it
+//! is built; where they cannot be had, the game is built without the one or the
+//! other.
 
 use std::fmt::Write as _;
 
@@ -36,6 +38,19 @@ pub enum Purpose {
     /// Every test, the ones that click in a window included.
     Test,
 }
+
+const BUILD: [Package; 3] = [
+    program(
+        "pkg-config",
+        "pkg-config",
+        "finds the next two when the game is built",
+    ),
+    library("libasound2-dev", "libasound.so", "sound (feature `sound`)"),
+    library("libudev-dev", "libudev.so", "gamepads (feature `gamepad`)"),
+];
+
+/// The features of the game that need a library when it is built, and its file.
+const FEATURES: [(&str, &str); 2] = [("sound", "libasound.so"), ("gamepad", "libudev.so")];
 
 const VULKAN: [Package; 2] = [
     library("libvulkan1", "libvulkan.so.1", "finds the graphics driver"),
@@ -117,7 +132,7 @@ fn needed(purpose: Purpose) -> Vec<&'static Package> {
         Purpose::Play(session) => (session.x11, session.wayland, false),
         Purpose::Test => (true, false, true),
     };
-    let mut packages: Vec<_> = VULKAN.iter().collect();
+    let mut packages: Vec<_> = BUILD.iter().chain(&VULKAN).collect();
     packages.extend(X11.iter().filter(|_| x11));
     packages.extend(WAYLAND.iter().filter(|_| wayland));
     packages.extend(TESTING.iter().filter(|_| testing));
@@ -144,6 +159,23 @@ pub fn missing(purpose: Purpose, machine: &Machine) -> Vec<&'static Package> {
         .collect()
 }
 
+/// The features that the game can be built with here, where that is not all of
+/// them, and those it has to be built without.
+pub fn reduced_features(machine: &Machine) -> Option<(Vec<&'static str>, Vec<&'static str>)> {
+    let is_there = |file: &str| {
+        let package = BUILD
+            .iter()
+            .find(|package| matches!(package.sign, Sign::Library(f) if f == file));
+        package.is_some_and(|package| is_present(package, machine))
+            && is_present(&BUILD[0], machine)
+    };
+    let (with, without): (Vec<_>, Vec<_>) = FEATURES.iter().partition(|(_, file)| is_there(file));
+    let names = |features: Vec<&(&'static str, &str)>| {
+        features.into_iter().map(|(name, _)| *name).collect()
+    };
+    (!without.is_empty()).then(|| (names(with), names(without)))
+}
+
 /// Says what is missing and why, one line for each package.
 pub fn listing(missing: &[&Package], purpose: Purpose) -> String {
     let what = match purpose {
@@ -164,6 +196,7 @@ pub fn listing(missing: &[&Package], purpose: Purpose) -> String {
 pub fn inventory(machine: &Machine) -> String {
     let mut text = String::new();
     for (heading, packages) in [
+        ("Building", BUILD.as_slice()),
         ("Graphics", VULKAN.as_slice()),
         ("A window on X11", X11.as_slice()),
         ("A window on Wayland", WAYLAND.as_slice()),
@@ -221,13 +254,54 @@ mod tests {
         names.iter().map(|name| (*name).to_owned()).collect()
     }
 
+    /// What a machine has on which the game was built.
+    fn built() -> Machine {
+        Machine {
+            libraries: set(&["libasound.so", "libudev.so"]),
+            programs: set(&["pkg-config"]),
+            ..Machine::default()
+        }
+    }
+
     #[test]
-    fn without_a_display_only_graphics_are_needed() {
+    fn without_a_display_only_building_and_graphics_are_needed() {
         let bare = Machine::default();
         assert_eq!(
             names(&missing(Purpose::Play(HEADLESS), &bare)),
-            ["libvulkan1", "mesa-vulkan-drivers"]
+            [
+                "pkg-config",
+                "libasound2-dev",
+                "libudev-dev",
+                "libvulkan1",
+                "mesa-vulkan-drivers"
+            ]
         );
+    }
+
+    #[test]
+    fn a_library_that_cannot_be_had_costs_its_own_feature_alone() {
+        assert_eq!(reduced_features(&built()), None);
+        let without_sound = Machine {
+            libraries: set(&["libudev.so"]),
+            ..built()
+        };
+        assert_eq!(
+            reduced_features(&without_sound),
+            Some((vec!["gamepad"], vec!["sound"]))
+        );
+        let bare = Machine::default();
+        assert_eq!(
+            reduced_features(&bare),
+            Some((vec![], vec!["sound", "gamepad"]))
+        );
+    }
+
+    #[test]
+    fn every_feature_that_needs_a_library_is_one_of_the_game() {
+        let manifest = include_str!("../../app/Cargo.toml");
+        for (feature, _) in FEATURES {
+            assert!(manifest.contains(&format!("\n{feature} = [")), "{feature}");
+        }
     }
 
     #[test]
@@ -270,12 +344,12 @@ mod tests {
     #[test]
     fn a_library_counts_by_its_file_or_by_its_package() {
         let by_file = Machine {
-            libraries: set(&["libvulkan.so.1"]),
-            ..Machine::default()
+            libraries: set(&["libvulkan.so.1", "libasound.so", "libudev.so"]),
+            ..built()
         };
         let by_package = Machine {
             debian_packages: set(&["libvulkan1"]),
-            ..Machine::default()
+            ..built()
         };
         for machine in [by_file, by_package] {
             assert_eq!(
@@ -288,7 +362,8 @@ mod tests {
     #[test]
     fn mesa_is_left_out_where_a_card_has_its_driver() {
         let machine = Machine {
-            libraries: set(&["libvulkan.so.1"]),
+            libraries: set(&["libvulkan.so.1", "libasound.so", "libudev.so"]),
+            programs: set(&["pkg-config"]),
             vulkan_manifests: set(&["nvidia_icd.json"]),
             graphics_devices: set(&["nvidiactl"]),
             ..Machine::default()

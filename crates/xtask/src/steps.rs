@@ -18,13 +18,17 @@ pub fn root() -> &'static Path {
     here.ancestors().nth(2).unwrap_or(here)
 }
 
-/// Runs the game with `arguments` and returns its exit status.
+/// Runs the game with `arguments` and returns its exit status. `features` are those
+/// it is built with, where that is not all of them.
 ///
 /// # Errors
 /// When cargo cannot be started.
-pub fn game(arguments: &[impl AsRef<OsStr>]) -> Result<u8, Error> {
-    let mut command = cargo(&["run", "--release", "--package", "antipode", "--"]);
-    command.args(arguments);
+pub fn game(arguments: &[impl AsRef<OsStr>], features: Option<&[&str]>) -> Result<u8, Error> {
+    let mut command = cargo(&["run", "--release", "--package", "antipode"]);
+    if let Some(features) = features {
+        command.args(["--no-default-features", "--features", &features.join(",")]);
+    }
+    command.arg("--").args(arguments);
     let status = command
         .status()
         .map_err(|source| start_error(&command, source))?;
@@ -34,6 +38,32 @@ pub fn game(arguments: &[impl AsRef<OsStr>]) -> Result<u8, Error> {
         Some(2) => 2,
         _ => 1,
     })
+}
+
+/// Builds the game as players get it.
+///
+/// # Errors
+/// When cargo cannot be started or the build fails.
+pub fn build_game() -> Result<(), Error> {
+    let mut build = cargo(&["build", "--release", "--package", "antipode"]);
+    Steps::new(1).run("build", &mut build)
+}
+
+/// What is built into the game, one package a line: name, version and place, `|`, licence, `|`, repository.
+///
+/// # Errors
+/// When cargo cannot be started or fails.
+pub fn tree_of_game() -> Result<String, Error> {
+    let mut tree = cargo(&["tree", "--package", "antipode", "--edges", "normal"]);
+    tree.args(["--prefix", "none", "--format", "{p}|{l}|{r}"]);
+    let output = tree.output().map_err(|source| start_error(&tree, source))?;
+    if !output.status.success() {
+        return Err(Error::Step {
+            name: "what is built in".into(),
+            command: typed(&tree),
+        });
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 /// Measures the benches, all or those that `arguments` name.
@@ -89,20 +119,13 @@ pub fn test(filter: &[String]) -> Result<(), Error> {
 /// # Errors
 /// At the first step that fails.
 pub fn ci() -> Result<(), Error> {
-    let mut steps = Steps::new(9);
+    let mut steps = Steps::new(10);
     steps.run("format", &mut cargo(&["fmt", "--all", "--check"]))?;
-    steps.run(
-        "lints",
-        &mut cargo(&[
-            "clippy",
-            "--release",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ]),
-    )?;
+    steps.run("lints", cargo(&LINTS).args(["--", "-D", "warnings"]))?;
+    // The same packages and targets, so that no dependency is looked at anew.
+    let mut bare = cargo(&LINTS);
+    bare.args(["--no-default-features", "--", "-D", "warnings"]);
+    steps.run("lints without sound and gamepads", &mut bare)?;
     let mut docs = cargo(&["doc", "--release", "--workspace", "--no-deps"]);
     steps.run("docs", docs.env("RUSTDOCFLAGS", "-D warnings"))?;
     if is_installed("deny") {
@@ -120,6 +143,8 @@ pub fn ci() -> Result<(), Error> {
     steps.run("laboratory of terrain", bed.surround(&mut terrain))?;
     every_test(&mut steps, &bed)
 }
+
+const LINTS: [&str; 4] = ["clippy", "--release", "--workspace", "--all-targets"];
 
 const TESTS: [&str; 8] = [
     "test",

@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use super::host::Host;
 use super::run::{Runner, steps_in};
 use super::say;
 use crate::cli::Adapter;
@@ -45,9 +46,9 @@ impl Runner {
         let waited = waiting.elapsed();
         let building = Instant::now();
         let aspect = self.studio.as_ref().map_or(16.0 / 9.0, Studio::aspect);
-        let frame = self
-            .scene()?
-            .frame(antipode_scene::tuning::FOV_Y_RAD, aspect, id);
+        let scene = self.scene()?;
+        let fov_y_rad = scene.viewing().fov_y_rad;
+        let frame = scene.frame(fov_y_rad, aspect, id);
         main += building.elapsed();
         times.step.push(stepped);
         if self.scene()?.marker().is_some_and(|marker| marker.active) {

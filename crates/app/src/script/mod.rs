@@ -1,5 +1,7 @@
 //! Scripts: the commands of the console, one a line, in simulated time.
 
+mod commands;
+mod host;
 mod measure;
 mod parse;
 mod run;
@@ -8,11 +10,17 @@ mod say;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-pub use parse::{Line, Order, parse};
+pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
+pub use host::{Host, obey};
+pub use parse::{Line, Order, Setting, parse, parse_line};
 pub use run::Runner;
+pub(crate) use run::steps_in;
+pub(crate) use say::probe_text;
 
 use crate::cli::Common;
+use crate::ending::Ending;
 use crate::failure::Failure;
+use crate::options;
 
 /// Where a script's pictures go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -38,10 +46,15 @@ pub fn run_file(file: &Path, common: &Common, shooting: Shooting) -> Result<(), 
 /// As [`run_file`].
 pub fn run_text(text: &str, common: &Common, shooting: Shooting) -> Result<(), Failure> {
     let lines = parse(text).map_err(|mistake| Failure::Script(mistake.to_string()))?;
-    let mut runner = Runner::new(common.clone(), shooting);
+    // Not earlier: who waits for a script on standard input is ended by a signal at once.
+    let config = options::for_script(common.config.as_deref())?;
+    let mut runner = Runner::new(common.clone(), shooting, Ending::listen(), &config);
     let outcome = runner.run(&lines);
-    let closed = runner.close();
-    outcome.and(closed)
+    match (outcome, runner.close()) {
+        // Nothing may be called saved that is not.
+        (Err(Failure::Stopped(_)), Err(unsaved)) => Err(unsaved),
+        (outcome, closed) => outcome.and(closed),
+    }
 }
 
 fn read(file: &Path) -> Result<String, Failure> {

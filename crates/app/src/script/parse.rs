@@ -5,9 +5,9 @@ use antipode_scene::Item;
 use antipode_scene::frame::Quality;
 use antipode_storage::SavesDir;
 use thiserror::Error;
-use winit::keyboard::KeyCode;
 
-use crate::bindings::Input;
+use super::commands::command_named;
+use crate::bindings::{Input, MouseButton};
 use crate::cli::shortened;
 use crate::names::key_named;
 use crate::session::NewWorld;
@@ -94,6 +94,41 @@ pub enum Setting {
     Fly(bool),
 }
 
+impl Order {
+    /// Whether a world in which it was used is marked: it gives the player what play would not have given.
+    pub fn cheats(&self) -> bool {
+        match self {
+            Self::Give(..) | Self::Teleport(..) => true,
+            Self::Set(setting) => match setting {
+                Setting::Time(_) | Setting::Health(_) => true,
+                Setting::Fly(on) => *on,
+                Setting::Curvature(_)
+                | Setting::Map(_)
+                | Setting::Bend(_)
+                | Setting::Quality(_)
+                | Setting::ViewDistance(_) => false,
+            },
+            Self::New(_)
+            | Self::Load(_)
+            | Self::Save
+            | Self::Delete(_)
+            | Self::List
+            | Self::Quit
+            | Self::Hold(..)
+            | Self::Press(..)
+            | Self::Tap(_)
+            | Self::Look(..)
+            | Self::Aim(..)
+            | Self::Scroll(_)
+            | Self::Wait(_)
+            | Self::Settle(_)
+            | Self::Probe
+            | Self::Shot(_)
+            | Self::Perf(_) => false,
+        }
+    }
+}
+
 /// A mistake in a script.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("line {line}: {what}")]
@@ -113,14 +148,21 @@ pub fn parse(text: &str) -> Result<Vec<Line>, Mistake> {
     // Some editors begin a file with a byte order mark.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     for (number, line) in (1..).zip(text.lines()) {
-        let read = words(line).and_then(|words| order(&words));
-        match read {
+        match parse_line(line) {
             Ok(Some(order)) => lines.push(Line { number, order }),
             Ok(None) => {}
             Err(what) => return Err(Mistake { line: number, what }),
         }
     }
     Ok(lines)
+}
+
+/// Reads one line; none where nothing stands on it.
+///
+/// # Errors
+/// What is wrong with it, in words.
+pub fn parse_line(line: &str) -> Result<Option<Order>, String> {
+    words(line).and_then(|words| order(&words))
 }
 
 /// Splits a line into words; quotes hold a word together, `#` outside them begins a comment.
@@ -159,9 +201,9 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("list", []) => Order::List,
         ("quit", []) => Order::Quit,
         ("hold", [key, time]) => Order::Hold(input(key)?, seconds(time)?),
-        ("down", [key]) => Order::Press(Input::Key(code(key)?), true),
-        ("up", [key]) => Order::Press(Input::Key(code(key)?), false),
-        ("tap", [key]) => Order::Tap(Input::Key(code(key)?)),
+        ("down", [key]) => Order::Press(code(key)?, true),
+        ("up", [key]) => Order::Press(code(key)?, false),
+        ("tap", [key]) => Order::Tap(code(key)?),
         ("click", [side]) => Order::Tap(button(side)?),
         ("press", [side]) => Order::Press(button(side)?, true),
         ("release", [side]) => Order::Press(button(side)?, false),
@@ -179,7 +221,7 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("give", [item, count]) => give(item, count)?,
         ("teleport", [x, y, z, side @ ..]) if side.len() <= 1 => teleport([x, y, z], side)?,
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
-        (known, _) if KNOWN.contains(&known) => {
+        (known, _) if command_named(known).is_some() => {
             return Err(format!(
                 "\"{known}\" has too few, too many or unknown arguments"
             ));
@@ -188,13 +230,6 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
     };
     Ok(Some(order))
 }
-
-/// Every command, to tell a wrong argument from a wrong command.
-const KNOWN: [&str; 24] = [
-    "new", "load", "save", "delete", "list", "quit", "hold", "down", "up", "tap", "click", "press",
-    "release", "look", "aim", "scroll", "wait", "settle", "probe", "shot", "set", "give",
-    "teleport", "perf",
-];
 
 fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
     let geometry = geometry
@@ -281,7 +316,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     number(text, 0.0, LONGEST_S)
 }
 
-fn code(name: &str) -> Result<KeyCode, String> {
+fn code(name: &str) -> Result<Input, String> {
     key_named(name).ok_or_else(|| {
         format!(
             "there is no key {}; keys are named like KeyW, Space, ShiftLeft, Digit3",
@@ -292,14 +327,14 @@ fn code(name: &str) -> Result<KeyCode, String> {
 
 fn button(side: &str) -> Result<Input, String> {
     match side {
-        "LEFT" => Ok(Input::MouseLeft),
-        "RIGHT" => Ok(Input::MouseRight),
+        "LEFT" => Ok(Input::Mouse(MouseButton::Left)),
+        "RIGHT" => Ok(Input::Mouse(MouseButton::Right)),
         _ => Err(format!("{} is neither LEFT nor RIGHT", quoted(side))),
     }
 }
 
 fn input(name: &str) -> Result<Input, String> {
-    button(name).or_else(|_| code(name).map(Input::Key))
+    button(name).or_else(|_| code(name))
 }
 
 fn picture(file: &str) -> Result<String, String> {

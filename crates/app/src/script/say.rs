@@ -37,7 +37,17 @@ pub fn probe(
     adapter: &str,
     picture: Option<&Drawn>,
 ) -> Result<(), Failure> {
-    line(&FullProbe {
+    output::line(&probe_text(scene, fps, adapter, picture)?)
+}
+
+/// A probe as one line of JSON.
+pub fn probe_text(
+    scene: &Probe,
+    fps: Option<f64>,
+    adapter: &str,
+    picture: Option<&Drawn>,
+) -> Result<String, Failure> {
+    json(&FullProbe {
         scene,
         memory_mb: antipode_lab::resident_mb(),
         fps,
@@ -64,7 +74,10 @@ pub fn list(worlds: &[WorldSummary]) -> Result<(), Failure> {
 
 /// Prints any value as one line of JSON.
 pub fn line(value: &impl Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string(value)
-        .map_err(|e| Failure::Runtime(format!("A line could not be written: {e}")))?;
-    output::line(&text)
+    output::line(&json(value)?)
+}
+
+fn json(value: &impl Serialize) -> Result<String, Failure> {
+    serde_json::to_string(value)
+        .map_err(|e| Failure::Runtime(format!("A line could not be written: {e}")))
 }

@@ -3,18 +3,27 @@
 use std::time::{Duration, Instant};
 
 use antipode_geometry::Geometry;
+use antipode_language::Texts;
 use antipode_scene::frame::Frame;
-use antipode_scene::tuning::{AUTOSAVE_S, FOV_Y_RAD, STEP_S};
+use antipode_scene::tuning::{AUTOSAVE_S, STEP_S};
 use antipode_ui::{GeometryChoice, HudModel, Intent, MenuModel, Screen, Shell, ToastKind};
 
+use super::background::Task;
+use super::console::Desk;
 use super::framerate::FrameRate;
+use super::options::Options;
 use super::phase::{Next, Phase, Request};
+use super::photo::Photographer;
+use super::shots::Shots;
 use super::worldlist::WorldList;
-use crate::bindings::{Command, Input};
+use crate::bindings::{Action, Input};
 use crate::controls::Controls;
 use crate::drawn::Drawn;
 use crate::hud;
+use crate::pad::{Feel, Sticks};
+use crate::screenshots::Album;
 use crate::session::{NewWorld, Session, Worlds};
+use crate::wording;
 
 /// Most steps simulated for one frame; time beyond them is dropped, so a slow moment never snowballs.
 const MOST_STEPS: u32 = 6;
@@ -29,8 +38,14 @@ pub struct Game {
     pub(super) worlds: Worlds,
     pub(super) list: WorldList,
     pub(super) shell: Shell,
+    /// The words of the player's language.
+    pub(super) texts: Texts,
     pub(super) controls: Controls,
-    adapter_notice: Option<String>,
+    /// Settings and key bindings.
+    pub(super) config: antipode_settings::Config,
+    pub(super) options: Options,
+    /// The name of the adapter, where it draws in software.
+    software: Option<String>,
     display_hidden: bool,
     figures_shown: bool,
     last_tick: Option<Instant>,
@@ -49,6 +64,13 @@ pub struct Game {
     pub(super) unseen: bool,
     pub(super) last_words: Option<String>,
     wants_picture: bool,
+    pub(super) console: Desk,
+    pub(super) shots: Shots,
+    pub(super) photographer: Photographer,
+    /// Where the sticks of the gamepads stand.
+    pub(super) sticks: Sticks,
+    /// Key of the words for a player who hears nothing.
+    pub(super) sound_trouble: Option<&'static str>,
 }
 
 impl std::fmt::Debug for Game {
@@ -60,18 +82,22 @@ impl std::fmt::Debug for Game {
 }
 
 impl Game {
-    /// A game that shows the menu, or opens a world at once.
-    pub fn new(worlds: Worlds, adapter_notice: Option<String>, first: Option<Request>) -> Self {
+    /// A game that shows the menu, or opens a world at once. `software` names the adapter if it draws in software.
+    pub fn new(worlds: Worlds, software: Option<String>, first: Option<Request>) -> Self {
         let mut shell = Shell::new();
         shell.open(Screen::Main);
         let list = WorldList::new(worlds.clone());
+        let album = Album::at(worlds.saves().path().with_file_name("screenshots"));
         let mut game = Self {
             phase: Phase::Menu,
             worlds,
             list,
             shell,
+            texts: Texts::default(),
             controls: Controls::default(),
-            adapter_notice,
+            config: antipode_settings::Config::default(),
+            options: Options::default(),
+            software,
             display_hidden: false,
             figures_shown: false,
             last_tick: None,
@@ -85,6 +111,11 @@ impl Game {
             unseen: false,
             last_words: None,
             wants_picture: false,
+            console: Desk::default(),
+            shots: Shots::new(album),
+            photographer: Photographer::default(),
+            sticks: Sticks::default(),
+            sound_trouble: None,
         };
         game.list.refresh();
         if let Some(request) = first {
@@ -100,7 +131,7 @@ impl Game {
 
     /// Whether the mouse turns the view and keys act in the world.
     pub fn is_playing(&self) -> bool {
-        matches!(self.phase, Phase::Playing(_))
+        matches!(self.phase, Phase::Playing(_)) && !self.is_typing() && !self.is_photographing()
     }
 
     /// What could not be saved when nothing could be shown any more.
@@ -113,16 +144,49 @@ impl Game {
         if !self.is_playing() {
             return;
         }
-        match self.controls.input(input, pressed) {
-            Some(Command::Menu) => self.pause(),
-            Some(Command::HideDisplay) => self.display_hidden = !self.display_hidden,
-            Some(Command::FrameFigures) => self.figures_shown = !self.figures_shown,
+        if pressed {
+            self.press_input(input);
+        } else {
+            self.controls.input(input, false);
+        }
+    }
+
+    /// Presses an input, whoever asks for it, and does what it asks of the game around the world.
+    pub(super) fn press_input(&mut self, input: Input) {
+        let session = self.phase.session();
+        let has_dial = session.is_some_and(|session| session.scene.lens().range().is_some());
+        self.controls.set_has_dial(has_dial);
+        if let Some(action) = self.controls.input(input, true) {
+            self.do_for_shell(action);
+        }
+    }
+
+    /// Does what concerns the game around the world.
+    fn do_for_shell(&mut self, action: Action) {
+        match action {
+            Action::Menu => self.pause(),
+            Action::HideDisplay => self.display_hidden = !self.display_hidden,
+            Action::FrameFigures => self.figures_shown = !self.figures_shown,
+            Action::Fullscreen => self.turn_fullscreen(),
+            Action::Screenshot => self.take_screenshot(),
+            Action::Console => self.open_console(),
+            Action::PhotoMode => self.enter_photo_mode(),
             _ => {}
         }
     }
 
+    /// Frames shown in a second of late; 0 while nothing is known.
+    pub(super) fn frames_per_second(&self) -> f32 {
+        self.fps.value()
+    }
+
     /// Escape while the menu is open: one level back.
     pub fn escape(&mut self) {
+        if self.is_typing() || self.is_photographing() {
+            self.console.view.close();
+            self.leave_photo_mode();
+            return;
+        }
         let running = matches!(self.phase, Phase::Paused(_));
         self.shell.escape(running);
         if running && !self.shell.is_open() {
@@ -139,9 +203,14 @@ impl Game {
 
     /// The wheel, in notches.
     pub fn wheel(&mut self, notches: f64) {
+        if self.is_typing() || self.is_photographing() {
+            return;
+        }
         if let Phase::Playing(session) = &self.phase {
-            self.controls
-                .wheel(notches, session.scene.lens().range().is_some());
+            let has_dial = session.scene.lens().range().is_some();
+            if let Some(action) = self.controls.wheel(notches, has_dial) {
+                self.do_for_shell(action);
+            }
         }
     }
 
@@ -167,13 +236,18 @@ impl Game {
             .last_tick
             .map_or(Duration::ZERO, |last| now.saturating_duration_since(last));
         self.last_tick = Some(now);
+        self.watch_options();
         self.list.poll();
-        while let Some(problem) = self.list.take_problem() {
-            self.shell.toast(problem, ToastKind::Problem);
+        while let Some((words, kind)) = self.list.take_news(&self.texts) {
+            self.shell.toast(words, kind);
         }
+        self.tell_pictures();
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Opening(task) => self.opening(task),
             Phase::Loading(session) => self.loading(session),
+            Phase::Playing(session) if self.is_photographing() => {
+                self.photographing(session, passed)
+            }
             Phase::Playing(session) => self.playing(session, passed),
             Phase::Paused(mut session) => {
                 session.scene.pump(CHUNK_BUDGET);
@@ -193,9 +267,14 @@ impl Game {
             return None;
         }
         let id = self.worlds_opened;
+        let photographing = self.is_photographing();
         let session = self.phase.session_mut()?;
         session.scene.set_picture_height_px(height_px);
-        Some(session.scene.frame(FOV_Y_RAD, aspect, id))
+        if photographing {
+            return self.photo_frame(aspect, id);
+        }
+        let fov_y_rad = session.scene.viewing().fov_y_rad;
+        Some(session.scene.frame(fov_y_rad, aspect, id))
     }
 
     /// A frame was shown.
@@ -208,41 +287,66 @@ impl Game {
         std::mem::take(&mut self.wants_picture)
     }
 
-    /// Keeps a picture of the open world.
-    pub fn keep_picture(&mut self, picture: image::RgbaImage) {
+    /// Which of the worlds opened so far is open; none of them has the same number.
+    pub fn world_number(&self) -> u64 {
+        self.worlds_opened
+    }
+
+    /// Keeps a picture of the world with that number if it is still open, and writes it in the background.
+    pub fn keep_picture(&mut self, world: u64, picture: image::RgbaImage) {
+        if world != self.worlds_opened {
+            return;
+        }
         if let Some(session) = self.phase.session_mut() {
-            session.picture = Some(picture);
+            let write = session.keep_picture(picture);
+            Task::start("picture", write);
         }
     }
 
     /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
     /// with, and the adapter's own time in milliseconds where it can tell.
     pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
+        self.console.drawn = drawn.map(|(drawn, _)| drawn);
         if let Some(model) = self.display(drawn) {
-            antipode_ui::show_hud(context, &model);
+            antipode_ui::show_hud(context, &self.texts, &model);
         }
-        let bindings: Vec<_> = self
-            .controls
-            .bindings()
-            .lines()
-            .into_iter()
-            .map(|line| antipode_ui::Binding {
-                action: line.action,
-                keys: line.keys,
-                group: line.group.to_owned(),
-            })
-            .collect();
+        if self.shots.is_now() {
+            // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
+            if (self.display_hidden || self.is_photographing()) && !self.shell.is_open() {
+                return;
+            }
+        } else {
+            self.show_console(context);
+            self.show_photo_panel(context);
+        }
         let running = self.running();
-        let rows = self
-            .list
-            .rows(running.as_ref().map(|(slug, _)| slug.as_str()));
-        let check = |name: &str| self.list.check_name(name);
+        self.list.show_pictures(context);
+        let (rows, files) = if self.shell.is_open() {
+            let running = running.as_ref().map(|(slug, _)| slug.as_str());
+            (
+                self.list.rows(&self.texts, running),
+                self.list.files(&self.texts),
+            )
+        } else {
+            Default::default()
+        };
+        let check = |name: &str| self.list.check_name(&self.texts, name);
+        let check_rename = |slug: &str, name: &str| self.list.check_rename(&self.texts, slug, name);
+        let notice = self.software.as_ref().map(|adapter| {
+            let values = [("adapter", adapter.into())];
+            self.texts.say_with("adapter-software", &values)
+        });
+        let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
         let model = MenuModel {
+            texts: &self.texts,
             running_world: running.as_ref().map(|(_, name)| name.as_str()),
             worlds: &rows,
-            bindings: &bindings,
+            config: &self.config,
             check_name: &check,
-            adapter_notice: self.adapter_notice.as_deref(),
+            check_rename: &check_rename,
+            world_files: &files,
+            adapter_notice: notice.as_deref(),
+            sound_notice: sound_notice.as_deref(),
             version: env!("CARGO_PKG_VERSION"),
         };
         let intents = self.shell.show(context, &model);
@@ -254,19 +358,26 @@ impl Game {
     fn running(&self) -> Option<(String, String)> {
         let session = self.phase.session()?;
         let setup = session.scene.setup();
-        let title = format!("{} · seed {}", setup.name, setup.seed);
+        let values = [
+            ("name", (&setup.name).into()),
+            ("seed", setup.seed.to_string().into()),
+        ];
+        let mut title = self.texts.say_with("running-world", &values);
+        if session.scene.cheated() {
+            title = format!("{title} · {}", self.texts.say("cheats-used"));
+        }
         Some((session.slug.clone(), title))
     }
 
     fn display(&self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
         match &self.phase {
-            Phase::Playing(session) if !self.display_hidden => {
+            Phase::Playing(session) if !self.display_hidden && !self.is_photographing() => {
                 let fps = self.fps.value();
                 let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
-                let figures = drawn
-                    .filter(|_| self.figures_shown)
-                    .map(|(drawn, gpu_ms)| drawn.figures(&session.scene, frame_ms, gpu_ms));
-                Some(hud::model(&session.scene, fps, figures))
+                let figures = drawn.filter(|_| self.figures_shown).map(|(drawn, gpu_ms)| {
+                    drawn.figures(&self.texts, &session.scene, frame_ms, gpu_ms)
+                });
+                Some(hud::model(&self.texts, &session.scene, fps, figures))
             }
             _ => None,
         }
@@ -294,8 +405,16 @@ impl Game {
                 seed,
                 radius_m,
             }))),
-            Intent::Load { slug } => self.leave(Next::Open(Request::Load(slug))),
+            Intent::Load { slug } => match self.list.work_on(&self.texts, &slug) {
+                // It would be called in use by somebody else.
+                Some(work) => self.shell.toast(work, ToastKind::State),
+                None => self.leave(Next::Open(Request::Load(slug))),
+            },
+            Intent::Set { id, value } => self.set_option(id, value),
+            Intent::ResetSetting(id) => self.reset_option(id),
+            Intent::Bind(profiles) => self.bind(*profiles),
             Intent::Delete { slug } => self.list.delete(slug),
+            Intent::Worlds(intent) => self.list.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
             Intent::TrySavingAgain => {
                 let next = self.held_up.take().unwrap_or(Next::Menu);
@@ -312,6 +431,8 @@ impl Game {
     }
 
     fn pause(&mut self) {
+        self.console.leave();
+        self.leave_photo_mode();
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Playing(mut session) => {
                 self.controls.release_all();
@@ -348,9 +469,13 @@ impl Game {
         // Before the steps: they save by simulated time, which never runs ahead of the wall's.
         self.keep_saved(&mut session, passed, false);
         self.owed_s += passed.as_secs_f64();
+        let feel = Feel::from(&self.config.settings);
         let mut steps = 0;
         while self.owed_s >= STEP_S && steps < MOST_STEPS {
-            session.scene.step(&self.controls.take());
+            let mut actions = self.controls.take();
+            self.sticks.add_to(&mut actions, feel, STEP_S);
+            session.scene.step(&actions);
+            self.console.step(&mut self.controls);
             self.owed_s -= STEP_S;
             steps += 1;
         }
@@ -361,7 +486,7 @@ impl Game {
 
     /// Saves by the wall clock, however slowly the simulation runs, and in a paused world again as soon as the
     /// edits that were under way have ended.
-    fn keep_saved(&mut self, session: &mut Session, passed: Duration, paused: bool) {
+    pub(super) fn keep_saved(&mut self, session: &mut Session, passed: Duration, paused: bool) {
         self.since_save_s += passed.as_secs_f64();
         let scene = &mut session.scene;
         let settled = paused && scene.pending() == 0 && scene.save_problem().is_none();
@@ -377,17 +502,19 @@ impl Game {
         if self.saving && session.scene.wait_saved(Duration::ZERO) {
             self.saving = false;
             match session.scene.save_problem() {
-                None => self.shell.toast("Saved", ToastKind::Info),
+                None => self.shell.toast(self.texts.say("saved"), ToastKind::Info),
                 // The scene tells a failure that comes again only once, but here somebody has asked.
                 Some(problem) if !notices.contains(&problem) => notices.push(problem),
                 Some(_) => {}
             }
         }
         for notice in notices {
-            self.shell.toast(notice, ToastKind::Problem);
+            let words = wording::notice(&self.texts, &notice);
+            self.shell.toast(words, ToastKind::Problem);
         }
         for hint in session.scene.take_hints() {
-            self.shell.toast(hint, ToastKind::State);
+            let words = wording::hint(&self.texts, &self.config.profiles, hint);
+            self.shell.toast(words, ToastKind::State);
         }
     }
 }

@@ -1,5 +1,7 @@
 //! How the game gets into worlds and out of them again, without losing one on the way.
 
+use std::path::Path;
+
 use antipode_ui::{Screen, ToastKind};
 
 use super::background::{Progress, Task};
@@ -7,6 +9,7 @@ use super::game::{CHUNK_BUDGET, Game};
 use super::phase::{Next, Phase, Request};
 use crate::failure::Failure;
 use crate::session::{Session, Unclosed};
+use crate::wording;
 
 impl Game {
     /// The player closes the window: what is open is committed first.
@@ -38,6 +41,8 @@ impl Game {
     /// Ends at once, but not before what is open is on disk.
     pub fn finish(&mut self) {
         self.end_unseen();
+        self.console.keep_history();
+        self.finish_pictures();
         if let Phase::Closing(task, _) = std::mem::replace(&mut self.phase, Phase::Over) {
             match task.finish() {
                 Some(Ok(())) => {}
@@ -63,7 +68,7 @@ impl Game {
         let next = self.held_up.take().unwrap_or(Next::Menu);
         match std::mem::replace(&mut self.phase, Phase::Menu) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.busy("Leaving", None, "");
+                self.busy(self.texts.say("busy-leaving"), None, "");
                 let task = Task::start("leave", move || {
                     drop(session);
                     Ok(())
@@ -74,11 +79,15 @@ impl Game {
         }
     }
 
-    fn close(&mut self, session: Session, next: Next) {
+    fn close(&mut self, mut session: Session, next: Next) {
+        session.scene.watch_from(None);
         self.controls.release_all();
+        self.console.leave();
+        self.leave_photo_mode();
         self.saving = false;
         self.held_up = None;
-        self.busy("Saving", None, "Your world is written to disk.");
+        let detail = self.texts.say("busy-saving-about");
+        self.busy(self.texts.say("busy-saving"), None, &detail);
         self.phase = Phase::Closing(Task::start("close", move || session.close()), next);
     }
 
@@ -96,7 +105,8 @@ impl Game {
 
     pub(super) fn open(&mut self, request: Request) {
         let worlds = self.worlds.clone();
-        self.busy("Opening", None, "The world is read from disk.");
+        let detail = self.texts.say("busy-opening-about");
+        self.busy(self.texts.say("busy-opening"), None, &detail);
         let work = move || match request {
             Request::New(wanted) => worlds.create(&wanted),
             Request::Load(name) => worlds.load(&name),
@@ -107,16 +117,21 @@ impl Game {
     pub(super) fn opening(&mut self, task: Task<Result<Session, Failure>>) -> Phase {
         let why = match task.poll() {
             Progress::Running => return Phase::Opening(task),
-            Progress::Done(Ok(session)) => {
+            Progress::Done(Ok(mut session)) => {
                 self.worlds_opened += 1;
+                self.fit(&mut session);
                 return self.loading(session);
             }
-            Progress::Done(Err(failure)) => failure.to_string(),
+            Progress::Done(Err(failure)) => {
+                tracing::error!("a world could not be opened: {failure}");
+                wording::failure(&self.texts, &failure)
+            }
             Progress::Died => {
-                "Something failed while it was read; the log has the rest.".to_owned()
+                tracing::error!("a world could not be opened: its thread died");
+                self.texts.say("open-died")
             }
         };
-        self.fail("The world could not be opened", &why);
+        self.fail(self.texts.say("open-failed"), why);
         Phase::Menu
     }
 
@@ -126,7 +141,7 @@ impl Game {
         let progress = session.scene.loading_progress();
         if progress < 1.0 {
             let name = session.scene.setup().name.clone();
-            self.busy("Making the land", Some(progress), &name);
+            self.busy(self.texts.say("busy-land"), Some(progress), &name);
             return Phase::Loading(session);
         }
         self.owed_s = 0.0;
@@ -147,7 +162,8 @@ impl Game {
             Progress::Done(Err(unclosed)) => return self.not_closed(unclosed, next),
             Progress::Died if self.unseen => self.last_words = Some(CLOSE_DIED.to_owned()),
             Progress::Died => {
-                self.fail("The world could not be saved", CLOSE_DIED);
+                tracing::error!("{CLOSE_DIED}");
+                self.fail(self.texts.say("save-failed"), self.texts.say("close-died"));
                 return Phase::Menu;
             }
         }
@@ -156,41 +172,47 @@ impl Game {
 
     /// The world stays open, and the player is asked what to do.
     fn not_closed(&mut self, unclosed: Unclosed, next: Next) -> Phase {
-        let why = unclosed.error.to_string();
+        let why = unclosed.error;
         tracing::error!("{why}");
         if self.unseen {
-            self.last_words = Some(why);
+            self.last_words = Some(why.to_string());
             return Phase::Over;
         }
+        let text = wording::streaming(&self.texts, &why);
         self.held_up = Some(next);
         self.since_save_s = 0.0;
-        self.shell.open(Screen::Unsaved { text: why });
+        self.shell.open(Screen::Unsaved { text });
         let mut session = *unclosed.session;
         // The question says already what these would say of the save.
         let told = session.scene.save_problem();
         for notice in session.scene.take_notices() {
             if told.as_ref() != Some(&notice) {
-                self.shell.toast(notice, ToastKind::Problem);
+                let words = wording::notice(&self.texts, &notice);
+                self.shell.toast(words, ToastKind::Problem);
             }
         }
         Phase::Paused(session)
     }
 
-    fn busy(&mut self, title: &str, progress: Option<f32>, detail: &str) {
+    fn busy(&mut self, title: String, progress: Option<f32>, detail: &str) {
         self.shell.open(Screen::Busy {
-            title: title.to_owned(),
+            title,
             progress,
             detail: detail.to_owned(),
         });
     }
 
-    fn fail(&mut self, title: &str, text: &str) {
-        tracing::error!("{title}: {text}");
+    /// Says that the game before this one crashed, and where it wrote what is known.
+    pub fn tell_crash(&mut self, report: &Path) {
+        let report = report.display().to_string();
+        let title = self.texts.say("crash-title");
+        let text = self.texts.say_with("crash", &[("report", report.into())]);
+        self.shell.open(Screen::Message { title, text });
+    }
+
+    fn fail(&mut self, title: String, text: String) {
         self.list.refresh();
-        self.shell.open(Screen::Message {
-            title: title.to_owned(),
-            text: text.to_owned(),
-        });
+        self.shell.open(Screen::Message { title, text });
     }
 }
 

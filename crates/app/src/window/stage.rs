@@ -1,12 +1,14 @@
 //! The window with everything that draws into it.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
-use antipode_render::{Gpu, Offscreen, Options, Renderer};
+use antipode_render::{Gpu, Offscreen, Options, PictureReading, RenderError, Renderer, Tile};
 use antipode_scene::frame::Frame;
+use antipode_settings::Settings;
 use image::RgbaImage;
 use winit::event_loop::OwnedDisplayHandle;
-use winit::window::Window;
+use winit::window::{Fullscreen, Window};
 
 use crate::cli::Common;
 use crate::drawn::Drawn;
@@ -39,8 +41,15 @@ pub struct Stage {
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
+    options: Options,
     drawn: Option<Drawn>,
     gpu_ms: Option<f64>,
+    /// The tile of a larger picture under way.
+    tile: Option<PictureReading>,
+    /// Pictures of the screen under way, the first asked for first.
+    screenshots: VecDeque<PictureReading>,
+    /// The menu's picture under way, and of which world.
+    thumbnail: Option<(u64, PictureReading)>,
 }
 
 impl std::fmt::Debug for Stage {
@@ -88,6 +97,7 @@ impl Stage {
         };
         let mut renderer = Renderer::new(&gpu, options)?;
         renderer.resize(width, height);
+        renderer.prepare_maps();
         let overlay = Overlay::new(&gpu, config.format);
         let input = egui_winit::State::new(
             overlay.context().clone(),
@@ -105,8 +115,12 @@ impl Stage {
             surface,
             config,
             renderer,
+            options,
             drawn: None,
             gpu_ms: None,
+            tile: None,
+            screenshots: VecDeque::new(),
+            thumbnail: None,
         })
     }
 
@@ -115,19 +129,51 @@ impl Stage {
         self.gpu.name()
     }
 
-    /// What a player should know of the adapter, if anything.
-    pub fn notice(&self) -> Option<String> {
-        self.gpu.is_software().then(|| {
-            format!(
-                "No graphics card was found: {} draws in software, at half resolution. It works, but slowly.",
-                self.gpu.name()
-            )
-        })
+    /// The adapter's name if it draws in software, at half resolution, which a player should know.
+    pub fn software(&self) -> Option<String> {
+        let software = self.gpu.is_software();
+        software.then(|| self.gpu.name().to_owned())
     }
 
     /// What the last frame of the world was drawn with, and the adapter's own time in milliseconds.
     pub fn drawn(&self) -> Option<(Drawn, Option<f64>)> {
         self.drawn.map(|drawn| (drawn, self.gpu_ms))
+    }
+
+    /// Draws, shows and waits as the settings say from the next frame on.
+    ///
+    /// # Errors
+    /// When the renderer refuses; it goes on as before then.
+    pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
+        let software = self.gpu.is_software();
+        let context = self.overlay.context();
+        context.set_zoom_factor(settings.ui_scale as f32);
+        antipode_ui::set_calm(context, settings.reduced_motion);
+        let wanted = settings.fullscreen.then_some(Fullscreen::Borderless(None));
+        if self.window.fullscreen().is_some() != wanted.is_some() {
+            self.window.set_fullscreen(wanted);
+        }
+        let present_mode = if settings.vsync {
+            wgpu::PresentMode::AutoVsync
+        } else {
+            wgpu::PresentMode::AutoNoVsync
+        };
+        if self.config.present_mode != present_mode {
+            self.config.present_mode = present_mode;
+            self.surface.configure(&self.gpu.device, &self.config);
+        }
+        let options = Options {
+            samples: settings.msaa.samples(software),
+            scale: settings.render_scale.share(software),
+            output_format: self.config.format,
+        };
+        if options != self.options {
+            self.renderer.set_options(options)?;
+            self.options = options;
+            self.renderer.resize(self.config.width, self.config.height);
+            self.renderer.prepare_maps();
+        }
+        Ok(())
     }
 
     /// Width over height.
@@ -173,7 +219,7 @@ impl Stage {
         Ok(None)
     }
 
-    /// Draws the world, if there is one, and the interface, and shows them.
+    /// Draws the world, if there is one, and the interface, and shows them. `keeps`: what is shown is read back too.
     ///
     /// # Errors
     /// When the adapter is lost.
@@ -182,20 +228,28 @@ impl Stage {
         texture: wgpu::SurfaceTexture,
         frame: Option<&Frame>,
         interface: egui::FullOutput,
+        keeps: bool,
     ) -> Result<(), Failure> {
         let target = texture
             .texture
             .create_view(&wgpu::TextureViewDescriptor::default());
-        self.paint(frame, interface, &target);
+        let kept = (keeps && self.can_keep())
+            .then(|| self.offscreen((self.config.width, self.config.height)));
+        let copy = kept.as_ref().map(Offscreen::view);
+        self.paint(frame, interface, &target, copy);
+        if let Some(kept) = kept {
+            self.screenshots.push_back(kept.begin_read(&self.gpu));
+        }
         self.window.pre_present_notify();
         self.gpu.queue.present(texture);
         self.check()
     }
 
-    /// A small picture of the world for the menu; none where the adapter cannot make one.
-    pub fn thumbnail(&mut self, frame: &Frame) -> Option<RgbaImage> {
+    /// Has a small picture of the world drawn for the menu, in place of one that is not finished. `world` comes
+    /// back with it. There is none where the adapter cannot make one.
+    pub fn begin_thumbnail(&mut self, world: u64, frame: &Frame) {
         if !is_plain(self.config.format) && !self.config.format.is_srgb() {
-            return None;
+            return;
         }
         let (width, height) = THUMBNAIL;
         let offscreen = Offscreen::new(&self.gpu, width, height, self.config.format);
@@ -207,13 +261,82 @@ impl Stage {
         self.renderer.draw(frame, &mut encoder, offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
         self.renderer.resize(self.config.width, self.config.height);
-        match offscreen.read(&self.gpu) {
-            Ok(picture) => Some(picture),
-            Err(error) => {
-                tracing::info!("no picture for the menu: {error}");
+        self.thumbnail = Some((world, offscreen.begin_read(&self.gpu)));
+    }
+
+    /// The picture begun last, once, as soon as the adapter has finished it. Never waits.
+    pub fn finished_thumbnail(&mut self) -> Option<(u64, RgbaImage)> {
+        let (world, reading) = self.thumbnail.take()?;
+        match reading.poll(&self.gpu) {
+            Ok(picture) => picture_or_note(picture).map(|picture| (world, picture)),
+            Err(reading) => {
+                self.thumbnail = Some((world, reading));
                 None
             }
         }
+    }
+
+    /// The picture begun last, waited for.
+    pub fn awaited_thumbnail(&mut self) -> Option<(u64, RgbaImage)> {
+        let (world, reading) = self.thumbnail.take()?;
+        picture_or_note(reading.finish(&self.gpu)).map(|picture| (world, picture))
+    }
+
+    /// The picture of the screen asked for first, once, as soon as the adapter has finished it. Never waits.
+    pub fn finished_screenshot(&mut self) -> Option<Result<RgbaImage, RenderError>> {
+        match self.screenshots.pop_front()?.poll(&self.gpu) {
+            Ok(picture) => Some(picture),
+            Err(reading) => {
+                self.screenshots.push_front(reading);
+                None
+            }
+        }
+    }
+
+    /// Has a tile of a larger picture drawn, of `size` pixels, at full resolution and complete.
+    pub fn begin_tile(&mut self, frame: &Frame, tile: Tile, size: (u32, u32)) {
+        let offscreen = self.offscreen(size);
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.renderer.resize_full(size.0, size.1);
+        self.renderer
+            .draw_tile(frame, tile, &mut encoder, offscreen.view());
+        self.gpu.queue.submit([encoder.finish()]);
+        self.renderer.resize(self.config.width, self.config.height);
+        self.tile = Some(offscreen.begin_read(&self.gpu));
+    }
+
+    /// The tile begun last, once, as soon as the adapter has finished it. Never waits.
+    pub fn finished_tile(&mut self) -> Option<Result<RgbaImage, RenderError>> {
+        match self.tile.take()?.poll(&self.gpu) {
+            Ok(picture) => Some(picture),
+            Err(reading) => {
+                self.tile = Some(reading);
+                None
+            }
+        }
+    }
+
+    /// Size of the window, pixels.
+    pub fn size(&self) -> (u32, u32) {
+        (self.config.width, self.config.height)
+    }
+
+    /// Longest side of a picture that can be drawn, pixels.
+    pub fn largest_side(&self) -> u32 {
+        self.renderer.largest_side()
+    }
+
+    /// Whether what is shown can be read back: the window's format has four channels of 8 bits. Wide ones are what
+    /// is left where a surface has no other, on no system known.
+    pub fn can_keep(&self) -> bool {
+        is_plain(self.config.format) || self.config.format.is_srgb()
+    }
+
+    fn offscreen(&self, (width, height): (u32, u32)) -> Offscreen {
+        Offscreen::new(&self.gpu, width, height, self.config.format)
     }
 
     fn check(&self) -> Result<(), Failure> {
@@ -230,6 +353,7 @@ impl Stage {
         frame: Option<&Frame>,
         interface: egui::FullOutput,
         target: &wgpu::TextureView,
+        copy: Option<&wgpu::TextureView>,
     ) {
         let mut encoder = self
             .gpu
@@ -244,11 +368,22 @@ impl Stage {
             }
             None => clear(&mut encoder, target),
         }
+        match (copy, frame) {
+            (Some(copy), Some(_)) => self.renderer.show_again(&mut encoder, copy),
+            (Some(copy), None) => clear(&mut encoder, copy),
+            (None, _) => {}
+        }
+        let targets: Vec<_> = [target].into_iter().chain(copy).collect();
         let size = (self.config.width, self.config.height);
         self.overlay
-            .paint(&self.gpu, &mut encoder, target, size, interface);
+            .paint(&self.gpu, &mut encoder, &targets, size, interface);
         self.gpu.queue.submit([encoder.finish()]);
     }
+}
+
+fn picture_or_note(read: Result<RgbaImage, RenderError>) -> Option<RgbaImage> {
+    read.inspect_err(|error| tracing::info!("no picture for the menu: {error}"))
+        .ok()
 }
 
 /// A format of four bytes without conversion: the interface is designed for blending in display values.

@@ -6,6 +6,10 @@
     reason = "tests fail by panicking"
 )]
 
+mod console;
+mod options;
+mod photo;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -16,7 +20,6 @@ use antipode_scene::frame::Quality;
 use antipode_ui::{Intent, Screen};
 use clap::Parser;
 use tempfile::TempDir;
-use winit::keyboard::KeyCode;
 
 use super::game::Game;
 use super::phase::{Phase, Request};
@@ -161,7 +164,7 @@ fn a_window_that_never_had_the_keyboard_begins_to_play_all_the_same() {
 fn a_save_that_fails_is_never_called_saved() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(Input::Key(KeyCode::Escape), true);
+    game.input(Input::Key("Escape"), true);
     tick_until(&mut game, is_saved);
     let (aside, home) = take_away(&dir);
     game.follow(Intent::Save);
@@ -180,18 +183,19 @@ fn is_saved(game: &Game) -> bool {
         .is_some_and(|session| session.scene.is_saved())
 }
 
+fn gather(shape: &egui::Shape, into: &mut String) {
+    match shape {
+        egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, into)),
+        egui::Shape::Text(text) => {
+            into.push_str(text.galley.text());
+            into.push('\n');
+        }
+        _ => {}
+    }
+}
+
 /// Everything that the display and the menus write.
 fn words(game: &mut Game) -> String {
-    fn gather(shape: &egui::Shape, into: &mut String) {
-        match shape {
-            egui::Shape::Vec(shapes) => shapes.iter().for_each(|shape| gather(shape, into)),
-            egui::Shape::Text(text) => {
-                into.push_str(text.galley.text());
-                into.push('\n');
-            }
-            _ => {}
-        }
-    }
     let context = egui::Context::default();
     antipode_ui::apply_theme(&context);
     let drawn = Drawn::new(&DrawStats::default(), Quality::Fast);
@@ -222,13 +226,13 @@ fn frame_figures_come_and_go_with_their_key_and_never_without() {
     let mut game = playing(&dir);
     let figures = "by frame";
     assert!(!words(&mut game).contains(figures));
-    game.input(Input::Key(KeyCode::F4), true);
+    game.input(Input::Key("F4"), true);
     let said = words(&mut game);
     assert!(
         said.contains(figures) && said.contains("gpu n/a") && said.contains("fast"),
         "{said}"
     );
-    game.input(Input::Key(KeyCode::F4), true);
+    game.input(Input::Key("F4"), true);
     assert!(!words(&mut game).contains(figures));
 }
 
@@ -237,7 +241,7 @@ fn the_map_key_is_answered_in_words_and_the_dial_appears() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
     assert!(!words(&mut game).contains("Bend"));
-    game.input(Input::Key(KeyCode::KeyH), true);
+    game.input(Input::Key("KeyH"), true);
     let bends = |game: &Game| {
         let session = game.phase.session();
         session.is_some_and(|session| session.scene.lens().bend().is_some())
@@ -249,7 +253,7 @@ fn the_map_key_is_answered_in_words_and_the_dial_appears() {
         "{said}"
     );
     game.wheel(-1.0);
-    game.input(Input::Key(KeyCode::KeyH), false);
+    game.input(Input::Key("KeyH"), false);
     let turned = |game: &Game| {
         let session = game.phase.session();
         session.is_some_and(|session| session.scene.lens().bend() == Some(-1.0))

@@ -1,39 +1,59 @@
-//! The menu's list of worlds, read in the background so that the menu never waits for the disk.
+//! The menu's list of worlds, and all that is done with them there. Everything that may wait for the disk is done
+//! on a thread of its own, one piece after the other, and taken over when the menu asks.
 
-use std::collections::VecDeque;
+mod folder;
+mod pictures;
+#[cfg(test)]
+mod tests;
+mod words;
+mod work;
 
-use antipode_storage::{SavesDir, WorldSummary};
-use antipode_ui::WorldRow;
+use std::collections::{HashMap, VecDeque};
 
+use antipode_language::Texts;
+use antipode_storage::{ArchiveFile, NameError, SavesDir, WorldSummary};
+use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent};
+
+use self::folder::FolderProblem;
+use self::pictures::Pictures;
+use self::words::News;
+use self::work::{Details, Job, Outcome, Place};
 use super::background::{Progress, Task};
-use crate::failure::Failure;
 use crate::session::Worlds;
-
-/// What a piece of work on the saves came to: what went wrong with it, and the list afterwards.
-type Reading = (Option<String>, Result<Vec<WorldSummary>, Failure>);
+use crate::wording;
 
 /// The worlds as last read.
 #[derive(Debug)]
 pub struct WorldList {
-    worlds: Worlds,
+    place: Place,
     known: Vec<WorldSummary>,
-    reading: Option<Task<Reading>>,
+    /// The work under way, and what it is.
+    task: Option<(Job, Task<Outcome>)>,
+    waiting: VecDeque<Job>,
+    /// The list is to be read anew when nothing else waits.
     again: bool,
-    /// Worlds still to be deleted; they are not shown any more.
-    doomed: VecDeque<String>,
-    problems: VecDeque<String>,
+    /// What a closer look has told, by directory.
+    details: HashMap<String, Details>,
+    archives: Vec<ArchiveFile>,
+    pictures: Pictures,
+    folders: Vec<Task<Option<FolderProblem>>>,
+    news: VecDeque<News>,
 }
 
 impl WorldList {
     /// Nothing read yet.
     pub fn new(worlds: Worlds) -> Self {
         Self {
-            worlds,
+            place: Place::new(worlds),
             known: Vec::new(),
-            reading: None,
+            task: None,
+            waiting: VecDeque::new(),
             again: false,
-            doomed: VecDeque::new(),
-            problems: VecDeque::new(),
+            details: HashMap::new(),
+            archives: Vec::new(),
+            pictures: Pictures::default(),
+            folders: Vec::new(),
+            news: VecDeque::new(),
         }
     }
 
@@ -46,201 +66,197 @@ impl WorldList {
     /// Deletes a world and reads the list anew. A world that cannot be deleted comes back with it.
     pub fn delete(&mut self, slug: String) {
         self.known.retain(|world| world.slug != slug);
-        self.doomed.push_back(slug);
+        self.enqueue(Job::Delete { slug });
+    }
+
+    /// Does what was asked for with saved worlds.
+    pub fn follow(&mut self, intent: WorldsIntent) {
+        match intent {
+            WorldsIntent::LookAt { slug } => self.enqueue(Job::LookAt { slug }),
+            WorldsIntent::Rename { slug, name } => self.enqueue(Job::Rename { slug, name }),
+            WorldsIntent::Duplicate { slug } => self.enqueue(Job::Duplicate { slug }),
+            WorldsIntent::Export { slug, file } => self.enqueue(Job::Export { slug, file }),
+            WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
+            WorldsIntent::FindArchives => self.enqueue(Job::FindArchives),
+            WorldsIntent::OpenFolder { slug } => {
+                let dir = self.place.dir_of(&slug);
+                self.folders
+                    .push(Task::start("folder", move || folder::open(&dir).err()));
+            }
+        }
+    }
+
+    fn enqueue(&mut self, job: Job) {
+        self.waiting.push_back(job);
         self.go_on();
     }
 
     /// Starts what is waiting, one piece of work at a time.
     fn go_on(&mut self) {
-        if self.reading.is_some() {
+        if self.task.is_some() {
             return;
         }
-        let worlds = self.worlds.clone();
-        if let Some(slug) = self.doomed.pop_front() {
-            self.reading = Some(Task::start("delete", move || {
-                let problem = worlds.saves().delete(&slug).err();
-                (problem.map(|error| error.to_string()), worlds.list())
-            }));
-        } else if std::mem::take(&mut self.again) {
-            self.reading = Some(Task::start("list", move || (None, worlds.list())));
-        }
+        let list = std::mem::take(&mut self.again).then_some(Job::List);
+        // What the player asked for goes first; it brings the list with it where it changes that.
+        let Some(job) = self.waiting.pop_front().or(list.clone()) else {
+            return;
+        };
+        self.again = list.is_some() && job != Job::List && !job.brings_list();
+        let (place, work) = (self.place.clone(), job.clone());
+        self.task = Some((job, Task::start("saves", move || work.run(&place))));
     }
 
-    /// Takes a finished reading in. Never blocks.
+    /// Takes finished work in. Never blocks.
     pub fn poll(&mut self) {
-        let Some(task) = &self.reading else { return };
+        self.pictures.poll();
+        let news = &mut self.news;
+        self.folders.retain(|task| match task.poll() {
+            Progress::Running => true,
+            Progress::Done(problem) => {
+                news.extend(problem.map(News::Folder));
+                false
+            }
+            Progress::Died => {
+                news.push_back(News::WorkDied);
+                false
+            }
+        });
+        let Some((job, task)) = &self.task else {
+            return;
+        };
         match task.poll() {
             Progress::Running => return,
-            Progress::Done((problem, list)) => {
-                self.problems.extend(problem);
-                match list {
-                    Ok(mut worlds) => {
-                        worlds.retain(|world| !self.doomed.contains(&world.slug));
-                        self.known = worlds;
-                    }
-                    Err(failure) => self.problems.push_back(failure.to_string()),
-                }
+            Progress::Done(outcome) => self.take(outcome),
+            Progress::Died if *job == Job::List => self.news.push_back(News::ListDied),
+            Progress::Died => {
+                self.again = true;
+                self.news.push_back(News::WorkDied);
             }
-            Progress::Died => self.problems.push_back(
-                "The list of worlds could not be read; the log has the rest.".to_owned(),
-            ),
         }
-        self.reading = None;
+        self.task = None;
         self.go_on();
     }
 
-    /// Why the list could not be read or a world not be deleted; each is told once.
-    pub fn take_problem(&mut self) -> Option<String> {
-        self.problems.pop_front()
+    fn take(&mut self, outcome: Outcome) {
+        self.news.extend(outcome.news);
+        if let Some((slug, details)) = outcome.details {
+            self.details.insert(slug, details);
+        }
+        if let Some(archives) = outcome.archives {
+            self.archives = archives;
+        }
+        match outcome.list {
+            Some(Ok(mut worlds)) => {
+                worlds.retain(|world| !self.is_doomed(&world.slug));
+                self.details
+                    .retain(|slug, _| worlds.iter().any(|world| world.slug == *slug));
+                self.pictures.want(&worlds);
+                self.known = worlds;
+            }
+            Some(Err(failure)) => self.news.push_back(News::Failed(failure)),
+            None => {}
+        }
+    }
+
+    /// Whether a world is still to be deleted; it is not shown any more.
+    fn is_doomed(&self, slug: &str) -> bool {
+        self.waiting
+            .iter()
+            .any(|job| matches!(job, Job::Delete { slug: doomed } if doomed == slug))
+    }
+
+    /// What has come of the work, in words; each is told once.
+    pub fn take_news(&mut self, texts: &Texts) -> Option<(String, ToastKind)> {
+        self.news.pop_front().map(|news| words::news(texts, &news))
+    }
+
+    /// Hands pictures that have been read over to the interface, a few at a time.
+    pub fn show_pictures(&mut self, context: &egui::Context) {
+        self.pictures.upload(context);
+    }
+
+    /// What is being done with a world, in words; while it lasts nobody can enter it.
+    pub fn work_on(&self, texts: &Texts, slug: &str) -> Option<String> {
+        let (job, _) = self.task.as_ref()?;
+        if job.slug() == Some(slug) {
+            words::work(texts, job)
+        } else {
+            None
+        }
     }
 
     /// The rows the menu shows; `running` is the slug of the open world.
-    pub fn rows(&self, running: Option<&str>) -> Vec<WorldRow> {
-        self.known.iter().map(|world| row(world, running)).collect()
+    pub fn rows(&self, texts: &Texts, running: Option<&str>) -> Vec<WorldRow> {
+        self.known
+            .iter()
+            .map(|world| {
+                let mut row = words::row(texts, world);
+                row.running = running == Some(world.slug.as_str());
+                row.picture = self.pictures.of(&world.slug);
+                row.path = self.place.dir_of(&world.slug).display().to_string();
+                row.export_to = self.place.export_to(&world.slug);
+                if let Some(details) = self.details.get(&world.slug) {
+                    row.edits = details.edits;
+                    row.export_to.clone_from(&details.export_to);
+                }
+                row
+            })
+            .collect()
+    }
+
+    /// What the menu shows of worlds in files, and of the work under way.
+    pub fn files(&self, texts: &Texts) -> WorldFiles {
+        let archives = self.archives.iter().map(|file| ArchiveRow {
+            file: file.path.display().to_string(),
+            name: file
+                .path
+                .file_name()
+                .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            size: words::size(texts, file.size_bytes),
+        });
+        WorldFiles {
+            dir: self.place.exports().display().to_string(),
+            archives: archives.collect(),
+            work: self
+                .task
+                .as_ref()
+                .and_then(|(job, _)| words::work(texts, job)),
+        }
     }
 
     /// Whether a new world may have this name, as a sentence when not.
     ///
     /// # Errors
     /// The reason in words.
-    pub fn check_name(&self, name: &str) -> Result<(), String> {
-        let taken = self.known.iter().map(WorldSummary::name);
-        SavesDir::check_name_among(name, taken).map_err(|error| error.to_string())
+    pub fn check_name(&self, texts: &Texts, name: &str) -> Result<(), String> {
+        let all = self.known.iter();
+        said(
+            texts,
+            SavesDir::check_name_among(name, all.map(WorldSummary::name)),
+        )
+    }
+
+    /// The names of all worlds.
+    pub fn names(&self) -> Vec<String> {
+        self.known
+            .iter()
+            .map(|world| world.name().to_owned())
+            .collect()
+    }
+
+    /// Whether a world that is there may have this name from now on, as a sentence when not.
+    ///
+    /// # Errors
+    /// The reason in words.
+    pub fn check_rename(&self, texts: &Texts, slug: &str, name: &str) -> Result<(), String> {
+        let others = self.known.iter().filter(|world| world.slug != slug);
+        said(
+            texts,
+            SavesDir::check_name_among(name, others.map(WorldSummary::name)),
+        )
     }
 }
 
-fn row(world: &WorldSummary, running: Option<&str>) -> WorldRow {
-    WorldRow {
-        slug: world.slug.clone(),
-        name: world.name().to_owned(),
-        geometry: world
-            .meta
-            .as_ref()
-            .map_or_else(String::new, |meta| meta.geometry.clone()),
-        played: world
-            .meta
-            .as_ref()
-            .map_or_else(String::new, |meta| played(meta.played_s)),
-        last_played: world
-            .meta
-            .as_ref()
-            .map_or_else(String::new, |meta| date(meta.last_played_unix_s)),
-        size: format!("{:.1} MB", world.size_bytes as f64 / 1e6),
-        problem: world.problem.clone(),
-        running: running == Some(world.slug.as_str()),
-    }
-}
-
-fn played(time_s: f64) -> String {
-    let minutes = (time_s / 60.0).max(0.0) as u64;
-    match minutes {
-        0 => "under a minute".to_owned(),
-        1..=89 => format!("{minutes} min"),
-        _ => format!("{} h {:02} min", minutes / 60, minutes % 60),
-    }
-}
-
-/// The day of a Unix time as year-month-day, UTC, by Howard Hinnant's `civil_from_days`.
-fn date(unix_s: u64) -> String {
-    let days = (unix_s / 86_400) as i64 + 719_468;
-    let era = days.div_euclid(146_097);
-    let day_of_era = days.rem_euclid(146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted_month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * shifted_month + 2) / 5 + 1;
-    let month = if shifted_month < 10 {
-        shifted_month + 3
-    } else {
-        shifted_month - 9
-    };
-    let year = year_of_era + era * 400 + i64::from(month <= 2);
-    format!("{year:04}-{month:02}-{day:02}")
-}
-
-#[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-
-    use antipode_geometry::Geometry;
-    use clap::Parser;
-
-    use super::*;
-    use crate::cli::Cli;
-    use crate::session::NewWorld;
-
-    /// A directory with the worlds a, b and c, and the list of them.
-    fn three() -> (tempfile::TempDir, WorldList) {
-        let dir = tempfile::tempdir().unwrap();
-        let path = dir.path().to_str().unwrap();
-        let cli =
-            Cli::try_parse_from(["antipode", "--saves-dir", path, "--view-distance", "1"]).unwrap();
-        let worlds = Worlds::new(&cli.common);
-        for name in ["a", "b", "c"] {
-            let made = worlds.create(&NewWorld {
-                geometry: Geometry::Euclidean,
-                name: Some(name.to_owned()),
-                seed: Some(1),
-                radius_m: None,
-            });
-            made.unwrap().close().unwrap();
-        }
-        let mut list = WorldList::new(worlds);
-        list.refresh();
-        finish(&mut list);
-        (dir, list)
-    }
-
-    fn finish(list: &mut WorldList) {
-        while list.reading.is_some() {
-            list.poll();
-            std::thread::yield_now();
-        }
-    }
-
-    fn names(list: &WorldList) -> Vec<String> {
-        let mut names: Vec<_> = list.rows(None).into_iter().map(|row| row.name).collect();
-        names.sort();
-        names
-    }
-
-    #[test]
-    fn a_world_that_cannot_be_deleted_comes_back_with_the_reason() {
-        let (_dir, mut list) = three();
-        let held = list.worlds.load("b").unwrap();
-        list.delete("b".to_owned());
-        list.delete("nowhere".to_owned());
-        list.delete("c".to_owned());
-        assert_eq!(names(&list), ["a"]);
-        finish(&mut list);
-        assert_eq!(names(&list), ["a", "b"]);
-        assert!(
-            list.take_problem()
-                .is_some_and(|said| said.contains("in use"))
-        );
-        assert!(
-            list.take_problem()
-                .is_some_and(|said| said.contains("nowhere"))
-        );
-        assert_eq!(list.take_problem(), None);
-        held.close().unwrap();
-    }
-
-    #[test]
-    fn dates_are_right_over_leap_days_and_centuries() {
-        assert_eq!(date(0), "1970-01-01");
-        assert_eq!(date(951_782_400), "2000-02-29");
-        assert_eq!(date(951_868_800), "2000-03-01");
-        assert_eq!(date(1_798_761_599), "2026-12-31");
-        assert_eq!(date(4_107_542_400), "2100-03-01");
-    }
-
-    #[test]
-    fn play_time_reads_like_a_person_says_it() {
-        assert_eq!(played(12.0), "under a minute");
-        assert_eq!(played(720.0), "12 min");
-        assert_eq!(played(7500.0), "2 h 05 min");
-        assert_eq!(played(-5.0), "under a minute");
-    }
+fn said(texts: &Texts, checked: Result<(), NameError>) -> Result<(), String> {
+    checked.map_err(|error| wording::name(texts, &error))
 }

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Horizon, Projection, Raised, Strategy,
+    ChartPoint, ChunkCoord, Drum, Eye, Geometry, Hemisphere, Horizon, Projection, Raised, Strategy,
     strategy,
 };
-use glam::{DVec3, IVec3};
+use glam::{DVec2, DVec3, IVec3};
 use proptest::prelude::{prop_assert, proptest};
 use proptest::strategy::Strategy as _;
 
@@ -82,6 +82,47 @@ proptest! {
                 }
                 prop_assert!(seen || !shown(space.as_ref(), &eye, point), "{space:?}");
             }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn a_drum_is_seen_wherever_boxes_in_it_are(
+        eye in eye(25.0), corner in vector(250.0), size in vector(60.0).prop_map(DVec3::abs),
+        low in vector(0.5), high in vector(0.5), other in proptest::bool::ANY,
+    ) {
+        for space in spaces() {
+            let mut eye = eye;
+            eye.point = in_space(space.as_ref(), eye.point);
+            let sphere = space.geometry() == Geometry::Spherical;
+            let hemisphere = if sphere && other { Hemisphere::B } else { Hemisphere::A };
+            let middle = if sphere { corner * 0.2 } else { eye.point.pos + corner };
+            let (min, max) = (middle + low.min(high) * size, middle + low.max(high) * size);
+            let (across, aside) = (0.5 * (max - min), 0.5 * (min + max) - middle);
+            let drum = Drum {
+                hemisphere,
+                middle: DVec2::new(middle.x, middle.z),
+                radius_m: aside.x.hypot(aside.z) + across.x.hypot(across.z),
+                heights_m: [min.y, max.y],
+            };
+            let inner = space.sight_cell(&eye, hemisphere, min, max);
+            let outer = space.sight_cell_of(&eye, &drum);
+            if inner.is_empty() {
+                continue;
+            }
+            let at = format!("{space:?} {drum:?} {outer:?} {inner:?}");
+            prop_assert!(outer.nearest_m <= inner.nearest_m * (1.0 + 1e-9) + 1e-6, "{at}");
+            let slack = |slope: f64| 1e-9 * (1.0 + slope.abs().min(1e300));
+            prop_assert!(outer.slope[0] <= inner.slope[0] + slack(inner.slope[0]), "{at}");
+            prop_assert!(outer.slope[1] >= inner.slope[1] - slack(inner.slope[1]), "{at}");
+            let apart = (inner.azimuth_rad - outer.azimuth_rad).rem_euclid(std::f64::consts::TAU);
+            let apart = apart.min(std::f64::consts::TAU - apart);
+            let reach = outer.half_width_rad + 1e-9;
+            let inside = apart + inner.half_width_rad <= reach || reach > std::f64::consts::PI;
+            prop_assert!(inside, "{at}");
         }
     }
 }

@@ -135,6 +135,7 @@ fn ported_points_match() {
         let back = space.chart_point(&eye, row.view);
         let place = space.view_point(&eye, back);
         assert!((place - row.view).length() < 2.0 * slack, "{at:?}");
+        assert_eq!(space.viewer(&eye)(row.point), view, "{at:?}");
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye};
-use antipode_render::{ChunkChoice, ChunkLand, Port, plan};
+use antipode_render::{ChunkChoice, ChunkLand, Ground, Port, plan};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec2, DVec3, Vec4};
 
@@ -29,7 +29,7 @@ pub const METHOD: &[&str] = &[
 /// Nothing that can be seen.
 const HALF_PIXEL: f64 = 0.5;
 /// Units of a mesh's positions.
-const GRID_PER_M: f32 = 1024.0;
+const GRID_PER_M: f32 = antipode_terrain::PARTS_PER_M as f32;
 /// How high a chunk's land is taken for, metres.
 const SLAB_M: f64 = 4.0;
 
@@ -184,7 +184,7 @@ fn slab(seen: &Seen) -> ChunkLand {
         max,
         triangles: 1,
         error_m: 0.0,
-        solid_below_m: None,
+        ground: Ground::UNKNOWN,
     }
 }
 

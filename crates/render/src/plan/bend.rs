@@ -24,6 +24,9 @@ const FEW_SINES: [f64; 3] = [-0.5, -0.05, 0.4];
 const MARGIN: f64 = 1.5;
 /// The bend is measured to this part of the sight limit; beyond it the haze hides it.
 const MEASURED_TO: f64 = 0.9;
+/// Places up to this many times as far from the pole as the rim count: what is measured for one eye holds for others
+/// near by, which see places farther out.
+const OVER_RIM: f64 = 1.02;
 /// Bends are raised to the next of this many steps an octave, so that they stay the same for a while as the eye
 /// and the dial move, and what was refined for one stays right.
 const STEPS_PER_OCTAVE: f64 = 8.0;
@@ -159,7 +162,7 @@ fn bend_at(space: &dyn Strategy, eye: &Eye, distance_m: f64, sine: f64) -> f64 {
         let turn = f64::from(azimuth) * std::f64::consts::TAU / f64::from(azimuths);
         let toward = DVec3::new(level * turn.cos(), sine, level * turn.sin());
         let middle = eye.point.moved(toward * distance_m);
-        let in_chart = |rim_m: f64| middle.pos.x.hypot(middle.pos.z) <= rim_m;
+        let in_chart = |rim_m: f64| middle.pos.x.hypot(middle.pos.z) <= OVER_RIM * rim_m;
         if space.rim_m().is_none_or(in_chart) {
             let place = Place::new(space, eye, middle);
             // Of one azimuth the middle lies in the plane z = 0, and on both sides of it all looks the same.
@@ -221,7 +224,7 @@ impl Place {
 }
 
 /// The angle between a direction and the plane of two others; 0 where they span none.
-fn off_line(seen: DVec3, [a, b]: [DVec3; 2]) -> f64 {
+pub(super) fn off_line(seen: DVec3, [a, b]: [DVec3; 2]) -> f64 {
     let across = a.cross(b);
     let off = across.dot(seen) / (across.length() * seen.length());
     if off.is_finite() && across.length() > 1e-6 * a.length() * b.length() {

@@ -13,6 +13,9 @@ use super::quality::Tolerance;
 
 /// What a frame strays by is raised by this, since only some places are looked at.
 const MARGIN: f64 = 1.25;
+/// In a closed space the bend is measured at steps of this part of its radius: from one to the next it changes by less
+/// than it is raised by.
+const BEND_STEP: f64 = 1.0 / 64.0;
 /// A frame is looked at closely where the bend allows for this many times the tolerance.
 const FRAME_WORTH_TRYING: f64 = 4.0;
 /// Frames of neighbouring chunks part at their border by up to twice their errors: they may take up no more than
@@ -67,14 +70,15 @@ impl Affine {
         origin: DVec3,
         step_m: f64,
     ) -> Self {
+        let view = space.viewer(eye);
         let columns = DMat3::IDENTITY.to_cols_array_2d().map(|axis| {
             let step = DVec3::from_array(axis) * step_m;
-            let ahead = space.view_point(eye, middle.moved(step));
-            let behind = space.view_point(eye, middle.moved(-step));
+            let ahead = view(middle.moved(step));
+            let behind = view(middle.moved(-step));
             (ahead - behind) / (2.0 * step_m)
         });
         let mut affine = Self {
-            base: space.view_point(eye, middle),
+            base: view(middle),
             columns,
         };
         affine.base = affine.at(origin - middle.pos);
@@ -105,13 +109,41 @@ pub struct Bounds {
 impl Bounds {
     /// Measures the port of a frame.
     pub fn measure(frame: &Frame, scale: PictureScale) -> Self {
+        Self::new(frame, scale, Self::measure_bend(frame, scale))
+    }
+
+    /// The eye that a frame's bend is measured for, the same for a while as the eye moves. Where it looks does not
+    /// matter; nor, in the one chart of an open space, where it stands, since everything there is ported by how it
+    /// lies from the eye. In a chart with a rim it is a place near by, rather nearer to the pole.
+    pub fn bend_eye(frame: &Frame) -> Eye {
+        let mut point = ChartPoint::default();
+        if frame.strategy.rim_m().is_some() {
+            let step_m = frame.strategy.radius_at_m(&frame.eye) * BEND_STEP;
+            point = frame.eye.point;
+            point.pos = (point.pos / step_m).trunc() * step_m;
+        }
+        Eye {
+            point,
+            yaw: 0.0,
+            pitch: 0.0,
+            ..frame.eye
+        }
+    }
+
+    /// Measures the bend alone.
+    pub fn measure_bend(frame: &Frame, scale: PictureScale) -> Bend {
+        let (space, eye) = (frame.strategy.as_ref(), Self::bend_eye(frame));
+        if space.radius_at_m(&eye).is_finite() {
+            Bend::measure(space, &eye, |angle_rad| scale.widest_px(angle_rad))
+        } else {
+            Bend::none()
+        }
+    }
+
+    /// The bounds of a frame whose bend is known.
+    pub fn new(frame: &Frame, scale: PictureScale, bend: Bend) -> Self {
         let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
         let flat = !space.radius_at_m(eye).is_finite();
-        let bend = if flat {
-            Bend::none()
-        } else {
-            Bend::measure(space, eye, |angle_rad| scale.widest_px(angle_rad))
-        };
         let affine = Affine::about(
             space,
             eye,
@@ -207,14 +239,70 @@ impl Bounds {
         half: DVec3,
     ) -> Option<f64> {
         let mut worst: f64 = 0.0;
+        let view = frame.strategy.viewer(&frame.eye);
         for i in 0..27 {
             let place = DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0;
             let point = middle.moved(place * half);
-            let truth = frame.strategy.view_point(&frame.eye, point).truncate();
+            let truth = view(point).truncate();
             let framed = affine.at(point.pos - origin).truncate();
             let angle = truth.cross(framed).length().atan2(truth.dot(framed));
             worst = worst.max(angle);
         }
         (worst < 0.1).then(|| MARGIN * self.scale.widest_px(worst))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::Hemisphere;
+
+    use super::super::bend::off_line;
+    use super::super::testing::{Numbers, frame, spaces};
+    use super::*;
+
+    /// The bend is measured for another eye than the frame's.
+    #[test]
+    fn a_bend_holds_wherever_it_is_used() {
+        let mut numbers = Numbers::new(3);
+        let scale = PictureScale {
+            focal_px: 1.0,
+            stretch: 1.0,
+        };
+        for (name, space, dials) in spaces() {
+            for _ in 0..150 {
+                let reach_m = space.rim_m().unwrap_or(900.0);
+                let level = numbers.turn() * numbers.between(0.0, reach_m);
+                let limits = space.limits();
+                let (low, high) = limits.map_or((-50.0, 50.0), |l| (l.bedrock_m, l.ceiling_m));
+                let mut frame = frame(&space);
+                frame.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
+                frame.eye.point.hemisphere = match space.rim_m() {
+                    Some(_) if numbers.between(0.0, 1.0) > 0.5 => Hemisphere::B,
+                    _ => Hemisphere::A,
+                };
+                frame.eye.yaw = numbers.between(-3.0, 3.0);
+                frame.eye.dial = numbers.between(dials[0], dials[1]);
+                let used = Bounds::measure(&frame, scale).bend;
+                if !space.radius_at_m(&frame.eye).is_finite() {
+                    continue;
+                }
+                let view = space.viewer(&frame.eye);
+                for _ in 0..40 {
+                    let mut way =
+                        || DVec3::from_array([(); 3].map(|()| numbers.between(-1.0, 1.0)));
+                    let (toward, along) = (way().normalize(), 0.125 * way().normalize());
+                    let distance_m = 0.4 * 40.0_f64.powf(numbers.between(0.0, 1.0));
+                    let middle = frame.eye.point.moved(toward * distance_m);
+                    let is_seen = distance_m < 0.9 * space.sight_limit_m(&frame.eye);
+                    if is_seen && middle.pos.x.hypot(middle.pos.z) <= reach_m {
+                        let ends = [along, -along].map(|half| view(middle.moved(half)).truncate());
+                        let strays = off_line(view(middle).truncate(), ends) / 0.25_f64.powi(2);
+                        let told = used.between(distance_m, [toward.y; 2]);
+                        let at = format!("{name} {:?} {toward} {distance_m}", frame.eye);
+                        assert!(strays <= told, "{at}: {strays} {told}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -15,7 +15,7 @@ mod blocks;
 /// A chunk's mesh with edges halved, ready to be put into pages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined {
-    /// The mesh; no parts where no edge needed halving.
+    /// The mesh, its surface in blocks; no parts where no edge needed halving.
     pub parts: Vec<Part>,
     /// How many edges were halved.
     pub halved: usize,
@@ -150,15 +150,15 @@ impl Halver {
     }
 }
 
-/// The vertex half way between two. Midpoints are rounded down to whole units of position, from whichever chunk
-/// one looks: chunks stand a whole even number of units apart.
+/// The vertex half way between two. Midpoints are rounded down to whole parts of position, from whichever chunk
+/// one looks: chunks stand a whole even number of parts apart.
 fn between(a: &Vertex, b: &Vertex) -> Vertex {
-    Vertex {
-        units: std::array::from_fn(|i| a.units[i].midpoint(b.units[i])),
-        spare: 0,
-        octahedral: octahedral(a.normal() + b.normal()),
-        colour: std::array::from_fn(|i| a.colour[i].midpoint(b.colour[i])),
-    }
+    let (from, to) = (a.place(), b.place());
+    Vertex::at(
+        std::array::from_fn(|i| from[i].midpoint(to[i])),
+        octahedral(a.normal() + b.normal()),
+        std::array::from_fn(|i| a.colour[i].midpoint(b.colour[i])),
+    )
 }
 
 /// The middles of halved edges: a hash table with open addressing and linear probing, at most half full. The

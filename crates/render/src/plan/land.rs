@@ -1,6 +1,6 @@
 //! What the planner is to know of a chunk's mesh.
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, UNITS_PER_M};
 use glam::{DVec3, U16Vec3};
 
@@ -24,8 +24,103 @@ pub struct ChunkLand {
     pub triangles: usize,
     /// What its level is off by, metres.
     pub error_m: f64,
-    /// Height below which the chunk's column is solid ground, if that is certain, chart metres.
-    pub solid_below_m: Option<f64>,
+    /// What of it is certainly solid.
+    pub ground: Ground,
+}
+
+/// Parts of a chunk's ground plan along each side, 8 m wide: as wide as the widest cells of a mesh, so that no
+/// triangle lies in two.
+pub const PARTS: usize = 4;
+/// Units of a part's width, and of a chunk's height.
+const PART_UNITS: u16 = (CHUNK_CELLS as u32 * UNITS_PER_M / PARTS as u32) as u16;
+const TOP: u16 = (CHUNK_CELLS as u32 * UNITS_PER_M) as u16;
+
+/// What of a chunk is certainly solid, by parts of its ground plan, row by row along x.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Ground {
+    /// Whether its floor lies in the ground throughout, and so do the chunks below.
+    is_floor_solid: bool,
+    /// The lowest place of the mesh over each part, in units over the floor: [`TOP`] where there is none.
+    lowest: [u16; PARTS * PARTS],
+}
+
+impl Ground {
+    /// Nothing is certain.
+    pub const UNKNOWN: Self = Self {
+        is_floor_solid: false,
+        lowest: [0; PARTS * PARTS],
+    };
+
+    /// Any, mostly solid below.
+    #[cfg(test)]
+    pub fn random(numbers: &mut super::testing::Numbers) -> Self {
+        let mut lowest = || {
+            numbers
+                .between(-4000.0, 36_000.0)
+                .clamp(0.0, f64::from(TOP)) as u16
+        };
+        Self {
+            lowest: std::array::from_fn(|_| lowest()),
+            is_floor_solid: numbers.between(0.0, 1.0) < 0.8,
+        }
+    }
+
+    fn of(mesh: &ChunkMesh) -> Self {
+        let mut lowest = [TOP; PARTS * PARTS];
+        for vertex in &mesh.vertices {
+            let [x, y, z] = vertex.units;
+            // A place between two parts belongs to both.
+            let around = |u: u16| usize::from(u.saturating_sub(1) / PART_UNITS)..=last(u);
+            for at in around(z).flat_map(|z| around(x).map(move |x| x + PARTS * z)) {
+                lowest[at] = lowest[at].min(y);
+            }
+        }
+        // Below the mesh's lowest place lies ground, if that place is a floor; and all the way down, if the mesh
+        // stays clear of the chunk's own floor.
+        let least = mesh.vertices.iter().min_by_key(|v| v.units[1]);
+        Self {
+            is_floor_solid: least.is_some_and(|v| v.normal().y > 0.0 && is_clear(v.units[1])),
+            lowest,
+        }
+    }
+
+    /// The heights up to which a column is solid, by parts, chart metres, from what is known of its chunks upwards;
+    /// `None` where the lowest does not say.
+    ///
+    /// Over a solid floor a part of a chunk is solid up to its mesh, or up to the chunk's top where there is none; and
+    /// then so is the floor of that part of the next chunk.
+    pub fn solid_below_m<'a>(
+        mut upwards: impl Iterator<Item = &'a ChunkLand>,
+    ) -> Option<[f64; PARTS * PARTS]> {
+        let lowest = upwards.next().filter(|chunk| chunk.ground.is_floor_solid)?;
+        let height = |chunk: &ChunkLand, units: u16| {
+            chunk.coord.origin().y + f64::from(units) / f64::from(UNITS_PER_M)
+        };
+        let mut solid = lowest.ground.lowest.map(|units| height(lowest, units));
+        let mut goes_on = lowest.ground.lowest.map(|units| units == TOP);
+        for (below, chunk) in (lowest.coord.index.y..).zip(upwards) {
+            if chunk.coord.index.y != below + 1 {
+                break;
+            }
+            for (part, units) in chunk.ground.lowest.into_iter().enumerate() {
+                goes_on[part] &= is_clear(units);
+                if goes_on[part] {
+                    solid[part] = height(chunk, units);
+                    goes_on[part] = units == TOP;
+                }
+            }
+        }
+        Some(solid)
+    }
+}
+
+/// The last part that a place along a side belongs to.
+fn last(units: u16) -> usize {
+    usize::from(units / PART_UNITS).min(PARTS - 1)
+}
+
+fn is_clear(units: u16) -> bool {
+    f64::from(units) > FLOOR_CLEARANCE_M * f64::from(UNITS_PER_M)
 }
 
 impl ChunkLand {
@@ -37,15 +132,9 @@ impl ChunkLand {
         for vertex in &mesh.vertices {
             let units = U16Vec3::from(vertex.units);
             min = min.min(units);
-            max = max.max(units);
+            max = max.max(U16Vec3::from(vertex.units_above()));
         }
         let corner = |units: U16Vec3| origin + DVec3::from(units.to_array().map(metres));
-        // Below the mesh's lowest place lies ground, if that place is a floor; and all the way down, if the mesh
-        // stays clear of the chunk's own floor.
-        let lowest = mesh.vertices.iter().min_by_key(|v| v.units[1]);
-        let solid_below_m = lowest
-            .filter(|v| v.normal().y > 0.0 && metres(v.units[1]) > FLOOR_CLEARANCE_M)
-            .map(|v| origin.y + metres(v.units[1]));
         let is_empty = mesh.vertices.is_empty();
         Self {
             coord,
@@ -54,7 +143,7 @@ impl ChunkLand {
             max: if is_empty { origin } else { corner(max) },
             triangles: mesh.triangles().len(),
             error_m: f64::from(mesh.error_m),
-            solid_below_m,
+            ground: Ground::of(mesh),
         }
     }
 

@@ -5,6 +5,7 @@
 //! looked at; what stays behind it, or rises over it by less than the tolerance, is not drawn.
 
 mod bend;
+mod book;
 mod bounds;
 mod choice;
 mod halver;
@@ -13,20 +14,29 @@ mod quality;
 mod refine;
 mod skyline;
 mod stats;
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+mod tests;
 
-use std::collections::HashSet;
+use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChunkCoord, SightCell};
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Eye, SightCell, Strategy};
 use antipode_scene::frame::{Frame, Quality};
+pub use book::LandBook;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
 pub use halver::{Halver, Refined};
-pub use land::ChunkLand;
+pub use land::{ChunkLand, Ground};
 pub use quality::Tolerance;
 pub use refine::{RefineKey, RefineRules, unhalved_error_px};
 pub use stats::PlanStats;
 
+use bend::Bend;
 use skyline::Skyline;
+
+/// What rounding takes from a cell at most, in radians, or as a part of a slope or a distance.
+const SLACK: f64 = 1e-6;
 
 /// How a frame is drawn.
 #[derive(Debug)]
@@ -40,6 +50,7 @@ pub struct FramePlan {
 }
 
 /// A chunk that is in the picture, before it is known whether land hides it.
+#[derive(Clone, Copy, Debug)]
 struct Candidate {
     place: usize,
     cell: SightCell,
@@ -48,50 +59,90 @@ struct Candidate {
 
 /// Decides what to draw of `land` in a picture `height_px` pixels high.
 pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
-    let scale = PictureScale::new(&frame.projection, height_px);
-    let tolerance = Tolerance::of(frame.quality);
-    let mut stats = PlanStats::default();
-    let candidates = candidates(frame, land, scale, &tolerance, &mut stats);
-    let bounds = Bounds::measure(frame, scale);
-    let hides =
-        tolerance.hides && frame.strategy.keeps_azimuths() && !skyline::is_underground(frame, land);
-    let kept = if hides {
-        unhidden(frame, land, candidates, scale, &tolerance, &mut stats)
-    } else {
-        candidates
-    };
-    let mut chunks: Vec<_> = kept
-        .into_iter()
-        .map(|candidate| {
-            let chunk = &land[candidate.place];
-            // A metre takes about as many pixels as the chunk has, over its side.
-            let metre_px = scale.spans_px(&candidate.cell) / f64::from(CHUNK_CELLS);
-            stats.level_error_at_least(chunk.error_m * metre_px);
-            choice::choose(
-                frame,
-                chunk,
-                candidate.place,
-                &candidate.cell,
-                &bounds,
-                &tolerance,
-            )
-        })
-        .collect();
-    chunks.sort_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
-    for chunk in &chunks {
-        stats.count(chunk, &land[chunk.place]);
+    Planner::default().plan(frame, height_px, &LandBook::new(land.to_vec()))
+}
+
+/// Plans one frame after another, and keeps what the next one can use.
+#[derive(Debug, Default)]
+pub struct Planner {
+    bend: Option<Measured>,
+}
+
+/// A bend, and what it was measured for.
+#[derive(Debug)]
+struct Measured {
+    strategy: Arc<dyn Strategy>,
+    eye: Eye,
+    scale: PictureScale,
+    bend: Bend,
+}
+
+impl Planner {
+    /// Decides what to draw of the land in a picture `height_px` pixels high.
+    pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
+        let scale = PictureScale::new(&frame.projection, height_px);
+        let tolerance = Tolerance::of(frame.quality);
+        let mut stats = PlanStats::default();
+        let mut candidates = candidates(frame, book, scale, &tolerance, &mut stats);
+        let bounds = Bounds::new(frame, scale, self.bend(frame, scale));
+        if hides(frame, book, &tolerance) {
+            candidates = unhidden(frame, book, candidates, scale, &tolerance, &mut stats);
+        }
+        candidates.sort_unstable_by(|a, b| {
+            let nearer = a.cell.nearest_m.total_cmp(&b.cell.nearest_m);
+            nearer.then(a.place.cmp(&b.place))
+        });
+        let chunks = candidates
+            .iter()
+            .map(|candidate| {
+                let chunk = &book.land()[candidate.place];
+                // A metre takes about as many pixels as the chunk has, over its side.
+                let metre_px = scale.spans_px(&candidate.cell) / f64::from(CHUNK_CELLS);
+                stats.level_error_at_least(chunk.error_m * metre_px);
+                let (place, cell) = (candidate.place, &candidate.cell);
+                let choice = choice::choose(frame, chunk, place, cell, &bounds, &tolerance);
+                stats.count(&choice, chunk);
+                choice
+            })
+            .collect();
+        FramePlan {
+            chunks,
+            bounds,
+            stats,
+        }
     }
-    FramePlan {
-        chunks,
-        bounds,
-        stats,
+
+    /// The bend of a frame's port: the last one's, where nothing that it depends on has changed.
+    fn bend(&mut self, frame: &Frame, scale: PictureScale) -> Bend {
+        let eye = Bounds::bend_eye(frame);
+        if let Some(last) = &self.bend
+            && Arc::ptr_eq(&last.strategy, &frame.strategy)
+            && (last.eye, last.scale) == (eye, scale)
+        {
+            return last.bend.clone();
+        }
+        let bend = Bounds::measure_bend(frame, scale);
+        self.bend = Some(Measured {
+            strategy: Arc::clone(&frame.strategy),
+            eye,
+            scale,
+            bend: bend.clone(),
+        });
+        bend
     }
+}
+
+/// Whether land hides land in a frame.
+fn hides(frame: &Frame, book: &LandBook, tolerance: &Tolerance) -> bool {
+    tolerance.hides
+        && frame.strategy.keeps_azimuths()
+        && !skyline::is_underground(frame, book.columns())
 }
 
 /// The chunks in the picture and before the fog that span more than the tolerance.
 fn candidates(
     frame: &Frame,
-    land: &[ChunkLand],
+    book: &LandBook,
     scale: PictureScale,
     tolerance: &Tolerance,
     stats: &mut PlanStats,
@@ -100,24 +151,43 @@ fn candidates(
     let frustum = strategy.frustum(eye, &frame.projection);
     let home = ChunkCoord::containing(eye.point).index;
     let fog_m = f64::from(frame.fog_distance_m);
-    let mut seen = Vec::with_capacity(land.len());
-    for (place, chunk) in land.iter().enumerate() {
-        let hemisphere = chunk.coord.hemisphere;
-        let cell = frustum.cell_seen(strategy, eye, hemisphere, chunk.min, chunk.max);
-        match cell.filter(|cell| cell.nearest_m <= fog_m) {
-            Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
-                stats.triangles_small += chunk.triangles;
-                stats.error_at_least(scale.spans_px(&cell));
+    let mut seen = Vec::new();
+    for tract in book.tracts() {
+        let cell = roomy(strategy.sight_cell_of(eye, &tract.drum));
+        if !frustum.sees(&cell) || cell.nearest_m > fog_m {
+            stats.triangles_outside += tract.triangles;
+            continue;
+        }
+        for place in book.chunks(tract) {
+            let chunk = &book.land()[place];
+            let hemisphere = chunk.coord.hemisphere;
+            let cell = frustum.cell_seen(strategy, eye, hemisphere, chunk.min, chunk.max);
+            match cell.filter(|cell| cell.nearest_m <= fog_m) {
+                Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
+                    stats.triangles_small += chunk.triangles;
+                    stats.error_at_least(scale.spans_px(&cell));
+                }
+                Some(cell) => {
+                    let steps = chunk.coord.index - home;
+                    let ring = skyline::ring(steps.x, steps.z);
+                    seen.push(Candidate { place, cell, ring });
+                }
+                None => stats.triangles_outside += chunk.triangles,
             }
-            Some(cell) => {
-                let steps = chunk.coord.index - home;
-                let ring = steps.x.unsigned_abs() + steps.z.unsigned_abs();
-                seen.push(Candidate { place, cell, ring });
-            }
-            None => stats.triangles_outside += chunk.triangles,
         }
     }
     seen
+}
+
+/// A cell widened by more than rounding takes from it, so that what is found to be outside of it is outside of all
+/// cells that it was made to hold.
+fn roomy(mut cell: SightCell) -> SightCell {
+    let slack = |value: f64| SLACK * (1.0 + value.abs().min(f64::MAX));
+    cell.half_width_rad += SLACK;
+    cell.slope[0] -= slack(cell.slope[0]);
+    cell.slope[1] += slack(cell.slope[1]);
+    cell.nearest_m -= slack(cell.nearest_m);
+    cell
 }
 
 /// Leaves out what the skyline of nearer land hides, or all but hides.
@@ -126,40 +196,47 @@ fn candidates(
 /// rings of equal sums of steps. Every column in sight distance raises the skyline, in the picture or not.
 fn unhidden(
     frame: &Frame,
-    land: &[ChunkLand],
-    candidates: Vec<Candidate>,
+    book: &LandBook,
+    mut candidates: Vec<Candidate>,
     scale: PictureScale,
     tolerance: &Tolerance,
     stats: &mut PlanStats,
 ) -> Vec<Candidate> {
     let mut skyline = Skyline::new(frame, scale);
-    let mut columns = skyline::columns(frame, land);
-    columns.sort_by_key(|column| column.ring);
-    let mut columns = columns.into_iter().peekable();
-    let mut order = candidates;
-    order.sort_by_key(|candidate| candidate.ring);
-    let mut left_out = HashSet::new();
-    let mut kept = Vec::with_capacity(order.len());
-    for candidate in order {
-        while let Some(column) = columns.next_if(|column| column.ring < candidate.ring) {
+    for candidate in &candidates {
+        skyline.want(&candidate.cell, candidate.ring);
+    }
+    let home = ChunkCoord::containing(frame.eye.point).index;
+    let columns = book.columns();
+    let mut order: Vec<_> = columns.iter().map(|c| c.ring(home)).zip(0..).collect();
+    order.sort_unstable();
+    let mut order = order.into_iter().peekable();
+    candidates.sort_unstable_by_key(|candidate| candidate.ring);
+    let mut left_out = vec![false; columns.len()];
+    candidates.retain(|candidate| {
+        while let Some((ring, at)) = order.next_if(|(ring, _)| *ring < candidate.ring) {
             // Land that was left out hides nothing, or what is left out would add up.
-            if !left_out.contains(&column.place) {
-                skyline.raise(&column);
+            if !left_out[at] {
+                skyline.raise(&columns[at], ring);
             }
         }
         let over_px = skyline.rises_px(&candidate.cell);
-        let triangles = land[candidate.place].triangles;
+        let triangles = book.land()[candidate.place].triangles;
         if over_px <= 0.0 {
             stats.triangles_hidden += triangles;
-        } else if over_px < tolerance.small_px {
-            stats.triangles_small += triangles;
-            left_out.insert(skyline::place_of(&land[candidate.place]));
-            stats.error_at_least(over_px);
-        } else {
-            kept.push(candidate);
+            return false;
         }
-    }
-    kept
+        let is_small = over_px < tolerance.small_px;
+        if is_small {
+            stats.triangles_small += triangles;
+            if let Some(column) = book.column_of(candidate.place) {
+                left_out[column] = true;
+            }
+            stats.error_at_least(over_px);
+        }
+        !is_small
+    });
+    candidates
 }
 
 /// The bar that a quality keeps a frame's `error_px` under, pixels; `None` where it promises nothing, because

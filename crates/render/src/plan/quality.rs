@@ -5,7 +5,7 @@ use antipode_scene::frame::Quality;
 /// What a quality lets pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
-    /// Whether land behind the skyline of nearer land is left out.
+    /// Whether land behind the skyline of nearer land is left out, and blocks of near land out of the picture.
     pub hides: bool,
     /// Land that rises over the skyline by less than this is left out, pixels.
     pub small_px: f64,

@@ -3,69 +3,85 @@
 //! A column of ground that is solid below some height blocks every ray that enters it below that height. In
 //! a space that keeps azimuths that is all rays of its azimuths up to the slope at which its top is seen.
 
-use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::ops::Range;
 
-use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Hemisphere, SightCell};
+use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Hemisphere, SightCell, azimuth_spread};
 use antipode_scene::frame::Frame;
-use glam::{DVec2, DVec3, IVec2};
+use glam::{DVec2, DVec3, IVec2, IVec3};
 
-use super::ChunkLand;
 use super::bounds::PictureScale;
+use super::land::PARTS;
 
 /// Azimuths are told apart to 360/1024 of a degree.
 const BINS: usize = 1024;
-/// A column is taken in this many parts along each side, since its slope is that of its worst place: by how
-/// many steps it lies from the eye's own.
-const PARTS: [u32; 4] = [4, 4, 2, 2];
+/// So many of a column's parts along each side are taken together, by how many steps it lies from the eye's own: the
+/// slope of a square is that of its worst place.
+const TAKEN_TOGETHER: [usize; 12] = [1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 
 /// Solid ground under one column of chunks.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
-    /// Steps in x plus steps in z from the eye's column.
-    pub ring: u32,
     /// Which column, in chunks along x and z.
     pub place: IVec2,
-    corner: DVec2,
-    solid_below_m: f64,
+    /// Height below which each of its parts is solid, chart metres.
+    solid_below_m: [f64; PARTS * PARTS],
+    /// The least and the greatest of these.
+    lowest_m: f64,
+    highest_m: f64,
 }
 
-/// The column of a chunk.
-pub fn place_of(chunk: &ChunkLand) -> IVec2 {
-    IVec2::new(chunk.coord.index.x, chunk.coord.index.z)
+impl Column {
+    /// A column whose parts, row by row along x, are solid below some heights, chart metres.
+    pub fn new(place: IVec2, solid_below_m: [f64; PARTS * PARTS]) -> Self {
+        Self {
+            place,
+            solid_below_m,
+            lowest_m: solid_below_m.into_iter().fold(f64::INFINITY, f64::min),
+            highest_m: solid_below_m.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+
+    /// Its corner with the smallest coordinates, x and z in chart metres.
+    fn corner(&self) -> DVec2 {
+        self.place.as_dvec2() * f64::from(CHUNK_CELLS)
+    }
+
+    /// Height below which a square of `side` parts is solid, from the part at `x` and `z` on.
+    fn solid_below_m(&self, [x, z]: [usize; 2], side: usize) -> f64 {
+        if side == PARTS {
+            return self.lowest_m;
+        }
+        let rows = self.solid_below_m.chunks_exact(PARTS).skip(z).take(side);
+        let parts = rows.flat_map(|row| row.iter().skip(x).take(side));
+        parts.copied().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Steps in x plus steps in z from the eye's column.
+    pub fn ring(&self, home: IVec3) -> u32 {
+        ring(self.place.x - home.x, self.place.y - home.z)
+    }
+}
+
+/// A ring by steps in x and z.
+pub fn ring(x: i32, z: i32) -> u32 {
+    x.unsigned_abs() + z.unsigned_abs()
 }
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
-pub fn is_underground(frame: &Frame, land: &[ChunkLand]) -> bool {
-    columns(frame, land)
-        .iter()
-        .any(|column| column.ring == 0 && column.solid_below_m > frame.eye.point.pos.y)
-}
-
-/// The columns that are known to be solid below some height.
-pub fn columns(frame: &Frame, land: &[ChunkLand]) -> Vec<Column> {
-    let mut lowest: HashMap<IVec2, &ChunkLand> = HashMap::with_capacity(land.len());
-    for chunk in land {
-        let key = place_of(chunk);
-        let entry = lowest.entry(key).or_insert(chunk);
-        if chunk.coord.index.y < entry.coord.index.y {
-            *entry = chunk;
-        }
-    }
+pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
     let home = ChunkCoord::containing(frame.eye.point).index;
-    lowest
-        .into_iter()
-        .filter_map(|(key, chunk)| {
-            let steps = key - IVec2::new(home.x, home.z);
-            let origin = chunk.coord.origin();
-            Some(Column {
-                ring: steps.x.unsigned_abs() + steps.y.unsigned_abs(),
-                place: key,
-                corner: DVec2::new(origin.x, origin.z),
-                solid_below_m: chunk.solid_below_m?,
-            })
-        })
-        .collect()
+    let over = |column: &&Column| column.ring(home) == 0;
+    let Some(column) = columns.iter().find(over) else {
+        return false;
+    };
+    let eye = frame.eye.point.pos;
+    let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
+    let part = (DVec2::new(eye.x, eye.z) - column.corner()) / part_m;
+    let [x, z] = part
+        .to_array()
+        .map(|i| (i.max(0.0) as usize).min(PARTS - 1));
+    column.solid_below_m([x, z], 1) > eye.y
 }
 
 /// The slope up to which rays of each azimuth are blocked.
@@ -74,62 +90,120 @@ pub struct Skyline<'a> {
     frame: &'a Frame,
     scale: PictureScale,
     slopes: Vec<f64>,
+    /// The outermost ring that is looked for at each azimuth: what stands there or farther off need not be known.
+    wanted: Vec<u32>,
 }
 
 impl<'a> Skyline<'a> {
-    /// Nothing is blocked.
+    /// Nothing is blocked, and nothing is looked for.
     pub fn new(frame: &'a Frame, scale: PictureScale) -> Self {
         Self {
             frame,
             scale,
             slopes: vec![f64::NEG_INFINITY; BINS],
+            wanted: vec![0; BINS],
         }
     }
 
-    /// Blocks what a column blocks.
-    pub fn raise(&mut self, column: &Column) {
-        let parts = PARTS.get(column.ring as usize).copied().unwrap_or(1);
-        let side = f64::from(CHUNK_CELLS) / f64::from(parts);
-        for part in 0..parts * parts {
-            let step = DVec2::new(f64::from(part % parts), f64::from(part / parts)) * side;
-            self.raise_part(column.corner + step, side, column.solid_below_m);
+    /// Tells that [`Skyline::rises_px`] will be asked for when all rings inside of one are known.
+    pub fn want(&mut self, cell: &SightCell, ring: u32) {
+        if ring > 0 {
+            for bin in bins_around(cell) {
+                self.wanted[bin] = self.wanted[bin].max(ring);
+            }
         }
     }
 
-    fn raise_part(&mut self, corner: DVec2, side: f64, top_m: f64) {
-        let eye = self.frame.eye.point.pos;
-        let low = corner - DVec2::new(eye.x, eye.z);
-        let Some((from, to)) = azimuths(low, low + side) else {
-            return;
+    /// Blocks what a column of a ring blocks.
+    pub fn raise(&mut self, column: &Column, ring: u32) {
+        let side = f64::from(CHUNK_CELLS);
+        let Some((from, to)) = self.seen_at(column.corner(), side) else {
+            // The eye's own column blocks what its parts do.
+            return self.raise_parts(column, ring);
         };
+        let bins = bin_at(from).floor() as i64..bin_at(to).floor() as i64 + 1;
+        if self.is_wanted(bins.clone(), ring) {
+            let highest = self.top(column.corner(), side, column.highest_m).slope[1];
+            if bins
+                .into_iter()
+                .any(|bin| self.slopes[wrapped(bin)] < highest)
+            {
+                self.raise_parts(column, ring);
+            }
+        }
+    }
+
+    /// The cell of a level square of the chart.
+    fn top(&self, corner: DVec2, side: f64, top_m: f64) -> SightCell {
         let min = DVec3::new(corner.x, top_m, corner.y);
         let max = min + DVec3::new(side, 0.0, side);
-        let cell = self
-            .frame
-            .strategy
-            .sight_cell(&self.frame.eye, Hemisphere::A, min, max);
+        let (space, eye) = (&self.frame.strategy, &self.frame.eye);
+        space.sight_cell(eye, Hemisphere::A, min, max)
+    }
+
+    fn raise_parts(&mut self, column: &Column, ring: u32) {
+        let parts = TAKEN_TOGETHER.get(ring as usize).copied().unwrap_or(PARTS);
+        let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
+        for z in (0..PARTS).step_by(parts) {
+            for x in (0..PARTS).step_by(parts) {
+                let corner = column.corner() + part_m * DVec2::new(x as f64, z as f64);
+                let top_m = column.solid_below_m([x, z], parts);
+                self.raise_part(corner, part_m * parts as f64, top_m, ring);
+            }
+        }
+    }
+
+    fn raise_part(&mut self, corner: DVec2, side: f64, top_m: f64, ring: u32) {
+        let Some((from, to)) = self.seen_at(corner, side) else {
+            return;
+        };
+        // Only azimuths that lie in the part throughout.
+        let bins = bin_at(from).ceil() as i64..bin_at(to).floor() as i64;
+        if !self.is_wanted(bins.clone(), ring) {
+            return;
+        }
+        let cell = self.top(corner, side, top_m);
         if cell.is_empty() {
             return;
         }
-        // Only azimuths that lie in the part throughout.
-        let (first, last) = (bin_at(from).ceil() as i64, bin_at(to).floor() as i64);
-        for bin in first..last {
-            let slope = &mut self.slopes[bin.rem_euclid(BINS as i64) as usize];
+        for bin in bins {
+            let slope = &mut self.slopes[wrapped(bin)];
             *slope = slope.max(cell.slope[0]);
         }
     }
 
+    /// The azimuths at which a square of the chart is seen; `None` where the eye stands over it.
+    fn seen_at(&self, corner: DVec2, side: f64) -> Option<(f64, f64)> {
+        let eye = self.frame.eye.point.pos;
+        let low = corner - DVec2::new(eye.x, eye.z);
+        azimuths(low, low + side)
+    }
+
+    /// Whether anything farther off than a ring is looked for at any of the azimuths.
+    fn is_wanted(&self, mut bins: Range<i64>, ring: u32) -> bool {
+        bins.any(|bin| self.wanted[wrapped(bin)] > ring)
+    }
+
     /// By how many pixels at most something rises over the skyline; zero or less where it is hidden.
     pub fn rises_px(&self, cell: &SightCell) -> f64 {
-        let half = cell.half_width_rad.min(PI);
-        let first = bin_at(cell.azimuth_rad - half).floor() as i64;
-        let last = bin_at(cell.azimuth_rad + half).floor() as i64;
-        let bins = (first..=last).take(BINS);
-        let lowest = bins
-            .map(|bin| self.slopes[bin.rem_euclid(BINS as i64) as usize])
+        let lowest = bins_around(cell)
+            .map(|bin| self.slopes[bin])
             .fold(f64::INFINITY, f64::min);
         self.scale.widest_px(cell.slope[1].atan() - lowest.atan())
     }
+}
+
+/// The bins of the azimuths of a cell.
+fn bins_around(cell: &SightCell) -> impl Iterator<Item = usize> + use<> {
+    let half = cell.half_width_rad.min(PI);
+    let first = bin_at(cell.azimuth_rad - half).floor() as i64;
+    let last = bin_at(cell.azimuth_rad + half).floor() as i64;
+    (first..=last).take(BINS).map(wrapped)
+}
+
+/// A bin counted once about.
+fn wrapped(bin: i64) -> usize {
+    bin.rem_euclid(BINS as i64) as usize
 }
 
 /// An azimuth counted in bins.
@@ -144,14 +218,6 @@ fn azimuths(low: DVec2, high: DVec2) -> Option<(f64, f64)> {
     }
     let middle = 0.5 * (low + high);
     let heading = middle.y.atan2(middle.x);
-    let corners = [
-        low,
-        high,
-        DVec2::new(low.x, high.y),
-        DVec2::new(high.x, low.y),
-    ];
-    let aside = corners.map(|c| middle.perp_dot(c).atan2(middle.dot(c)));
-    let least = aside.into_iter().fold(f64::INFINITY, f64::min);
-    let most = aside.into_iter().fold(f64::NEG_INFINITY, f64::max);
+    let [least, most] = azimuth_spread(low, high);
     Some((heading + least, heading + most))
 }

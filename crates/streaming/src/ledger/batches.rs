@@ -1,5 +1,6 @@
 //! Edit batches: how their chunks are made, and what follows from them.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
@@ -7,6 +8,7 @@ use antipode_terrain::Level;
 
 use super::{Ledger, Make, Shown};
 use crate::plan::Target;
+use crate::range::around;
 
 impl Ledger {
     /// How the chunks of a batch that is handed over are to be made. Until the batch has ended their
@@ -20,6 +22,25 @@ impl Ledger {
         let makes: Vec<_> = coords.map(make).collect();
         self.batch.extend(makes.iter().map(|make| make.coord));
         makes
+    }
+
+    /// By level, the chunks coarser than full that are there, or are being made, beside some chunks.
+    pub(crate) fn coarse_beside(
+        &self,
+        coords: &BTreeSet<ChunkCoord>,
+    ) -> BTreeMap<Level, BTreeSet<ChunkCoord>> {
+        let mut found = BTreeMap::<_, BTreeSet<_>>::new();
+        for coord in coords.iter().flat_map(|&coord| around(coord, -1, 1)) {
+            let known = self.resident.contains_key(&coord) || self.in_flight.contains_key(&coord);
+            if !known || coords.contains(&coord) {
+                continue;
+            }
+            let level = self.batch_level(coord);
+            if level > Level::FULL {
+                found.entry(level).or_default().insert(coord);
+            }
+        }
+        found
     }
 
     fn batch_level(&self, coord: ChunkCoord) -> Level {
@@ -71,6 +92,15 @@ impl Ledger {
         self.end_batch(remeshed);
     }
 
+    /// Notes that the borders of chunks have changed with a finished batch, but not their surface.
+    pub(crate) fn borders_changed(&mut self, bordering: &[ChunkCoord], revision: u64) {
+        for coord in bordering {
+            if let Some(flight) = self.in_flight.get_mut(coord) {
+                flight.least = revision.max(flight.least);
+            }
+        }
+    }
+
     /// Notes a chunk that came with a batch; false if it is out of range and not to be shown.
     pub(crate) fn show_edited(&mut self, make: Make) -> bool {
         let Make {
@@ -81,7 +111,7 @@ impl Ledger {
         if !self.wished.range.keeps(coord) {
             return false;
         }
-        self.resident.insert(coord, Shown { level, solid });
+        self.put(coord, Shown { level, solid });
         self.given_up.remove(&coord);
         self.queue.remove(coord);
         self.release(coord);

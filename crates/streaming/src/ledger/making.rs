@@ -156,7 +156,7 @@ impl Ledger {
         let verdict = self.judge(make, revision < least);
         match verdict {
             Verdict::Drop => self.left_out.push(coord),
-            _ => _ = self.resident.insert(coord, Shown { level, solid }),
+            _ => self.put(coord, Shown { level, solid }),
         }
         self.release(coord);
         verdict
@@ -181,6 +181,11 @@ impl Ledger {
     /// A chunk has ended its flight: it, and what has waited for it, may go on.
     pub(super) fn release(&mut self, coord: ChunkCoord) {
         self.enqueue(coord);
+        self.release_beside(coord);
+    }
+
+    /// What has waited for a chunk may go on.
+    pub(super) fn release_beside(&mut self, coord: ChunkCoord) {
         for next in faces(coord) {
             if self.blocked.contains(&next) {
                 self.enqueue(next);

@@ -7,6 +7,7 @@
 
 use super::*;
 use crate::api::{Detail, Reach, Wish};
+use crate::ledger::wishing::{LEAST_SETTLED, SETTLED_SHARE};
 use crate::levels::faces;
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
 use glam::{DVec3, IVec3};
@@ -50,7 +51,8 @@ fn wish(ledger: &mut Ledger, wish: &Wish) -> Vec<ChunkCoord> {
         return Vec::new();
     };
     let planned = request.plan(&ledger.field);
-    ledger.planned(planned)
+    ledger.planned(planned);
+    ledger.settle_all()
 }
 
 #[test]
@@ -273,6 +275,7 @@ fn ground_is_solid_where_bodies_are_and_for_a_while_where_they_were() {
     );
     let planned = ledger.next_plan().unwrap().plan(&ledger.field);
     ledger.planned(planned);
+    ledger.settle_all();
     make_all(&mut ledger, 5);
     assert_eq!(solid(&ledger), [0, 1].into());
     let left = ledger.wish(&wish_with_rings(3, 2));
@@ -316,6 +319,7 @@ fn an_edit_is_shown_at_the_level_the_chunk_has() {
     // What was dug may be lost at a coarser level: with its next plan it is as fine as that takes.
     let planned = ledger.next_plan().unwrap().plan(&ledger.field);
     ledger.planned(planned);
+    ledger.settle_all();
     make_all_at(&mut ledger, 1);
     assert_eq!(ledger.level(coord), Some(Level::FULL));
 }
@@ -324,6 +328,65 @@ fn make_all_at(ledger: &mut Ledger, revision: u64) {
     while let Some(make) = ledger.next_load(100) {
         ledger.loaded(make, revision);
     }
+}
+
+#[test]
+fn a_new_plan_is_carried_out_some_chunks_a_frame() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &wish_at(16.0, 4));
+    make_all(&mut ledger, 100);
+    let there = ledger.resident_count();
+    ledger.wish(&wish_at(16.0 + 3200.0, 4));
+    let planned = ledger.next_plan().unwrap().plan(&ledger.field);
+    let left = planned.changed.len();
+    ledger.planned(planned);
+    let mut frames = Vec::new();
+    while frames.iter().sum::<usize>() < there {
+        assert!(ledger.coming() > 0, "there is more to come");
+        frames.push(ledger.settle_some().len());
+    }
+    let most = LEAST_SETTLED.max(left / SETTLED_SHARE);
+    assert!(
+        frames.len() > 4 && frames.iter().all(|&gone| gone <= most),
+        "{frames:?}"
+    );
+    while !ledger.unsettled.is_empty() {
+        assert!(ledger.settle_some().is_empty());
+    }
+    make_all(&mut ledger, 100);
+    assert_as_planned(&ledger);
+}
+
+#[test]
+fn of_two_plans_one_after_the_other_the_second_holds() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &without_bodies(wish_with_rings(0, 2)));
+    make_all(&mut ledger, 7);
+    for x in [4, 9, 1, 0, 6] {
+        ledger.wish(&without_bodies(wish_with_rings(x, 2)));
+        let planned = ledger.next_plan().unwrap().plan(&ledger.field);
+        ledger.planned(planned);
+        // The first frames of a plan, and then there is another already.
+        for _ in 0..3 {
+            ledger.settle_some();
+            for make in std::iter::from_fn(|| ledger.next_load(2)).collect::<Vec<_>>() {
+                ledger.loaded(make, 0);
+                assert!(widest_step(&ledger) <= 1);
+            }
+        }
+    }
+    while !ledger.unsettled.is_empty() {
+        ledger.settle_some();
+    }
+    make_all(&mut ledger, 7);
+    assert_as_planned(&ledger);
+    let targets = &ledger.plan.targets;
+    assert!(
+        ledger
+            .resident
+            .keys()
+            .all(|coord| targets.contains_key(coord))
+    );
 }
 
 #[test]

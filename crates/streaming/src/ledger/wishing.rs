@@ -6,9 +6,15 @@ use antipode_geometry::ChunkCoord;
 
 use super::Ledger;
 use crate::api::Wish;
-use crate::plan::{Planned, Request};
+use crate::plan::{Plan, Planned, Request};
 use crate::range::Range;
 use crate::reaches::Reaches;
+
+/// Chunks looked at in a frame after a new plan: so many, or this share of those that are left. A
+/// plan comes every few metres of way, and all at once its chunks would make one frame several
+/// times as long as the others.
+pub(super) const LEAST_SETTLED: usize = 8;
+pub(super) const SETTLED_SHARE: usize = 8;
 
 impl Ledger {
     /// Takes a wish; returns the chunks that are no longer solid. The first wish is planned at
@@ -28,7 +34,7 @@ impl Ledger {
         }
         self.wished.range = range;
         self.wished.detail.clone_from(&wish.detail);
-        self.wished.bodies = bodies;
+        let before = std::mem::replace(&mut self.wished.bodies, bodies);
         self.plan_due = true;
         if self.plan.range == Range::Nothing {
             self.plan_now();
@@ -36,7 +42,7 @@ impl Ledger {
         if same_bodies {
             Vec::new()
         } else {
-            self.move_bodies()
+            self.move_bodies(&before)
         }
     }
 
@@ -45,23 +51,35 @@ impl Ledger {
         if let Some(request) = self.next_plan() {
             let planned = request.plan(&self.field);
             self.planned(planned);
+            // Nothing can be gone yet.
+            self.settle_all();
         }
     }
 
     /// Ground that bodies have come to is asked for; returns what they have left.
-    fn move_bodies(&mut self) -> Vec<ChunkCoord> {
+    fn move_bodies(&mut self, before: &Reaches) -> Vec<ChunkCoord> {
         let bodies = &self.wished.bodies;
-        let mut left = Vec::new();
-        let mut reached = Vec::new();
-        for (&coord, shown) in &mut self.resident {
-            if shown.solid && !bodies.keeps(coord) {
+        let left = self.solid.extract_if(|&coord| !bodies.keeps(coord));
+        let mut left: Vec<_> = left.collect();
+        left.sort_unstable();
+        for coord in &left {
+            if let Some(shown) = self.resident.get_mut(coord) {
                 shown.solid = false;
-                left.push(coord);
-            } else if !shown.solid && bodies.wants(coord) {
-                reached.push(coord);
             }
         }
-        left.sort_unstable();
+        // What was wanted before has been asked for.
+        let come = |&coord: &ChunkCoord| bodies.wants(coord) && !before.wants(coord);
+        let hollow = |coord: &ChunkCoord| self.resident.get(coord).is_some_and(|it| !it.solid);
+        let reached: Vec<_> = match bodies.list() {
+            Some(near) => near.into_iter().filter(come).filter(hollow).collect(),
+            None => self
+                .resident
+                .keys()
+                .copied()
+                .filter(come)
+                .filter(hollow)
+                .collect(),
+        };
         for &coord in reached.iter().chain(&left) {
             self.enqueue(coord);
         }
@@ -75,7 +93,6 @@ impl Ledger {
         }
         self.plan_due = false;
         self.planning = true;
-        self.wished.before = Arc::clone(&self.plan);
         Some(self.wished.clone())
     }
 
@@ -90,29 +107,58 @@ impl Ledger {
         self.planning = false;
     }
 
-    /// Takes a plan over; returns the chunks that are gone.
-    pub(crate) fn planned(&mut self, planned: Planned) -> Vec<ChunkCoord> {
+    /// Takes a plan over, to be carried out by [`settle_some`](Self::settle_some); returns the one
+    /// before, which is large.
+    pub(crate) fn planned(&mut self, planned: Planned) -> Arc<Plan> {
         let Planned { plan, changed } = planned;
         self.planning = false;
         self.plan = Arc::new(plan);
         let plan = &*self.plan;
-        self.late
-            .retain(|&coord, _| plan.range.keeps(coord) && !plan.targets.contains_key(&coord));
-        let late = &self.late;
-        let stays = |coord| plan.targets.contains_key(&coord) || late.contains_key(&coord);
-        self.queue.retain(stays);
-        self.blocked.retain(|&coord| stays(coord));
-        self.given_up.retain(|&coord| stays(coord));
-        let mut gone: Vec<_> = self
-            .resident
-            .extract_if(|&coord, _| !stays(coord))
-            .map(|(coord, _)| coord)
-            .collect();
-        gone.sort_unstable();
-        let left_out = std::mem::take(&mut self.left_out);
-        for coord in changed.into_iter().chain(left_out) {
-            self.enqueue(coord);
+        let late = &mut self.late;
+        let settled = late
+            .extract_if(|&coord, _| !plan.range.keeps(coord) || plan.targets.contains_key(&coord));
+        self.unsettled.extend(settled.map(|(coord, _)| coord));
+        self.unsettled.extend(changed);
+        self.unsettled
+            .append(&mut std::mem::take(&mut self.left_out).into());
+        std::mem::replace(&mut self.wished.before, Arc::clone(&self.plan))
+    }
+
+    /// Carries out a frame's share of the plan; returns chunks that are gone.
+    pub(crate) fn settle_some(&mut self) -> Vec<ChunkCoord> {
+        self.settle(LEAST_SETTLED.max(self.unsettled.len() / SETTLED_SHARE))
+    }
+
+    /// Carries out the whole plan; returns the chunks that are gone.
+    pub(crate) fn settle_all(&mut self) -> Vec<ChunkCoord> {
+        self.settle(self.unsettled.len())
+    }
+
+    fn settle(&mut self, most: usize) -> Vec<ChunkCoord> {
+        let mut gone = Vec::new();
+        for _ in 0..most {
+            let Some(coord) = self.unsettled.pop_front() else {
+                break;
+            };
+            if self.target(coord).is_some() {
+                self.enqueue(coord);
+            } else if self.forget(coord) {
+                gone.push(coord);
+            }
         }
         gone
+    }
+
+    /// Lets go of a chunk that has no target any more; true if it was there.
+    fn forget(&mut self, coord: ChunkCoord) -> bool {
+        self.queue.remove(coord);
+        self.blocked.remove(&coord);
+        self.given_up.remove(&coord);
+        self.solid.remove(&coord);
+        let was_there = self.resident.remove(&coord).is_some();
+        if was_there {
+            self.release_beside(coord);
+        }
+        was_there
     }
 }

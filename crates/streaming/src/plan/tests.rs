@@ -137,7 +137,7 @@ fn chunks_under_half_a_pixel_are_not_loaded_but_those_near_bodies_are() {
     let (mut request, field) = request(Geometry::Euclidean, f64::INFINITY, tiny, 4);
     let near = |plan: &Plan| {
         let wanted = plan.targets.iter().filter(|(_, target)| target.wanted);
-        wanted.map(|(&coord, _)| coord).collect::<HashSet<_>>()
+        wanted.map(|(&coord, _)| coord).collect::<ChunkSet>()
     };
     let small = near(&request.plan(&field).plan);
     // 32 m make half a pixel at 64 m.
@@ -156,7 +156,7 @@ fn edited_chunks_are_as_fine_as_what_may_be_lost_of_them() {
         .iter()
         .find(|(_, target)| target.level.index() == 1);
     let (&coord, _) = coarse.expect("a coarse chunk");
-    request.near_edits = Arc::new(HashSet::from([coord]));
+    request.near_edits = Arc::new(ChunkSet::from_iter([coord]));
     assert_eq!(request.plan(&field).plan.targets[&coord].level, Level::FULL);
 }
 

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
-use antipode_terrain::Level;
-use glam::DVec3;
+use antipode_terrain::{Level, Stroke};
+use glam::{DVec3, IVec3};
 
 use super::{Game, stroke};
 use crate::api::{Detail, Until, Wish};
@@ -38,6 +38,25 @@ impl Game {
             detail: Some(Arc::new(Coarse(at))),
             ..Wish::new(point, DVec3::X, view_distance)
         });
+    }
+
+    /// A chunk of 2 m cells beside a full one along x, and a place of the ground in their common face.
+    fn edge_of_full_land(&self) -> (ChunkCoord, DVec3) {
+        let found = self.chunks.values().find_map(|chunk| {
+            let coord = chunk.coord;
+            let full = coord.offset(-IVec3::X);
+            let level = |coord| {
+                self.chunks
+                    .get(&coord)
+                    .map(|chunk| chunk.mesh.level.index())
+            };
+            let corner = coord.origin();
+            let edge = self.ground(corner.x, corner.z + 16.0);
+            let inside = edge.y > corner.y + 6.0 && edge.y < corner.y + 26.0;
+            let fits = inside && level(coord) == Some(1) && level(full) == Some(0);
+            fits.then_some((coord, edge))
+        });
+        found.expect("full land ends somewhere")
     }
 
     fn levels(&self) -> BTreeSet<Level> {
@@ -107,6 +126,37 @@ fn an_edit_shows_at_every_level() {
         assert!(after.level <= level && **after != *before, "{level:?}");
         game.wait(Until::Idle);
     }
+}
+
+#[test]
+fn a_coarse_neighbour_looks_the_same_whether_it_was_there_before_the_edit_or_came_after() {
+    let mut game = Game::flat(1);
+    let at = game.ground(16.0, 16.0);
+    game.look(at, 8);
+    game.wait(Until::Idle);
+    let (coarse, edge) = game.edge_of_full_land();
+    // Over the last sample but one before the face: full cells end at it, those of 2 m do not.
+    let stroke = Stroke {
+        centre: ChartPoint::a(edge - DVec3::X * 3.5),
+        radius_m: 1.9,
+        amount: 30.0,
+    };
+    assert!(!stroke.remeshed(&*game.space).contains(&coarse));
+    let before = Arc::clone(&game.chunks[&coarse].mesh);
+    game.streamer.edit(stroke);
+    let seen = game.wait(Until::Edits);
+    assert_eq!(seen.batches.len(), 1);
+    assert!(seen.batches[0].contains(&coarse), "all in one frame");
+    game.wait(Until::Idle);
+    let after = Arc::clone(&game.chunks[&coarse].mesh);
+    assert!(after.level == before.level && after.positions() == before.positions());
+    assert!(after != before, "its normals at the face are others");
+    let mut other = Game::flat(1);
+    other.streamer.edit(stroke);
+    other.wait(Until::Edits);
+    other.look(at, 8);
+    other.wait(Until::Idle);
+    assert!(other.chunks[&coarse].mesh == after);
 }
 
 #[test]

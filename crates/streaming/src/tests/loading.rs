@@ -4,9 +4,10 @@ use std::sync::{Arc, Mutex};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
 use antipode_terrain::Content;
+use crossbeam_channel::{Sender, unbounded};
 use glam::DVec3;
 
-use super::{Game, Gate, chunk};
+use super::{Game, Gate, LIMIT, chunk};
 use crate::api::{Until, Wish};
 use crate::range::Range;
 use crate::shared::{Step, Watch};
@@ -166,6 +167,30 @@ fn workers_carry_their_names() {
         !names.is_empty() && names.iter().all(|name| name == "antipode-chunk-1"),
         "{names:?}"
     );
+}
+
+/// Tells by which thread it is dropped.
+struct Heirloom(Sender<Option<String>>);
+
+impl Drop for Heirloom {
+    fn drop(&mut self) {
+        let _ = self
+            .0
+            .send(std::thread::current().name().map(str::to_owned));
+    }
+}
+
+#[test]
+fn what_the_game_discards_is_dropped_by_a_worker() {
+    let mut game = Game::flat(1);
+    let at = game.ground(16.0, 16.0);
+    let (tell, told) = unbounded();
+    game.streamer.discard(Heirloom(tell));
+    assert!(told.try_recv().is_err());
+    game.wish(at, 1);
+    game.wait(Until::Idle);
+    let by = told.recv_timeout(LIMIT).unwrap();
+    assert_eq!(by.as_deref(), Some("antipode-chunk-1"));
 }
 
 #[test]

@@ -143,9 +143,8 @@ impl Game {
                     );
                 }
                 Update::Saved => self.saved += 1,
-                Update::Problem(problem) | Update::SaveFailed(problem) => {
-                    self.problems.push(problem);
-                }
+                Update::Problem(problem) => self.problems.push(problem),
+                Update::SaveFailed(why) => self.problems.push(why.to_string()),
             }
         }
         seen

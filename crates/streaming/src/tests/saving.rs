@@ -34,6 +34,7 @@ fn meta() -> WorldMeta {
         created_unix_s: 1,
         last_played_unix_s: 2,
         played_s: 3.0,
+        cheated: false,
     }
 }
 
@@ -150,7 +151,7 @@ fn closing_tells_that_the_last_commit_failed() {
     memory.fail(true);
     let end = game.streamer.close();
     assert!(
-        matches!(&end, Err(StreamingError::NotSaved(why)) if why.contains("full")),
+        matches!(&end, Err(StreamingError::NotSaved(why)) if why.to_string().contains("full")),
         "{end:?}"
     );
     assert!(memory.full.load(Ordering::SeqCst) && memory.commits().is_empty());

@@ -1,5 +1,7 @@
 //! Ground is solid where bodies are and nowhere else, and edits build anew only what they change.
 
+use std::time::Duration;
+
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use glam::DVec3;
 
@@ -83,6 +85,26 @@ fn ground_becomes_solid_ahead_of_a_body_and_lets_go_behind_without_new_meshes() 
         known.is_empty(),
         "what is shown already is not shown again: {known:?}"
     );
+}
+
+#[test]
+fn shown_ground_becomes_solid_and_ceases_to_be_one_chunk_a_frame() {
+    let mut game = Game::flat(1);
+    let at = game.ground(16.0, 16.0);
+    game.walk(at, 6);
+    game.wait(Until::Idle);
+    let there = at + DVec3::X * 100.0;
+    game.walk(there, 6);
+    let (mut solid, mut hollow) = (0, 0);
+    while game.streamer.pending() > 0 || hollow < 4 {
+        let updates = game.streamer.poll(Duration::from_secs(1));
+        let seen = game.apply(updates).solid;
+        assert!(seen.len() <= 1, "{seen:?}");
+        solid += seen.iter().filter(|(_, solid)| *solid).count();
+        hollow += seen.iter().filter(|(_, solid)| !solid).count();
+        std::thread::yield_now();
+    }
+    assert!(solid >= 4 && hollow >= 4, "{solid} {hollow}");
 }
 
 #[test]

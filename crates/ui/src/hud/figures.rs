@@ -1,8 +1,9 @@
 //! Top right: what there is to know of the moment, and on demand what drawing the frame took and left out.
 
+use antipode_language::{Texts, Value};
 use egui::{Align2, FontId, Painter, Rect, pos2};
 
-use super::{HudModel, plate::plate};
+use super::{HudModel, plate::Lines};
 use crate::theme::{GRID, TEXT, mono};
 
 /// What drawing a frame took, what was chosen for it, and what it left out.
@@ -39,34 +40,34 @@ pub struct FigureModel {
 }
 
 /// Draws it, under the position where both do not fit side by side; returns what it covers.
-pub(super) fn show(painter: &Painter, screen: Rect, position: Rect, model: &HudModel) -> Rect {
+pub(super) fn show(
+    painter: &Painter,
+    screen: Rect,
+    position: Rect,
+    texts: &Texts,
+    model: &HudModel,
+) -> Rect {
     let (lines, font) = match &model.figures {
-        None => (moment(model), mono()),
-        Some(figures) => (measured(model, figures), FontId::monospace(11.0)),
+        None => (moment(texts, model), mono()),
+        Some(figures) => (measured(texts, model, figures), FontId::monospace(11.0)),
     };
-    let text = lines.join("\n");
-    let layout = painter.layout_no_wrap(text.clone(), font.clone(), TEXT);
-    let fits = position.max.x + layout.size().x + 3.0 * GRID <= screen.max.x;
+    let lines = Lines::new(painter, screen, &lines, &font, TEXT);
+    let fits = position.max.x + lines.width() + GRID <= screen.max.x;
     let y = if fits {
         screen.min.y
     } else {
         position.max.y + 4.0
     };
-    plate(
-        painter,
-        screen,
-        pos2(screen.max.x, y),
-        Align2::RIGHT_TOP,
-        &text,
-        font,
-        TEXT,
-    )
+    lines.paint(painter, screen, pos2(screen.max.x, y), Align2::RIGHT_TOP)
 }
 
-fn moment(model: &HudModel) -> Vec<String> {
+/// A name, empty where none is needed, and what there is to say of it.
+type Line = (String, String);
+
+fn moment(texts: &Texts, model: &HudModel) -> Vec<Line> {
     let mut lines = Vec::new();
     if model.fps > 0.0 {
-        lines.push(format!("{:.0} fps", model.fps));
+        lines.push(fps(texts, model));
     }
     lines.extend(
         [&model.geometry, &model.time_label]
@@ -75,66 +76,75 @@ fn moment(model: &HudModel) -> Vec<String> {
             .cloned(),
     );
     lines
+        .into_iter()
+        .map(|line| (String::new(), line))
+        .collect()
 }
 
-fn measured(model: &HudModel, figures: &FigureModel) -> Vec<String> {
-    let ms = |time: Option<f64>| time.map_or("n/a".to_owned(), |ms| format!("{ms:.1} ms"));
-    let fps = if model.fps > 0.0 {
-        format!("{:.0} fps", model.fps)
-    } else {
-        "fps n/a".to_owned()
-    };
+fn fps(texts: &Texts, model: &HudModel) -> String {
+    let frames = Value::decimals(f64::from(model.fps), 0);
+    texts.say_with("figures-fps", &[("frames", frames)])
+}
+
+fn measured(texts: &Texts, model: &HudModel, figures: &FigureModel) -> Vec<Line> {
     let space: Vec<&str> = [&model.geometry, &figures.picture, &figures.quality]
         .into_iter()
         .map(String::as_str)
         .filter(|text| !text.is_empty())
         .collect();
-    let line = |name: &str, text: String| format!("{name:<8}{text}");
+    let count = |number| Value::from(grouped(number));
+    let [full, half, quarter, eighth] = figures.chunks_by_level.map(count);
+    let chunks = [
+        ("frame", count(figures.chunks_by_frame)),
+        ("vertex", count(figures.chunks_by_vertex)),
+        ("refined", count(figures.chunks_refined)),
+    ];
+    let detail = [
+        ("full", full),
+        ("half", half),
+        ("quarter", quarter),
+        ("eighth", eighth),
+    ];
+    let saved = [
+        ("outside", count(figures.outside)),
+        ("hidden", count(figures.hidden)),
+        ("small", count(figures.small)),
+    ];
+    let error = [
+        ("most", Value::decimals(figures.error_px, 3)),
+        ("far", Value::decimals(figures.level_error_px, 1)),
+    ];
+    let drawn = [("triangles", count(figures.triangles))];
+    let line = |name, key, values: &[_]| (texts.say(name), texts.say_with(key, values));
     vec![
-        format!(
-            "{fps}   frame {}   gpu {}   {}",
-            ms(figures.frame_ms),
-            ms(figures.gpu_ms),
-            model.time_label
-        ),
-        space.join(", "),
-        line(
-            "chunks",
-            format!(
-                "{} by frame, {} by vertex, {} refined",
-                grouped(figures.chunks_by_frame),
-                grouped(figures.chunks_by_vertex),
-                grouped(figures.chunks_refined)
-            ),
-        ),
-        line(
-            "detail",
-            format!(
-                "{} full, {} half, {} quarter, {} eighth",
-                grouped(figures.chunks_by_level[0]),
-                grouped(figures.chunks_by_level[1]),
-                grouped(figures.chunks_by_level[2]),
-                grouped(figures.chunks_by_level[3])
-            ),
-        ),
-        line("drawn", format!("{} triangles", grouped(figures.triangles))),
-        line(
-            "saved",
-            format!(
-                "{} outside, {} hidden, {} too small",
-                grouped(figures.outside),
-                grouped(figures.hidden),
-                grouped(figures.small)
-            ),
-        ),
-        line(
-            "error",
-            format!(
-                "at most {:.3} px, far land {:.1} px",
-                figures.error_px, figures.level_error_px
-            ),
-        ),
+        (String::new(), times(texts, model, figures)),
+        (String::new(), space.join(&texts.say("figures-comma"))),
+        line("figures-chunks", "figures-chunks-are", &chunks),
+        line("figures-detail", "figures-detail-is", &detail),
+        line("figures-drawn", "figures-drawn-are", &drawn),
+        line("figures-saved", "figures-saved-are", &saved),
+        line("figures-error", "figures-error-is", &error),
     ]
+}
+
+/// What the frame took.
+fn times(texts: &Texts, model: &HudModel, figures: &FigureModel) -> String {
+    let ms = |time: Option<f64>| match time {
+        Some(ms) => texts.say_with("figures-ms", &[("ms", Value::decimals(ms, 1))]),
+        None => texts.say("figures-unknown"),
+    };
+    let fps = if model.fps > 0.0 {
+        fps(texts, model)
+    } else {
+        texts.say("figures-fps-unknown")
+    };
+    let values = [
+        ("fps", fps.into()),
+        ("frame", ms(figures.frame_ms).into()),
+        ("gpu", ms(figures.gpu_ms).into()),
+        ("time", Value::from(&model.time_label)),
+    ];
+    texts.say_with("figures-times", &values)
 }
 
 /// A number with a blank between thousands.

@@ -2,6 +2,7 @@
 
 use std::f32::consts::TAU;
 
+use antipode_language::{Texts, Value};
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use super::{CurvatureView, DialKind, HudModel, plate::plate};
@@ -14,7 +15,7 @@ const WIDTH: f32 = 136.0;
 
 /// Draws those the model asks for: beside the hotbar where there is room, else
 /// above it.
-pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, model: &HudModel) {
+pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, model: &HudModel) {
     let beside = screen.max.x - bar.max.x >= WIDTH;
     let bottom = if beside {
         screen.max.y
@@ -27,23 +28,24 @@ pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, model: &HudModel)
     }
     let mut right = pos2(screen.max.x, bottom);
     if let Some(curvature) = model.curvature {
-        let dial = |centre| curvature_dial(painter, centre, curvature);
+        let dial = |centre| curvature_dial(painter, centre, texts, curvature);
         right.y = instrument(
             painter,
             screen,
             right,
             Align2::RIGHT_BOTTOM,
-            &dial_caption(curvature),
+            &dial_caption(texts, curvature),
             dial,
         );
     }
     if let Some(hemisphere) = model.hemisphere {
         let ball = |centre| hemisphere_ball(painter, centre, hemisphere);
-        let words = format!("Hemisphere {hemisphere}");
+        let words = texts.say_with("display-hemisphere", &[("letter", hemisphere.into())]);
         instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, ball);
     }
     if let Some(radius_m) = model.brush_radius_m {
-        let words = format!("Brush {radius_m:.1} m");
+        let values = [("radius", Value::decimals(radius_m, 1))];
+        let words = texts.say_with("display-brush", &values);
         let ring = |centre| brush_ring(painter, centre, radius_m);
         instrument(
             painter,
@@ -74,33 +76,32 @@ fn instrument(
 }
 
 /// What the dial turns, and in a bent world which way space curves.
-fn dial_caption(view: CurvatureView) -> String {
-    match view.kind {
-        DialKind::Raised => "Curvature, raised".to_owned(),
-        DialKind::Horizon => "Curvature, horizon".to_owned(),
-        DialKind::Bend => {
-            let way = match value_text(view).parse::<f64>() {
-                Ok(value) if value > 0.0 => "hyperbolic",
-                Ok(value) if value < 0.0 => "spherical",
-                _ => "flat",
-            };
-            format!("Bend, {way}")
-        }
-    }
+fn dial_caption(texts: &Texts, view: CurvatureView) -> String {
+    texts.say(match view.kind {
+        DialKind::Raised => "dial-raised",
+        DialKind::Horizon => "dial-horizon",
+        DialKind::Bend if tenths(view) > 0.0 => "dial-bend-hyperbolic",
+        DialKind::Bend if tenths(view) < 0.0 => "dial-bend-spherical",
+        DialKind::Bend => "dial-bend-flat",
+    })
 }
 
 /// The value as it is read: with its sign where both signs mean something.
-fn value_text(view: CurvatureView) -> String {
-    let text = format!("{:.1}", view.value);
+fn value_text(texts: &Texts, view: CurvatureView) -> String {
+    let text = texts.number(view.value, 1);
     match view.kind {
-        DialKind::Bend if text == "-0.0" => "0.0".to_owned(),
-        DialKind::Bend if view.value > 0.0 && text != "0.0" => format!("+{text}"),
+        DialKind::Bend if tenths(view) > 0.0 => format!("+{text}"),
         _ => text,
     }
 }
 
+/// The value in steps of what is shown of it.
+fn tenths(view: CurvatureView) -> f64 {
+    (view.value * 10.0).round_ties_even()
+}
+
 /// Three quarters of a turn from bottom left to bottom right, lit from zero to the value.
-fn curvature_dial(painter: &Painter, centre: Pos2, view: CurvatureView) {
+fn curvature_dial(painter: &Painter, centre: Pos2, texts: &Texts, view: CurvatureView) {
     let part = dial_part(view);
     let zero = dial_part(CurvatureView { value: 0.0, ..view });
     let radius = 0.5 * SIDE - 6.0;
@@ -119,7 +120,7 @@ fn curvature_dial(painter: &Painter, centre: Pos2, view: CurvatureView) {
     painter.text(
         centre,
         Align2::CENTER_CENTER,
-        value_text(view),
+        value_text(texts, view),
         FontId::monospace(13.0),
         TEXT,
     );
@@ -194,6 +195,7 @@ mod tests {
 
     #[test]
     fn a_bend_says_its_sign_and_which_way_space_curves() {
+        let texts = Texts::default();
         let bend = |value| CurvatureView {
             kind: DialKind::Bend,
             value,
@@ -207,8 +209,8 @@ mod tests {
             (-0.04, "0.0", "flat"),
             (f64::NAN, "NaN", "flat"),
         ] {
-            assert_eq!(value_text(bend(value)), text);
-            assert!(dial_caption(bend(value)).ends_with(way), "{value}");
+            assert_eq!(value_text(&texts, bend(value)), text);
+            assert!(dial_caption(&texts, bend(value)).ends_with(way), "{value}");
         }
     }
 }

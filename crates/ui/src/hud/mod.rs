@@ -5,11 +5,13 @@ mod gauges;
 mod hotbar;
 mod plate;
 
+use antipode_language::Texts;
 use egui::{Align2, Context, FontId, LayerId, Painter, Pos2, Rect, Stroke, pos2, vec2};
 
+use crate::dialog::percent;
 use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
-use plate::plate;
+use plate::{Lines, plate};
 
 pub use figures::FigureModel;
 
@@ -93,21 +95,23 @@ pub struct HudModel {
     pub time_label: String,
     /// Something to tell the player, as a sentence.
     pub notice: Option<String>,
+    /// Whether a command that cheats was ever used in this world.
+    pub cheated: bool,
     /// What drawing the frame took, while the player wants to know.
     pub figures: Option<FigureModel>,
 }
 
 /// Draws the display; call it before [`crate::Shell::show`].
-pub fn show_hud(ctx: &Context, model: &HudModel) {
+pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
     if model.show_crosshair {
         crosshair(&painter, ctx.content_rect().center());
     }
-    let position = position(&painter, screen, model);
-    let figures = figures::show(&painter, screen, position, model);
+    let position = position(&painter, screen, texts, model);
+    let figures = figures::show(&painter, screen, position, texts, model);
     let top = position.max.y.max(figures.max.y) + GRID;
-    notices(&painter, screen, top, model);
+    notices(&painter, screen, top, texts, model);
     let bar = hotbar::show(&painter, screen, model);
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {
@@ -115,7 +119,7 @@ pub fn show_hud(ctx: &Context, model: &HudModel) {
     } else {
         screen.min.y
     };
-    gauges::show(&painter, screen.with_min_y(ceiling), bar, model);
+    gauges::show(&painter, screen.with_min_y(ceiling), bar, texts, model);
 }
 
 /// A small cross with a gap, dark under light so it shows on snow and at night.
@@ -153,34 +157,38 @@ fn coordinate(value: f64) -> String {
     }
 }
 
-/// Top left: where the player is, in both kinds of coordinates.
-fn position(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
+/// Top left: where the player is, in both kinds of coordinates, and the mark of a world in which a command that
+/// cheats was used.
+fn position(painter: &Painter, screen: Rect, texts: &Texts, model: &HudModel) -> Rect {
     let [x, y, z] = model.chart;
     let chart = format!("x {x:.2}  y {y:.2}  z {z:.2} m");
     let curved = if model.curved_is_flat {
-        "flat space: the same".to_owned()
+        texts.say("display-flat")
     } else {
         let [x, y, z, w] = model.curved.map(coordinate);
         format!("({x}, {y}, {z}, {w})")
     };
-    let text = format!("{:<7}{chart}\n{:<7}{curved}", "chart", "curved");
-    plate(
+    let mut lines = vec![
+        (texts.say("display-chart"), chart),
+        (texts.say("display-curved"), curved),
+    ];
+    if model.cheated {
+        lines.push((String::new(), format!("◆ {}", texts.say("cheats-used"))));
+    }
+    Lines::new(painter, screen, &lines, &mono(), TEXT).paint(
         painter,
         screen,
         screen.min,
         Align2::LEFT_TOP,
-        &text,
-        mono(),
-        TEXT,
     )
 }
 
 /// In the middle below `top`: what is loading, and what there is to know.
-fn notices(painter: &Painter, screen: Rect, top: f32, model: &HudModel) {
+fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &HudModel) {
     let mut at = pos2(screen.center().x, top);
     if let Some(part) = model.loading {
         let part = part.clamp(0.0, 1.0);
-        let words = format!("The land is coming: {:.0} %", part * 100.0);
+        let words = texts.say_with("display-loading", &[("percent", percent(part))]);
         let rect = plate(
             painter,
             screen,

@@ -7,16 +7,20 @@
     reason = "tests fail by panicking; no test file uses all of this"
 )]
 
-use antipode_ui::{Binding, Intent, MenuModel, Shell, WorldRow, apply_theme};
+use antipode_language::Texts;
+use antipode_settings::Config;
+use antipode_ui::{Intent, MenuModel, Shell, WorldFiles, WorldRow, WorldsIntent, apply_theme};
 use egui::{Key, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
 /// What the game round the menus knows, and every intent they returned.
 pub struct Game {
+    pub texts: Texts,
     pub shell: Shell,
     pub worlds: Vec<WorldRow>,
-    pub bindings: Vec<Binding>,
+    pub files: WorldFiles,
+    pub config: Config,
     pub running: Option<String>,
     pub intents: Vec<Intent>,
 }
@@ -24,9 +28,11 @@ pub struct Game {
 impl Game {
     pub fn new() -> Self {
         Self {
+            texts: Texts::default(),
             shell: Shell::new(),
             worlds: Vec::new(),
-            bindings: Vec::new(),
+            files: WorldFiles::default(),
+            config: Config::default(),
             running: None,
             intents: Vec::new(),
         }
@@ -34,14 +40,28 @@ impl Game {
 
     pub fn show(&mut self, ctx: &egui::Context) {
         let model = MenuModel {
+            texts: &self.texts,
             running_world: self.running.as_deref(),
             worlds: &self.worlds,
-            bindings: &self.bindings,
+            config: &self.config,
             check_name: &check_name,
+            check_rename: &|_, name| check_name(name),
+            world_files: &self.files,
             adapter_notice: Some("No GPU was found: drawing in software, at half resolution."),
+            sound_notice: Some("There is no sound device."),
             version: "0.1.0",
         };
         let mut intents = self.shell.show(ctx, &model);
+        for intent in &intents {
+            match intent {
+                Intent::Set { id, value } => {
+                    self.config.settings.set(id, (*value).into()).unwrap();
+                }
+                Intent::ResetSetting(id) => assert!(self.config.settings.reset(id)),
+                Intent::Bind(profiles) => self.config.profiles = (**profiles).clone(),
+                _ => {}
+            }
+        }
         self.intents.append(&mut intents);
     }
 }
@@ -100,6 +120,14 @@ pub fn focused(harness: &Harness<'_, Game>) -> String {
         .unwrap_or_default()
 }
 
+/// Intents since the last call, but for closer looks at worlds, which change nothing.
+pub fn decisions(harness: &mut Harness<'_, Game>) -> Vec<Intent> {
+    let looks = |intent: &Intent| matches!(intent, Intent::Worlds(WorldsIntent::LookAt { .. }));
+    let mut intents = intents(harness);
+    intents.retain(|intent| !looks(intent));
+    intents
+}
+
 /// Intents since the last call.
 pub fn intents(harness: &mut Harness<'_, Game>) -> Vec<Intent> {
     std::mem::take(&mut harness.state_mut().intents)
@@ -113,20 +141,14 @@ pub fn world(index: usize) -> WorldRow {
         played: "12 min".to_owned(),
         last_played: "2026-01-31".to_owned(),
         size: "1.2 MB".to_owned(),
+        cheated: false,
         problem: None,
         running: false,
+        picture: None,
+        path: format!("/home/me/saves/world-{index}"),
+        edits: None,
+        export_to: format!("/home/me/world-{index}.antipode-world"),
     }
-}
-
-pub fn bindings() -> Vec<Binding> {
-    let groups = ["Moving", "Digging", "Looking", "The rest"];
-    (0..40)
-        .map(|index| Binding {
-            action: format!("Action number {index}"),
-            keys: format!("Key{index} or MouseButton{index}"),
-            group: groups[index % groups.len()].to_owned(),
-        })
-        .collect()
 }
 
 /// A text on the screen: what it covers, what it is clipped to, what it says,

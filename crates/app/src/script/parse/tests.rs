@@ -81,9 +81,12 @@ fn a_byte_order_mark_is_skipped_and_long_words_are_cut() {
 fn orders_carry_their_numbers() {
     assert_eq!(
         one("hold KeyW 1.5"),
-        Ok(Order::Hold(Input::Key(KeyCode::KeyW), 1.5))
+        Ok(Order::Hold(Input::Key("KeyW"), 1.5))
     );
-    assert_eq!(one("hold LEFT 2"), Ok(Order::Hold(Input::MouseLeft, 2.0)));
+    assert_eq!(
+        one("hold LEFT 2"),
+        Ok(Order::Hold(Input::Mouse(MouseButton::Left), 2.0))
+    );
     assert_eq!(one("aim -90 10.5"), Ok(Order::Aim(-90.0, 10.5)));
     assert_eq!(
         one("teleport 1 2 3 B"),

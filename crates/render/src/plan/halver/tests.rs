@@ -100,9 +100,9 @@ fn triangles(refined: &Refined) -> Vec<[Vec3; 3]> {
     refined.parts.iter().flat_map(of).collect()
 }
 
-/// Edges by the places of their ends, in 1/1024 m, and how often each is used.
+/// Edges by the places of their ends, in 1/32768 m, and how often each is used.
 fn edges(refined: &Refined, origin: DVec3) -> HashMap<[IVec3; 2], u32> {
-    let place = |p: Vec3| ((p.as_dvec3() + origin) * 1024.0).round().as_ivec3();
+    let place = |p: Vec3| ((p.as_dvec3() + origin) * 32768.0).round().as_ivec3();
     let mut uses = HashMap::new();
     for corners in triangles(refined) {
         for i in 0..3 {
@@ -126,7 +126,7 @@ fn no_crack_opens_inside_a_chunk_or_between_two() {
         }
     }
     for ([a, b], count) in uses {
-        let rim = |p: IVec3| p.x == 0 || p.z == 0 || p.x == 64 * 1024 || p.z == 32 * 1024;
+        let rim = |p: IVec3| p.x == 0 || p.z == 0 || p.x == 64 * 32768 || p.z == 32 * 32768;
         let expected = if rim(a) && rim(b) && (a.x == b.x || a.z == b.z) {
             1
         } else {

@@ -1,0 +1,45 @@
+### Die Anzeige über der Welt.
+
+display-chart = Karte
+display-curved = Modell
+display-flat = flacher Raum: dasselbe
+display-loading = Das Land kommt: { $percent } %
+display-hemisphere = Halbkugel { $letter }
+display-brush = Pinsel { $radius } m
+
+dial-raised = Krümmung, angehoben
+dial-horizon = Krümmung, Horizont
+dial-bend-hyperbolic = Biegung, hyperbolisch
+dial-bend-spherical = Biegung, sphärisch
+dial-bend-flat = Biegung, flach
+
+space-hyperbolic = hyperbolisch
+space-euclidean = euklidisch
+space-spherical = sphärisch
+
+item-pickaxe-wood = Holzspitzhacke
+item-pickaxe-iron = Eisenspitzhacke
+item-pickaxe-diamond = Diamantspitzhacke
+
+figures-fps = { $frames } FPS
+figures-fps-unknown = FPS k. A.
+figures-ms = { $ms } ms
+figures-unknown = k. A.
+figures-times = { $fps }   Bild { $frame }   GPU { $gpu }   { $time }
+figures-comma = { ", " }
+figures-chunks = Stücke
+figures-chunks-are = { $frame } als Ganzes, { $vertex } je Ecke, { $refined } verfeinert
+figures-detail = Detail
+figures-detail-is = { $full } voll, { $half } halb, { $quarter } viertel, { $eighth } achtel
+figures-drawn = Bild
+figures-drawn-are = { $triangles } Dreiecke
+figures-saved = gespart
+figures-saved-are = { $outside } außerhalb, { $hidden } verdeckt, { $small } zu klein
+figures-error = Fehler
+figures-error-is = höchstens { $most } px, fernes Land { $far } px
+picture-raised = angehobene Karte { $value }
+picture-horizon = Horizontkarte { $value }
+picture-bend = Biegung { $sign }{ $value }
+quality-fast = schnell
+quality-balanced = ausgewogen
+quality-exact = genau

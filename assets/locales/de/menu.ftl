@@ -1,0 +1,56 @@
+### Das Hauptmenü, das Formular für eine neue Welt und die Dialoge.
+
+# Die Spalte der Knöpfe.
+menu-resume = Weiterspielen
+menu-save = Speichern
+menu-save-and-quit = Speichern und zum Menü
+menu-new-game = Neues Spiel
+menu-load = Laden
+menu-delete = Löschen
+menu-controls = Steuerung
+menu-quit = Beenden
+version = Version { $version }
+adapter-software = Es wurde keine Grafikkarte gefunden: { $adapter } zeichnet in Software, in halber Auflösung. Es geht, aber langsam.
+running-world = { $name } · Startwert { $seed }
+
+back = Zurück
+ok = OK
+percent = { $percent } %
+
+# Das Formular für eine neue Welt.
+name = Name
+name-hint = Wie soll sie heißen?
+name-free = Dieser Name ist frei.
+space = Raum
+geometry-hyperbolic = Hyperbolisch
+geometry-hyperbolic-about = Der Raum fächert sich auf: Das Land fällt ab, und alles Ferne ist klein.
+geometry-euclidean = Euklidisch
+geometry-euclidean-about = Flacher Raum, endlos und vertraut.
+geometry-spherical = Sphärisch
+geometry-spherical-about = Eine kleine geschlossene Welt: Das Land steigt an und trifft sich über dem Kopf.
+seed = Startwert (freiwillig)
+seed-hint = Eine Zahl oder Wörter
+seed-random = Bleibt er leer, wird er ausgelost.
+seed-is = Der Startwert ist { $seed }.
+seed-too-large = Zu groß: Der größte Startwert ist 18446744073709551615.
+seed-not-whole = Eine Zahl muss ganz und nicht negativ sein: nur Ziffern.
+seed-too-long = Zu lang: höchstens 64 Zeichen.
+seed-unprintable = Bitte nur sichtbare Zeichen.
+radius = Radius der Welt
+create = Erschaffen
+needs-name = Braucht einen gültigen Namen
+needs-seed = Braucht einen gültigen Startwert
+
+# Eine Welt, die vor dem Verlassen nicht gespeichert werden konnte.
+unsaved-title = Die Welt ist nicht gespeichert
+unsaved-again = Nochmals versuchen
+unsaved-stay = In der Welt bleiben
+unsaved-leave = Ohne Speichern gehen
+
+# Worauf der Spieler wartet.
+busy-opening = Öffnen
+busy-opening-about = Die Welt wird von der Platte gelesen.
+busy-land = Das Land entsteht
+busy-saving = Speichern
+busy-saving-about = Deine Welt wird auf die Platte geschrieben.
+busy-leaving = Verlassen

@@ -1,0 +1,55 @@
+### Meldungen, Hinweise und was misslingen kann. { $path } ist eine Datei oder ein Ordner, { $details } sind englische Sätze.
+
+saved = Gespeichert
+
+hint-map-raised = Die angehobene Karte
+hint-map-horizon = Die Horizontkarte
+hint-no-other-map = Die Sphäre hat keine andere Karte.
+hint-bent = { $up } biegt das Bild hyperbolisch, { $down } sphärisch.
+hint-unbent = Das Bild ist wieder flach.
+
+open-failed = Die Welt konnte nicht geöffnet werden
+open-died = Beim Lesen ist etwas fehlgeschlagen; das Protokoll weiß mehr.
+save-failed = Die Welt konnte nicht gespeichert werden
+close-died = Beim Schreiben der Welt ist etwas fehlgeschlagen; das Protokoll weiß mehr.
+not-saved = Die letzten Änderungen der Welt sind nicht gespeichert.
+not-saved-yet = Die Welt konnte nicht gespeichert werden; das nächste Speichern versucht es wieder.
+save-unfinished = Die letzte Änderung des Geländes oder ihr Speichern wurde nicht rechtzeitig fertig; alles früher Gespeicherte ist sicher.
+
+save-in-use = Die Welt „{ $world }“ ist in Gebrauch: Sie ist in einem anderen Fenster des Spiels oder einem anderen Programm offen. Schließe sie dort und versuche es wieder.
+save-newer = Die Welt „{ $world }“ wurde von einer neueren Version des Spiels gespeichert. Aktualisiere das Spiel, um sie zu spielen; es wurde nichts geändert.
+save-damaged = Ein Teil dieser Welt ist beschädigt. Der Rest ist brauchbar; „antipode saves repair“ stellt eine ältere Kopie davon her, wenn es eine gibt. ({ $details })
+save-unreadable = Der Spielstand { $path } ist beschädigt und nicht lesbar. „antipode saves repair“ rettet, was heil ist, und behält diese Datei.
+save-file-missing = Die Datei { $path } dieser Welt fehlt. Wenn du eine Kopie hast, lege sie zurück; sonst macht „antipode saves repair“ die Welt neu, wo es geht.
+save-vanished = Der Spielstand { $path } ist weg: Sein Ordner wurde verschoben, gelöscht oder ersetzt, während die Welt offen war, also kann dort nichts gespeichert werden. Lege den Ordner zurück und speichere wieder.
+save-not-found = Die Welt „{ $world }“ gibt es nicht mehr.
+saves-not-a-folder = { $path } ist eine Datei, also kann sie keine Welten enthalten. Wähle einen Ordner mit --saves-dir.
+file-exists = { $path } gibt es schon und wird nicht überschrieben. Wähle einen anderen Namen oder verschiebe es.
+disk-full = Es ist kein Platz mehr, um { $path } zu schreiben. Schaffe Platz und speichere wieder; was früher gespeichert wurde, ist sicher.
+not-writable = { $path } kann nicht geschrieben werden: Es ist schreibgeschützt oder gehört jemand anderem. Ändere die Rechte oder wähle mit --saves-dir einen anderen Ort.
+unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
+player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
+unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er wurde weggelassen.
+unknown-map = Der Spielstand nennt eine Karte, die diese Version nicht kennt („{ $map }“); eine andere wird gezeigt.
+more-damaged = { $count ->
+    [one] Eine weitere Stelle dieser Welt ist beschädigt; „antipode saves verify“ nennt sie.
+   *[other] { $count } weitere Stellen dieser Welt sind beschädigt; „antipode saves verify“ nennt sie.
+}
+land-trouble = Mit dem Land stimmt etwas nicht. { $details }
+other-trouble = Das hat nicht geklappt. { $details }
+
+name-empty = Gib der Welt einen Namen.
+name-blank = Der Name braucht mindestens ein sichtbares Zeichen.
+name-too-long = { $chars ->
+    [one] Der Name hat ein Zeichen; höchstens { $most } passen.
+   *[other] Der Name hat { $chars } Zeichen; höchstens { $most } passen.
+}
+name-unprintable = Der Name enthält ein Zeichen, das nicht gezeigt werden kann ({ $code }).
+name-taken = Es gibt schon eine Welt namens „{ $name }“.
+
+no-adapter = Auf diesem Rechner wurde keine Grafikkarte gefunden, die das Spiel nutzen kann ({ $found }). Installiere ihren Treiber oder starte das Spiel mit --adapter software.
+adapter-lost = Die Grafikkarte ist verloren gegangen. Deine Welt ist sicher; starte das Spiel neu.
+
+# Ein Absturz des Spiels zuvor.
+crash-title = Das Spiel ist abgestürzt
+crash = Das Spiel wurde unerwartet beendet und neu gestartet. Deine Welt ist so, wie sie zuletzt gespeichert wurde, höchstens einige Sekunden vorher. Was über den Absturz bekannt ist, steht in { $report }.

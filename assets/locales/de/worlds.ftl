@@ -1,0 +1,67 @@
+### The lists of worlds.
+
+worlds-none = Es gibt noch keine Welten. Neues Spiel erschafft eine.
+worlds-load-named = „{ $name }“ laden
+worlds-delete-named = „{ $name }“ löschen
+worlds-manage = „{ $name }“ verwalten
+worlds-running = Läuft gerade
+worlds-running-no-delete = Diese Welt läuft gerade. Erst speichern und zum Menü zurückkehren, dann löschen.
+worlds-running-no-change = Diese Welt läuft gerade. Erst speichern und zum Menü zurückkehren, dann ändern.
+worlds-cannot-load-title = „{ $name }“ kann nicht geladen werden
+worlds-cannot-delete-title = „{ $name }“ kann jetzt nicht gelöscht werden
+
+# What is known of a world.
+worlds-played = { $time } gespielt
+worlds-played-briefly = unter einer Minute
+worlds-played-minutes = { $minutes } min
+worlds-played-hours = { $hours } h { $minutes } min
+worlds-size = { $megabytes } MB
+worlds-edits = { $count ->
+    [0] nichts von Hand geändert
+    [one] { $count } geänderter Block
+   *[other] { $count } geänderte Blöcke
+}
+worlds-edits-unknown = die geänderten Blöcke werden gezählt
+
+# The page of one world.
+worlds-load = Laden
+worlds-rename = Umbenennen
+worlds-duplicate = Duplizieren
+worlds-export = Exportieren
+worlds-open-folder = Ordner öffnen
+worlds-delete = Löschen
+worlds-keep = Behalten
+worlds-cancel = Abbrechen
+worlds-delete-question = „{ $name }“ löschen?
+worlds-delete-final = Das lässt sich nicht rückgängig machen.
+worlds-rename-title = „{ $name }“ umbenennen
+worlds-new-name = Neuer Name
+worlds-name-free = Dieser Name ist möglich.
+worlds-export-title = „{ $name }“ exportieren
+worlds-file = Datei
+worlds-export-hint = Die ganze Welt kommt in diese eine Datei, zum Aufheben oder Weitergeben. Nichts wird überschrieben.
+
+# Worlds from files.
+worlds-import = Importieren
+worlds-import-title = Eine Welt importieren
+worlds-import-do = Importieren
+worlds-import-hint = Die Datei einer exportierten Welt. Man kann sie auch auf das Fenster ziehen.
+worlds-found = Exportierte Welten in { $dir }:
+worlds-found-none = In { $dir } sind keine exportierten Welten.
+worlds-import-named = { $name } ({ $size })
+
+# Work on the saves, and what it came to.
+worlds-work-delete = Eine Welt wird gelöscht
+worlds-work-rename = Eine Welt wird umbenannt
+worlds-work-duplicate = Eine Welt wird kopiert
+worlds-work-export = Eine Welt wird exportiert
+worlds-work-import = Eine Welt wird importiert
+worlds-renamed = Die Welt heißt jetzt „{ $name }“.
+worlds-duplicated = „{ $name }“ ist eine Kopie der Welt.
+worlds-exported = Die Welt steht in { $file }.
+worlds-imported = „{ $name }“ ist importiert.
+worlds-list-died = Die Liste der Welten konnte nicht gelesen werden; Näheres steht im Protokoll.
+worlds-work-died = Dabei ist etwas fehlgeschlagen; Näheres steht im Protokoll.
+worlds-folder-failed = Der Ordner { $dir } konnte nicht geöffnet werden: { $reason }. Er lässt sich von Hand öffnen.
+worlds-folder-no-program = es fand sich kein Programm, das Ordner zeigt
+worlds-folder-refused = das System fand nichts, das ihn zeigt

@@ -1,0 +1,51 @@
+### The display over the world.
+
+# Two kinds of coordinates; names of their lines, in a word.
+display-chart = chart
+display-curved = curved
+display-flat = flat space: the same
+display-loading = The land is coming: { $percent } %
+display-hemisphere = Hemisphere { $letter }
+display-brush = Brush { $radius } m
+
+# What the dial under the wheel turns; a few words.
+dial-raised = Curvature, raised
+dial-horizon = Curvature, horizon
+dial-bend-hyperbolic = Bend, hyperbolic
+dial-bend-spherical = Bend, spherical
+dial-bend-flat = Bend, flat
+
+# The kind of space, among other words.
+space-hyperbolic = hyperbolic
+space-euclidean = euclidean
+space-spherical = spherical
+
+# What is in hand.
+item-pickaxe-wood = Wooden pickaxe
+item-pickaxe-iron = Iron pickaxe
+item-pickaxe-diamond = Diamond pickaxe
+
+# The frame figures: a block of short lines, each a name in a word and its figures.
+figures-fps = { $frames } fps
+figures-fps-unknown = fps n/a
+figures-ms = { $ms } ms
+figures-unknown = n/a
+figures-times = { $fps }   frame { $frame }   gpu { $gpu }   { $time }
+# Between space, map and quality.
+figures-comma = { ", " }
+figures-chunks = chunks
+figures-chunks-are = { $frame } by frame, { $vertex } by vertex, { $refined } refined
+figures-detail = detail
+figures-detail-is = { $full } full, { $half } half, { $quarter } quarter, { $eighth } eighth
+figures-drawn = drawn
+figures-drawn-are = { $triangles } triangles
+figures-saved = saved
+figures-saved-are = { $outside } outside, { $hidden } hidden, { $small } too small
+figures-error = error
+figures-error-is = at most { $most } px, far land { $far } px
+picture-raised = raised map { $value }
+picture-horizon = horizon map { $value }
+picture-bend = bend { $sign }{ $value }
+quality-fast = fast
+quality-balanced = balanced
+quality-exact = exact

@@ -1,0 +1,56 @@
+### The main menu, the form for a new world and the dialogs.
+
+# The column of buttons.
+menu-resume = Resume
+menu-save = Save
+menu-save-and-quit = Save and quit to menu
+menu-new-game = New Game
+menu-load = Load
+menu-delete = Delete
+menu-controls = Controls
+menu-quit = Quit
+version = Version { $version }
+adapter-software = No graphics card was found: { $adapter } draws in software, at half resolution. It works, but slowly.
+running-world = { $name } · seed { $seed }
+
+back = Back
+ok = OK
+percent = { $percent } %
+
+# The form for a new world.
+name = Name
+name-hint = What shall it be called?
+name-free = This name is free.
+space = Space
+geometry-hyperbolic = Hyperbolic
+geometry-hyperbolic-about = Space fans out: the land drops away and everything far is small.
+geometry-euclidean = Euclidean
+geometry-euclidean-about = Flat space, endless and familiar.
+geometry-spherical = Spherical
+geometry-spherical-about = A small closed world: the land climbs and meets overhead.
+seed = Seed (optional)
+seed-hint = A number or words
+seed-random = Left empty, it is drawn at random.
+seed-is = The seed is { $seed }.
+seed-too-large = Too large: the largest seed is 18446744073709551615.
+seed-not-whole = A number must be whole and not negative: digits only.
+seed-too-long = Too long: at most 64 characters.
+seed-unprintable = Only printable characters, please.
+radius = Radius of the world
+create = Create
+needs-name = Needs a valid name
+needs-seed = Needs a valid seed
+
+# A world that could not be saved before leaving it.
+unsaved-title = The world is not saved
+unsaved-again = Try again
+unsaved-stay = Stay in the world
+unsaved-leave = Leave without saving
+
+# What the player waits for.
+busy-opening = Opening
+busy-opening-about = The world is read from disk.
+busy-land = Making the land
+busy-saving = Saving
+busy-saving-about = Your world is written to disk.
+busy-leaving = Leaving

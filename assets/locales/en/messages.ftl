@@ -1,0 +1,60 @@
+### Toasts, hints and what can go wrong. { $path } is a file or a folder, { $details } are English sentences.
+
+saved = Saved
+
+# Answers to keys.
+hint-map-raised = The raised map
+hint-map-horizon = The horizon map
+hint-no-other-map = The sphere has no other map.
+hint-bent = { $up } bends the picture to hyperbolic, { $down } to spherical.
+hint-unbent = The picture is flat again.
+
+# Titles of what went wrong, and what is said where nothing more is known.
+open-failed = The world could not be opened
+open-died = Something failed while it was read; the log has the rest.
+save-failed = The world could not be saved
+close-died = Something failed while the world was written; the log has the rest.
+not-saved = The last changes to the world are not saved.
+not-saved-yet = The world could not be saved; the next save tries again.
+save-unfinished = The last change to the terrain or its save did not finish in time; everything saved before is safe.
+
+# Saves.
+save-in-use = The world “{ $world }” is in use: it is open in another window of the game or another program. Close it there and try again.
+save-newer = The world “{ $world }” was saved by a newer version of the game. Update the game to play it; nothing has been changed.
+save-damaged = A part of this world is damaged. The rest can be used; “antipode saves repair” restores an older copy of it if there is one. ({ $details })
+save-unreadable = The save { $path } is damaged and cannot be read. “antipode saves repair” salvages what is whole and keeps this file.
+save-file-missing = The file { $path } of this world is missing. If you have a copy of it, put it back; otherwise “antipode saves repair” makes the world anew where it can.
+save-vanished = The save { $path } is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again.
+save-not-found = There is no world “{ $world }” any more.
+saves-not-a-folder = { $path } is a file, so there can be no worlds in it. Choose a folder with --saves-dir.
+file-exists = { $path } exists already and is not overwritten. Choose another name or move it away.
+disk-full = There is no space left to write { $path }. Free some space and save again; what was saved before is safe.
+not-writable = { $path } cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.
+unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
+player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
+unknown-item = The save holds an item this version does not know (“{ $item }”); it was left out.
+unknown-map = The save names a map this version does not know (“{ $map }”); another is shown.
+more-damaged = { $count ->
+    [one] One more place in this world is damaged; “antipode saves verify” lists it.
+   *[other] { $count } more places in this world are damaged; “antipode saves verify” lists them.
+}
+land-trouble = Something is wrong with the land. { $details }
+other-trouble = That did not work. { $details }
+
+# Names of worlds.
+name-empty = Give the world a name.
+name-blank = The name needs at least one character that can be seen.
+name-too-long = { $chars ->
+    [one] The name has one character; at most { $most } fit.
+   *[other] The name has { $chars } characters; at most { $most } fit.
+}
+name-unprintable = The name holds a character that cannot be shown ({ $code }).
+name-taken = There is a world called “{ $name }” already.
+
+# The graphics adapter.
+no-adapter = No graphics card that the game can use was found on this machine ({ $found }). Install its driver, or start the game with --adapter software.
+adapter-lost = The graphics adapter was lost. Your world is safe; start the game again.
+
+# A crash of the game before this one.
+crash-title = The game has crashed
+crash = The game stopped unexpectedly and was started anew. Your world is as it was last saved, at most a few seconds before. What is known about the crash is in { $report }.

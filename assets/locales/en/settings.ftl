@@ -1,0 +1,107 @@
+### The settings screen. Keys made at run time: setting-<id>.
+
+menu-settings = Settings
+settings-search = Search the settings
+settings-nothing-found = No setting speaks of “{ $words }”.
+settings-reset = Reset
+settings-reset-named = Reset “{ $name }”
+
+settings-group-look = Mouse and view
+settings-group-picture = Picture
+settings-group-world = Space
+settings-group-comfort = Language, reading and comfort
+
+# { $value } is a number.
+unit-degrees = { $value }°
+unit-degrees-per-pixel = { $value }° a pixel
+unit-chunks = { $value } chunks
+unit-notch = { $value } a notch
+unit-times = { $value } ×
+
+setting-mouse-sensitivity = Mouse sensitivity
+setting-mouse-sensitivity-about = How far the view turns when the mouse moves by one pixel.
+setting-invert-look = Invert up and down
+setting-invert-look-about = Moving the mouse away looks down, as in an aeroplane.
+setting-field-of-view = Field of view
+setting-field-of-view-about = The angle between the upper and the lower edge of the picture. Wide angles show more and make everything smaller.
+
+setting-quality = Quality
+setting-quality-about = How much exactness pictures trade for speed.
+setting-quality-fast = Fast
+setting-quality-balanced = Balanced
+setting-quality-exact = Exact
+setting-view-distance = View distance
+setting-view-distance-about = How far land is made around you; a chunk is 32 metres. Each step further costs memory and time.
+setting-render-scale = Resolution of the world
+setting-render-scale-about = The share of the window's resolution that the world is drawn in. Texts stay sharp. Automatic is all of it on a graphics card, half without.
+setting-render-scale-auto = Automatic
+setting-render-scale-25 = 25 %
+setting-render-scale-50 = 50 %
+setting-render-scale-67 = 67 %
+setting-render-scale-75 = 75 %
+setting-render-scale-100 = 100 %
+setting-msaa = Smooth edges (MSAA)
+setting-msaa-about = Takes several samples of a pixel where land ends, so that edges have no steps. Automatic is four samples on a graphics card, one without.
+setting-msaa-auto = Automatic
+setting-msaa-off = Off
+setting-msaa-4x = 4 samples
+setting-frame-cap = Frame limit
+setting-frame-cap-about = Most pictures a second. Fewer keep the machine cool and quiet.
+setting-frame-cap-30 = 30
+setting-frame-cap-60 = 60
+setting-frame-cap-90 = 90
+setting-frame-cap-120 = 120
+setting-frame-cap-144 = 144
+setting-frame-cap-240 = 240
+setting-frame-cap-none = No limit
+setting-vsync = Wait for the screen (VSync)
+setting-vsync-about = Pictures change only between two refreshes of the screen. Without it they come sooner and may be torn.
+setting-fullscreen = Fullscreen
+setting-fullscreen-about = The game fills the screen.
+
+setting-curvature-step = Step of the curvature
+setting-curvature-step-about = How far one notch of the wheel turns the curvature's dial.
+setting-hyperbolic-map = Hyperbolic map
+setting-hyperbolic-map-about = The map that new hyperbolic worlds begin with; changed here, it changes in the world you are in, too. Each world remembers its own.
+setting-hyperbolic-map-raised = Raised
+setting-hyperbolic-map-horizon = Horizon
+setting-contour-bands = Contour lines
+setting-contour-bands-about = Faint lines on the land, one every 8 metres of height. They show how space bends.
+
+setting-language = Language
+setting-language-about = The language of all texts. System is the one your computer is set to, where the game speaks it.
+setting-language-system = System
+setting-language-en = English
+setting-language-pl = Polski
+setting-language-de = Deutsch
+setting-language-es = Español
+setting-language-zh = 中文
+setting-ui-scale = Size of texts and buttons
+setting-ui-scale-about = How large menus and display are drawn.
+setting-high-contrast = High contrast
+setting-high-contrast-about = Menus and display in white and yellow on black, nothing shining through.
+setting-safe-marker = Marker for colour blindness
+setting-safe-marker-about = The brush marker is white at rest and black at work, told by lightness and not by colour.
+setting-reduced-motion = Less motion
+setting-reduced-motion-about = The curvature jumps instead of gliding, the marker does not pulse, menus do not fade, and the head does not dip.
+setting-head-dip = Head dips on landing
+setting-head-dip-about = The view sinks a little when you land from a jump or a fall.
+
+# The file of the settings. { $file } is a path, { $reason } comes from the system, { $value } from the file.
+settings-file-damaged = The settings file was damaged. What could be read of it holds; the damaged file is kept as { $file }.
+settings-file-newer = The settings file is of a newer version of the game. What is known of it holds; it is kept as { $file }.
+settings-file-older = The settings file was of an older version and has been brought up to date; the old one is kept as { $file }.
+settings-file-kept = Some of the settings file could not be used; as it was, it is kept as { $file }.
+settings-file-value = The setting “{ $name }” is at its default: the file says { $value }, which it does not take.
+settings-file-unknown = The settings file names “{ $name }”, which this version does not know.
+settings-file-input = “{ $name }” is bound to { $value } in the settings file, which is no key, button or wheel.
+settings-file-profile = The key profile “{ $name }” of the settings file is left out.
+settings-file-unreadable = The settings file { $file } could not be read ({ $reason }). Defaults hold, and changes are not saved.
+settings-file-stuck = The settings file { $file } could not be put aside ({ $reason }). It is left as it is, and changes are not saved.
+settings-file-no-place = The system names no place for settings, so changes are not saved. --config FILE names one.
+settings-file-unsaved = The settings could not be saved to { $file } ({ $reason }). They hold until the game ends.
+settings-file-more = { $count ->
+    [one] One more thing in the settings file could not be used.
+   *[other] { $count } more things in the settings file could not be used.
+}
+settings-not-applied = This setting could not be applied: { $reason }

@@ -1,0 +1,67 @@
+### The lists of worlds.
+
+worlds-none = There are no worlds yet. New Game makes one.
+worlds-load-named = Load “{ $name }”
+worlds-delete-named = Delete “{ $name }”
+worlds-manage = Manage “{ $name }”
+worlds-running = Running now
+worlds-running-no-delete = This world is running. Save and quit to the menu first, then delete it.
+worlds-running-no-change = This world is running. Save and quit to the menu first, then change it.
+worlds-cannot-load-title = “{ $name }” cannot be loaded
+worlds-cannot-delete-title = “{ $name }” cannot be deleted now
+
+# What is known of a world.
+worlds-played = played { $time }
+worlds-played-briefly = under a minute
+worlds-played-minutes = { $minutes } min
+worlds-played-hours = { $hours } h { $minutes } min
+worlds-size = { $megabytes } MB
+worlds-edits = { $count ->
+    [0] nothing changed by hand
+    [one] { $count } changed chunk
+   *[other] { $count } changed chunks
+}
+worlds-edits-unknown = counting the changed chunks
+
+# The page of one world.
+worlds-load = Load
+worlds-rename = Rename
+worlds-duplicate = Duplicate
+worlds-export = Export
+worlds-open-folder = Open folder
+worlds-delete = Delete
+worlds-keep = Keep
+worlds-cancel = Cancel
+worlds-delete-question = Delete “{ $name }”?
+worlds-delete-final = This cannot be undone.
+worlds-rename-title = Rename “{ $name }”
+worlds-new-name = New name
+worlds-name-free = This name can be used.
+worlds-export-title = Export “{ $name }”
+worlds-file = File
+worlds-export-hint = The whole world goes into this one file, to keep or to give away. Nothing is overwritten.
+
+# Worlds from files.
+worlds-import = Import
+worlds-import-title = Import a world
+worlds-import-do = Import
+worlds-import-hint = The file of an exported world. It can be dropped on the window, too.
+worlds-found = Exported worlds in { $dir }:
+worlds-found-none = There are no exported worlds in { $dir }.
+worlds-import-named = { $name } ({ $size })
+
+# Work on the saves, and what it came to.
+worlds-work-delete = Deleting a world
+worlds-work-rename = Renaming a world
+worlds-work-duplicate = Copying a world
+worlds-work-export = Exporting a world
+worlds-work-import = Importing a world
+worlds-renamed = The world is called “{ $name }” now.
+worlds-duplicated = “{ $name }” is a copy of the world.
+worlds-exported = The world is written to { $file }.
+worlds-imported = “{ $name }” is imported.
+worlds-list-died = The list of worlds could not be read; the log has the rest.
+worlds-work-died = Something failed while this was done; the log has the rest.
+worlds-folder-failed = The folder { $dir } could not be opened: { $reason }. You can open it by hand.
+worlds-folder-no-program = no program for showing folders was found
+worlds-folder-refused = the system found nothing to show it with

@@ -1,0 +1,45 @@
+### La pantalla sobre el mundo.
+
+display-chart = carta
+display-curved = modelo
+display-flat = espacio plano: lo mismo
+display-loading = La tierra está llegando: { $percent } %
+display-hemisphere = Hemisferio { $letter }
+display-brush = Pincel { $radius } m
+
+dial-raised = Curvatura, elevada
+dial-horizon = Curvatura, horizonte
+dial-bend-hyperbolic = Flexión, hiperbólica
+dial-bend-spherical = Flexión, esférica
+dial-bend-flat = Flexión, plana
+
+space-hyperbolic = hiperbólico
+space-euclidean = euclídeo
+space-spherical = esférico
+
+item-pickaxe-wood = Pico de madera
+item-pickaxe-iron = Pico de hierro
+item-pickaxe-diamond = Pico de diamante
+
+figures-fps = { $frames } fps
+figures-fps-unknown = fps n/d
+figures-ms = { $ms } ms
+figures-unknown = n/d
+figures-times = { $fps }   cuadro { $frame }   GPU { $gpu }   { $time }
+figures-comma = { ", " }
+figures-chunks = trozos
+figures-chunks-are = { $frame } enteros, { $vertex } por vértices, { $refined } refinados
+figures-detail = detalle
+figures-detail-is = { $full } entero, { $half } mitad, { $quarter } cuarto, { $eighth } octavo
+figures-drawn = dibujo
+figures-drawn-are = { $triangles } triángulos
+figures-saved = omitidos
+figures-saved-are = { $outside } fuera, { $hidden } ocultos, { $small } demasiado pequeños
+figures-error = error
+figures-error-is = { $most } px como máximo, tierra lejana { $far } px
+picture-raised = mapa elevado { $value }
+picture-horizon = mapa del horizonte { $value }
+picture-bend = flexión { $sign }{ $value }
+quality-fast = rápida
+quality-balanced = equilibrada
+quality-exact = exacta

@@ -1,0 +1,56 @@
+### El menú principal, el formulario de un mundo nuevo y los diálogos.
+
+# La columna de botones.
+menu-resume = Continuar
+menu-save = Guardar
+menu-save-and-quit = Guardar y salir al menú
+menu-new-game = Partida nueva
+menu-load = Cargar
+menu-delete = Borrar
+menu-controls = Controles
+menu-quit = Salir del juego
+version = Versión { $version }
+adapter-software = No se encontró ninguna tarjeta gráfica: { $adapter } dibuja por software, a media resolución. Funciona, pero despacio.
+running-world = { $name } · semilla { $seed }
+
+back = Atrás
+ok = Aceptar
+percent = { $percent } %
+
+# El formulario de un mundo nuevo.
+name = Nombre
+name-hint = ¿Cómo se llamará?
+name-free = Este nombre está libre.
+space = Espacio
+geometry-hyperbolic = Hiperbólico
+geometry-hyperbolic-about = El espacio se abre en abanico: la tierra cae y todo lo lejano es pequeño.
+geometry-euclidean = Euclídeo
+geometry-euclidean-about = Espacio plano, sin fin y familiar.
+geometry-spherical = Esférico
+geometry-spherical-about = Un pequeño mundo cerrado: la tierra sube y se junta sobre la cabeza.
+seed = Semilla (opcional)
+seed-hint = Un número o palabras
+seed-random = Si queda vacía, se elige al azar.
+seed-is = La semilla es { $seed }.
+seed-too-large = Demasiado grande: la mayor semilla es 18446744073709551615.
+seed-not-whole = Un número debe ser entero y no negativo: solo cifras.
+seed-too-long = Demasiado larga: 64 caracteres como máximo.
+seed-unprintable = Solo caracteres visibles, por favor.
+radius = Radio del mundo
+create = Crear
+needs-name = Falta un nombre válido
+needs-seed = Falta una semilla válida
+
+# Un mundo que no se pudo guardar antes de dejarlo.
+unsaved-title = El mundo no está guardado
+unsaved-again = Reintentar
+unsaved-stay = Seguir en el mundo
+unsaved-leave = Salir sin guardar
+
+# Lo que el jugador espera.
+busy-opening = Abriendo
+busy-opening-about = El mundo se lee del disco.
+busy-land = Creando la tierra
+busy-saving = Guardando
+busy-saving-about = Tu mundo se escribe en el disco.
+busy-leaving = Saliendo

@@ -1,0 +1,55 @@
+### Avisos, pistas y lo que puede fallar. { $path } es un archivo o una carpeta, { $details } son frases en inglés.
+
+saved = Guardado
+
+hint-map-raised = El mapa elevado
+hint-map-horizon = El mapa del horizonte
+hint-no-other-map = La esfera no tiene otro mapa.
+hint-bent = { $up } curva la imagen a hiperbólica; { $down }, a esférica.
+hint-unbent = La imagen vuelve a ser plana.
+
+open-failed = No se pudo abrir el mundo
+open-died = Algo falló durante la lectura; el registro dice el resto.
+save-failed = No se pudo guardar el mundo
+close-died = Algo falló al escribir el mundo; el registro dice el resto.
+not-saved = Los últimos cambios del mundo no están guardados.
+not-saved-yet = No se pudo guardar el mundo; el próximo guardado lo intentará de nuevo.
+save-unfinished = El último cambio del terreno o su guardado no terminó a tiempo; todo lo guardado antes está a salvo.
+
+save-in-use = El mundo «{ $world }» está en uso: está abierto en otra ventana del juego o en otro programa. Ciérralo allí e inténtalo de nuevo.
+save-newer = El mundo «{ $world }» fue guardado por una versión más nueva del juego. Actualiza el juego para jugar en él; no se ha cambiado nada.
+save-damaged = Una parte de este mundo está dañada. El resto se puede usar; «antipode saves repair» recupera una copia anterior si la hay. ({ $details })
+save-unreadable = La partida { $path } está dañada y no se puede leer. «antipode saves repair» rescata lo que está entero y conserva este archivo.
+save-file-missing = Falta el archivo { $path } de este mundo. Si tienes una copia, devuélvela a su sitio; si no, «antipode saves repair» rehace el mundo donde puede.
+save-vanished = La partida { $path } ha desaparecido: su carpeta se movió, borró o reemplazó con el mundo abierto, así que no se puede guardar nada allí. Devuelve la carpeta a su sitio y guarda de nuevo.
+save-not-found = Ya no hay ningún mundo «{ $world }».
+saves-not-a-folder = { $path } es un archivo, así que no puede contener mundos. Elige una carpeta con --saves-dir.
+file-exists = { $path } ya existe y no se sobrescribe. Elige otro nombre o muévelo.
+disk-full = No queda espacio para escribir { $path }. Libera espacio y guarda de nuevo; lo guardado antes está a salvo.
+not-writable = No se puede escribir { $path }: es de solo lectura o pertenece a otra persona. Cambia sus permisos o elige otro lugar con --saves-dir.
+unknown-space = El mundo «{ $world }» está en un espacio que esta versión no conoce. Una versión más nueva del juego quizá lo abra.
+player-damaged = El jugador de la partida estaba dañado; empiezas de nuevo desde el principio. Tu tierra está como estaba.
+unknown-item = La partida contiene un objeto que esta versión no conoce («{ $item }»); se ha omitido.
+unknown-map = La partida nombra un mapa que esta versión no conoce («{ $map }»); se muestra otro.
+more-damaged = { $count ->
+    [one] Hay un lugar dañado más en este mundo; «antipode saves verify» lo muestra.
+   *[other] Hay { $count } lugares dañados más en este mundo; «antipode saves verify» los muestra.
+}
+land-trouble = Algo va mal con la tierra. { $details }
+other-trouble = Eso no ha funcionado. { $details }
+
+name-empty = Ponle un nombre al mundo.
+name-blank = El nombre necesita al menos un carácter visible.
+name-too-long = { $chars ->
+    [one] El nombre tiene un carácter; caben { $most } como máximo.
+   *[other] El nombre tiene { $chars } caracteres; caben { $most } como máximo.
+}
+name-unprintable = El nombre contiene un carácter que no se puede mostrar ({ $code }).
+name-taken = Ya hay un mundo llamado «{ $name }».
+
+no-adapter = No se encontró en este equipo ninguna tarjeta gráfica que el juego pueda usar ({ $found }). Instala su controlador o inicia el juego con --adapter software.
+adapter-lost = Se perdió la tarjeta gráfica. Tu mundo está a salvo; inicia el juego de nuevo.
+
+# Un fallo de la ejecución anterior.
+crash-title = El juego ha fallado
+crash = El juego se detuvo de forma inesperada y se ha vuelto a iniciar. Tu mundo está como se guardó por última vez, a lo sumo unos segundos antes. Lo que se sabe del fallo está en { $report }.

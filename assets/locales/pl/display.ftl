@@ -1,0 +1,51 @@
+### Wskaźniki nad światem.
+
+# Dwa rodzaje współrzędnych; nazwy wierszy, jednym słowem.
+display-chart = mapa
+display-curved = model
+display-flat = przestrzeń płaska: to samo
+display-loading = Ląd się pojawia: { $percent }%
+display-hemisphere = Półkula { $letter }
+display-brush = Pędzel { $radius } m
+
+# Czym obraca pokrętło pod kółkiem; kilka słów.
+dial-raised = Krzywizna, uniesiona
+dial-horizon = Krzywizna, horyzont
+dial-bend-hyperbolic = Zgięcie, hiperboliczne
+dial-bend-spherical = Zgięcie, sferyczne
+dial-bend-flat = Zgięcie, płasko
+
+# Rodzaj przestrzeni, wśród innych słów.
+space-hyperbolic = hiperboliczna
+space-euclidean = euklidesowa
+space-spherical = sferyczna
+
+# Co trzyma się w ręce.
+item-pickaxe-wood = Drewniany kilof
+item-pickaxe-iron = Żelazny kilof
+item-pickaxe-diamond = Diamentowy kilof
+
+# Liczby klatki: blok krótkich wierszy, każdy z nazwą jednym słowem i liczbami.
+figures-fps = { $frames } kl./s
+figures-fps-unknown = kl./s: brak
+figures-ms = { $ms } ms
+figures-unknown = brak
+figures-times = { $fps }   klatka { $frame }   GPU { $gpu }   { $time }
+# Między przestrzenią, mapą i jakością.
+figures-comma = { ", " }
+figures-chunks = kawałki
+figures-chunks-are = { $frame } w całości, { $vertex } wierzchołkami, { $refined } zagęszczone
+figures-detail = detal
+figures-detail-is = { $full } pełne, { $half } połowa, { $quarter } ćwierć, { $eighth } ósma część
+figures-drawn = obraz
+figures-drawn-are = { $triangles } trójkątów
+figures-saved = pominięte
+figures-saved-are = { $outside } poza kadrem, { $hidden } zasłonięte, { $small } za małe
+figures-error = błąd
+figures-error-is = najwyżej { $most } px, daleki ląd { $far } px
+picture-raised = mapa uniesiona { $value }
+picture-horizon = mapa horyzontu { $value }
+picture-bend = zgięcie { $sign }{ $value }
+quality-fast = szybko
+quality-balanced = wyważenie
+quality-exact = dokładnie

@@ -1,0 +1,56 @@
+### Menu główne, formularz nowego świata i okna dialogowe.
+
+# Kolumna przycisków.
+menu-resume = Wróć do gry
+menu-save = Zapisz
+menu-save-and-quit = Zapisz i wyjdź do menu
+menu-new-game = Nowa gra
+menu-load = Wczytaj
+menu-delete = Usuń
+menu-controls = Sterowanie
+menu-quit = Wyjdź z gry
+version = Wersja { $version }
+adapter-software = Nie znaleziono karty graficznej: { $adapter } rysuje programowo, w połowie rozdzielczości. Działa, ale powoli.
+running-world = { $name } · ziarno { $seed }
+
+back = Wstecz
+ok = OK
+percent = { $percent }%
+
+# Formularz nowego świata.
+name = Nazwa
+name-hint = Jak ma się nazywać?
+name-free = Ta nazwa jest wolna.
+space = Przestrzeń
+geometry-hyperbolic = Hiperboliczna
+geometry-hyperbolic-about = Przestrzeń się rozbiega: ląd opada, a wszystko, co dalekie, jest małe.
+geometry-euclidean = Euklidesowa
+geometry-euclidean-about = Płaska przestrzeń, bezkresna i znajoma.
+geometry-spherical = Sferyczna
+geometry-spherical-about = Mały zamknięty świat: ląd wznosi się i spotyka nad głową.
+seed = Ziarno (opcjonalne)
+seed-hint = Liczba albo słowa
+seed-random = Puste zostanie wylosowane.
+seed-is = Ziarno to { $seed }.
+seed-too-large = Za duże: największe ziarno to 18446744073709551615.
+seed-not-whole = Liczba musi być całkowita i nieujemna: same cyfry.
+seed-too-long = Za długie: najwyżej 64 znaki.
+seed-unprintable = Tylko znaki, które da się wyświetlić.
+radius = Promień świata
+create = Utwórz
+needs-name = Potrzebna poprawna nazwa
+needs-seed = Potrzebne poprawne ziarno
+
+# Świat, którego nie udało się zapisać przed wyjściem.
+unsaved-title = Świat nie jest zapisany
+unsaved-again = Spróbuj ponownie
+unsaved-stay = Zostań w świecie
+unsaved-leave = Wyjdź bez zapisu
+
+# Na co gracz czeka.
+busy-opening = Otwieranie
+busy-opening-about = Świat jest wczytywany z dysku.
+busy-land = Tworzenie lądu
+busy-saving = Zapisywanie
+busy-saving-about = Twój świat jest zapisywany na dysku.
+busy-leaving = Wychodzenie

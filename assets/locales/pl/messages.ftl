@@ -1,0 +1,62 @@
+### Komunikaty, podpowiedzi i to, co może się nie udać. { $path } to plik albo folder, { $details } to zdania po angielsku.
+
+saved = Zapisano
+
+# Odpowiedzi na klawisze.
+hint-map-raised = Mapa uniesiona
+hint-map-horizon = Mapa horyzontu
+hint-no-other-map = Sfera nie ma innej mapy.
+hint-bent = { $up } zgina obraz hiperbolicznie, { $down } sferycznie.
+hint-unbent = Obraz znów jest płaski.
+
+# Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
+open-failed = Nie udało się otworzyć świata
+open-died = Coś zawiodło podczas wczytywania; resztę mówi dziennik.
+save-failed = Nie udało się zapisać świata
+close-died = Coś zawiodło podczas zapisywania świata; resztę mówi dziennik.
+not-saved = Ostatnie zmiany w świecie nie są zapisane.
+not-saved-yet = Nie udało się zapisać świata; następny zapis spróbuje ponownie.
+save-unfinished = Ostatnia zmiana terenu albo jej zapis nie zakończyły się na czas; wszystko, co zapisano wcześniej, jest bezpieczne.
+
+# Zapisy.
+save-in-use = Świat „{ $world }” jest w użyciu: otwarto go w innym oknie gry albo w innym programie. Zamknij go tam i spróbuj ponownie.
+save-newer = Świat „{ $world }” zapisała nowsza wersja gry. Zaktualizuj grę, aby w nim grać; nic nie zostało zmienione.
+save-damaged = Część tego świata jest uszkodzona. Reszty można używać; „antipode saves repair” przywraca starszą kopię tej części, jeśli taka istnieje. ({ $details })
+save-unreadable = Zapis { $path } jest uszkodzony i nie można go odczytać. „antipode saves repair” ratuje to, co całe, i zachowuje ten plik.
+save-file-missing = Brakuje pliku { $path } tego świata. Jeśli masz jego kopię, odłóż ją na miejsce; w przeciwnym razie „antipode saves repair” odtworzy świat, jeśli to możliwe.
+save-vanished = Zapis { $path } zniknął: jego folder przeniesiono, usunięto albo zastąpiono, gdy świat był otwarty, więc nie można w nim nic zapisać. Przenieś folder z powrotem i zapisz ponownie.
+save-not-found = Nie ma już świata „{ $world }”.
+saves-not-a-folder = { $path } to plik, więc nie może w nim być światów. Wybierz folder za pomocą --saves-dir.
+file-exists = { $path } już istnieje i nie zostanie nadpisane. Wybierz inną nazwę albo przenieś to gdzie indziej.
+disk-full = Brak miejsca, aby zapisać { $path }. Zwolnij trochę miejsca i zapisz ponownie; to, co zapisano wcześniej, jest bezpieczne.
+not-writable = Nie można zapisać { $path }: jest tylko do odczytu albo należy do kogoś innego. Zmień uprawnienia albo wybierz inne miejsce za pomocą --saves-dir.
+unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja nie zna. Nowsza wersja gry może go otworzyć.
+player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
+unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); pominięto go.
+unknown-map = Zapis wymienia mapę, której ta wersja nie zna („{ $map }”); pokazana jest inna.
+more-damaged = { $count ->
+    [one] Uszkodzone jest jeszcze jedno miejsce w tym świecie; „antipode saves verify” je poda.
+    [few] Uszkodzone są jeszcze { $count } miejsca w tym świecie; „antipode saves verify” je poda.
+   *[many] Uszkodzonych jest jeszcze { $count } miejsc w tym świecie; „antipode saves verify” je poda.
+}
+land-trouble = Z lądem jest coś nie tak. { $details }
+other-trouble = To się nie udało. { $details }
+
+# Nazwy światów.
+name-empty = Nadaj światu nazwę.
+name-blank = Nazwa potrzebuje co najmniej jednego widocznego znaku.
+name-too-long = { $chars ->
+    [one] Nazwa ma jeden znak; mieści się najwyżej { $most }.
+    [few] Nazwa ma { $chars } znaki; mieści się najwyżej { $most }.
+   *[many] Nazwa ma { $chars } znaków; mieści się najwyżej { $most }.
+}
+name-unprintable = Nazwa zawiera znak, którego nie można pokazać ({ $code }).
+name-taken = Jest już świat o nazwie „{ $name }”.
+
+# Karta graficzna.
+no-adapter = Na tym komputerze nie znaleziono karty graficznej, której gra może użyć ({ $found }). Zainstaluj jej sterownik albo uruchom grę z --adapter software.
+adapter-lost = Utracono kartę graficzną. Twój świat jest bezpieczny; uruchom grę ponownie.
+
+# Awaria poprzedniego uruchomienia gry.
+crash-title = Gra uległa awarii
+crash = Gra nieoczekiwanie się zatrzymała i uruchomiła na nowo. Twój świat jest taki, jak przy ostatnim zapisie, najwyżej kilka sekund wcześniej. To, co wiadomo o awarii, jest w { $report }.

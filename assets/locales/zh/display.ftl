@@ -1,0 +1,45 @@
+### 世界上方的显示。
+
+display-chart = 图卡
+display-curved = 模型
+display-flat = 平直空间：相同
+display-loading = 大地正在出现：{ $percent }%
+display-hemisphere = 半球 { $letter }
+display-brush = 笔刷 { $radius } 米
+
+dial-raised = 曲率，抬升
+dial-horizon = 曲率，地平
+dial-bend-hyperbolic = 弯曲，双曲
+dial-bend-spherical = 弯曲，球面
+dial-bend-flat = 弯曲，平直
+
+space-hyperbolic = 双曲
+space-euclidean = 欧几里得
+space-spherical = 球面
+
+item-pickaxe-wood = 木镐
+item-pickaxe-iron = 铁镐
+item-pickaxe-diamond = 钻石镐
+
+figures-fps = { $frames } 帧/秒
+figures-fps-unknown = 帧/秒未知
+figures-ms = { $ms } 毫秒
+figures-unknown = 未知
+figures-times = { $fps }   每帧 { $frame }   GPU { $gpu }   { $time }
+figures-comma = { "，" }
+figures-chunks = 区块
+figures-chunks-are = { $frame } 整块，{ $vertex } 逐顶点，{ $refined } 加密
+figures-detail = 细节
+figures-detail-is = { $full } 全，{ $half } 二分之一，{ $quarter } 四分之一，{ $eighth } 八分之一
+figures-drawn = 绘制
+figures-drawn-are = { $triangles } 个三角形
+figures-saved = 省去
+figures-saved-are = { $outside } 画面外，{ $hidden } 被遮挡，{ $small } 太小
+figures-error = 误差
+figures-error-is = 最多 { $most } 像素，远处大地 { $far } 像素
+picture-raised = 抬升图 { $value }
+picture-horizon = 地平图 { $value }
+picture-bend = 弯曲 { $sign }{ $value }
+quality-fast = 快速
+quality-balanced = 均衡
+quality-exact = 精确

@@ -1,0 +1,56 @@
+### 主菜单、新世界表单和对话框。
+
+# 按钮栏。
+menu-resume = 继续游戏
+menu-save = 保存
+menu-save-and-quit = 保存并返回菜单
+menu-new-game = 新游戏
+menu-load = 载入
+menu-delete = 删除
+menu-controls = 操作
+menu-quit = 退出游戏
+version = 版本 { $version }
+adapter-software = 没有找到显卡：{ $adapter } 以软件方式绘制，分辨率减半。可以运行，但较慢。
+running-world = { $name } · 种子 { $seed }
+
+back = 返回
+ok = 确定
+percent = { $percent }%
+
+# 新世界表单。
+name = 名称
+name-hint = 叫什么名字？
+name-free = 这个名称可以使用。
+space = 空间
+geometry-hyperbolic = 双曲
+geometry-hyperbolic-about = 空间向外扩散：大地下沉，远处的一切都很小。
+geometry-euclidean = 欧几里得
+geometry-euclidean-about = 平直的空间，无边而熟悉。
+geometry-spherical = 球面
+geometry-spherical-about = 小而封闭的世界：大地升起，在头顶相接。
+seed = 种子（可选）
+seed-hint = 数字或文字
+seed-random = 留空则随机抽取。
+seed-is = 种子是 { $seed }。
+seed-too-large = 太大：最大的种子是 18446744073709551615。
+seed-not-whole = 数字必须是非负整数：只能用数字。
+seed-too-long = 太长：最多 64 个字符。
+seed-unprintable = 请只用可显示的字符。
+radius = 世界半径
+create = 创建
+needs-name = 需要有效的名称
+needs-seed = 需要有效的种子
+
+# 离开前无法保存的世界。
+unsaved-title = 世界尚未保存
+unsaved-again = 重试
+unsaved-stay = 留在世界中
+unsaved-leave = 不保存就离开
+
+# 玩家正在等待的事。
+busy-opening = 正在打开
+busy-opening-about = 正在从磁盘读取世界。
+busy-land = 正在生成大地
+busy-saving = 正在保存
+busy-saving-about = 正在把你的世界写入磁盘。
+busy-leaving = 正在离开

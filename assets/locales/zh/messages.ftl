@@ -1,0 +1,49 @@
+### 提示、回答和可能出错的事。{ $path } 是文件或文件夹，{ $details } 是英文句子。
+
+saved = 已保存
+
+hint-map-raised = 抬升图
+hint-map-horizon = 地平图
+hint-no-other-map = 球面没有别的图。
+hint-bent = { $up }把画面弯成双曲，{ $down }弯成球面。
+hint-unbent = 画面恢复平直。
+
+open-failed = 无法打开世界
+open-died = 读取时出了错；详情见日志。
+save-failed = 无法保存世界
+close-died = 写入世界时出了错；详情见日志。
+not-saved = 世界最后的改动没有保存。
+not-saved-yet = 无法保存世界；下次保存会再试。
+save-unfinished = 最后一次地形改动或其保存没有及时完成；之前保存的一切都安全。
+
+save-in-use = 世界“{ $world }”正在使用：它在游戏的另一个窗口或另一个程序中打开着。请在那里关闭它，然后重试。
+save-newer = 世界“{ $world }”由更新版本的游戏保存。请更新游戏后再玩；没有改动任何东西。
+save-damaged = 这个世界的一部分已损坏。其余部分可以使用；如果有较早的副本，“antipode saves repair”会恢复它。（{ $details }）
+save-unreadable = 存档 { $path } 已损坏，无法读取。“antipode saves repair”会抢救完好的部分，并保留这个文件。
+save-file-missing = 这个世界的文件 { $path } 不见了。如果你有副本，请放回原处；否则“antipode saves repair”会尽可能重建世界。
+save-vanished = 存档 { $path } 不见了：世界打开时它的文件夹被移动、删除或替换，因此无法在那里保存。请把文件夹放回原处，然后再保存。
+save-not-found = 世界“{ $world }”已不存在。
+saves-not-a-folder = { $path } 是一个文件，里面不会有世界。请用 --saves-dir 选择一个文件夹。
+file-exists = { $path } 已经存在，不会被覆盖。请另选名称或把它移开。
+disk-full = 磁盘空间不足，无法写入 { $path }。请腾出一些空间后再保存；之前保存的都安全。
+not-writable = 无法写入 { $path }：它是只读的，或属于别人。请更改权限，或用 --saves-dir 选择别的位置。
+unknown-space = 世界“{ $world }”所在的空间是这个版本不认识的。更新版本的游戏也许能打开它。
+player-damaged = 存档中的玩家数据已损坏；你从起点重新开始。你的大地保持原样。
+unknown-item = 存档中有这个版本不认识的物品（“{ $item }”）；已略去。
+unknown-map = 存档中有这个版本不认识的图（“{ $map }”）；改为显示另一种。
+more-damaged = 这个世界还有 { $count } 处损坏；“antipode saves verify”会列出它们。
+land-trouble = 大地出了问题。{ $details }
+other-trouble = 没有成功。{ $details }
+
+name-empty = 请给世界起个名字。
+name-blank = 名称至少要有一个可见的字符。
+name-too-long = 名称有 { $chars } 个字符；最多 { $most } 个。
+name-unprintable = 名称中有无法显示的字符（{ $code }）。
+name-taken = 已经有一个叫“{ $name }”的世界。
+
+no-adapter = 这台电脑上没有找到游戏可用的显卡（{ $found }）。请安装显卡驱动，或用 --adapter software 启动游戏。
+adapter-lost = 显卡连接已丢失。你的世界是安全的；请重新启动游戏。
+
+# 上一次运行时的崩溃。
+crash-title = 游戏崩溃了
+crash = 游戏意外停止，已重新启动。你的世界保持上次保存时的样子，最多相差几秒。关于这次崩溃的信息在 { $report }。

@@ -1,0 +1,142 @@
+//! What is left behind when the game itself breaks: a report, and words about it.
+
+use std::backtrace::Backtrace;
+use std::fmt::Write as _;
+use std::panic::{PanicHookInfo, catch_unwind, set_hook, take_hook};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use crate::failure::Failure;
+
+/// The option that a game is started with after another has crashed: it shows the report's place.
+pub const AFTER_CRASH: &str = "--after-crash";
+
+/// Where the report of this process's crash lies.
+type Report = Arc<Mutex<Option<PathBuf>>>;
+
+/// Runs the game in its window. If it breaks, its report is written, what was written goes to the log, and the game
+/// is started anew to say so: once, so that what breaks at every start does not go on for ever.
+///
+/// # Errors
+/// The game's own, or that it has crashed.
+pub fn guard(
+    folder: Option<&Path>,
+    again: bool,
+    play: impl FnOnce() -> Result<(), Failure> + std::panic::UnwindSafe,
+) -> Result<(), Failure> {
+    let report = Report::default();
+    install(folder.map(Path::to_owned), Arc::clone(&report));
+    let Ok(ended) = catch_unwind(play) else {
+        let path = report.lock().unwrap_or_else(PoisonError::into_inner).take();
+        if again && let Some(path) = &path {
+            start_again(path);
+        }
+        return Err(Failure::Crashed {
+            report: path.map_or_else(|| "the log".to_owned(), |p| p.display().to_string()),
+        });
+    };
+    ended
+}
+
+/// Reports panics of the main thread; those of others are caught where they work, and told there.
+fn install(folder: Option<PathBuf>, report: Report) {
+    let before = take_hook();
+    let main = std::thread::current().id();
+    set_hook(Box::new(move |panic| {
+        before(panic);
+        let name = std::thread::current()
+            .name()
+            .unwrap_or("unnamed")
+            .to_owned();
+        tracing::error!("thread {name} panicked: {panic}");
+        if std::thread::current().id() == main
+            && let Some(folder) = &folder
+        {
+            let path = folder.join(format!("crash-{}.txt", seconds_now()));
+            let written =
+                std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text(panic)));
+            match written {
+                Ok(()) => *report.lock().unwrap_or_else(PoisonError::into_inner) = Some(path),
+                Err(e) => tracing::error!("no report could be written to {}: {e}", path.display()),
+            }
+        }
+    }));
+}
+
+fn text(panic: &PanicHookInfo<'_>) -> String {
+    let mut text = format!(
+        "Antipode {} on {} {}, {} s after 1970\n\n{panic}\n\n",
+        env!("CARGO_PKG_VERSION"),
+        std::env::consts::OS,
+        std::env::consts::ARCH,
+        seconds_now(),
+    );
+    // Formatting into a String does not fail.
+    let _ = writeln!(text, "{}", Backtrace::force_capture());
+    text
+}
+
+fn seconds_now() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.map_or(0, |since| since.as_secs())
+}
+
+/// The same program with the same options, but for what it began in: in its menu, with words about the crash.
+fn start_again(report: &Path) {
+    let Ok(program) = std::env::current_exe() else {
+        return;
+    };
+    let mut command = Command::new(program);
+    command.args(kept_options(std::env::args().skip(1)));
+    command.arg(AFTER_CRASH).arg(report).stdin(Stdio::null());
+    if let Err(e) = command.spawn() {
+        tracing::error!("the game could not be started again: {e}");
+    }
+}
+
+/// What the new game is started with: everything but the world that broke.
+fn kept_options(arguments: impl Iterator<Item = String>) -> Vec<String> {
+    const OF_A_WORLD: [&str; 6] = [
+        "--geometry",
+        "--seed",
+        "--name",
+        "--radius",
+        "--load",
+        "--inject",
+    ];
+    let mut kept = Vec::new();
+    let mut arguments = arguments;
+    while let Some(argument) = arguments.next() {
+        if OF_A_WORLD.contains(&argument.as_str()) {
+            arguments.next();
+        } else if !OF_A_WORLD
+            .iter()
+            .any(|o| argument.starts_with(&format!("{o}=")))
+        {
+            kept.push(argument);
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_new_game_keeps_the_options_and_leaves_the_world() {
+        let args = [
+            "--size",
+            "640x360",
+            "--load",
+            "Foo",
+            "--seed=7",
+            "--saves-dir",
+            "/x",
+        ];
+        let kept = kept_options(args.map(str::to_owned).into_iter());
+        assert_eq!(kept, ["--size", "640x360", "--saves-dir", "/x"]);
+    }
+}

@@ -1,0 +1,141 @@
+//! The table of commands, for scripts and console alike: what each is called and which words follow it. Help and
+//! completion go by it.
+
+/// What a word after a command can be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// A space: `euclidean`, `hyperbolic`, `spherical`.
+    Geometry,
+    /// `seed=`, `name=` or `radius=`.
+    Option,
+    /// The name of a saved world.
+    World,
+    /// A key by its name.
+    Key,
+    /// A key, or a button of the mouse.
+    KeyOrButton,
+    /// `LEFT` or `RIGHT`.
+    Button,
+    /// A setting of a world.
+    Setting,
+    /// What that setting takes.
+    Value,
+    /// An item by its id.
+    Item,
+    /// `A` or `B`.
+    Hemisphere,
+    /// A number, a file: nothing that could be guessed.
+    Free,
+    /// Another command.
+    Command,
+}
+
+/// One command.
+#[derive(Clone, Copy, Debug)]
+pub struct CommandInfo {
+    /// What it is called.
+    pub name: &'static str,
+    /// How it is written, without its name.
+    pub usage: &'static str,
+    /// What its words are, in order; the last stands for all that follow.
+    pub arguments: &'static [Argument],
+}
+
+/// Settings that `set` knows, each with the words it takes; none where it takes a number.
+pub const SETTINGS: [(&str, &[&str]); 8] = [
+    ("time", &[]),
+    ("curvature", &[]),
+    ("map", &["raised", "horizon"]),
+    ("bend", &[]),
+    ("quality", &["fast", "balanced", "exact"]),
+    ("view-distance", &[]),
+    ("health", &[]),
+    ("fly", &["on", "off"]),
+];
+
+const fn command(
+    name: &'static str,
+    usage: &'static str,
+    arguments: &'static [Argument],
+) -> CommandInfo {
+    CommandInfo {
+        name,
+        usage,
+        arguments,
+    }
+}
+
+/// Every command.
+pub static COMMANDS: [CommandInfo; 24] = {
+    use Argument::{
+        Button, Free, Geometry, Hemisphere, Item, Key, KeyOrButton, Option, Setting, Value, World,
+    };
+    [
+        command(
+            "new",
+            "GEOMETRY [seed=N] [name=NAME] [radius=M]",
+            &[Geometry, Option],
+        ),
+        command("load", "NAME", &[World]),
+        command("save", "", &[]),
+        command("delete", "NAME", &[World]),
+        command("list", "", &[]),
+        command("quit", "", &[]),
+        command("hold", "KEY SECONDS", &[KeyOrButton, Free]),
+        command("down", "KEY", &[Key]),
+        command("up", "KEY", &[Key]),
+        command("tap", "KEY", &[Key]),
+        command("click", "LEFT|RIGHT", &[Button]),
+        command("press", "LEFT|RIGHT", &[Button]),
+        command("release", "LEFT|RIGHT", &[Button]),
+        command("look", "DX DY", &[Free]),
+        command("aim", "YAW PITCH", &[Free]),
+        command("scroll", "NOTCHES", &[Free]),
+        command("wait", "SECONDS", &[Free]),
+        command("settle", "[MAX_SECONDS]", &[Free]),
+        command("probe", "", &[]),
+        command("shot", "FILE.png", &[Free]),
+        command("set", "SETTING VALUE", &[Setting, Value]),
+        command("give", "ITEM N", &[Item, Free]),
+        command("teleport", "X Y Z [A|B]", &[Free, Free, Free, Hemisphere]),
+        command("perf", "SECONDS", &[Free]),
+    ]
+};
+
+/// The command of that name.
+pub fn command_named(name: &str) -> Option<&'static CommandInfo> {
+    COMMANDS.iter().find(|command| command.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parse::parse;
+    use super::*;
+
+    #[test]
+    fn every_command_of_the_table_is_one_and_says_whether_it_needs_words() {
+        for command in &COMMANDS {
+            let needs = !command.usage.is_empty() && !command.usage.starts_with('[');
+            let mistake = parse(command.name).err().map(|mistake| mistake.what);
+            match mistake {
+                None => assert!(!needs, "{} stands alone", command.name),
+                Some(what) => assert!(needs && what.contains("few"), "{what}"),
+            }
+        }
+        assert!(command_named("jump").is_none());
+    }
+
+    #[test]
+    fn every_setting_of_the_table_takes_its_words() {
+        for (setting, words) in SETTINGS {
+            let number: &[&str] = &["1"];
+            let taken = if words.is_empty() { number } else { words };
+            for word in taken {
+                assert!(
+                    parse(&format!("set {setting} {word}")).is_ok(),
+                    "{setting} {word}"
+                );
+            }
+        }
+    }
+}

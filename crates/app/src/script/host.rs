@@ -1,0 +1,215 @@
+//! Carrying orders out: one way for scripts, which wait for each, and for the console, which never waits.
+
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_scene::Scene;
+use glam::DVec3;
+
+use super::parse::{Order, Setting};
+use crate::bindings::Input;
+use crate::controls::Controls;
+use crate::failure::Failure;
+use crate::session::Worlds;
+
+/// How far past its rim a hemisphere's chart may still be named, in metres.
+const RIM_SLACK_M: f64 = 1.0;
+
+/// Where orders are carried out.
+pub trait Host {
+    /// The open world.
+    ///
+    /// # Errors
+    /// When none is open.
+    fn scene(&mut self) -> Result<&mut Scene, Failure>;
+
+    /// The saved worlds.
+    fn worlds(&mut self) -> &mut Worlds;
+
+    /// What is held and turned.
+    fn controls(&mut self) -> &mut Controls;
+
+    /// Directory of the open world's save; none where no world is open, or it is not kept.
+    fn open_slug(&self) -> Option<&str>;
+
+    /// Presses an input, and does what it asks of the game around the world.
+    fn press(&mut self, input: Input);
+
+    /// Lets what was pressed or turned act, where time does not pass by itself.
+    ///
+    /// # Errors
+    /// When the world cannot go on.
+    fn step(&mut self) -> Result<(), Failure>;
+
+    /// Waits for the land around a player who was moved, where that does not come by itself.
+    ///
+    /// # Errors
+    /// When it does not come.
+    fn arrive(&mut self) -> Result<(), Failure>;
+
+    /// Orders that are each host's own: those about worlds, time, pictures and what is printed.
+    ///
+    /// # Errors
+    /// When the order cannot be carried out.
+    fn own(&mut self, order: &Order) -> Result<(), Failure>;
+}
+
+/// Carries an order out, and marks the world if it cheats.
+///
+/// # Errors
+/// When it asks for what is not there, in words, or something fails on the way.
+pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure> {
+    match order {
+        Order::Delete(name) => delete(host, name),
+        Order::Press(input, true) => {
+            host.press(*input);
+            Ok(())
+        }
+        Order::Press(input, false) => {
+            host.controls().input(*input, false);
+            Ok(())
+        }
+        Order::Tap(input) => {
+            host.press(*input);
+            host.step()?;
+            host.controls().input(*input, false);
+            Ok(())
+        }
+        Order::Look(dx, dy) => {
+            host.controls().motion(*dx, *dy);
+            host.step()
+        }
+        Order::Aim(yaw, pitch) => {
+            host.scene()?.aim(yaw.to_radians(), pitch.to_radians());
+            Ok(())
+        }
+        Order::Scroll(notches) => {
+            let has_dial = host.scene()?.lens().range().is_some();
+            host.controls().wheel(*notches, has_dial);
+            host.step()
+        }
+        Order::Set(setting) => set(host, *setting),
+        Order::Give(item, count) => {
+            let given = host.scene()?.inventory_mut().give(*item, *count);
+            possible(given, "there is no free slot")
+        }
+        Order::Teleport(place, hemisphere) => teleport(
+            host,
+            ChartPoint::new(*hemisphere, DVec3::from_array(*place)),
+        ),
+        Order::New(_)
+        | Order::Load(_)
+        | Order::Save
+        | Order::List
+        | Order::Quit
+        | Order::Hold(..)
+        | Order::Wait(_)
+        | Order::Settle(_)
+        | Order::Probe
+        | Order::Shot(_)
+        | Order::Perf(_) => host.own(order),
+    }?;
+    if order.cheats() {
+        host.scene()?.mark_cheated();
+    }
+    Ok(())
+}
+
+fn delete<H: Host + ?Sized>(host: &mut H, name: &str) -> Result<(), Failure> {
+    let slug = host.worlds().saves().find(name)?.slug;
+    if host.open_slug() == Some(&slug) {
+        return Err(Failure::Usage(format!(
+            "\"{name}\" is open and cannot be deleted"
+        )));
+    }
+    Ok(host.worlds().saves().delete(&slug)?)
+}
+
+fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> {
+    let scene = host.scene()?;
+    match setting {
+        Setting::Time(time_s) => scene.set_time_of_day_s(time_s),
+        Setting::Curvature(value) => possible(
+            scene.set_curvature(value),
+            "this space has no curvature dial",
+        )?,
+        Setting::Map(map) => possible(scene.set_map(map), "this space has no other map")?,
+        Setting::Bend(value) => possible(scene.set_bend(value), "only a flat world can be bent")?,
+        Setting::Quality(quality) => {
+            scene.set_quality(quality);
+            host.worlds().set_quality(quality);
+        }
+        Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
+        Setting::Health(health) => scene.set_health(health),
+        Setting::Fly(on) => scene.set_flying(on),
+    }
+    Ok(())
+}
+
+fn teleport<H: Host + ?Sized>(host: &mut H, point: ChartPoint) -> Result<(), Failure> {
+    let scene = host.scene()?;
+    check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
+    scene.teleport(point);
+    host.arrive()?;
+    host.scene()?.refresh_marker();
+    Ok(())
+}
+
+/// Whether a player can stand there; a sentence when not.
+fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String> {
+    match strategy.rim_m() {
+        Some(rim_m) => {
+            let from_centre_m = point.pos.x.hypot(point.pos.z);
+            if from_centre_m > rim_m + RIM_SLACK_M {
+                return Err(format!(
+                    "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
+                ));
+            }
+        }
+        None if point.hemisphere == Hemisphere::B => {
+            return Err("this space has no hemisphere B".to_owned());
+        }
+        None => {}
+    }
+    match strategy.limits() {
+        Some(limits) if !(limits.bedrock_m..=limits.ceiling_m).contains(&point.pos.y) => {
+            Err(format!(
+                "the height {} m is out of this world's range ({:.1} to {:.1} m)",
+                point.pos.y, limits.bedrock_m, limits.ceiling_m
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What an order came to: a mistake of whoever gave it where the world has no such thing.
+fn possible(done: bool, otherwise: &str) -> Result<(), Failure> {
+    if done {
+        Ok(())
+    } else {
+        Err(Failure::Usage(otherwise.to_owned()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn nobody_is_sent_out_of_the_world() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let at = |x: f64, y: f64, hemisphere| {
+            check_place(&*sphere, ChartPoint::new(hemisphere, DVec3::new(x, y, 0.0)))
+        };
+        assert_eq!(at(0.0, 20.0, Hemisphere::B), Ok(()));
+        assert_eq!(at(50.0, 20.0, Hemisphere::A), Ok(()));
+        assert!(at(60.0, 20.0, Hemisphere::A).is_err_and(|said| said.contains("rim")));
+        for y in [0.0, 60.0, 1e8] {
+            assert!(at(0.0, y, Hemisphere::A).is_err_and(|said| said.contains("height")));
+        }
+        let flat = strategy(Geometry::Euclidean, f64::INFINITY);
+        let far = DVec3::new(1e8, 1e8, -1e8);
+        assert_eq!(check_place(&*flat, ChartPoint::a(far)), Ok(()));
+        assert!(check_place(&*flat, ChartPoint::new(Hemisphere::B, far)).is_err());
+    }
+}

@@ -1,0 +1,137 @@
+//! What the game sounds like in its window: hands over what there is to hear, and follows the settings.
+
+use antipode_audio::{Audio, Cue, Heard, Place, Status, Volumes};
+use antipode_settings::Settings;
+use egui::output::OutputEvent;
+
+use super::game::Game;
+use super::phase::Phase;
+
+impl Game {
+    /// What there was to hear since it was last asked.
+    pub fn take_heard(&mut self) -> Heard {
+        let place = match &self.phase {
+            Phase::Playing(_) => Place::World,
+            Phase::Paused(_) => Place::Paused,
+            _ => Place::Menu,
+        };
+        let Some(session) = self.phase.session_mut() else {
+            return Heard::default();
+        };
+        Heard {
+            place,
+            surroundings: Some(session.scene.surroundings()),
+            events: session.scene.take_sounds(),
+        }
+    }
+
+    /// Whether nothing is to be heard because the player has turned to another window.
+    fn is_muted(&self) -> bool {
+        self.config.settings.mute_elsewhere && self.is_player_elsewhere()
+    }
+}
+
+/// The game's ears.
+#[derive(Debug)]
+pub(super) struct Ears {
+    audio: Audio,
+    volumes: Volumes,
+    muted: bool,
+}
+
+impl Ears {
+    /// Begins to play.
+    pub fn new(settings: &Settings) -> Self {
+        let volumes = volumes(settings);
+        Self {
+            audio: Audio::start(volumes),
+            volumes,
+            muted: false,
+        }
+    }
+
+    /// Lets the game be heard; to be called once a frame. Never waits.
+    pub fn listen(&mut self, game: &mut Game) {
+        let volumes = volumes(&game.config.settings);
+        if volumes != self.volumes {
+            self.volumes = volumes;
+            self.audio.set_volumes(volumes);
+        }
+        if game.is_muted() != self.muted {
+            self.muted = !self.muted;
+            self.audio.set_muted(self.muted);
+        }
+        self.audio.hear(game.take_heard());
+        game.sound_trouble = trouble(self.audio.status());
+    }
+
+    /// Lets the interface be heard: at most one sound for a frame.
+    pub fn interface(&self, events: &[OutputEvent]) {
+        if let Some(cue) = cue(events) {
+            self.audio.cue(cue);
+        }
+    }
+}
+
+/// Key of the words for a player who hears nothing, if so.
+fn trouble(status: &Status) -> Option<&'static str> {
+    match status {
+        Status::Opening | Status::Playing => None,
+        Status::NoDevice(_) => Some("sound-none"),
+        Status::Lost => Some("sound-lost"),
+        Status::LeftOut => Some("sound-left-out"),
+    }
+}
+
+fn cue(events: &[OutputEvent]) -> Option<Cue> {
+    let of = |event: &OutputEvent| match event {
+        OutputEvent::Clicked(_) => Some(Cue::Pressed),
+        OutputEvent::FocusGained(_) | OutputEvent::ValueChanged(_) => Some(Cue::Moved),
+        _ => None,
+    };
+    let mut cues = events.iter().filter_map(of);
+    // A press that opens a screen moves the focus as well.
+    let first = cues.next()?;
+    Some(cues.find(|cue| *cue == Cue::Pressed).unwrap_or(first))
+}
+
+fn volumes(settings: &Settings) -> Volumes {
+    let share = |percent: f64| (percent / 100.0) as f32;
+    Volumes {
+        master: share(settings.volume_master_pc),
+        effects: share(settings.volume_effects_pc),
+        ambience: share(settings.volume_ambience_pc),
+        music: share(settings.volume_music_pc),
+        interface: share(settings.volume_interface_pc),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use egui::{Role, WidgetInfo};
+
+    use super::*;
+
+    #[test]
+    fn settings_begin_with_the_volumes_of_the_sounds_own_defaults() {
+        assert_eq!(volumes(&Settings::default()), Volumes::default());
+    }
+
+    #[test]
+    fn a_press_is_heard_before_the_focus_that_it_moves() {
+        let info = || WidgetInfo::new(Role::Button);
+        let moved = OutputEvent::FocusGained(info());
+        let pressed = OutputEvent::Clicked(info());
+        assert_eq!(cue(&[]), None);
+        assert_eq!(cue(std::slice::from_ref(&moved)), Some(Cue::Moved));
+        assert_eq!(cue(&[moved, pressed]), Some(Cue::Pressed));
+    }
+
+    #[test]
+    fn who_hears_nothing_is_told_why_and_who_hears_is_not() {
+        assert_eq!(trouble(&Status::Playing), None);
+        let none = Status::NoDevice("there is none".to_owned());
+        assert_eq!(trouble(&none), Some("sound-none"));
+        assert_eq!(trouble(&Status::Lost), Some("sound-lost"));
+    }
+}

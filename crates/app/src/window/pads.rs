@@ -1,0 +1,163 @@
+//! Gamepads in the window: in the world they do what keys do, in menus they move the focus and press.
+
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+
+use antipode_settings::{Input, PadButton};
+use antipode_ui::ToastKind;
+use egui::{Event, Key, Modifiers};
+
+use super::game::Game;
+use crate::pad::{Direction, PadEvent, PadSource, Sticks};
+
+/// Time a direction is held in a menu until it goes on by itself, and from then on between two lines.
+const REPEAT: (Duration, Duration) = (Duration::from_millis(400), Duration::from_millis(110));
+
+/// The gamepads, all of which act as one.
+pub(super) struct Pads {
+    source: Box<dyn PadSource>,
+    sticks: Sticks,
+    held: BTreeSet<PadButton>,
+    /// The direction held in a menu, and when it goes on by itself.
+    walking: Option<(Direction, Instant)>,
+}
+
+impl Pads {
+    /// Gamepads of a source.
+    pub fn new(source: Box<dyn PadSource>) -> Self {
+        Self {
+            source,
+            sticks: Sticks::default(),
+            held: BTreeSet::new(),
+            walking: None,
+        }
+    }
+
+    /// Takes in what happened. Returns the keys that the menus are to be given.
+    pub fn poll(&mut self, game: &mut Game, now: Instant) -> Vec<Event> {
+        let mut keys = Vec::new();
+        while let Some(event) = self.source.next() {
+            match event {
+                PadEvent::Connected { name } => game.tell_of_pad("pad-connected", &name),
+                PadEvent::Disconnected { name } => {
+                    self.let_go(game);
+                    game.tell_of_pad("pad-disconnected", &name);
+                }
+                // Pads are told to everybody, whichever window has the keyboard.
+                PadEvent::Button { pressed: true, .. } | PadEvent::Stick { .. }
+                    if game.is_player_elsewhere() => {}
+                PadEvent::Button { button, pressed } => {
+                    self.button(game, button, pressed, &mut keys);
+                }
+                PadEvent::Stick { axis, value } => self.sticks.set(axis, value),
+            }
+        }
+        if game.is_player_elsewhere() {
+            self.let_go(game);
+        }
+        game.sticks = self.sticks;
+        self.walk(game, now, &mut keys);
+        keys
+    }
+
+    fn button(&mut self, game: &mut Game, button: PadButton, pressed: bool, keys: &mut Vec<Event>) {
+        if pressed {
+            self.held.insert(button);
+        } else {
+            self.held.remove(&button);
+        }
+        let input = Input::Pad(button);
+        if game.is_playing() {
+            game.input(input, pressed);
+        } else if !pressed {
+        } else if game.shell.wants_input() {
+            game.shell.take_input(input);
+        } else {
+            match button {
+                PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
+                PadButton::East | PadButton::Start => game.escape(),
+                PadButton::LeftBumper => tap(Key::Tab, Modifiers::SHIFT, keys),
+                PadButton::RightBumper => tap(Key::Tab, Modifiers::NONE, keys),
+                _ => {}
+            }
+        }
+    }
+
+    /// Moves through a menu: at once, and again and again while it is held.
+    fn walk(&mut self, game: &Game, now: Instant, keys: &mut Vec<Event>) {
+        let held = self.direction().filter(|_| !game.is_playing());
+        let (first, again) = REPEAT;
+        let wait = match (held, self.walking) {
+            (None, _) => {
+                self.walking = None;
+                return;
+            }
+            (Some(held), Some((last, at))) if held == last => {
+                if now < at {
+                    return;
+                }
+                again
+            }
+            (Some(_), _) => first,
+        };
+        if let Some(held) = held {
+            self.walking = Some((held, now + wait));
+            tap(key(held), Modifiers::NONE, keys);
+        }
+    }
+
+    fn direction(&self) -> Option<Direction> {
+        let cross = [
+            (PadButton::Up, Direction::Up),
+            (PadButton::Down, Direction::Down),
+            (PadButton::Left, Direction::Left),
+            (PadButton::Right, Direction::Right),
+        ];
+        let pressed = cross
+            .into_iter()
+            .find(|(button, _)| self.held.contains(button));
+        pressed
+            .map(|(_, direction)| direction)
+            .or_else(|| self.sticks.direction())
+    }
+
+    /// A pad that has gone holds nothing any more.
+    fn let_go(&mut self, game: &mut Game) {
+        self.sticks = Sticks::default();
+        for button in std::mem::take(&mut self.held) {
+            game.input(Input::Pad(button), false);
+        }
+    }
+}
+
+impl Game {
+    fn tell_of_pad(&mut self, key: &str, name: &str) {
+        let words = self.texts.say_with(key, &[("name", name.into())]);
+        self.shell.toast(words, ToastKind::Info);
+    }
+}
+
+fn key(direction: Direction) -> Key {
+    match direction {
+        Direction::Up => Key::ArrowUp,
+        Direction::Down => Key::ArrowDown,
+        Direction::Left => Key::ArrowLeft,
+        Direction::Right => Key::ArrowRight,
+    }
+}
+
+/// Down and up again.
+fn tap(key: Key, modifiers: Modifiers, keys: &mut Vec<Event>) {
+    for pressed in [true, false] {
+        keys.push(Event::Key {
+            key,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers,
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,254 @@
+//! The list with real worlds in a directory of their own.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
+
+use std::fs;
+use std::path::PathBuf;
+
+use antipode_geometry::Geometry;
+use clap::Parser;
+use image::{Rgba, RgbaImage};
+
+use super::*;
+use crate::cli::Cli;
+use crate::session::NewWorld;
+
+/// A directory with the worlds a, b and c, and the list of them.
+fn three() -> (tempfile::TempDir, WorldList) {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = dir.path().join("saves");
+    let path = saves.to_str().unwrap();
+    let cli =
+        Cli::try_parse_from(["antipode", "--saves-dir", path, "--view-distance", "1"]).unwrap();
+    let worlds = Worlds::new(&cli.common);
+    for name in ["a", "b", "c"] {
+        let made = worlds.create(&NewWorld {
+            geometry: Geometry::Euclidean,
+            name: Some(name.to_owned()),
+            seed: Some(1),
+            radius_m: None,
+        });
+        let mut session = made.unwrap();
+        if name == "a" {
+            session.picture = Some(RgbaImage::from_pixel(640, 360, Rgba([200, 10, 10, 255])));
+        }
+        session.close().unwrap();
+    }
+    let mut list = WorldList::new(worlds);
+    list.place = list.place.clone().exporting_to(dir.path());
+    list.refresh();
+    finish(&mut list);
+    (dir, list)
+}
+
+fn finish(list: &mut WorldList) {
+    while list.task.is_some() || !list.folders.is_empty() || !list.pictures.is_idle() {
+        list.poll();
+        std::thread::yield_now();
+    }
+}
+
+fn follow(list: &mut WorldList, intent: WorldsIntent) {
+    list.follow(intent);
+    finish(list);
+}
+
+fn rows(list: &WorldList) -> Vec<WorldRow> {
+    list.rows(&Texts::default(), None)
+}
+
+fn names(list: &WorldList) -> Vec<String> {
+    let mut names: Vec<_> = rows(list).into_iter().map(|row| row.name).collect();
+    names.sort();
+    names
+}
+
+/// What was told last, and whether it tells of a failure.
+fn told(list: &mut WorldList) -> Option<(String, bool)> {
+    let news = list.take_news(&Texts::default());
+    news.map(|(words, kind)| (words, kind == ToastKind::Problem))
+}
+
+fn slug(slug: &str) -> String {
+    slug.to_owned()
+}
+
+#[test]
+fn a_world_that_cannot_be_deleted_comes_back_with_the_reason() {
+    let (_dir, mut list) = three();
+    let held = list.place.worlds().load("b").unwrap();
+    list.delete(slug("b"));
+    list.delete(slug("nowhere"));
+    list.delete(slug("c"));
+    assert_eq!(names(&list), ["a"]);
+    finish(&mut list);
+    assert_eq!(names(&list), ["a", "b"]);
+    for words in ["in use", "nowhere"] {
+        let (said, bad) = told(&mut list).unwrap();
+        assert!(bad && said.contains(words), "{said}");
+    }
+    assert_eq!(told(&mut list), None);
+    held.close().unwrap();
+}
+
+#[test]
+fn a_world_is_renamed_and_doubled_and_each_is_told() {
+    let (_dir, mut list) = three();
+    let rename = WorldsIntent::Rename {
+        slug: slug("a"),
+        name: "Ähre".to_owned(),
+    };
+    follow(&mut list, rename);
+    follow(&mut list, WorldsIntent::Duplicate { slug: slug("a") });
+    assert_eq!(names(&list), ["b", "c", "Ähre", "Ähre 2"]);
+    assert_eq!(
+        told(&mut list),
+        Some(("The world is called “Ähre” now.".to_owned(), false))
+    );
+    assert_eq!(
+        told(&mut list),
+        Some(("“Ähre 2” is a copy of the world.".to_owned(), false))
+    );
+    let taken = WorldsIntent::Rename {
+        slug: slug("b"),
+        name: "C".to_owned(),
+    };
+    follow(&mut list, taken);
+    assert!(told(&mut list).unwrap().1);
+    assert_eq!(names(&list), ["b", "c", "Ähre", "Ähre 2"]);
+}
+
+#[test]
+fn names_are_checked_against_the_other_worlds() {
+    let (_dir, list) = three();
+    let texts = Texts::default();
+    assert!(list.check_name(&texts, "A").is_err());
+    assert_eq!(list.check_rename(&texts, "a", "A"), Ok(()));
+    assert!(list.check_rename(&texts, "b", "A").is_err());
+    assert!(list.check_rename(&texts, "b", " ").is_err());
+}
+
+#[test]
+fn an_exported_world_is_found_and_comes_back_under_another_name() {
+    let (dir, mut list) = three();
+    follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+    let row = rows(&list).into_iter().find(|row| row.slug == "a").unwrap();
+    assert_eq!(row.edits, Some(0));
+    assert_eq!(PathBuf::from(&row.path), dir.path().join("saves/a"));
+    let file = row.export_to.clone();
+    assert_eq!(PathBuf::from(&file), dir.path().join("a.antipode-world"));
+    follow(
+        &mut list,
+        WorldsIntent::Export {
+            slug: slug("a"),
+            file: file.clone(),
+        },
+    );
+    assert_eq!(
+        told(&mut list),
+        Some((format!("The world is written to {file}."), false))
+    );
+    follow(
+        &mut list,
+        WorldsIntent::Export {
+            slug: slug("b"),
+            file,
+        },
+    );
+    let (said, bad) = told(&mut list).unwrap();
+    assert!(bad && said.contains("a.antipode-world"), "{said}");
+
+    follow(&mut list, WorldsIntent::FindArchives);
+    let files = list.files(&Texts::default());
+    assert_eq!(files.archives.len(), 1);
+    assert_eq!(files.archives[0].name, "a.antipode-world");
+    let file = files.archives[0].file.clone();
+    follow(&mut list, WorldsIntent::Import { file });
+    assert_eq!(
+        told(&mut list),
+        Some(("“a 2” is imported.".to_owned(), false))
+    );
+    assert_eq!(names(&list), ["a", "a 2", "b", "c"]);
+    // The next export of it gets a name of its own.
+    follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+    let row = rows(&list).into_iter().find(|row| row.slug == "a").unwrap();
+    assert!(
+        row.export_to.ends_with("a-2.antipode-world"),
+        "{}",
+        row.export_to
+    );
+}
+
+#[test]
+fn a_file_that_is_no_world_changes_nothing_and_says_why() {
+    let (dir, mut list) = three();
+    fs::write(
+        dir.path().join("x.antipode-world"),
+        b"rubbish, but long enough to be read",
+    )
+    .unwrap();
+    follow(
+        &mut list,
+        WorldsIntent::Import {
+            file: "~/x.antipode-world".to_owned(),
+        },
+    );
+    let (said, bad) = told(&mut list).unwrap();
+    assert!(bad && said.contains("x.antipode-world"), "{said}");
+    assert_eq!(names(&list), ["a", "b", "c"]);
+}
+
+#[test]
+fn files_are_taken_as_players_write_them() {
+    let (dir, list) = three();
+    let meant = |written: &str| list.place.meant_by(written);
+    assert_eq!(meant(" /x/y "), PathBuf::from("/x/y"));
+    assert_eq!(meant("\"/x y/z\""), PathBuf::from("/x y/z"));
+    assert_eq!(meant("'/x'"), PathBuf::from("/x"));
+    assert_eq!(meant("~/w"), dir.path().join("w"));
+    assert_eq!(meant("~"), dir.path());
+    assert_eq!(meant("~other/w"), PathBuf::from("~other/w"));
+    assert_eq!(meant("\""), PathBuf::from("\""));
+}
+
+#[test]
+fn pictures_are_shown_once_read_and_again_when_they_change() {
+    let (dir, mut list) = three();
+    let context = egui::Context::default();
+    let picture = |list: &WorldList, slug: &str| {
+        rows(list)
+            .into_iter()
+            .find(|row| row.slug == slug)
+            .unwrap()
+            .picture
+    };
+    assert_eq!(picture(&list, "a"), None);
+    list.show_pictures(&context);
+    let first = picture(&list, "a");
+    assert!(first.is_some());
+    assert_eq!(picture(&list, "b"), None);
+    // What has not changed is not read again.
+    list.refresh();
+    finish(&mut list);
+    list.show_pictures(&context);
+    assert_eq!(picture(&list, "a"), first);
+    let saves = dir.path().join("saves");
+    RgbaImage::new(16, 9)
+        .save(saves.join("b/thumbnail.png"))
+        .unwrap();
+    fs::write(saves.join("a/thumbnail.png"), b"no picture").unwrap();
+    list.refresh();
+    finish(&mut list);
+    list.show_pictures(&context);
+    assert_eq!(picture(&list, "a"), None);
+    assert!(picture(&list, "b").is_some());
+}
+
+#[test]
+fn a_folder_that_is_gone_is_told_by_its_path() {
+    let (dir, mut list) = three();
+    fs::remove_dir_all(dir.path().join("saves/b")).unwrap();
+    follow(&mut list, WorldsIntent::OpenFolder { slug: slug("b") });
+    let (said, bad) = told(&mut list).unwrap();
+    let path = dir.path().join("saves/b");
+    assert!(bad && said.contains(path.to_str().unwrap()), "{said}");
+}

@@ -1,0 +1,144 @@
+//! The list of worlds, and what was done there, in words.
+
+use std::path::PathBuf;
+
+use antipode_language::{Texts, Value};
+use antipode_storage::WorldSummary;
+use antipode_ui::{ToastKind, WorldRow};
+
+use super::folder::{FolderProblem, Reason};
+use super::work::Job;
+use crate::dates::date;
+use crate::failure::Failure;
+use crate::wording;
+
+/// What there is to tell of work with saved worlds.
+#[derive(Debug)]
+pub enum News {
+    Renamed(String),
+    Duplicated(String),
+    Exported(PathBuf),
+    Imported(String),
+    Failed(Failure),
+    Folder(FolderProblem),
+    /// The thread that read the list has ended without a result.
+    ListDied,
+    /// The thread that did something else has ended without a result.
+    WorkDied,
+}
+
+/// The news in words, and of what kind they are.
+pub fn news(texts: &Texts, news: &News) -> (String, ToastKind) {
+    let named = |key: &str, name: &str| {
+        (
+            texts.say_with(key, &[("name", name.into())]),
+            ToastKind::Info,
+        )
+    };
+    match news {
+        News::Renamed(name) => named("worlds-renamed", name),
+        News::Duplicated(name) => named("worlds-duplicated", name),
+        News::Imported(name) => named("worlds-imported", name),
+        News::Exported(file) => {
+            let values = [("file", file.display().to_string().into())];
+            (texts.say_with("worlds-exported", &values), ToastKind::Info)
+        }
+        News::Failed(failure) => {
+            tracing::error!("{failure}");
+            (wording::failure(texts, failure), ToastKind::Problem)
+        }
+        News::Folder(problem) => {
+            tracing::error!("{problem:?}");
+            (folder(texts, problem), ToastKind::Problem)
+        }
+        News::ListDied => (texts.say("worlds-list-died"), ToastKind::Problem),
+        News::WorkDied => (texts.say("worlds-work-died"), ToastKind::Problem),
+    }
+}
+
+fn folder(texts: &Texts, problem: &FolderProblem) -> String {
+    let reason = match &problem.reason {
+        Reason::NoProgram => texts.say("worlds-folder-no-program"),
+        Reason::Refused => texts.say("worlds-folder-refused"),
+        Reason::System(said) => said.clone(),
+    };
+    let values = [
+        ("dir", problem.dir.display().to_string().into()),
+        ("reason", reason.into()),
+    ];
+    texts.say_with("worlds-folder-failed", &values)
+}
+
+/// What is being done; none for what is over in a moment.
+pub fn work(texts: &Texts, job: &Job) -> Option<String> {
+    let key = match job {
+        Job::Delete { .. } => "worlds-work-delete",
+        Job::Rename { .. } => "worlds-work-rename",
+        Job::Duplicate { .. } => "worlds-work-duplicate",
+        Job::Export { .. } => "worlds-work-export",
+        Job::Import { .. } => "worlds-work-import",
+        Job::List | Job::LookAt { .. } | Job::FindArchives => return None,
+    };
+    Some(texts.say(key))
+}
+
+/// What a world's own records say of it.
+pub fn row(texts: &Texts, world: &WorldSummary) -> WorldRow {
+    let meta = world.meta.as_ref();
+    let known = |words: &dyn Fn(&antipode_storage::WorldMeta) -> String| {
+        meta.map_or_else(String::new, words)
+    };
+    WorldRow {
+        slug: world.slug.clone(),
+        name: world.name().to_owned(),
+        geometry: known(&|meta| {
+            let space = meta.geometry.parse();
+            space.map_or_else(
+                |_| meta.geometry.clone(),
+                |space| wording::geometry(texts, space),
+            )
+        }),
+        played: known(&|meta| played(texts, meta.played_s)),
+        last_played: known(&|meta| date(meta.last_played_unix_s)),
+        size: size(texts, world.size_bytes),
+        cheated: meta.is_some_and(|meta| meta.cheated),
+        problem: wording::world_problem(texts, world),
+        ..WorldRow::default()
+    }
+}
+
+/// A length of a file.
+pub fn size(texts: &Texts, bytes: u64) -> String {
+    let megabytes = Value::decimals(bytes as f64 / 1e6, 1);
+    texts.say_with("worlds-size", &[("megabytes", megabytes)])
+}
+
+fn played(texts: &Texts, time_s: f64) -> String {
+    let minutes = (time_s / 60.0).max(0.0) as u64;
+    match minutes {
+        0 => texts.say("worlds-played-briefly"),
+        1..=89 => texts.say_with("worlds-played-minutes", &[("minutes", minutes.into())]),
+        _ => {
+            let values = [
+                ("hours", (minutes / 60).into()),
+                ("minutes", format!("{:02}", minutes % 60).into()),
+            ];
+            texts.say_with("worlds-played-hours", &values)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn play_time_reads_like_a_person_says_it() {
+        let texts = Texts::default();
+        assert_eq!(played(&texts, 12.0), "under a minute");
+        assert_eq!(played(&texts, 720.0), "12 min");
+        assert_eq!(played(&texts, 7500.0), "2 h 05 min");
+        assert_eq!(played(&texts, -5.0), "under a minute");
+        assert_eq!(played(&texts, f64::NAN), "under a minute");
+    }
+}

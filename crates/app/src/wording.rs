@@ -1,0 +1,290 @@
+//! From errors, notices and kinds of things to sentences in the player's language. What is rare keeps its details
+//! in English after a sentence of the player's language; logs and the command line are English throughout.
+
+use antipode_geometry::{Geometry, HyperbolicMap};
+use antipode_language::Texts;
+use antipode_render::RenderError;
+use antipode_scene::{Hint, Item, Notice, SceneError};
+use antipode_settings::{Action, Profiles};
+use antipode_storage::{NameError, StorageError, WorldSummary};
+use antipode_streaming::{Cause, StreamingError};
+
+use crate::failure::Failure;
+
+/// What can end an action, as sentences.
+pub fn failure(texts: &Texts, failure: &Failure) -> String {
+    match failure {
+        Failure::Storage(error) => storage(texts, error),
+        Failure::Scene(error) => scene(texts, error),
+        Failure::Streaming(error) => streaming(texts, error),
+        Failure::Render(error) => render(texts, error),
+        Failure::NoWindow(_)
+        | Failure::Script(_)
+        | Failure::Usage(_)
+        | Failure::Stopped(_)
+        | Failure::Crashed { .. }
+        | Failure::Runtime(_) => other(texts, &failure.to_string()),
+    }
+}
+
+/// Why a save could not be read or written.
+pub fn storage(texts: &Texts, error: &StorageError) -> String {
+    let path = |path: &std::path::Path| path.display().to_string();
+    match error {
+        StorageError::InUse { world } => texts.say_with("save-in-use", &[("world", world.into())]),
+        StorageError::Newer { world, .. } => {
+            texts.say_with("save-newer", &[("world", world.into())])
+        }
+        StorageError::Damaged { .. } => damaged(texts, &error.to_string()),
+        StorageError::Unreadable { path: file, .. } => {
+            texts.say_with("save-unreadable", &[("path", path(file).into())])
+        }
+        StorageError::NoStore { path: file, .. } => {
+            texts.say_with("save-file-missing", &[("path", path(file).into())])
+        }
+        StorageError::Vanished { path: file } => {
+            texts.say_with("save-vanished", &[("path", path(file).into())])
+        }
+        StorageError::NotADirectory { path: file } => {
+            texts.say_with("saves-not-a-folder", &[("path", path(file).into())])
+        }
+        StorageError::NotFound { world, .. } => {
+            texts.say_with("save-not-found", &[("world", world.into())])
+        }
+        StorageError::Name(error) => name(texts, error),
+        StorageError::Exists { path: file } => {
+            texts.say_with("file-exists", &[("path", path(file).into())])
+        }
+        StorageError::DiskFull { path: file } => {
+            texts.say_with("disk-full", &[("path", path(file).into())])
+        }
+        StorageError::NotWritable { path: file } => {
+            texts.say_with("not-writable", &[("path", path(file).into())])
+        }
+        _ => other(texts, &error.to_string()),
+    }
+}
+
+/// What is wrong with a world in the list, if anything.
+pub fn world_problem(texts: &Texts, world: &WorldSummary) -> Option<String> {
+    match (&world.error, &world.problem) {
+        (Some(error), _) => Some(storage(texts, error.get())),
+        (None, Some(details)) => Some(damaged(texts, details)),
+        (None, None) => None,
+    }
+}
+
+/// Why a world cannot be called that.
+pub fn name(texts: &Texts, error: &NameError) -> String {
+    match error {
+        NameError::Empty => texts.say("name-empty"),
+        NameError::Blank => texts.say("name-blank"),
+        NameError::TooLong { chars } => {
+            let most = antipode_storage::MAX_NAME_CHARS;
+            let values = [("chars", (*chars).into()), ("most", most.into())];
+            texts.say_with("name-too-long", &values)
+        }
+        NameError::Unprintable(letter) => {
+            let code = letter.escape_unicode().to_string();
+            texts.say_with("name-unprintable", &[("code", code.into())])
+        }
+        NameError::Taken { existing } => texts.say_with("name-taken", &[("name", existing.into())]),
+    }
+}
+
+/// What a scene has to tell.
+pub fn notice(texts: &Texts, notice: &Notice) -> String {
+    match notice {
+        Notice::PlayerDamaged => texts.say("player-damaged"),
+        Notice::UnknownItem(item) => texts.say_with("unknown-item", &[("item", item.into())]),
+        Notice::UnknownMap(map) => texts.say_with("unknown-map", &[("map", map.into())]),
+        Notice::NotSaved(why) => {
+            let first = texts.say("not-saved-yet");
+            format!("{first} {}", cause(texts, why))
+        }
+        Notice::MoreDamaged(count) => texts.say_with("more-damaged", &[("count", (*count).into())]),
+        Notice::Damaged(details) => damaged(texts, details),
+        Notice::Land(details) => texts.say_with("land-trouble", &[("details", details.into())]),
+    }
+}
+
+/// The answer to what the player did.
+pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
+    match hint {
+        Hint::NoOtherMap => texts.say("hint-no-other-map"),
+        Hint::Map(HyperbolicMap::Raised) => texts.say("hint-map-raised"),
+        Hint::Map(HyperbolicMap::Horizon) => texts.say("hint-map-horizon"),
+        Hint::Bent => {
+            let input = |action| antipode_ui::first_input_label(texts, profiles, action);
+            let values = [
+                ("up", input(Action::DialUp).into()),
+                ("down", input(Action::DialDown).into()),
+            ];
+            texts.say_with("hint-bent", &values)
+        }
+        Hint::Unbent => texts.say("hint-unbent"),
+    }
+}
+
+/// What an item is called.
+pub fn item(texts: &Texts, item: Item) -> String {
+    texts.say(match item {
+        Item::PickaxeWood => "item-pickaxe-wood",
+        Item::PickaxeIron => "item-pickaxe-iron",
+        Item::PickaxeDiamond => "item-pickaxe-diamond",
+    })
+}
+
+/// A space in a word, within a sentence or beside other words.
+pub fn geometry(texts: &Texts, geometry: Geometry) -> String {
+    texts.say(match geometry {
+        Geometry::Euclidean => "space-euclidean",
+        Geometry::Hyperbolic => "space-hyperbolic",
+        Geometry::Spherical => "space-spherical",
+    })
+}
+
+/// Why the chunk workers or the saver failed.
+pub fn streaming(texts: &Texts, error: &StreamingError) -> String {
+    match error {
+        StreamingError::NotSaved(why) => {
+            let first = texts.say("not-saved");
+            format!("{first} {}", cause(texts, why))
+        }
+        StreamingError::Unfinished => texts.say("save-unfinished"),
+        StreamingError::Store(why) => match why.downcast_ref() {
+            Some(error) => storage(texts, error),
+            None => other(texts, &why.to_string()),
+        },
+        StreamingError::Threads(_) => other(texts, &error.to_string()),
+    }
+}
+
+fn cause(texts: &Texts, why: &Cause) -> String {
+    match why.downcast_ref() {
+        Some(error) => storage(texts, error),
+        None => other(texts, &why.to_string()),
+    }
+}
+
+fn scene(texts: &Texts, error: &SceneError) -> String {
+    match error {
+        SceneError::Storage(error) => storage(texts, error),
+        SceneError::Streaming(error) => streaming(texts, error),
+        SceneError::UnknownGeometry { name, .. } => {
+            texts.say_with("unknown-space", &[("world", name.into())])
+        }
+    }
+}
+
+fn render(texts: &Texts, error: &RenderError) -> String {
+    match error {
+        RenderError::NoAdapter { found, .. } => {
+            texts.say_with("no-adapter", &[("found", found.into())])
+        }
+        RenderError::Lost(_) => texts.say("adapter-lost"),
+        _ => other(texts, &error.to_string()),
+    }
+}
+
+fn damaged(texts: &Texts, details: &str) -> String {
+    texts.say_with("save-damaged", &[("details", details.into())])
+}
+
+fn other(texts: &Texts, details: &str) -> String {
+    texts.say_with("other-trouble", &[("details", details.into())])
+}
+/// What was not as it should be in the file of the settings.
+pub fn settings_notice(texts: &Texts, notice: &antipode_settings::Notice) -> String {
+    let mut values = notice.text_arguments();
+    for (name, value) in &mut values {
+        if *name == "name" {
+            *value = settings_name(texts, value);
+        }
+    }
+    texts_with(texts, notice.text_key(), values)
+}
+
+/// What the player calls a setting or an action; its id where it has no name.
+fn settings_name(texts: &Texts, id: &str) -> String {
+    if antipode_settings::field(id).is_some() {
+        return texts.say(&format!("setting-{id}"));
+    }
+    match Action::named(id) {
+        Some(action) => antipode_ui::action_label(texts, action),
+        None => id.to_owned(),
+    }
+}
+
+/// A text with words in it.
+pub fn texts_with(texts: &Texts, key: &str, values: Vec<(&'static str, String)>) -> String {
+    let values: Vec<_> = values
+        .into_iter()
+        .map(|(name, value)| (name, value.into()))
+        .collect();
+    texts.say_with(key, &values)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::PathBuf;
+    use std::sync::Arc;
+
+    use antipode_language::Language;
+
+    use super::*;
+
+    fn common() -> Vec<StorageError> {
+        let path = PathBuf::from("saves/x");
+        let world = "Ziemia".to_owned();
+        vec![
+            StorageError::InUse {
+                world: world.clone(),
+            },
+            StorageError::Newer { world, found: 99 },
+            StorageError::Unreadable {
+                path: path.clone(),
+                reason: "an English reason".to_owned(),
+            },
+            StorageError::DiskFull { path: path.clone() },
+            StorageError::NotWritable { path: path.clone() },
+            StorageError::Vanished { path },
+        ]
+    }
+
+    #[test]
+    fn common_failures_are_told_wholly_in_the_players_language() {
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            for error in common() {
+                let said = storage(&texts, &error);
+                let named = said.contains("Ziemia") || said.contains("saves/x");
+                assert!(named && !said.contains("English"), "{said}");
+                let english = storage(&Texts::default(), &error);
+                assert_eq!(said == english, language == Language::English, "{said}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_failed_save_says_why_in_the_players_language_through_every_layer() {
+        let texts = Texts::new(Language::Polish);
+        for error in common() {
+            let why = storage(&texts, &error);
+            let cause: Cause = Arc::new(error);
+            let told = notice(&texts, &Notice::NotSaved(Cause::clone(&cause)));
+            let asked = streaming(&texts, &StreamingError::NotSaved(cause));
+            assert!(
+                told.ends_with(&why) && asked.ends_with(&why),
+                "{told} {asked}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_rare_keeps_its_details() {
+        let texts = Texts::new(Language::Polish);
+        let said = failure(&texts, &Failure::Runtime("Odd details.".to_owned()));
+        assert!(said.ends_with("Odd details.") && said.len() > 20, "{said}");
+    }
+}

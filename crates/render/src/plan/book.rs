@@ -1,0 +1,144 @@
+//! The land that is there, in an order in which a frame looks only at what it may see.
+
+use std::ops::Range;
+
+use antipode_geometry::{Drum, Hemisphere};
+use glam::{DVec2, IVec2};
+
+use super::skyline::Column;
+use super::{ChunkLand, Ground};
+
+/// Columns of chunks along each side of a tract, as a power of two.
+const TRACT_COLUMNS_LOG2: u32 = 2;
+
+/// Land to be planned for, arranged by columns of chunks and tracts of columns.
+#[derive(Debug, Default)]
+pub struct LandBook {
+    land: Vec<ChunkLand>,
+    /// Places in `land`: tract by tract, column by column, upwards.
+    order: Vec<u32>,
+    tracts: Vec<Tract>,
+    columns: Vec<Column>,
+    /// The column of each place in `land`, by its place in `columns`; past its end where it hides nothing.
+    column_of: Vec<u32>,
+}
+
+/// Columns beside each other, which are seen or not seen together.
+#[derive(Clone, Debug)]
+pub struct Tract {
+    /// Holds all its land, and the circles around it.
+    pub drum: Drum,
+    /// Triangles of its land.
+    pub triangles: usize,
+    chunks: Range<usize>,
+}
+
+type ColumnKey = (Hemisphere, [i32; 2], [i32; 2]);
+
+/// What tells columns apart and brings those of a tract together.
+fn column_key(chunk: &ChunkLand) -> ColumnKey {
+    let at = [chunk.coord.index.x, chunk.coord.index.z];
+    let tract = at.map(|i| i >> TRACT_COLUMNS_LOG2);
+    (chunk.coord.hemisphere, tract, at)
+}
+
+impl LandBook {
+    /// Arranges land; what is planned of it names chunks by their place in this list.
+    pub fn new(land: Vec<ChunkLand>) -> Self {
+        let mut keyed: Vec<_> = (0..land.len() as u32)
+            .zip(&land)
+            .map(|(place, chunk)| (column_key(chunk), chunk.coord.index.y, place))
+            .collect();
+        keyed.sort_unstable();
+        let mut book = Self {
+            order: keyed.iter().map(|(.., place)| *place).collect(),
+            column_of: vec![u32::MAX; land.len()],
+            land,
+            ..Self::default()
+        };
+        let mut from = 0;
+        for tract in keyed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0 && a.1 == b.1) {
+            let chunks = from..from + tract.len();
+            from = chunks.end;
+            book.tracts.push(book.tract(chunks));
+        }
+        for column in keyed.chunk_by(|(a, ..), (b, ..)| a == b) {
+            book.add_column(column);
+        }
+        book
+    }
+
+    fn tract(&self, chunks: Range<usize>) -> Tract {
+        let members = || {
+            self.order[chunks.clone()]
+                .iter()
+                .map(|i| &self.land[*i as usize])
+        };
+        let level = |v: glam::DVec3| DVec2::new(v.x, v.z);
+        let (mut min, mut max) = (glam::DVec3::INFINITY, glam::DVec3::NEG_INFINITY);
+        for chunk in members() {
+            min = min.min(chunk.min);
+            max = max.max(chunk.max);
+        }
+        let middle = 0.5 * level(min + max);
+        let reach = |chunk: &ChunkLand| {
+            let half = 0.5 * level(chunk.max - chunk.min);
+            (0.5 * level(chunk.min + chunk.max)).distance(middle) + half.length()
+        };
+        Tract {
+            drum: Drum {
+                hemisphere: members()
+                    .next()
+                    .map_or(Hemisphere::A, |c| c.coord.hemisphere),
+                middle,
+                radius_m: members().map(reach).fold(0.0, f64::max),
+                heights_m: [min.y, max.y],
+            },
+            triangles: members().map(|chunk| chunk.triangles).sum(),
+            chunks,
+        }
+    }
+
+    /// Adds a column, given upwards, if it is known to be solid below some height.
+    fn add_column(&mut self, chunks: &[(ColumnKey, i32, u32)]) {
+        let upwards = chunks.iter().map(|(.., place)| &self.land[*place as usize]);
+        let (Some(((_, _, at), ..)), Some(solid_below_m)) =
+            (chunks.first(), Ground::solid_below_m(upwards))
+        else {
+            return;
+        };
+        for (.., place) in chunks {
+            self.column_of[*place as usize] = self.columns.len() as u32;
+        }
+        self.columns
+            .push(Column::new(IVec2::from_array(*at), solid_below_m));
+    }
+
+    /// The land in the order in which it was given.
+    pub fn land(&self) -> &[ChunkLand] {
+        &self.land
+    }
+
+    /// What is seen or not seen together.
+    pub fn tracts(&self) -> &[Tract] {
+        &self.tracts
+    }
+
+    /// The chunks of a tract, by their places in the land.
+    pub fn chunks(&self, tract: &Tract) -> impl Iterator<Item = usize> + '_ {
+        self.order[tract.chunks.clone()]
+            .iter()
+            .map(|place| *place as usize)
+    }
+
+    /// The columns that are known to be solid below some height.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// The column of a chunk, by its place in [`LandBook::columns`].
+    pub fn column_of(&self, place: usize) -> Option<usize> {
+        let column = *self.column_of.get(place)? as usize;
+        (column < self.columns.len()).then_some(column)
+    }
+}

@@ -1,0 +1,56 @@
+//! What a scene has to tell the player. As text it is English, for logs and scripts; the window says it in the
+//! player's language.
+
+use antipode_geometry::HyperbolicMap;
+use antipode_streaming::Cause;
+use thiserror::Error;
+
+/// Something that went wrong.
+#[derive(Clone, Debug, Error)]
+pub enum Notice {
+    /// The save's player was not fit to be used; the land is as it was.
+    #[error("The save's player was damaged; you begin at the start again. Your land is as it was.")]
+    PlayerDamaged,
+    /// The save holds an item that this version does not know.
+    #[error("The save holds an item this version does not know (\"{0}\"); it was left out.")]
+    UnknownItem(String),
+    /// The save names a map that this version does not know.
+    #[error("The save names a map this version does not know (\"{0}\"); another is shown.")]
+    UnknownMap(String),
+    /// A save failed. Nothing is lost yet; the next save tries again.
+    #[error("The world could not be saved; the next save tries again. {0}")]
+    NotSaved(Cause),
+    /// Places of the save are damaged besides those that were told one by one.
+    #[error("There are {0} more damaged places in this world; `antipode saves verify` lists them.")]
+    MoreDamaged(usize),
+    /// A place of the save is damaged, as an English sentence.
+    #[error("{0}")]
+    Damaged(String),
+    /// Something is wrong with the land, as an English sentence.
+    #[error("{0}")]
+    Land(String),
+}
+
+/// Two notices are the same if they tell the same.
+impl PartialEq for Notice {
+    fn eq(&self, other: &Self) -> bool {
+        self.to_string() == other.to_string()
+    }
+}
+
+/// A short answer to what the player did.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum Hint {
+    /// The space has no other map.
+    #[error("The sphere has no other map.")]
+    NoOtherMap,
+    /// This map is shown now.
+    #[error("The {0} map")]
+    Map(HyperbolicMap),
+    /// The picture of a flat world can be bent now.
+    #[error("Wheel up bends the picture to hyperbolic, down to spherical.")]
+    Bent,
+    /// The picture of a flat world is flat again.
+    #[error("The picture is flat again.")]
+    Unbent,
+}

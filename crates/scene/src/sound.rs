@@ -1,0 +1,184 @@
+//! What can be heard in the world: events of each step, and what surrounds the player. Plain data; nothing here
+//! makes a sound, and nothing of it is saved.
+
+use antipode_geometry::ChartPoint;
+use antipode_terrain::Cover;
+use glam::{DVec3, Vec3};
+
+use crate::day;
+use crate::scene::Scene;
+
+/// Something that makes a sound once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SoundEvent {
+    /// A foot came down.
+    Step {
+        /// On what.
+        cover: Cover,
+        /// How fast the walker goes, m/s.
+        speed_m_s: f64,
+    },
+    /// A fall or a jump ended.
+    Landed {
+        /// On what.
+        cover: Cover,
+        /// How fast the fall was, m/s.
+        speed_m_s: f64,
+    },
+    /// The pickaxe bit. A tool that is held down does so again every [`STROKE_S`].
+    Dug {
+        /// Into what.
+        cover: Cover,
+    },
+    /// Ground was built up; as often as digging.
+    Built,
+    /// Another slot of the hotbar was taken in hand.
+    SlotChanged,
+}
+
+/// What a player hears all the time depends on this.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Surroundings {
+    /// Share of day, 0 at night to 1; a world without a sky has no night.
+    pub day: f64,
+    /// Height of the feet above the lowest ground of this world, metres; below zero in deep pits.
+    pub height_m: f64,
+    /// Highest ground above the lowest, metres.
+    pub relief_m: f64,
+    /// Speed through the air, m/s.
+    pub speed_m_s: f64,
+}
+
+/// Time between two sounds of a tool that is held down, in seconds.
+pub const STROKE_S: f64 = 0.27;
+/// Slower falls, in m/s, are steps: walking down a slope leaves the ground all the time.
+const LANDING_FROM_M_S: f64 = 2.5;
+/// Events kept for who never asks, as scripts do not.
+const MOST_EVENTS: usize = 64;
+/// Distance over which the slope of the ground is felt, in metres.
+const SLOPE_REACH_M: f64 = 0.4;
+
+/// The events since they were last taken, and what is needed to tell the next.
+#[derive(Debug, Default)]
+pub(crate) struct Sounds {
+    events: Vec<SoundEvent>,
+    /// Simulated time until a tool that is held down sounds again, in seconds.
+    stroke_left_s: f64,
+}
+
+impl Sounds {
+    pub(crate) fn push(&mut self, event: SoundEvent) {
+        if self.events.len() < MOST_EVENTS {
+            self.events.push(event);
+        }
+    }
+
+    /// Whether a tool in use sounds in this step of `dt_s` seconds.
+    fn stroke_is_due(&mut self, used: bool, dt_s: f64) -> bool {
+        self.stroke_left_s = (self.stroke_left_s - dt_s).max(0.0);
+        if !used || self.stroke_left_s > 0.0 {
+            return false;
+        }
+        self.stroke_left_s = STROKE_S;
+        true
+    }
+}
+
+impl Scene {
+    /// What made a sound since it was last asked, in order.
+    pub fn take_sounds(&mut self) -> Vec<SoundEvent> {
+        std::mem::take(&mut self.sounds.events)
+    }
+
+    /// What surrounds the player.
+    pub fn surroundings(&self) -> Surroundings {
+        let (position, _, body, _) = self.player_parts();
+        let (low_m, high_m) = self.ground.height_range_m();
+        let sky = day::sky(self.time_of_day_s, &*self.strategy);
+        Surroundings {
+            day: 1.0 - f64::from(sky.stars),
+            height_m: position.0.pos.y - low_m,
+            relief_m: high_m - low_m,
+            speed_m_s: body.0.velocity.length(),
+        }
+    }
+
+    /// Tells what the player's own body did in a step; `foot_down`: whether a foot came down.
+    pub(crate) fn hear_body(&mut self, foot_down: bool) {
+        let (position, _, body, _) = self.player_parts();
+        let impact_m_s = body.0.impact_m_s;
+        if impact_m_s >= LANDING_FROM_M_S {
+            self.sounds.push(SoundEvent::Landed {
+                cover: self.cover_at(position.0),
+                speed_m_s: impact_m_s,
+            });
+        } else if foot_down {
+            self.sounds.push(SoundEvent::Step {
+                cover: self.cover_at(position.0),
+                speed_m_s: body.0.velocity.with_y(0.0).length(),
+            });
+        }
+    }
+
+    /// Tells what a tool did in a step of `dt_s` seconds: `sign` is 1 for digging, -1 for building and 0 for rest.
+    pub(crate) fn hear_tool(&mut self, sign: f32, dt_s: f64) {
+        let marker = self.marker.filter(|_| sign != 0.0);
+        if !self.sounds.stroke_is_due(marker.is_some(), dt_s) {
+            return;
+        }
+        let Some(marker) = marker else { return };
+        let density = f64::from(self.ground.density(marker.point));
+        // In the open air, and deep in rock that is built on, nothing changes that could be heard.
+        if density.abs() > marker.radius_m {
+            return;
+        }
+        self.sounds.push(if sign > 0.0 {
+            SoundEvent::Dug {
+                cover: self.cover_at(marker.point),
+            }
+        } else {
+            SoundEvent::Built
+        });
+    }
+
+    fn cover_at(&self, point: ChartPoint) -> Cover {
+        self.ground.cover(point, self.ground_normal(point))
+    }
+
+    /// The unit normal of the ground at a point: the way in which the field rises fastest.
+    fn ground_normal(&self, point: ChartPoint) -> Vec3 {
+        let density = |offset: DVec3| {
+            let at = ChartPoint::new(point.hemisphere, point.pos + offset);
+            self.ground.density(at)
+        };
+        let rise = |axis: DVec3| density(axis * SLOPE_REACH_M) - density(-axis * SLOPE_REACH_M);
+        let gradient = Vec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
+        gradient.try_normalize().unwrap_or(Vec3::Y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tool_that_is_held_sounds_again_and_again_and_at_once_after_a_rest() {
+        let mut sounds = Sounds::default();
+        let dt_s = 1.0 / 60.0;
+        let due = (0..60).filter(|_| sounds.stroke_is_due(true, dt_s)).count();
+        assert_eq!(due, 4);
+        for _ in 0..30 {
+            assert!(!sounds.stroke_is_due(false, dt_s));
+        }
+        assert!(sounds.stroke_is_due(true, dt_s));
+    }
+
+    #[test]
+    fn who_never_listens_costs_no_memory() {
+        let mut sounds = Sounds::default();
+        for _ in 0..10_000 {
+            sounds.push(SoundEvent::Built);
+        }
+        assert_eq!(sounds.events.len(), MOST_EVENTS);
+    }
+}

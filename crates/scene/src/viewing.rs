@@ -1,0 +1,54 @@
+//! How the player wants to see the world: no part of it, so nothing of this is saved with it.
+
+use crate::scene::Scene;
+use crate::tuning::FOV_Y_RAD;
+
+/// What a player can choose about the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Viewing {
+    /// Vertical field of view, radians, above 0 and below pi. Land is made as fine as it needs.
+    pub fov_y_rad: f64,
+    /// Whether faint lines of equal height are drawn on the land.
+    pub contour_bands: bool,
+    /// Whether the head dips on landing.
+    pub head_dip: bool,
+    /// Whether nothing glides, pulses or dips.
+    pub reduced_motion: bool,
+    /// Whether the brush marker tells what it does by lightness alone.
+    pub safe_marker: bool,
+}
+
+impl Default for Viewing {
+    fn default() -> Self {
+        Self {
+            fov_y_rad: FOV_Y_RAD,
+            contour_bands: true,
+            head_dip: true,
+            reduced_motion: false,
+            safe_marker: false,
+        }
+    }
+}
+
+impl Viewing {
+    /// Whether the head dips after all.
+    pub(crate) fn dips(&self) -> bool {
+        self.head_dip && !self.reduced_motion
+    }
+}
+
+impl Scene {
+    /// How the player wants to see the world.
+    pub fn viewing(&self) -> Viewing {
+        self.viewing
+    }
+
+    /// Sets how the player wants to see the world, from the next frame on.
+    pub fn set_viewing(&mut self, viewing: Viewing) {
+        self.viewing = viewing;
+        if !viewing.dips() {
+            self.dip.rest();
+        }
+        self.update_marker();
+    }
+}

@@ -1,0 +1,249 @@
+//! Worlds under another name, twice, out of the directory of worlds and into it.
+
+use std::fs;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use crate::error::StorageError;
+use crate::name::NameError;
+use crate::saves::SavesDir;
+use crate::schema::WorldMeta;
+use crate::scratch::Scratch;
+use crate::world::{Batch, WorldStore};
+use crate::{ARCHIVE_EXTENSION, MAX_NAME_CHARS, archive, atomic_file};
+
+/// How many exported worlds of one directory are told of.
+const MOST_ARCHIVES: usize = 200;
+
+/// A file that looks like an exported world by its name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ArchiveFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its length, bytes.
+    pub size_bytes: u64,
+}
+
+/// The exported worlds in `dir`, newest first, at most 200; none if it cannot be read.
+/// Nothing is opened, so nothing is said of whether they are whole.
+pub fn archives_in(dir: &Path) -> Vec<ArchiveFile> {
+    let entries = fs::read_dir(dir).into_iter().flatten().flatten();
+    let mut found: Vec<(SystemTime, ArchiveFile)> = entries
+        .filter_map(|entry| {
+            let path = entry.path();
+            let data = fs::metadata(&path).ok().filter(fs::Metadata::is_file)?;
+            let is_archive = path
+                .extension()
+                .is_some_and(|extension| extension.eq_ignore_ascii_case(ARCHIVE_EXTENSION));
+            let file = ArchiveFile {
+                path,
+                size_bytes: data.len(),
+            };
+            is_archive.then(|| (data.modified().unwrap_or(SystemTime::UNIX_EPOCH), file))
+        })
+        .collect();
+    found.sort_by(|a, b| (b.0, &a.1.path).cmp(&(a.0, &b.1.path)));
+    found
+        .into_iter()
+        .map(|(_, file)| file)
+        .take(MOST_ARCHIVES)
+        .collect()
+}
+
+impl SavesDir {
+    /// Gives a world another name. Its directory stays, since it may be known elsewhere by that.
+    ///
+    /// # Errors
+    /// [`StorageError::Name`] with the reason, [`StorageError::InUse`] for a world that
+    /// is open anywhere, otherwise as [`WorldStore::open`] and [`WorldStore::commit`].
+    pub fn rename(&self, slug: &str, name: &str) -> Result<(), StorageError> {
+        let dir = self.world_dir(slug)?;
+        let worlds = self.list()?;
+        let others = worlds.iter().filter(|world| world.slug != slug);
+        Self::check_name_among(name, others.map(crate::WorldSummary::name))?;
+        rename_store(&WorldStore::open(&dir)?, name.trim())
+    }
+
+    /// Makes a second world like the first, under its name with a number, and returns
+    /// the name of the new one's directory. It appears whole or not at all.
+    ///
+    /// # Errors
+    /// [`StorageError::InUse`] for a world that is open anywhere,
+    /// [`StorageError::Unreadable`] (repair it first), failures of the file system.
+    pub fn duplicate(&self, slug: &str) -> Result<String, StorageError> {
+        let dir = self.world_dir(slug)?;
+        let world = WorldStore::open(&dir)?;
+        let scratch = Scratch::new(self.path(), "copy")?;
+        world.copy_to(scratch.path())?;
+        drop(world);
+        self.adopt(&scratch)
+    }
+
+    /// Writes a world into one file, which must not exist. The file appears whole or not at all.
+    ///
+    /// # Errors
+    /// [`StorageError::InUse`], [`StorageError::Unreadable`] (repair it first),
+    /// [`StorageError::Exists`], failures of the file system.
+    pub fn export(&self, slug: &str, file: &Path) -> Result<(), StorageError> {
+        let dir = self.world_dir(slug)?;
+        if fs::symlink_metadata(file).is_ok() {
+            return Err(StorageError::Exists {
+                path: file.to_path_buf(),
+            });
+        }
+        let beside = match file.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        };
+        // Where there is no directory none is made: it is more likely a slip of the pen.
+        StorageError::at("Writing to", beside, fs::metadata(beside))?;
+        // There and not among the worlds: their disk may be full, and this the way to make room.
+        let scratch = Scratch::new(beside, "export")?;
+        // Opening recovers a world that was not closed, and refuses a damaged one.
+        let world = WorldStore::open(&dir)?;
+        world.copy_to(scratch.path())?;
+        drop(world);
+        let packed = scratch.path().join("archive");
+        archive::pack(scratch.path(), &packed)?;
+        put(&packed, file)?;
+        atomic_file::sync_dir(beside);
+        Ok(())
+    }
+
+    /// Adds a world from an exported file and returns its directory's name. Nothing
+    /// is overwritten: if its name is taken it gets a number. Every part of it is checked
+    /// before it appears in the list.
+    ///
+    /// # Errors
+    /// [`StorageError::Archive`], [`StorageError::Newer`], failures of the file system.
+    pub fn import(&self, file: &Path) -> Result<String, StorageError> {
+        let scratch = Scratch::new(self.path(), "import")?;
+        archive::unpack(file, scratch.path())?;
+        self.adopt(&scratch).map_err(|error| match error {
+            damaged if damaged.is_damage() => no_world(file),
+            StorageError::NotFound { .. } => no_world(file),
+            StorageError::Name(_) => StorageError::Archive {
+                path: file.to_path_buf(),
+                reason: "the world in it has a name that no world can have".to_owned(),
+            },
+            // Its name cannot be read then, and its directory here is none.
+            StorageError::Newer { found, .. } => StorageError::Newer {
+                world: file.display().to_string(),
+                found,
+            },
+            other => other,
+        })
+    }
+
+    /// Makes a world of the finished store in `scratch`, under a name that is free.
+    fn adopt(&self, scratch: &Scratch) -> Result<String, StorageError> {
+        let world = WorldStore::open(scratch.path())?;
+        let name = self.free_name(&world.meta().name)?;
+        rename_store(&world, &name)?;
+        drop(world);
+        self.settle(scratch, &name)
+    }
+
+    /// A name like `wanted` that may be used: itself, or with a number in the place of
+    /// the one it may have.
+    fn free_name(&self, wanted: &str) -> Result<String, StorageError> {
+        let worlds = self.list()?;
+        let wanted = wanted.trim();
+        let stem = without_number(wanted);
+        let mut number = 1;
+        loop {
+            let candidate = if number == 1 {
+                wanted.to_owned()
+            } else {
+                numbered_name(stem, number)
+            };
+            let taken = worlds.iter().map(crate::WorldSummary::name);
+            match Self::check_name_among(&candidate, taken) {
+                Ok(()) => return Ok(candidate),
+                Err(NameError::Taken { .. }) => number += 1,
+                Err(error) => return Err(error.into()),
+            }
+        }
+    }
+}
+
+fn rename_store(world: &WorldStore, name: &str) -> Result<(), StorageError> {
+    let meta = WorldMeta {
+        name: name.to_owned(),
+        ..world.meta()
+    };
+    world.commit(&Batch {
+        meta: Some(meta),
+        ..Batch::default()
+    })
+}
+
+/// The name without the number at its end, if it has one.
+fn without_number(name: &str) -> &str {
+    match name.rsplit_once(' ') {
+        Some((stem, number))
+            if !stem.trim().is_empty()
+                && !number.is_empty()
+                && number.bytes().all(|digit| digit.is_ascii_digit()) =>
+        {
+            stem.trim_end()
+        }
+        _ => name,
+    }
+}
+
+/// The name with a number, shortened so that both fit.
+fn numbered_name(stem: &str, number: u32) -> String {
+    let suffix = format!(" {number}");
+    let room = MAX_NAME_CHARS.saturating_sub(suffix.len());
+    let stem: String = stem.chars().take(room).collect();
+    format!("{}{suffix}", stem.trim_end())
+}
+
+/// Gives a finished file its name, which must be free. A link is made in one step and
+/// never over another file; a file system without links gets the check and a rename.
+fn put(finished: &Path, file: &Path) -> Result<(), StorageError> {
+    match fs::hard_link(finished, file) {
+        Ok(()) => Ok(()),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => Err(StorageError::Exists {
+            path: file.to_path_buf(),
+        }),
+        Err(_) if fs::symlink_metadata(file).is_ok() => Err(StorageError::Exists {
+            path: file.to_path_buf(),
+        }),
+        Err(_) => StorageError::at("Writing", file, fs::rename(finished, file)),
+    }
+}
+
+fn no_world(archive: &Path) -> StorageError {
+    StorageError::Archive {
+        path: archive.to_path_buf(),
+        reason: "the world in it is damaged or missing".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_takes_the_place_of_a_number() {
+        for (name, stem) in [
+            ("Foo", "Foo"),
+            ("Foo 2", "Foo"),
+            ("World 12", "World"),
+            ("7", "7"),
+            (" 7", " 7"),
+            ("Foo 2b", "Foo 2b"),
+            ("Foo ", "Foo "),
+            ("Foo ٢", "Foo ٢"),
+        ] {
+            assert_eq!(without_number(name), stem, "{name}");
+        }
+        assert_eq!(numbered_name("Foo", 2), "Foo 2");
+        let long = numbered_name(&"é".repeat(40), 17);
+        assert_eq!(long.chars().count(), 40);
+        assert!(long.ends_with("é 17"), "{long}");
+    }
+}

@@ -1,0 +1,52 @@
+//! Which settings a search means: those in whose words every word of it occurs.
+
+use antipode_language::Texts;
+use antipode_settings::{Field, Kind};
+
+/// Whether the search means this field under that heading; an empty one means all.
+pub(super) fn matches(texts: &Texts, field: &Field, heading: &str, search: &str) -> bool {
+    let search = search.to_lowercase();
+    if search.trim().is_empty() {
+        return true;
+    }
+    let id = field.id;
+    let mut words = vec![
+        heading.to_owned(),
+        id.to_owned(),
+        texts.say(&format!("setting-{id}")),
+        texts.say(&format!("setting-{id}-about")),
+    ];
+    if let Kind::Choice { options } = field.kind {
+        words.extend(
+            options
+                .iter()
+                .map(|option| texts.say(&format!("setting-{id}-{option}"))),
+        );
+    }
+    let words = words.join("\n").to_lowercase();
+    search.split_whitespace().all(|word| words.contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_settings::fields;
+
+    use super::*;
+
+    fn found(search: &str) -> Vec<&'static str> {
+        let texts = Texts::default();
+        let all = fields().iter();
+        all.filter(|field| matches(&texts, field, &texts.say(field.group.text_key()), search))
+            .map(|field| field.id)
+            .collect()
+    }
+
+    #[test]
+    fn all_words_must_occur_in_any_order_and_case() {
+        assert_eq!(found("").len(), fields().len());
+        assert_eq!(found("  ").len(), fields().len());
+        assert_eq!(found("SENSITIVITY mouse"), ["mouse-sensitivity"]);
+        assert!(found("polski").contains(&"language"), "an option's word");
+        assert!(found("mouse polski").is_empty());
+    }
+}

@@ -1,0 +1,299 @@
+//! The page of one world: what it is, and what can be done with it.
+
+use egui::{Label, Response, RichText, Sense, Ui};
+
+use super::field::{line, note};
+use super::{WorldsIntent, edits, enter, facts, picture};
+use crate::layout::{Stops, pane};
+use crate::model::{Intent, WorldRow};
+use crate::shell::Pass;
+use crate::theme::{BAD, GOOD, GRID, WEAK, small};
+use crate::widgets::{button, focus_ring, primary_button};
+
+/// Height of the picture where there is room, in points.
+const PICTURE_HEIGHT: f32 = 144.0;
+
+/// The page of one world.
+pub(super) struct Page {
+    slug: String,
+    mode: Mode,
+}
+
+/// What the page is for just now.
+enum Mode {
+    Overview,
+    /// With the new name as typed.
+    Rename(String),
+    /// With the file as typed.
+    Export(String),
+}
+
+/// Where a frame of the page leads.
+pub(super) enum Turn {
+    Stay,
+    /// Another part of the page is up from the next frame on.
+    Redraw,
+    Delete,
+    Back,
+}
+
+/// What a button of the overview does.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Action {
+    Load,
+    Rename,
+    Duplicate,
+    Export,
+    OpenFolder,
+    Delete,
+}
+
+impl Action {
+    const ALL: [(Self, &'static str); 6] = [
+        (Self::Load, "worlds-load"),
+        (Self::Rename, "worlds-rename"),
+        (Self::Duplicate, "worlds-duplicate"),
+        (Self::Export, "worlds-export"),
+        (Self::OpenFolder, "worlds-open-folder"),
+        (Self::Delete, "worlds-delete"),
+    ];
+
+    /// Whether it can be done to a world while it is played.
+    fn spares_the_store(self) -> bool {
+        matches!(self, Self::Load | Self::OpenFolder)
+    }
+}
+
+/// What was pressed under a form.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Pressed {
+    Nothing,
+    Do,
+    Cancel,
+}
+
+impl Page {
+    pub(super) fn new(slug: &str) -> Self {
+        Self {
+            slug: slug.to_owned(),
+            mode: Mode::Overview,
+        }
+    }
+
+    pub(super) fn slug(&self) -> &str {
+        &self.slug
+    }
+
+    /// Esc: from a form to the overview; false if that is up already.
+    pub(super) fn back(&mut self) -> bool {
+        let in_form = !matches!(self.mode, Mode::Overview);
+        self.mode = Mode::Overview;
+        in_form
+    }
+
+    pub(super) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+        match &mut self.mode {
+            Mode::Overview => self.overview(ui, pass, row),
+            Mode::Rename(name) => {
+                let valid = if name.trim() == row.name {
+                    Ok(())
+                } else {
+                    (pass.model.check_rename)(&row.slug, name.trim())
+                };
+                let pressed = rename_form(ui, pass, row, name, &valid);
+                if pressed == Pressed::Do && name.trim() != row.name {
+                    pass.intents.push(Intent::Worlds(WorldsIntent::Rename {
+                        slug: row.slug.clone(),
+                        name: name.trim().to_owned(),
+                    }));
+                }
+                self.leave_form(pressed)
+            }
+            Mode::Export(file) => {
+                let pressed = export_form(ui, pass, row, file);
+                if pressed == Pressed::Do {
+                    pass.intents.push(Intent::Worlds(WorldsIntent::Export {
+                        slug: row.slug.clone(),
+                        file: file.trim().to_owned(),
+                    }));
+                }
+                self.leave_form(pressed)
+            }
+        }
+    }
+
+    fn leave_form(&mut self, pressed: Pressed) -> Turn {
+        if pressed == Pressed::Nothing {
+            return Turn::Stay;
+        }
+        self.mode = Mode::Overview;
+        Turn::Redraw
+    }
+
+    fn overview(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+        let regions = pass.regions;
+        let texts = pass.model.texts;
+        let mut pressed = None;
+        let body = |ui: &mut Ui, stops: &mut Stops| {
+            if !regions.compact {
+                let height = PICTURE_HEIGHT.min(ui.available_width() / picture::ASPECT);
+                let (rect, _) = ui.allocate_exact_size(picture::size(height), Sense::hover());
+                picture::paint(ui.painter(), rect, row);
+            }
+            particulars(ui, pass, row);
+            pressed = actions(ui, pass, stops, row);
+        };
+        let mut back = false;
+        pane(ui, regions.pane, &row.name, body, |ui| {
+            back = button(ui, &texts.say("back")).clicked();
+        });
+        match pressed {
+            Some(action) => self.follow(action, pass, row),
+            None if back => Turn::Back,
+            None => Turn::Stay,
+        }
+    }
+
+    fn follow(&mut self, action: Action, pass: &mut Pass<'_>, row: &WorldRow) -> Turn {
+        let slug = row.slug.clone();
+        let ask = |pass: &mut Pass<'_>, intent| pass.intents.push(Intent::Worlds(intent));
+        match action {
+            Action::Load => enter(pass, row),
+            Action::Duplicate => ask(pass, WorldsIntent::Duplicate { slug }),
+            Action::OpenFolder => ask(pass, WorldsIntent::OpenFolder { slug }),
+            Action::Rename => {
+                self.mode = Mode::Rename(row.name.clone());
+                return Turn::Redraw;
+            }
+            Action::Export => {
+                self.mode = Mode::Export(row.export_to.clone());
+                return Turn::Redraw;
+            }
+            Action::Delete => return Turn::Delete,
+        }
+        Turn::Stay
+    }
+}
+
+/// What there is to know of a world, in words.
+fn particulars(ui: &mut Ui, pass: &Pass<'_>, row: &WorldRow) {
+    let weak = |text: String| Label::new(RichText::new(text).font(small()).color(WEAK)).wrap();
+    ui.add(weak(facts(pass, row)));
+    ui.add(weak(edits(pass, row)));
+    ui.add(weak(row.path.clone()));
+    let problem = match &row.problem {
+        _ if row.running => Some(pass.model.texts.say("worlds-running-no-change")),
+        problem => problem.clone(),
+    };
+    if let Some(problem) = problem {
+        ui.add(Label::new(RichText::new(problem).font(small()).color(BAD)).wrap());
+    }
+    if let Some(work) = &pass.model.world_files.work {
+        ui.add(weak(work.clone()));
+    }
+}
+
+/// The buttons, side by side as far as there is room; which was pressed.
+fn actions(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, row: &WorldRow) -> Option<Action> {
+    let mut pressed = None;
+    ui.horizontal_wrapped(|ui| {
+        for (action, key) in Action::ALL {
+            let mut text = RichText::new(pass.model.texts.say(key));
+            if action == Action::Delete {
+                text = text.color(BAD);
+            }
+            let enabled = !row.running || action.spares_the_store();
+            let response = ui.add_enabled(enabled, egui::Button::new(text));
+            focus_ring(ui, &response);
+            if enabled {
+                stops.add(&response);
+                pass.offer_focus(&response);
+            }
+            if response.clicked() {
+                pressed = Some(action);
+            }
+        }
+    });
+    pressed
+}
+
+fn rename_form(
+    ui: &mut Ui,
+    pass: &mut Pass<'_>,
+    row: &WorldRow,
+    name: &mut String,
+    valid: &Result<(), String>,
+) -> Pressed {
+    let texts = pass.model.texts;
+    let title = texts.say_with("worlds-rename-title", &[("name", row.name.as_str().into())]);
+    form(
+        ui,
+        pass,
+        &title,
+        &texts.say("worlds-rename"),
+        valid.is_ok(),
+        |ui, pass| {
+            let label = ui.label(texts.say("worlds-new-name"));
+            let field = line(ui, name).labelled_by(label.id);
+            pass.offer_focus(&field);
+            match valid {
+                Ok(()) => note(ui, &texts.say("worlds-name-free"), GOOD),
+                Err(reason) => note(ui, reason, BAD),
+            }
+            field
+        },
+    )
+}
+
+fn export_form(ui: &mut Ui, pass: &mut Pass<'_>, row: &WorldRow, file: &mut String) -> Pressed {
+    let texts = pass.model.texts;
+    let title = texts.say_with("worlds-export-title", &[("name", row.name.as_str().into())]);
+    let enabled = !file.trim().is_empty();
+    form(
+        ui,
+        pass,
+        &title,
+        &texts.say("worlds-export"),
+        enabled,
+        |ui, pass| {
+            let label = ui.label(texts.say("worlds-file"));
+            let field = line(ui, file).labelled_by(label.id);
+            pass.offer_focus(&field);
+            note(ui, &texts.say("worlds-export-hint"), WEAK);
+            field
+        },
+    )
+}
+
+/// A pane with one line of text to fill in, which Enter and the first button accept.
+fn form(
+    ui: &mut Ui,
+    pass: &mut Pass<'_>,
+    title: &str,
+    accept: &str,
+    enabled: bool,
+    field: impl FnOnce(&mut Ui, &mut Pass<'_>) -> Response,
+) -> Pressed {
+    let regions = pass.regions;
+    let cancel = pass.model.texts.say("worlds-cancel");
+    let mut pressed = Pressed::Nothing;
+    let body = |ui: &mut Ui, stops: &mut Stops| {
+        let response = field(ui, pass);
+        stops.add(&response);
+        ui.add_space(GRID);
+        response
+    };
+    let response = pane(ui, regions.pane, title, body, |ui| {
+        if primary_button(ui, accept, enabled).clicked() {
+            pressed = Pressed::Do;
+        } else if button(ui, &cancel).clicked() {
+            pressed = Pressed::Cancel;
+        }
+    });
+    // Enter takes the focus off a line of text, so losing it counts.
+    let in_use = response.has_focus() || response.lost_focus();
+    if enabled && in_use && ui.input(|input| input.key_pressed(egui::Key::Enter)) {
+        pressed = Pressed::Do;
+    }
+    pressed
+}
