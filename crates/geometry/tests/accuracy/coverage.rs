@@ -171,7 +171,6 @@ const EXCUSED: &[(&str, &str)] = &[
         "SightCell::holds",
         "must hold what is seen: tests/space/culling.rs",
     ),
-    ("SightCell::greatest", "a bound: tests/space/culling.rs"),
     (
         "SightCell::turn",
         "brings an angle to a half turn: tests/space/culling.rs",
