@@ -132,7 +132,7 @@ impl Studio {
             viewport.native_pixels_per_point = Some(scale);
         }
         self.overlay.context().run_pass(input, |context| {
-            antipode_ui::show_hud(context, texts, model)
+            antipode_ui::show_hud(context, texts, model);
         })
     }
 }
