@@ -276,7 +276,10 @@ impl ChunkStore {
     ) {
         list.clear();
         let frustum = frame.strategy.frustum(&frame.eye, &frame.projection);
-        let hides = Tolerance::of(frame.quality).hides;
+        // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
+        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+        let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
+        let hides = Tolerance::of(frame.quality).hides && is_open;
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
