@@ -109,6 +109,7 @@ impl Studio {
         }
     }
 
+    /// How the device is, as it was last found.
     pub fn status(&self) -> &Status {
         &self.status
     }

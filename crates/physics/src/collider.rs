@@ -35,6 +35,7 @@ impl Block {
         })
     }
 
+    /// Its triangles, in metres from the corner of the chunk; nothing of a shape that is no mesh.
     pub fn mesh(&self) -> Option<&TriMesh> {
         self.shape.as_trimesh()
     }

@@ -10,6 +10,7 @@ use glam::DVec2;
 pub struct Numbers(u64);
 
 impl Numbers {
+    /// Numbers that follow from a seed.
     pub fn new(seed: u64) -> Self {
         Self(seed)
     }

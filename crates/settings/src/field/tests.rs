@@ -1,3 +1,4 @@
+//! Tests of the fields: ranges, words and resets.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use super::*;
