@@ -6,6 +6,12 @@ use antipode::cli::{self, Cli};
 use antipode::output;
 use clap::Parser;
 
+/// Workers make what the main thread frees, and the other way round. The system's allocator keeps such memory under the
+/// lock of the thread that asked for it, and a thread that loses its core while it holds that lock makes the others
+/// wait; here memory freed by another thread is handed back without one.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
