@@ -175,6 +175,46 @@ def build(noise):
     return mix((0.6, crumbs), (0.7, knock, samples(0.13)), (1.0, press, samples(0.13)))
 
 
+def shot(noise):
+    """A dry pop of compressed gas: a knock, a hiss that closes fast, and a short tail."""
+    knock = fall(sine(230.0, 0.20, to_hz=70.0), 0.001, 0.03)
+    hiss = burst(noise, 0.22, "band", 1700.0, 0.6, 0.0008, 0.024)
+    tail = burst(noise, 0.35, "low", 700.0, 0.7, 0.004, 0.07)
+    return mix((1.0, knock), (1.4, hiss), (0.5, tail))
+
+
+def click(noise):
+    first = burst(noise, 0.04, "band", 2600.0, 4.0, 0.0004, 0.004)
+    second = burst(noise, 0.04, "band", 1900.0, 4.0, 0.0004, 0.005)
+    return mix((1.0, first), (0.8, second, samples(0.035)))
+
+
+def struck(noise):
+    """A bullet on a padded suit."""
+    slap = burst(noise, 0.14, "band", 900.0, 1.0, 0.001, 0.014)
+    thud = fall(sine(170.0, 0.18, to_hz=90.0), 0.002, 0.03)
+    return mix((1.0, slap), (0.9, thud))
+
+
+def hurt(noise):
+    """A blow as it is heard from inside the helmet."""
+    thud = fall(sine(110.0, 0.34, to_hz=55.0), 0.003, 0.07)
+    breath = burst(noise, 0.30, "band", 520.0, 1.1, 0.02, 0.05)
+    return mix((1.0, thud), (0.8, breath))
+
+
+def lamp(noise):
+    """Glass and metal set down, and the glow coming on."""
+    tap = burst(noise, 0.08, "band", 3100.0, 7.0, 0.0005, 0.012)
+    glass = fall(sine(1860.0, 0.5), 0.001, 0.08)
+    hum = fall(sine(310.0, 0.5, to_hz=330.0), 0.06, 0.12)
+    return mix((1.2, tap), (0.35, glass), (0.4, hum))
+
+
+def pick_up(noise):
+    return mix((0.8, fall(sine(520.0, 0.16, to_hz=700.0), 0.004, 0.03)), (0.6, fall(sine(780.0, 0.2), 0.003, 0.035), samples(0.05)))
+
+
 def blip(hz, decay_s, overtone=0.0):
     seconds = 6.0 * decay_s
     return mix((1.0, fall(sine(hz, seconds), 0.002, decay_s)), (overtone, fall(sine(2.76 * hz, seconds), 0.001, decay_s / 3)))
@@ -258,6 +298,12 @@ SOUNDS |= {f"build-{n}": (build, RATE, 0.7, False) for n in (1, 2)}
 SOUNDS |= {
     "land-soft": (lambda noise: landing(noise, False), RATE, 0.75, False),
     "land-hard": (lambda noise: landing(noise, True), RATE, 0.9, False),
+    "shot": (shot, RATE, 0.85, False),
+    "click": (click, RATE, 0.5, False),
+    "struck": (struck, RATE, 0.75, False),
+    "hurt": (hurt, RATE, 0.8, False),
+    "lamp": (lamp, RATE, 0.6, False),
+    "pick-up": (pick_up, RATE, 0.5, False),
     "tick": (lambda noise: blip(1500.0, 0.008), RATE, 0.5, False),
     "press": (lambda noise: blip(980.0, 0.018, 0.4), RATE, 0.6, False),
     "slot": (lambda noise: blip(620.0, 0.012, 0.6), RATE, 0.5, False),

@@ -7,8 +7,9 @@
     reason = "a helper of tests fails by panicking"
 )]
 
-use std::path::Path;
-use std::process::{Child, Command, Output, Stdio};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -27,6 +28,8 @@ pub struct Window {
     child: Child,
     display: String,
     id: String,
+    /// What it writes to standard error.
+    words: PathBuf,
 }
 
 /// The display for window tests, or `None` where nobody provides one.
@@ -42,19 +45,21 @@ impl Window {
     /// # Panics
     /// When it does not appear.
     pub fn open(display: &str, saves: &Path, options: &[&str]) -> Self {
+        let words = saves.join("stderr.txt");
         let child = game(saves)
             .args(options)
             .arg("--config")
             .arg(saves.join("settings.ron"))
             .env("DISPLAY", display)
             .env_remove("WAYLAND_DISPLAY")
-            .stderr(Stdio::inherit())
+            .stderr(File::create(&words).expect("a file for its words"))
             .spawn()
             .expect("the program starts");
         let mut window = Self {
             child,
             display: display.to_owned(),
             id: String::new(),
+            words,
         };
         let began = Instant::now();
         while window.id.is_empty() {
@@ -152,6 +157,23 @@ impl Window {
         }
     }
 
+    /// What the program has written to standard error so far.
+    pub fn said(&self) -> String {
+        std::fs::read_to_string(&self.words).unwrap_or_default()
+    }
+
+    /// Waits until the program has written these words to standard error.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn wait_for(&mut self, words: &str) {
+        let began = Instant::now();
+        while !self.said().contains(words) {
+            self.give_up_after(began, words);
+            sleep(GLANCE);
+        }
+    }
+
     /// The number of the program's process.
     pub fn process(&self) -> u32 {
         self.child.id()
@@ -184,7 +206,7 @@ impl Window {
                 self.tool("import", &["-window", &self.id.clone(), &path]);
             }
             let _ = self.child.kill();
-            panic!("{what} (picture: {path})");
+            panic!("{what} (picture: {path})\n{}", self.said());
         }
     }
 

@@ -7,6 +7,15 @@ hint-map-horizon = Die Horizontkarte
 hint-no-other-map = Die Sphäre hat keine andere Karte.
 hint-bent = { $up } biegt das Bild hyperbolisch, { $down } sphärisch.
 hint-unbent = Das Bild ist wieder flach.
+hint-no-bullets = Du hast keine Kugeln mehr.
+hint-no-place-for-lamp = Eine Lampe braucht Boden, höchstens acht Meter entfernt.
+hint-no-lamp-there = Unter dem Fadenkreuz ist keine Lampe.
+hint-too-many-lamps = Diese Welt hat zu viele Lampen; hebe erst eine auf.
+hint-no-room = Mehr kannst du nicht tragen.
+hint-too-many-drops = Es liegt schon zu viel herum; hebe erst etwas auf.
+hint-died-of-fall = Du bist zu tief gefallen. Du stehst am Anfang wieder auf.
+hint-died-of-shot = Du wurdest erschossen. Du stehst am Anfang wieder auf.
+hint-back-again = Du bist wieder am Anfang. Was du getragen hast, ist noch bei dir.
 
 open-failed = Die Welt konnte nicht geöffnet werden
 open-died = Beim Lesen ist etwas fehlgeschlagen; das Protokoll weiß mehr.
@@ -19,6 +28,7 @@ save-unfinished = Die letzte Änderung des Geländes oder ihr Speichern wurde ni
 save-in-use = Die Welt „{ $world }“ ist in Gebrauch: Sie ist in einem anderen Fenster des Spiels oder einem anderen Programm offen. Schließe sie dort und versuche es wieder.
 save-newer = Die Welt „{ $world }“ wurde von einer neueren Version des Spiels gespeichert. Aktualisiere das Spiel, um sie zu spielen; es wurde nichts geändert.
 save-damaged = Ein Teil dieser Welt ist beschädigt. Der Rest ist brauchbar; „antipode saves repair“ stellt eine ältere Kopie davon her, wenn es eine gibt. ({ $details })
+save-part-damaged = Ein Teil dieser Welt ist beschädigt. Der Rest ist zu gebrauchen; „antipode saves verify“ sagt, was es ist, und „antipode saves repair“ stellt eine ältere Kopie wieder her, wenn es eine gibt.
 save-unreadable = Der Spielstand { $path } ist beschädigt und nicht lesbar. „antipode saves repair“ rettet, was heil ist, und behält diese Datei.
 save-file-missing = Die Datei { $path } dieser Welt fehlt. Wenn du eine Kopie hast, lege sie zurück; sonst macht „antipode saves repair“ die Welt neu, wo es geht.
 save-vanished = Der Spielstand { $path } ist weg: Sein Ordner wurde verschoben, gelöscht oder ersetzt, während die Welt offen war, also kann dort nichts gespeichert werden. Lege den Ordner zurück und speichere wieder.
@@ -27,6 +37,8 @@ saves-not-a-folder = { $path } ist eine Datei, also kann sie keine Welten enthal
 file-exists = { $path } gibt es schon und wird nicht überschrieben. Wähle einen anderen Namen oder verschiebe es.
 disk-full = Es ist kein Platz mehr, um { $path } zu schreiben. Schaffe Platz und speichere wieder; was früher gespeichert wurde, ist sicher.
 not-writable = { $path } kann nicht geschrieben werden: Es ist schreibgeschützt oder gehört jemand anderem. Ändere die Rechte oder wähle mit --saves-dir einen anderen Ort.
+not-readable = { $path } kann nicht gelesen werden: die Rechte verbieten es, oder es gehört jemand anderem. Ändere die Rechte oder wähle mit --saves-dir einen anderen Ort.
+archive-refused = { $path } kann nicht importiert werden: es ist keine exportierte Welt, oder die Datei ist beschädigt. Im Protokoll steht mehr.
 unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
 player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
 unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er wurde weggelassen.
@@ -49,6 +61,7 @@ name-taken = Es gibt schon eine Welt namens „{ $name }“.
 
 no-adapter = Auf diesem Rechner wurde keine Grafikkarte gefunden, die das Spiel nutzen kann ({ $found }). Installiere ihren Treiber oder starte das Spiel mit --adapter software.
 adapter-lost = Die Grafikkarte ist verloren gegangen. Deine Welt ist sicher; starte das Spiel neu.
+adapter-reopened = Die Grafikkarte war verloren gegangen und wurde neu geöffnet.
 
 # Ein Absturz des Spiels zuvor.
 crash-title = Das Spiel ist abgestürzt

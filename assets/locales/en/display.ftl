@@ -24,6 +24,9 @@ space-spherical = spherical
 item-pickaxe-wood = Wooden pickaxe
 item-pickaxe-iron = Iron pickaxe
 item-pickaxe-diamond = Diamond pickaxe
+item-gun = Gun
+item-bullet = Bullet
+item-lamp = Lamp
 
 # The frame figures: a block of short lines, each a name in a word and its figures.
 figures-fps = { $frames } fps
@@ -43,6 +46,8 @@ figures-saved = saved
 figures-saved-are = { $outside } outside, { $hidden } hidden, { $small } too small
 figures-error = error
 figures-error-is = at most { $most } px, far land { $far } px
+figures-dropped = dropped
+figures-dropped-is = { $seconds } s of time
 picture-raised = raised map { $value }
 picture-horizon = horizon map { $value }
 picture-bend = bend { $sign }{ $value }

@@ -10,7 +10,7 @@ menu-delete = Delete
 menu-controls = Controls
 menu-quit = Quit
 version = Version { $version }
-adapter-software = No graphics card was found: { $adapter } draws in software, at half resolution. It works, but slowly.
+adapter-software = No graphics card was found: the processor draws ({ $adapter }), the world in { $percent } % of the window's resolution. Expect fewer pictures a second; a small window, view distance or resolution helps.
 running-world = { $name } · seed { $seed }
 
 back = Back

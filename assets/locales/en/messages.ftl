@@ -8,6 +8,15 @@ hint-map-horizon = The horizon map
 hint-no-other-map = The sphere has no other map.
 hint-bent = { $up } bends the picture to hyperbolic, { $down } to spherical.
 hint-unbent = The picture is flat again.
+hint-no-bullets = You have no bullets left.
+hint-no-place-for-lamp = A lamp needs ground to stand on, within eight metres.
+hint-no-lamp-there = There is no lamp under the crosshair.
+hint-too-many-lamps = There are too many lamps in this world; pick one up first.
+hint-no-room = You can carry no more.
+hint-too-many-drops = Too much lies about already; pick something up first.
+hint-died-of-fall = You fell too far. You will stand up again where you began.
+hint-died-of-shot = You were shot. You will stand up again where you began.
+hint-back-again = You are back at the start. What you carried is still with you.
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened
@@ -22,6 +31,7 @@ save-unfinished = The last change to the terrain or its save did not finish in t
 save-in-use = The world “{ $world }” is in use: it is open in another window of the game or another program. Close it there and try again.
 save-newer = The world “{ $world }” was saved by a newer version of the game. Update the game to play it; nothing has been changed.
 save-damaged = A part of this world is damaged. The rest can be used; “antipode saves repair” restores an older copy of it if there is one. ({ $details })
+save-part-damaged = A part of this world is damaged. The rest can be used; “antipode saves verify” tells what it is, and “antipode saves repair” restores an older copy of it if there is one.
 save-unreadable = The save { $path } is damaged and cannot be read. “antipode saves repair” salvages what is whole and keeps this file.
 save-file-missing = The file { $path } of this world is missing. If you have a copy of it, put it back; otherwise “antipode saves repair” makes the world anew where it can.
 save-vanished = The save { $path } is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again.
@@ -30,6 +40,8 @@ saves-not-a-folder = { $path } is a file, so there can be no worlds in it. Choos
 file-exists = { $path } exists already and is not overwritten. Choose another name or move it away.
 disk-full = There is no space left to write { $path }. Free some space and save again; what was saved before is safe.
 not-writable = { $path } cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.
+not-readable = { $path } cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.
+archive-refused = { $path } cannot be imported: it is no exported world, or it is damaged. The log has the rest.
 unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
 player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
 unknown-item = The save holds an item this version does not know (“{ $item }”); it was left out.
@@ -54,6 +66,7 @@ name-taken = There is a world called “{ $name }” already.
 # The graphics adapter.
 no-adapter = No graphics card that the game can use was found on this machine ({ $found }). Install its driver, or start the game with --adapter software.
 adapter-lost = The graphics adapter was lost. Your world is safe; start the game again.
+adapter-reopened = The graphics adapter was lost and has been opened again.
 
 # A crash of the game before this one.
 crash-title = The game has crashed

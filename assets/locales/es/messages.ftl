@@ -7,6 +7,15 @@ hint-map-horizon = El mapa del horizonte
 hint-no-other-map = La esfera no tiene otro mapa.
 hint-bent = { $up } curva la imagen a hiperbólica; { $down }, a esférica.
 hint-unbent = La imagen vuelve a ser plana.
+hint-no-bullets = No te quedan balas.
+hint-no-place-for-lamp = Una lámpara necesita suelo, a ocho metros como mucho.
+hint-no-lamp-there = No hay ninguna lámpara bajo la mira.
+hint-too-many-lamps = Hay demasiadas lámparas en este mundo; recoge antes una.
+hint-no-room = No puedes llevar más.
+hint-too-many-drops = Ya hay demasiadas cosas tiradas; recoge antes algo.
+hint-died-of-fall = Has caído desde muy alto. Te levantarás donde empezaste.
+hint-died-of-shot = Te han disparado. Te levantarás donde empezaste.
+hint-back-again = Has vuelto al principio. Lo que llevabas sigue contigo.
 
 open-failed = No se pudo abrir el mundo
 open-died = Algo falló durante la lectura; el registro dice el resto.
@@ -19,6 +28,7 @@ save-unfinished = El último cambio del terreno o su guardado no terminó a tiem
 save-in-use = El mundo «{ $world }» está en uso: está abierto en otra ventana del juego o en otro programa. Ciérralo allí e inténtalo de nuevo.
 save-newer = El mundo «{ $world }» fue guardado por una versión más nueva del juego. Actualiza el juego para jugar en él; no se ha cambiado nada.
 save-damaged = Una parte de este mundo está dañada. El resto se puede usar; «antipode saves repair» recupera una copia anterior si la hay. ({ $details })
+save-part-damaged = Una parte de este mundo está dañada. El resto se puede usar; «antipode saves verify» dice cuál es, y «antipode saves repair» recupera una copia anterior si la hay.
 save-unreadable = La partida { $path } está dañada y no se puede leer. «antipode saves repair» rescata lo que está entero y conserva este archivo.
 save-file-missing = Falta el archivo { $path } de este mundo. Si tienes una copia, devuélvela a su sitio; si no, «antipode saves repair» rehace el mundo donde puede.
 save-vanished = La partida { $path } ha desaparecido: su carpeta se movió, borró o reemplazó con el mundo abierto, así que no se puede guardar nada allí. Devuelve la carpeta a su sitio y guarda de nuevo.
@@ -27,6 +37,8 @@ saves-not-a-folder = { $path } es un archivo, así que no puede contener mundos.
 file-exists = { $path } ya existe y no se sobrescribe. Elige otro nombre o muévelo.
 disk-full = No queda espacio para escribir { $path }. Libera espacio y guarda de nuevo; lo guardado antes está a salvo.
 not-writable = No se puede escribir { $path }: es de solo lectura o pertenece a otra persona. Cambia sus permisos o elige otro lugar con --saves-dir.
+not-readable = No se puede leer { $path }: los permisos lo prohíben o pertenece a otra persona. Cambia los permisos o elige otro lugar con --saves-dir.
+archive-refused = No se puede importar { $path }: no es un mundo exportado o está dañado. El registro dice el resto.
 unknown-space = El mundo «{ $world }» está en un espacio que esta versión no conoce. Una versión más nueva del juego quizá lo abra.
 player-damaged = El jugador de la partida estaba dañado; empiezas de nuevo desde el principio. Tu tierra está como estaba.
 unknown-item = La partida contiene un objeto que esta versión no conoce («{ $item }»); se ha omitido.
@@ -49,6 +61,7 @@ name-taken = Ya hay un mundo llamado «{ $name }».
 
 no-adapter = No se encontró en este equipo ninguna tarjeta gráfica que el juego pueda usar ({ $found }). Instala su controlador o inicia el juego con --adapter software.
 adapter-lost = Se perdió la tarjeta gráfica. Tu mundo está a salvo; inicia el juego de nuevo.
+adapter-reopened = Se perdió la tarjeta gráfica y se ha vuelto a abrir.
 
 # Un fallo de la ejecución anterior.
 crash-title = El juego ha fallado

@@ -24,6 +24,9 @@ space-spherical = sferyczna
 item-pickaxe-wood = Drewniany kilof
 item-pickaxe-iron = Żelazny kilof
 item-pickaxe-diamond = Diamentowy kilof
+item-gun = Pistolet
+item-bullet = Nabój
+item-lamp = Lampa
 
 # Liczby klatki: blok krótkich wierszy, każdy z nazwą jednym słowem i liczbami.
 figures-fps = { $frames } kl./s
@@ -43,6 +46,8 @@ figures-saved = pominięte
 figures-saved-are = { $outside } poza kadrem, { $hidden } zasłonięte, { $small } za małe
 figures-error = błąd
 figures-error-is = najwyżej { $most } px, daleki ląd { $far } px
+figures-dropped = pominięto
+figures-dropped-is = { $seconds } s czasu
 picture-raised = mapa uniesiona { $value }
 picture-horizon = mapa horyzontu { $value }
 picture-bend = zgięcie { $sign }{ $value }

@@ -10,7 +10,7 @@ menu-delete = Usuń
 menu-controls = Sterowanie
 menu-quit = Wyjdź z gry
 version = Wersja { $version }
-adapter-software = Nie znaleziono karty graficznej: { $adapter } rysuje programowo, w połowie rozdzielczości. Działa, ale powoli.
+adapter-software = Nie znaleziono karty graficznej: rysuje procesor ({ $adapter }), a świat ma { $percent }% rozdzielczości okna. Obrazów na sekundę będzie mniej; pomaga małe okno, zasięg widzenia lub rozdzielczość.
 running-world = { $name } · ziarno { $seed }
 
 back = Wstecz

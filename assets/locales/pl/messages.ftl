@@ -8,6 +8,15 @@ hint-map-horizon = Mapa horyzontu
 hint-no-other-map = Sfera nie ma innej mapy.
 hint-bent = { $up } zgina obraz hiperbolicznie, { $down } sferycznie.
 hint-unbent = Obraz znów jest płaski.
+hint-no-bullets = Nie masz już naboi.
+hint-no-place-for-lamp = Lampa musi stać na gruncie, nie dalej niż osiem metrów.
+hint-no-lamp-there = Pod celownikiem nie ma lampy.
+hint-too-many-lamps = W tym świecie jest za dużo lamp; najpierw jakąś podnieś.
+hint-no-room = Więcej nie uniesiesz.
+hint-too-many-drops = Za dużo rzeczy już leży; najpierw coś podnieś.
+hint-died-of-fall = To był zbyt wysoki upadek. Wstaniesz tam, gdzie zaczynasz.
+hint-died-of-shot = Zastrzelono cię. Wstaniesz tam, gdzie zaczynasz.
+hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
 open-failed = Nie udało się otworzyć świata
@@ -22,6 +31,7 @@ save-unfinished = Ostatnia zmiana terenu albo jej zapis nie zakończyły się na
 save-in-use = Świat „{ $world }” jest w użyciu: otwarto go w innym oknie gry albo w innym programie. Zamknij go tam i spróbuj ponownie.
 save-newer = Świat „{ $world }” zapisała nowsza wersja gry. Zaktualizuj grę, aby w nim grać; nic nie zostało zmienione.
 save-damaged = Część tego świata jest uszkodzona. Reszty można używać; „antipode saves repair” przywraca starszą kopię tej części, jeśli taka istnieje. ({ $details })
+save-part-damaged = Część tego świata jest uszkodzona. Reszty można używać; „antipode saves verify” mówi, co to jest, a „antipode saves repair” przywraca starszą kopię, jeśli istnieje.
 save-unreadable = Zapis { $path } jest uszkodzony i nie można go odczytać. „antipode saves repair” ratuje to, co całe, i zachowuje ten plik.
 save-file-missing = Brakuje pliku { $path } tego świata. Jeśli masz jego kopię, odłóż ją na miejsce; w przeciwnym razie „antipode saves repair” odtworzy świat, jeśli to możliwe.
 save-vanished = Zapis { $path } zniknął: jego folder przeniesiono, usunięto albo zastąpiono, gdy świat był otwarty, więc nie można w nim nic zapisać. Przenieś folder z powrotem i zapisz ponownie.
@@ -30,6 +40,8 @@ saves-not-a-folder = { $path } to plik, więc nie może w nim być światów. Wy
 file-exists = { $path } już istnieje i nie zostanie nadpisane. Wybierz inną nazwę albo przenieś to gdzie indziej.
 disk-full = Brak miejsca, aby zapisać { $path }. Zwolnij trochę miejsca i zapisz ponownie; to, co zapisano wcześniej, jest bezpieczne.
 not-writable = Nie można zapisać { $path }: jest tylko do odczytu albo należy do kogoś innego. Zmień uprawnienia albo wybierz inne miejsce za pomocą --saves-dir.
+not-readable = Nie można odczytać { $path }: zabraniają tego uprawnienia albo plik należy do kogoś innego. Zmień uprawnienia albo wybierz inne miejsce przez --saves-dir.
+archive-refused = Nie można zaimportować { $path }: to nie jest wyeksportowany świat albo plik jest uszkodzony. Reszta jest w dzienniku.
 unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja nie zna. Nowsza wersja gry może go otworzyć.
 player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
 unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); pominięto go.
@@ -56,6 +68,7 @@ name-taken = Jest już świat o nazwie „{ $name }”.
 # Karta graficzna.
 no-adapter = Na tym komputerze nie znaleziono karty graficznej, której gra może użyć ({ $found }). Zainstaluj jej sterownik albo uruchom grę z --adapter software.
 adapter-lost = Utracono kartę graficzną. Twój świat jest bezpieczny; uruchom grę ponownie.
+adapter-reopened = Utracono kartę graficzną i otwarto ją ponownie.
 
 # Awaria poprzedniego uruchomienia gry.
 crash-title = Gra uległa awarii

@@ -7,6 +7,15 @@ hint-map-horizon = 地平图
 hint-no-other-map = 球面没有别的图。
 hint-bent = { $up }把画面弯成双曲，{ $down }弯成球面。
 hint-unbent = 画面恢复平直。
+hint-no-bullets = 没有子弹了。
+hint-no-place-for-lamp = 灯要放在八米以内的地面上。
+hint-no-lamp-there = 准星下没有灯。
+hint-too-many-lamps = 这个世界里的灯太多了，请先收起一盏。
+hint-no-room = 你拿不下更多东西了。
+hint-too-many-drops = 地上的东西太多了，请先捡起一些。
+hint-died-of-fall = 你摔得太重了。你会在起点重新站起来。
+hint-died-of-shot = 你被击中了。你会在起点重新站起来。
+hint-back-again = 你回到了起点，带着的东西都还在。
 
 open-failed = 无法打开世界
 open-died = 读取时出了错；详情见日志。
@@ -19,6 +28,7 @@ save-unfinished = 最后一次地形改动或其保存没有及时完成；之�
 save-in-use = 世界“{ $world }”正在使用：它在游戏的另一个窗口或另一个程序中打开着。请在那里关闭它，然后重试。
 save-newer = 世界“{ $world }”由更新版本的游戏保存。请更新游戏后再玩；没有改动任何东西。
 save-damaged = 这个世界的一部分已损坏。其余部分可以使用；如果有较早的副本，“antipode saves repair”会恢复它。（{ $details }）
+save-part-damaged = 这个世界有一部分已损坏。其余可以使用；“antipode saves verify”会指出是哪里，“antipode saves repair”会在有旧副本时恢复它。
 save-unreadable = 存档 { $path } 已损坏，无法读取。“antipode saves repair”会抢救完好的部分，并保留这个文件。
 save-file-missing = 这个世界的文件 { $path } 不见了。如果你有副本，请放回原处；否则“antipode saves repair”会尽可能重建世界。
 save-vanished = 存档 { $path } 不见了：世界打开时它的文件夹被移动、删除或替换，因此无法在那里保存。请把文件夹放回原处，然后再保存。
@@ -27,6 +37,8 @@ saves-not-a-folder = { $path } 是一个文件，里面不会有世界。请用 
 file-exists = { $path } 已经存在，不会被覆盖。请另选名称或把它移开。
 disk-full = 磁盘空间不足，无法写入 { $path }。请腾出一些空间后再保存；之前保存的都安全。
 not-writable = 无法写入 { $path }：它是只读的，或属于别人。请更改权限，或用 --saves-dir 选择别的位置。
+not-readable = 无法读取 { $path }：权限不允许，或属于他人。请更改权限，或用 --saves-dir 另选位置。
+archive-refused = 无法导入 { $path }：它不是导出的世界，或已损坏。详情见日志。
 unknown-space = 世界“{ $world }”所在的空间是这个版本不认识的。更新版本的游戏也许能打开它。
 player-damaged = 存档中的玩家数据已损坏；你从起点重新开始。你的大地保持原样。
 unknown-item = 存档中有这个版本不认识的物品（“{ $item }”）；已略去。
@@ -43,6 +55,7 @@ name-taken = 已经有一个叫“{ $name }”的世界。
 
 no-adapter = 这台电脑上没有找到游戏可用的显卡（{ $found }）。请安装显卡驱动，或用 --adapter software 启动游戏。
 adapter-lost = 显卡连接已丢失。你的世界是安全的；请重新启动游戏。
+adapter-reopened = 显卡连接曾丢失，现已重新打开。
 
 # 上一次运行时的崩溃。
 crash-title = 游戏崩溃了

@@ -91,11 +91,24 @@ impl Cli {
     }
 }
 
-/// What can be broken on purpose while the game runs in its window.
+/// What can be broken on purpose while the game runs in its window: two seconds of frames after a world is there, or
+/// from the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Fault {
-    /// A panic of the main thread, two seconds after the first frame.
+    /// A panic of the main thread.
     Panic,
+    /// The adapter is lost, and can be opened again.
+    LostDevice,
+    /// The adapter is lost, and no other can be opened.
+    DeadDevice,
+    /// The window's surface is lost.
+    LostSurface,
+    /// The adapter refuses a shader.
+    BrokenShader,
+    /// The machine sleeps for some hours.
+    Suspend,
+    /// The window comes to a monitor with twice the pixels.
+    Rescale,
 }
 
 /// What draws the pictures.

@@ -6,6 +6,7 @@ use std::path::Path;
 use antipode_geometry::Geometry;
 use antipode_language::Texts;
 use antipode_scene::Item;
+use antipode_settings::{Kind, field, fields};
 use antipode_ui::Completion;
 
 use crate::names::key_names;
@@ -147,19 +148,34 @@ fn choices(kind: Argument, before: &[String], worlds: &[String]) -> Vec<String> 
         Argument::Key => key_names(),
         Argument::KeyOrButton => [own(&["LEFT", "RIGHT"]), key_names()].concat(),
         Argument::Button => own(&["LEFT", "RIGHT"]),
-        Argument::Setting => SETTINGS
-            .iter()
-            .map(|(name, _)| (*name).to_owned())
-            .collect(),
-        Argument::Value => {
-            let setting = before.first().map(String::as_str);
-            let found = SETTINGS.iter().find(|(name, _)| Some(*name) == setting);
-            found.map_or_else(Vec::new, |(_, words)| own(words))
-        }
+        Argument::Setting => setting_names(),
+        Argument::Value => before
+            .first()
+            .map_or_else(Vec::new, |name| own(words_for(name))),
         Argument::Item => Item::ALL.iter().map(|item| item.id().to_owned()).collect(),
         Argument::Hemisphere => own(&["A", "B"]),
         Argument::Free => Vec::new(),
         Argument::Command => next_words(&[], worlds),
+    }
+}
+
+/// What `set` can change: of the world, and of the player's own settings.
+fn setting_names() -> Vec<String> {
+    let of_world = SETTINGS.iter().map(|(name, _)| *name);
+    let is_new = |id: &&str| SETTINGS.iter().all(|(name, _)| name != id);
+    let own = fields().iter().map(|field| field.id).filter(is_new);
+    of_world.chain(own).map(str::to_owned).collect()
+}
+
+/// The words that a setting takes; none where it takes a number.
+fn words_for(name: &str) -> &'static [&'static str] {
+    if let Some((_, words)) = SETTINGS.iter().find(|(known, _)| *known == name) {
+        return words;
+    }
+    match field(name).map(|field| field.kind) {
+        Some(Kind::Toggle) => &["on", "off"],
+        Some(Kind::Choice { options }) => options,
+        _ => &[],
     }
 }
 

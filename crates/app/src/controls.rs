@@ -188,6 +188,7 @@ impl Controls {
             | Action::Fullscreen
             | Action::Screenshot
             | Action::PhotoMode
+            | Action::SkipHint
             | Action::Console => return Some(action),
             _ => {}
         }

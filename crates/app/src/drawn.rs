@@ -30,13 +30,15 @@ impl Drawn {
         }
     }
 
-    /// The frame figures of the display; the times are in milliseconds, where they are known.
+    /// The frame figures of the display; the times are in milliseconds, where they are known. `dropped_s` is the
+    /// world's time that was left out so far.
     pub fn figures(
         &self,
         texts: &Texts,
         scene: &Scene,
         frame_ms: Option<f64>,
         gpu_ms: Option<f64>,
+        dropped_s: f64,
     ) -> FigureModel {
         FigureModel {
             frame_ms,
@@ -53,6 +55,7 @@ impl Drawn {
             small: self.plan.triangles_small,
             error_px: self.plan.error_px,
             level_error_px: self.plan.level_error_px,
+            dropped_s,
         }
     }
 }

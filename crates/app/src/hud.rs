@@ -26,7 +26,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         curved_is_flat: !pictured.radius_at_m(&origin).is_finite(),
         slots: scene
             .inventory()
-            .slots()
+            .hotbar()
             .iter()
             .map(|stack| slot(texts, stack.map(|s| (s.item, s.count))))
             .collect(),
@@ -40,12 +40,17 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
             }
         }),
         geometry: wording::geometry(texts, scene.setup().geometry),
-        brush_radius_m: scene.inventory().held().map(|_| scene.brush_radius_m()),
+        brush_radius_m: scene
+            .inventory()
+            .held()
+            .and_then(Item::brush_strength_per_s)
+            .map(|_| scene.brush_radius_m()),
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,
         time_label: clock(scene.time_of_day_s()),
         notice: None,
+        hint: None,
         cheated: scene.cheated(),
         figures,
     }
@@ -76,6 +81,9 @@ fn slot(texts: &Texts, held: Option<(Item, u32)>) -> SlotView {
         Some((item, count)) => SlotView {
             label: wording::item(texts, item),
             icon: match item {
+                Item::Gun => SlotIcon::Gun,
+                Item::Bullet => SlotIcon::Bullet,
+                Item::Lamp => SlotIcon::Lamp,
                 Item::PickaxeWood => SlotIcon::PickaxeWood,
                 Item::PickaxeIron => SlotIcon::PickaxeIron,
                 Item::PickaxeDiamond => SlotIcon::PickaxeDiamond,

@@ -35,7 +35,7 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
         StorageError::Newer { world, .. } => {
             texts.say_with("save-newer", &[("world", world.into())])
         }
-        StorageError::Damaged { .. } => damaged(texts, &error.to_string()),
+        StorageError::Damaged { .. } => texts.say("save-part-damaged"),
         StorageError::Unreadable { path: file, .. } => {
             texts.say_with("save-unreadable", &[("path", path(file).into())])
         }
@@ -61,6 +61,12 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
         StorageError::NotWritable { path: file } => {
             texts.say_with("not-writable", &[("path", path(file).into())])
         }
+        StorageError::NotReadable { path: file } => {
+            texts.say_with("not-readable", &[("path", path(file).into())])
+        }
+        StorageError::Archive { path: file, .. } => {
+            texts.say_with("archive-refused", &[("path", path(file).into())])
+        }
         _ => other(texts, &error.to_string()),
     }
 }
@@ -69,7 +75,7 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
 pub fn world_problem(texts: &Texts, world: &WorldSummary) -> Option<String> {
     match (&world.error, &world.problem) {
         (Some(error), _) => Some(storage(texts, error.get())),
-        (None, Some(details)) => Some(damaged(texts, details)),
+        (None, Some(_)) => Some(texts.say("save-part-damaged")),
         (None, None) => None,
     }
 }
@@ -123,12 +129,24 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
             texts.say_with("hint-bent", &values)
         }
         Hint::Unbent => texts.say("hint-unbent"),
+        Hint::NoBullets => texts.say("hint-no-bullets"),
+        Hint::NoPlaceForLamp => texts.say("hint-no-place-for-lamp"),
+        Hint::NoLampThere => texts.say("hint-no-lamp-there"),
+        Hint::TooManyLamps => texts.say("hint-too-many-lamps"),
+        Hint::NoRoom => texts.say("hint-no-room"),
+        Hint::TooManyDrops => texts.say("hint-too-many-drops"),
+        Hint::DiedOfFall => texts.say("hint-died-of-fall"),
+        Hint::DiedOfShot => texts.say("hint-died-of-shot"),
+        Hint::BackAgain => texts.say("hint-back-again"),
     }
 }
 
 /// What an item is called.
 pub fn item(texts: &Texts, item: Item) -> String {
     texts.say(match item {
+        Item::Gun => "item-gun",
+        Item::Bullet => "item-bullet",
+        Item::Lamp => "item-lamp",
         Item::PickaxeWood => "item-pickaxe-wood",
         Item::PickaxeIron => "item-pickaxe-iron",
         Item::PickaxeDiamond => "item-pickaxe-diamond",
@@ -248,6 +266,11 @@ mod tests {
             },
             StorageError::DiskFull { path: path.clone() },
             StorageError::NotWritable { path: path.clone() },
+            StorageError::Archive {
+                path: path.clone(),
+                reason: "an English reason".to_owned(),
+            },
+            StorageError::NotReadable { path: path.clone() },
             StorageError::Vanished { path },
         ]
     }

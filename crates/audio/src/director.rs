@@ -146,6 +146,13 @@ impl Director {
                 self.waver(),
             ),
             SoundEvent::SlotChanged => interface(Sample::Slot, 0.4),
+            SoundEvent::Shot => effect(Sample::Shot, 0.6, self.waver()),
+            SoundEvent::Clicked => effect(Sample::Click, 0.4, 1.0),
+            SoundEvent::Struck => effect(Sample::Struck, 0.5, self.waver()),
+            SoundEvent::Hurt => effect(Sample::Hurt, 0.6, self.waver()),
+            SoundEvent::LampPlaced => effect(Sample::Lamp, 0.45, 1.0),
+            SoundEvent::LampTaken => effect(Sample::Lamp, 0.4, 1.26),
+            SoundEvent::PickedUp => effect(Sample::PickUp, 0.4, self.waver()),
         }
     }
 

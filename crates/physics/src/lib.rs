@@ -11,6 +11,7 @@
 //! ([`PhysicsWorld::recentre`]). The character is computed in `f64` in a frame of its own.
 
 mod air;
+mod ball;
 mod character;
 mod collider;
 mod lift;
@@ -22,6 +23,7 @@ mod tuning;
 mod walk;
 mod world;
 
+pub use ball::{Ball, BallTuning, Touch, meets_capsule};
 pub use character::{Character, CharacterInput};
 pub use collider::TerrainCollider;
 pub use rays::RayHit;

@@ -241,6 +241,25 @@ impl ChunkStore {
         Arc::clone(self.book.get_or_insert_with(book))
     }
 
+    /// Whether meshes wait to be shown or are being refined.
+    pub fn is_busy(&self) -> bool {
+        !self.waiting.is_empty() || self.refinements.is_busy()
+    }
+
+    /// Shows what another store shows and what waits there, whatever has become of its adapter.
+    pub fn adopt(&mut self, other: &Self) {
+        self.clear();
+        self.world = other.world;
+        for (coord, chunk) in &other.chunks {
+            let mesh = other.waiting.get(coord).unwrap_or(&chunk.source);
+            self.show(*coord, mesh);
+        }
+        let new = other.waiting.iter();
+        for (coord, mesh) in new.filter(|(coord, _)| !other.chunks.contains_key(coord)) {
+            self.show(*coord, mesh);
+        }
+    }
+
     /// Lets the next frame bring everything up to date.
     pub fn rush(&mut self) {
         self.rush = true;

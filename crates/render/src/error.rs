@@ -38,7 +38,25 @@ pub enum RenderError {
         "A picture could not be read back from the graphics adapter: {0}. Try again, or use a smaller size."
     )]
     Readback(String),
+    /// The adapter will not take one of the shaders.
+    #[error(
+        "The graphics adapter refuses a shader of the game ({0}). Update its driver, or start with --adapter software."
+    )]
+    Shader(String),
     /// The options are outside what can be drawn.
     #[error("The renderer cannot be set up: {0}.")]
     Options(String),
+}
+
+/// Most characters of a compiler's words in a sentence; the log has the rest.
+const LONGEST_REASON: usize = 160;
+
+impl RenderError {
+    /// The adapter will not take a shader: what its compiler says, in one short line.
+    pub(crate) fn shader(said: &str) -> Self {
+        let words: Vec<_> = said.split_whitespace().collect();
+        let words = words.join(" ");
+        let end = words.char_indices().nth(LONGEST_REASON).map(|(end, _)| end);
+        Self::Shader(end.map_or_else(|| words.clone(), |end| format!("{}…", &words[..end])))
+    }
 }

@@ -121,9 +121,11 @@ impl Gpu {
                 wgpu::InstanceDescriptor::new_with_display_handle_from_env(display.clone()),
                 backends,
             ));
-            let surface = instance
-                .create_surface(window.clone())
-                .map_err(|e| RenderError::NoSurface(e.to_string()))?;
+            let surface = instance.create_surface(window.clone()).map_err(|e| {
+                // Without any driver there is no surface either, and the driver is what is missing.
+                none_at_all(&instance, backends, choice)
+                    .unwrap_or_else(|| RenderError::NoSurface(e.to_string()))
+            })?;
             let gpu = Self::for_surface(instance, &surface, choice)?;
             Ok((gpu, surface))
         })
@@ -166,15 +168,15 @@ impl Gpu {
         }));
         let seen = Arc::clone(&watch);
         device.set_device_lost_callback(move |reason, words| {
-            // Dropping the device at the end of the program is reported as well.
+            // Dropping the device at the end is reported as well; then nobody asks any more.
             if reason != wgpu::DeviceLostReason::Destroyed {
                 tracing::error!("graphics adapter lost: {words}");
-                lock(&seen).lost = Some(if words.is_empty() {
-                    "it gave no reason".to_owned()
-                } else {
-                    words
-                });
             }
+            lock(&seen).lost = Some(if words.is_empty() {
+                "it gave no reason".to_owned()
+            } else {
+                words
+            });
         });
         tracing::info!(
             "drawing with {} ({:?}, {:?})",
@@ -205,6 +207,13 @@ impl Gpu {
     /// Why the adapter was lost, if it was.
     pub fn lost(&self) -> Option<String> {
         lock(&self.watch).lost.clone()
+    }
+
+    /// Loses the adapter on purpose, as a driver that starts anew would, to see what becomes of it.
+    pub fn lose(&self) {
+        self.device.destroy();
+        // Until somebody asks, nobody is told.
+        let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
     }
 
     /// The last error that nobody waited for, if any; asking clears it.
@@ -272,6 +281,28 @@ fn first_that_works<T>(
     }
 }
 
+/// That there is no adapter of any kind, if so.
+fn none_at_all(
+    instance: &Instance,
+    backends: Backends,
+    choice: AdapterChoice,
+) -> Option<RenderError> {
+    let adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    adapters.is_empty().then(|| no_adapter(choice, &[]))
+}
+
+fn no_adapter(choice: AdapterChoice, found: &[String]) -> RenderError {
+    RenderError::NoAdapter {
+        wanted: choice.noun(),
+        found: if found.is_empty() {
+            "no adapter at all".to_owned()
+        } else {
+            format!("only {}", found.join(", "))
+        },
+        advice: choice.advice(),
+    }
+}
+
 /// The best adapter of the kind.
 fn pick(
     instance: &Instance,
@@ -290,15 +321,7 @@ fn pick(
         .filter_map(|adapter| Some((choice.rank(adapter.get_info().device_type)?, adapter)))
         .min_by_key(|(rank, _)| *rank)
         .map(|(_, adapter)| adapter)
-        .ok_or_else(|| RenderError::NoAdapter {
-            wanted: choice.noun(),
-            found: if names.is_empty() {
-                "no adapter at all".to_owned()
-            } else {
-                format!("only {}", names.join(", "))
-            },
-            advice: choice.advice(),
-        })
+        .ok_or_else(|| no_adapter(choice, &names))
 }
 
 #[cfg(test)]

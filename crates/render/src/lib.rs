@@ -41,4 +41,5 @@ pub use plan::{
     tolerance_px,
 };
 pub use renderer::{DrawStats, Options, Renderer};
+pub use shaders::Shaders;
 pub use tile::Tile;

@@ -123,6 +123,14 @@ impl PictureReading {
         }
     }
 
+    /// Gives the picture up, because its adapter is lost: it comes as a failure from now on.
+    pub fn give_up(&self) {
+        // Unless it has just come.
+        let _ = self
+            .mapped
+            .set(Err("the adapter was lost meanwhile".to_owned()));
+    }
+
     /// Waits for the picture.
     ///
     /// # Errors

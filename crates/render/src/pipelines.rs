@@ -9,7 +9,7 @@ use wgpu::{
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::plan::{ChunkChoice, DepthMethod, Port};
-use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, TERRAIN};
+use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
@@ -36,10 +36,24 @@ pub struct Pipelines {
 impl Pipelines {
     /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, and so many
     /// samples a pixel.
-    pub fn new(device: &Device, scene_layout: &BindGroupLayout, kind: u32, samples: u32) -> Self {
-        let maker = Maker::new(device, scene_layout, kind, samples);
+    ///
+    /// # Errors
+    /// What the device has to say against one of them.
+    pub fn new(
+        device: &Device,
+        shaders: Shaders,
+        scene_layout: &BindGroupLayout,
+        kind: u32,
+        samples: u32,
+    ) -> Result<Self, String> {
+        accepted(device, || {
+            Self::made_by(&Maker::new(device, shaders, scene_layout, kind, samples))
+        })
+    }
+
+    fn made_by(maker: &Maker<'_>) -> Self {
         let [land, figure, sky, marker] =
-            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| shader.compile(device));
+            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| maker.compile(shader));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
@@ -193,13 +207,20 @@ const ADDED: BlendComponent = BlendComponent {
 /// What all pipelines of the scene pass have in common.
 struct Maker<'a> {
     device: &'a Device,
+    shaders: Shaders,
     layout: PipelineLayout,
     kind: f64,
     samples: u32,
 }
 
 impl<'a> Maker<'a> {
-    fn new(device: &'a Device, scene_layout: &BindGroupLayout, kind: u32, samples: u32) -> Self {
+    fn new(
+        device: &'a Device,
+        shaders: Shaders,
+        scene_layout: &BindGroupLayout,
+        kind: u32,
+        samples: u32,
+    ) -> Self {
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("scene"),
             bind_group_layouts: &[Some(scene_layout)],
@@ -207,14 +228,19 @@ impl<'a> Maker<'a> {
         });
         Self {
             device,
+            shaders,
             layout,
             kind: f64::from(kind),
             samples,
         }
     }
 
+    fn compile(&self, shader: Shader) -> ShaderModule {
+        self.shaders.compile(self.device, shader)
+    }
+
     fn celestial(&self) -> CelestialPipelines {
-        let module = CELESTIAL.compile(self.device);
+        let module = self.compile(CELESTIAL);
         let stars = [instances::<Star>(&Star::ATTRIBUTES)];
         CelestialPipelines {
             sun: self.make(&module, ["vertex_sun", "fragment_sun"], &[], SHINE),

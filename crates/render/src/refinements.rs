@@ -43,6 +43,11 @@ pub struct Refinements {
 }
 
 impl Refinements {
+    /// Whether a thread is at work on one.
+    pub fn is_busy(&self) -> bool {
+        self.refinery.is_busy()
+    }
+
     /// The rules of a frame; the last frame's, where they are the same.
     fn rules(&mut self, frame: &Frame, bounds: &Bounds) -> Arc<RefineRules> {
         let key = RefineKey::of(frame, bounds);

@@ -71,6 +71,11 @@ impl Refinery {
         !self.failed && self.under_way.len() < MOST_UNDER_WAY
     }
 
+    /// Whether meshes are under way.
+    pub fn is_busy(&self) -> bool {
+        !self.under_way.is_empty()
+    }
+
     /// Whether there is no thread to be had.
     pub fn has_failed(&self) -> bool {
         self.failed

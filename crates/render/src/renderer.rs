@@ -16,6 +16,7 @@ use crate::gpu::Gpu;
 use crate::marker::MarkerBalls;
 use crate::pipelines::scene_layout;
 use crate::plan::{PlanStats, Planner};
+use crate::shaders::Shaders;
 use crate::targets::{Targets, drawn_size};
 use crate::tile::Tile;
 use crate::timing::Timing;
@@ -67,6 +68,7 @@ pub struct Renderer {
     device: Device,
     queue: Queue,
     options: Options,
+    shaders: Shaders,
     pipelines: Workshop,
     /// The last frame's map, by its number in `SpaceUniform::kind`.
     map: Option<u32>,
@@ -93,8 +95,21 @@ impl Renderer {
     /// A renderer for targets of one pixel; [`Renderer::resize`] gives it their size.
     ///
     /// # Errors
-    /// When the options are out of range.
+    /// When the options are out of range, or the adapter refuses the last pass's shader. Those of the scene are
+    /// compiled later: see [`Renderer::fault`].
     pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
+        Self::with_shaders(gpu, options, Shaders::default())
+    }
+
+    /// As [`Renderer::new`], with these shaders.
+    ///
+    /// # Errors
+    /// As [`Renderer::new`].
+    pub fn with_shaders(
+        gpu: &Gpu,
+        options: Options,
+        shaders: Shaders,
+    ) -> Result<Self, RenderError> {
         check(&options)?;
         let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
         let scene_layout = scene_layout(&device);
@@ -112,9 +127,9 @@ impl Renderer {
                 resource: uniform.as_entire_binding(),
             }],
         });
-        let pipelines = Workshop::new(&device, &scene_layout, options.samples);
+        let pipelines = Workshop::new(&device, shaders, &scene_layout, options.samples);
         let targets = Targets::new(&device, (1, 1), options.samples);
-        let tonemap = Tonemap::new(&device, options.output_format, options.scale != 1.0);
+        let tonemap = Tonemap::accepted(&device, shaders, &options)?;
         let light = tonemap.bind(&device, &targets.light);
         Ok(Self {
             chunks: ChunkStore::new(gpu),
@@ -130,6 +145,7 @@ impl Renderer {
             device,
             queue,
             options,
+            shaders,
             pipelines,
             map: None,
             uniform,
@@ -196,16 +212,33 @@ impl Renderer {
     /// the samples differ. Sizes hold from the next [`Renderer::resize`] on, which must follow.
     ///
     /// # Errors
-    /// When the options are out of range; nothing is changed then.
+    /// When the options are out of range, or the adapter refuses a shader; nothing is changed then.
     pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
         check(&options)?;
+        self.tonemap = Tonemap::accepted(&self.device, self.shaders, &options)?;
         if options.samples != self.options.samples {
-            self.pipelines =
-                Workshop::new(&self.device, &scene_layout(&self.device), options.samples);
+            let layout = scene_layout(&self.device);
+            self.pipelines = Workshop::new(&self.device, self.shaders, &layout, options.samples);
         }
-        self.tonemap = Tonemap::new(&self.device, options.output_format, options.scale != 1.0);
         self.options = options;
         Ok(())
+    }
+
+    /// Why the scene cannot be drawn: the adapter refuses one of its shaders. Known for all maps once
+    /// [`Renderer::prepare_maps`] has come to its end, and for the map of a frame when that is drawn.
+    pub fn fault(&self) -> Option<RenderError> {
+        self.pipelines.refused().map(RenderError::shader)
+    }
+
+    /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
+    /// are being refined.
+    pub fn is_busy(&self) -> bool {
+        self.chunks.is_busy()
+    }
+
+    /// Takes over the land that another renderer shows, whose adapter may be lost: every mesh is sent anew, at once.
+    pub fn adopt(&mut self, other: &Self) {
+        self.chunks.adopt(&other.chunks);
     }
 
     /// Lets the next frame be complete, however long that takes: for a single picture. Frames in motion bring what
@@ -329,7 +362,9 @@ impl Renderer {
         if let Some(tile) = self.tile {
             tile.lay(&mut pass);
         }
-        let pipelines = self.pipelines.get(map);
+        let Some(pipelines) = self.pipelines.get(map) else {
+            return;
+        };
         pass.set_bind_group(0, &self.scene_bindings, &[]);
         // Figures stand before the land more often than behind it.
         stats.add(self.figures.draw(&mut pass, pipelines));

@@ -60,13 +60,53 @@ impl Shader {
             self.own.to_owned()
         }
     }
+}
 
-    /// Compiles it on a device.
-    pub fn compile(&self, device: &wgpu::Device) -> wgpu::ShaderModule {
+/// What the shaders are compiled from: the embedded texts, but for one that may be another's.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Shaders {
+    instead: Option<(&'static str, &'static str)>,
+}
+
+impl Shaders {
+    /// The embedded ones, but for the shader of that name (its file's without the ending), which is compiled from
+    /// this text: to see what becomes of one that an adapter will not take.
+    pub fn with(name: &'static str, text: &'static str) -> Self {
+        Self {
+            instead: Some((name, text)),
+        }
+    }
+
+    /// Compiles a shader on a device.
+    pub(crate) fn compile(&self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
+        let source = match self.instead {
+            Some((name, text)) if name == shader.name => text.to_owned(),
+            _ => shader.source(),
+        };
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
-            label: Some(self.name),
-            source: wgpu::ShaderSource::Wgsl(self.source().into()),
+            label: Some(shader.name),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
         })
+    }
+}
+
+/// Makes something on a device.
+///
+/// # Errors
+/// The first thing that the device has to say against it, in its own words, of one line or many.
+pub fn accepted<T>(device: &wgpu::Device, make: impl FnOnce() -> T) -> Result<T, String> {
+    use wgpu::ErrorFilter::{Internal, OutOfMemory, Validation};
+    let scopes = [Internal, OutOfMemory, Validation].map(|filter| device.push_error_scope(filter));
+    let made = make();
+    // The last one pushed is the first to go.
+    let [internal, memory, validation] = scopes;
+    let refused: Vec<_> = [validation, memory, internal]
+        .into_iter()
+        .filter_map(|scope| pollster::block_on(scope.pop()))
+        .collect();
+    match refused.first() {
+        Some(error) => Err(error.to_string()),
+        None => Ok(made),
     }
 }
 

@@ -6,7 +6,9 @@ use wgpu::{
     Sampler, ShaderStages, StoreOp, TextureFormat, TextureView,
 };
 
-use crate::shaders::TONEMAP;
+use crate::error::RenderError;
+use crate::renderer::Options;
+use crate::shaders::{Shaders, TONEMAP, accepted};
 
 /// The tone-map pass.
 #[derive(Debug)]
@@ -17,9 +19,25 @@ pub struct Tonemap {
 }
 
 impl Tonemap {
+    /// For the targets that the options are for.
+    ///
+    /// # Errors
+    /// When the device refuses the shader.
+    pub fn accepted(
+        device: &Device,
+        shaders: Shaders,
+        options: &Options,
+    ) -> Result<Self, RenderError> {
+        let scaled = options.scale != 1.0;
+        accepted(device, || {
+            Self::new(device, shaders, options.output_format, scaled)
+        })
+        .map_err(|said| RenderError::shader(&said))
+    }
+
     /// For targets of the format. `scaled` says whether the light is drawn at another resolution than it is
     /// shown at.
-    pub fn new(device: &Device, output: TextureFormat, scaled: bool) -> Self {
+    fn new(device: &Device, shaders: Shaders, output: TextureFormat, scaled: bool) -> Self {
         let layout = layout(device);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("light"),
@@ -28,7 +46,7 @@ impl Tonemap {
             ..Default::default()
         });
         Self {
-            pipeline: pipeline(device, &layout, output, scaled),
+            pipeline: pipeline(device, shaders, &layout, output, scaled),
             layout,
             sampler,
         }
@@ -101,6 +119,7 @@ fn layout(device: &Device) -> BindGroupLayout {
 
 fn pipeline(
     device: &Device,
+    shaders: Shaders,
     layout: &BindGroupLayout,
     output: TextureFormat,
     scaled: bool,
@@ -110,7 +129,7 @@ fn pipeline(
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
-    let module = TONEMAP.compile(device);
+    let module = shaders.compile(device, TONEMAP);
     let constants = [
         ("SCALED", f64::from(u8::from(scaled))),
         ("ENCODED", f64::from(u8::from(!output.is_srgb()))),

@@ -8,6 +8,7 @@ use std::thread::{Builder, JoinHandle};
 use wgpu::{BindGroupLayout, Device};
 
 use crate::pipelines::Pipelines;
+use crate::shaders::Shaders;
 
 /// Maps that shaders are compiled for: numbers that `SpaceUniform::kind` begins with.
 const MAPS: u32 = 4;
@@ -23,9 +24,11 @@ pub struct Workshop {
 #[derive(Debug)]
 struct Shelf {
     device: Device,
+    shaders: Shaders,
     layout: BindGroupLayout,
     samples: u32,
-    made: [OnceLock<Pipelines>; MAPS as usize],
+    /// Or why they cannot be made.
+    made: [OnceLock<Result<Pipelines, String>>; MAPS as usize],
     closes: AtomicBool,
 }
 
@@ -37,9 +40,10 @@ struct Worker {
 
 impl Shelf {
     /// The pipelines of a map; makes them, or waits for the thread that does.
-    fn get(&self, map: u32) -> &Pipelines {
-        self.made[(map % MAPS) as usize]
-            .get_or_init(|| Pipelines::new(&self.device, &self.layout, map % MAPS, self.samples))
+    fn get(&self, map: u32) -> Option<&Pipelines> {
+        let map = map % MAPS;
+        let make = || Pipelines::new(&self.device, self.shaders, &self.layout, map, self.samples);
+        self.made[map as usize].get_or_init(make).as_ref().ok()
     }
 }
 
@@ -63,10 +67,11 @@ impl Worker {
 
 impl Workshop {
     /// A workshop that has made nothing.
-    pub fn new(device: &Device, layout: &BindGroupLayout, samples: u32) -> Self {
+    pub fn new(device: &Device, shaders: Shaders, layout: &BindGroupLayout, samples: u32) -> Self {
         Self {
             shelf: Arc::new(Shelf {
                 device: device.clone(),
+                shaders,
                 layout: layout.clone(),
                 samples,
                 made: [const { OnceLock::new() }; MAPS as usize],
@@ -76,9 +81,18 @@ impl Workshop {
         }
     }
 
-    /// The pipelines of a map by its number in `SpaceUniform::kind`. Waits for them where they are not made yet.
-    pub fn get(&self, map: u32) -> &Pipelines {
+    /// The pipelines of a map by its number in `SpaceUniform::kind`. Waits for them where they are not made yet; none
+    /// where the device refuses them.
+    pub fn get(&self, map: u32) -> Option<&Pipelines> {
         self.shelf.get(map)
+    }
+
+    /// Why the device refuses the pipelines of a map, if it has refused any so far.
+    pub fn refused(&self) -> Option<&str> {
+        let made = self.shelf.made.iter().filter_map(OnceLock::get);
+        made.filter_map(|made| made.as_ref().err())
+            .map(String::as_str)
+            .next()
     }
 
     /// Begins to make what a map needs, unless it is made. Where there is no thread to be had, the frame that needs

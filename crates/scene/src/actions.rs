@@ -35,4 +35,10 @@ pub struct Actions {
     pub turn_map: bool,
     /// Switch between first and third person.
     pub toggle_camera: bool,
+    /// Switch the flashlight.
+    pub toggle_light: bool,
+    /// Throw away one of what is in hand.
+    pub drop_one: bool,
+    /// Throw away all of what is in hand.
+    pub drop_all: bool,
 }

@@ -19,6 +19,11 @@ impl Scene {
         self.request_ground();
     }
 
+    /// The point itself where it lies in the world, else one on the world's border.
+    pub(crate) fn within_world(&self, point: ChartPoint) -> ChartPoint {
+        within_world(&*self.strategy, point)
+    }
+
     /// Puts the player's body somewhere, within the world.
     pub(crate) fn place_body(&mut self, point: ChartPoint, velocity: DVec3, grounded: bool) {
         let point = within_world(&*self.strategy, point);

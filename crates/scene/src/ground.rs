@@ -141,6 +141,11 @@ impl Ground {
         self.field.cover(point, normal)
     }
 
+    /// Where a new player stands, on untouched ground.
+    pub fn spawn_point(&self) -> ChartPoint {
+        crate::spawn::spawn_point(&self.field)
+    }
+
     /// Lowest and highest height that untouched ground can have, metres.
     pub fn height_range_m(&self) -> (f64, f64) {
         self.field.ground_range_m()

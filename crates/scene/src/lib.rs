@@ -4,14 +4,21 @@
 //! nowhere; the strategy answers where it matters.
 
 pub mod actions;
+mod aim;
 mod body;
+pub mod bot;
 pub mod camera;
 pub mod day;
 mod detail;
 mod dip;
+pub mod drops;
 pub mod frame;
 pub mod ground;
+mod gun;
+mod harm;
+pub mod inventory;
 pub mod item;
+pub mod lamp;
 pub mod lens;
 pub mod notice;
 pub mod persist;
@@ -20,6 +27,8 @@ pub mod pick;
 mod pictured;
 pub mod player;
 pub mod probe;
+mod probing;
+pub mod projectile;
 mod reach;
 mod scene;
 pub mod sound;
@@ -31,7 +40,8 @@ mod viewing;
 
 pub use actions::Actions;
 pub use camera::CameraMode;
-pub use item::{Inventory, Item};
+pub use inventory::{Inventory, Stack};
+pub use item::Item;
 pub use lens::{DialGoals, Lens};
 pub use notice::{Hint, Notice};
 pub use photo::Viewpoint;

@@ -53,4 +53,31 @@ pub enum Hint {
     /// The picture of a flat world is flat again.
     #[error("The picture is flat again.")]
     Unbent,
+    /// The gun has nothing to shoot.
+    #[error("You have no bullets left.")]
+    NoBullets,
+    /// The crosshair meets no ground near enough for a lamp.
+    #[error("A lamp needs ground to stand on, within eight metres.")]
+    NoPlaceForLamp,
+    /// The crosshair covers no lamp.
+    #[error("There is no lamp under the crosshair.")]
+    NoLampThere,
+    /// The world has as many lamps as it can have.
+    #[error("There are too many lamps in this world; pick one up first.")]
+    TooManyLamps,
+    /// Nothing fits into the hotbar and the backpack any more.
+    #[error("You can carry no more.")]
+    NoRoom,
+    /// Too many things lie about for one more.
+    #[error("Too much lies about already; pick something up first.")]
+    TooManyDrops,
+    /// The player has died of a fall.
+    #[error("You fell too far. You will stand up again where you began.")]
+    DiedOfFall,
+    /// The player was shot dead.
+    #[error("You were shot. You will stand up again where you began.")]
+    DiedOfShot,
+    /// The player stands up again.
+    #[error("You are back at the start. What you carried is still with you.")]
+    BackAgain,
 }

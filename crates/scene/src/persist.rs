@@ -3,21 +3,23 @@
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
-use antipode_storage::{PlayerRecord, SlotRecord, WorldMeta, WorldState};
+use antipode_storage::{
+    BotRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
+};
 use antipode_terrain::Biome;
 use glam::DVec3;
 
 use crate::camera::CameraMode;
 use crate::ground::height_below;
-use crate::item::{Inventory, Item, Stack};
+use crate::drops::Drop;
+use crate::inventory::{Inventory, SLOTS, Stack};
+use crate::item::Item;
+use crate::lamp::Lamp;
 use crate::lens::DialGoals;
 use crate::notice::Notice;
 use crate::player::{Health, Look};
-use crate::probe::{
-    CameraProbe, ChunkProbe, MarkerProbe, PlayerProbe, Probe, SlotProbe, TerrainProbe,
-};
 use crate::scene::{Scene, SceneError, WorldSetup};
-use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH};
+use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_DROPS, MOST_LAMPS};
 
 /// Depth below the player's head searched for ground, in metres.
 pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
@@ -86,7 +88,7 @@ impl Scene {
             .collect();
         WorldState {
             player: PlayerRecord {
-                hemisphere: u8::from(position.0.hemisphere == Hemisphere::B),
+                hemisphere: hemisphere_record(position.0),
                 pos: position.0.pos.to_array(),
                 vel: body.0.velocity.to_array(),
                 yaw: look.yaw,
@@ -107,7 +109,31 @@ impl Scene {
             brush_radius_m: self.brush_radius_m,
             simulated_s: self.simulated_s,
             view_distance: self.setup.view_distance,
+            flashlight: self.flashlight,
+            lamps: self.lamps.iter().map(lamp_record).collect(),
+            drops: self.drops.iter().map(drop_record).chain(self.carried_record()).collect(),
+            bots: self.bot_records(),
         }
+    }
+
+    /// What the pointer holds while the backpack is open lies at the player's feet in a save.
+    fn carried_record(&self) -> Option<DropRecord> {
+        let stack = self.inventory.carried()?;
+        let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
+        Some(drop_record(&Drop::lying(stack, middle)))
+    }
+
+    fn bot_records(&self) -> Vec<BotRecord> {
+        let living = self.bots().into_iter().filter(|view| view.health > 0.0);
+        living
+            .map(|view| BotRecord {
+                hemisphere: hemisphere_record(view.point),
+                pos: view.point.pos.to_array(),
+                yaw: view.yaw,
+                health: view.health,
+                hostile: view.bot.hostile,
+            })
+            .collect()
     }
 
     /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
@@ -116,7 +142,7 @@ impl Scene {
         self.inventory = Inventory::empty();
         for record in &state.inventory {
             match Item::from_id(&record.item) {
-                Some(item) => self.inventory.put(
+                Some(item) => self.restore_slot(
                     record.slot,
                     Stack {
                         item,
@@ -127,12 +153,66 @@ impl Scene {
             }
         }
         self.inventory.select(state.item_slot);
+        self.restore_things(state);
         self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
         self.restore_lens(state);
         let (least, most, usual) = BRUSH_RADIUS_M;
         self.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
         self.simulated_s = finite_or(state.simulated_s, 0.0).max(0.0);
         self.saved_at_s = self.simulated_s;
+    }
+
+    /// Puts a saved stack where it was; one without a place goes wherever there is room.
+    fn restore_slot(&mut self, slot: u8, stack: Stack) {
+        if slot < SLOTS && self.inventory.slots()[usize::from(slot)].is_none() {
+            self.inventory.put(slot, stack);
+        } else {
+            self.inventory.give(stack.item, stack.count);
+        }
+    }
+
+    fn restore_things(&mut self, state: &WorldState) {
+        self.flashlight = state.flashlight;
+        let point = |hemisphere: u8, pos: [f64; 3]| self.restored_point(hemisphere, pos);
+        let lamps = state.lamps.iter().take(MOST_LAMPS);
+        let lamps: Vec<_> = lamps.filter_map(|it| point(it.hemisphere, it.pos)).map(Lamp::standing).collect();
+        let mut unknown = Vec::new();
+        let mut drops = Vec::new();
+        for record in state.drops.iter().take(2 * MOST_DROPS) {
+            match (Item::from_id(&record.item), point(record.hemisphere, record.pos)) {
+                (Some(item), Some(at)) => {
+                    let count = record.count.max(1);
+                    drops.push(Drop::lying(Stack { item, count }, at));
+                }
+                (None, _) => unknown.push(Notice::UnknownItem(record.item.clone())),
+                (Some(_), None) => {}
+            }
+        }
+        let bots: Vec<_> = state
+            .bots
+            .iter()
+            .filter(|it| it.yaw.is_finite())
+            .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
+            .collect();
+        self.lamps = lamps;
+        self.drops = drops;
+        self.notices.extend(unknown);
+        for (record, at) in bots {
+            let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
+            self.restore_bot(at, record.yaw, record.hostile, health);
+        }
+    }
+
+    /// A saved place, if it is one of this world.
+    fn restored_point(&self, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
+        let pos = DVec3::from_array(pos);
+        let hemisphere = if hemisphere == 1 && self.strategy.rim_m().is_some() {
+            Hemisphere::B
+        } else {
+            Hemisphere::A
+        };
+        let at = ChartPoint::new(hemisphere, pos);
+        pos.is_finite().then(|| self.within_world(at))
     }
 
     fn restore_lens(&mut self, state: &WorldState) {
@@ -185,90 +265,6 @@ impl Scene {
         self.flying = record.flying;
     }
 
-    /// The player's health.
-    pub fn health(&self) -> f64 {
-        self.ecs
-            .get::<&Health>(self.player)
-            .map_or(FULL_HEALTH, |health| health.0)
-    }
-
-    /// The state of the world for a script.
-    pub fn probe(&self) -> Probe {
-        let curved_radius = self.strategy.radius_m();
-        Probe {
-            t: self.simulated_s,
-            world: self.setup.name.clone(),
-            seed: self.setup.seed,
-            geometry: self.setup.geometry.to_string(),
-            radius: curved_radius.is_finite().then_some(curved_radius),
-            map: self.lens.map().map(HyperbolicMap::name),
-            curvature: self.lens.curvature(),
-            bend: self.lens.bend(),
-            quality: self.quality.name(),
-            time_of_day: self.time_of_day_s,
-            player: self.player_probe(),
-            camera: self.camera_probe(),
-            item: self.inventory.held().map(Item::id),
-            inventory: (0..)
-                .zip(self.inventory.slots())
-                .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
-                .collect(),
-            marker: MarkerProbe {
-                pos: self.marker.map(|m| m.point.pos.to_array()),
-                radius: self.brush_radius_m,
-            },
-            chunks: ChunkProbe {
-                resident: self.ground.count(),
-                pending: self.streamer.pending(),
-                triangles: self.ground.triangles(),
-                edited: self.streamer.edited_count(),
-            },
-            terrain: TerrainProbe {
-                ground_height: self.ground_height(),
-            },
-        }
-    }
-
-    fn player_probe(&self) -> PlayerProbe {
-        let (position, look, body, _) = self.player_parts();
-        PlayerProbe {
-            pos: position.0.pos.to_array(),
-            vel: body.0.velocity.to_array(),
-            yaw: look.yaw.to_degrees(),
-            pitch: look.pitch.to_degrees(),
-            grounded: body.0.grounded,
-            health: self.health(),
-            hemisphere: if position.0.hemisphere == Hemisphere::A {
-                'A'
-            } else {
-                'B'
-            },
-            in_car: false,
-            animation: self.animation(),
-        }
-    }
-
-    fn camera_probe(&self) -> CameraProbe {
-        let eye = self.eye();
-        CameraProbe {
-            pos: eye.point.pos.to_array(),
-            mode: self.camera.id(),
-            curved: self.lens.strategy().curved(&eye, eye.point).to_array(),
-        }
-    }
-
-    fn animation(&self) -> &'static str {
-        let (_, _, body, _) = self.player_parts();
-        let speed = body.0.velocity.x.hypot(body.0.velocity.z);
-        match (self.flying, body.0.grounded) {
-            (true, _) => "fly",
-            (false, false) => "jump",
-            _ if speed < 0.3 => "idle",
-            _ if speed > self.tuning.walk_speed_m_s * 1.2 => "run",
-            _ => "walk",
-        }
-    }
-
     /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
     /// the head is in rock with no cave below. Beyond the view distance it is that of untouched ground, whatever
     /// happens to be loaded there.
@@ -281,6 +277,26 @@ impl Scene {
             };
             density < 0.0
         })
+    }
+}
+
+fn hemisphere_record(point: ChartPoint) -> u8 {
+    u8::from(point.hemisphere == Hemisphere::B)
+}
+
+fn lamp_record(lamp: &Lamp) -> LampRecord {
+    LampRecord {
+        hemisphere: hemisphere_record(lamp.point),
+        pos: lamp.point.pos.to_array(),
+    }
+}
+
+fn drop_record(drop: &Drop) -> DropRecord {
+    DropRecord {
+        hemisphere: hemisphere_record(drop.point),
+        pos: drop.point.pos.to_array(),
+        item: drop.stack.item.id().to_owned(),
+        count: drop.stack.count,
     }
 }
 

@@ -24,7 +24,7 @@ pub struct Pick {
     pub point: ChartPoint,
     /// Its distance along the geodesic in metres of the space.
     pub distance_m: f64,
-    /// Whether ground was hit; otherwise the point hangs in the air at the end of the reach.
+    /// Whether something was hit; otherwise the point hangs in the air at the end of the reach.
     pub hit: bool,
 }
 
@@ -33,6 +33,21 @@ pub struct Pick {
 pub fn pick(
     strategy: &dyn Strategy,
     physics: &PhysicsWorld,
+    eye: &Eye,
+    from_m: f64,
+    reach_m: f64,
+) -> Pick {
+    pick_among(strategy, physics, &|_, _| None, eye, from_m, reach_m)
+}
+
+/// Tells where a chart segment first meets something, as a share of its length. Both ends are in one chart.
+pub type Meets<'a> = &'a dyn Fn(ChartPoint, ChartPoint) -> Option<f64>;
+
+/// As [`pick`], with more in the way than the ground.
+pub fn pick_among(
+    strategy: &dyn Strategy,
+    physics: &PhysicsWorld,
+    meets: Meets<'_>,
     eye: &Eye,
     from_m: f64,
     reach_m: f64,
@@ -47,7 +62,9 @@ pub fn pick(
         if !is_pictured(strategy, eye, far, from_m + reach_m) {
             break;
         }
-        if let Some(share) = segment_hit(strategy, physics, near.1, far) {
+        let ground = segment_hit(strategy, physics, near.1, far);
+        let other = meets(near.1, over(strategy, near.1, far));
+        if let Some(share) = [ground, other].into_iter().flatten().reduce(f64::min) {
             let distance_m = near.0 + share * (t - near.0);
             return Pick {
                 point: strategy.along(eye, ahead, distance_m),
@@ -97,7 +114,7 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
 }
 
 /// `b` in the chart of `a`.
-fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
+pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
     if a.hemisphere == b.hemisphere {
         b
     } else {

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::item::Stack;
+use crate::inventory::Stack;
 
 /// State of the world at one moment. SI units, chart coordinates.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,10 +33,20 @@ pub struct Probe {
     pub camera: CameraProbe,
     /// Id of the item in hand; null for an empty hand.
     pub item: Option<&'static str>,
-    /// Filled slots of the hotbar.
+    /// Filled slots: 0 to 9 are the hotbar's, 10 to 39 the backpack's.
     pub inventory: Vec<SlotProbe>,
     /// The brush marker.
     pub marker: MarkerProbe,
+    /// Whether the flashlight is on.
+    pub flashlight: bool,
+    /// Other figures, by their numbers.
+    pub bots: Vec<BotProbe>,
+    /// Bullets in flight, the oldest first.
+    pub projectiles: Vec<ProjectileProbe>,
+    /// Lamps that were put down.
+    pub lamps: Vec<LampProbe>,
+    /// What lies about.
+    pub drops: Vec<DropProbe>,
     /// Terrain chunks.
     pub chunks: ChunkProbe,
     /// The ground under the player.
@@ -62,7 +72,7 @@ pub struct PlayerProbe {
     pub hemisphere: char,
     /// Whether the player sits in a car.
     pub in_car: bool,
-    /// What the figure is doing: `idle`, `walk`, `run`, `jump` or `fly`.
+    /// What the figure is doing: `idle`, `walk`, `run`, `jump`, `fly` or `die`.
     pub animation: &'static str,
 }
 
@@ -80,11 +90,64 @@ pub struct CameraProbe {
 /// One filled slot in a probe.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SlotProbe {
-    /// Slot, 0 to 9.
+    /// Slot, 0 to 39.
     pub slot: u8,
     /// The stack, as `item` and `count`.
     #[serde(flatten)]
     pub stack: Stack,
+}
+
+/// Another figure in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BotProbe {
+    /// Its number.
+    pub id: u32,
+    /// Feet, metres.
+    pub pos: [f64; 3],
+    /// Its health.
+    pub health: f64,
+    /// Whether it fights the player.
+    pub hostile: bool,
+    /// `A` or `B`.
+    pub hemisphere: char,
+    /// What it does: `idle` or `dead`.
+    pub state: &'static str,
+}
+
+/// A bullet in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ProjectileProbe {
+    /// Its number.
+    pub id: u32,
+    /// Centre, metres.
+    pub pos: [f64; 3],
+    /// Velocity, metres per second of the chart.
+    pub vel: [f64; 3],
+    /// Since it was fired, seconds.
+    pub age: f64,
+    /// `A` or `B`.
+    pub hemisphere: char,
+}
+
+/// A lamp in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LampProbe {
+    /// Foot, metres.
+    pub pos: [f64; 3],
+    /// `A` or `B`.
+    pub hemisphere: char,
+}
+
+/// Something that lies about in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct DropProbe {
+    /// The stack, as `item` and `count`.
+    #[serde(flatten)]
+    pub stack: Stack,
+    /// Middle, metres.
+    pub pos: [f64; 3],
+    /// `A` or `B`.
+    pub hemisphere: char,
 }
 
 /// The brush marker in a probe.

@@ -17,6 +17,13 @@ const COLUMN_M: f64 = 1.0;
 const AHEAD_S: f64 = 1.0;
 /// Around that place, in metres.
 const AHEAD_M: f64 = 8.0;
+/// Others than the player are looked after by cells of this edge, in metres, with a margin around each.
+const OTHERS_CELL_M: f64 = 16.0;
+const OTHERS_MARGIN_M: f64 = 2.0;
+/// Ground where a bullet will be so many seconds from now is made solid beforehand.
+const OTHERS_AHEAD_S: f64 = 0.3;
+/// Cells at most: a thousand bullets in all directions must not make the whole world solid.
+const MOST_OTHERS: usize = 96;
 /// Height over the ground sphere, in radians, from which the chart is too wide to reach only part of it.
 const HIGHEST_RAD: f64 = 1.3;
 
@@ -44,6 +51,28 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
         reaches.push(column(over.point));
     }
     reaches
+}
+
+/// Where the ground around others than the player must be solid, each with its place and velocity in m/s. Those close
+/// together share one reach.
+pub(crate) fn of_others(others: impl Iterator<Item = (ChartPoint, DVec3)>) -> Vec<Reach> {
+    let mut cells = std::collections::BTreeSet::new();
+    for (point, velocity) in others {
+        let there = point.pos + velocity * OTHERS_AHEAD_S;
+        for at in [point.pos, there] {
+            cells.insert((point.hemisphere, (at / OTHERS_CELL_M).floor().as_i64vec3().to_array()));
+        }
+    }
+    let corner = |cell: [i64; 3]| DVec3::from_array(cell.map(|index| index as f64)) * OTHERS_CELL_M;
+    cells
+        .into_iter()
+        .take(MOST_OTHERS)
+        .map(|(hemisphere, cell)| Reach {
+            hemisphere,
+            min: corner(cell) - OTHERS_MARGIN_M,
+            max: corner(cell) + OTHERS_CELL_M + OTHERS_MARGIN_M,
+        })
+        .collect()
 }
 
 fn around_body(feet: ChartPoint, reach_m: f64) -> Reach {

@@ -16,10 +16,14 @@ use crate::detail::Sight;
 use crate::dip::HeadDip;
 use crate::frame::{Figure, Frame, Marker, Quality};
 use crate::ground::Ground;
-use crate::item::Inventory;
+use crate::drops::Drop;
+use crate::harm::Condition;
+use crate::inventory::Inventory;
+use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
+use crate::projectile::Projectiles;
 use crate::sound::Sounds;
 use crate::tuning::{
     BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
@@ -116,6 +120,23 @@ pub struct Scene {
     pub(crate) sight: Option<Arc<Sight>>,
     /// A camera that is elsewhere than the player: land is made around it.
     pub(crate) watched: Option<Eye>,
+    pub(crate) condition: Condition,
+    pub(crate) projectiles: Projectiles,
+    /// Whether bullets follow the space's geodesics.
+    pub(crate) straight_shots: bool,
+    /// Until the gun can be fired again, seconds.
+    pub(crate) gun_rests_s: f64,
+    /// Whether each button was down in the step before.
+    pub(crate) primary_before: bool,
+    pub(crate) secondary_before: bool,
+    pub(crate) flashlight: bool,
+    pub(crate) lamps: Vec<Lamp>,
+    /// Whether the ground may have changed below lamps, or below things that lie about.
+    pub(crate) lamps_unchecked: bool,
+    pub(crate) drops_unchecked: bool,
+    pub(crate) drops: Vec<Drop>,
+    /// The number that the next bot gets.
+    pub(crate) next_bot: u32,
     /// What could be heard since somebody last listened.
     pub(crate) sounds: Sounds,
 }
@@ -186,6 +207,18 @@ impl Scene {
             picture_height_px: PICTURE_HEIGHT_PX,
             sight: None,
             watched: None,
+            condition: Condition::default(),
+            projectiles: Projectiles::default(),
+            straight_shots: false,
+            gun_rests_s: 0.0,
+            primary_before: false,
+            secondary_before: false,
+            flashlight: false,
+            lamps: Vec::new(),
+            lamps_unchecked: false,
+            drops_unchecked: false,
+            drops: Vec::new(),
+            next_bot: 0,
             sounds: Sounds::default(),
         };
         if let Some(state) = saved {

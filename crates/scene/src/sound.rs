@@ -34,6 +34,20 @@ pub enum SoundEvent {
     Built,
     /// Another slot of the hotbar was taken in hand.
     SlotChanged,
+    /// The gun was fired.
+    Shot,
+    /// The gun's trigger was pulled for nothing.
+    Clicked,
+    /// A bullet struck someone.
+    Struck,
+    /// The player was hurt.
+    Hurt,
+    /// A lamp was put down.
+    LampPlaced,
+    /// A lamp was picked up.
+    LampTaken,
+    /// Something that lay about was picked up.
+    PickedUp,
 }
 
 /// What a player hears all the time depends on this.

@@ -7,7 +7,9 @@ use glam::DVec3;
 use crate::actions::Actions;
 use crate::camera::CameraMode;
 use crate::frame::Marker;
+use crate::item::Item;
 use crate::ground::chunks_near;
+use crate::harm::{HarmKind, fall_harm};
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
@@ -31,13 +33,23 @@ impl Scene {
         }
         self.dip.pass(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
+        let actions = &if self.is_dead() { Actions::default() } else { *actions };
         if self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
         }
+        self.step_bots();
+        self.heal();
         self.time_of_day_s = (self.time_of_day_s + STEP_S).rem_euclid(DAY_S);
         self.simulated_s += STEP_S;
         self.update_marker();
         self.use_tool(actions);
+        self.use_gun(actions);
+        self.use_lamp(actions);
+        self.step_projectiles();
+        self.step_lamps();
+        self.step_drops();
+        self.primary_before = actions.primary;
+        self.secondary_before = actions.secondary;
         self.autosave();
     }
 
@@ -59,6 +71,12 @@ impl Scene {
         self.inventory.step(actions.slot_step);
         if self.inventory.selected() != in_hand {
             self.sounds.push(SoundEvent::SlotChanged);
+        }
+        if actions.toggle_light {
+            self.flashlight = !self.flashlight;
+        }
+        if actions.drop_one || actions.drop_all {
+            self.drop_held(actions.drop_all);
         }
         if actions.turn_map {
             self.turn_map();
@@ -109,12 +127,14 @@ impl Scene {
             }
         }
         player::cross(&*strategy, position, look, body);
+        let harm = fall_harm(body.0.impact_m_s, self.tuning.gravity_m_s2);
         if self.viewing.dips() {
             self.dip.land(body.0.impact_m_s);
         }
         let speed = DVec3::new(body.0.velocity.x, 0.0, body.0.velocity.z).length();
         let foot_down = player::walk(appearance, speed, body.0.grounded, STEP_S);
         self.hear_body(foot_down);
+        self.hurt_player(harm, HarmKind::Fall);
     }
 
     /// Points the marker anew, as after the view was set from outside a step.
@@ -124,7 +144,8 @@ impl Scene {
 
     /// Points the marker along the geodesic through the crosshair; an empty hand has none.
     pub(crate) fn update_marker(&mut self) {
-        self.marker = self.inventory.held().map(|_| {
+        let digs = self.inventory.held().and_then(Item::brush_strength_per_s);
+        self.marker = digs.map(|_| {
             let strategy = &**self.lens.strategy();
             let eye = self.eye();
             // Near a wall the camera stands closer than it would like; what lies beyond the head counts.
@@ -144,16 +165,17 @@ impl Scene {
     }
 
     fn use_tool(&mut self, actions: &Actions) {
+        let strength = self.inventory.held().and_then(Item::brush_strength_per_s);
         let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
         self.hear_tool(sign, STEP_S);
-        let (Some(item), Some(marker)) = (self.inventory.held(), self.marker.as_mut()) else {
+        let (Some(strength), Some(marker)) = (strength, self.marker.as_mut()) else {
             return;
         };
         if sign == 0.0 {
             return;
         }
         marker.active = true;
-        let amount = sign * item.brush_strength_per_s() * STEP_S as f32;
+        let amount = sign * strength * STEP_S as f32;
         let stroke = Stroke {
             centre: marker.point,
             radius_m: self.brush_radius_m,

@@ -4,12 +4,16 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
-use antipode_streaming::{Chunk, Detail, StreamingError, Until, Update, Wish};
+use antipode_geometry::ChartPoint;
+use antipode_streaming::{Chunk, Detail, Reach, StreamingError, Until, Update, Wish};
+use glam::DVec3;
 use thiserror::Error;
 
+use crate::bot::Bot;
 use crate::detail::{Sharpness, Sight};
 use crate::ground::{Spent, chunks_near};
 use crate::notice::Notice;
+use crate::player::Position;
 use crate::reach;
 use crate::scene::Scene;
 use crate::tuning::AUTOSAVE_S;
@@ -41,10 +45,19 @@ impl Scene {
             centre: head.point,
             front: head.front(),
             view_distance: self.setup.view_distance,
-            bodies: reach::of_body(&*self.strategy, position.0, body.0.velocity),
+            bodies: self.reaches(position.0, body.0.velocity),
             detail: self.sight.clone().map(|sight| sight as Arc<dyn Detail>),
         };
         self.streamer.wish(&wish);
+    }
+
+    /// Where the ground must be solid: around the player, and around others and what flies.
+    fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
+        let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
+        let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
+        let bots = self.ecs.query::<(&Bot, &Position)>().iter().map(|(_, at)| (at.0, DVec3::ZERO)).collect::<Vec<_>>();
+        reaches.extend(reach::of_others(bullets.chain(bots)));
+        reaches
     }
 
     /// Takes the sizes of things in the picture anew, if they no longer hold.
@@ -228,6 +241,8 @@ impl Scene {
             }
         }
         if edited {
+            self.lamps_unchecked = true;
+            self.drops_unchecked = true;
             self.lift_player_out();
         }
     }

@@ -1,5 +1,7 @@
 //! Figures of play that belong to no other crate, in one place, with their units.
 
+use antipode_physics::BallTuning;
+
 /// Length of one simulation step in seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
 /// How far a tool reaches along the geodesic through the crosshair, in metres.
@@ -50,3 +52,61 @@ pub const DIP_PUSH: f64 = 0.5;
 pub const DIP_PUSH_MOST_M_S: f64 = 6.0;
 /// Rate of the spring that brings the head back, per second.
 pub const DIP_RATE_PER_S: f64 = 12.0;
+/// Speed of a bullet at the muzzle, in metres per second.
+pub const BULLET_SPEED_M_S: f64 = 40.0;
+/// How a bullet flies.
+pub const BULLET: BallTuning = BallTuning {
+    radius_m: 0.06,
+    gravity_m_s2: 9.81,
+    bounce: 0.45,
+    slide: 0.8,
+};
+/// A bullet is gone after so many seconds.
+pub const BULLET_LIFE_S: f64 = 5.0;
+/// Bullets in flight at once.
+pub const MOST_BULLETS: usize = 500;
+/// The same bullet harms the same body again only after so many seconds; and who fired it, only then.
+pub const SAME_BODY_HARMED_AFTER_S: f64 = 0.5;
+/// Health that a bullet takes.
+pub const BULLET_HARM: f64 = 1.0;
+/// A shot goes through what the crosshair covers within this distance, in metres.
+pub const AIM_REACH_M: f64 = 30.0;
+/// The muzzle as seen from the eye, in metres: to the right, up and ahead.
+pub const MUZZLE_M: (f64, f64, f64) = (0.22, -0.16, 0.7);
+/// Least time between two shots, in seconds.
+pub const SHOT_EVERY_S: f64 = 0.12;
+/// A fall from this height or more hurts, in metres; one metre more, one health more.
+pub const FALL_HURTS_FROM_M: f64 = 8.0;
+/// Health comes back so long after the last harm, in seconds.
+pub const HEALS_AFTER_S: f64 = 6.0;
+/// Health that comes back, per second.
+pub const HEALS_PER_S: f64 = 0.5;
+/// The dead stand up again after so many seconds.
+pub const DEAD_S: f64 = 3.0;
+/// Health of others than the player.
+pub const BOT_HEALTH: f64 = 3.0;
+/// How long the dead lie before they are gone, in seconds.
+pub const BOT_LIES_S: f64 = 2.0;
+/// How far a lamp can be put down from the eye, in metres.
+pub const LAMP_REACH_M: f64 = 8.0;
+/// Lamps in a world at once.
+pub const MOST_LAMPS: usize = 512;
+/// Radius around a lamp's middle within which the crosshair covers it, in metres.
+pub const LAMP_TARGET_M: f64 = 0.35;
+/// Height of a lamp's glowing middle over its foot, in metres.
+pub const LAMP_HEIGHT_M: f64 = 0.35;
+/// How a thing that was dropped flies.
+pub const DROP: BallTuning = BallTuning {
+    radius_m: 0.18,
+    gravity_m_s2: 9.81,
+    bounce: 0.3,
+    slide: 0.6,
+};
+/// Speed at which things are thrown away, in metres per second.
+pub const DROP_SPEED_M_S: f64 = 4.0;
+/// Things that were dropped are picked up within this of the body's middle, in metres.
+pub const PICK_UP_M: f64 = 1.4;
+/// Things that were dropped can be picked up after so many seconds.
+pub const PICK_UP_AFTER_S: f64 = 1.0;
+/// Things lying about at once.
+pub const MOST_DROPS: usize = 256;

@@ -62,9 +62,12 @@ fn a_fall_is_heard_once_and_the_louder_the_farther() {
         ));
         steps(&mut scene, 200, &Actions::default());
         let heard = scene.take_sounds();
-        let [SoundEvent::Landed { speed_m_s, .. }] = heard[..] else {
+        let [SoundEvent::Landed { speed_m_s, .. }, ref after @ ..] = heard[..] else {
             panic!("after {drop_m} m: {heard:?}");
         };
+        // A long fall hurts, and that is heard too.
+        let hurts: &[_] = if drop_m > 8.0 { &[SoundEvent::Hurt] } else { &[] };
+        assert_eq!(after, hurts, "after {drop_m} m");
         loudness.push(speed_m_s);
     }
     assert!(loudness[1] > 2.0 * loudness[0], "{loudness:?}");

@@ -51,6 +51,8 @@ pub enum Action {
     PhotoMode,
     /// The console.
     Console,
+    /// Go on to the next hint for newcomers.
+    SkipHint,
     /// Fill the screen, or not.
     Fullscreen,
     /// The menu.
@@ -151,7 +153,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 35] = {
+static ACTIONS: [ActionInfo; 36] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -227,6 +229,7 @@ static ACTIONS: [ActionInfo; 35] = {
         line(Action::PhotoMode, "photo-mode", View, &["KeyP"]),
         line(Action::Screenshot, "screenshot", View, &["F12"]),
         line(Action::Console, "console", Game, &["Backquote"]),
+        line(Action::SkipHint, "skip-hint", Game, &["KeyN"]),
         line(Action::Fullscreen, "fullscreen", Game, &["F11"]),
         line(Action::Menu, "menu", Game, &["Escape", "pad-start"]),
     ]

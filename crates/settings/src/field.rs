@@ -337,7 +337,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 28] = [
+static FIELDS: [Field; 29] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -412,6 +412,7 @@ static FIELDS: [Field; 28] = [
     toggle!("safe-marker", Comfort, safe_marker),
     toggle!("reduced-motion", Comfort, reduced_motion),
     toggle!("head-dip", Comfort, head_dip),
+    toggle!("hints", Comfort, hints),
 ];
 
 #[cfg(test)]

@@ -60,6 +60,8 @@ pub struct Settings {
     pub safe_marker: bool,
     /// Whether the interface is drawn in strong contrast.
     pub high_contrast: bool,
+    /// Whether newcomers are told, one after another, what they can do.
+    pub hints: bool,
     /// The language of all texts.
     pub language: Language,
 }
@@ -94,6 +96,7 @@ impl Default for Settings {
             reduced_motion: false,
             safe_marker: false,
             high_contrast: false,
+            hints: true,
             language: Language::default(),
         }
     }

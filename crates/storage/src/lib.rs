@@ -28,6 +28,7 @@ mod regular;
 mod salvage;
 mod saves;
 mod schema;
+mod schema_history;
 mod scratch;
 mod slug;
 mod store;
@@ -43,7 +44,9 @@ pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError};
 pub use saves::SavesDir;
-pub use schema::{ChunkKey, PlayerRecord, SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState};
+pub use schema::{
+    BotRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord, SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState,
+};
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};
 pub use world::{Batch, WorldStore};

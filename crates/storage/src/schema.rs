@@ -2,7 +2,7 @@
 //!
 //! The structs below are today's shapes and are stored field by field in their
 //! order, without names: changing a field, its type or its place is a new schema
-//! version. To make one: copy the struct as it was into `mod v2` here, raise
+//! version. To make one: copy the struct as it was into `schema_history.rs`, raise
 //! [`SCHEMA_VERSION`], and let [`Versioned::upgrade`] decode the old shape and
 //! convert it. `tests/saves` keeps a world of each version for ever.
 
@@ -10,9 +10,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
+use crate::schema_history::{v1, v2, v3};
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 3;
+pub const SCHEMA_VERSION: u16 = 4;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -71,6 +72,43 @@ pub struct SlotRecord {
     pub count: u32,
 }
 
+/// A lamp that was put down.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct LampRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Its foot, chart metres.
+    pub pos: [f64; 3],
+}
+
+/// A stack that lies about.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct DropRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Its middle, chart metres.
+    pub pos: [f64; 3],
+    /// The item's identifier.
+    pub item: String,
+    /// How many.
+    pub count: u32,
+}
+
+/// A figure that nobody plays.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct BotRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Feet, chart metres.
+    pub pos: [f64; 3],
+    /// Heading, radians.
+    pub yaw: f64,
+    /// Its health.
+    pub health: f64,
+    /// Whether it fights the player.
+    pub hostile: bool,
+}
+
 /// Everything that changes while a world is played, but for the terrain.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct WorldState {
@@ -98,6 +136,14 @@ pub struct WorldState {
     pub simulated_s: f64,
     /// View distance, chunks.
     pub view_distance: u32,
+    /// Whether the flashlight is on.
+    pub flashlight: bool,
+    /// Lamps that were put down, in that order.
+    pub lamps: Vec<LampRecord>,
+    /// What lies about.
+    pub drops: Vec<DropRecord>,
+    /// Other figures.
+    pub bots: Vec<BotRecord>,
 }
 
 /// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
@@ -196,82 +242,9 @@ impl Versioned for WorldState {
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
         match version {
-            1 => decode::<v1::WorldState>(body).map(Self::from),
+            1 => decode::<v1::WorldState>(body).map(|old| v3::WorldState::from(old).into()),
+            2 | 3 => decode::<v3::WorldState>(body).map(Self::from),
             _ => decode(body),
-        }
-    }
-}
-
-/// The shapes of version 1 that have changed since: it knew one picture of each space.
-mod v1 {
-    use serde::{Deserialize, Serialize};
-
-    use super::{PlayerRecord, SlotRecord};
-
-    /// What version 1 kept of everything that changes while a world is played.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-    pub(super) struct WorldState {
-        pub player: PlayerRecord,
-        pub item_slot: u8,
-        pub inventory: Vec<SlotRecord>,
-        pub time_of_day_s: f64,
-        pub curvature: f64,
-        pub brush_radius_m: f64,
-        pub simulated_s: f64,
-        pub view_distance: u32,
-    }
-
-    impl From<WorldState> for super::WorldState {
-        fn from(old: WorldState) -> Self {
-            Self {
-                player: old.player,
-                item_slot: old.item_slot,
-                inventory: old.inventory,
-                time_of_day_s: old.time_of_day_s,
-                map: "raised".to_owned(),
-                curvature: old.curvature,
-                // Where the dial of a new world stands.
-                curvature_horizon: 10.0,
-                bent: false,
-                bend: 0.0,
-                brush_radius_m: old.brush_radius_m,
-                simulated_s: old.simulated_s,
-                view_distance: old.view_distance,
-            }
-        }
-    }
-}
-
-/// The shapes of version 2 that have changed since: it knew nothing of commands that cheat.
-mod v2 {
-    use serde::{Deserialize, Serialize};
-
-    /// What versions 1 and 2 kept of what a world is.
-    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-    pub(super) struct WorldMeta {
-        pub name: String,
-        pub seed: u64,
-        pub geometry: String,
-        pub radius_m: f64,
-        pub biome: String,
-        pub created_unix_s: u64,
-        pub last_played_unix_s: u64,
-        pub played_s: f64,
-    }
-
-    impl From<WorldMeta> for super::WorldMeta {
-        fn from(old: WorldMeta) -> Self {
-            Self {
-                name: old.name,
-                seed: old.seed,
-                geometry: old.geometry,
-                radius_m: old.radius_m,
-                biome: old.biome,
-                created_unix_s: old.created_unix_s,
-                last_played_unix_s: old.last_played_unix_s,
-                played_s: old.played_s,
-                cheated: false,
-            }
         }
     }
 }
@@ -430,7 +403,9 @@ mod tests {
             assert_eq!(WorldMeta::upgrade(version, body), Ok(meta.clone()));
             assert!(WorldMeta::upgrade(version, &today).is_err());
         }
-        assert_eq!(WorldMeta::upgrade(3, &today), Ok(meta));
+        for version in [3, 4] {
+            assert_eq!(WorldMeta::upgrade(version, &today), Ok(meta.clone()));
+        }
         assert!(WorldMeta::upgrade(3, body).is_err());
     }
 
@@ -451,10 +426,10 @@ mod tests {
         assert_eq!((state.bent, state.bend), (false, 0.0));
         assert_eq!((state.brush_radius_m, state.view_distance), (4.0, 5));
         let today = codec::encode(&state).unwrap();
-        for version in [2, 3] {
-            assert_eq!(WorldState::upgrade(version, &today).as_ref(), Ok(&state));
+        assert_eq!(WorldState::upgrade(4, &today).as_ref(), Ok(&state));
+        for version in [1, 2, 3] {
+            assert!(WorldState::upgrade(version, &today).is_err());
         }
-        assert!(WorldState::upgrade(1, &today).is_err());
     }
 
     proptest! {
@@ -472,6 +447,7 @@ mod tests {
             prop_assert!(read.is_err());
             let _ = WorldState::upgrade(1, &bytes);
             let _ = WorldState::upgrade(2, &bytes);
+            let _ = WorldState::upgrade(4, &bytes);
             let _ = WorldMeta::upgrade(2, &bytes);
             let _ = WorldMeta::upgrade(3, &bytes);
         }

@@ -23,6 +23,10 @@ const V3: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v3/v3.antipode-world"
 );
+const V4: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v4/v4.antipode-world"
+);
 
 const FAR: ChunkKey = ChunkKey {
     hemisphere: 1,
@@ -51,7 +55,8 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-fn v2_state() -> WorldState {
+/// What version 4 holds: everything.
+fn v4_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
         item: "lamp".to_owned(),
@@ -62,6 +67,17 @@ fn v2_state() -> WorldState {
     state
 }
 
+/// What versions 2 and 3 could hold of it: nothing that stands or lies about.
+fn v2_state() -> WorldState {
+    WorldState {
+        flashlight: false,
+        lamps: Vec::new(),
+        drops: Vec::new(),
+        bots: Vec::new(),
+        ..v4_state()
+    }
+}
+
 /// What version 1 could hold of it, and the defaults of what it could not.
 fn v1_state() -> WorldState {
     WorldState {
@@ -70,6 +86,14 @@ fn v1_state() -> WorldState {
         bent: false,
         bend: 0.0,
         ..v2_state()
+    }
+}
+
+/// What version 4 was saved with.
+fn v4_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v4")
     }
 }
 
@@ -87,18 +111,18 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v3_meta()).unwrap();
+    let (slug, world) = saves.create(&v4_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            state: Some(v2_state()),
+            state: Some(v4_state()),
             chunks,
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V3)).unwrap();
+    saves.export(&slug, Path::new(V4)).unwrap();
 }
 
 #[test]
@@ -106,6 +130,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V1, &meta("Żółw of v1"), &v1_state());
     opens(V2, &meta("Żółw of v2"), &v2_state());
     opens(V3, &v3_meta(), &v2_state());
+    opens(V4, &v4_meta(), &v4_state());
 }
 
 fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {

@@ -120,8 +120,13 @@ impl Ledger {
         planned.or_else(|| self.late.get(&coord)).copied()
     }
 
+    /// Can the chunk have a surface? What the plan knows is looked up: to decide it anew takes
+    /// microseconds.
     fn needs_mesh(&self, coord: ChunkCoord) -> bool {
-        self.wished.near_edits.contains(&coord) || self.field.content(coord) == Content::Surface
+        if self.wished.near_edits.contains(&coord) {
+            return true;
+        }
+        !self.plan.bare.contains(&coord) && self.field.content(coord) == Content::Surface
     }
 
     /// Leaves everything that has not begun.

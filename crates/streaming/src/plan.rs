@@ -55,6 +55,9 @@ struct Look {
 #[derive(Debug)]
 pub(crate) struct Plan {
     pub(crate) targets: ChunkMap<Target>,
+    /// Chunks near bodies that untouched ground does not come into: the game asks about them in
+    /// every frame.
+    pub(crate) bare: ChunkSet,
     pub(crate) range: Range,
     /// How many times what the quality lets pass the levels were allowed to be off.
     pub(crate) leniency: f64,
@@ -65,6 +68,7 @@ impl Plan {
     pub(crate) fn nothing() -> Self {
         Self {
             targets: ChunkMap::default(),
+            bare: ChunkSet::default(),
             range: Range::Nothing,
             leniency: 1.0,
         }
@@ -94,7 +98,7 @@ pub(crate) struct Planned {
 impl Request {
     /// Makes the plan.
     pub(crate) fn plan(&self, field: &Field) -> Planned {
-        let looks = self.looks(field);
+        let (looks, bare) = self.looks(field);
         let (levels, leniency) = self.affordable(&looks);
         let target = |(coord, level)| {
             let wanted = looks.get(&coord).is_some_and(|look| look.wanted);
@@ -106,6 +110,7 @@ impl Request {
             changed,
             plan: Plan {
                 targets,
+                bare,
                 range: self.range.clone(),
                 leniency,
             },
@@ -135,11 +140,15 @@ impl Request {
         (coord.index.as_i64vec3() - centre.index.as_i64vec3()).length_squared()
     }
 
-    /// Every chunk with a surface that is large enough to be there.
-    fn looks(&self, field: &Field) -> ChunkMap<Look> {
-        let mut looks = ChunkMap::default();
+    /// Every chunk with a surface that is large enough to be there, and those near bodies that
+    /// have none.
+    fn looks(&self, field: &Field) -> (ChunkMap<Look>, ChunkSet) {
+        let (mut looks, mut bare) = (ChunkMap::default(), ChunkSet::default());
         for coord in self.range.kept() {
             if !self.near_edits.contains(&coord) && field.content(coord) != Content::Surface {
+                if self.bodies.keeps(coord) {
+                    bare.insert(coord);
+                }
                 continue;
             }
             let span_px = self.span_px(coord);
@@ -152,7 +161,7 @@ impl Request {
             };
             looks.insert(coord, look);
         }
-        looks
+        (looks, bare)
     }
 
     /// The levels, and how many times what the quality lets pass they had to be allowed, so that

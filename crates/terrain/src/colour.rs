@@ -102,6 +102,8 @@ impl<'a> Painter<'a> {
     }
 
     /// The colour of ground at a point with a unit normal: sRGB and 255.
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     pub(crate) fn paint(&self, point: ChartPoint, normal: Vec3) -> [u8; 4] {
         let at = self.shares(point, normal);
         let ground = self
@@ -121,7 +123,8 @@ impl<'a> Painter<'a> {
     }
 
     /// How much of each kind of ground shows at a point with a unit normal.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     pub(crate) fn shares(&self, point: ChartPoint, normal: Vec3) -> Shares {
         let (places, waves) = &mut *self.memo.borrow_mut();
         let place = places.at(self.field, point);

@@ -17,9 +17,6 @@ pub(crate) struct Ray {
     rise: [u64; 3],
 }
 
-/// Four positions in the lattice of the first octave, by axis.
-pub(crate) type Positions = [[u64; 4]; 3];
-
 /// A lattice coordinate in fixed point, less whole turns of the table.
 pub(crate) fn fixed(v: f64) -> u64 {
     /// Adding 1.5 * 2^52 rounds to a whole number.
@@ -56,16 +53,16 @@ impl Ray {
         }
     }
 
-    /// The rows by fours, but for the first `skipped` fours.
-    pub(crate) fn fill(&self, skipped: usize, fours: &mut [Positions]) {
-        for axis in 0..3 {
-            let rise = self.rise[axis];
+    /// The rows, whole fours of them, but for the first `skipped` fours: by axis.
+    pub(crate) fn fill(&self, skipped: usize, axes: [&mut [u64]; 3]) {
+        for ((out, &start), &rise) in axes.into_iter().zip(&self.start).zip(&self.rise) {
             let ahead = |start: u64, rows: u64| start.wrapping_add(rise.wrapping_mul(rows));
-            let first = ahead(self.start[axis], 4 * skipped as u64);
+            let first = ahead(start, 4 * skipped as u64);
             let mut rows = [0, 1, 2, 3].map(|row| ahead(first, row));
-            for four in &mut *fours {
-                four[axis] = rows;
-                rows = rows.map(|row| ahead(row, 4));
+            let four_rows = rise.wrapping_mul(4);
+            for four in out.as_chunks_mut::<4>().0 {
+                *four = rows;
+                rows = rows.map(|row| row.wrapping_add(four_rows));
             }
         }
     }

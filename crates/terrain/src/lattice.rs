@@ -6,6 +6,8 @@
 use glam::{Mat4, Vec4};
 use noise::permutationtable::{NoiseHasher, PermutationTable};
 
+use crate::wide::{FIRST_MINUS, FIRST_Y, SECOND_MINUS, SECOND_Y};
+
 /// Brings three-dimensional gradient noise to -1..=1: 2/sqrt(3).
 pub(crate) const SCALE: f32 = 1.154_700_5;
 /// The sixteen hashes' gradients, filled up to vectors; twelve cube edges, four of them twice.
@@ -28,9 +30,27 @@ const GRADIENTS: [[f32; 4]; 16] = [
     [0.0, -1.0, -1.0, 0.0],
 ];
 
+/// The gradients as [`crate::wide`] has them, in four bits.
+const CODES: [u8; 16] = {
+    let mut codes = [0; 16];
+    let mut n = 0;
+    while n < 16 {
+        let [x, y, z, _] = GRADIENTS[n];
+        let (first, second) = (if x == 0.0 { y } else { x }, if z == 0.0 { y } else { z });
+        codes[n] |= if first < 0.0 { FIRST_MINUS } else { 0 };
+        codes[n] |= if second < 0.0 { SECOND_MINUS } else { 0 };
+        codes[n] |= if x == 0.0 { FIRST_Y } else { 0 };
+        codes[n] |= if z == 0.0 { SECOND_Y } else { 0 };
+        n += 1;
+    }
+    codes
+};
+
 /// Seeded gradients on the whole points of noise space.
 pub(crate) struct Lattice {
     table: [u8; 256],
+    /// By key, the gradient of its hash as [`crate::wide`] has it.
+    codes: [u8; 256],
 }
 
 impl std::fmt::Debug for Lattice {
@@ -108,7 +128,8 @@ impl Lattice {
         for (index, entry) in table.iter_mut().enumerate() {
             *entry = hasher.hash(&[index as isize]) as u8;
         }
-        Self { table }
+        let codes = table.map(|hash| CODES[usize::from(hash & 0b1111)]);
+        Self { table, codes }
     }
 
     #[inline]
@@ -125,6 +146,33 @@ impl Lattice {
     #[inline]
     fn entry(&self, column: u8, z: u8) -> [f32; 4] {
         GRADIENTS[usize::from(self.hash(column ^ z) & 0b1111)]
+    }
+
+    /// The gradients of so many cells along each axis, from the one whose lowest corner stands at
+    /// the lattice coordinates `first`; those beside each other along z follow each other, then
+    /// come those along y. Four bits each, the lowest of corner 0: corners `x + 2 y + 4 z`.
+    pub(crate) fn codes(&self, first: [u8; 3], [wide, high, deep]: [usize; 3]) -> Vec<u32> {
+        let [x, y, z] = first;
+        let mut codes = Vec::with_capacity(wide * high * deep);
+        for i in 0..wide {
+            let x = x.wrapping_add(i as u8);
+            for j in 0..high {
+                let y = y.wrapping_add(j as u8);
+                let ([a, b], [c, d]) = (self.pair(x, y), self.pair(x, y.wrapping_add(1)));
+                let side = |k: usize| {
+                    let z = z.wrapping_add(k as u8);
+                    let code = |column: u8| u32::from(self.codes[usize::from(column ^ z)]);
+                    code(a) | code(b) << 4 | code(c) << 8 | code(d) << 12
+                };
+                let mut low = side(0);
+                for k in 1..=deep {
+                    let high = side(k);
+                    codes.push(low | high << 16);
+                    low = high;
+                }
+            }
+        }
+        codes
     }
 
     /// The gradient at `z` in a column of [`Self::pair`].

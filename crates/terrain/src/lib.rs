@@ -32,6 +32,7 @@ mod stroke;
 mod tables;
 mod tilted;
 mod upright;
+mod wide;
 
 pub use biome::Biome;
 pub use content::Content;

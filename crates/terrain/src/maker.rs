@@ -58,6 +58,8 @@ impl<'a> Maker<'a> {
     }
 
     /// The vertex on the edge that runs from a corner along an axis.
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     pub(crate) fn on_edge(&self, corner: [usize; 3], axis: usize) -> Vertex {
         let [i, j, k] = corner;
         let low = self.samples.index(i + 1, j + 1, k + 1);
@@ -83,6 +85,8 @@ impl<'a> Maker<'a> {
         self.finished(place, normal)
     }
 
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     fn finished(&self, place: [u32; 3], normal: Vec3) -> Vertex {
         let normal = normal.normalize_or(Vec3::Y);
         let local = DVec3::from(place.map(f64::from)) / f64::from(PARTS_PER_M);

@@ -44,12 +44,7 @@ impl Mesher {
         let reach = Reach::new(field, coord, level);
         let maker = Maker::new(samples, field, coord);
         self.signs.read(samples);
-        self.vertices.clear();
-        self.indices.clear();
-        self.make_vertices(&maker, &reach, level.cells() + 1);
-        if !self.vertices.is_empty() {
-            self.make_triangles(&reach, level.cells());
-        }
+        self.make_surface(&maker, &reach, level.cells());
         let seams = self
             .tailor
             .sew(&maker, &reach, &mut self.vertices, &mut self.indices);
@@ -62,6 +57,36 @@ impl Mesher {
         }
     }
 
+    /// Compiled for newer processors too: they count bits and round in one instruction each.
+    fn make_surface(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
+        #[cfg(target_arch = "x86_64")]
+        if crate::wide::has_newer() {
+            #[expect(unsafe_code, reason = "a function that not every processor can run")]
+            // SAFETY: the processor has just been asked for what the function is compiled for.
+            return unsafe { self.make_surface_newer(maker, reach, cells) };
+        }
+        self.make_surface_plain(maker, reach, cells);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
+    fn make_surface_newer(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
+        self.make_surface_plain(maker, reach, cells);
+    }
+
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
+    fn make_surface_plain(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
+        self.vertices.clear();
+        self.indices.clear();
+        self.make_vertices(maker, reach, cells + 1);
+        if !self.vertices.is_empty() {
+            self.make_triangles(reach, cells);
+        }
+    }
+
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     fn make_vertices(&mut self, maker: &Maker<'_>, reach: &Reach, corners: usize) {
         self.lines.clear();
         for i in 0..corners {
@@ -88,6 +113,8 @@ impl Mesher {
         }
     }
 
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     fn make_triangles(&mut self, reach: &Reach, cells: usize) {
         for strip in (0..cells).step_by(STRIP) {
             for i in 0..cells {
@@ -111,6 +138,8 @@ impl Mesher {
         }
     }
 
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     fn lines_around(&self, i: usize, k: usize, corners: usize) -> Around {
         let at = i * corners + k;
         let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| &self.lines[n]);
@@ -140,5 +169,32 @@ impl Around {
     fn vertex(&self, edge: u8, j: usize) -> u32 {
         let (mask, first) = self.0[usize::from(edge & 15)];
         first + (mask & ((1 << j) - 1)).count_ones()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use glam::IVec3;
+
+    use super::*;
+
+    #[test]
+    fn meshes_are_the_same_on_every_processor() {
+        for (geometry, radius_m) in [(Geometry::Euclidean, 20.0), (Geometry::Spherical, 32.0)] {
+            for seed in 0..5 {
+                let field = Field::new(seed, strategy(geometry, radius_m));
+                let coord = ChunkCoord::new(Hemisphere::B, IVec3::new(-1, 0, 1));
+                let samples = field.samples(coord);
+                let found = march(&samples, &field, coord);
+                let mut plain = Mesher::default();
+                plain.signs.read(&samples);
+                let maker = Maker::new(&samples, &field, coord);
+                let reach = Reach::new(&field, coord, samples.level());
+                plain.make_surface_plain(&maker, &reach, samples.level().cells());
+                assert!(!found.is_empty() && found.vertices == plain.vertices);
+                assert_eq!(found.indices, plain.indices);
+            }
+        }
     }
 }

@@ -45,7 +45,8 @@ impl Waves {
     }
 
     /// Noise in -1..=1 of each frequency at a point of noise space.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     pub(crate) fn at(&mut self, lattice: &Lattice, point: DVec3) -> [f32; 2] {
         let mut local = point - self.corner;
         let within = local.cmpge(DVec3::ZERO) & local.cmplt(DVec3::splat(CUBE_M));
@@ -85,7 +86,8 @@ impl Wave {
     }
 
     /// What the corners of a point's cell contribute, and its weights over the axes.
-    #[inline]
+    #[expect(clippy::inline_always, reason = "compiled for several processors")]
+    #[inline(always)]
     fn corners(&mut self, lattice: &Lattice, local: Vec4) -> (Vec4, Vec4) {
         let place = local * self.quick + self.rest;
         let whole = place.floor();
@@ -151,6 +153,7 @@ impl Places {
     }
 
     /// Where the noise of a point is found.
+    #[inline]
     pub(crate) fn at(&mut self, field: &Field, point: ChartPoint) -> DVec3 {
         if self.stretch == 0.0 {
             return point.pos;

@@ -21,7 +21,7 @@ pub(crate) fn fill(
     (first_m, step_m, height): (f64, f64, usize),
     out: &mut [f32],
 ) {
-    let Some(mut regions) = regions(octaves, columns, first_m, step_m) else {
+    let Some(regions) = regions(lattice, octaves, columns, (first_m, step_m, height)) else {
         for (column, out) in columns.iter().zip(out.chunks_exact_mut(height.max(1))) {
             for (n, value) in out.iter_mut().enumerate() {
                 let y = first_m + n as f64 * step_m;
@@ -32,15 +32,7 @@ pub(crate) fn fill(
     };
     let ground = (relief, rows);
     if height < SHORT {
-        return fill_short(
-            lattice,
-            &mut regions,
-            ground,
-            columns,
-            (first_m, step_m),
-            height,
-            out,
-        );
+        return fill_short(&regions, ground, columns, (first_m, step_m), height, out);
     }
     let (from, to) = rows.open;
     let open = to - from;
@@ -52,12 +44,14 @@ pub(crate) fn fill(
         .chunks(together)
         .zip(out.chunks_mut(together * height))
     {
-        batch.restart(columns.len() * open);
-        for (column, fours) in columns.iter().zip(batch.positions.chunks_exact_mut(open)) {
-            Ray::new(column, first_m, step_m).fill(from, fours);
+        let [x, y, z] = batch.restart(columns.len() * open);
+        let parts = [x, y, z].map(|axis| axis.chunks_exact_mut(4 * open));
+        let [x, y, z] = parts;
+        for (column, ((x, y), z)) in columns.iter().zip(x.zip(y).zip(z)) {
+            Ray::new(column, first_m, step_m).fill(from, [x, y, z]);
         }
-        for (n, region) in regions.iter_mut().enumerate() {
-            region.add(lattice, &mut batch);
+        for (n, region) in regions.iter().enumerate() {
+            region.add(&mut batch);
             // The first octave is more than all others together: asked again after those, the
             // question costs more than it saves.
             if n == 0 {
@@ -65,7 +59,7 @@ pub(crate) fn fill(
                 batch.retain(|row, sum| !rows.certain(from + row, sum, rest));
             }
         }
-        let sums = batch.sums.chunks_exact(open);
+        let sums = batch.finish().chunks_exact(open);
         for (sums, out) in sums.zip(out.chunks_exact_mut(height)) {
             let mut values = rows.edge;
             let fours = values[4 * from..].chunks_exact_mut(4);
@@ -79,8 +73,7 @@ pub(crate) fn fill(
 
 /// [`fill`] of columns that are too short to fill vectors: rows go along the columns then.
 fn fill_short(
-    lattice: &Lattice,
-    regions: &mut [Region],
+    regions: &[Region],
     (relief, rows): (&Relief, &Rows),
     columns: &[Column],
     (first_m, step_m): (f64, f64),
@@ -92,19 +85,19 @@ fn fill_short(
         let vectors = columns.len().div_ceil(4);
         for row in 0..height {
             let y = first_m + row as f64 * step_m;
-            batch.restart(vectors);
+            let mut axes = batch.restart(vectors);
             for n in 0..vectors * 4 {
                 let column = &columns[n.min(columns.len() - 1)];
                 let start = Ray::new(column, y, 0.0).start;
-                for (axis, start) in batch.positions[n / 4].iter_mut().zip(start) {
-                    axis[n % 4] = start;
+                for (axis, start) in axes.iter_mut().zip(start) {
+                    axis[n] = start;
                 }
             }
-            for region in &mut *regions {
-                region.add(lattice, &mut batch);
+            for region in regions {
+                region.add(&mut batch);
             }
             let base = Vec4::splat(rows.base_m[row / 4][row % 4]);
-            for (&sum, out) in batch.sums.iter().zip(out.chunks_mut(4 * height)) {
+            for (&sum, out) in batch.finish().iter().zip(out.chunks_mut(4 * height)) {
                 let values = relief.values(base, sum).to_array();
                 for (column, value) in out.chunks_exact_mut(height).zip(values) {
                     column[row] = value;
@@ -132,12 +125,14 @@ pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], column: &Column, y: 
 
 /// Where the columns of a block run, for each octave.
 fn regions(
+    lattice: &Lattice,
     octaves: &[Octave],
     columns: &[Column],
-    first_m: f64,
-    step_m: f64,
+    (first_m, step_m, height): (f64, f64, usize),
 ) -> Option<Vec<Region>> {
-    let last_m = first_m + step_m * (BLOCK - 1) as f64;
+    // Columns are worked on in whole fours.
+    let rows = height.next_multiple_of(4).max(1);
+    let last_m = first_m + step_m * (rows - 1) as f64;
     let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for column in columns {
         for y in [first_m, last_m] {
@@ -147,7 +142,7 @@ fn regions(
     }
     let octaves = octaves.iter().zip(0..);
     octaves
-        .map(|(&octave, doublings)| Region::new(octave, doublings, min, max))
+        .map(|(&octave, doublings)| Region::new(lattice, octave, doublings, min, max))
         .collect()
 }
 

@@ -3,6 +3,8 @@
 
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, pos2, vec2};
 
+use crate::model::Backdrop;
+
 /// Height (0 top, 1 bottom) and colour of the sky's bands.
 const SKY: [(f32, Color32); 5] = [
     (0.0, Color32::from_rgb(0x0B, 0x0E, 0x20)),
@@ -15,10 +17,24 @@ const GLOW: Color32 = Color32::from_rgba_unmultiplied_const(0xFF, 0xC4, 0x80, 12
 const LAND_FAR: Color32 = Color32::from_rgb(0x35, 0x24, 0x3C);
 const LAND_NEAR: Color32 = Color32::from_rgb(0x14, 0x12, 0x20);
 const LAND_ABOVE: Color32 = Color32::from_rgb(0x12, 0x15, 0x2C);
+/// Between two worlds.
+const DARK: Color32 = Color32::from_rgb(0x0B, 0x0E, 0x20);
 const STARS: u32 = 90;
 
+/// Darkens a live world as the backdrop says, or paints our own picture over `rect`, darkened alike.
+pub(crate) fn show(painter: &Painter, rect: Rect, backdrop: Backdrop) {
+    if !backdrop.live {
+        paint(painter, rect);
+    }
+    let shade = (backdrop.shade.clamp(0.0, 1.0) * 255.0).round() as u8;
+    if shade > 0 {
+        let colour = Color32::from_rgba_unmultiplied(DARK.r(), DARK.g(), DARK.b(), shade);
+        painter.rect_filled(rect, 0, colour);
+    }
+}
+
 /// Paints it over `rect`.
-pub(crate) fn paint(painter: &Painter, rect: Rect) {
+fn paint(painter: &Painter, rect: Rect) {
     let painter = painter.with_clip_rect(rect);
     sky(&painter, rect);
     stars(&painter, rect);

@@ -1,5 +1,6 @@
 //! The left column: the title and the buttons that lead everywhere.
 
+use antipode_settings::Value;
 use egui::{FontId, RichText, Ui, UiBuilder};
 
 use crate::layout::{inset, scroll};
@@ -21,9 +22,10 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     ui.set_clip_rect(regions.column);
     let spacing = ui.spacing_mut();
     if regions.compact {
-        // Nine buttons under the title need no scrolling at 360 points.
-        spacing.interact_size.y = 28.0;
-        spacing.button_padding.y = 4.0;
+        // Nine buttons under the title need no scrolling at 360 points, nor do ten lower ones.
+        let lower = if may_skip_hints(pass) { 3.0 } else { 0.0 };
+        spacing.interact_size.y = 28.0 - lower;
+        spacing.button_padding.y = 4.0 - lower / 2.0;
         spacing.item_spacing.y = 2.0;
     } else {
         spacing.interact_size.y = 40.0;
@@ -64,14 +66,22 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
             pass.intents.push(intent);
         }
     }
+    if may_skip_hints(pass) && column_button(ui, &texts.say("menu-skip-hints"), false).clicked() {
+        let value = Value::Switch(false);
+        pass.intents.push(Intent::Set { id: "hints", value });
+    }
     let screens = [
         (texts.say("menu-new-game"), Screen::NewGame),
         (texts.say("menu-load"), Screen::Load),
         (texts.say("menu-delete"), Screen::Delete),
         (texts.say("menu-settings"), Screen::Settings),
         (texts.say("menu-controls"), Screen::Controls),
+        (texts.say("menu-about"), Screen::About),
     ];
-    for (label, screen) in screens {
+    let shown = screens
+        .into_iter()
+        .filter(|(_, screen)| !running || *screen != Screen::About);
+    for (label, screen) in shown {
         let response = column_button(ui, &label, *current == screen);
         offer(pass, current, &response);
         if response.clicked() {
@@ -81,6 +91,11 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     if column_button(ui, &texts.say("menu-quit"), false).clicked() {
         pass.intents.push(Intent::Quit);
     }
+}
+
+/// Whether hints for newcomers are shown in the world behind the menu.
+fn may_skip_hints(pass: &Pass<'_>) -> bool {
+    pass.model.running_world.is_some() && pass.model.config.settings.hints
 }
 
 /// With another screen beside the column, the focus belongs there.

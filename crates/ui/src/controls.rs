@@ -218,3 +218,10 @@ pub fn first_input_label(texts: &Texts, profiles: &Profiles, action: Action) -> 
     let first = profiles.chosen().inputs(action).first();
     first.map_or_else(|| texts.say("key-none"), |input| input_label(texts, *input))
 }
+
+/// The same for somebody with a gamepad in hand: the first of its buttons, if it has one.
+pub fn pad_input_label(texts: &Texts, profiles: &Profiles, action: Action) -> Option<String> {
+    let mut inputs = profiles.chosen().inputs(action).iter();
+    let button = inputs.find(|input| matches!(input, Input::Pad(_)))?;
+    Some(input_label(texts, *button))
+}

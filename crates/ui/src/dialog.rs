@@ -149,6 +149,7 @@ pub(crate) fn dialog(
     let rect = Rect::from_center_size(screen.center(), vec2(width, height));
     let inner = inset(rect, margin);
     ui.painter().add(panel(rect));
+    pass.dialog.set(Some(rect));
     let mut ui = ui.new_child(UiBuilder::new().id_salt("dialog").max_rect(inner));
     ui.set_clip_rect(rect);
     scroll(&mut ui, (inner.height() - below).max(0.0), |ui| {

@@ -6,6 +6,7 @@
 //! [`show_hud`], then [`Shell::show`]: both paint on one layer, so a menu lies
 //! over the display.
 
+mod about;
 mod backdrop;
 mod column;
 mod console;
@@ -27,11 +28,14 @@ mod toasts;
 mod widgets;
 mod worlds;
 
+pub use about::AboutModel;
 pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
-pub use controls::{action_label, first_input_label, input_label};
-pub use hud::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, show_hud};
-pub use model::{GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
+pub use controls::{action_label, first_input_label, input_label, pad_input_label};
+pub use hud::{
+    CurvatureView, DialKind, FigureModel, HintModel, HudModel, SlotIcon, SlotView, show_hud,
+};
+pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, show_photo};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;

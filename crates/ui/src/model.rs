@@ -3,6 +3,7 @@
 use antipode_language::Texts;
 use antipode_settings::{Config, Profiles, Value};
 
+use crate::about::AboutModel;
 use crate::worlds::{WorldFiles, WorldsIntent};
 
 /// The space a new world is made in.
@@ -80,6 +81,15 @@ pub struct WorldRow {
     pub export_to: String,
 }
 
+/// What stands behind the menus while no world is open.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Backdrop {
+    /// Whether a world is drawn there that nobody plays; else our own picture is painted.
+    pub live: bool,
+    /// How far it is faded to dark, 0 to 1.
+    pub shade: f32,
+}
+
 /// Everything the menus show in one frame.
 pub struct MenuModel<'a> {
     /// The words of the player's language.
@@ -87,6 +97,8 @@ pub struct MenuModel<'a> {
     /// Name of the world behind the menu: it stays visible, dimmed. `None`
     /// (also while one is being loaded) puts our own backdrop there.
     pub running_world: Option<&'a str>,
+    /// What stands behind the menus in its place.
+    pub backdrop: Backdrop,
     /// All worlds, newest first.
     pub worlds: &'a [WorldRow],
     /// The settings and key bindings that hold.
@@ -103,6 +115,8 @@ pub struct MenuModel<'a> {
     pub sound_notice: Option<&'a str>,
     /// The game's version.
     pub version: &'a str,
+    /// What the about screen tells.
+    pub about: &'a AboutModel,
 }
 
 /// Which screen is up.
@@ -122,6 +136,8 @@ pub enum Screen {
     Settings,
     /// The key bindings.
     Controls,
+    /// What the game is, draws with and is made of.
+    About,
     /// Work in progress that the player waits for.
     Busy {
         /// What is being done, e.g. "Loading Foo".

@@ -1,7 +1,9 @@
 //! The menus' state: which screen is up, where Esc leads, who gets the focus.
 
+use std::cell::Cell;
+
 use antipode_settings::Input;
-use egui::{Context, Event, Id, Key, LayerId, Ui, UiBuilder};
+use egui::{Context, Event, Id, Key, LayerId, Rect, Ui, UiBuilder};
 
 use crate::controls::ControlsScreen;
 use crate::layout::Regions;
@@ -11,7 +13,7 @@ use crate::settings::SettingsScreen;
 use crate::theme::SCRIM;
 use crate::toasts::Toasts;
 use crate::worlds::WorldScreens;
-use crate::{backdrop, column, dialog};
+use crate::{about, backdrop, column, dialog};
 
 /// The menus. It starts on the main menu.
 ///
@@ -35,6 +37,7 @@ pub struct Shell {
     by_keyboard: bool,
     /// What Esc asked for since the last frame.
     queued: Vec<Intent>,
+    changed: bool,
 }
 
 /// What the screens read and write while one frame is drawn.
@@ -44,6 +47,8 @@ pub(crate) struct Pass<'a> {
     pub intents: Vec<Intent>,
     /// The screen to go to when the frame is over.
     pub go: Option<Screen>,
+    /// What a dialog covers, which nothing else may lie on.
+    pub dialog: Cell<Option<Rect>>,
     focus_first: bool,
 }
 
@@ -76,6 +81,7 @@ impl Shell {
             focus_first: true,
             by_keyboard: true,
             queued: Vec::new(),
+            changed: true,
         }
     }
 
@@ -91,6 +97,7 @@ impl Shell {
 
     /// Shows a screen. May be called every frame to move a progress bar on.
     pub fn open(&mut self, screen: Screen) {
+        self.changed |= self.screen != screen;
         let both_busy = matches!(
             (&self.screen, &screen),
             (Screen::Busy { .. }, Screen::Busy { .. })
@@ -132,7 +139,8 @@ impl Shell {
             | Screen::Load
             | Screen::Delete
             | Screen::Settings
-            | Screen::Controls => {
+            | Screen::Controls
+            | Screen::About => {
                 self.switch(Screen::Main);
                 self.focus_first = true;
             }
@@ -151,28 +159,39 @@ impl Shell {
         self.controls.take(input);
     }
 
+    /// Whether there has been something new to draw since the last question, but for what the player does in it.
+    pub fn take_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
     /// Puts a line up for some seconds, over whatever is on the screen.
     pub fn toast(&mut self, text: impl Into<String>, kind: ToastKind) {
+        self.changed = true;
         self.toasts.push(text.into(), kind);
     }
 
     /// Draws what is up and returns what the player asked for, in order.
     pub fn show(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
         let mut intents = std::mem::take(&mut self.queued);
+        let mut dialog = None;
         if self.is_open() {
-            intents.append(&mut self.show_open(ctx, model));
+            let (mut asked, covered) = self.show_open(ctx, model);
+            intents.append(&mut asked);
+            dialog = covered;
         }
-        self.toasts.show(ctx);
+        self.toasts.show(ctx, dialog);
         intents
     }
 
-    fn show_open(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
+    /// The intents, and what a dialog covers.
+    fn show_open(&mut self, ctx: &Context, model: &MenuModel<'_>) -> (Vec<Intent>, Option<Rect>) {
         self.read_input(ctx);
         let mut pass = Pass {
             model,
             regions: Regions::of(ctx),
             intents: Vec::new(),
             go: None,
+            dialog: Cell::new(None),
             focus_first: std::mem::take(&mut self.focus_first),
         };
         let builder = UiBuilder::new()
@@ -185,10 +204,11 @@ impl Shell {
         if model.running_world.is_some() {
             ui.painter().rect_filled(pass.regions.whole, 0, SCRIM);
         } else {
-            backdrop::paint(ui.painter(), pass.regions.whole);
+            backdrop::show(ui.painter(), pass.regions.whole, model.backdrop);
         }
         self.draw(&mut ui, &mut pass);
-        self.finish(pass)
+        let dialog = pass.dialog.get();
+        (self.finish(pass), dialog)
     }
 
     fn draw(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) {
@@ -223,6 +243,10 @@ impl Shell {
             }
             Screen::Settings => {
                 self.settings.show(ui, pass);
+                false
+            }
+            Screen::About => {
+                about::show(ui, pass);
                 false
             }
             _ => false,

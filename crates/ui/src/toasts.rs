@@ -1,6 +1,8 @@
 //! Lines that come and go: something was done, or went wrong.
 
-use egui::{Context, Id, Label, LayerId, Order, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{
+    Context, FontId, Id, Label, LayerId, Order, Rect, RichText, Ui, UiBuilder, Vec2, pos2, vec2,
+};
 
 use crate::model::ToastKind;
 use crate::theme::{BAD, GRID, TEXT, panel};
@@ -39,35 +41,45 @@ impl Toasts {
         self.up.drain(..over);
     }
 
-    /// Draws them at the right, from the middle of the screen upwards.
-    pub(crate) fn show(&mut self, ctx: &Context) {
+    /// Draws them at the right, from the middle of the screen upwards, but never on a `dialog`: those that would lie
+    /// on it stand above it, and wait where there is no room.
+    pub(crate) fn show(&mut self, ctx: &Context, dialog: Option<Rect>) {
         let now_s = ctx.input(|input| input.time);
         self.up
             .retain(|toast| toast.until_s.is_none_or(|until| now_s < until));
         let screen = ctx.content_rect();
-        let width = WIDTH.min(screen.width() - 2.0 * GRID).max(1.0);
-        let mut bottom = screen.min.y + 0.6 * screen.height();
+        // Right of the crosshair and above the dial, however small the screen is.
+        let width = WIDTH.min(0.5 * screen.width() - 4.0 * GRID).max(1.0);
+        let mut bottom = screen.center().y;
         for (index, toast) in self.up.iter_mut().enumerate().rev() {
+            let size = size_of(ctx, &toast.text, width);
+            let place = |bottom: f32| {
+                let corner = pos2(screen.max.x - GRID - size.x, bottom - size.y);
+                Rect::from_min_size(corner, size)
+            };
+            let mut rect = place(bottom);
+            if let Some(dialog) = dialog.filter(|dialog| dialog.expand(GRID).intersects(rect)) {
+                rect = place(dialog.min.y - GRID);
+            }
+            if dialog.is_some() && rect.min.y < screen.min.y {
+                // Its time begins when there is room for it.
+                toast.until_s = None;
+                continue;
+            }
+            bottom = rect.min.y - GRID;
             let until = *toast.until_s.get_or_insert(now_s + stay_s(toast.kind));
             ctx.request_repaint_after_secs((until - now_s) as f32);
-            let words = ctx.fonts_mut(|fonts| {
-                let font = egui::FontId::proportional(16.0);
-                fonts
-                    .layout(
-                        toast.text.clone(),
-                        font,
-                        TEXT,
-                        (width - 3.0 * GRID).max(1.0),
-                    )
-                    .size()
-            });
-            let size = vec2(words.x + 3.0 * GRID, words.y + 2.0 * GRID);
-            let rect =
-                Rect::from_min_size(pos2(screen.max.x - GRID - size.x, bottom - size.y), size);
             paint(ctx, index, rect, toast);
-            bottom -= size.y + GRID;
         }
     }
+}
+
+/// What a toast of these words covers, at most `width` wide, in points.
+fn size_of(ctx: &Context, text: &str, width: f32) -> Vec2 {
+    let wrap = (width - 3.0 * GRID).max(1.0);
+    let font = FontId::proportional(16.0);
+    let words = ctx.fonts_mut(|fonts| fonts.layout(text.to_owned(), font, TEXT, wrap).size());
+    vec2(words.x + 3.0 * GRID, words.y + 2.0 * GRID)
 }
 
 fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast) {

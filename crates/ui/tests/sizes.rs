@@ -10,8 +10,8 @@ mod common;
 
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    CurvatureView, DialKind, FigureModel, HudModel, Screen, SlotIcon, SlotView, ToastKind,
-    apply_theme, show_hud,
+    CurvatureView, DialKind, FigureModel, HintModel, HudModel, Screen, SlotIcon, SlotView,
+    ToastKind, apply_theme, show_hud,
 };
 use common::{Game, painted, world};
 use egui::{Pos2, Rect, Vec2, vec2};
@@ -41,6 +41,7 @@ fn screens() -> Vec<Screen> {
         Screen::Delete,
         Screen::Settings,
         Screen::Controls,
+        Screen::About,
         Screen::Busy {
             title: "Loading Ωμέγα".to_owned(),
             progress: Some(f32::NAN),
@@ -173,6 +174,10 @@ fn full_hud() -> HudModel {
         loading: Some(0.43),
         time_label: "12:40".to_owned(),
         notice: Some("You are near the edge of the loaded land.".to_owned()),
+        hint: Some(HintModel {
+            text: "Change how space is pictured: Wheel up and Wheel down".to_owned(),
+            footer: "6 of 7 · skip: N".to_owned(),
+        }),
         cheated: true,
         figures: None,
     }
@@ -196,6 +201,7 @@ fn measured_hud() -> HudModel {
             small: 987,
             error_px: 0.4321,
             level_error_px: 2.4,
+            dropped_s: 1234.5,
         }),
         ..full_hud()
     }

@@ -46,7 +46,7 @@ pub struct Xvfb {
 impl Xvfb {
     const START_LIMIT: Duration = Duration::from_secs(30);
 
-    /// Starts a server of 1280x720 pixels on a display that nobody uses.
+    /// Starts a server of 2560x1440 pixels on a display that nobody uses.
     ///
     /// The server looks for the free number itself (`-displayfd`) and tells it
     /// once it takes connections, so there is neither a race for the number nor
@@ -65,7 +65,7 @@ impl Xvfb {
                 "1",
                 "-screen",
                 "0",
-                "1280x720x24",
+                "2560x1440x24",
                 "-nolisten",
                 "tcp",
                 "-noreset",

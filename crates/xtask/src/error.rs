@@ -17,6 +17,8 @@ pub enum Error {
     Scratch { path: PathBuf, source: io::Error },
     /// Xvfb started and gave no display; its last words.
     NoDisplay(String),
+    /// openbox started and manages nothing; where its words are.
+    NoWindowManager(PathBuf),
     /// apt would have to run as root, and there is no sudo.
     NotRoot { command: String },
     /// apt did not install the packages.
@@ -59,6 +61,11 @@ impl fmt::Display for Error {
             Self::NoDisplay(words) => write!(
                 f,
                 "Xvfb gave no display for the window tests; try `Xvfb -displayfd 1` by hand. It said: {words}"
+            ),
+            Self::NoWindowManager(log) => write!(
+                f,
+                "openbox did not come up on the display for the window tests; its words are in `{}`",
+                log.display()
             ),
             Self::NotRoot { command } => write!(
                 f,

@@ -70,6 +70,32 @@ pub fn collect() -> Result<String, Error> {
     Ok(text)
 }
 
+/// Where the list that the game shows stands in the checkout.
+const COMPONENTS: &str = "assets/licences/components.txt";
+
+/// Remakes the list of all packages that the game shows: a line each of name, version and licence.
+///
+/// # Errors
+/// When cargo cannot tell what is built in, or the file cannot be written.
+pub fn remake_list() -> Result<PathBuf, Error> {
+    let path = steps::root().join(COMPONENTS);
+    fs::write(&path, list(&steps::tree_of_game()?)).map_err(|source| Error::Scratch {
+        path: path.clone(),
+        source,
+    })?;
+    Ok(path)
+}
+
+fn list(tree: &str) -> String {
+    let line = |package: &Package| {
+        format!(
+            "{} {} · {}\n",
+            package.name, package.version, package.licence
+        )
+    };
+    packages(tree).iter().map(line).collect()
+}
+
 /// The packages that `cargo tree` lists, one a line as `name vX.Y.Z (...)|licence|repository`, but for our own.
 fn packages(tree: &str) -> Vec<Package> {
     let mut packages: Vec<_> = tree.lines().filter_map(package).collect();
@@ -133,7 +159,18 @@ fn notices(folder: &Path) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
     use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn the_game_lists_what_is_built_in() {
+        let shown = fs::read_to_string(steps::root().join(COMPONENTS)).unwrap();
+        let tree = steps::tree_of_game().unwrap();
+        assert!(shown == list(&tree), "run `cargo xtask licences`");
+        assert!(shown.contains("wgpu ") && shown.lines().count() > 50);
+    }
 
     #[test]
     fn packages_are_told_once_and_ours_are_left_out() {

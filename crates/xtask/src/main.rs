@@ -9,6 +9,7 @@ mod dist;
 mod error;
 mod licences;
 mod machine;
+mod openbox;
 mod packages;
 mod steps;
 mod testbed;
@@ -28,6 +29,7 @@ cargo xtask ci [--no-install]                             format, lints, docs, l
 cargo xtask bench [FILTER]                                measure every bench
 cargo xtask lab                                           measure everything, and remake docs/accuracy.md and docs/terrain.md
 cargo xtask dist                                          an archive and a Debian package of the game, in target/dist
+cargo xtask licences                                      the list of others' work that the game shows, anew
 cargo xtask packages                                      system packages: what for, and whether they are here
 
 --no-install names the missing packages and goes on without them.
@@ -71,6 +73,10 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             }
             Ok(0)
         }
+        "licences" if options.rest.is_empty() => {
+            println!("{}", licences::remake_list()?.display());
+            Ok(0)
+        }
         "packages" if options.rest.is_empty() => {
             print!("{}", packages::inventory(&Machine::look()));
             Ok(0)
@@ -79,7 +85,7 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             println!("{USAGE}");
             Ok(0)
         }
-        "ci" | "lab" | "dist" | "packages" => Err(Error::Usage(format!(
+        "ci" | "lab" | "dist" | "licences" | "packages" => Err(Error::Usage(format!(
             "`{command}` does not know `{}`",
             options.rest.join(" ")
         ))),

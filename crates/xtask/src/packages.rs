@@ -92,8 +92,13 @@ const WAYLAND: [Package; 2] = [
     ),
 ];
 
-const TESTING: [Package; 4] = [
+const TESTING: [Package; 5] = [
     program("xvfb", "Xvfb", "a display in memory for the window tests"),
+    program(
+        "openbox",
+        "openbox",
+        "manages the windows of the window tests",
+    ),
     program(
         "xdotool",
         "xdotool",
@@ -336,7 +341,7 @@ mod tests {
             }),
             &bare,
         ));
-        for tool in ["xvfb", "xdotool", "imagemagick", "x11-utils"] {
+        for tool in ["xvfb", "openbox", "xdotool", "imagemagick", "x11-utils"] {
             assert!(test.contains(&tool) && !play.contains(&tool), "{tool}");
         }
     }

@@ -6,11 +6,14 @@ use std::process::Command;
 
 use crate::display::Xvfb;
 use crate::error::Error;
+use crate::openbox::Openbox;
 
 /// What surrounds the tests: empty places for settings and worlds, a display of
 /// their own, and none of the player's. Removed when dropped.
 pub struct TestBed {
     scratch: PathBuf,
+    // Stopped before the display that it manages.
+    manager: Option<Openbox>,
     display: Option<Xvfb>,
 }
 
@@ -23,6 +26,7 @@ impl TestBed {
         let scratch = std::env::temp_dir().join(format!("antipode-tests-{}", std::process::id()));
         let bed = Self {
             scratch,
+            manager: None,
             display: None,
         };
         let saves = bed.saves();
@@ -43,6 +47,17 @@ impl TestBed {
                 eprintln!("xtask: Xvfb is not here, so the window tests have no display");
             }
             Err(other) => return Err(other),
+        }
+        if let Some(display) = &self.display {
+            match Openbox::start(&display.name, &self.scratch) {
+                Ok(manager) => self.manager = Some(manager),
+                Err(Error::Start { .. }) => {
+                    eprintln!(
+                        "xtask: openbox is not here, so the window tests have no window manager"
+                    );
+                }
+                Err(other) => return Err(other),
+            }
         }
         Ok(self)
     }
@@ -83,6 +98,7 @@ mod tests {
     fn tests_see_neither_the_players_worlds_nor_the_players_screen() {
         let bed = TestBed {
             scratch: PathBuf::from("/nowhere/antipode"),
+            manager: None,
             display: None,
         };
         let mut command = Command::new("true");

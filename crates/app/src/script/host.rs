@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
 use antipode_scene::Scene;
+use antipode_settings::Value;
 use glam::DVec3;
 
 use super::parse::{Order, Setting};
@@ -29,6 +30,9 @@ pub trait Host {
 
     /// Directory of the open world's save; none where no world is open, or it is not kept.
     fn open_slug(&self) -> Option<&str>;
+
+    /// Gives one of the player's own settings a value that it takes.
+    fn set_own(&mut self, id: &'static str, value: Value);
 
     /// Presses an input, and does what it asks of the game around the world.
     fn press(&mut self, input: Input);
@@ -88,8 +92,8 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
         }
         Order::Set(setting) => set(host, *setting),
         Order::Give(item, count) => {
-            let given = host.scene()?.inventory_mut().give(*item, *count);
-            possible(given, "there is no free slot")
+            let left = host.scene()?.inventory_mut().give(*item, *count);
+            possible(left == 0, "there is no room for all of them")
         }
         Order::Teleport(place, hemisphere) => teleport(
             host,
@@ -124,6 +128,10 @@ fn delete<H: Host + ?Sized>(host: &mut H, name: &str) -> Result<(), Failure> {
 }
 
 fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> {
+    if let Setting::Own(id, value) = setting {
+        host.set_own(id, value);
+        return Ok(());
+    }
     let scene = host.scene()?;
     match setting {
         Setting::Time(time_s) => scene.set_time_of_day_s(time_s),
@@ -140,6 +148,7 @@ fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> 
         Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
         Setting::Health(health) => scene.set_health(health),
         Setting::Fly(on) => scene.set_flying(on),
+        Setting::Own(..) => {}
     }
     Ok(())
 }

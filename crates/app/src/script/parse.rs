@@ -3,6 +3,7 @@
 use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap};
 use antipode_scene::Item;
 use antipode_scene::frame::Quality;
+use antipode_settings::{Settings, Value};
 use antipode_storage::SavesDir;
 use thiserror::Error;
 
@@ -92,6 +93,8 @@ pub enum Setting {
     Health(f64),
     /// Spectator's flight.
     Fly(bool),
+    /// One of the player's own settings: its id, and a value that it takes.
+    Own(&'static str, Value),
 }
 
 impl Order {
@@ -106,7 +109,8 @@ impl Order {
                 | Setting::Map(_)
                 | Setting::Bend(_)
                 | Setting::Quality(_)
-                | Setting::ViewDistance(_) => false,
+                | Setting::ViewDistance(_)
+                | Setting::Own(..) => false,
             },
             Self::New(_)
             | Self::Load(_)
@@ -370,8 +374,19 @@ fn setting(what: &str, value: &str) -> Result<Setting, String> {
             "off" => Setting::Fly(false),
             _ => return Err(format!("{} is neither on nor off", quoted(value))),
         },
-        _ => return Err(format!("there is no setting {}", quoted(what))),
+        _ => return own_setting(what, value),
     })
+}
+
+/// One of the player's own settings, as the settings screen has them.
+fn own_setting(what: &str, value: &str) -> Result<Setting, String> {
+    let Some(field) = antipode_settings::field(what) else {
+        return Err(format!("there is no setting {}", quoted(what)));
+    };
+    let mut settings = Settings::default();
+    let taken = settings.set_word(field.id, value);
+    taken.map_err(|error| error.to_string())?;
+    Ok(Setting::Own(field.id, settings.get(field)))
 }
 
 fn give(item: &str, count: &str) -> Result<Order, String> {

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_scene::tuning::STEP_S;
-use antipode_scene::{Actions, Scene, Viewing};
-use antipode_settings::{Config, Language};
+use antipode_scene::{Actions, Scene};
+use antipode_settings::{Config, Language, Value};
 
 use super::host::{Host, obey};
 use super::parse::{Line, Order};
@@ -34,8 +34,8 @@ pub struct Runner {
     worlds: Worlds,
     shooting: Shooting,
     pub(super) controls: Controls,
-    /// How the player of the script wants to see the world.
-    viewing: Viewing,
+    /// The settings that hold; a script changes no file.
+    config: Config,
     pub(super) session: Option<Session>,
     ending: Ending,
     pub(super) studio: Option<Studio>,
@@ -71,7 +71,7 @@ impl Runner {
             worlds,
             shooting,
             controls,
-            viewing: options::viewing(&config.settings),
+            config: config.clone(),
             session: None,
             ending,
             studio: None,
@@ -136,7 +136,8 @@ impl Runner {
 
     fn enter(&mut self, mut session: Session) -> Result<(), Failure> {
         session.scene.set_picture_height_px(self.common.size.1);
-        session.scene.set_viewing(self.viewing);
+        let viewing = options::viewing(&self.config.settings);
+        session.scene.set_viewing(viewing);
         self.worlds_opened += 1;
         self.controls.release_all();
         self.session = Some(session);
@@ -255,7 +256,7 @@ impl Runner {
             let drawn = drawn.insert(Drawn::new(stats, frame.quality));
             let figures = self
                 .figures_shown
-                .then(|| drawn.figures(texts, scene, frame_ms, gpu_ms));
+                .then(|| drawn.figures(texts, scene, frame_ms, gpu_ms, 0.0));
             (!self.display_hidden).then(|| hud::model(texts, scene, fps, figures))
         })?;
         picture.save(&path).map_err(|e| {
@@ -297,6 +298,21 @@ impl Host for Runner {
 
     fn open_slug(&self) -> Option<&str> {
         self.session.as_ref().map(|session| session.slug.as_str())
+    }
+
+    fn set_own(&mut self, id: &'static str, value: Value) {
+        if let Err(error) = self.config.settings.set(id, value.into()) {
+            tracing::warn!("{error}");
+        }
+        self.controls.set_config(&self.config);
+        self.worlds.set_map(options::map(&self.config.settings));
+        if id == "language" {
+            self.texts = options::texts(&self.config.settings);
+        }
+        let viewing = options::viewing(&self.config.settings);
+        if let Some(session) = &mut self.session {
+            session.scene.set_viewing(viewing);
+        }
     }
 
     fn press(&mut self, input: Input) {

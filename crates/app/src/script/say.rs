@@ -17,6 +17,8 @@ struct FullProbe<'a> {
     fps: Option<f64>,
     adapter: &'a str,
     picture: Option<&'a Drawn>,
+    /// Time of the world that was left out because the machine was too slow; a script leaves none out.
+    dropped_s: f64,
 }
 
 /// One saved world in a list.
@@ -37,15 +39,16 @@ pub fn probe(
     adapter: &str,
     picture: Option<&Drawn>,
 ) -> Result<(), Failure> {
-    output::line(&probe_text(scene, fps, adapter, picture)?)
+    output::line(&probe_text(scene, fps, adapter, picture, 0.0)?)
 }
 
-/// A probe as one line of JSON.
+/// A probe as one line of JSON. `dropped_s`: time of the world that was left out so far, in seconds.
 pub fn probe_text(
     scene: &Probe,
     fps: Option<f64>,
     adapter: &str,
     picture: Option<&Drawn>,
+    dropped_s: f64,
 ) -> Result<String, Failure> {
     json(&FullProbe {
         scene,
@@ -53,6 +56,7 @@ pub fn probe_text(
         fps,
         adapter,
         picture,
+        dropped_s,
     })
 }
 

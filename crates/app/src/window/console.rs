@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use antipode_scene::Scene;
+use antipode_settings::Value;
 use antipode_storage::StorageError;
 use antipode_ui::{Console, Intent, LineKind};
 
@@ -237,7 +238,7 @@ impl Game {
         let fps = f64::from(self.frames_per_second());
         let known = (fps > 0.0).then_some(fps);
         let drawn = self.console.drawn;
-        let words = probe_text(&probe, known, &self.console.adapter, drawn.as_ref())?;
+        let words = probe_text(&probe, known, &self.console.adapter, drawn.as_ref(), self.pace.dropped_s())?;
         self.answer(&words);
         Ok(())
     }
@@ -299,6 +300,10 @@ impl Host for Game {
     fn open_slug(&self) -> Option<&str> {
         let slug = self.phase.session().map(|session| session.slug.as_str());
         slug.filter(|slug| !slug.is_empty())
+    }
+
+    fn set_own(&mut self, id: &'static str, value: Value) {
+        self.set_option(id, value);
     }
 
     fn press(&mut self, input: Input) {

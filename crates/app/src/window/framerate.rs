@@ -2,6 +2,9 @@
 
 use std::time::{Duration, Instant};
 
+/// Longest time that a frame takes, seconds; what is longer is a rest.
+const LONGEST_S: f64 = 2.0;
+
 /// Frames a second, smoothed over about half a second.
 #[derive(Debug, Default)]
 pub struct FrameRate {
@@ -19,7 +22,8 @@ impl FrameRate {
 
     fn frame(&mut self, passed: Duration) {
         let passed = passed.as_secs_f64();
-        if passed <= 0.0 {
+        // Nothing was drawn meanwhile: the picture stood still, or the machine slept.
+        if passed <= 0.0 || passed > LONGEST_S {
             return;
         }
         let share = (passed / 0.5).clamp(0.02, 1.0);

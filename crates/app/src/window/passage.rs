@@ -1,15 +1,20 @@
 //! How the game gets into worlds and out of them again, without losing one on the way.
 
 use std::path::Path;
+use std::time::Duration;
 
 use antipode_ui::{Screen, ToastKind};
 
 use super::background::{Progress, Task};
 use super::game::{CHUNK_BUDGET, Game};
 use super::phase::{Next, Phase, Request};
+use super::portrait::LastPicture;
 use crate::failure::Failure;
 use crate::session::{Session, Unclosed};
 use crate::wording;
+
+/// Longest time that a world which is closed waits for its picture; it is saved already then.
+const PATIENCE: Duration = Duration::from_secs(5);
 
 impl Game {
     /// The player closes the window: what is open is committed first.
@@ -22,6 +27,7 @@ impl Game {
             Phase::Opening(task) => {
                 // A world being opened is closed again as soon as it is there; nothing of it is lost.
                 self.worlds_opened += 1;
+                self.say_saving();
                 let closing = Task::start("close", move || match task.finish() {
                     Some(Ok(session)) => session.close(),
                     _ => Ok(()),
@@ -35,6 +41,7 @@ impl Game {
     /// Nothing can be shown any more: saves what is open and ends without asking.
     pub fn end_unseen(&mut self) {
         self.unseen = true;
+        self.last_picture = None;
         self.close_window();
     }
 
@@ -86,9 +93,22 @@ impl Game {
         self.leave_photo_mode();
         self.saving = false;
         self.held_up = None;
+        self.say_saving();
+        let picture = self.last_picture.as_mut().map(LastPicture::comes_later);
+        let close = move || {
+            if let Some(picture) = picture {
+                // What matters is written first.
+                session.scene.save();
+                session.picture = picture.recv_timeout(PATIENCE).ok().or(session.picture);
+            }
+            session.close()
+        };
+        self.phase = Phase::Closing(Task::start("close", close), next);
+    }
+
+    fn say_saving(&mut self) {
         let detail = self.texts.say("busy-saving-about");
         self.busy(self.texts.say("busy-saving"), None, &detail);
-        self.phase = Phase::Closing(Task::start("close", move || session.close()), next);
     }
 
     fn go_on(&mut self, next: Next) {
@@ -144,7 +164,7 @@ impl Game {
             self.busy(self.texts.say("busy-land"), Some(progress), &name);
             return Phase::Loading(session);
         }
-        self.owed_s = 0.0;
+        self.pace.rest();
         self.since_save_s = 0.0;
         if self.is_player_elsewhere() {
             // Somebody who is busy elsewhere should not have the pointer taken away.

@@ -125,7 +125,7 @@ impl Game {
             fresh: true,
             saving: None,
         });
-        self.owed_s = 0.0;
+        self.pace.rest();
         self.controls.release_all();
     }
 

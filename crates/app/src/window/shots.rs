@@ -50,7 +50,6 @@ impl Shots {
     }
 
     /// Whether no picture is on its way.
-    #[cfg(test)]
     pub fn is_idle(&self) -> bool {
         self.wanted.is_none() && self.taken.is_empty() && self.writing.is_empty()
     }

@@ -1,12 +1,15 @@
 //! The window with everything that draws into it.
 
+mod canvas;
+mod pictures;
+mod recovery;
+
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use antipode_render::{Gpu, Offscreen, Options, PictureReading, RenderError, Renderer, Tile};
+use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
-use image::RgbaImage;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
 
@@ -15,11 +18,8 @@ use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
-
-/// Share of the resolution drawn on a software adapter.
-const SOFTWARE_SCALE: f32 = 0.5;
-/// Size of the menu's pictures in pixels.
-const THUMBNAIL: (u32, u32) = (320, 180);
+use canvas::Canvas;
+use recovery::Recoveries;
 
 /// Colour behind the menu when no world is open, linear light.
 const BACKDROP: wgpu::Color = wgpu::Color {
@@ -38,7 +38,10 @@ pub struct Stage {
     /// What turns window events into the interface's input.
     pub input: egui_winit::State,
     gpu: Gpu,
-    surface: wgpu::Surface<'static>,
+    display: OwnedDisplayHandle,
+    choice: AdapterChoice,
+    /// None while the adapter is lost and no other is open.
+    surface: Option<wgpu::Surface<'static>>,
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
     options: Options,
@@ -50,6 +53,9 @@ pub struct Stage {
     screenshots: VecDeque<PictureReading>,
     /// The menu's picture under way, and of which world.
     thumbnail: Option<(u64, PictureReading)>,
+    recoveries: Recoveries,
+    /// The next texture is to be taken for lost, on purpose.
+    loses_surface: bool,
 }
 
 impl std::fmt::Debug for Stage {
@@ -69,35 +75,16 @@ impl Stage {
         window: Arc<Window>,
         display: OwnedDisplayHandle,
         common: &Common,
+        shaders: Shaders,
     ) -> Result<Self, Failure> {
-        let (gpu, surface) = Gpu::for_window(
-            Box::new(display),
-            Arc::clone(&window),
-            adapter_choice(common.adapter),
-        )?;
-        let size = window.inner_size();
-        let (width, height) = (size.width.max(1), size.height.max(1));
-        let mut config = surface
-            .get_default_config(&gpu.adapter, width, height)
-            .ok_or_else(|| {
-                Failure::Runtime(format!(
-                    "The adapter {} cannot draw into a window.",
-                    gpu.name()
-                ))
-            })?;
-        let formats = surface.get_capabilities(&gpu.adapter).formats;
-        config.format = best_format(&formats, config.format);
-        config.present_mode = wgpu::PresentMode::AutoVsync;
-        surface.configure(&gpu.device, &config);
-        let software = gpu.is_software();
-        let options = Options {
-            samples: if software { 1 } else { 4 },
-            scale: if software { SOFTWARE_SCALE } else { 1.0 },
-            output_format: config.format,
-        };
-        let mut renderer = Renderer::new(&gpu, options)?;
-        renderer.resize(width, height);
-        renderer.prepare_maps();
+        let choice = adapter_choice(common.adapter);
+        let Canvas {
+            gpu,
+            surface,
+            config,
+            renderer,
+            options,
+        } = Canvas::open(&window, display.clone(), choice, shaders)?;
         let overlay = Overlay::new(&gpu, config.format);
         let input = egui_winit::State::new(
             overlay.context().clone(),
@@ -112,7 +99,9 @@ impl Stage {
             overlay,
             input,
             gpu,
-            surface,
+            display,
+            choice,
+            surface: Some(surface),
             config,
             renderer,
             options,
@@ -121,6 +110,8 @@ impl Stage {
             tile: None,
             screenshots: VecDeque::new(),
             thumbnail: None,
+            recoveries: Recoveries::default(),
+            loses_surface: false,
         })
     }
 
@@ -129,7 +120,12 @@ impl Stage {
         self.gpu.name()
     }
 
-    /// The adapter's name if it draws in software, at half resolution, which a player should know.
+    /// The adapter, its driver and the interface to it.
+    pub fn adapter_info(&self) -> wgpu::AdapterInfo {
+        self.gpu.adapter.get_info()
+    }
+
+    /// The adapter's name if it draws in software, which a player should know.
     pub fn software(&self) -> Option<String> {
         let software = self.gpu.is_software();
         software.then(|| self.gpu.name().to_owned())
@@ -160,7 +156,7 @@ impl Stage {
         };
         if self.config.present_mode != present_mode {
             self.config.present_mode = present_mode;
-            self.surface.configure(&self.gpu.device, &self.config);
+            self.configure();
         }
         let options = Options {
             samples: settings.msaa.samples(software),
@@ -174,6 +170,17 @@ impl Stage {
             self.renderer.prepare_maps();
         }
         Ok(())
+    }
+
+    /// Whether the next frame of the same moment would show more, or there is a picture to take over.
+    pub fn is_busy(&self) -> bool {
+        self.reads_pictures() || self.renderer.is_busy()
+    }
+
+    /// Has the interface drawn with so many pixels a point, as on another monitor.
+    pub fn rescale(&mut self, scale: f32) {
+        let context = self.overlay.context();
+        context.set_pixels_per_point(scale);
     }
 
     /// Width over height.
@@ -191,38 +198,43 @@ impl Stage {
         if width == 0 || height == 0 {
             return;
         }
+        let most = self.largest_side();
+        let (width, height) = (width.min(most), height.min(most));
         self.config.width = width;
         self.config.height = height;
-        self.surface.configure(&self.gpu.device, &self.config);
+        self.configure();
         self.renderer.resize(width, height);
     }
 
-    /// The texture to show next; none while nobody can see the window or its surface is being made anew.
-    ///
-    /// # Errors
-    /// When the adapter is lost.
-    pub fn next_texture(&mut self) -> Result<Option<wgpu::SurfaceTexture>, Failure> {
+    /// The texture to show next; none while nobody can see the window or there is nothing to draw on.
+    pub fn next_texture(&mut self) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
-        self.check()?;
         for _ in 0..2 {
-            match self.surface.get_current_texture() {
-                Current::Success(texture) | Current::Suboptimal(texture) => {
-                    return Ok(Some(texture));
-                }
-                Current::Outdated | Current::Lost => {
-                    self.surface.configure(&self.gpu.device, &self.config);
-                }
-                _ => break,
+            let next = if std::mem::take(&mut self.loses_surface) {
+                Current::Lost
+            } else {
+                self.surface.as_ref()?.get_current_texture()
+            };
+            match next {
+                Current::Success(texture) | Current::Suboptimal(texture) => return Some(texture),
+                Current::Outdated => self.configure(),
+                Current::Lost => self.remake_surface(),
+                Current::Timeout | Current::Occluded | Current::Validation => return None,
             }
         }
-        self.check()?;
-        Ok(None)
+        None
+    }
+
+    fn configure(&self) {
+        if let Some(surface) = &self.surface {
+            surface.configure(&self.gpu.device, &self.config);
+        }
     }
 
     /// Draws the world, if there is one, and the interface, and shows them. `keeps`: what is shown is read back too.
     ///
     /// # Errors
-    /// When the adapter is lost.
+    /// When the adapter refuses to draw the world.
     pub fn show(
         &mut self,
         texture: wgpu::SurfaceTexture,
@@ -242,81 +254,9 @@ impl Stage {
         }
         self.window.pre_present_notify();
         self.gpu.queue.present(texture);
-        self.check()
-    }
-
-    /// Has a small picture of the world drawn for the menu, in place of one that is not finished. `world` comes
-    /// back with it. There is none where the adapter cannot make one.
-    pub fn begin_thumbnail(&mut self, world: u64, frame: &Frame) {
-        if !is_plain(self.config.format) && !self.config.format.is_srgb() {
-            return;
-        }
-        let (width, height) = THUMBNAIL;
-        let offscreen = Offscreen::new(&self.gpu, width, height, self.config.format);
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.renderer.resize(width, height);
-        self.renderer.draw(frame, &mut encoder, offscreen.view());
-        self.gpu.queue.submit([encoder.finish()]);
-        self.renderer.resize(self.config.width, self.config.height);
-        self.thumbnail = Some((world, offscreen.begin_read(&self.gpu)));
-    }
-
-    /// The picture begun last, once, as soon as the adapter has finished it. Never waits.
-    pub fn finished_thumbnail(&mut self) -> Option<(u64, RgbaImage)> {
-        let (world, reading) = self.thumbnail.take()?;
-        match reading.poll(&self.gpu) {
-            Ok(picture) => picture_or_note(picture).map(|picture| (world, picture)),
-            Err(reading) => {
-                self.thumbnail = Some((world, reading));
-                None
-            }
-        }
-    }
-
-    /// The picture begun last, waited for.
-    pub fn awaited_thumbnail(&mut self) -> Option<(u64, RgbaImage)> {
-        let (world, reading) = self.thumbnail.take()?;
-        picture_or_note(reading.finish(&self.gpu)).map(|picture| (world, picture))
-    }
-
-    /// The picture of the screen asked for first, once, as soon as the adapter has finished it. Never waits.
-    pub fn finished_screenshot(&mut self) -> Option<Result<RgbaImage, RenderError>> {
-        match self.screenshots.pop_front()?.poll(&self.gpu) {
-            Ok(picture) => Some(picture),
-            Err(reading) => {
-                self.screenshots.push_front(reading);
-                None
-            }
-        }
-    }
-
-    /// Has a tile of a larger picture drawn, of `size` pixels, at full resolution and complete.
-    pub fn begin_tile(&mut self, frame: &Frame, tile: Tile, size: (u32, u32)) {
-        let offscreen = self.offscreen(size);
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.renderer.resize_full(size.0, size.1);
         self.renderer
-            .draw_tile(frame, tile, &mut encoder, offscreen.view());
-        self.gpu.queue.submit([encoder.finish()]);
-        self.renderer.resize(self.config.width, self.config.height);
-        self.tile = Some(offscreen.begin_read(&self.gpu));
-    }
-
-    /// The tile begun last, once, as soon as the adapter has finished it. Never waits.
-    pub fn finished_tile(&mut self) -> Option<Result<RgbaImage, RenderError>> {
-        match self.tile.take()?.poll(&self.gpu) {
-            Ok(picture) => Some(picture),
-            Err(reading) => {
-                self.tile = Some(reading);
-                None
-            }
-        }
+            .fault()
+            .map_or(Ok(()), |fault| Err(fault.into()))
     }
 
     /// Size of the window, pixels.
@@ -327,25 +267,6 @@ impl Stage {
     /// Longest side of a picture that can be drawn, pixels.
     pub fn largest_side(&self) -> u32 {
         self.renderer.largest_side()
-    }
-
-    /// Whether what is shown can be read back: the window's format has four channels of 8 bits. Wide ones are what
-    /// is left where a surface has no other, on no system known.
-    pub fn can_keep(&self) -> bool {
-        is_plain(self.config.format) || self.config.format.is_srgb()
-    }
-
-    fn offscreen(&self, (width, height): (u32, u32)) -> Offscreen {
-        Offscreen::new(&self.gpu, width, height, self.config.format)
-    }
-
-    fn check(&self) -> Result<(), Failure> {
-        match self.gpu.lost() {
-            Some(why) => Err(Failure::Runtime(format!(
-                "The graphics adapter was lost: {why}. Start the game again; your world is saved."
-            ))),
-            None => Ok(()),
-        }
     }
 
     fn paint(
@@ -373,17 +294,17 @@ impl Stage {
             (Some(copy), None) => clear(&mut encoder, copy),
             (None, _) => {}
         }
+        if self.gpu.lost().is_some() {
+            // The interface's painter breaks on an adapter that takes nothing any more.
+            self.overlay.skip(&interface.textures_delta);
+            return;
+        }
         let targets: Vec<_> = [target].into_iter().chain(copy).collect();
         let size = (self.config.width, self.config.height);
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
         self.gpu.queue.submit([encoder.finish()]);
     }
-}
-
-fn picture_or_note(read: Result<RgbaImage, RenderError>) -> Option<RgbaImage> {
-    read.inspect_err(|error| tracing::info!("no picture for the menu: {error}"))
-        .ok()
 }
 
 /// A format of four bytes without conversion: the interface is designed for blending in display values.

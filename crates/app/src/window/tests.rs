@@ -7,8 +7,10 @@
 )]
 
 mod console;
+mod newcomers;
 mod options;
 mod photo;
+mod standing;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -57,6 +57,11 @@ impl WorldList {
         }
     }
 
+    /// Whether nothing is under way.
+    pub fn is_idle(&self) -> bool {
+        self.task.is_none() && self.folders.is_empty() && self.pictures.is_idle()
+    }
+
     /// Asks for the list to be read anew.
     pub fn refresh(&mut self) {
         self.again = true;

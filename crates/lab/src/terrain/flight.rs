@@ -11,6 +11,7 @@ use antipode_terrain::Field;
 use glam::DVec3;
 
 use super::clock::{Spent, Spread, ThreadClock};
+use super::control::Control;
 use super::engine::{SEED, open, space};
 use super::row::{Bar, Judged, Row, table};
 use crate::{Axis, Effort, LabError, Plot, Scale, Section, Series};
@@ -53,6 +54,8 @@ struct Logged {
     chunks: [usize; 2],
     /// Meshes that appeared, changed or went.
     changes: usize,
+    /// The piece of arithmetic after the frame.
+    control: Option<Spent>,
 }
 
 impl Logged {
@@ -89,6 +92,7 @@ pub fn section(effort: Effort) -> Result<(Section, String), LabError> {
 fn rows(log: &[Logged], length_m: f64) -> Vec<Row> {
     let case = format!("{length_m:.0} m, view distance {VIEW_DISTANCE}");
     let mut rows = work_rows(log, &case);
+    rows.extend(control_rows(log, &case));
     let between: Vec<f64> = log
         .windows(2)
         .map(|pair| 1e3 * (pair[1].at_s - pair[0].at_s))
@@ -161,6 +165,24 @@ fn work_rows(log: &[Logged], case: &str) -> Vec<Row> {
     ]
 }
 
+/// How evenly the machine runs a thread that does nothing but arithmetic.
+fn control_rows(log: &[Logged], case: &str) -> [Row; 2] {
+    let times: Vec<f64> = log
+        .iter()
+        .filter_map(|it| Some(it.control?.own_ms))
+        .collect();
+    let Spread { p50, p99, max } = Spread::of(&times);
+    let longer = times.iter().filter(|&&ms| ms > TIMES * p50).count();
+    let figure = |value: f64| (!times.is_empty()).then_some(value);
+    let words = format!("p50 {p50:.3}, p99 {p99:.2}, most {max:.2} ms");
+    let longest = "arithmetic alone, the longest, times the median";
+    let over = format!("arithmetic alone, over {TIMES} times the median");
+    [
+        Row::new(longest, case, figure(max / p50), "").note(words),
+        Row::new(&over, case, figure(longer as f64), "").note(format!("of {}", times.len())),
+    ]
+}
+
 fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     let mut scene = open(Geometry::Euclidean, VIEW_DISTANCE, None)?;
     let (_, high_m) = Field::new(SEED, space(Geometry::Euclidean)).ground_range_m();
@@ -177,6 +199,7 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     drop(scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1));
     let clock = ThreadClock::new();
     let mut log: Vec<Logged> = Vec::new();
+    let mut control = Control::default();
     let began = Instant::now();
     let speed_m_s = fly_speed_m_s();
     let frames = (OVERDUE * length_m / speed_m_s / STEP_S) as usize;
@@ -186,6 +209,7 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
         let at_s = began.elapsed().as_secs_f64();
         let mut logged = frame(&mut scene, &clock, n);
         logged.at_s = at_s;
+        logged.control = control.run(&clock, logged.own_ms());
         logged.flown_m = (scene.feet().pos - start).length();
         let done = logged.flown_m >= length_m;
         log.push(logged);
@@ -237,13 +261,13 @@ fn frame(scene: &mut Scene, clock: &ThreadClock, n: usize) -> Logged {
 /// The whole log, one line a frame.
 fn csv(log: &[Logged]) -> String {
     let mut out = "frame,at_s,flown_m,own_ms,wall_ms,cpu_ms,step_ms,take_in_ms,make_frame_ms,\
-                   chunks,pending,changes\n"
+                   chunks,pending,changes,arithmetic_ms\n"
         .to_owned();
     for (n, frame) in log.iter().enumerate() {
         let [step, take, make] = frame.parts.map(|part| part.own_ms);
         let _ = writeln!(
             out,
-            "{n},{:.3},{:.1},{:.3},{:.3},{:.3},{step:.3},{take:.3},{make:.3},{},{},{}",
+            "{n},{:.3},{:.1},{:.3},{:.3},{:.3},{step:.3},{take:.3},{make:.3},{},{},{},{}",
             frame.at_s,
             frame.flown_m,
             frame.own_ms(),
@@ -252,6 +276,9 @@ fn csv(log: &[Logged]) -> String {
             frame.chunks[0],
             frame.chunks[1],
             frame.changes,
+            frame
+                .control
+                .map_or(String::new(), |spent| format!("{:.3}", spent.own_ms)),
         );
     }
     out
@@ -287,9 +314,10 @@ fn plot(log: &[Logged]) -> Plot {
     }
 }
 
-const METHOD: [&str; 3] = [
+const METHOD: [&str; 4] = [
     "A spectator flies straight on over flat-space land at 24 m/s, looking to the left and to the right, in real time: a frame begins every sixtieth of a second. Nothing is drawn, so a frame is what the main thread does for it before anything goes to an adapter: one step of the simulation, telling the workers what is wanted and taking in what is finished, and filling the frame's snapshot.",
     "Time is the thread's own: the wall clock's without the time in which the thread was ready to run and the system had given the core to another, since other programs run on the machine too; waiting for a lock or a channel counts. The wall clock and the time on the processor are shown beside it. The time between two frames is what a player would see: from the begin of one to the begin of the next, a sixtieth of a second unless the main thread took longer.",
+    "After each frame but the first sixty the same thread runs a piece of pure arithmetic, always the same, that lasts about as long as the middle one of those sixty; it is timed by the same clock and counts in no frame. It waits for nobody and touches no memory: if its longest run is as many times its median as the longest frame, the machine under the program does it (a host that runs others meanwhile, interrupts, a changing clock rate), not the game; if it is even and the frames are not, the frames are the game's.",
     "The whole log is in measurements/terrain-flight.csv.",
 ];
 
@@ -312,14 +340,20 @@ mod tests {
             40
         ];
         log[20].parts[1] = spent(5.0);
+        for (n, frame) in log.iter_mut().enumerate().skip(10) {
+            frame.control = Some(spent(if n < 12 { 0.7 } else { 0.2 }));
+        }
         let text = csv(&log);
         assert_eq!(text.lines().count(), 41);
         let columns = |line: &str| line.split(',').count();
-        assert!(text.lines().all(|line| columns(line) == 12), "{text}");
+        assert!(text.lines().all(|line| columns(line) == 13), "{text}");
         let plotted = plot(&log);
         assert_eq!(plotted.series[0].points.len(), 3);
         assert!((plotted.series[0].points[1].1 - 5.2).abs() < 1e-9);
         let rows = rows(&log, 10.0);
+        let [longest, over] = control_rows(&log, "").map(|row| row.value());
+        assert!(longest.is_some_and(|times| (times - 3.5).abs() < 1e-9));
+        assert_eq!(over, Some(2.0), "runs over three times the median");
         assert_eq!(rows[3].met(), Some(false), "a frame of thirteen medians");
         assert_eq!(
             rows[1].met(),

@@ -5,6 +5,7 @@
 //! be drawn.
 
 mod clock;
+mod control;
 mod detail;
 mod edits;
 mod engine;

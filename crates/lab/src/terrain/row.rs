@@ -62,6 +62,12 @@ impl Row {
         self
     }
 
+    /// The figure, if it was measured.
+    #[cfg(test)]
+    pub fn value(&self) -> Option<f64> {
+        self.value
+    }
+
     /// Whether the figure meets its bar; nothing without a bar or a figure.
     pub fn met(&self) -> Option<bool> {
         let value = self.value?;

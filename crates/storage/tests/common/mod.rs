@@ -6,7 +6,8 @@
 )]
 
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, PlayerRecord, SlotRecord, WorldMeta, WorldState,
+    Batch, BotRecord, CHUNK_SAMPLES, ChunkKey, DropRecord, LampRecord, PlayerRecord, SlotRecord,
+    WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -60,6 +61,24 @@ pub fn state(simulated_s: f64) -> WorldState {
         brush_radius_m: 5.0,
         simulated_s,
         view_distance: 6,
+        flashlight: true,
+        lamps: vec![LampRecord {
+            hemisphere: 1,
+            pos: [1.0, 2.0, -3.5],
+        }],
+        drops: vec![DropRecord {
+            hemisphere: 0,
+            pos: [4.0, 5.0, 6.5],
+            item: "bullet".to_owned(),
+            count: 3,
+        }],
+        bots: vec![BotRecord {
+            hemisphere: 1,
+            pos: [7.0, 8.0, 9.5],
+            yaw: 0.75,
+            health: 2.0,
+            hostile: true,
+        }],
     }
 }
 

@@ -410,3 +410,94 @@ fn walking_to_and_fro_over_a_border_makes_nothing_again() {
         assert_eq!(make_all(&mut ledger, 5).0, 0);
     }
 }
+
+/// [`Rings`] in which chunks up to `gone` along x are too small to be seen.
+#[derive(Debug)]
+struct Vanishing {
+    rings: Rings,
+    gone: i32,
+}
+
+impl Detail for Vanishing {
+    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
+        self.rings.pixels_per_metre(coord)
+    }
+
+    fn span_px(&self, coord: ChunkCoord) -> f64 {
+        f64::from(u8::from(coord.index.x > self.gone)) * 100.0
+    }
+
+    fn tolerance_px(&self) -> f64 {
+        self.rings.tolerance_px()
+    }
+}
+
+#[test]
+fn what_waits_for_a_chunk_goes_on_when_that_is_there_no_more() {
+    let mut ledger = ledger(&[]);
+    wish(&mut ledger, &without_bodies(wish_with_rings(-10, 2)));
+    make_all(&mut ledger, 5);
+    // All is to be coarse now, but the chunks at x = -9 cannot be made, and hold up those beside
+    // them. One load is never done, so that nobody goes on because all wait for each other.
+    let coarse = without_bodies(wish_with_rings(0, 2));
+    wish(&mut ledger, &coarse);
+    let unfinished = ledger.next_load(1).unwrap().coord;
+    assert!(unfinished.index.x > -8, "{unfinished:?}");
+    while let Some(make) = ledger.next_load(usize::MAX) {
+        if make.coord.index.x == -9 {
+            ledger.give_up(make.coord);
+        } else {
+            ledger.loaded(make, 0);
+        }
+    }
+    let beside: Vec<_> = ledger.resident.keys().copied().collect();
+    let is_held = |coord: &ChunkCoord| {
+        let west = chunk(-9, coord.index.y, coord.index.z);
+        coord.index.x == -8 && ledger.resident.contains_key(&west)
+    };
+    let held: Vec<_> = beside.into_iter().filter(is_held).collect();
+    assert!(held.iter().any(|coord| ledger.blocked.contains(coord)));
+
+    let rings = Rings { x: 0, width: 2 };
+    let detail: Arc<dyn Detail> = Arc::new(Vanishing { rings, gone: -9 });
+    let gone = wish(
+        &mut ledger,
+        &Wish {
+            detail: Some(detail),
+            ..coarse
+        },
+    );
+    assert!(gone.iter().any(|coord| coord.index.x == -9));
+    while let Some(make) = ledger.next_load(usize::MAX) {
+        ledger.loaded(make, 0);
+    }
+    for coord in held {
+        let target = ledger.plan.targets[&coord];
+        assert_eq!(ledger.level(coord), Some(target.level), "{coord:?}");
+    }
+}
+
+#[test]
+fn air_around_a_body_is_known_to_be_ready_from_the_plan_until_something_is_built_there() {
+    let mut ledger = ledger(&[]);
+    let high = |x: f64| {
+        let centre = ChartPoint::a(DVec3::new(x, 80.0, 16.0));
+        Wish {
+            bodies: vec![Reach::around(centre, 20.0)],
+            ..Wish::new(centre, DVec3::X, 4)
+        }
+    };
+    let mut most = 0;
+    for step in 0..40 {
+        let wished = high(16.0 + 32.0 * f64::from(step));
+        wish(&mut ledger, &wished);
+        let under = ChunkCoord::containing(wished.centre);
+        assert!(ledger.plan.bare.contains(&under) && ledger.is_ready(under));
+        assert!(!ledger.plan.bare.contains(&chunk(step, 0, 0)), "ground");
+        most = most.max(ledger.plan.bare.len());
+    }
+    assert!(most <= 64, "{most} chunks are remembered");
+    let under = ChunkCoord::containing(high(16.0 + 32.0 * 39.0).centre);
+    ledger.batch_ended(&[under], &[under], 1);
+    assert!(!ledger.is_ready(under), "something is built there");
+}

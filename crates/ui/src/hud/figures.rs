@@ -37,6 +37,8 @@ pub struct FigureModel {
     pub error_px: f64,
     /// What 99 of 100 places of the land are off by at most for their level of detail, in pixels.
     pub level_error_px: f64,
+    /// Time of the world that was left out because the machine was too slow for it, in seconds.
+    pub dropped_s: f64,
 }
 
 /// Draws it, under the position where both do not fit side by side; returns what it covers.
@@ -116,7 +118,7 @@ fn measured(texts: &Texts, model: &HudModel, figures: &FigureModel) -> Vec<Line>
     ];
     let drawn = [("triangles", count(figures.triangles))];
     let line = |name, key, values: &[_]| (texts.say(name), texts.say_with(key, values));
-    vec![
+    let mut lines = vec![
         (String::new(), times(texts, model, figures)),
         (String::new(), space.join(&texts.say("figures-comma"))),
         line("figures-chunks", "figures-chunks-are", &chunks),
@@ -124,7 +126,12 @@ fn measured(texts: &Texts, model: &HudModel, figures: &FigureModel) -> Vec<Line>
         line("figures-drawn", "figures-drawn-are", &drawn),
         line("figures-saved", "figures-saved-are", &saved),
         line("figures-error", "figures-error-is", &error),
-    ]
+    ];
+    if figures.dropped_s > 0.0 {
+        let dropped = [("seconds", Value::decimals(figures.dropped_s, 1))];
+        lines.push(line("figures-dropped", "figures-dropped-is", &dropped));
+    }
+    lines
 }
 
 /// What the frame took.

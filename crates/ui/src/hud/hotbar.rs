@@ -16,6 +16,10 @@ const SIDE: (f32, f32) = (48.0, 4.0);
 const WOOD: Color32 = Color32::from_rgb(0xB8, 0x84, 0x4E);
 const IRON: Color32 = Color32::from_rgb(0xCB, 0xD1, 0xDA);
 const DIAMOND: Color32 = Color32::from_rgb(0x63, 0xE0, 0xE6);
+const GUN: Color32 = Color32::from_rgb(120, 130, 146);
+const SHOT: Color32 = Color32::from_rgb(186, 120, 84);
+const BRASS: Color32 = Color32::from_rgb(216, 178, 92);
+const GLOW: Color32 = Color32::from_rgb(255, 214, 138);
 const HANDLE: Color32 = Color32::from_rgb(0x8A, 0x5B, 0x36);
 
 /// Draws it at the bottom and returns what it covers, the name of the item in
@@ -69,15 +73,7 @@ fn slot(painter: &Painter, rect: Rect, index: usize, view: Option<&SlotView>, se
     };
     painter.rect(rect, 6, fill, stroke, StrokeKind::Inside);
     let icon = view.map_or(SlotIcon::Empty, |view| view.icon);
-    let head = match icon {
-        SlotIcon::Empty => None,
-        SlotIcon::PickaxeWood => Some(WOOD),
-        SlotIcon::PickaxeIron => Some(IRON),
-        SlotIcon::PickaxeDiamond => Some(DIAMOND),
-    };
-    if let Some(head) = head {
-        painter.extend(pickaxe(rect.shrink(0.12 * rect.width()), head));
-    }
+    painter.extend(picture(icon, rect.shrink(0.12 * rect.width())));
     if rect.width() < 18.0 {
         return;
     }
@@ -99,6 +95,57 @@ fn slot(painter: &Painter, rect: Rect, index: usize, view: Option<&SlotView>, se
             TEXT,
         );
     }
+}
+
+/// What an icon looks like, filling `rect`.
+pub(crate) fn picture(icon: SlotIcon, rect: Rect) -> Vec<Shape> {
+    match icon {
+        SlotIcon::Empty => Vec::new(),
+        SlotIcon::Gun => gun(rect),
+        SlotIcon::Bullet => bullet(rect),
+        SlotIcon::Lamp => lamp(rect),
+        SlotIcon::PickaxeWood => pickaxe(rect, WOOD),
+        SlotIcon::PickaxeIron => pickaxe(rect, IRON),
+        SlotIcon::PickaxeDiamond => pickaxe(rect, DIAMOND),
+    }
+}
+
+/// A short gun that points to the right.
+fn gun(rect: Rect) -> Vec<Shape> {
+    let at = |x: f32, y: f32| rect.min + vec2(x * rect.width(), y * rect.height());
+    let outline = Stroke::new(1.0, Color32::from_black_alpha(150));
+    let grip = vec![at(0.20, 0.46), at(0.44, 0.46), at(0.36, 0.86), at(0.14, 0.86)];
+    vec![
+        Shape::convex_polygon(grip, HANDLE, outline),
+        Shape::rect_filled(Rect::from_min_max(at(0.14, 0.26), at(0.72, 0.50)), 3, GUN),
+        Shape::rect_filled(Rect::from_min_max(at(0.72, 0.30), at(0.94, 0.42)), 1, GUN),
+        Shape::rect_filled(Rect::from_min_max(at(0.30, 0.32), at(0.60, 0.38)), 1, ACCENT),
+    ]
+}
+
+/// A bullet that points up.
+fn bullet(rect: Rect) -> Vec<Shape> {
+    let at = |x: f32, y: f32| rect.min + vec2(x * rect.width(), y * rect.height());
+    let mut tip = arc(at(0.36, 0.46), at(0.38, 0.14), at(0.50, 0.10));
+    tip.extend(arc(at(0.50, 0.10), at(0.62, 0.14), at(0.64, 0.46)));
+    vec![
+        Shape::convex_polygon(tip, SHOT, Stroke::NONE),
+        Shape::rect_filled(Rect::from_min_max(at(0.36, 0.46), at(0.64, 0.84)), 1, BRASS),
+        Shape::rect_filled(Rect::from_min_max(at(0.33, 0.84), at(0.67, 0.90)), 1, BRASS),
+    ]
+}
+
+/// A glowing globe on a foot.
+fn lamp(rect: Rect) -> Vec<Shape> {
+    let at = |x: f32, y: f32| rect.min + vec2(x * rect.width(), y * rect.height());
+    let radius = 0.27 * rect.width();
+    vec![
+        Shape::circle_filled(at(0.5, 0.38), 1.35 * radius, GLOW.gamma_multiply(0.25)),
+        Shape::circle_filled(at(0.5, 0.38), radius, GLOW),
+        Shape::circle_filled(at(0.44, 0.31), 0.35 * radius, Color32::WHITE),
+        Shape::rect_filled(Rect::from_min_max(at(0.38, 0.66), at(0.62, 0.76)), 1, IRON),
+        Shape::rect_filled(Rect::from_min_max(at(0.28, 0.78), at(0.72, 0.90)), 2, IRON),
+    ]
 }
 
 /// A pickaxe filling `rect`, its head at the top right.

@@ -2,6 +2,7 @@
 
 mod figures;
 mod gauges;
+mod hint;
 mod hotbar;
 mod plate;
 
@@ -14,6 +15,7 @@ use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
 pub use figures::FigureModel;
+pub use hint::HintModel;
 
 /// What a slot of the hotbar shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -21,6 +23,12 @@ pub enum SlotIcon {
     /// Nothing.
     #[default]
     Empty,
+    /// The gun.
+    Gun,
+    /// Bullets.
+    Bullet,
+    /// Lamps.
+    Lamp,
     /// The weak pickaxe.
     PickaxeWood,
     /// The medium pickaxe.
@@ -95,6 +103,8 @@ pub struct HudModel {
     pub time_label: String,
     /// Something to tell the player, as a sentence.
     pub notice: Option<String>,
+    /// What a newcomer is told now.
+    pub hint: Option<HintModel>,
     /// Whether a command that cheats was ever used in this world.
     pub cheated: bool,
     /// What drawing the frame took, while the player wants to know.
@@ -207,7 +217,7 @@ fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &Hud
         at.y = rect.max.y + GRID;
     }
     if let Some(notice) = &model.notice {
-        plate(
+        let rect = plate(
             painter,
             screen,
             at,
@@ -216,6 +226,10 @@ fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &Hud
             FontId::proportional(16.0),
             TEXT,
         );
+        at.y = rect.max.y + GRID;
+    }
+    if let Some(hint) = &model.hint {
+        hint::show(painter, screen, at.y, hint);
     }
 }
 

@@ -9,7 +9,9 @@
 
 use antipode_language::Texts;
 use antipode_settings::Config;
-use antipode_ui::{Intent, MenuModel, Shell, WorldFiles, WorldRow, WorldsIntent, apply_theme};
+use antipode_ui::{
+    AboutModel, Backdrop, Intent, MenuModel, Shell, WorldFiles, WorldRow, WorldsIntent, apply_theme,
+};
 use egui::{Key, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -22,6 +24,8 @@ pub struct Game {
     pub files: WorldFiles,
     pub config: Config,
     pub running: Option<String>,
+    pub backdrop: Backdrop,
+    pub about: AboutModel,
     pub intents: Vec<Intent>,
 }
 
@@ -34,6 +38,8 @@ impl Game {
             files: WorldFiles::default(),
             config: Config::default(),
             running: None,
+            backdrop: Backdrop::default(),
+            about: about(),
             intents: Vec::new(),
         }
     }
@@ -42,14 +48,16 @@ impl Game {
         let model = MenuModel {
             texts: &self.texts,
             running_world: self.running.as_deref(),
+            backdrop: self.backdrop,
             worlds: &self.worlds,
             config: &self.config,
             check_name: &check_name,
             check_rename: &|_, name| check_name(name),
             world_files: &self.files,
-            adapter_notice: Some("No GPU was found: drawing in software, at half resolution."),
+            adapter_notice: Some("No GPU was found: the processor draws."),
             sound_notice: Some("There is no sound device."),
             version: "0.1.0",
+            about: &self.about,
         };
         let mut intents = self.shell.show(ctx, &model);
         for intent in &intents {
@@ -63,6 +71,16 @@ impl Game {
             }
         }
         self.intents.append(&mut intents);
+    }
+}
+
+fn about() -> AboutModel {
+    AboutModel {
+        adapter: "Radiant 9000 (Vulkan)".to_owned(),
+        driver: "radiant 1.2".to_owned(),
+        system: "linux, x86_64".to_owned(),
+        built_with: "Rust 1.95, wgpu 30, egui 0.37".to_owned(),
+        components: include_str!("../../../../assets/licences/components.txt"),
     }
 }
 

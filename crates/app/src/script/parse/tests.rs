@@ -120,3 +120,27 @@ fn no_text_makes_the_reader_panic() {
         let _ = parse(text);
     }
 }
+
+#[test]
+fn set_knows_every_setting_of_the_player_and_what_it_takes() {
+    let defaults = Settings::default();
+    for field in antipode_settings::fields() {
+        let value = defaults.get(field);
+        let order = one(&format!("set {} {value}", field.id));
+        assert!(
+            matches!(order, Ok(Order::Set(_))),
+            "{}: {order:?}",
+            field.id
+        );
+    }
+    let order = Order::Set(Setting::Own("head-dip", Value::Switch(false)));
+    assert!(!order.cheats());
+    assert_eq!(one("set head-dip off").ok(), Some(order));
+    for wrong in [
+        "set head-dip maybe",
+        "set field-of-view 200",
+        "set language klingon",
+    ] {
+        assert!(one(wrong).is_err(), "{wrong}");
+    }
+}

@@ -259,3 +259,16 @@ fn a_new_world_can_be_made_and_one_gone_back_to() {
     game.enter("quit");
     tick_until(&mut game, Game::is_over);
 }
+
+#[test]
+fn the_console_changes_the_players_own_settings_and_marks_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut typing = Typing::new(&dir);
+    assert!(typing.game.config.settings.contour_bands);
+    typing.enter("set contour-bands off");
+    assert!(!typing.game.config.settings.contour_bands);
+    assert!(!typing.scene().viewing().contour_bands);
+    assert!(!typing.scene().cheated());
+    let said = typing.enter("set field-of-view 500");
+    assert!(said.contains("from 40 to 110"), "{said}");
+}

@@ -4,6 +4,9 @@ use antipode_geometry::Hemisphere;
 use antipode_render::RenderError;
 use image::{Rgba, RgbaImage};
 
+use winit::keyboard::KeyCode;
+
+use super::super::events::Down;
 use super::*;
 use crate::screenshots::Album;
 
@@ -173,4 +176,33 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
         last = frame;
     }
     assert!(crossed);
+}
+
+#[test]
+fn turning_to_another_window_leaves_the_photo_as_it_was_composed() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = photographing(&dir);
+    game.focus(true);
+    game.focus(false);
+    game.focus(true);
+    assert!(game.is_photographing(), "{:?}", game.phase);
+    assert!(game.take_key(Input::Key("Escape"), true, false));
+    assert!(game.is_playing(), "one Esc leaves the photo mode only");
+    game.finish();
+}
+
+#[test]
+fn an_escape_that_is_held_leaves_the_photo_mode_and_no_more() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = photographing(&dir);
+    let mut down = Down::default();
+    // As a window that gets the keyboard while the key is held is told of it: twice, and not as repeated.
+    for _ in 0..2 {
+        let repeats = down.repeats(KeyCode::Escape, true, false);
+        if !game.take_key(Input::Key("Escape"), true, repeats) && !repeats {
+            game.input(Input::Key("Escape"), true);
+        }
+    }
+    assert!(game.is_playing(), "{:?}", game.phase);
+    game.finish();
 }

@@ -124,7 +124,6 @@ impl Pictures {
     }
 
     /// Whether everything asked for has been read.
-    #[cfg(test)]
     pub fn is_idle(&self) -> bool {
         self.task.is_none() && self.wanted.is_empty()
     }

@@ -1,0 +1,18 @@
+### Hints for newcomers, shown one after another in the first world.
+
+hints-look = Umsehen: { $key }
+hints-walk = Gehen: { $key }
+hints-jump = Springen: { $key }
+hints-dig = Graben, gedrückt halten: { $key }
+hints-build = Bauen, gedrückt halten: { $key }
+hints-curve = Den Raum anders abbilden: { $up } und { $down }
+hints-menu = Pause, Einstellungen, alle Tasten: { $key }
+hints-footer = { $step } von { $count } · überspringen: { $key }
+hints-footer-plain = { $step } von { $count }
+hints-stick-left = linker Stick
+hints-stick-right = rechter Stick
+
+menu-skip-hints = Tipps überspringen
+action-skip-hint = Tipp überspringen
+setting-hints = Tipps für den Anfang
+setting-hints-about = Sagen in der Welt der Reihe nach, was man tun kann. Nach dem letzten schalten sie sich ab; eingeschaltet beginnen sie von vorn.

@@ -1,0 +1,18 @@
+### Hints for newcomers, shown one after another in the first world. { $key } and the like are keys, buttons or sticks.
+
+hints-look = Look around: { $key }
+hints-walk = Walk: { $key }
+hints-jump = Jump: { $key }
+hints-dig = Dig, held down: { $key }
+hints-build = Build, held down: { $key }
+hints-curve = Change how space is pictured: { $up } and { $down }
+hints-menu = Pause, settings, all the keys: { $key }
+hints-footer = { $step } of { $count } · skip: { $key }
+hints-footer-plain = { $step } of { $count }
+hints-stick-left = left stick
+hints-stick-right = right stick
+
+menu-skip-hints = Skip the hints
+action-skip-hint = Skip a hint
+setting-hints = Hints for newcomers
+setting-hints-about = Tells in the world, one after another, what can be done. Switches itself off after the last; switched on, it begins anew.

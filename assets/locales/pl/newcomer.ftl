@@ -1,0 +1,18 @@
+### Hints for newcomers, shown one after another in the first world.
+
+hints-look = Rozejrzyj się: { $key }
+hints-walk = Chodzenie: { $key }
+hints-jump = Skok: { $key }
+hints-dig = Kopanie, z przytrzymaniem: { $key }
+hints-build = Budowanie, z przytrzymaniem: { $key }
+hints-curve = Inny obraz przestrzeni: { $up } i { $down }
+hints-menu = Pauza, ustawienia, wszystkie klawisze: { $key }
+hints-footer = { $step } z { $count } · pomiń: { $key }
+hints-footer-plain = { $step } z { $count }
+hints-stick-left = lewa gałka
+hints-stick-right = prawa gałka
+
+menu-skip-hints = Pomiń wskazówki
+action-skip-hint = Pomiń wskazówkę
+setting-hints = Wskazówki dla początkujących
+setting-hints-about = Mówią w świecie po kolei, co można robić. Po ostatniej wyłączają się same; włączone, zaczynają od początku.

@@ -1,0 +1,173 @@
+//! Window events on their way to the game, the interface, or an action that waits for its key.
+
+use std::collections::HashSet;
+use std::time::Instant;
+
+use winit::event::{ElementState, KeyEvent, MouseButton, WindowEvent};
+use winit::keyboard::{KeyCode, PhysicalKey};
+
+use super::open::Open;
+use crate::bindings::{Input, button_input, key_input, wheel_input};
+
+/// Keys that are down, as far as this window has been told.
+#[derive(Debug, Default)]
+pub struct Down {
+    keys: HashSet<KeyCode>,
+}
+
+impl Down {
+    /// A key is told to be down or up, and that it repeats itself or not. Whether it does: by the system's word, or
+    /// because it is down already. A key that is held while a window gets the keyboard is told twice.
+    pub fn repeats(&mut self, key: KeyCode, pressed: bool, told: bool) -> bool {
+        if !pressed {
+            self.keys.remove(&key);
+            return false;
+        }
+        !self.keys.insert(key) || told
+    }
+}
+
+impl Open {
+    /// The window may be on another monitor, with other pixels.
+    fn fit(&mut self) {
+        let size = self.stage.window.inner_size();
+        self.minimised = size.width == 0 || size.height == 0;
+        if (size.width, size.height) != self.stage.size() {
+            self.stage.resize(size.width, size.height);
+        }
+    }
+
+    /// Takes an event of the window.
+    pub fn handle(&mut self, event: &WindowEvent) {
+        self.redraw.touch(Instant::now());
+        match event {
+            WindowEvent::CloseRequested => {
+                if self.game.is_playing() {
+                    self.begin_picture();
+                }
+                self.game.close_window();
+            }
+            WindowEvent::Resized(size) => {
+                self.minimised = size.width == 0 || size.height == 0;
+                self.stage.resize(size.width, size.height);
+            }
+            WindowEvent::ScaleFactorChanged { .. } | WindowEvent::Moved(_) => self.fit(),
+            WindowEvent::Occluded(occluded) => self.occluded = *occluded,
+            WindowEvent::Focused(gained) => {
+                if !gained {
+                    // What comes up elsewhere is not told everywhere.
+                    self.down = Down::default();
+                }
+                self.game.focus(*gained);
+            }
+            WindowEvent::KeyboardInput {
+                event: key,
+                is_synthetic,
+                ..
+            } => {
+                self.key(event, key, *is_synthetic);
+                return;
+            }
+            WindowEvent::CursorMoved { position, .. } => {
+                if let Some((dx, dy)) = self.pointer.moved(&self.stage.window, *position) {
+                    self.game.motion(dx, dy);
+                }
+                if self.game.is_playing() {
+                    return;
+                }
+            }
+            WindowEvent::MouseWheel { delta, .. } => {
+                let notches = self.wheel.notches(*delta);
+                self.game.wheel(notches);
+                let turned = (notches != 0.0).then(|| wheel_input(notches));
+                if self.game.is_playing() || notches == 0.0 || self.take_for_binding(turned) {
+                    return;
+                }
+            }
+            WindowEvent::MouseInput { state, button, .. } if self.game.is_playing() => {
+                self.button(*button, *state == ElementState::Pressed);
+                return;
+            }
+            WindowEvent::MouseInput {
+                state: ElementState::Pressed,
+                button,
+                ..
+            } if self.take_for_binding(button_input(*button)) => return,
+            _ => {}
+        }
+        let _ = self.stage.input.on_window_event(&self.stage.window, event);
+    }
+
+    fn button(&mut self, button: MouseButton, pressed: bool) {
+        if let Some(input) = button_input(button) {
+            self.game.input(input, pressed);
+        }
+    }
+
+    /// Gives an input to an action that waits for one. Whether there was an input, and an action that waited.
+    fn take_for_binding(&mut self, input: Option<Input>) -> bool {
+        match input {
+            Some(input) if self.game.shell.wants_input() => {
+                self.game.shell.take_input(input);
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Keys of the game are routed before the interface sees any, so that Tab cannot give a hidden widget the focus.
+    fn key(&mut self, event: &WindowEvent, key: &KeyEvent, synthetic: bool) {
+        let PhysicalKey::Code(code) = key.physical_key else {
+            return;
+        };
+        let pressed = key.state == ElementState::Pressed;
+        let input = key_input(code);
+        let repeats = self.down.repeats(code, pressed, key.repeat);
+        let fresh = pressed && !repeats && !synthetic;
+        if self.take_for_binding(input.filter(|_| fresh && code != KeyCode::Escape)) {
+            return;
+        }
+        let typing = self.game.is_typing() || self.stage.overlay.context().text_edit_focused();
+        if fresh && !self.game.is_playing() && !typing && self.game.is_fullscreen(input) {
+            self.game.turn_fullscreen();
+            return;
+        }
+        if let Some(input) = input
+            && !(synthetic && pressed)
+            && self.game.take_key(input, pressed, repeats)
+        {
+            return;
+        }
+        // The interface hears of every key that comes up: one that went down in a menu would stay down there.
+        let mut for_interface = !pressed;
+        if self.game.is_playing() {
+            if let Some(input) = input.filter(|_| !(repeats || synthetic && pressed)) {
+                self.game.input(input, pressed);
+            }
+        } else if code != KeyCode::Escape {
+            for_interface = true;
+        } else if fresh {
+            self.game.escape();
+        }
+        if for_interface {
+            let _ = self.stage.input.on_window_event(&self.stage.window, event);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_key_that_is_told_twice_without_coming_up_is_pressed_once() {
+        let mut down = Down::default();
+        assert!(!down.repeats(KeyCode::Escape, true, false));
+        assert!(down.repeats(KeyCode::Escape, true, false));
+        assert!(!down.repeats(KeyCode::KeyP, true, false));
+        assert!(!down.repeats(KeyCode::Escape, false, false));
+        assert!(!down.repeats(KeyCode::Escape, true, false));
+        assert!(!down.repeats(KeyCode::Escape, false, false));
+        assert!(down.repeats(KeyCode::Escape, true, true), "held before");
+    }
+}

@@ -1,0 +1,213 @@
+//! What newcomers are told in the world, one thing after another, each until it was done or skipped.
+
+#[cfg(test)]
+mod tests;
+
+use antipode_language::Texts;
+use antipode_scene::Actions;
+use antipode_scene::tuning::STEP_S;
+use antipode_settings::{Profiles, Value};
+use antipode_ui::{HintModel, first_input_label, pad_input_label};
+
+use super::game::Game;
+use super::phase::Phase;
+use crate::bindings::{Action, Input};
+
+/// How far the view has to be turned in all, radians.
+const TURN_RAD: f64 = 0.7;
+/// How long one has to walk in all, seconds.
+const WALK_S: f64 = 0.8;
+/// How long the ground has to be worked on, seconds.
+const WORK_S: f64 = 0.3;
+/// From one hint to the next, seconds.
+const REST_S: f64 = 0.6;
+
+/// Something to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Lesson {
+    Look,
+    Walk,
+    Jump,
+    Dig,
+    Build,
+    Curve,
+    Menu,
+}
+
+impl Lesson {
+    /// All, in the order in which they are told.
+    const ALL: [Self; 7] = [
+        Self::Look,
+        Self::Walk,
+        Self::Jump,
+        Self::Dig,
+        Self::Build,
+        Self::Curve,
+        Self::Menu,
+    ];
+}
+
+/// What was done of it so far.
+#[derive(Clone, Debug, Default)]
+pub struct Hints {
+    done: [bool; Lesson::ALL.len()],
+    turned_rad: f64,
+    walked_s: f64,
+    dug_s: f64,
+    built_s: f64,
+    /// Until the next is told, seconds.
+    rest_s: f64,
+    /// Whether the player last used a gamepad.
+    by_pad: bool,
+}
+
+impl Hints {
+    /// Notes what was used last, as it is named in the hints.
+    pub fn use_pad(&mut self, by_pad: bool) {
+        self.by_pad = by_pad;
+    }
+
+    fn begin_anew(&mut self) {
+        *self = Self {
+            by_pad: self.by_pad,
+            ..Self::default()
+        };
+    }
+
+    /// Takes in what the player asked for in one step of the simulation.
+    fn step(&mut self, actions: &Actions) {
+        self.rest_s = (self.rest_s - STEP_S).max(0.0);
+        self.turned_rad += actions.look_yaw.abs() + actions.look_pitch.abs();
+        self.walked_s += actions.forward.hypot(actions.strafe).min(1.0) * STEP_S;
+        let worked = |on: bool| if on { STEP_S } else { 0.0 };
+        self.dug_s += worked(actions.primary);
+        self.built_s += worked(actions.secondary);
+        for (lesson, done) in [
+            (Lesson::Look, self.turned_rad >= TURN_RAD),
+            (Lesson::Walk, self.walked_s >= WALK_S),
+            (Lesson::Jump, actions.jump),
+            (Lesson::Dig, self.dug_s >= WORK_S),
+            (Lesson::Build, self.built_s >= WORK_S),
+            (Lesson::Curve, actions.dial != 0.0),
+        ] {
+            if done {
+                self.finish(lesson);
+            }
+        }
+    }
+
+    fn finish(&mut self, lesson: Lesson) {
+        let Some(done) = self.done.get_mut(lesson as usize) else {
+            return;
+        };
+        if !std::mem::replace(done, true) {
+            self.rest_s = REST_S;
+        }
+    }
+
+    /// What is to be told now, and its place among those that this world has.
+    fn current(&self, has_dial: bool) -> Option<(Lesson, usize, usize)> {
+        let lessons = Lesson::ALL.into_iter();
+        let lessons: Vec<_> = lessons
+            .filter(|lesson| has_dial || *lesson != Lesson::Curve)
+            .collect();
+        let is_open = |lesson: &Lesson| self.done.get(*lesson as usize) == Some(&false);
+        let place = lessons.iter().position(is_open)?;
+        Some((lessons[place], place + 1, lessons.len()))
+    }
+
+    /// The words to show now, if any.
+    fn model(&self, texts: &Texts, profiles: &Profiles, has_dial: bool) -> Option<HintModel> {
+        let (lesson, step, count) = self.current(has_dial).filter(|_| self.rest_s <= 0.0)?;
+        let key = |action| {
+            let pad = pad_input_label(texts, profiles, action).filter(|_| self.by_pad);
+            pad.unwrap_or_else(|| first_input_label(texts, profiles, action))
+        };
+        let say = |hint: &str, key: String| texts.say_with(hint, &[("key", key.into())]);
+        let text = match lesson {
+            Lesson::Look if self.by_pad => say("hints-look", texts.say("hints-stick-right")),
+            Lesson::Look => say("hints-look", texts.say("key-Mouse")),
+            Lesson::Walk if self.by_pad => say("hints-walk", texts.say("hints-stick-left")),
+            Lesson::Walk => {
+                let ways = [
+                    Action::Forward,
+                    Action::Left,
+                    Action::Backward,
+                    Action::Right,
+                ];
+                say("hints-walk", ways.map(key).join(" "))
+            }
+            Lesson::Jump => say("hints-jump", key(Action::Jump)),
+            Lesson::Dig => say("hints-dig", key(Action::Use)),
+            Lesson::Build => say("hints-build", key(Action::SecondUse)),
+            Lesson::Curve => {
+                let (up, down) = (key(Action::DialUp), key(Action::DialDown));
+                texts.say_with("hints-curve", &[("up", up.into()), ("down", down.into())])
+            }
+            Lesson::Menu => say("hints-menu", key(Action::Menu)),
+        };
+        let mut values = vec![("step", step.into()), ("count", count.into())];
+        // A pad has no button for it; nor has a keyboard whose key was taken away.
+        let skips = !self.by_pad && !profiles.chosen().inputs(Action::SkipHint).is_empty();
+        let footer = if skips {
+            values.push(("key", key(Action::SkipHint).into()));
+            texts.say_with("hints-footer", &values)
+        } else {
+            texts.say_with("hints-footer-plain", &values)
+        };
+        Some(HintModel { text, footer })
+    }
+}
+
+impl Game {
+    /// Takes in one step of play.
+    pub(super) fn step_hints(&mut self, actions: &Actions) {
+        if self.config.settings.hints {
+            self.hints.step(actions);
+        }
+    }
+
+    /// Goes on from the hint that is shown.
+    pub(super) fn skip_hint(&mut self) {
+        if let Some((lesson, ..)) = self.hints.current(self.has_dial()) {
+            self.hints.finish(lesson);
+        }
+    }
+
+    /// Remembers that all was told; begins anew when the player has asked for it. Once a frame.
+    pub(super) fn watch_hints(&mut self) {
+        if !self.config.settings.hints {
+            self.hints.begin_anew();
+            return;
+        }
+        let has_dial = match &self.phase {
+            Phase::Playing(_) => self.has_dial(),
+            // Whoever is here has found the menu.
+            Phase::Paused(_) => {
+                self.hints.finish(Lesson::Menu);
+                self.has_dial()
+            }
+            _ => return,
+        };
+        if self.hints.current(has_dial).is_none() {
+            self.hints.begin_anew();
+            self.set_option("hints", Value::Switch(false));
+        }
+    }
+
+    /// What a newcomer is to be told now.
+    pub(super) fn hint(&self) -> Option<HintModel> {
+        let hints = self.config.settings.hints.then_some(&self.hints)?;
+        hints.model(&self.texts, &self.config.profiles, self.has_dial())
+    }
+
+    /// Notes which device an input comes from.
+    pub(super) fn note_device(&mut self, input: Input) {
+        self.hints.use_pad(matches!(input, Input::Pad(_)));
+    }
+
+    fn has_dial(&self) -> bool {
+        let session = self.phase.session();
+        session.is_some_and(|session| session.scene.lens().range().is_some())
+    }
+}

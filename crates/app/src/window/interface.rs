@@ -1,0 +1,161 @@
+//! What the interface shows of the game, and what the player asks for there.
+
+use antipode_geometry::Geometry;
+use antipode_ui::{GeometryChoice, HudModel, Intent, MenuModel, Screen, ToastKind};
+
+use super::game::Game;
+use super::phase::{Next, Phase, Request};
+use crate::drawn::Drawn;
+use crate::hud;
+use crate::session::NewWorld;
+
+impl Game {
+    /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
+    /// with, and the adapter's own time in milliseconds where it can tell.
+    pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
+        self.console.drawn = drawn.map(|(drawn, _)| drawn);
+        if let Some(model) = self.display(drawn) {
+            antipode_ui::show_hud(context, &self.texts, &model);
+        }
+        if self.shots.is_now() {
+            // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
+            if (self.display_hidden || self.is_photographing()) && !self.shell.is_open() {
+                return;
+            }
+        } else {
+            self.show_console(context);
+            self.show_photo_panel(context);
+        }
+        let running = self.running();
+        self.list.show_pictures(context);
+        let (rows, files) = if self.shell.is_open() {
+            let running = running.as_ref().map(|(slug, _)| slug.as_str());
+            (
+                self.list.rows(&self.texts, running),
+                self.list.files(&self.texts),
+            )
+        } else {
+            Default::default()
+        };
+        let check = |name: &str| self.list.check_name(&self.texts, name);
+        let check_rename = |slug: &str, name: &str| self.list.check_rename(&self.texts, slug, name);
+        let notice = self.software.as_ref().map(|adapter| {
+            let share = self.config.settings.render_scale.share(true);
+            let percent = (share * 100.0).round() as u32;
+            let values = [("adapter", adapter.into()), ("percent", percent.into())];
+            self.texts.say_with("adapter-software", &values)
+        });
+        let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
+        let model = MenuModel {
+            texts: &self.texts,
+            running_world: running.as_ref().map(|(_, name)| name.as_str()),
+            backdrop: self.backdrop.model(),
+            worlds: &rows,
+            config: &self.config,
+            check_name: &check,
+            check_rename: &check_rename,
+            world_files: &files,
+            adapter_notice: notice.as_deref(),
+            sound_notice: sound_notice.as_deref(),
+            version: env!("CARGO_PKG_VERSION"),
+            about: &self.about,
+        };
+        let intents = self.shell.show(context, &model);
+        for intent in intents {
+            self.follow(intent);
+        }
+    }
+
+    fn running(&self) -> Option<(String, String)> {
+        let session = self.phase.session()?;
+        let setup = session.scene.setup();
+        let values = [
+            ("name", (&setup.name).into()),
+            ("seed", setup.seed.to_string().into()),
+        ];
+        let mut title = self.texts.say_with("running-world", &values);
+        if session.scene.cheated() {
+            title = format!("{title} · {}", self.texts.say("cheats-used"));
+        }
+        Some((session.slug.clone(), title))
+    }
+
+    fn display(&self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
+        match &self.phase {
+            Phase::Playing(session) if !self.display_hidden && !self.is_photographing() => {
+                let fps = self.fps.value();
+                let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
+                let figures = drawn.filter(|_| self.figures_shown).map(|(drawn, gpu_ms)| {
+                    drawn.figures(
+                        &self.texts,
+                        &session.scene,
+                        frame_ms,
+                        gpu_ms,
+                        self.pace.dropped_s(),
+                    )
+                });
+                let model = hud::model(&self.texts, &session.scene, fps, figures);
+                Some(HudModel {
+                    hint: self.hint(),
+                    ..model
+                })
+            }
+            _ => None,
+        }
+    }
+
+    pub(super) fn follow(&mut self, intent: Intent) {
+        match intent {
+            Intent::Resume => self.resume(),
+            Intent::Save => {
+                if let Some(session) = self.phase.session_mut() {
+                    session.scene.save();
+                    self.since_save_s = 0.0;
+                    self.saving = true;
+                }
+            }
+            Intent::SaveAndQuitToMenu => self.leave(Next::Menu),
+            Intent::NewGame {
+                name,
+                geometry,
+                seed,
+                radius_m,
+            } => self.leave(Next::Open(Request::New(NewWorld {
+                geometry: geometry_of(geometry),
+                name: Some(name),
+                seed,
+                radius_m,
+            }))),
+            Intent::Load { slug } => match self.list.work_on(&self.texts, &slug) {
+                // It would be called in use by somebody else.
+                Some(work) => self.shell.toast(work, ToastKind::State),
+                None => self.leave(Next::Open(Request::Load(slug))),
+            },
+            Intent::Set { id, value } => self.set_option(id, value),
+            Intent::ResetSetting(id) => self.reset_option(id),
+            Intent::Bind(profiles) => self.bind(*profiles),
+            Intent::Delete { slug } => self.list.delete(slug),
+            Intent::Worlds(intent) => self.list.follow(intent),
+            Intent::Quit => self.leave(Next::Quit),
+            Intent::TrySavingAgain => {
+                let next = self.held_up.take().unwrap_or(Next::Menu);
+                self.leave(next);
+            }
+            Intent::LeaveUnsaved => self.abandon(),
+            Intent::DismissMessage => {
+                self.held_up = None;
+                if matches!(self.phase, Phase::Paused(_)) && !self.shell.is_open() {
+                    self.shell.open(Screen::Main);
+                }
+            }
+        }
+    }
+}
+
+fn geometry_of(choice: GeometryChoice) -> Geometry {
+    match choice {
+        GeometryChoice::Hyperbolic => Geometry::Hyperbolic,
+        GeometryChoice::Euclidean => Geometry::Euclidean,
+        GeometryChoice::Spherical => Geometry::Spherical,
+    }
+}

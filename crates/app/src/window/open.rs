@@ -1,0 +1,198 @@
+//! The game in its open window: what happens once a frame.
+
+use std::time::{Duration, Instant};
+
+use antipode_render::RenderError;
+use antipode_settings::Settings;
+
+use super::events::Down;
+use super::game::Game;
+use super::hearing::Ears;
+use super::pads::Pads;
+use super::pointer::Pointer;
+use super::redraw::{REST, Redraw};
+use super::stage::Stage;
+use super::wheel::Wheel;
+use crate::failure::Failure;
+
+/// The window and the game in it.
+pub struct Open {
+    pub(super) stage: Stage,
+    pub(super) game: Game,
+    pub(super) ears: Ears,
+    pub(super) pads: Pads,
+    pub(super) pointer: Pointer,
+    pub(super) wheel: Wheel,
+    pub(super) occluded: bool,
+    pub(super) minimised: bool,
+    /// The settings that the stage goes by.
+    pub(super) followed: Option<Settings>,
+    pub(super) redraw: Redraw,
+    pub(super) down: Down,
+}
+impl Open {
+    /// A game on a stage.
+    pub fn new(stage: Stage, game: Game) -> Self {
+        let ears = Ears::new(&game.config.settings);
+        Self {
+            stage,
+            game,
+            ears,
+            pads: Pads::new(crate::pad::system()),
+            pointer: Pointer::default(),
+            wheel: Wheel::default(),
+            occluded: false,
+            minimised: false,
+            followed: None,
+            redraw: Redraw::new(Instant::now()),
+            down: Down::default(),
+        }
+    }
+
+    /// Whether nobody can see the window.
+    fn is_hidden(&self) -> bool {
+        self.occluded || self.minimised
+    }
+
+    /// Whether to draw a frame now: not of a window that nobody sees, nor of what stands still.
+    pub fn is_worth_drawing(&mut self, now: Instant) -> bool {
+        let changed = self.game.shell.take_changed();
+        if changed || !self.game.is_still() || self.stage.is_busy() {
+            self.redraw.touch(now);
+        }
+        self.redraw.is_due(now) && !self.is_hidden()
+    }
+
+    /// When to look again after no frame was worth drawing.
+    pub fn next_look(&self, now: Instant) -> Instant {
+        if self.is_hidden() {
+            now + REST
+        } else {
+            self.redraw.next_look(now)
+        }
+    }
+
+    /// Lets time pass in the game, the pads and the sounds.
+    pub fn tick(&mut self, now: Instant) {
+        let keys = self.pads.poll(&mut self.game, now);
+        if !keys.is_empty() {
+            self.redraw.touch(Instant::now());
+        }
+        self.stage.input.egui_input_mut().events.extend(keys);
+        self.game.tick(now);
+        self.follow_settings();
+        self.ears.listen(&mut self.game);
+        if !self.game.is_playing() {
+            self.pointer.free(&self.stage.window);
+        } else if self.pointer.catch(&self.stage.window) {
+            self.wheel = Wheel::default();
+        }
+    }
+
+    /// Has the stage go by the settings, where they have changed.
+    fn follow_settings(&mut self) {
+        let settings = &self.game.config.settings;
+        if self.followed.as_ref() == Some(settings) {
+            return;
+        }
+        self.followed = Some(settings.clone());
+        self.redraw.touch(Instant::now());
+        if let Err(why) = self.stage.follow(settings) {
+            self.game.tell_not_applied(&why);
+        }
+    }
+
+    /// Draws and shows the picture of this moment. A lost adapter is opened anew first, unless it cannot.
+    ///
+    /// # Errors
+    /// When the adapter is lost for good, or refuses to draw.
+    pub fn draw(&mut self, can_recover: bool) -> Result<(), Failure> {
+        if let Some(why) = self.stage.lost() {
+            self.recover(&why, can_recover)?;
+        }
+        // Without something to draw on, the chunks that a frame brings stay where they are.
+        let Some(texture) = self.stage.next_texture() else {
+            return Ok(());
+        };
+        self.take_pictures();
+        let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
+        let output = self.interface();
+        let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
+        let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        let keeps = self.game.begin_screenshot();
+        self.stage.show(texture, frame.as_ref(), output, keeps)?;
+        let now = Instant::now();
+        self.redraw.drawn(now, wait);
+        self.game.shown(now);
+        Ok(())
+    }
+
+    /// Opens an adapter anew, and says so.
+    fn recover(&mut self, why: &str, can_recover: bool) -> Result<(), Failure> {
+        tracing::warn!("the graphics adapter was lost ({why}) and is opened anew");
+        if !can_recover {
+            return Err(RenderError::Lost(why.to_owned()).into());
+        }
+        self.stage.recover(why)?;
+        // What it draws with may be another, and be followed otherwise.
+        self.followed = None;
+        self.follow_settings();
+        self.game.tell_reopened(self.stage.software());
+        tracing::warn!("drawing goes on with {}", self.stage.adapter_name());
+        Ok(())
+    }
+
+    /// Takes over the pictures that have been drawn, and begins those that are wanted.
+    fn take_pictures(&mut self) {
+        if self.game.take_wants_picture() {
+            self.begin_picture();
+        }
+        while let Some(picture) = self.stage.finished_screenshot() {
+            self.game.keep_screenshot(picture);
+        }
+        if let Some((world, picture)) = self.stage.finished_thumbnail() {
+            self.game.keep_picture(world, picture);
+        } else if !self.stage.makes_thumbnail() {
+            self.game.miss_picture();
+        }
+        self.game
+            .set_canvas(self.stage.size(), self.stage.largest_side());
+        if let Some(tile) = self.stage.finished_tile() {
+            self.game.keep_tile(tile);
+        }
+        if let Some((frame, tile, size)) = self.game.next_tile() {
+            self.stage.begin_tile(frame, tile, size);
+        }
+    }
+
+    /// One pass of the interface.
+    fn interface(&mut self) -> egui::FullOutput {
+        let input = self.stage.input.take_egui_input(&self.stage.window);
+        let game = &mut self.game;
+        let drawn = self.stage.drawn();
+        let mut output = self
+            .stage
+            .overlay
+            .context()
+            .run_pass(input, |context| game.interface(context, drawn));
+        if self.game.config.settings.high_contrast {
+            antipode_ui::heighten_contrast(&mut output.shapes);
+        }
+        let platform = std::mem::take(&mut output.platform_output);
+        if !self.game.is_playing() {
+            self.ears.interface(&platform.events);
+            self.stage
+                .input
+                .handle_platform_output(&self.stage.window, platform);
+        }
+        output
+    }
+
+    /// Has a picture of the open world drawn for the menu.
+    pub(super) fn begin_picture(&mut self) {
+        if let Some(frame) = self.game.frame(16.0 / 9.0, self.stage.height_px()) {
+            let world = self.game.expect_picture();
+            self.stage.begin_thumbnail(world, &frame);
+        }
+    }
+}

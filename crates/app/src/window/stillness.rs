@@ -1,0 +1,33 @@
+//! Whether the picture can change by itself.
+
+use antipode_ui::ToastKind;
+
+use super::game::Game;
+use super::phase::Phase;
+
+impl Game {
+    /// Whether nothing moves until somebody does something: a paused world whose land is all there, or a menu that
+    /// no world flies by behind, and no work is under way that has something to show when it ends.
+    pub fn is_still(&self) -> bool {
+        let rests = match &self.phase {
+            Phase::Paused(session) => {
+                session.scene.pending() == 0 && !self.saving && !self.wants_picture
+            }
+            Phase::Menu => !self.wants_backdrop(),
+            _ => false,
+        };
+        rests && self.list.is_idle() && self.shots.is_idle()
+    }
+
+    /// Whether what is drawn is an open world.
+    pub fn shows_world(&self) -> bool {
+        matches!(self.phase, Phase::Playing(_) | Phase::Paused(_))
+    }
+
+    /// The adapter was lost, and drawing goes on with one that draws in software if it has this name.
+    pub fn tell_reopened(&mut self, software: Option<String>) {
+        self.software = software;
+        let words = self.texts.say("adapter-reopened");
+        self.shell.toast(words, ToastKind::State);
+    }
+}

@@ -1,0 +1,85 @@
+//! Hints for newcomers in the game: they come in the world, are remembered when done, and come again when asked for.
+
+use antipode_settings::Value;
+
+use super::*;
+
+const KEY_N: Input = Input::Key("KeyN");
+
+fn set_hints(game: &mut Game, on: bool) {
+    let value = Value::Switch(on);
+    game.follow(Intent::Set { id: "hints", value });
+}
+
+fn told(game: &Game) -> String {
+    game.hint().map_or_else(String::new, |hint| hint.text)
+}
+
+#[test]
+fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    assert!(told(&game).starts_with("Look"));
+    // A flat world has no dial: six hints.
+    for _ in 0..6 {
+        assert!(game.config.settings.hints);
+        game.input(KEY_N, true);
+        game.input(KEY_N, false);
+        game.tick(Instant::now());
+    }
+    assert!(!game.config.settings.hints && told(&game).is_empty());
+    set_hints(&mut game, true);
+    tick_until(&mut game, |game| told(game).starts_with("Look"));
+}
+
+#[test]
+fn opening_the_menu_is_remembered_though_it_is_told_last() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    game.input(Input::Key("Escape"), true);
+    game.tick(Instant::now());
+    game.follow(Intent::Resume);
+    for _ in 0..5 {
+        assert!(game.config.settings.hints);
+        game.input(KEY_N, true);
+        game.tick(Instant::now());
+    }
+    assert!(!game.config.settings.hints, "the sixth is done already");
+}
+
+#[test]
+fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = Game::new(worlds(dir.path()), None, None);
+    game.enable_backdrop(true);
+    tick_until(&mut game, |game| game.backdrop.model().live);
+    assert!(game.frame(1.5, 400).is_some() && !game.is_still());
+    let value = Value::Switch(true);
+    game.follow(Intent::Set {
+        id: "reduced-motion",
+        value,
+    });
+    game.tick(Instant::now());
+    assert!(game.frame(1.5, 400).is_none() && !game.backdrop.model().live);
+    tick_until(&mut game, Game::is_still);
+    let value = Value::Switch(false);
+    game.follow(Intent::Set {
+        id: "reduced-motion",
+        value,
+    });
+    tick_until(&mut game, |game| game.backdrop.model().live);
+    game.open(Request::New(NewWorld {
+        geometry: Geometry::Euclidean,
+        name: Some("x".to_owned()),
+        seed: Some(7),
+        radius_m: None,
+    }));
+    game.tick(Instant::now());
+    assert!(!game.backdrop.model().live, "it makes way at once");
+    tick_until(&mut game, Game::is_playing);
+    assert_eq!(
+        worlds(dir.path()).list().unwrap().len(),
+        1,
+        "the flights leave nothing on disk"
+    );
+}

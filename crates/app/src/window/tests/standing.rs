@@ -1,0 +1,123 @@
+//! A game that stands still, is slow, sleeps, or is closed while its picture is drawn.
+
+use std::time::Duration;
+
+use image::RgbaImage;
+
+use super::*;
+
+#[test]
+fn a_paused_world_stands_still_once_its_land_is_there_and_no_sooner() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    assert!(!game.is_still());
+    game.input(Input::Key("Escape"), true);
+    assert!(!game.is_still(), "its picture is still to be taken");
+    assert!(game.take_wants_picture());
+    tick_until(&mut game, Game::is_still);
+    assert!(game.shell.take_changed());
+    game.tick(Instant::now());
+    assert!(!game.shell.take_changed());
+    game.follow(Intent::Save);
+    assert!(!game.is_still(), "somebody waits for an answer");
+    tick_until(&mut game, Game::is_still);
+    assert!(game.shell.take_changed(), "the answer is to be seen");
+    game.follow(Intent::Resume);
+    assert!(!game.is_still());
+    game.finish();
+}
+
+#[test]
+fn a_slow_frame_is_at_most_six_steps_and_the_figures_tell_what_was_left_out() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let simulated = |game: &Game| game.phase.session().unwrap().scene.simulated_s();
+    let mut now = Instant::now() + Duration::from_secs(1);
+    game.tick(now);
+    let before = simulated(&game);
+    game.input(Input::Key("F4"), true);
+    now += Duration::from_millis(2_600);
+    game.tick(now);
+    let steps = (simulated(&game) - before) * 60.0;
+    assert!((5.9..6.1).contains(&steps), "{steps}");
+    let dropped_s = game.pace.dropped_s();
+    assert!(dropped_s > 2.4, "{dropped_s}");
+    let said = words(&mut game);
+    assert!(
+        said.contains(&format!("{dropped_s:.1} s of time")),
+        "{said}"
+    );
+    game.finish();
+}
+
+#[test]
+fn hours_between_two_frames_are_no_time_of_the_world() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let times = |game: &Game| {
+        let scene = &game.phase.session().unwrap().scene;
+        (scene.simulated_s(), scene.time_of_day_s())
+    };
+    let mut now = Instant::now() + Duration::from_secs(1);
+    game.tick(now);
+    let before = times(&game);
+    let dropped_s = game.pace.dropped_s();
+    now += Duration::from_hours(11);
+    game.tick(now);
+    assert_eq!(times(&game), before);
+    assert_eq!(game.pace.dropped_s(), dropped_s);
+    for _ in 0..60 {
+        now += Duration::from_micros(16_667);
+        game.tick(now);
+    }
+    let passed = times(&game).0 - before.0;
+    assert!((0.9..1.1).contains(&passed), "{passed}");
+    game.finish();
+}
+
+/// The world's picture as it lies on disk.
+fn picture_of(dir: &TempDir) -> Option<image::RgbImage> {
+    let listed = worlds(dir.path()).list().unwrap();
+    let path = listed[0].thumbnail.clone()?;
+    Some(image::open(path).unwrap().to_rgb8())
+}
+
+#[test]
+fn a_world_that_is_closed_says_so_at_once_and_gets_its_last_picture_later() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let world = game.expect_picture();
+    game.close_window();
+    assert!(matches!(game.shell.screen(), Screen::Busy { .. }));
+    assert!(matches!(game.phase, Phase::Closing(..)));
+    let red = image::Rgba([200, 30, 40, 255]);
+    game.keep_picture(world, RgbaImage::from_pixel(4, 4, red));
+    tick_until(&mut game, Game::is_over);
+    assert_eq!(game.last_words(), None);
+    let kept = picture_of(&dir).unwrap();
+    assert_eq!(kept.get_pixel(1, 1).0, [200, 30, 40]);
+}
+
+#[test]
+fn a_world_that_is_closed_does_without_a_picture_that_never_comes() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    game.expect_picture();
+    game.close_window();
+    game.miss_picture();
+    tick_until(&mut game, Game::is_over);
+    worlds(dir.path()).load("x").unwrap().close().unwrap();
+}
+
+#[test]
+fn closing_the_window_while_a_world_is_opened_says_that_it_is_saved() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = begun(&dir);
+    game.close_window();
+    let Screen::Busy { title, .. } = game.shell.screen() else {
+        panic!("{:?}", game.shell.screen());
+    };
+    assert_eq!(*title, game.texts.say("busy-saving"));
+    tick_until(&mut game, Game::is_over);
+    worlds(dir.path()).load("x").unwrap().close().unwrap();
+}

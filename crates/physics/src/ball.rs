@@ -1,0 +1,238 @@
+//! A small ball thrown through the terrain: it falls, bounces and slides; and the first of many upright capsules that
+//! its way meets.
+
+use glam::DVec3;
+use rapier3d::math::Pose;
+use rapier3d::parry::query::details::ShapeCastOptions;
+use rapier3d::parry::query::{Ray, RayCast};
+use rapier3d::parry::shape::{Ball as BallShape, Capsule as CapsuleShape};
+
+use crate::PhysicsWorld;
+
+/// A ball stays this far (m) off what it has touched, so that the next cast does not begin in it.
+const SKIN_M: f64 = 1e-3;
+/// Touches followed within one move; what is left of the move after them is given up.
+const MOST_TOUCHES: usize = 4;
+
+/// How a ball moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BallTuning {
+    /// Its radius.
+    pub radius_m: f64,
+    /// Downward acceleration; zero flies straight.
+    pub gravity_m_s2: f64,
+    /// Share of the speed into the ground that comes back out of it, 0 to 1.
+    pub bounce: f64,
+    /// Share of the speed along the ground that a touch leaves, 0 to 1.
+    pub slide: f64,
+}
+
+/// A ball in physics space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ball {
+    /// Its centre (m).
+    pub centre: DVec3,
+    /// Its velocity (m/s).
+    pub velocity: DVec3,
+}
+
+/// A touch of the terrain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Where the ball's centre was (m).
+    pub centre: DVec3,
+    /// Unit normal of the ground, towards the ball.
+    pub normal: DVec3,
+    /// Speed into the ground (m/s).
+    pub speed_m_s: f64,
+}
+
+impl Ball {
+    /// Where the ball would be after `dt_s` seconds if nothing were in its way, and how fast.
+    #[must_use]
+    pub fn fallen(self, gravity_m_s2: f64, dt_s: f64) -> Self {
+        let fall = DVec3::NEG_Y * gravity_m_s2 * dt_s;
+        Self {
+            centre: self.centre + (self.velocity + 0.5 * fall) * dt_s,
+            velocity: self.velocity + fall,
+        }
+    }
+}
+
+impl PhysicsWorld {
+    /// Moves a ball by `dt_s` seconds of free fall, off all ground in its way. Returns the first touch.
+    ///
+    /// Each stretch between touches is followed along the chord of its parabola, which at 1/60 s strays from the arc
+    /// by `g dt^2 / 8`, a third of a millimetre.
+    pub fn throw_ball(&self, ball: &mut Ball, tuning: &BallTuning, dt_s: f64) -> Option<Touch> {
+        let mut first = None;
+        let mut left_s = dt_s;
+        for _ in 0..MOST_TOUCHES {
+            let free = ball.fallen(tuning.gravity_m_s2, left_s);
+            let way = free.centre - ball.centre;
+            let Some((share, normal)) = self.ball_hit(ball.centre, way, tuning.radius_m) else {
+                *ball = free;
+                return first;
+            };
+            *ball = ball.fallen(tuning.gravity_m_s2, share * left_s);
+            ball.centre += normal * SKIN_M;
+            let into = -ball.velocity.dot(normal);
+            if into > 0.0 {
+                let along = ball.velocity + normal * into;
+                ball.velocity = along * tuning.slide + normal * (into * tuning.bounce);
+            }
+            first = first.or(Some(Touch {
+                centre: ball.centre,
+                normal,
+                speed_m_s: into.max(0.0),
+            }));
+            left_s *= 1.0 - share;
+        }
+        first
+    }
+
+    /// The share of `way` that a ball can go before it touches terrain, and the terrain's normal there.
+    fn ball_hit(&self, centre: DVec3, way: DVec3, radius_m: f64) -> Option<(f64, DVec3)> {
+        let length_m = way.length();
+        if !(centre.is_finite() && length_m.is_finite() && length_m > 1e-9) {
+            return None;
+        }
+        let from = Pose::from_translation((centre - self.origin()).as_vec3());
+        let options = ShapeCastOptions::with_max_time_of_impact(length_m as f32);
+        let ball = BallShape::new(radius_m as f32);
+        let ahead = way / length_m;
+        let (_, hit) = self
+            .queries()
+            .cast_shape(&from, ahead.as_vec3(), &ball, options)?;
+        let normal = hit.normal1.as_dvec3().normalize_or(-ahead);
+        // The ground has two sides; the ball is on the one that it comes from.
+        let normal = if normal.dot(ahead) > 0.0 {
+            -normal
+        } else {
+            normal
+        };
+        let share = f64::from(hit.time_of_impact) / length_m;
+        Some((share.clamp(0.0, 1.0), normal))
+    }
+}
+
+/// The share of the way from `from` to `to` (m) at which a ball first meets an upright capsule that stands at `feet`;
+/// `None` when it passes. A ball that begins inside meets it at once.
+///
+/// A ball and a capsule meet where the ball's centre meets a capsule that is wider by the ball's radius.
+pub fn meets_capsule(
+    from: DVec3,
+    to: DVec3,
+    ball_radius_m: f64,
+    feet: DVec3,
+    height_m: f64,
+    radius_m: f64,
+) -> Option<f64> {
+    let straight_m = (0.5 * height_m - radius_m).max(0.0);
+    let capsule = CapsuleShape::new_y(straight_m as f32, (radius_m + ball_radius_m) as f32);
+    let middle = feet + DVec3::Y * (0.5 * height_m);
+    let way = to - from;
+    if !(way.is_finite() && (from - middle).is_finite()) {
+        return None;
+    }
+    // In the ray's own units a share of 1 is its end.
+    let ray = Ray::new((from - middle).as_vec3(), way.as_vec3());
+    capsule
+        .cast_local_ray(&ray, 1.0, true)
+        .map(|share| f64::from(share).clamp(0.0, 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use antipode_geometry::{ChunkCoord, Hemisphere};
+    use glam::IVec3;
+
+    use super::*;
+    use crate::TerrainCollider;
+
+    const TUNING: BallTuning = BallTuning {
+        radius_m: 0.1,
+        gravity_m_s2: 10.0,
+        bounce: 0.5,
+        slide: 0.8,
+    };
+
+    /// A floor at the height of 4 m.
+    fn floor() -> PhysicsWorld {
+        let positions = [
+            [0.0, 4.0, 0.0],
+            [0.0, 4.0, 32.0],
+            [32.0, 4.0, 0.0],
+            [32.0, 4.0, 32.0],
+        ];
+        let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
+        let mut world = PhysicsWorld::new();
+        let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
+        world.set_terrain(coord, DVec3::ZERO, Some(collider));
+        world
+    }
+
+    #[test]
+    fn a_ball_falls_by_the_parabola_while_nothing_is_in_its_way() {
+        let mut ball = Ball {
+            centre: DVec3::new(0.0, 100.0, 0.0),
+            velocity: DVec3::new(3.0, 4.0, 0.0),
+        };
+        let world = PhysicsWorld::new();
+        for _ in 0..60 {
+            assert_eq!(world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0), None);
+        }
+        assert!((ball.centre - DVec3::new(3.0, 99.0, 0.0)).length() < 1e-9);
+        assert!((ball.velocity - DVec3::new(3.0, -6.0, 0.0)).length() < 1e-9);
+    }
+
+    #[test]
+    fn a_ball_bounces_off_the_floor_loses_speed_and_never_goes_through() {
+        let world = floor();
+        let mut ball = Ball {
+            centre: DVec3::new(8.0, 9.1, 8.0),
+            velocity: DVec3::new(1.0, 0.0, 0.0),
+        };
+        let (mut touches, mut lowest, mut highest_after) = (0, f64::MAX, f64::MIN);
+        for _ in 0..600 {
+            touches += usize::from(world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0).is_some());
+            lowest = lowest.min(ball.centre.y);
+            if touches > 0 {
+                highest_after = highest_after.max(ball.centre.y);
+            }
+        }
+        assert!(touches > 3, "{touches}");
+        assert!(lowest > 4.09, "{lowest}");
+        // Half of the speed comes back, so a quarter of the five metres' height.
+        assert!((highest_after - 5.35).abs() < 0.1, "{highest_after}");
+        assert!(ball.velocity.x < 0.2, "it comes to rest: {}", ball.velocity);
+    }
+
+    #[test]
+    fn however_fast_a_ball_is_it_does_not_pass_the_floor() {
+        let world = floor();
+        let mut ball = Ball {
+            centre: DVec3::new(8.0, 30.0, 8.0),
+            velocity: DVec3::new(0.0, -4000.0, 0.0),
+        };
+        let touch = world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0).unwrap();
+        assert!((touch.normal - DVec3::Y).length() < 1e-3, "{touch:?}");
+        assert!(ball.centre.y > 4.1 && ball.velocity.y > 0.0, "{ball:?}");
+    }
+
+    #[test]
+    fn a_capsule_is_met_where_its_side_is_and_passed_beside_it() {
+        let meets = |z: f64, y: f64| {
+            let from = DVec3::new(-5.0, y, z);
+            meets_capsule(from, from + DVec3::X * 10.0, 0.1, DVec3::ZERO, 1.8, 0.35)
+        };
+        let share = meets(0.0, 0.9).unwrap();
+        assert!((share - 0.455).abs() < 1e-4, "{share}");
+        assert!(meets(0.44, 0.9).is_some() && meets(0.46, 0.9).is_none());
+        assert!(meets(0.0, 1.89).is_some() && meets(0.0, 1.91).is_none());
+        assert!(meets(0.0, -0.11).is_none());
+        let within = meets_capsule(DVec3::Y, DVec3::Y * 1.1, 0.1, DVec3::ZERO, 1.8, 0.35);
+        assert_eq!(within, Some(0.0));
+    }
+}

@@ -1,0 +1,135 @@
+//! Things that were dropped: they fall, lie where they come to rest, and are picked up by walking over them.
+
+use antipode_geometry::ChartPoint;
+use antipode_physics::{Ball, BallTuning};
+use glam::DVec3;
+
+use crate::inventory::Stack;
+use crate::notice::Hint;
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
+
+/// Slower than this after a touch, in m/s, a thing comes to rest.
+const RESTS_M_S: f64 = 0.4;
+/// Things within this of the player move, in metres: further off there may be nothing to fall on.
+const NEAR_M: f64 = 24.0;
+
+/// A stack lying in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drop {
+    /// What it is.
+    pub stack: Stack,
+    /// Its middle.
+    pub point: ChartPoint,
+    pub(crate) velocity: DVec3,
+    pub(crate) age_s: f64,
+    pub(crate) rests: bool,
+}
+
+impl Drop {
+    /// A stack that lies at rest.
+    pub fn lying(stack: Stack, point: ChartPoint) -> Self {
+        Self {
+            stack,
+            point,
+            velocity: DVec3::ZERO,
+            age_s: 0.0,
+            rests: true,
+        }
+    }
+}
+
+impl Scene {
+    /// Things lying about.
+    pub fn drops(&self) -> &[Drop] {
+        &self.drops
+    }
+
+    /// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
+    /// finds no room there is thrown all the same.
+    pub fn throw_away(&mut self, stack: Stack) {
+        self.changed = true;
+        let mut stack = stack;
+        if self.drops.len() >= MOST_DROPS {
+            self.hints.push(Hint::TooManyDrops);
+            stack.count = self.inventory.give(stack.item, stack.count);
+            if stack.count == 0 {
+                return;
+            }
+        }
+        let head = self.head();
+        let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
+        drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
+        drop.rests = false;
+        self.drops.push(drop);
+    }
+
+    /// Throws away one of what is in hand, or all of it.
+    pub(crate) fn drop_held(&mut self, whole: bool) {
+        if let Some(stack) = self.inventory.take_held(whole) {
+            self.throw_away(stack);
+        }
+    }
+
+    /// Lets things fall, and the player pick up those that are near.
+    pub(crate) fn step_drops(&mut self) {
+        if self.drops.is_empty() {
+            return;
+        }
+        let mut drops = std::mem::take(&mut self.drops);
+        let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
+        for drop in &mut drops {
+            drop.age_s += STEP_S;
+            let is_near = drop.point.hemisphere == middle.hemisphere && drop.point.pos.distance(middle.pos) < NEAR_M;
+            if is_near && (!drop.rests || self.drops_unchecked) {
+                self.let_fall(drop);
+            }
+        }
+        if !self.is_dead() {
+            drops.retain_mut(|drop| !self.picks_up(drop, middle));
+        }
+        self.drops_unchecked = false;
+        self.drops = drops;
+    }
+
+    fn let_fall(&self, drop: &mut Drop) {
+        let origin = self.strategy.chart_origin_m(drop.point.hemisphere);
+        if self.ground.is_solid(drop.point) {
+            // Ground was built over it.
+            drop.point.pos.y += STEP_S * 4.0;
+            drop.rests = false;
+            return;
+        }
+        let mut ball = Ball {
+            centre: drop.point.pos + origin,
+            velocity: drop.velocity,
+        };
+        let tuning: &BallTuning = &DROP;
+        let touch = self.physics.throw_ball(&mut ball, tuning, STEP_S);
+        drop.point.pos = ball.centre - origin;
+        drop.velocity = ball.velocity;
+        drop.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
+        if drop.rests {
+            drop.velocity = DVec3::ZERO;
+        }
+        if let Some(crossing) = self.strategy.cross(drop.point) {
+            drop.point = crossing.point;
+            drop.velocity = crossing.turn_vector(drop.velocity);
+        }
+    }
+
+    /// Picks a thing up as far as there is room; returns whether nothing of it is left.
+    fn picks_up(&mut self, drop: &mut Drop, middle: ChartPoint) -> bool {
+        let is_near = drop.point.hemisphere == middle.hemisphere && drop.point.pos.distance(middle.pos) < PICK_UP_M;
+        if !is_near || drop.age_s < PICK_UP_AFTER_S || self.flying {
+            return false;
+        }
+        let left = self.inventory.give(drop.stack.item, drop.stack.count);
+        if left < drop.stack.count {
+            self.sounds.push(SoundEvent::PickedUp);
+        }
+        drop.stack.count = left;
+        left == 0
+    }
+}

@@ -1,0 +1,131 @@
+//! Harm and healing: falls, shots, death and standing up again.
+
+use hecs::Entity;
+
+use crate::bot::Bot;
+use crate::notice::Hint;
+use crate::player::Health;
+use crate::projectile::Strike;
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+use crate::tuning::{BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S};
+
+/// What has hurt someone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HarmKind {
+    /// A fall.
+    Fall,
+    /// A bullet.
+    Shot,
+}
+
+/// How the player is, besides the health itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Condition {
+    /// Since the last harm, seconds.
+    pub unhurt_s: f64,
+    /// How long the player will still lie dead, seconds.
+    pub dead_left_s: Option<f64>,
+}
+
+/// Health that a fall ending at that speed takes: none below eight metres, one at eight, and one for each metre more.
+///
+/// The height is that from which a free fall ends so fast, `v^2 / 2g`.
+pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
+    let height_m = impact_m_s * impact_m_s / (2.0 * gravity_m_s2);
+    // A fall is stepped; its last step may end it up to a hundredth short.
+    if height_m < 0.99 * FALL_HURTS_FROM_M {
+        return 0.0;
+    }
+    (height_m - FALL_HURTS_FROM_M).max(0.0) + 1.0
+}
+
+impl Scene {
+    /// Whether the player lies dead.
+    pub fn is_dead(&self) -> bool {
+        self.condition.dead_left_s.is_some()
+    }
+
+    /// Seconds since the player was last hurt.
+    pub fn unhurt_s(&self) -> f64 {
+        self.condition.unhurt_s
+    }
+
+    /// Takes health from the player. Nobody dies twice, and a spectator is not there to be hurt.
+    pub(crate) fn hurt_player(&mut self, harm: f64, kind: HarmKind) {
+        if harm <= 0.0 || self.flying || self.is_dead() {
+            return;
+        }
+        self.set_health(self.health() - harm);
+        self.condition.unhurt_s = 0.0;
+        self.sounds.push(SoundEvent::Hurt);
+        if self.health() <= 0.0 {
+            self.condition.dead_left_s = Some(DEAD_S);
+            self.hints.push(match kind {
+                HarmKind::Fall => Hint::DiedOfFall,
+                HarmKind::Shot => Hint::DiedOfShot,
+            });
+        }
+    }
+
+    /// Lets a step's time heal the player, or bring the dead back.
+    pub(crate) fn heal(&mut self) {
+        self.condition.unhurt_s += STEP_S;
+        if let Some(left_s) = self.condition.dead_left_s {
+            let left_s = left_s - STEP_S;
+            self.condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
+            if left_s <= 0.0 {
+                self.respawn();
+            }
+            return;
+        }
+        let health = self.health();
+        if self.condition.unhurt_s >= HEALS_AFTER_S && health < FULL_HEALTH {
+            self.set_health(health + HEALS_PER_S * STEP_S);
+        }
+    }
+
+    /// Puts the player back to the start with full health; what was carried stays.
+    fn respawn(&mut self) {
+        self.set_health(FULL_HEALTH);
+        self.condition = Condition::default();
+        let start = self.ground.spawn_point();
+        self.teleport(start);
+        self.hints.push(Hint::BackAgain);
+    }
+
+    /// Deals out what bullets did in a step.
+    pub(crate) fn take_strikes(&mut self, strikes: Vec<Strike>) {
+        for Strike { entity, by } in strikes {
+            self.sounds.push(SoundEvent::Struck);
+            if entity == self.player {
+                self.hurt_player(BULLET_HARM, HarmKind::Shot);
+            } else {
+                self.hurt_bot(entity, by);
+            }
+        }
+    }
+
+    fn hurt_bot(&mut self, entity: Entity, by: Entity) {
+        if let Ok((bot, health)) = self.ecs.query_one_mut::<(&mut Bot, &mut Health)>(entity) {
+            health.0 = (health.0 - BULLET_HARM).max(0.0);
+            bot.struck_by = Some(by);
+            bot.hit_s_ago = 0.0;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn falls_hurt_from_eight_metres_by_one_for_each_metre() {
+        let speed = |height_m: f64| (2.0 * 20.0 * height_m).sqrt();
+        let harm = |height_m: f64| fall_harm(speed(height_m), 20.0);
+        assert_eq!(harm(7.5).to_bits(), 0.0f64.to_bits());
+        assert!((harm(8.0) - 1.0).abs() < 1e-9);
+        assert!((harm(12.0) - 5.0).abs() < 1e-9);
+        assert!(harm(27.1) > FULL_HEALTH);
+    }
+}

@@ -1,0 +1,395 @@
+//! What the player carries: the hotbar, the backpack below it, and what the pointer holds between the two.
+//!
+//! Nothing is ever lost here: every move answers with what found no room, and a closed backpack puts back what the
+//! pointer held.
+
+use serde::{Deserialize, Serialize};
+
+use crate::item::Item;
+
+/// Slots of the hotbar.
+pub const HOTBAR_SLOTS: u8 = 10;
+/// Slots of the backpack.
+pub const BACKPACK_SLOTS: u8 = 30;
+/// All slots: those of the hotbar come first.
+pub const SLOTS: u8 = HOTBAR_SLOTS + BACKPACK_SLOTS;
+
+/// What one slot holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Stack {
+    /// The item.
+    pub item: Item,
+    /// How many, at least one.
+    pub count: u32,
+}
+
+/// What the player carries, and which slot of the hotbar is in hand.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Inventory {
+    slots: [Option<Stack>; SLOTS as usize],
+    selected: u8,
+    /// What the pointer holds while the backpack is open, and the slot that it came from.
+    carried: Option<(Stack, u8)>,
+}
+
+impl Default for Inventory {
+    /// The start: one of each thing that lasts in the first slots, bullets and lamps after them, a pickaxe in hand.
+    fn default() -> Self {
+        let mut start = Self::empty();
+        for (slot, item) in (0..).zip(Item::ALL) {
+            start.put(slot, Stack { item, count: item.at_start() });
+        }
+        start.selected = 1;
+        start
+    }
+}
+
+impl Inventory {
+    /// Nothing at all, with the first slot selected.
+    pub fn empty() -> Self {
+        Self {
+            slots: [None; SLOTS as usize],
+            selected: 0,
+            carried: None,
+        }
+    }
+
+    /// What lies in each slot: the hotbar from left to right, then the backpack line by line.
+    pub fn slots(&self) -> &[Option<Stack>] {
+        &self.slots
+    }
+
+    /// What lies in each slot of the hotbar, left to right.
+    pub fn hotbar(&self) -> &[Option<Stack>] {
+        &self.slots[..usize::from(HOTBAR_SLOTS)]
+    }
+
+    /// The selected slot, 0 to 9.
+    pub fn selected(&self) -> u8 {
+        self.selected
+    }
+
+    /// What is in hand.
+    pub fn held(&self) -> Option<Item> {
+        self.slots[usize::from(self.selected)].map(|stack| stack.item)
+    }
+
+    /// How many of an item there are in all slots and at the pointer.
+    pub fn count(&self, item: Item) -> u32 {
+        let carried = self.carried.map(|(stack, _)| stack);
+        self.slots
+            .iter()
+            .flatten()
+            .chain(&carried)
+            .filter(|stack| stack.item == item)
+            .fold(0, |sum, stack| sum.saturating_add(stack.count))
+    }
+
+    /// Takes a slot in hand; a number past the hotbar is ignored.
+    pub fn select(&mut self, slot: u8) {
+        if slot < HOTBAR_SLOTS {
+            self.selected = slot;
+        }
+    }
+
+    /// Moves the selection along the hotbar, round its ends.
+    pub fn step(&mut self, by: i32) {
+        self.selected = (i32::from(self.selected) + by).rem_euclid(i32::from(HOTBAR_SLOTS)) as u8;
+    }
+
+    /// Puts a stack into a slot, replacing what was there; a slot past the last is ignored.
+    pub fn put(&mut self, slot: u8, stack: Stack) {
+        if let Some(place) = self.slots.get_mut(usize::from(slot)) {
+            *place = Some(stack).filter(|stack| stack.count > 0);
+        }
+    }
+
+    /// Adds `count` of an item: to stacks of its kind first, then to free slots. Returns how many found no room.
+    pub fn give(&mut self, item: Item, count: u32) -> u32 {
+        let most = item.most_in_slot();
+        let mut left = count;
+        for stack in self.slots.iter_mut().flatten() {
+            if stack.item == item {
+                let moved = left.min(most.saturating_sub(stack.count));
+                stack.count += moved;
+                left -= moved;
+            }
+        }
+        for slot in self.slots.iter_mut().filter(|slot| slot.is_none()) {
+            if left == 0 {
+                break;
+            }
+            let moved = left.min(most);
+            *slot = Some(Stack { item, count: moved });
+            left -= moved;
+        }
+        left
+    }
+
+    /// Uses one of an item up, from the slot in hand if it is there, else from the first that has it. Returns whether
+    /// there was one.
+    pub fn spend(&mut self, item: Item) -> bool {
+        let has = |slot: &Option<Stack>| slot.is_some_and(|stack| stack.item == item);
+        let in_hand = usize::from(self.selected);
+        let found = if has(&self.slots[in_hand]) {
+            Some(in_hand)
+        } else {
+            self.slots.iter().position(has)
+        };
+        let Some(found) = found else { return false };
+        let slot = &mut self.slots[found];
+        *slot = slot
+            .map(|stack| Stack { count: stack.count.saturating_sub(1), ..stack })
+            .filter(|stack| stack.count > 0);
+        true
+    }
+
+    /// What the pointer holds.
+    pub fn carried(&self) -> Option<Stack> {
+        self.carried.map(|(stack, _)| stack)
+    }
+
+    /// The main button on a slot: takes the stack, puts the carried one down, merges it with one of its kind as far as
+    /// there is room, or swaps the two. A slot past the last is ignored.
+    pub fn click(&mut self, slot: u8) {
+        let Some(place) = self.slots.get_mut(usize::from(slot)) else {
+            return;
+        };
+        let Some((carried, from)) = self.carried.take() else {
+            self.carried = place.take().map(|stack| (stack, slot));
+            return;
+        };
+        let left = match place {
+            None => {
+                *place = Some(carried);
+                None
+            }
+            Some(there) if there.item == carried.item => merge(there, carried, carried.count),
+            Some(there) => Some(std::mem::replace(there, carried)),
+        };
+        self.carried = left.map(|stack| (stack, from));
+    }
+
+    /// The other button on a slot: takes the larger half of the stack, or puts one of the carried ones down where
+    /// there is room for it. A slot past the last is ignored.
+    pub fn click_other(&mut self, slot: u8) {
+        let Some(place) = self.slots.get_mut(usize::from(slot)) else {
+            return;
+        };
+        let Some((carried, from)) = self.carried else {
+            let Some(stack) = place.take() else { return };
+            let taken = stack.count.div_ceil(2);
+            *place = Some(Stack { count: stack.count - taken, ..stack }).filter(|rest| rest.count > 0);
+            self.carried = Some((Stack { count: taken, ..stack }, slot));
+            return;
+        };
+        let left = match place {
+            None => {
+                *place = Some(Stack { count: 1, ..carried });
+                less(carried, 1)
+            }
+            Some(there) if there.item == carried.item => merge(there, carried, 1),
+            Some(_) => Some(carried),
+        };
+        self.carried = left.map(|stack| (stack, from));
+    }
+
+    /// Sends a whole stack to the other part: from the hotbar to the backpack, or back. What finds no room stays.
+    pub fn send(&mut self, slot: u8) {
+        let index = usize::from(slot);
+        let Some(mut stack) = self.slots.get_mut(index).and_then(Option::take) else {
+            return;
+        };
+        let (hotbar, backpack) = self.slots.split_at_mut(usize::from(HOTBAR_SLOTS));
+        let goal = if slot < HOTBAR_SLOTS { backpack } else { hotbar };
+        let item = stack.item;
+        for there in goal.iter_mut().flatten().filter(|there| there.item == item) {
+            match merge(there, stack, stack.count) {
+                Some(left) => stack = left,
+                None => return,
+            }
+        }
+        let place = goal.iter().position(Option::is_none);
+        match place {
+            Some(free) => goal[free] = Some(stack),
+            None => self.slots[index] = Some(stack),
+        }
+    }
+
+    /// Lets go of what the pointer holds, or of one of it, for it to be dropped.
+    pub fn let_go(&mut self, whole: bool) -> Option<Stack> {
+        let (stack, from) = self.carried.take()?;
+        if whole {
+            return Some(stack);
+        }
+        self.carried = less(stack, 1).map(|left| (left, from));
+        Some(Stack { count: 1, ..stack })
+    }
+
+    /// Takes one, or the whole, out of the slot in hand, for it to be dropped.
+    pub fn take_held(&mut self, whole: bool) -> Option<Stack> {
+        let slot = &mut self.slots[usize::from(self.selected)];
+        let stack = slot.take()?;
+        let count = if whole { stack.count } else { 1 };
+        *slot = less(stack, count);
+        Some(Stack { count, ..stack })
+    }
+
+    /// Puts back what the pointer holds, as when the backpack is closed: where it came from if that is free, else
+    /// wherever there is room. Returns what found none, for it to be dropped.
+    pub fn put_back(&mut self) -> Option<Stack> {
+        let (stack, from) = self.carried.take()?;
+        let place = &mut self.slots[usize::from(from)];
+        if place.is_none() {
+            *place = Some(stack);
+            return None;
+        }
+        let left = self.give(stack.item, stack.count);
+        (left > 0).then_some(Stack { count: left, ..stack })
+    }
+}
+
+/// Moves up to `count` of `from` to a stack of the same item, as far as there is room. Returns what is left of `from`.
+fn merge(there: &mut Stack, from: Stack, count: u32) -> Option<Stack> {
+    let moved = count.min(there.item.most_in_slot().saturating_sub(there.count));
+    there.count += moved;
+    less(from, moved)
+}
+
+/// A stack with `count` fewer, if anything is left of it.
+fn less(stack: Stack, count: u32) -> Option<Stack> {
+    let left = stack.count.saturating_sub(count);
+    (left > 0).then_some(Stack { count: left, ..stack })
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn stack(item: Item, count: u32) -> Stack {
+        Stack { item, count }
+    }
+
+    #[test]
+    fn a_new_player_has_everything_in_the_first_six_slots() {
+        let bag = Inventory::default();
+        assert_eq!(bag.held(), Some(Item::PickaxeWood));
+        let counts: Vec<_> = bag.slots().iter().flatten().map(|s| s.count).collect();
+        assert_eq!(counts, [1, 1, 1, 1, 64, 10]);
+        assert_eq!(bag.hotbar().len(), 10);
+    }
+
+    #[test]
+    fn every_slot_can_be_reached_by_number_and_by_step() {
+        let mut bag = Inventory::default();
+        for slot in 0..HOTBAR_SLOTS {
+            bag.select(slot);
+            assert_eq!(bag.selected(), slot);
+        }
+        bag.step(1);
+        assert_eq!(bag.selected(), 0);
+        bag.step(-1);
+        assert_eq!(bag.selected(), 9);
+        bag.select(10);
+        assert_eq!(bag.selected(), 9);
+    }
+
+    #[test]
+    fn giving_fills_stacks_then_slots_and_says_what_found_no_room() {
+        let mut bag = Inventory::empty();
+        assert_eq!(bag.give(Item::Lamp, 100), 0);
+        assert_eq!(bag.slots()[..3], [Some(stack(Item::Lamp, 64)), Some(stack(Item::Lamp, 36)), None]);
+        assert_eq!(bag.give(Item::Lamp, 30), 0);
+        assert_eq!(bag.count(Item::Lamp), 130);
+        assert_eq!(bag.give(Item::Gun, 100), 63);
+        assert_eq!(bag.count(Item::Gun), 37);
+    }
+
+    #[test]
+    fn spending_takes_what_is_in_hand_first_and_empties_the_slot_with_the_last() {
+        let mut bag = Inventory::empty();
+        bag.put(0, stack(Item::Bullet, 5));
+        bag.put(3, stack(Item::Bullet, 1));
+        bag.select(3);
+        assert!(bag.spend(Item::Bullet));
+        assert_eq!(bag.slots()[3], None);
+        for _ in 0..5 {
+            assert!(bag.spend(Item::Bullet));
+        }
+        assert!(!bag.spend(Item::Bullet));
+    }
+
+    #[test]
+    fn stacks_are_dragged_swapped_merged_and_split() {
+        let mut bag = Inventory::default();
+        bag.click(4);
+        assert_eq!((bag.carried(), bag.slots()[4]), (Some(stack(Item::Bullet, 64)), None));
+        bag.click(5);
+        assert_eq!(bag.slots()[5], Some(stack(Item::Bullet, 64)));
+        assert_eq!(bag.carried(), Some(stack(Item::Lamp, 10)));
+        bag.click(20);
+        assert_eq!((bag.carried(), bag.slots()[20]), (None, Some(stack(Item::Lamp, 10))));
+        bag.click_other(5);
+        bag.click_other(21);
+        assert_eq!(bag.slots()[21], Some(stack(Item::Bullet, 1)));
+        bag.click(21);
+        assert_eq!(bag.slots()[21], Some(stack(Item::Bullet, 32)));
+        bag.click_other(5);
+        assert_eq!(bag.carried(), Some(stack(Item::Bullet, 16)));
+        bag.click(21);
+        assert_eq!((bag.carried(), bag.slots()[21]), (None, Some(stack(Item::Bullet, 48))));
+    }
+
+    #[test]
+    fn a_full_stack_takes_no_more_and_the_rest_stays_at_the_pointer() {
+        let mut bag = Inventory::empty();
+        bag.put(0, stack(Item::Bullet, 60));
+        bag.put(1, stack(Item::Bullet, 10));
+        bag.click(1);
+        bag.click(0);
+        assert_eq!((bag.slots()[0], bag.carried()), (Some(stack(Item::Bullet, 64)), Some(stack(Item::Bullet, 6))));
+        assert_eq!(bag.put_back(), None);
+        assert_eq!(bag.slots()[1], Some(stack(Item::Bullet, 6)));
+    }
+
+    #[test]
+    fn a_stack_is_sent_to_the_other_part_and_back() {
+        let mut bag = Inventory::default();
+        bag.send(4);
+        assert_eq!((bag.slots()[4], bag.slots()[10]), (None, Some(stack(Item::Bullet, 64))));
+        bag.send(10);
+        assert_eq!((bag.slots()[10], bag.slots()[4]), (None, Some(stack(Item::Bullet, 64))));
+    }
+
+    proptest! {
+        /// Whatever is done, every thing is in a slot, at the pointer, or was handed out.
+        #[test]
+        fn nothing_is_lost_whatever_is_clicked(moves in prop::collection::vec((0u8..7, 0u8..45), 0..200)) {
+            let mut bag = Inventory::default();
+            let mut out = [0u32; Item::ALL.len()];
+            let mut gone = |stack: Option<Stack>| {
+                if let Some(stack) = stack {
+                    out[Item::ALL.iter().position(|item| *item == stack.item).unwrap()] += stack.count;
+                }
+            };
+            for (kind, slot) in moves {
+                match kind {
+                    0 | 1 => bag.click(slot),
+                    2 => bag.click_other(slot),
+                    3 => bag.send(slot),
+                    4 => gone(bag.let_go(slot % 2 == 0)),
+                    5 => { bag.select(slot); gone(bag.take_held(slot % 3 == 0)); }
+                    _ => gone(bag.put_back()),
+                }
+            }
+            gone(bag.put_back());
+            for (item, out) in Item::ALL.into_iter().zip(out) {
+                prop_assert_eq!(bag.count(item) + out, item.at_start());
+            }
+            prop_assert!(bag.slots().iter().flatten().all(|s| s.count > 0 && s.count <= s.item.most_in_slot()));
+        }
+    }
+}

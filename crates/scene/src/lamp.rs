@@ -1,0 +1,202 @@
+//! Lamps: put down on the ground, picked up again, and falling when the ground below them goes.
+
+use antipode_geometry::ChartPoint;
+use antipode_physics::meets_capsule;
+use glam::DVec3;
+
+use crate::actions::Actions;
+use crate::camera::CameraMode;
+use crate::ground::{Ground, height_below};
+use crate::item::Item;
+use crate::notice::Hint;
+use crate::pick::pick_among;
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+use crate::tuning::{LAMP_HEIGHT_M, LAMP_REACH_M, LAMP_TARGET_M, MOST_LAMPS, REACH_M, STEP_S};
+
+/// Lamps within this of the player are looked after, in metres: further off nobody changes the ground.
+const NEAR_M: f64 = 40.0;
+/// How far up a lamp that was built over looks for air, and in what steps, in metres.
+const DUG_OUT_M: f64 = 16.0;
+const DUG_OUT_STEP_M: f64 = 0.25;
+/// How far down a lamp can fall at once, in metres.
+const FALLS_M: f64 = 128.0;
+
+/// A lamp that was put down.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lamp {
+    /// Its foot.
+    pub point: ChartPoint,
+    /// The height that it falls to, metres.
+    pub(crate) rests_m: f64,
+    /// How fast it falls, m/s.
+    pub(crate) fall_m_s: f64,
+}
+
+impl Lamp {
+    /// A lamp that stands.
+    pub fn standing(point: ChartPoint) -> Self {
+        Self {
+            point,
+            rests_m: point.pos.y,
+            fall_m_s: 0.0,
+        }
+    }
+
+    /// Moves it by one step towards its rest: down like all that falls, up at once.
+    fn fall(&mut self, gravity_m_s2: f64) {
+        let y = &mut self.point.pos.y;
+        if *y <= self.rests_m {
+            *y = self.rests_m;
+            self.fall_m_s = 0.0;
+            return;
+        }
+        self.fall_m_s += gravity_m_s2 * STEP_S;
+        *y = (*y - self.fall_m_s * STEP_S).max(self.rests_m);
+    }
+
+    /// The middle of its glass.
+    pub fn glow(&self) -> ChartPoint {
+        self.point.moved(DVec3::Y * LAMP_HEIGHT_M)
+    }
+}
+
+impl Scene {
+    /// The lamps of the world, in the order in which they were put down.
+    pub fn lamps(&self) -> &[Lamp] {
+        &self.lamps
+    }
+
+    /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
+    pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
+        let has_room = self.lamps.len() < MOST_LAMPS;
+        if has_room {
+            self.lamps.push(Lamp::standing(point));
+            self.changed = true;
+        }
+        has_room
+    }
+
+    /// Whether the player's flashlight is on.
+    pub fn flashlight(&self) -> bool {
+        self.flashlight
+    }
+
+    /// The left button puts a lamp down where the crosshair meets the ground, the right one picks up the lamp that it
+    /// covers.
+    pub(crate) fn use_lamp(&mut self, actions: &Actions) {
+        if self.inventory.held() != Some(Item::Lamp) {
+            return;
+        }
+        if actions.primary && !self.primary_before {
+            self.put_lamp_down();
+        } else if actions.secondary && !self.secondary_before {
+            self.pick_lamp_up();
+        }
+    }
+
+    fn put_lamp_down(&mut self) {
+        let spot = self.covered(LAMP_REACH_M);
+        if !spot.hit {
+            self.hints.push(Hint::NoPlaceForLamp);
+            return;
+        }
+        if self.lamps.len() >= MOST_LAMPS {
+            self.hints.push(Hint::TooManyLamps);
+            return;
+        }
+        if self.inventory.spend(Item::Lamp) {
+            self.lamps.push(Lamp::standing(spot.point));
+            self.sounds.push(SoundEvent::LampPlaced);
+        }
+    }
+
+    /// The last lamp in hand is used up, and an empty hand picks nothing up; so one lamp kept in hand, or any in the
+    /// hotbar that is selected, is enough.
+    fn pick_lamp_up(&mut self) {
+        let Some(index) = self.lamp_covered() else {
+            self.hints.push(Hint::NoLampThere);
+            return;
+        };
+        if self.inventory.give(Item::Lamp, 1) == 0 {
+            self.lamps.remove(index);
+            self.sounds.push(SoundEvent::LampTaken);
+        } else {
+            self.hints.push(Hint::NoRoom);
+        }
+    }
+
+    /// The lamp that the crosshair covers, if it is nearer than the ground.
+    fn lamp_covered(&self) -> Option<usize> {
+        let strategy = &**self.lens.strategy();
+        let eye = self.eye();
+        let past_head_m = match self.camera {
+            CameraMode::First => 0.0,
+            CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
+        };
+        let meets = |a: ChartPoint, b: ChartPoint| {
+            self.lamps
+                .iter()
+                .filter_map(|lamp| self.lamp_met(lamp, a, b))
+                .reduce(f64::min)
+        };
+        let found = pick_among(strategy, &self.physics, &meets, &eye, past_head_m, REACH_M);
+        let off_m = |lamp: &Lamp| strategy.distance_m(found.point, lamp.glow(), &eye);
+        let nearest = (0..self.lamps.len()).min_by(|&a, &b| off_m(&self.lamps[a]).total_cmp(&off_m(&self.lamps[b])))?;
+        (found.hit && off_m(&self.lamps[nearest]) < 2.0 * LAMP_TARGET_M).then_some(nearest)
+    }
+
+    fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
+        let glow = crate::pick::over(&*self.strategy, a, lamp.glow()).pos;
+        let foot = glow - DVec3::Y * LAMP_TARGET_M;
+        meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
+    }
+
+    /// Lets lamps fall whose ground is gone, and those that ground was built over come up.
+    pub(crate) fn step_lamps(&mut self) {
+        let feet = self.feet();
+        for lamp in &mut self.lamps {
+            // Ground further off is not changed by anyone, and what is known of it leaves out what once was.
+            let is_near = lamp.point.hemisphere != feet.hemisphere || lamp.point.pos.distance(feet.pos) < NEAR_M;
+            if self.lamps_unchecked && is_near {
+                lamp.rests_m = rest(&self.ground, lamp);
+            }
+            lamp.fall(self.tuning.gravity_m_s2);
+        }
+        self.lamps_unchecked = false;
+    }
+}
+
+/// The height at which a lamp comes to rest: on the first ground below it, or above what was built over it.
+fn rest(ground: &Ground, lamp: &Lamp) -> f64 {
+    let glow = lamp.glow();
+    let is_solid = |point: ChartPoint| ground.is_solid(point);
+    let steps = (DUG_OUT_M / DUG_OUT_STEP_M) as u32;
+    let above = (0..steps).map(|step| glow.moved(DVec3::Y * (f64::from(step) * DUG_OUT_STEP_M)));
+    let free = above.into_iter().find(|point| !is_solid(*point)).unwrap_or(glow);
+    height_below(free, FALLS_M, is_solid).unwrap_or(lamp.point.pos.y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lamp_falls_to_its_rest_and_comes_up_at_once() {
+        let mut lamp = Lamp::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)));
+        lamp.fall(20.0);
+        assert_eq!(lamp, Lamp::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0))));
+        lamp.rests_m = 5.0;
+        let mut steps = 0;
+        while lamp.point.pos.y > 5.0 {
+            lamp.fall(20.0);
+            steps += 1;
+        }
+        // Five metres at 20 m/s^2 take 0.71 s.
+        assert!((40..46).contains(&steps), "{steps}");
+        assert_eq!(lamp.point.pos, DVec3::new(3.0, 5.0, 4.0));
+        lamp.rests_m = 7.0;
+        lamp.fall(20.0);
+        assert_eq!(lamp.point.pos.y.to_bits(), 7.0f64.to_bits());
+    }
+}

@@ -1,0 +1,158 @@
+//! What the probe says of the scene at a moment.
+
+use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
+
+use crate::item::Item;
+use crate::player::Health;
+use crate::probe::{
+    BotProbe, CameraProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe,
+    TerrainProbe,
+};
+use crate::scene::Scene;
+use crate::tuning::FULL_HEALTH;
+
+fn hemisphere(point: ChartPoint) -> char {
+    match point.hemisphere {
+        Hemisphere::A => 'A',
+        Hemisphere::B => 'B',
+    }
+}
+
+impl Scene {
+    /// The player's health.
+    pub fn health(&self) -> f64 {
+        self.ecs
+            .get::<&Health>(self.player)
+            .map_or(FULL_HEALTH, |health| health.0)
+    }
+
+    /// The state of the world for a script.
+    pub fn probe(&self) -> Probe {
+        let curved_radius = self.strategy.radius_m();
+        Probe {
+            t: self.simulated_s,
+            world: self.setup.name.clone(),
+            seed: self.setup.seed,
+            geometry: self.setup.geometry.to_string(),
+            radius: curved_radius.is_finite().then_some(curved_radius),
+            map: self.lens.map().map(HyperbolicMap::name),
+            curvature: self.lens.curvature(),
+            bend: self.lens.bend(),
+            quality: self.quality.name(),
+            time_of_day: self.time_of_day_s,
+            player: self.player_probe(),
+            camera: self.camera_probe(),
+            item: self.inventory.held().map(Item::id),
+            inventory: (0..)
+                .zip(self.inventory.slots())
+                .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
+                .collect(),
+            marker: MarkerProbe {
+                pos: self.marker.map(|m| m.point.pos.to_array()),
+                radius: self.brush_radius_m,
+            },
+            flashlight: self.flashlight,
+            bots: self.bot_probes(),
+            projectiles: self.projectile_probes(),
+            lamps: self.lamp_probes(),
+            drops: self.drop_probes(),
+            chunks: ChunkProbe {
+                resident: self.ground.count(),
+                pending: self.streamer.pending(),
+                triangles: self.ground.triangles(),
+                edited: self.streamer.edited_count(),
+            },
+            terrain: TerrainProbe {
+                ground_height: self.ground_height(),
+            },
+        }
+    }
+
+    fn player_probe(&self) -> PlayerProbe {
+        let (position, look, body, _) = self.player_parts();
+        PlayerProbe {
+            pos: position.0.pos.to_array(),
+            vel: body.0.velocity.to_array(),
+            yaw: look.yaw.to_degrees(),
+            pitch: look.pitch.to_degrees(),
+            grounded: body.0.grounded,
+            health: self.health(),
+            hemisphere: hemisphere(position.0),
+            in_car: false,
+            animation: self.animation(),
+        }
+    }
+
+    fn camera_probe(&self) -> CameraProbe {
+        let eye = self.eye();
+        CameraProbe {
+            pos: eye.point.pos.to_array(),
+            mode: self.camera.id(),
+            curved: self.lens.strategy().curved(&eye, eye.point).to_array(),
+        }
+    }
+
+    fn animation(&self) -> &'static str {
+        let (_, _, body, _) = self.player_parts();
+        let speed = body.0.velocity.x.hypot(body.0.velocity.z);
+        if self.is_dead() {
+            return "die";
+        }
+        match (self.flying, body.0.grounded) {
+            (true, _) => "fly",
+            (false, false) => "jump",
+            _ if speed < 0.3 => "idle",
+            _ if speed > self.tuning.walk_speed_m_s * 1.2 => "run",
+            _ => "walk",
+        }
+    }
+
+    fn bot_probes(&self) -> Vec<BotProbe> {
+        let state = |view: &crate::bot::BotView| if view.health > 0.0 { "idle" } else { "dead" };
+        self.bots()
+            .iter()
+            .map(|view| BotProbe {
+                id: view.bot.id,
+                pos: view.point.pos.to_array(),
+                health: view.health,
+                hostile: view.bot.hostile,
+                hemisphere: hemisphere(view.point),
+                state: state(view),
+            })
+            .collect()
+    }
+
+    fn projectile_probes(&self) -> Vec<ProjectileProbe> {
+        self.projectiles()
+            .iter()
+            .map(|bullet| ProjectileProbe {
+                id: bullet.id,
+                pos: bullet.point.pos.to_array(),
+                vel: bullet.velocity.to_array(),
+                age: bullet.age_s,
+                hemisphere: hemisphere(bullet.point),
+            })
+            .collect()
+    }
+
+    fn lamp_probes(&self) -> Vec<LampProbe> {
+        self.lamps
+            .iter()
+            .map(|lamp| LampProbe {
+                pos: lamp.point.pos.to_array(),
+                hemisphere: hemisphere(lamp.point),
+            })
+            .collect()
+    }
+
+    fn drop_probes(&self) -> Vec<DropProbe> {
+        self.drops
+            .iter()
+            .map(|drop| DropProbe {
+                stack: drop.stack,
+                pos: drop.point.pos.to_array(),
+                hemisphere: hemisphere(drop.point),
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,187 @@
+//! The shapes of stored values that have changed since they were first written, and their way to the next version.
+//! Nothing in here ever changes again.
+
+/// Version 1 knew one picture of each space.
+pub(crate) mod v1 {
+    use serde::{Deserialize, Serialize};
+
+    use super::v3;
+    use crate::schema::{PlayerRecord, SlotRecord};
+
+    /// What version 1 kept of everything that changes while a world is played.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldState {
+        pub player: PlayerRecord,
+        pub item_slot: u8,
+        pub inventory: Vec<SlotRecord>,
+        pub time_of_day_s: f64,
+        pub curvature: f64,
+        pub brush_radius_m: f64,
+        pub simulated_s: f64,
+        pub view_distance: u32,
+    }
+
+    impl From<WorldState> for v3::WorldState {
+        fn from(old: WorldState) -> Self {
+            Self {
+                player: old.player,
+                item_slot: old.item_slot,
+                inventory: old.inventory,
+                time_of_day_s: old.time_of_day_s,
+                map: "raised".to_owned(),
+                curvature: old.curvature,
+                // Where the dial of a new world stands.
+                curvature_horizon: 10.0,
+                bent: false,
+                bend: 0.0,
+                brush_radius_m: old.brush_radius_m,
+                simulated_s: old.simulated_s,
+                view_distance: old.view_distance,
+            }
+        }
+    }
+}
+
+/// Version 2 knew nothing of commands that cheat.
+pub(crate) mod v2 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema;
+
+    /// What versions 1 and 2 kept of what a world is.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldMeta {
+        pub name: String,
+        pub seed: u64,
+        pub geometry: String,
+        pub radius_m: f64,
+        pub biome: String,
+        pub created_unix_s: u64,
+        pub last_played_unix_s: u64,
+        pub played_s: f64,
+    }
+
+    impl From<WorldMeta> for schema::WorldMeta {
+        fn from(old: WorldMeta) -> Self {
+            Self {
+                name: old.name,
+                seed: old.seed,
+                geometry: old.geometry,
+                radius_m: old.radius_m,
+                biome: old.biome,
+                created_unix_s: old.created_unix_s,
+                last_played_unix_s: old.last_played_unix_s,
+                played_s: old.played_s,
+                cheated: false,
+            }
+        }
+    }
+}
+
+/// Version 3 knew three pickaxes in the hotbar, and nothing that stands or lies about.
+pub(crate) mod v3 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema::{self, PlayerRecord, SlotRecord};
+
+    /// What a new player of version 4 has and one of version 3 could not have: the slot, the item and how many.
+    const NEW_AT_START: [(u8, &str, u32); 3] = [(0, "gun", 1), (4, "bullet", 64), (5, "lamp", 10)];
+    /// Slots of version 4.
+    const SLOTS: u8 = 40;
+
+    /// What versions 2 and 3 kept of everything that changes while a world is played.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldState {
+        pub player: PlayerRecord,
+        pub item_slot: u8,
+        pub inventory: Vec<SlotRecord>,
+        pub time_of_day_s: f64,
+        pub map: String,
+        pub curvature: f64,
+        pub curvature_horizon: f64,
+        pub bent: bool,
+        pub bend: f64,
+        pub brush_radius_m: f64,
+        pub simulated_s: f64,
+        pub view_distance: u32,
+    }
+
+    impl From<WorldState> for schema::WorldState {
+        /// What there was stays; what is new and was not there is added where it would be at the start, or in the next
+        /// free slot.
+        fn from(old: WorldState) -> Self {
+            let mut inventory = old.inventory;
+            for (slot, item, count) in NEW_AT_START {
+                if inventory.iter().any(|record| record.item == item) {
+                    continue;
+                }
+                let is_free = |slot: &u8| inventory.iter().all(|record| record.slot != *slot);
+                let place = std::iter::once(slot).chain(0..SLOTS).find(is_free);
+                if let Some(slot) = place {
+                    let item = item.to_owned();
+                    inventory.push(SlotRecord { slot, item, count });
+                }
+            }
+            Self {
+                player: old.player,
+                item_slot: old.item_slot,
+                inventory,
+                time_of_day_s: old.time_of_day_s,
+                map: old.map,
+                curvature: old.curvature,
+                curvature_horizon: old.curvature_horizon,
+                bent: old.bent,
+                bend: old.bend,
+                brush_radius_m: old.brush_radius_m,
+                simulated_s: old.simulated_s,
+                view_distance: old.view_distance,
+                flashlight: false,
+                lamps: Vec::new(),
+                drops: Vec::new(),
+                bots: Vec::new(),
+            }
+        }
+    }
+
+    #[cfg(test)]
+    mod tests {
+        use super::*;
+
+        #[test]
+        fn who_played_version_3_keeps_everything_and_gets_what_is_new() {
+            let record = |slot, item: &str| SlotRecord {
+                slot,
+                item: item.to_owned(),
+                count: 1,
+            };
+            let old = WorldState {
+                player: PlayerRecord::default(),
+                item_slot: 1,
+                inventory: vec![record(0, "pickaxe-wood"), record(4, "pickaxe-iron")],
+                time_of_day_s: 60.0,
+                map: "raised".to_owned(),
+                curvature: 12.5,
+                curvature_horizon: 10.0,
+                bent: false,
+                bend: 0.0,
+                brush_radius_m: 4.0,
+                simulated_s: 7.0,
+                view_distance: 5,
+            };
+            let state = schema::WorldState::from(old);
+            let slots: Vec<_> = state
+                .inventory
+                .iter()
+                .map(|it| (it.slot, it.item.as_str(), it.count))
+                .collect();
+            let expected = [
+                (0, "pickaxe-wood", 1),
+                (4, "pickaxe-iron", 1),
+                (1, "gun", 1),
+                (2, "bullet", 64),
+                (5, "lamp", 10),
+            ];
+            assert_eq!(slots, expected);
+        }
+    }
+}
