@@ -3,7 +3,7 @@
 
 struct VertexIn {
     @location(0) position: vec3<f32>,   // metres; x ahead, y up from the feet, z to the right
-    @location(1) normal: vec4<f32>,
+    @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss
     @location(3) swing: vec2<f32>,      // height of the joint, m; share of the swing, signed
     @location(4) offset: vec3<f32>,     // the feet from the reference, metres
@@ -21,6 +21,7 @@ struct VertexOut {
     @location(1) albedo: vec4<f32>,     // a: gloss
     @location(2) toward_eye: vec3<f32>,
     @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
+    @location(4) glow: f32,
 }
 
 // Turns about the axis to the right: a positive angle moves what hangs from the joint ahead.
@@ -53,6 +54,7 @@ fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
+    out.glow = in.normal.w;
     return out;
 }
 
@@ -85,5 +87,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     // A soft bright edge keeps the figure readable against land of its own brightness.
     colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
     colour += (scene.key_colour.rgb * shine + sky * 0.35) * gloss;
+    // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
+    colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));
     return vec4<f32>(colour * in.veil.a + in.veil.rgb, 1.0);
 }

@@ -13,6 +13,8 @@ BOUNCE = (0.46, 0.40, 0.34)
 # material -> (gloss, glow): how strong highlights are, and what share of the colour shines by itself.
 SURFACE = {"paint": (0.10, 0.0), "metal": (0.5, 0.0), "visor": (0.9, 0.0), "glow": (0.1, 1.6), "glass": (0.8, 0.0),
            "rubber": (0.05, 0.0), "globe": (0.4, 1.1)}
+# What is clear covers this share of what is behind it.
+CLEARNESS = {"glass": 0.35, "globe": 0.5}
 
 
 class Camera:
@@ -27,6 +29,12 @@ class Camera:
         self.eye = add(target, mul(self.back, self.distance))
         self.scale = height / span_m * self.distance
         self.middle = (width / 2.0, height / 2.0)
+
+    def roll(self, degrees):
+        """Turns the picture about its middle, clockwise positive."""
+        a = math.radians(degrees)
+        c, s = math.cos(a), math.sin(a)
+        self.right, self.up = (add(mul(self.right, c), mul(self.up, s)), sub(mul(self.up, c), mul(self.right, s)))
 
     def place(self, p):
         d = sub(p, self.eye)
@@ -57,6 +65,15 @@ class Picture:
         """Triangles of (places, normals, colour, material); clear ones last."""
         for places, normals, colour, material in triangles:
             self._triangle(camera, [camera.place(p) for p in places], places, normals, colour, material, opacity)
+
+    def model(self, camera, model, move=lambda v: (v[0], v[1])):
+        """Draws a model, what is clear last; `move` gives a vertex's place and normal."""
+        for material in sorted(model.parts, key=lambda m: m in CLEARNESS):
+            vertices, triangles, _ = model.parts[material]
+            moved = [move(v) for v in vertices]
+            kind = material.split(".")[0]
+            self.draw(camera, (([moved[i][0] for i in t], [moved[i][1] for i in t], vertices[t[0]][2], kind)
+                               for t in triangles), CLEARNESS.get(kind, 1.0))
 
     def _triangle(self, camera, q, places, normals, colour, material, opacity):
         (x0, y0, z0), (x1, y1, z1), (x2, y2, z2) = q
@@ -94,7 +111,6 @@ class Picture:
 
     def shadow(self, camera, centre, radius_m, depth=0.42):
         """A soft round shade on the ground at `centre`, under whatever is drawn."""
-        s = self.samples
         left, top, right, bottom = camera.cell
         cx, cy, d = camera.place(centre)
         rx = radius_m * camera.scale / d
@@ -105,7 +121,6 @@ class Picture:
                 at = y * self.w + x
                 if r2 < 1.0 and self.colour[at] is None:
                     self.colour[at] = ("shade", depth * (1.0 - r2) ** 1.5)
-        del s
 
     def pixels(self, background=None):
         """RGBA bytes; `background` is a function of height 0 to 1 that gives linear light, or none."""

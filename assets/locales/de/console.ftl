@@ -47,5 +47,6 @@ console-help-shot = Hebt ein Bild dessen, was du siehst, ohne Konsole im Ordner 
 console-help-set = Ändert eine Einstellung dieser Welt oder eine deiner eigenen, wie auf dem Bildschirm der Einstellungen. time, health und fly on zeichnen die Welt.
 console-help-give = Gibt dir Gegenstände. Zeichnet die Welt.
 console-help-teleport = Versetzt dich anderswohin, in Metern der Karte. Zeichnet die Welt.
+console-help-spawn = Stellt eine Figur oder eine Lampe in die Welt.
 console-help-perf = Misst Bilder; nur in Skripten.
 console-help-help = Sagt etwas zu allen Befehlen oder zu einem.

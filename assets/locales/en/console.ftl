@@ -48,5 +48,6 @@ console-help-shot = Keeps a picture of what you see, without the console, in the
 console-help-set = Changes a setting of this world, or one of your own as the settings screen has them. time, health and fly on mark the world.
 console-help-give = Gives you items. Marks the world.
 console-help-teleport = Puts you somewhere else, in metres of the chart. Marks the world.
+console-help-spawn = Puts a figure or a lamp into the world.
 console-help-perf = Measures frames; in scripts only.
 console-help-help = Tells of all commands, or of one.

@@ -47,5 +47,6 @@ console-help-shot = Guarda una imagen de lo que ves, sin la consola, en la carpe
 console-help-set = Cambia un ajuste de este mundo o uno de los tuyos, como en la pantalla de ajustes. time, health y fly on marcan el mundo.
 console-help-give = Te da objetos. Marca el mundo.
 console-help-teleport = Te lleva a otro lugar, en metros de la carta. Marca el mundo.
+console-help-spawn = Pone una figura o una lámpara en el mundo.
 console-help-perf = Mide imágenes; solo en guiones.
 console-help-help = Habla de todas las órdenes, o de una.

@@ -48,5 +48,6 @@ console-help-shot = Zachowuje obraz tego, co widzisz, bez konsoli, w folderze zr
 console-help-set = Zmienia ustawienie tego świata albo jedno z twoich, jak na ekranie ustawień. time, health i fly on oznaczają świat.
 console-help-give = Daje ci przedmioty. Oznacza świat.
 console-help-teleport = Przenosi cię gdzie indziej, w metrach mapy. Oznacza świat.
+console-help-spawn = Stawia w świecie postać albo lampę.
 console-help-perf = Mierzy klatki; tylko w skryptach.
 console-help-help = Mówi o wszystkich poleceniach albo o jednym.

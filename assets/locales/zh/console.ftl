@@ -44,5 +44,6 @@ console-help-shot = 把你看到的画面（不含控制台）存入截图文件
 console-help-set = 更改这个世界的设置，或设置界面中你自己的一项设置。time、health 和 fly on 会标记世界。
 console-help-give = 给你物品。会标记世界。
 console-help-teleport = 把你送到别处，以图上米数计。会标记世界。
+console-help-spawn = 在世界里放一个人物或一盏灯。
 console-help-perf = 测量帧；仅用于脚本。
 console-help-help = 介绍所有命令或某一个。

@@ -55,6 +55,7 @@ fn swinging(
         roundness,
         colour,
         swing,
+        glow: 0.0,
     };
     solid.add(&part, RINGS, SIDES);
 }

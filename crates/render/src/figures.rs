@@ -1,6 +1,6 @@
 //! Figures: one mesh for each model, an instance for each figure.
 
-use antipode_scene::frame::{Figure, Frame};
+use antipode_scene::frame::{Figure, Frame, ModelId};
 use glam::DVec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
@@ -8,6 +8,8 @@ use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 use crate::astronaut::astronaut;
 use crate::pipelines::Pipelines;
 use crate::plan::{Affine, FramePlan, Tolerance};
+use crate::solids::Solid;
+use crate::things::{Head, bullet, gun, lamp, pickaxe};
 use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
 
 /// Widest angle of a leg from straight down, radians.
@@ -20,92 +22,149 @@ const FIGURE_HALF_WIDTH_M: f64 = 0.6;
 /// Half its height, metres.
 const FIGURE_HALF_HEIGHT_M: f64 = 0.95;
 
+/// Where a model lies in the buffers.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    base_vertex: i32,
+    first_index: u32,
+    index_count: u32,
+}
+
+/// Figures drawn at once: of one model, and all by a frame or all by the vertex.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    model: usize,
+    framed: bool,
+    first: u32,
+    count: u32,
+}
+
 /// The models on the adapter and this frame's figures.
 #[derive(Debug)]
 pub struct Figures {
     vertices: Buffer,
     indices: Buffer,
-    index_count: u32,
+    places: Vec<Place>,
     instances: Buffer,
     room: usize,
-    framed: u32,
-    count: u32,
+    runs: Vec<Run>,
+}
+
+fn solid(model: ModelId) -> Solid {
+    match model {
+        ModelId::Astronaut => astronaut(),
+        ModelId::Lamp => lamp(),
+        ModelId::Bullet => bullet(),
+        ModelId::Gun => gun(),
+        ModelId::PickaxeWood => pickaxe(Head::Wood),
+        ModelId::PickaxeIron => pickaxe(Head::Iron),
+        ModelId::PickaxeDiamond => pickaxe(Head::Diamond),
+    }
+}
+
+/// The number of a model in the buffers.
+fn number(model: ModelId) -> usize {
+    ModelId::ALL.iter().position(|it| *it == model).unwrap_or(0)
 }
 
 impl Figures {
     /// Uploads the models.
     pub fn new(device: &Device) -> Self {
-        let solid = astronaut();
+        let mut whole = Solid::default();
+        let places = ModelId::ALL.map(|model| {
+            let solid = solid(model);
+            let place = Place {
+                base_vertex: whole.vertices.len() as i32,
+                first_index: whole.indices.len() as u32,
+                index_count: solid.indices.len() as u32,
+            };
+            whole.vertices.extend(solid.vertices);
+            whole.indices.extend(solid.indices);
+            place
+        });
         let vertices = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("astronaut vertices"),
-            contents: bytemuck::cast_slice(&solid.vertices),
+            label: Some("model vertices"),
+            contents: bytemuck::cast_slice(&whole.vertices),
             usage: BufferUsages::VERTEX,
         });
         let indices = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("astronaut indices"),
-            contents: bytemuck::cast_slice(&solid.indices),
+            label: Some("model indices"),
+            contents: bytemuck::cast_slice(&whole.indices),
             usage: BufferUsages::INDEX,
         });
-        let index_count = solid.indices.len() as u32;
         let room = 16;
         Self {
             vertices,
             indices,
-            index_count,
+            places: places.to_vec(),
             instances: instance_buffer(device, room),
             room,
-            framed: 0,
-            count: 0,
+            runs: Vec::new(),
         }
     }
 
     /// Takes this frame's figures, those that a frame serves within the tolerance first.
     pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame, plan: &mut FramePlan) {
-        let mut instances = Vec::with_capacity(frame.figures.len());
-        let mut by_vertex = Vec::new();
+        let mut seen: Vec<(usize, bool, FigureInstance)> = Vec::with_capacity(frame.figures.len());
         for figure in &frame.figures {
             let plain = instance(frame, figure);
+            let model = number(figure.model);
             match figure_frame(frame, plan, figure) {
                 Some((affine, error_px)) => {
                     plan.stats.error_at_least(error_px);
                     let frame = frame_rows(&affine);
-                    instances.push(FigureInstance { frame, ..plain });
+                    seen.push((model, true, FigureInstance { frame, ..plain }));
                 }
-                None => by_vertex.push(plain),
+                None => seen.push((model, false, plain)),
             }
         }
-        self.framed = instances.len() as u32;
-        plan.stats.figures_by_frame = instances.len();
-        plan.stats.figures_by_vertex = by_vertex.len();
-        instances.append(&mut by_vertex);
-        if instances.len() > self.room {
-            self.room = instances.len().next_power_of_two();
+        // A stable sort: figures of a kind keep their order, and so the picture its bits.
+        seen.sort_by_key(|(model, framed, _)| (!framed, *model));
+        plan.stats.figures_by_frame = seen.iter().filter(|(_, framed, _)| *framed).count();
+        plan.stats.figures_by_vertex = seen.len() - plan.stats.figures_by_frame;
+        self.runs.clear();
+        for (model, framed, _) in &seen {
+            match self.runs.last_mut() {
+                Some(run) if (run.model, run.framed) == (*model, *framed) => run.count += 1,
+                last => {
+                    let first = last.map_or(0, |run| run.first + run.count);
+                    self.runs.push(Run {
+                        model: *model,
+                        framed: *framed,
+                        first,
+                        count: 1,
+                    });
+                }
+            }
+        }
+        if seen.len() > self.room {
+            self.room = seen.len().next_power_of_two();
             self.instances = instance_buffer(device, self.room);
         }
+        let instances: Vec<FigureInstance> = seen.into_iter().map(|(.., it)| it).collect();
         queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
-        self.count = instances.len() as u32;
     }
 
     /// Draws them; returns triangles and draw calls.
     pub fn draw(&self, pass: &mut RenderPass<'_>, pipelines: &Pipelines) -> (usize, usize) {
-        let mut draws = 0;
+        let mut triangles = 0;
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        let runs = [
-            (&pipelines.figure_framed, 0..self.framed),
-            (&pipelines.figure, self.framed..self.count),
-        ];
-        for (pipeline, run) in runs {
-            if run.is_empty() {
-                continue;
-            }
-            let start = u64::from(run.start) * size_of::<FigureInstance>() as u64;
-            pass.set_pipeline(pipeline);
+        for run in &self.runs {
+            let place = self.places[run.model];
+            // Not every adapter draws instances from a number on, so the buffer begins there.
+            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
+            pass.set_pipeline(if run.framed {
+                &pipelines.figure_framed
+            } else {
+                &pipelines.figure
+            });
             pass.set_vertex_buffer(1, self.instances.slice(start..));
-            pass.draw_indexed(0..self.index_count, 0, 0..run.end - run.start);
-            draws += 1;
+            let indices = place.first_index..place.first_index + place.index_count;
+            pass.draw_indexed(indices, place.base_vertex, 0..run.count);
+            triangles += place.index_count / 3 * run.count;
         }
-        ((self.index_count / 3 * self.count) as usize, draws)
+        (triangles as usize, self.runs.len())
     }
 }
 

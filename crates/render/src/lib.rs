@@ -27,6 +27,7 @@ mod seams;
 mod shaders;
 mod solids;
 mod targets;
+mod things;
 mod tile;
 mod timing;
 mod tonemap;

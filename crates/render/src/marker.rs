@@ -47,6 +47,7 @@ impl MarkerBalls {
             roundness: 1.0,
             colour: [0; 4],
             swing: [0.0; 2],
+            glow: 0.0,
         };
         solid.add(&unit, RINGS, SIDES);
         let positions: Vec<[f32; 3]> = solid.vertices.iter().map(|v| v.position).collect();

@@ -11,7 +11,7 @@ use glam::Vec3;
 pub struct ModelVertex {
     /// Metres; x ahead, y up from the feet, z to the right.
     pub position: [f32; 3],
-    /// Unit normal, signed normalised; the last is 0.
+    /// Unit normal, signed normalised; the last is how much it glows, 0 to 1.
     pub normal: [i16; 4],
     /// sRGB, then gloss.
     pub colour: [u8; 4],
@@ -47,6 +47,8 @@ pub struct Part {
     pub colour: [u8; 4],
     /// Height of the joint in metres, and the signed share of the swing.
     pub swing: [f32; 2],
+    /// How much it shines by itself, 0 to 1.
+    pub glow: f32,
 }
 
 impl Solid {
@@ -95,7 +97,12 @@ fn patch_corner(part: &Part, latitude: f32, longitude: f32) -> ModelVertex {
     let snorm = |x: f32| (x * f32::from(i16::MAX)).round() as i16;
     ModelVertex {
         position: (part.centre + part.radii * shape(part.roundness)).into(),
-        normal: [snorm(normal.x), snorm(normal.y), snorm(normal.z), 0],
+        normal: [
+            snorm(normal.x),
+            snorm(normal.y),
+            snorm(normal.z),
+            snorm(part.glow),
+        ],
         colour: part.colour,
         swing: part.swing,
     }
@@ -113,6 +120,7 @@ mod tests {
             roundness,
             colour: [1, 2, 3, 4],
             swing: [0.0, 0.0],
+            glow: 0.0,
         };
         solid.add(&part, 8, 12);
         solid

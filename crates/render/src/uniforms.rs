@@ -77,7 +77,11 @@ impl SceneUniform {
 /// The feet of the figures nearest to the eye.
 fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
     let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
-    let mut feet: Vec<_> = frame.figures.iter().map(|figure| figure.point).collect();
+    let shaded = frame
+        .figures
+        .iter()
+        .filter(|figure| figure.model.casts_shade());
+    let mut feet: Vec<_> = shaded.map(|figure| figure.point).collect();
     feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
     let mut shades = [[0.0; 4]; SHADES];
     for (shade, point) in shades.iter_mut().zip(&feet) {
@@ -93,11 +97,16 @@ fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
 pub fn shades_on(frame: &Frame, land: &ChunkLand) -> u32 {
     let falls = |figure: &Figure| {
         let (feet, hemisphere) = (figure.point.pos, figure.point.hemisphere);
-        hemisphere == land.coord.hemisphere
+        figure.model.casts_shade()
+            && hemisphere == land.coord.hemisphere
             && feet.distance(feet.clamp(land.min, land.max)) < SHADE_REACH_M
     };
     if frame.figures.iter().any(falls) {
-        frame.figures.len().min(SHADES) as u32
+        let shaded = frame
+            .figures
+            .iter()
+            .filter(|figure| figure.model.casts_shade());
+        shaded.count().min(SHADES) as u32
     } else {
         0
     }

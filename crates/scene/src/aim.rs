@@ -81,7 +81,9 @@ impl Shot<'_> {
             let right = velocity.cross(DVec3::Y).normalize_or(DVec3::X);
             let up = right.cross(velocity).normalize();
             let speed = velocity.length();
-            let turned = |turn: DVec2| (velocity + (right * turn.x + up * turn.y) * speed).normalize() * speed;
+            let turned = |turn: DVec2| {
+                (velocity + (right * turn.x + up * turn.y) * speed).normalize() * speed
+            };
             let by_right = (self.miss(turned(DVec2::X * NUDGE_RAD)) - miss) / NUDGE_RAD;
             let by_up = (self.miss(turned(DVec2::Y * NUDGE_RAD)) - miss) / NUDGE_RAD;
             let determinant = by_right.perp_dot(by_up);
@@ -184,9 +186,19 @@ mod tests {
     fn what_is_too_far_is_aimed_at_straight_and_nothing_is_no_number() {
         let space = strategy(Geometry::Euclidean, 0.0);
         let from = ChartPoint::a(DVec3::ZERO);
-        let far = aim(&*space, from, ChartPoint::a(DVec3::X * 1e4), SPEED_M_S, GRAVITY_M_S2);
+        let far = aim(
+            &*space,
+            from,
+            ChartPoint::a(DVec3::X * 1e4),
+            SPEED_M_S,
+            GRAVITY_M_S2,
+        );
         assert!((far - DVec3::X * SPEED_M_S).length() < 1e-9);
-        for to in [from, from.moved(DVec3::Y * 5.0), from.moved(DVec3::NEG_Y * 5.0)] {
+        for to in [
+            from,
+            from.moved(DVec3::Y * 5.0),
+            from.moved(DVec3::NEG_Y * 5.0),
+        ] {
             assert!(aim(&*space, from, to, SPEED_M_S, GRAVITY_M_S2).is_finite());
         }
     }

@@ -48,7 +48,13 @@ impl Scene {
         self.restore_bot(point, yaw, hostile, BOT_HEALTH)
     }
 
-    pub(crate) fn restore_bot(&mut self, point: ChartPoint, yaw: f64, hostile: bool, health: f64) -> u32 {
+    pub(crate) fn restore_bot(
+        &mut self,
+        point: ChartPoint,
+        yaw: f64,
+        hostile: bool,
+        health: f64,
+    ) -> u32 {
         let id = self.next_bot;
         self.next_bot += 1;
         let origin = self.strategy.chart_origin_m(point.hemisphere);
@@ -95,10 +101,14 @@ impl Scene {
     pub(crate) fn step_bots(&mut self) {
         let mut gone = Vec::new();
         let strategy = std::sync::Arc::clone(&self.strategy);
-        for (entity, bot, position, look, body, health) in self
-            .ecs
-            .query_mut::<(Entity, &mut Bot, &mut Position, &mut Look, &mut Body, &Health)>()
-        {
+        for (entity, bot, position, look, body, health) in self.ecs.query_mut::<(
+            Entity,
+            &mut Bot,
+            &mut Position,
+            &mut Look,
+            &mut Body,
+            &Health,
+        )>() {
             bot.hit_s_ago += STEP_S;
             if health.0 <= 0.0 {
                 bot.dead_s += STEP_S;
@@ -113,8 +123,12 @@ impl Scene {
             }
             let origin = strategy.chart_origin_m(position.0.hemisphere);
             body.0.feet = position.0.pos + origin;
-            self.physics
-                .move_character(&mut body.0, &self.tuning, &CharacterInput::default(), STEP_S);
+            self.physics.move_character(
+                &mut body.0,
+                &self.tuning,
+                &CharacterInput::default(),
+                STEP_S,
+            );
             position.0.pos = body.0.feet - origin;
             player::cross(&*strategy, position, look, body);
         }
@@ -130,7 +144,9 @@ impl Scene {
             .ecs
             .query::<(Entity, &Position, &Health)>()
             .iter()
-            .filter(|(entity, _, health)| health.0 > 0.0 && !(*entity == self.player && self.flying))
+            .filter(|(entity, _, health)| {
+                health.0 > 0.0 && !(*entity == self.player && self.flying)
+            })
             .map(|(entity, position, _)| Standing {
                 entity,
                 feet: position.0.pos + self.strategy.chart_origin_m(position.0.hemisphere),

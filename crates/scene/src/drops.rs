@@ -81,7 +81,8 @@ impl Scene {
         let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
         for drop in &mut drops {
             drop.age_s += STEP_S;
-            let is_near = drop.point.hemisphere == middle.hemisphere && drop.point.pos.distance(middle.pos) < NEAR_M;
+            let is_near = drop.point.hemisphere == middle.hemisphere
+                && drop.point.pos.distance(middle.pos) < NEAR_M;
             if is_near && (!drop.rests || self.drops_unchecked) {
                 self.let_fall(drop);
             }
@@ -121,7 +122,8 @@ impl Scene {
 
     /// Picks a thing up as far as there is room; returns whether nothing of it is left.
     fn picks_up(&mut self, drop: &mut Drop, middle: ChartPoint) -> bool {
-        let is_near = drop.point.hemisphere == middle.hemisphere && drop.point.pos.distance(middle.pos) < PICK_UP_M;
+        let is_near = drop.point.hemisphere == middle.hemisphere
+            && drop.point.pos.distance(middle.pos) < PICK_UP_M;
         if !is_near || drop.age_s < PICK_UP_AFTER_S || self.flying {
             return false;
         }

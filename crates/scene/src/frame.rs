@@ -10,6 +10,8 @@ use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Projection, Strategy};
 use antipode_terrain::ChunkMesh;
 use thiserror::Error;
 
+use crate::item::Item;
+
 /// Everything needed to draw one picture.
 #[derive(Clone, Debug)]
 pub struct Frame {
@@ -80,6 +82,49 @@ pub struct Sky {
 pub enum ModelId {
     /// The player's astronaut.
     Astronaut,
+    /// A lamp, about its foot.
+    Lamp,
+    /// A bullet, about its middle.
+    Bullet,
+    /// The gun, about its grip.
+    Gun,
+    /// The weak pickaxe, about the middle of its handle.
+    PickaxeWood,
+    /// The medium pickaxe.
+    PickaxeIron,
+    /// The strong pickaxe.
+    PickaxeDiamond,
+}
+
+impl ModelId {
+    /// Every model.
+    pub const ALL: [Self; 7] = [
+        Self::Astronaut,
+        Self::Lamp,
+        Self::Bullet,
+        Self::Gun,
+        Self::PickaxeWood,
+        Self::PickaxeIron,
+        Self::PickaxeDiamond,
+    ];
+
+    /// Whether it is large enough to have a shade below it.
+    pub fn casts_shade(self) -> bool {
+        self == Self::Astronaut
+    }
+}
+
+impl From<Item> for ModelId {
+    fn from(item: Item) -> Self {
+        match item {
+            Item::Gun => Self::Gun,
+            Item::PickaxeWood => Self::PickaxeWood,
+            Item::PickaxeIron => Self::PickaxeIron,
+            Item::PickaxeDiamond => Self::PickaxeDiamond,
+            Item::Bullet => Self::Bullet,
+            Item::Lamp => Self::Lamp,
+        }
+    }
 }
 
 /// A figure standing in the world.

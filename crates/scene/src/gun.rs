@@ -51,9 +51,16 @@ impl Scene {
                 ..self.head()
             };
             let pictured = &**self.lens.strategy();
-            self.projectiles.fire_straight(pictured, eye, target, BULLET_SPEED_M_S, self.player);
+            self.projectiles
+                .fire_straight(pictured, eye, target, BULLET_SPEED_M_S, self.player);
         } else {
-            let velocity = aim(&*self.strategy, muzzle, target, BULLET_SPEED_M_S, BULLET.gravity_m_s2);
+            let velocity = aim(
+                &*self.strategy,
+                muzzle,
+                target,
+                BULLET_SPEED_M_S,
+                BULLET.gravity_m_s2,
+            );
             self.projectiles.fire(muzzle, velocity, self.player);
         }
     }
@@ -82,13 +89,24 @@ impl Scene {
             CameraMode::First => 0.0,
             CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
         };
-        let others: Vec<Standing> = self.standing().into_iter().filter(|it| it.entity != self.player).collect();
+        let others: Vec<Standing> = self
+            .standing()
+            .into_iter()
+            .filter(|it| it.entity != self.player)
+            .collect();
         let meets = |a: ChartPoint, b: ChartPoint| {
             let origin = self.strategy.chart_origin_m(a.hemisphere);
             others
                 .iter()
                 .filter_map(|it| {
-                    antipode_physics::meets_capsule(a.pos + origin, b.pos + origin, 0.0, it.feet, it.height_m, it.radius_m)
+                    antipode_physics::meets_capsule(
+                        a.pos + origin,
+                        b.pos + origin,
+                        0.0,
+                        it.feet,
+                        it.height_m,
+                        it.radius_m,
+                    )
                 })
                 .reduce(f64::min)
         };
@@ -107,6 +125,8 @@ impl Scene {
             .cast_sphere(from, way, BULLET.radius_m, length_m)
             .map_or(1.0, |free_m| SHORT_OF_WALL * free_m / length_m);
         let muzzle = head.point.moved(way * free);
-        self.strategy.cross(muzzle).map_or(muzzle, |crossing| crossing.point)
+        self.strategy
+            .cross(muzzle)
+            .map_or(muzzle, |crossing| crossing.point)
     }
 }

@@ -8,7 +8,9 @@ use crate::player::Health;
 use crate::projectile::Strike;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
-use crate::tuning::{BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S};
+use crate::tuning::{
+    BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S,
+};
 
 /// What has hurt someone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

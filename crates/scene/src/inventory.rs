@@ -37,7 +37,13 @@ impl Default for Inventory {
     fn default() -> Self {
         let mut start = Self::empty();
         for (slot, item) in (0..).zip(Item::ALL) {
-            start.put(slot, Stack { item, count: item.at_start() });
+            start.put(
+                slot,
+                Stack {
+                    item,
+                    count: item.at_start(),
+                },
+            );
         }
         start.selected = 1;
         start
@@ -139,7 +145,10 @@ impl Inventory {
         let Some(found) = found else { return false };
         let slot = &mut self.slots[found];
         *slot = slot
-            .map(|stack| Stack { count: stack.count.saturating_sub(1), ..stack })
+            .map(|stack| Stack {
+                count: stack.count.saturating_sub(1),
+                ..stack
+            })
             .filter(|stack| stack.count > 0);
         true
     }
@@ -179,13 +188,26 @@ impl Inventory {
         let Some((carried, from)) = self.carried else {
             let Some(stack) = place.take() else { return };
             let taken = stack.count.div_ceil(2);
-            *place = Some(Stack { count: stack.count - taken, ..stack }).filter(|rest| rest.count > 0);
-            self.carried = Some((Stack { count: taken, ..stack }, slot));
+            *place = Some(Stack {
+                count: stack.count - taken,
+                ..stack
+            })
+            .filter(|rest| rest.count > 0);
+            self.carried = Some((
+                Stack {
+                    count: taken,
+                    ..stack
+                },
+                slot,
+            ));
             return;
         };
         let left = match place {
             None => {
-                *place = Some(Stack { count: 1, ..carried });
+                *place = Some(Stack {
+                    count: 1,
+                    ..carried
+                });
                 less(carried, 1)
             }
             Some(there) if there.item == carried.item => merge(there, carried, 1),
@@ -201,7 +223,11 @@ impl Inventory {
             return;
         };
         let (hotbar, backpack) = self.slots.split_at_mut(usize::from(HOTBAR_SLOTS));
-        let goal = if slot < HOTBAR_SLOTS { backpack } else { hotbar };
+        let goal = if slot < HOTBAR_SLOTS {
+            backpack
+        } else {
+            hotbar
+        };
         let item = stack.item;
         for there in goal.iter_mut().flatten().filter(|there| there.item == item) {
             match merge(there, stack, stack.count) {
@@ -245,7 +271,10 @@ impl Inventory {
             return None;
         }
         let left = self.give(stack.item, stack.count);
-        (left > 0).then_some(Stack { count: left, ..stack })
+        (left > 0).then_some(Stack {
+            count: left,
+            ..stack
+        })
     }
 }
 
@@ -259,7 +288,10 @@ fn merge(there: &mut Stack, from: Stack, count: u32) -> Option<Stack> {
 /// A stack with `count` fewer, if anything is left of it.
 fn less(stack: Stack, count: u32) -> Option<Stack> {
     let left = stack.count.saturating_sub(count);
-    (left > 0).then_some(Stack { count: left, ..stack })
+    (left > 0).then_some(Stack {
+        count: left,
+        ..stack
+    })
 }
 
 #[cfg(test)]
@@ -301,7 +333,14 @@ mod tests {
     fn giving_fills_stacks_then_slots_and_says_what_found_no_room() {
         let mut bag = Inventory::empty();
         assert_eq!(bag.give(Item::Lamp, 100), 0);
-        assert_eq!(bag.slots()[..3], [Some(stack(Item::Lamp, 64)), Some(stack(Item::Lamp, 36)), None]);
+        assert_eq!(
+            bag.slots()[..3],
+            [
+                Some(stack(Item::Lamp, 64)),
+                Some(stack(Item::Lamp, 36)),
+                None
+            ]
+        );
         assert_eq!(bag.give(Item::Lamp, 30), 0);
         assert_eq!(bag.count(Item::Lamp), 130);
         assert_eq!(bag.give(Item::Gun, 100), 63);
@@ -326,12 +365,18 @@ mod tests {
     fn stacks_are_dragged_swapped_merged_and_split() {
         let mut bag = Inventory::default();
         bag.click(4);
-        assert_eq!((bag.carried(), bag.slots()[4]), (Some(stack(Item::Bullet, 64)), None));
+        assert_eq!(
+            (bag.carried(), bag.slots()[4]),
+            (Some(stack(Item::Bullet, 64)), None)
+        );
         bag.click(5);
         assert_eq!(bag.slots()[5], Some(stack(Item::Bullet, 64)));
         assert_eq!(bag.carried(), Some(stack(Item::Lamp, 10)));
         bag.click(20);
-        assert_eq!((bag.carried(), bag.slots()[20]), (None, Some(stack(Item::Lamp, 10))));
+        assert_eq!(
+            (bag.carried(), bag.slots()[20]),
+            (None, Some(stack(Item::Lamp, 10)))
+        );
         bag.click_other(5);
         bag.click_other(21);
         assert_eq!(bag.slots()[21], Some(stack(Item::Bullet, 1)));
@@ -340,7 +385,10 @@ mod tests {
         bag.click_other(5);
         assert_eq!(bag.carried(), Some(stack(Item::Bullet, 16)));
         bag.click(21);
-        assert_eq!((bag.carried(), bag.slots()[21]), (None, Some(stack(Item::Bullet, 48))));
+        assert_eq!(
+            (bag.carried(), bag.slots()[21]),
+            (None, Some(stack(Item::Bullet, 48)))
+        );
     }
 
     #[test]
@@ -350,7 +398,10 @@ mod tests {
         bag.put(1, stack(Item::Bullet, 10));
         bag.click(1);
         bag.click(0);
-        assert_eq!((bag.slots()[0], bag.carried()), (Some(stack(Item::Bullet, 64)), Some(stack(Item::Bullet, 6))));
+        assert_eq!(
+            (bag.slots()[0], bag.carried()),
+            (Some(stack(Item::Bullet, 64)), Some(stack(Item::Bullet, 6)))
+        );
         assert_eq!(bag.put_back(), None);
         assert_eq!(bag.slots()[1], Some(stack(Item::Bullet, 6)));
     }
@@ -359,9 +410,15 @@ mod tests {
     fn a_stack_is_sent_to_the_other_part_and_back() {
         let mut bag = Inventory::default();
         bag.send(4);
-        assert_eq!((bag.slots()[4], bag.slots()[10]), (None, Some(stack(Item::Bullet, 64))));
+        assert_eq!(
+            (bag.slots()[4], bag.slots()[10]),
+            (None, Some(stack(Item::Bullet, 64)))
+        );
         bag.send(10);
-        assert_eq!((bag.slots()[10], bag.slots()[4]), (None, Some(stack(Item::Bullet, 64))));
+        assert_eq!(
+            (bag.slots()[10], bag.slots()[4]),
+            (None, Some(stack(Item::Bullet, 64)))
+        );
     }
 
     proptest! {

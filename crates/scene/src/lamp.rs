@@ -142,7 +142,8 @@ impl Scene {
         };
         let found = pick_among(strategy, &self.physics, &meets, &eye, past_head_m, REACH_M);
         let off_m = |lamp: &Lamp| strategy.distance_m(found.point, lamp.glow(), &eye);
-        let nearest = (0..self.lamps.len()).min_by(|&a, &b| off_m(&self.lamps[a]).total_cmp(&off_m(&self.lamps[b])))?;
+        let nearest = (0..self.lamps.len())
+            .min_by(|&a, &b| off_m(&self.lamps[a]).total_cmp(&off_m(&self.lamps[b])))?;
         (found.hit && off_m(&self.lamps[nearest]) < 2.0 * LAMP_TARGET_M).then_some(nearest)
     }
 
@@ -157,7 +158,8 @@ impl Scene {
         let feet = self.feet();
         for lamp in &mut self.lamps {
             // Ground further off is not changed by anyone, and what is known of it leaves out what once was.
-            let is_near = lamp.point.hemisphere != feet.hemisphere || lamp.point.pos.distance(feet.pos) < NEAR_M;
+            let is_near = lamp.point.hemisphere != feet.hemisphere
+                || lamp.point.pos.distance(feet.pos) < NEAR_M;
             if self.lamps_unchecked && is_near {
                 lamp.rests_m = rest(&self.ground, lamp);
             }
@@ -173,7 +175,10 @@ fn rest(ground: &Ground, lamp: &Lamp) -> f64 {
     let is_solid = |point: ChartPoint| ground.is_solid(point);
     let steps = (DUG_OUT_M / DUG_OUT_STEP_M) as u32;
     let above = (0..steps).map(|step| glow.moved(DVec3::Y * (f64::from(step) * DUG_OUT_STEP_M)));
-    let free = above.into_iter().find(|point| !is_solid(*point)).unwrap_or(glow);
+    let free = above
+        .into_iter()
+        .find(|point| !is_solid(*point))
+        .unwrap_or(glow);
     height_below(free, FALLS_M, is_solid).unwrap_or(lamp.point.pos.y)
 }
 
@@ -185,7 +190,10 @@ mod tests {
     fn a_lamp_falls_to_its_rest_and_comes_up_at_once() {
         let mut lamp = Lamp::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)));
         lamp.fall(20.0);
-        assert_eq!(lamp, Lamp::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0))));
+        assert_eq!(
+            lamp,
+            Lamp::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)))
+        );
         lamp.rests_m = 5.0;
         let mut steps = 0;
         while lamp.point.pos.y > 5.0 {

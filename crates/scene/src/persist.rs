@@ -10,8 +10,8 @@ use antipode_terrain::Biome;
 use glam::DVec3;
 
 use crate::camera::CameraMode;
-use crate::ground::height_below;
 use crate::drops::Drop;
+use crate::ground::height_below;
 use crate::inventory::{Inventory, SLOTS, Stack};
 use crate::item::Item;
 use crate::lamp::Lamp;
@@ -111,7 +111,12 @@ impl Scene {
             view_distance: self.setup.view_distance,
             flashlight: self.flashlight,
             lamps: self.lamps.iter().map(lamp_record).collect(),
-            drops: self.drops.iter().map(drop_record).chain(self.carried_record()).collect(),
+            drops: self
+                .drops
+                .iter()
+                .map(drop_record)
+                .chain(self.carried_record())
+                .collect(),
             bots: self.bot_records(),
         }
     }
@@ -175,11 +180,17 @@ impl Scene {
         self.flashlight = state.flashlight;
         let point = |hemisphere: u8, pos: [f64; 3]| self.restored_point(hemisphere, pos);
         let lamps = state.lamps.iter().take(MOST_LAMPS);
-        let lamps: Vec<_> = lamps.filter_map(|it| point(it.hemisphere, it.pos)).map(Lamp::standing).collect();
+        let lamps: Vec<_> = lamps
+            .filter_map(|it| point(it.hemisphere, it.pos))
+            .map(Lamp::standing)
+            .collect();
         let mut unknown = Vec::new();
         let mut drops = Vec::new();
         for record in state.drops.iter().take(2 * MOST_DROPS) {
-            match (Item::from_id(&record.item), point(record.hemisphere, record.pos)) {
+            match (
+                Item::from_id(&record.item),
+                point(record.hemisphere, record.pos),
+            ) {
                 (Some(item), Some(at)) => {
                     let count = record.count.max(1);
                     drops.push(Drop::lying(Stack { item, count }, at));

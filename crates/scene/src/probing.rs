@@ -5,8 +5,8 @@ use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
 use crate::item::Item;
 use crate::player::Health;
 use crate::probe::{
-    BotProbe, CameraProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe, Probe, ProjectileProbe, SlotProbe,
-    TerrainProbe,
+    BotProbe, CameraProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe, Probe,
+    ProjectileProbe, SlotProbe, TerrainProbe,
 };
 use crate::scene::Scene;
 use crate::tuning::FULL_HEALTH;

@@ -87,8 +87,18 @@ impl Projectiles {
     }
 
     /// Fires a bullet along the geodesic from the point of `eye` to `target`.
-    pub fn fire_straight(&mut self, pictured: &dyn Strategy, eye: Eye, target: ChartPoint, speed_m_s: f64, by: Entity) {
-        let way = pictured.view_point(&eye, target).truncate().normalize_or(DVec3::NEG_Z);
+    pub fn fire_straight(
+        &mut self,
+        pictured: &dyn Strategy,
+        eye: Eye,
+        target: ChartPoint,
+        speed_m_s: f64,
+        by: Entity,
+    ) {
+        let way = pictured
+            .view_point(&eye, target)
+            .truncate()
+            .normalize_or(DVec3::NEG_Z);
         let velocity = eye.to_chart(way) * speed_m_s;
         let path = Path::Geodesic {
             eye,
@@ -132,14 +142,24 @@ impl Projectile {
         let origin = air.strategy.chart_origin_m(self.point.hemisphere);
         let before = self.point.pos + origin;
         let (mut ball, goal) = self.start(air, before);
-        let gravity_m_s2 = if goal.is_some() { 0.0 } else { BULLET.gravity_m_s2 };
-        let tuning = BallTuning { gravity_m_s2, ..BULLET };
+        let gravity_m_s2 = if goal.is_some() {
+            0.0
+        } else {
+            BULLET.gravity_m_s2
+        };
+        let tuning = BallTuning {
+            gravity_m_s2,
+            ..BULLET
+        };
         let touch = air.physics.throw_ball(&mut ball, &tuning, STEP_S);
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
         for (from, to) in [(before, corner), (corner, ball.centre)] {
             if let Some(entity) = self.meets(air, from, to) {
                 self.struck = Some((entity, self.age_s));
-                strikes.push(Strike { entity, by: self.by });
+                strikes.push(Strike {
+                    entity,
+                    by: self.by,
+                });
                 // Who is struck stops the bullet; it drops to the ground.
                 ball.centre = from;
                 ball.velocity *= -0.1;
@@ -153,7 +173,8 @@ impl Projectile {
         }
         self.cross(air.strategy);
         let limits = air.strategy.limits();
-        self.point.pos.is_finite() && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
+        self.point.pos.is_finite()
+            && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
     }
 
     fn is_geodesic(&self) -> bool {
@@ -162,7 +183,13 @@ impl Projectile {
 
     /// The ball to throw in this step, and where the geodesic leads if it follows one.
     fn start(&mut self, air: &Air<'_>, centre: DVec3) -> (Ball, Option<ChartPoint>) {
-        let Path::Geodesic { eye, way, gone_m, speed_m_s } = &mut self.path else {
+        let Path::Geodesic {
+            eye,
+            way,
+            gone_m,
+            speed_m_s,
+        } = &mut self.path
+        else {
             let velocity = self.velocity;
             return (Ball { centre, velocity }, None);
         };
@@ -170,23 +197,49 @@ impl Projectile {
         let goal = air.pictured.along(eye, *way, *gone_m);
         let step = over(air.strategy, self.point, goal).pos - self.point.pos;
         self.velocity = step / STEP_S;
-        (Ball { centre, velocity: self.velocity }, Some(goal))
+        (
+            Ball {
+                centre,
+                velocity: self.velocity,
+            },
+            Some(goal),
+        )
     }
 
     /// Takes over where a ball has come to; after a touch a geodesic begins anew.
     fn follow(&mut self, air: &Air<'_>, ball: Ball, origin: DVec3, touch: Option<Touch>) {
         self.point.pos = ball.centre - origin;
         self.velocity = ball.velocity;
-        let Path::Geodesic { eye, way, gone_m, speed_m_s } = &mut self.path else {
+        let Path::Geodesic {
+            eye,
+            way,
+            gone_m,
+            speed_m_s,
+        } = &mut self.path
+        else {
             return;
         };
         if touch.is_none() {
             return;
         }
-        let share = if self.velocity == DVec3::ZERO { 0.0 } else { BULLET.bounce.max(BULLET.slide) };
-        *eye = Eye { point: self.point, ..*eye };
-        let ahead = ChartPoint::new(self.point.hemisphere, self.point.pos + self.velocity.normalize_or(DVec3::Y) * 1e-3);
-        *way = air.pictured.view_point(eye, ahead).truncate().normalize_or(DVec3::NEG_Z);
+        let share = if self.velocity == DVec3::ZERO {
+            0.0
+        } else {
+            BULLET.bounce.max(BULLET.slide)
+        };
+        *eye = Eye {
+            point: self.point,
+            ..*eye
+        };
+        let ahead = ChartPoint::new(
+            self.point.hemisphere,
+            self.point.pos + self.velocity.normalize_or(DVec3::Y) * 1e-3,
+        );
+        *way = air
+            .pictured
+            .view_point(eye, ahead)
+            .truncate()
+            .normalize_or(DVec3::NEG_Z);
         *gone_m = 0.0;
         *speed_m_s *= share;
     }
@@ -202,13 +255,20 @@ impl Projectile {
     fn meets(&self, air: &Air<'_>, from: DVec3, to: DVec3) -> Option<Entity> {
         let may_strike = |entity: Entity| {
             let just_fired = entity == self.by && self.age_s < SAME_BODY_HARMED_AFTER_S;
-            let just_struck = self
-                .struck
-                .is_some_and(|(last, at_s)| last == entity && self.age_s - at_s < SAME_BODY_HARMED_AFTER_S);
+            let just_struck = self.struck.is_some_and(|(last, at_s)| {
+                last == entity && self.age_s - at_s < SAME_BODY_HARMED_AFTER_S
+            });
             !just_fired && !just_struck
         };
         let share = |it: &Standing| {
-            antipode_physics::meets_capsule(from, to, BULLET.radius_m, it.feet, it.height_m, it.radius_m)
+            antipode_physics::meets_capsule(
+                from,
+                to,
+                BULLET.radius_m,
+                it.feet,
+                it.height_m,
+                it.radius_m,
+            )
         };
         air.standing
             .iter()
@@ -230,7 +290,12 @@ mod tests {
         ecs.spawn(())
     }
 
-    fn fly(space: &dyn Strategy, bullets: &mut Projectiles, standing: &[Standing], steps: usize) -> Vec<Strike> {
+    fn fly(
+        space: &dyn Strategy,
+        bullets: &mut Projectiles,
+        standing: &[Standing],
+        steps: usize,
+    ) -> Vec<Strike> {
         let physics = PhysicsWorld::new();
         let air = Air {
             strategy: space,
@@ -250,7 +315,10 @@ mod tests {
         bullets.fire(ChartPoint::a(DVec3::Y * 500.0), DVec3::X * 40.0, by);
         fly(&*space, &mut bullets, &[], 60);
         let at = bullets.all()[0].point.pos;
-        assert!((at - DVec3::new(40.0, 500.0 - 0.5 * BULLET.gravity_m_s2, 0.0)).length() < 1e-6, "{at}");
+        assert!(
+            (at - DVec3::new(40.0, 500.0 - 0.5 * BULLET.gravity_m_s2, 0.0)).length() < 1e-6,
+            "{at}"
+        );
         fly(&*space, &mut bullets, &[], 239);
         assert!(bullets.all().len() == 1);
         fly(&*space, &mut bullets, &[], 2);
@@ -280,7 +348,11 @@ mod tests {
 
     #[test]
     fn along_a_geodesic_a_bullet_goes_straight_through_what_was_aimed_at() {
-        for geometry in [Geometry::Hyperbolic, Geometry::Spherical, Geometry::Euclidean] {
+        for geometry in [
+            Geometry::Hyperbolic,
+            Geometry::Spherical,
+            Geometry::Euclidean,
+        ] {
             let space = strategy(geometry, 32.0);
             let mut ecs = hecs::World::new();
             let by = entity(&mut ecs);
@@ -298,7 +370,9 @@ mod tests {
             for _ in 0..60 {
                 fly(&*space, &mut bullets, &[], 1);
                 // Nothing stops it, and below all ground it is gone.
-                let Some(bullet) = bullets.all().first() else { break };
+                let Some(bullet) = bullets.all().first() else {
+                    break;
+                };
                 let at = bullet.point.pos;
                 let way = at - last;
                 let share = ((target.pos - last).dot(way) / way.length_squared()).clamp(0.0, 1.0);
@@ -322,7 +396,12 @@ mod tests {
         };
         let mut bullets = Projectiles::default();
         bullets.fire(ChartPoint::a(DVec3::Y * 100.0), DVec3::X * 40.0, by);
-        let strikes = fly(&*space, &mut bullets, &[stands(by, 0.2), stands(other, 12.0)], 60);
+        let strikes = fly(
+            &*space,
+            &mut bullets,
+            &[stands(by, 0.2), stands(other, 12.0)],
+            60,
+        );
         assert_eq!(strikes, [Strike { entity: other, by }]);
         assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
     }

@@ -60,7 +60,10 @@ pub(crate) fn of_others(others: impl Iterator<Item = (ChartPoint, DVec3)>) -> Ve
     for (point, velocity) in others {
         let there = point.pos + velocity * OTHERS_AHEAD_S;
         for at in [point.pos, there] {
-            cells.insert((point.hemisphere, (at / OTHERS_CELL_M).floor().as_i64vec3().to_array()));
+            cells.insert((
+                point.hemisphere,
+                (at / OTHERS_CELL_M).floor().as_i64vec3().to_array(),
+            ));
         }
     }
     let corner = |cell: [i64; 3]| DVec3::from_array(cell.map(|index| index as f64)) * OTHERS_CELL_M;

@@ -14,9 +14,9 @@ use crate::camera::{self, CameraMode};
 use crate::day;
 use crate::detail::Sight;
 use crate::dip::HeadDip;
-use crate::frame::{Figure, Frame, Marker, Quality};
-use crate::ground::Ground;
 use crate::drops::Drop;
+use crate::frame::{Figure, Frame, Marker, ModelId, Quality};
+use crate::ground::Ground;
 use crate::harm::Condition;
 use crate::inventory::Inventory;
 use crate::lamp::Lamp;
@@ -441,7 +441,40 @@ impl Scene {
                 stride: appearance.stride as f32,
             });
         }
+        self.show_things(&mut seen);
         seen
+    }
+
+    /// Lamps, bullets, and what lies about, which turns so that it is noticed.
+    fn show_things(&self, seen: &mut Vec<Figure>) {
+        let thing = |model, point, yaw| Figure {
+            model,
+            point,
+            yaw,
+            stride: 0.0,
+        };
+        let turn = if self.viewing.reduced_motion {
+            0.0
+        } else {
+            self.simulated_s
+        };
+        seen.extend(
+            self.lamps
+                .iter()
+                .map(|lamp| thing(ModelId::Lamp, lamp.point, 0.0)),
+        );
+        seen.extend(self.projectiles().iter().map(|bullet| {
+            thing(
+                ModelId::Bullet,
+                bullet.point,
+                bullet.velocity.z.atan2(bullet.velocity.x),
+            )
+        }));
+        seen.extend(
+            self.drops
+                .iter()
+                .map(|drop| thing(drop.stack.item.into(), drop.point, turn)),
+        );
     }
 
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and

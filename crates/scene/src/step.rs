@@ -7,9 +7,9 @@ use glam::DVec3;
 use crate::actions::Actions;
 use crate::camera::CameraMode;
 use crate::frame::Marker;
-use crate::item::Item;
 use crate::ground::chunks_near;
 use crate::harm::{HarmKind, fall_harm};
+use crate::item::Item;
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
@@ -33,7 +33,11 @@ impl Scene {
         }
         self.dip.pass(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
-        let actions = &if self.is_dead() { Actions::default() } else { *actions };
+        let actions = &if self.is_dead() {
+            Actions::default()
+        } else {
+            *actions
+        };
         if self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
         }

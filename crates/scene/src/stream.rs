@@ -55,7 +55,12 @@ impl Scene {
     fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
         let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
         let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
-        let bots = self.ecs.query::<(&Bot, &Position)>().iter().map(|(_, at)| (at.0, DVec3::ZERO)).collect::<Vec<_>>();
+        let bots = self
+            .ecs
+            .query::<(&Bot, &Position)>()
+            .iter()
+            .map(|(_, at)| (at.0, DVec3::ZERO))
+            .collect::<Vec<_>>();
         reaches.extend(reach::of_others(bullets.chain(bots)));
         reaches
     }

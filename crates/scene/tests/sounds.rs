@@ -66,7 +66,11 @@ fn a_fall_is_heard_once_and_the_louder_the_farther() {
             panic!("after {drop_m} m: {heard:?}");
         };
         // A long fall hurts, and that is heard too.
-        let hurts: &[_] = if drop_m > 8.0 { &[SoundEvent::Hurt] } else { &[] };
+        let hurts: &[_] = if drop_m > 8.0 {
+            &[SoundEvent::Hurt]
+        } else {
+            &[]
+        };
         assert_eq!(after, hurts, "after {drop_m} m");
         loudness.push(speed_m_s);
     }

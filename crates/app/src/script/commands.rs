@@ -22,6 +22,8 @@ pub enum Argument {
     Value,
     /// An item by its id.
     Item,
+    /// What can be put into the world: `bot`, `hostile` or `lamp`.
+    Spawned,
     /// `A` or `B`.
     Hemisphere,
     /// A number, a file: nothing that could be guessed.
@@ -66,9 +68,10 @@ const fn command(
 }
 
 /// Every command.
-pub static COMMANDS: [CommandInfo; 24] = {
+pub static COMMANDS: [CommandInfo; 25] = {
     use Argument::{
-        Button, Free, Geometry, Hemisphere, Item, Key, KeyOrButton, Option, Setting, Value, World,
+        Button, Free, Geometry, Hemisphere, Item, Key, KeyOrButton, Option, Setting, Spawned,
+        Value, World,
     };
     [
         command(
@@ -98,6 +101,11 @@ pub static COMMANDS: [CommandInfo; 24] = {
         command("set", "SETTING VALUE", &[Setting, Value]),
         command("give", "ITEM N", &[Item, Free]),
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, Hemisphere]),
+        command(
+            "spawn",
+            "bot|hostile|lamp X Y Z [A|B]",
+            &[Spawned, Free, Free, Free, Hemisphere],
+        ),
         command("perf", "SECONDS", &[Free]),
     ]
 };

@@ -5,7 +5,7 @@ use antipode_scene::Scene;
 use antipode_settings::Value;
 use glam::DVec3;
 
-use super::parse::{Order, Setting};
+use super::parse::{Order, Setting, Spawned};
 use crate::bindings::Input;
 use crate::controls::Controls;
 use crate::failure::Failure;
@@ -99,6 +99,11 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             host,
             ChartPoint::new(*hemisphere, DVec3::from_array(*place)),
         ),
+        Order::Spawn(spawned, place, hemisphere) => spawn(
+            host,
+            *spawned,
+            ChartPoint::new(*hemisphere, DVec3::from_array(*place)),
+        ),
         Order::New(_)
         | Order::Load(_)
         | Order::Save
@@ -159,6 +164,22 @@ fn teleport<H: Host + ?Sized>(host: &mut H, point: ChartPoint) -> Result<(), Fai
     scene.teleport(point);
     host.arrive()?;
     host.scene()?.refresh_marker();
+    Ok(())
+}
+
+fn spawn<H: Host + ?Sized>(
+    host: &mut H,
+    spawned: Spawned,
+    point: ChartPoint,
+) -> Result<(), Failure> {
+    let scene = host.scene()?;
+    check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
+    match spawned {
+        Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
+        Spawned::Bot | Spawned::Hostile => {
+            scene.spawn_bot(point, 0.0, spawned == Spawned::Hostile);
+        }
+    }
     Ok(())
 }
 

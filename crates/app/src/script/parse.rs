@@ -70,8 +70,21 @@ pub enum Order {
     Give(Item, u32),
     /// Move the player's feet.
     Teleport([f64; 3], Hemisphere),
+    /// Put something into the world.
+    Spawn(Spawned, [f64; 3], Hemisphere),
     /// Measure over some seconds.
     Perf(f64),
+}
+
+/// Something `spawn` can put into the world.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spawned {
+    /// A figure that does no harm.
+    Bot,
+    /// A figure that fights the player.
+    Hostile,
+    /// A lamp.
+    Lamp,
 }
 
 /// Something `set` can change.
@@ -101,7 +114,7 @@ impl Order {
     /// Whether a world in which it was used is marked: it gives the player what play would not have given.
     pub fn cheats(&self) -> bool {
         match self {
-            Self::Give(..) | Self::Teleport(..) => true,
+            Self::Give(..) | Self::Teleport(..) | Self::Spawn(..) => true,
             Self::Set(setting) => match setting {
                 Setting::Time(_) | Setting::Health(_) => true,
                 Setting::Fly(on) => *on,
@@ -224,6 +237,7 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("set", [what, value]) => Order::Set(setting(what, value)?),
         ("give", [item, count]) => give(item, count)?,
         ("teleport", [x, y, z, side @ ..]) if side.len() <= 1 => teleport([x, y, z], side)?,
+        ("spawn", [what, x, y, z, side @ ..]) if side.len() <= 1 => spawn(what, [x, y, z], side)?,
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
         (known, _) if command_named(known).is_some() => {
             return Err(format!(
@@ -394,14 +408,30 @@ fn give(item: &str, count: &str) -> Result<Order, String> {
     Ok(Order::Give(kind, whole(count, 1, 9999)?))
 }
 
-fn teleport(place: [&str; 3], side: &[&str]) -> Result<Order, String> {
+fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
+    let spawned = match what {
+        "bot" => Spawned::Bot,
+        "hostile" => Spawned::Hostile,
+        "lamp" => Spawned::Lamp,
+        _ => return Err(format!("{} is neither bot, hostile nor lamp", quoted(what))),
+    };
+    let (at, hemisphere) = place(at, side)?;
+    Ok(Order::Spawn(spawned, at, hemisphere))
+}
+
+fn teleport(at: [&str; 3], side: &[&str]) -> Result<Order, String> {
+    let (at, hemisphere) = place(at, side)?;
+    Ok(Order::Teleport(at, hemisphere))
+}
+
+fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], Hemisphere), String> {
     let hemisphere = match side {
         [] | ["A"] => Hemisphere::A,
         ["B"] => Hemisphere::B,
         _ => return Err("a hemisphere is A or B".to_owned()),
     };
-    let [x, y, z] = place.map(|text| number(text, -FARTHEST_M, FARTHEST_M));
-    Ok(Order::Teleport([x?, y?, z?], hemisphere))
+    let [x, y, z] = at.map(|text| number(text, -FARTHEST_M, FARTHEST_M));
+    Ok(([x?, y?, z?], hemisphere))
 }
 
 #[cfg(test)]

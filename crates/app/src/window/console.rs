@@ -238,7 +238,13 @@ impl Game {
         let fps = f64::from(self.frames_per_second());
         let known = (fps > 0.0).then_some(fps);
         let drawn = self.console.drawn;
-        let words = probe_text(&probe, known, &self.console.adapter, drawn.as_ref(), self.pace.dropped_s())?;
+        let words = probe_text(
+            &probe,
+            known,
+            &self.console.adapter,
+            drawn.as_ref(),
+            self.pace.dropped_s(),
+        )?;
         self.answer(&words);
         Ok(())
     }

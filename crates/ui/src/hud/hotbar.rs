@@ -114,12 +114,21 @@ pub(crate) fn picture(icon: SlotIcon, rect: Rect) -> Vec<Shape> {
 fn gun(rect: Rect) -> Vec<Shape> {
     let at = |x: f32, y: f32| rect.min + vec2(x * rect.width(), y * rect.height());
     let outline = Stroke::new(1.0, Color32::from_black_alpha(150));
-    let grip = vec![at(0.20, 0.46), at(0.44, 0.46), at(0.36, 0.86), at(0.14, 0.86)];
+    let grip = vec![
+        at(0.20, 0.46),
+        at(0.44, 0.46),
+        at(0.36, 0.86),
+        at(0.14, 0.86),
+    ];
     vec![
         Shape::convex_polygon(grip, HANDLE, outline),
         Shape::rect_filled(Rect::from_min_max(at(0.14, 0.26), at(0.72, 0.50)), 3, GUN),
         Shape::rect_filled(Rect::from_min_max(at(0.72, 0.30), at(0.94, 0.42)), 1, GUN),
-        Shape::rect_filled(Rect::from_min_max(at(0.30, 0.32), at(0.60, 0.38)), 1, ACCENT),
+        Shape::rect_filled(
+            Rect::from_min_max(at(0.30, 0.32), at(0.60, 0.38)),
+            1,
+            ACCENT,
+        ),
     ]
 }
 
