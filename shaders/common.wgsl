@@ -4,6 +4,24 @@
 // Figures whose shade on the ground is drawn: the nearest ones.
 const SHADES: u32 = 8u;
 
+// Lamps and beams that can be lit at once.
+const LAMPS: u32 = 64u;
+const BEAMS: u32 = 16u;
+
+// Light that goes all ways from a place.
+struct Lamp {
+    place: vec4<f32>,   // in view coordinates, w in metres
+    colour: vec4<f32>,  // rgb; w: square of the chord at which it has faded away, square metres
+}
+
+// Light that goes one way from a place.
+struct Beam {
+    place: vec4<f32>,   // as above
+    axis: vec4<f32>,    // the way it goes there, a unit vector in view coordinates
+    colour: vec4<f32>,  // as above
+    cone: vec4<f32>,    // cosines of the angles within which it is full, and outside which there is none
+}
+
 struct Scene {
     space: Space,
     right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
@@ -20,6 +38,8 @@ struct Scene {
     ambient_ground: vec4<f32>,
     fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
+    lamps: array<Lamp, LAMPS>,
+    beams: array<Beam, BEAMS>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;

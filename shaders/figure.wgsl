@@ -13,6 +13,7 @@ struct VertexIn {
     @location(8) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(9) frame_y: vec4<f32>,
     @location(10) frame_z: vec4<f32>,
+    @location(11) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the figure
 }
 
 struct VertexOut {
@@ -22,6 +23,9 @@ struct VertexOut {
     @location(2) toward_eye: vec3<f32>,
     @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
     @location(4) glow: f32,
+    @location(5) view: vec4<f32>,
+    @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where lights may fall
+    @location(7) @interpolate(flat) lights: vec3<u32>,
 }
 
 // Turns about the axis to the right: a positive angle moves what hangs from the joint ahead.
@@ -55,6 +59,11 @@ fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
     out.glow = in.normal.w;
+    out.view = view;
+    out.lights = in.lights;
+    if any(in.lights != vec3<u32>(0u)) {
+        out.frame_normal = frame_vector(space, p, out.normal, in.hemisphere);
+    }
     return out;
 }
 
@@ -84,6 +93,9 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
     var colour = in.albedo.rgb * light_on(normal);
+    if any(in.lights != vec3<u32>(0u)) {
+        colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
+    }
     // A soft bright edge keeps the figure readable against land of its own brightness.
     colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
     colour += (scene.key_colour.rgb * shine + sky * 0.35) * gloss;

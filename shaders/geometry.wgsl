@@ -1,7 +1,7 @@
 // The port: from flat chart metres to the curved space, in single precision.
 //
 // Mirrors crates/geometry; docs/geometry.md has the mathematics. No entry points and no
-// bindings: other shaders are appended to this file. Every name but the four functions, the
+// bindings: other shaders are appended to this file. Every name but the five functions, the
 // struct and its constants begins with `geo_`.
 //
 // Its sines, cosines and their kin are those of trigonometry.wgsl, which stands in front. View
@@ -238,6 +238,74 @@ fn port_normal(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec
         n.y * upright * (level * shrink),
         (n.z + bend * u.z) * shrink,
     ));
+}
+
+// Lengths of frame vectors are told within this distance of the map's centre, in radii; farther off they keep the
+// direction of that place, so that nothing overflows.
+const GEO_FAR_FRAME: f32 = 12.0;
+
+// A vector of the chart's frame at a point, as `port_normal` gives them, in view coordinates: x, y, z and w without
+// unit, a unit vector of the model's tangent space for a unit vector of the frame.
+//
+// The frame of the raised map is carried out along the ray from the map's centre: with the ported point (X, W) it is
+// (n + X (n.X)/(1 + W), n.X). Those of the cylindrical charts, at level distance r and height y with s the sign of the
+// curvature, are the derivatives along r, across and along y of (C(y) S(r), S(y), C(y) C(r)).
+fn frame_vector(space: Space, p: vec3<f32>, n: vec3<f32>, hemisphere: u32) -> vec4<f32> {
+    if geo_kind(space) == GEO_FLAT {
+        return vec4<f32>((space.view * vec4<f32>(n, 0.0)).xyz, 0.0);
+    }
+    if geo_kind(space) == GEO_RAISED {
+        let out_of_range = space.curve.x * p + vec3<f32>(0.0, space.curve.y, 0.0);
+        let q = out_of_range * min(1.0, GEO_FAR_FRAME / max(length(out_of_range), 1e-6));
+        let near = geo_sine_cosine(-dot(q, q));
+        let x = near.x * q;
+        let t = dot(n, x);
+        let m = vec4<f32>(n + x * (t / (1.0 + near.y)), t);
+        let boosted = vec4<f32>(
+            m.x,
+            space.curve.w * m.y - space.curve.z * m.w,
+            m.z,
+            space.curve.w * m.w - space.curve.z * m.y,
+        );
+        return space.view * boosted;
+    }
+    // The sphere's charts stand on its ground; the horizon map's on the sheet below the eye.
+    let is_sphere = geo_kind(space) == GEO_SPHERE;
+    let bends_in = is_sphere || space.curve.x > 0.0;
+    let s = select(-1.0, 1.0, bends_in);
+    let k = select(space.edge.z, space.curve.x, is_sphere);
+    let height = k * (p.y + select(space.curve.y, 0.0, is_sphere));
+    let level = k * vec2<f32>(p.x, p.z);
+    let u = level * min(1.0, GEO_FAR_FRAME / max(length(level), 1e-6));
+    let r2 = dot(u, u);
+    let round = geo_sine_cosine(s * r2);
+    let upright = geo_sine_cosine(s * height * height);
+    let rise = clamp(height, -GEO_FAR_FRAME, GEO_FAR_FRAME) * upright.x;
+    let along = n.x * u.x + n.z * u.y;
+    // (C(r) - 1)/r^2 = -s/2 sinc(r/2)^2.
+    let half = geo_sine_cosine(0.25 * s * r2).x;
+    let turn = -0.5 * s * half * half * along - s * rise * round.x * n.y;
+    var m = vec4<f32>(
+        n.x + turn * u.x,
+        upright.y * n.y,
+        n.z + turn * u.y,
+        -s * (round.x * along + rise * round.y * n.y),
+    );
+    if is_sphere {
+        let flip = select(1.0, -1.0, hemisphere == 1u);
+        let radius = space.project.w;
+        let view = space.view * vec4<f32>(radius * flip * m.x, radius * m.y, radius * m.z, flip * m.w);
+        return vec4<f32>(view.xyz / radius, view.w);
+    }
+    // Down to the eye, by its height.
+    let sine = k * space.curve.z;
+    m = vec4<f32>(
+        m.x,
+        space.curve.w * m.y - sine * m.w,
+        m.z,
+        space.curve.w * m.w + s * sine * m.y,
+    );
+    return space.view * m;
 }
 
 // Reversed depth, nearer is greater: n/d where flat, n exp(-d) over the hyperbolic distance,

@@ -13,6 +13,7 @@ struct VertexIn {
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
+    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the chunk
 }
 
 struct VertexOut {
@@ -24,6 +25,9 @@ struct VertexOut {
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
+    @location(7) view: vec4<f32>,
+    @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where lights may fall
+    @location(9) @interpolate(flat) lights: vec3<u32>,
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
@@ -88,6 +92,11 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 1u), in.world.w);
+    out.view = view;
+    out.lights = in.lights;
+    if any(in.lights != vec3<u32>(0u)) {
+        out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+    }
     return out;
 }
 
@@ -133,7 +142,11 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
-    let lit = in.albedo * light_on(normalize(in.normal));
+    var light = light_on(normalize(in.normal));
+    if any(in.lights != vec3<u32>(0u)) {
+        light += lights_on(in.view, in.frame_normal, in.lights, 0.05);
+    }
+    let lit = in.albedo * light;
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
 }
 

@@ -179,15 +179,60 @@ def to_srgb(v):
     return v * 12.92 if v <= 0.0031308 else 1.055 * v ** (1.0 / 2.4) - 0.055
 
 
-def png(width, height, rgba, alpha=True):
+def _palette(rgb, most):
+    """At most `most` colours for a picture by median cut: the box that is widest and fullest is halved."""
+    counts = {}
+    for i in range(0, len(rgb), 3):
+        c = (rgb[i] & 0xFC, rgb[i + 1] & 0xFC, rgb[i + 2] & 0xFC)
+        counts[c] = counts.get(c, 0) + 1
+    boxes = [sorted(counts)]
+
+    def width(box):
+        return max((max(c[k] for c in box) - min(c[k] for c in box), -k) for k in range(3))
+
+    while len(boxes) < most:
+        scores = [(width(b)[0] * math.sqrt(len(b)), i) for i, b in enumerate(boxes) if len(b) > 1]
+        if not scores:
+            break
+        box = boxes.pop(max(scores)[1])
+        axis = -width(box)[1]
+        box.sort(key=lambda c: (c[axis], c))
+        boxes += [box[: len(box) // 2], box[len(box) // 2 :]]
+    colours, number = bytearray(), {}
+    for i, box in enumerate(boxes):
+        total = sum(counts[c] for c in box)
+        colours += bytes(round(sum(c[k] * counts[c] for c in box) / total) for k in range(3))
+        number.update((c, i) for c in box)
+    return bytes(colours), number
+
+
+def small_png(width, height, rgba, most=96):
+    """A PNG of few colours and without cover, for documents."""
+    rgb = bytes(v for i, v in enumerate(rgba) if i % 4 != 3)
+    colours, number = _palette(rgb, most)
+    rows = bytearray()
+    for y in range(height):
+        rows.append(0)
+        for i in range(y * width * 3, (y + 1) * width * 3, 3):
+            rows.append(number[rgb[i] & 0xFC, rgb[i + 1] & 0xFC, rgb[i + 2] & 0xFC])
+    head = struct.pack(">IIBBBBB", width, height, 8, 3, 0, 0, 0)
+    return _file((b"IHDR", head), (b"PLTE", colours), (b"IDAT", zlib.compress(bytes(rows), 9)), (b"IEND", b""))
+
+
+def _file(*chunks):
+    out = b"\x89PNG\r\n\x1a\n"
+    for kind, data in chunks:
+        out += struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    return out
+
+
+def png(width, height, rgba):
     """A PNG file's bytes."""
-    depth = 4 if alpha else 3
+    depth = 4
     rows = bytearray()
     before = bytes(width * depth)
     for y in range(height):
-        row = rgba[y * width * 4 : (y + 1) * width * 4]
-        if not alpha:
-            row = bytes(v for i, v in enumerate(row) if i % 4 != 3)
+        row = rgba[y * width * depth : (y + 1) * width * depth]
         # Filter 4 (Paeth), which soft shading packs best with.
         rows.append(4)
         for i in range(width * depth):
@@ -197,7 +242,5 @@ def png(width, height, rgba, alpha=True):
             guess = a if pa <= pb and pa <= pc else (b if pb <= pc else c)
             rows.append((row[i] - guess) & 255)
         before = row
-    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    head = struct.pack(">IIBBBBB", width, height, 8, 6 if alpha else 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(bytes(rows), 9))
-            + chunk(b"IEND", b""))
+    head = struct.pack(">IIBBBBB", width, height, 8, 6, 0, 0, 0)
+    return _file((b"IHDR", head), (b"IDAT", zlib.compress(bytes(rows), 9)), (b"IEND", b""))

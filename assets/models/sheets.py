@@ -3,14 +3,15 @@
 import things
 from astronaut import TEAL, WHITE, astronaut
 from moves import clips, posed, skinned
-from picture import Picture, png
-from vectors import add, mix
+from picture import Picture, small_png
+from vectors import add, mix, rotate
 
 SIZE = (640, 360)
 
 
 def background(t):
-    return mix((0.30, 0.42, 0.58), (0.62, 0.60, 0.55), t)
+    """Six even bands, which pack well."""
+    return mix((0.30, 0.42, 0.58), (0.62, 0.60, 0.55), int(t * 6.0) / 5.0)
 
 
 def _shifted(at):
@@ -67,8 +68,6 @@ def moves(names, heading, columns=8):
 
 
 def _held(picture, camera, pose):
-    from vectors import rotate
-
     q, at = pose["joints"]["hold.R"]
     picture.model(camera, things.gun(), lambda v: (add(at, rotate(q, v[0])), rotate(q, v[1])))
 
@@ -83,6 +82,6 @@ def draw_sheets(folder):
         "hit_die": lambda: moves(("hit", "die"), 74.0),
     }
     for name, make in sheets.items():
-        data = png(*SIZE, make().pixels(background), alpha=False)
+        data = small_png(*SIZE, make().pixels(background))
         (folder / f"{name}.png").write_bytes(data)
         print(f"{name}.png: {len(data)} bytes")

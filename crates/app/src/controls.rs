@@ -180,6 +180,8 @@ impl Controls {
             Action::NextSlot => self.events.slot_step += 1,
             Action::BrushLarger => self.events.brush_step += 1,
             Action::BrushSmaller => self.events.brush_step -= 1,
+            Action::Flashlight => self.events.toggle_light = !self.events.toggle_light,
+            Action::Drop => self.events.drop_one = true,
             Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
             Action::OtherMap => self.events.turn_map = !self.events.turn_map,
             Action::Menu

@@ -129,6 +129,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         sky: sky(time_of_day_s(&wanted.hour), space.as_ref()),
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
+        lights: antipode_scene::frame::Lights::default(),
         marker: Some(Marker {
             point: marker,
             radius_m: 3.0,

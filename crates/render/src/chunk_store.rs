@@ -10,6 +10,7 @@ use antipode_terrain::{ChunkMesh, Level, Vertex};
 use crate::blend::BlendClock;
 use crate::draw_list::DrawList;
 use crate::gpu::Gpu;
+use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
@@ -305,7 +306,8 @@ impl ChunkStore {
                 continue;
             };
             let shades = shades_on(frame, &chunk.land);
-            let instance = instance(frame, coord, choice).shaded(shades);
+            let lights = lights_near(frame, coord.hemisphere, chunk.land.min, chunk.land.max);
+            let instance = instance(frame, coord, choice).shaded(shades).lit(lights);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let blend = chunk

@@ -6,6 +6,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
 use crate::astronaut::astronaut;
+use crate::lamps::lights_near;
 use crate::pipelines::Pipelines;
 use crate::plan::{Affine, FramePlan, Tolerance};
 use crate::solids::Solid;
@@ -205,5 +206,11 @@ fn instance(frame: &Frame, figure: &Figure) -> FigureInstance {
         hemisphere: hemisphere_index(figure.point.hemisphere),
         pose,
         frame: [[0.0; 4]; 4],
+        lights: lights_near(
+            frame,
+            figure.point.hemisphere,
+            figure.point.pos,
+            figure.point.pos + DVec3::Y * (2.0 * FIGURE_HALF_HEIGHT_M),
+        ),
     }
 }

@@ -3,6 +3,7 @@
 use antipode_geometry::WGSL as GEOMETRY;
 
 const COMMON: &str = include_str!("../../../shaders/common.wgsl");
+const LIGHTS: &str = include_str!("../../../shaders/lights.wgsl");
 
 /// The land.
 pub const TERRAIN: Shader = Shader {
@@ -55,7 +56,7 @@ impl Shader {
     /// The whole text, shared files first.
     pub fn source(&self) -> String {
         if self.space {
-            [GEOMETRY, COMMON, self.own].join("\n")
+            [GEOMETRY, COMMON, LIGHTS, self.own].join("\n")
         } else {
             self.own.to_owned()
         }

@@ -5,6 +5,7 @@ use antipode_scene::frame::{Figure, Frame};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
+use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::plan::{Affine, ChunkLand};
 
 /// Strength of the contour bands, where they are drawn.
@@ -35,6 +36,8 @@ pub struct SceneUniform {
     ambient_ground: [f32; 4],
     fraction: [f32; 4],
     shades: [[f32; 4]; SHADES],
+    lamps: [LampUniform; LAMPS],
+    beams: [BeamUniform; BEAMS],
 }
 
 impl SceneUniform {
@@ -70,6 +73,8 @@ impl SceneUniform {
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             shades,
+            lamps: lamps(frame),
+            beams: beams(frame),
         }
     }
 }
@@ -142,6 +147,8 @@ pub struct ChunkInstance {
     pub blend: f32,
     /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
+    /// Which lamps, by 64 bits, and which beams may light the chunk.
+    pub lights: [u32; 3],
 }
 
 impl ChunkInstance {
@@ -153,6 +160,7 @@ impl ChunkInstance {
             world: origin.map(wrap_m).as_vec3().into(),
             blend: 0.0,
             frame: [[0.0; 4]; 4],
+            lights: [0; 3],
         }
     }
 
@@ -174,6 +182,12 @@ impl ChunkInstance {
         }
     }
 
+    /// The same, with lights that may fall on it.
+    #[must_use]
+    pub fn lit(self, lights: [u32; 3]) -> Self {
+        Self { lights, ..self }
+    }
+
     /// The same, in a blend.
     #[must_use]
     pub fn blending(self, blend: f32) -> Self {
@@ -181,9 +195,9 @@ impl ChunkInstance {
     }
 
     /// Attributes from location 3 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
         3 => Float32x3, 4 => Uint32, 5 => Float32x4,
-        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x3
     ];
 }
 
@@ -204,13 +218,15 @@ pub struct FigureInstance {
     pub pose: [f32; 4],
     /// View coordinates of the feet, and per metre along x, y and z, where the figure is ported as a whole.
     pub frame: [[f32; 4]; 4],
+    /// Which lamps, by 64 bits, and which beams may light the figure.
+    pub lights: [u32; 3],
 }
 
 impl FigureInstance {
     /// Attributes from location 4 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 7] = wgpu::vertex_attr_array![
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
         4 => Float32x3, 5 => Uint32, 6 => Float32x4,
-        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4
+        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4, 11 => Uint32x3
     ];
 }
 

@@ -40,6 +40,7 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
         ] {
             let point = space.along(&frame.eye, direction.normalize(), distance_m);
             let marked = Frame {
+                lights: antipode_scene::frame::Lights::default(),
                 marker: Some(Marker {
                     point,
                     radius_m: 0.8,

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Projection, Strategy};
 use antipode_terrain::ChunkMesh;
+use glam::DVec3;
 use thiserror::Error;
 
 use crate::item::Item;
@@ -27,6 +28,8 @@ pub struct Frame {
     pub chunk_changes: Vec<ChunkChange>,
     /// Figures standing in the world.
     pub figures: Vec<Figure>,
+    /// Lamps and beams.
+    pub lights: Lights,
     /// The brush marker, when a tool is held and points at something.
     pub marker: Option<Marker>,
     /// Distance in metres, measured in the space, at which the fog is complete.
@@ -39,6 +42,41 @@ pub struct Frame {
     pub quality: Quality,
     /// Identifies the world; when it differs from the last frame's, every chunk of the old one is dropped first.
     pub loaded_world: u64,
+}
+
+/// Light that comes from places in the world. Colours are linear light.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Lights {
+    /// Lamps, those that matter most first; a picture shows 64.
+    pub lamps: Vec<LampLight>,
+    /// Beams, those that matter most first; a picture shows 16.
+    pub beams: Vec<BeamLight>,
+}
+
+/// Light that goes all ways from a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LampLight {
+    /// Where it is.
+    pub point: ChartPoint,
+    /// Colour times strength, as it is close by.
+    pub colour: [f32; 3],
+    /// Distance in the space at which it has faded away, metres.
+    pub range_m: f64,
+}
+
+/// Light that goes one way from a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeamLight {
+    /// Where it is.
+    pub point: ChartPoint,
+    /// The way it goes, a unit vector of the chart there.
+    pub direction: DVec3,
+    /// Colour times strength, as it is close by.
+    pub colour: [f32; 3],
+    /// Distance in the space at which it has faded away, metres.
+    pub range_m: f64,
+    /// Angles from its middle within which it is full, and outside which there is none, radians.
+    pub cone_rad: (f64, f64),
 }
 
 /// A change to the terrain meshes held by the renderer.

@@ -20,6 +20,7 @@ pub mod inventory;
 pub mod item;
 pub mod lamp;
 pub mod lens;
+mod light;
 pub mod notice;
 pub mod persist;
 mod photo;

@@ -413,6 +413,7 @@ impl Scene {
             sky: day::sky(self.time_of_day_s, &**self.lens.strategy()),
             chunk_changes: self.ground.take_changes(),
             figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
+            lights: self.lights(&eye),
             marker: self.marker,
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
             contour_bands: self.viewing.contour_bands,

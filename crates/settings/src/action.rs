@@ -25,6 +25,10 @@ pub enum Action {
     BrushLarger,
     /// Smaller brush.
     BrushSmaller,
+    /// The flashlight on or off.
+    Flashlight,
+    /// Throw away one of what is in hand.
+    Drop,
     /// Take a slot of the hotbar in hand, 0 to 9.
     Slot(u8),
     /// The slot to the left.
@@ -153,7 +157,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 36] = {
+static ACTIONS: [ActionInfo; 38] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -187,6 +191,8 @@ static ACTIONS: [ActionInfo; 36] = {
             Tools,
             &["ArrowDown", "pad-down"],
         ),
+        line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
+        line(Action::Drop, "drop", Tools, &["KeyQ"]),
         line(Action::Slot(0), "slot-1", Tools, &["Digit1"]),
         line(Action::Slot(1), "slot-2", Tools, &["Digit2"]),
         line(Action::Slot(2), "slot-3", Tools, &["Digit3"]),

@@ -10,6 +10,7 @@
 )]
 
 mod answers;
+mod frames;
 mod functions;
 mod gpu;
 mod kernels;

@@ -87,6 +87,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
         },
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 400.0,
         contour_bands: false,

@@ -1,0 +1,60 @@
+//! The light of lamps and of the flashlight.
+
+use antipode_geometry::{ChartPoint, Eye};
+
+use crate::frame::{BeamLight, LampLight, Lights};
+use crate::scene::Scene;
+
+/// Lamps that a picture shows.
+const MOST_LIT: usize = 64;
+/// Colour times strength of a lamp: warm.
+const LAMP_COLOUR: [f32; 3] = [2.6, 1.9, 1.1];
+/// Distance at which a lamp has faded away, metres.
+const LAMP_RANGE_M: f64 = 14.0;
+/// Colour times strength of the flashlight: nearly white.
+const FLASH_COLOUR: [f32; 3] = [6.0, 6.0, 5.6];
+/// Distance at which the flashlight has faded away, metres.
+const FLASH_RANGE_M: f64 = 40.0;
+/// Angles from its middle within which it is full, and outside which there is none, radians.
+const FLASH_CONE_RAD: (f64, f64) = (0.26, 0.52);
+/// The flashlight is held this far below the eye and beside it, metres, so that what it lights has relief.
+const FLASH_BESIDE_M: (f64, f64) = (0.22, -0.25);
+
+impl Scene {
+    /// The light on what an eye sees: the nearest lamps, and the flashlight.
+    pub(crate) fn lights(&self, eye: &Eye) -> Lights {
+        let strategy = &**self.lens.strategy();
+        let mut lamps: Vec<(f64, ChartPoint)> = self
+            .lamps
+            .iter()
+            .map(|lamp| lamp.glow())
+            .map(|glow| (strategy.distance_m(eye.point, glow, eye), glow))
+            .collect();
+        lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lamp_light = |(_, point)| LampLight {
+            point,
+            colour: LAMP_COLOUR,
+            range_m: LAMP_RANGE_M,
+        };
+        Lights {
+            lamps: lamps.into_iter().take(MOST_LIT).map(lamp_light).collect(),
+            beams: self
+                .flashlight
+                .then(|| self.flash_beam())
+                .into_iter()
+                .collect(),
+        }
+    }
+
+    fn flash_beam(&self) -> BeamLight {
+        let head = self.head();
+        let (right_m, up_m) = FLASH_BESIDE_M;
+        BeamLight {
+            point: head.point.moved(head.right() * right_m + head.up() * up_m),
+            direction: head.front(),
+            colour: FLASH_COLOUR,
+            range_m: FLASH_RANGE_M,
+            cone_rad: FLASH_CONE_RAD,
+        }
+    }
+}
