@@ -15,8 +15,8 @@ UPPER_M, LOWER_M = 0.235, 0.225
 THIGH_M, SHIN_M = 0.365, 0.365
 ANKLE_M = 0.11
 HALF_HIPS_M = 0.118
-# Where the sole touches, from the ankle: the heel behind it, the ball ahead, under the toe joint.
-HEEL_M, BALL_M = -0.085, 0.105
+# Where the sole touches, from the ankle: the heel behind it, the ball ahead, under the toe joint, and the tip.
+HEEL_M, BALL_M, TIP_M = -0.119, 0.105, 0.221
 
 _SHOULDER = (-0.01, 1.262, 0.235)
 _ELBOW = add(_SHOULDER, mul(ARM, UPPER_M))

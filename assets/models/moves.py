@@ -6,7 +6,7 @@ A pose is {"hips": place, joint: turn}; turns are local, and the identity is the
 
 import math
 
-from astronaut import ANKLE_M, ARM, ARM_DEG, BALL_M, HALF_HIPS_M, HEEL_M, JOINTS, SHIN_M, THIGH_M
+from astronaut import ANKLE_M, ARM, ARM_DEG, BALL_M, HALF_HIPS_M, HEEL_M, JOINTS, SHIN_M, THIGH_M, TIP_M
 from vectors import (IDENTITY, add, chain, cross, dot, from_axes, inverse, length, mix, mul, nlerp, rotate, smooth, sub,
                      times, turn, turn_x, turn_y, turn_z, unit)
 
@@ -109,6 +109,15 @@ def _on_ball(x, pitch):
     return add(joint, rotate(turn_z(pitch), (-BALL_M, ANKLE_M - 0.03, 0.0))), pitch, -pitch
 
 
+def _depth(pitch, toe):
+    """How far the lowest point of the sole is below the ankle."""
+    foot, tip = turn_z(pitch), turn_z(pitch + toe)
+    ball = rotate(foot, (BALL_M, 0.03 - ANKLE_M, 0.0))
+    ends = [rotate(foot, (HEEL_M, -ANKLE_M, 0.0)), add(ball, rotate(tip, (-0.03, -0.03, 0.0))),
+            add(ball, rotate(tip, (TIP_M - BALL_M, -0.03, 0.0)))]
+    return -min(end[1] for end in ends)
+
+
 class Gait:
     """A walk or run: one foot's path over a cycle, the other's half a cycle later."""
 
@@ -133,7 +142,10 @@ class Gait:
         y += self.kick * math.sin(math.pi * min(t * 1.6, 1.0)) ** 2
         droop = -self.kick * 110.0 * math.sin(math.pi * min(t * 1.5, 1.0)) ** 2
         pitch = start[1] + (end[1] - start[1]) * smooth(t * 1.25) + droop
-        return (x, y, 0.0), pitch, start[2] * (1.0 - smooth(t * 3.0))
+        toe = start[2] * (1.0 - smooth(t * 2.0))
+        # The sole clears the ground before the foot has left the ground's own speed, and until it comes back to it.
+        clear = 0.04 * smooth(min(t, 1.0 - t) / 0.25)
+        return (x, max(y, clear + _depth(pitch, toe)), 0.0), pitch, toe
 
     def _standing(self, s):
         x = self.travel * (0.5 - s) - 0.01

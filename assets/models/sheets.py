@@ -4,14 +4,14 @@ import things
 from astronaut import TEAL, WHITE, astronaut
 from moves import clips, posed, skinned
 from picture import Picture, small_png
-from vectors import add, mix, rotate
+from vectors import add, rotate
 
 SIZE = (640, 360)
 
 
-def background(t):
-    """Six even bands, which pack well."""
-    return mix((0.30, 0.42, 0.58), (0.62, 0.60, 0.55), int(t * 6.0) / 5.0)
+def background(_):
+    """A plain grey blue, which packs best and lets white stand out."""
+    return (0.34, 0.40, 0.47)
 
 
 def _shifted(at):
@@ -82,6 +82,6 @@ def draw_sheets(folder):
         "hit_die": lambda: moves(("hit", "die"), 74.0),
     }
     for name, make in sheets.items():
-        data = small_png(*SIZE, make().pixels(background))
+        data = small_png(*SIZE, make().pixels(background), 160)
         (folder / f"{name}.png").write_bytes(data)
         print(f"{name}.png: {len(data)} bytes")

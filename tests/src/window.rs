@@ -10,6 +10,7 @@
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -22,7 +23,10 @@ const PATIENCE: Duration = Duration::from_mins(2);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
-/// A game in a window on the test display.
+/// Who may have a window open: there is one keyboard, and two tests of one program would fight for it.
+static KEYBOARD: Mutex<()> = Mutex::new(());
+
+/// A game in a window on the test display. While it is open no other test of the same program opens one.
 #[derive(Debug)]
 pub struct Window {
     child: Child,
@@ -30,6 +34,23 @@ pub struct Window {
     id: String,
     /// What it writes to standard error.
     words: PathBuf,
+    _keyboard: MutexGuard<'static, ()>,
+}
+
+/// Settings under which pictures can be compared: a still menu, English, no hints; `more` is put behind them.
+///
+/// # Panics
+/// When they cannot be written.
+pub fn settle_settings(saves: &Path, more: &str) {
+    let text = format!(
+        "(schema: 1, settings: {{\"language\": \"en\", \"reduced-motion\": true, \"hints\": false{more}}})"
+    );
+    std::fs::write(settings_file(saves), text).expect("the settings can be written");
+}
+
+/// Where a window's settings are.
+pub fn settings_file(saves: &Path) -> PathBuf {
+    saves.join("settings.ron")
 }
 
 /// The display for window tests, or `None` where nobody provides one.
@@ -45,11 +66,13 @@ impl Window {
     /// # Panics
     /// When it does not appear.
     pub fn open(display: &str, saves: &Path, options: &[&str]) -> Self {
+        // A test that failed has let go of its window, too.
+        let keyboard = KEYBOARD.lock().unwrap_or_else(PoisonError::into_inner);
         let words = saves.join("stderr.txt");
         let child = game(saves)
             .args(options)
             .arg("--config")
-            .arg(saves.join("settings.ron"))
+            .arg(settings_file(saves))
             .env("DISPLAY", display)
             .env_remove("WAYLAND_DISPLAY")
             .stderr(File::create(&words).expect("a file for its words"))
@@ -60,6 +83,7 @@ impl Window {
             display: display.to_owned(),
             id: String::new(),
             words,
+            _keyboard: keyboard,
         };
         let began = Instant::now();
         while window.id.is_empty() {
@@ -108,6 +132,84 @@ impl Window {
         sleep(GLANCE);
         self.xdotool(&["keyup", name]);
         sleep(GLANCE);
+    }
+
+    /// Presses a key in a menu and waits until that has changed the picture and it stands still again.
+    ///
+    /// # Panics
+    /// When nothing changes.
+    pub fn step(&mut self, name: &str) -> RgbImage {
+        let before = self.look();
+        self.key(name);
+        let what = format!("what {name} changes");
+        self.wait_until(&what, |picture| *picture != before);
+        self.stillness()
+    }
+
+    /// Presses keys in a menu, one after another.
+    ///
+    /// # Panics
+    /// When one of them changes nothing.
+    pub fn steps(&mut self, names: &[&str]) {
+        for name in names {
+            self.step(name);
+        }
+    }
+
+    /// Looks until the picture stands still.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn stillness(&mut self) -> RgbImage {
+        let began = Instant::now();
+        let mut last = self.look();
+        loop {
+            sleep(GLANCE);
+            let next = self.look();
+            if next == last {
+                return next;
+            }
+            last = next;
+            self.give_up_after(began, "the picture never stood still");
+        }
+    }
+
+    /// Asks for another size, in pixels.
+    pub fn resize(&self, width: u32, height: u32) {
+        let (width, height) = (width.to_string(), height.to_string());
+        self.xdotool(&["windowsize", &self.id, &width, &height]);
+    }
+
+    /// Puts the window away, as its button on a frame would.
+    pub fn minimise(&self) {
+        self.xdotool(&["windowminimize", &self.id]);
+    }
+
+    /// Brings the window back with the keyboard.
+    pub fn restore(&self) {
+        self.xdotool(&["windowmap", "--sync", &self.id]);
+        self.xdotool(&["windowactivate", "--sync", &self.id]);
+    }
+
+    /// Waits for anything outside of the picture.
+    ///
+    /// # Panics
+    /// When it does not come.
+    pub fn wait_while(&mut self, what: &str, lacking: impl Fn() -> bool) {
+        let began = Instant::now();
+        while lacking() {
+            self.give_up_after(began, what);
+            sleep(GLANCE);
+        }
+    }
+
+    /// Whether the program is still there.
+    ///
+    /// # Panics
+    /// When nobody can tell.
+    pub fn is_alive(&mut self) -> bool {
+        let ended = self.child.try_wait();
+        ended.expect("the program can be asked").is_none()
     }
 
     /// Holds a key for a while.

@@ -157,11 +157,11 @@ impl<'a> Source<'a> {
         if count > MOST_ROWS {
             return Err(Error::TooMany(what));
         }
-        let component = match sparse.indices.component_type {
-            Valid(IndexComponentType(
-                kind @ (ComponentType::U8 | ComponentType::U16 | ComponentType::U32),
-            )) => kind,
-            _ => return Err(Error::Format(what)),
+        let Valid(IndexComponentType(
+            component @ (ComponentType::U8 | ComponentType::U16 | ComponentType::U32),
+        )) = sparse.indices.component_type
+        else {
+            return Err(Error::Format(what));
         };
         let places = Layout {
             component,

@@ -105,7 +105,7 @@ fn still(model: &Model, exact: &[Option<Mat4>]) -> Vec<Sphere> {
         {
             match part.skin.map(|s| &model.skins[s]) {
                 None => {
-                    points.extend(exact[part.node].map(|m| m.transform_point3(vertex.position)))
+                    points.extend(exact[part.node].map(|m| m.transform_point3(vertex.position)));
                 }
                 Some(skin) => {
                     for (joint, weight) in vertex.joints.iter().zip(vertex.weights) {
@@ -194,8 +194,8 @@ fn reaches(model: &Model, ranges: &[Range]) -> Vec<f32> {
 
 /// By how much a matrix lengthens at the most: never more than the root of the sum of its columns' squares.
 fn stretch(m: Mat4) -> f32 {
-    let columns = [m.x_axis, m.y_axis, m.z_axis].map(|c| c.truncate());
-    let lengths = columns.map(|c| c.length());
+    let columns = [m.x_axis, m.y_axis, m.z_axis].map(glam::Vec4::truncate);
+    let lengths = columns.map(Vec3::length);
     // Of a turn times a size along the axes the columns are at right angles, and the longest is exact.
     let square = columns[0].dot(columns[1]).abs()
         + columns[1].dot(columns[2]).abs()

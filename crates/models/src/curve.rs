@@ -67,6 +67,10 @@ impl<T: Value> Curve<T> {
         let span = self.times[next] - self.times[before];
         let t = (time_s - self.times[before]) / span;
         let (a, b) = (self.key(before)?, self.key(next)?);
+        // Not by the formulas, whose rounding would open a loop where its ends are the same key.
+        if t <= 0.0 {
+            return Some(a);
+        }
         match self.interpolation {
             Interpolation::Step => Some(a),
             Interpolation::Linear => Some(a.between(b, t)),

@@ -65,7 +65,7 @@ impl Source<'_> {
         let normals = find(Semantic::Normals);
         if let Some(normals) = normals {
             let set = |v: &mut Vertex, n: [f32; 3]| {
-                v.normal = Vec3::from(n).try_normalize().unwrap_or(Vec3::Y)
+                v.normal = Vec3::from(n).try_normalize().unwrap_or(Vec3::Y);
             };
             each(
                 &mut vertices,
@@ -92,15 +92,14 @@ impl Source<'_> {
         {
             self.weigh(&mut vertices, joints, weights)?;
         }
-        if let Some(more) = find(Semantic::Weights(1)) {
-            if self
+        if let Some(more) = find(Semantic::Weights(1))
+            && self
                 .floats::<4>(more, "weights")?
                 .iter()
                 .flatten()
                 .any(|w| *w > 1.0e-4)
-            {
-                return Err(Error::Influences(name.to_owned()));
-            }
+        {
+            return Err(Error::Influences(name.to_owned()));
         }
         let indices = self.indices(json, vertices.len(), name)?;
         let (vertices, indices) = if normals.is_some() {

@@ -1,5 +1,12 @@
 //! What cannot be shown is refused in plain words, and no bytes make the loader panic.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
 mod common;
 
 use antipode_models::{Error, Model, Note};
@@ -12,24 +19,89 @@ fn refusal(bytes: &[u8]) -> Error {
 
 #[test]
 fn each_refusal_is_one_sentence() {
-    let needs = |name: &str| triangle(&[(r#""scene":0"#, &format!(r#""scene":0,"extensionsRequired":["{name}"]"#))], &CORNERS, &[]);
+    let needs = |name: &str| {
+        triangle(
+            &[(
+                r#""scene":0"#,
+                &format!(r#""scene":0,"extensionsRequired":["{name}"]"#),
+            )],
+            &CORNERS,
+            &[],
+        )
+    };
     let attribute = r#""attributes":{"POSITION":0}"#;
     let cases = [
         (b"PK\x03\x04 and more".to_vec(), "not a binary glTF"),
         (b"glTF\x01\0\0\0\x14\0\0\0".to_vec(), "version 1"),
-        (needs("KHR_draco_mesh_compression"), "KHR_draco_mesh_compression"),
+        (
+            needs("KHR_draco_mesh_compression"),
+            "KHR_draco_mesh_compression",
+        ),
         (needs("EXT_meshopt_compression"), "EXT_meshopt_compression"),
         (needs("KHR_texture_basisu"), "KHR_texture_basisu"),
-        (triangle(&[(attribute, r#""attributes":{"POSITION":0},"targets":[{"POSITION":0}]"#)], &CORNERS, &[]), "morph targets"),
-        (triangle(&[(attribute, r#""attributes":{"POSITION":0},"mode":1"#)], &CORNERS, &[]), "points or lines"),
-        (triangle(&[(r#""buffers":[{"#, r#""buffers":[{"uri":"far.bin","#)], &CORNERS, &[]), "another file"),
-        (triangle(&[(r#""mesh":0}"#, r#""mesh":7}"#)], &CORNERS, &[]), "damaged"),
-        (triangle(&[(r#""mesh":0}"#, r#""mesh":0,"children":[0]}"#)], &CORNERS, &[]), "tree"),
-        (triangle(&[(r#""count":3"#, r#""count":3000000000"#)], &CORNERS, &[]), "too many"),
-        (triangle(&[(r#""count":3"#, r#""count":4"#)], &CORNERS, &[]), "does not have"),
-        (triangle(&[(r#","mesh":0}"#, "}")], &CORNERS, &[]), "nothing to draw"),
-        (triangle(&[], &[f32::NAN, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[]), "no numbers"),
-        (triangle(&[], &[1.0e30, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[]), "absurdly large"),
+        (
+            triangle(
+                &[(
+                    attribute,
+                    r#""attributes":{"POSITION":0},"targets":[{"POSITION":0}]"#,
+                )],
+                &CORNERS,
+                &[],
+            ),
+            "morph targets",
+        ),
+        (
+            triangle(
+                &[(attribute, r#""attributes":{"POSITION":0},"mode":1"#)],
+                &CORNERS,
+                &[],
+            ),
+            "points or lines",
+        ),
+        (
+            triangle(
+                &[(r#""buffers":[{"#, r#""buffers":[{"uri":"far.bin","#)],
+                &CORNERS,
+                &[],
+            ),
+            "another file",
+        ),
+        (
+            triangle(&[(r#""mesh":0}"#, r#""mesh":7}"#)], &CORNERS, &[]),
+            "damaged",
+        ),
+        (
+            triangle(
+                &[(r#""mesh":0}"#, r#""mesh":0,"children":[0]}"#)],
+                &CORNERS,
+                &[],
+            ),
+            "tree",
+        ),
+        (
+            triangle(&[(r#""count":3"#, r#""count":3000000000"#)], &CORNERS, &[]),
+            "too many",
+        ),
+        (
+            triangle(&[(r#""count":3"#, r#""count":4"#)], &CORNERS, &[]),
+            "does not have",
+        ),
+        (
+            triangle(&[(r#","mesh":0}"#, "}")], &CORNERS, &[]),
+            "nothing to draw",
+        ),
+        (
+            triangle(
+                &[],
+                &[f32::NAN, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0],
+                &[],
+            ),
+            "no numbers",
+        ),
+        (
+            triangle(&[], &[1.0e30, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[]),
+            "absurdly large",
+        ),
     ];
     for (bytes, word) in cases {
         let said = refusal(&bytes).to_string();
@@ -49,11 +121,23 @@ fn a_header_that_claims_less_than_itself_is_refused() {
 
 #[test]
 fn indices_past_the_vertices_are_refused() {
-    let accessors = (r#""accessors":["#, r#""accessors":[{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"},"#);
-    let views = (r#","byteLength":36}]"#, r#","byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}]"#);
-    let used = (r#""attributes":{"POSITION":0}"#, r#""attributes":{"POSITION":1},"indices":0"#);
+    let accessors = (
+        r#""accessors":["#,
+        r#""accessors":[{"bufferView":1,"componentType":5121,"count":3,"type":"SCALAR"},"#,
+    );
+    let views = (
+        r#","byteLength":36}]"#,
+        r#","byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":3}]"#,
+    );
+    let used = (
+        r#""attributes":{"POSITION":0}"#,
+        r#""attributes":{"POSITION":1},"indices":0"#,
+    );
     assert!(Model::from_glb(&triangle(&[accessors, views, used], &CORNERS, &[0, 1, 2])).is_ok());
-    assert_eq!(refusal(&triangle(&[accessors, views, used], &CORNERS, &[0, 1, 3])), Error::OutOfRange("vertices"));
+    assert_eq!(
+        refusal(&triangle(&[accessors, views, used], &CORNERS, &[0, 1, 3])),
+        Error::OutOfRange("vertices")
+    );
 }
 
 #[test]
@@ -70,16 +154,26 @@ fn more_than_four_joints_for_a_vertex_are_refused() {
         r#","byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":12},{"buffer":0,"byteOffset":48,"byteLength":48}]"#,
     );
     let four = r#""attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}"#;
-    let eight = r#""attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2,"JOINTS_1":1,"WEIGHTS_1":2}"#;
+    let eight =
+        r#""attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2,"JOINTS_1":1,"WEIGHTS_1":2}"#;
     let old = r#""attributes":{"POSITION":0}"#;
-    let model = Model::from_glb(&triangle(&[accessors, views, (old, four)], &CORNERS, &more)).unwrap();
+    let model =
+        Model::from_glb(&triangle(&[accessors, views, (old, four)], &CORNERS, &more)).unwrap();
     assert_eq!(model.meshes[0].primitives[0].vertices[0].weights, [0.25; 4]);
-    assert_eq!(refusal(&triangle(&[accessors, views, (old, eight)], &CORNERS, &more)), Error::Influences("m".into()));
+    assert_eq!(
+        refusal(&triangle(
+            &[accessors, views, (old, eight)],
+            &CORNERS,
+            &more
+        )),
+        Error::Influences("m".into())
+    );
 }
 
 #[test]
 fn cameras_are_left_out_and_noted() {
-    let camera = r#""scene":0,"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}]"#;
+    let camera =
+        r#""scene":0,"cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}]"#;
     let model = Model::from_glb(&triangle(&[(r#""scene":0"#, camera)], &CORNERS, &[])).unwrap();
     assert_eq!(model.notes, [Note::CamerasIgnored]);
 }
@@ -101,7 +195,10 @@ fn shortened_data_are_refused() {
     let data = &bullet[28 + json..];
     assert!(Model::from_glb(&glb(text, data)).is_ok());
     for length in (0..data.len() - 4).step_by(97) {
-        assert!(Model::from_glb(&glb(text, &data[..length])).is_err(), "{length}");
+        assert!(
+            Model::from_glb(&glb(text, &data[..length])).is_err(),
+            "{length}"
+        );
     }
 }
 

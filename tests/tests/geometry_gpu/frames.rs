@@ -106,5 +106,10 @@ fn frame_vectors_are_what_the_port_makes_of_unit_normals() {
         );
         worst[kind as usize] = worst[kind as usize].max(off);
     }
-    assert!(worst.iter().all(|off| *off < 2e-5), "{worst:?}");
+    // On the horizon map the sheet below the eye is the origin: going down to it and back up cancels.
+    let bars = [2e-6, 1e-6, 2e-4, 1e-6];
+    assert!(
+        worst.iter().zip(bars).all(|(off, bar)| *off < bar),
+        "{worst:?}"
+    );
 }

@@ -14,11 +14,18 @@ enum Hold {
     Recentred,
 }
 
+/// Motion further than this from where the pointer was put, in pixels, was under way before.
+const STRAY_PX: f64 = 64.0;
+/// Most such motion that is waited out: the pointer's own arrival may be swallowed.
+const MOST_STRAYS: u8 = 4;
+
 /// Where the pointer was last, and where it has been put without having arrived yet.
 #[derive(Clone, Copy, Debug, Default)]
 struct Track {
     last: Option<PhysicalPosition<f64>>,
     warp: Option<PhysicalPosition<f64>>,
+    /// How much motion was left out since the pointer was caught.
+    strays: u8,
 }
 
 impl Track {
@@ -27,6 +34,12 @@ impl Track {
     fn moved(&mut self, to: PhysicalPosition<f64>) -> Option<(f64, f64)> {
         let off = |from: PhysicalPosition<f64>| (to.x - from.x, to.y - from.y);
         let length = |(dx, dy): (f64, f64)| dx.hypot(dy);
+        let astray = self.warp.is_some_and(|warp| length(off(warp)) > STRAY_PX);
+        if astray && self.last.is_none() && self.strays < MOST_STRAYS {
+            // Confining a pointer that is outside moves it to the window's edge, which nobody has done by hand.
+            self.strays += 1;
+            return None;
+        }
         let from_last = self.last.replace(to).map(off);
         let moved = match (from_last, self.warp.map(off)) {
             (Some(last), Some(warp)) if length(last) < length(warp) => last,
@@ -79,6 +92,8 @@ impl Pointer {
             );
         }
         self.hold = Hold::Recentred;
+        // Where it was while it was free is no place that the player turns the view from.
+        self.track = Track::default();
         self.recentre(window);
         true
     }
@@ -154,10 +169,30 @@ mod tests {
     }
 
     #[test]
+    fn a_pointer_caught_from_outside_the_window_turns_nothing_on_its_way_in() {
+        let mut track = Track {
+            warp: Some(at(400.0, 300.0)),
+            ..Track::default()
+        };
+        let way_in = [(799.0, 599.0), (400.0, 300.0)];
+        assert_eq!(turned(&mut track, &way_in), (0.0, 0.0));
+        assert!(track.warp.is_none());
+        assert_eq!(turned(&mut track, &[(410.0, 297.0)]), (10.0, -3.0));
+        // An arrival that never comes is not waited for forever.
+        let mut track = Track {
+            warp: Some(at(400.0, 300.0)),
+            ..Track::default()
+        };
+        let far = [600.0, 610.0, 620.0, 630.0, 640.0, 650.0].map(|x| (x, 300.0));
+        assert_eq!(turned(&mut track, &far), (10.0, 0.0));
+    }
+
+    #[test]
     fn a_warp_whose_own_event_is_swallowed_is_measured_from_its_target() {
         let mut track = Track {
             last: Some(at(960.0, 360.0)),
             warp: Some(at(640.0, 360.0)),
+            strays: 0,
         };
         assert_eq!(turned(&mut track, &[(645.0, 361.0)]), (5.0, 1.0));
         assert!(track.warp.is_none());
