@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use antipode_tests::program::{field, may_skip, number, run};
 use antipode_tests::seam::compare;
-use antipode_tests::window::{Window, display};
+use antipode_tests::window::{Window, display, settle_settings};
 
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
@@ -21,9 +21,9 @@ const CREATE: (u32, u32) = (332, 672);
 const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
-const QUIT: (u32, u32) = (132, 342);
+const QUIT: (u32, u32) = (132, 391);
 
-/// The main menu: a dark column, and bright dusk beside it while no world is open.
+/// The main menu: a dark column, and the painted dusk beside it, which reduced motion keeps in place of live worlds.
 fn shows_main_menu(picture: &image::RgbImage) -> bool {
     let [r, g, b] = picture.get_pixel(930, 560).0;
     let column_is_dark = picture.get_pixel(240, 450).0.iter().all(|c| *c < 50);
@@ -71,6 +71,7 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
         return;
     };
     let saves = tempfile::tempdir().unwrap();
+    settle_settings(saves.path(), "");
     let mut game = Window::open(
         &display,
         saves.path(),

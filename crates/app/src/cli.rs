@@ -10,7 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::failure::Failure;
 use crate::log::LogLevel;
 use crate::script::Shooting;
-use crate::{crash, log_file};
+use crate::{crash, log_file, session};
 use crate::{lab_command, saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
@@ -229,6 +229,10 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
             let again = cli.after_crash.is_none();
+            if let Some(geometry) = cli.geometry {
+                // Said at once, and not in a window that opens for it.
+                session::radius_m(geometry, cli.radius)?;
+            }
             let start = match (cli.after_crash, cli.geometry, cli.load) {
                 (Some(report), ..) => window::Start::AfterCrash { report },
                 (None, Some(geometry), _) => window::Start::New {

@@ -234,7 +234,7 @@ mod tests {
         for (typed, line) in [
             ("tele", "teleport "),
             ("give pickaxe-i", "give pickaxe-iron "),
-            ("give ", "give pickaxe-"),
+            ("give p", "give pickaxe-"),
             ("new H", "new hyperbolic "),
             ("new spherical r", "new spherical radius="),
             (

@@ -213,26 +213,7 @@ impl Worlds {
     }
 
     fn setup(&self, wanted: &NewWorld) -> Result<WorldSetup, Failure> {
-        let radius_m = match (wanted.geometry, wanted.radius_m) {
-            (Geometry::Spherical, Some(radius)) if SPHERE_RADIUS_RANGE_M.contains(&radius) => {
-                radius
-            }
-            (Geometry::Spherical, Some(radius)) => {
-                return Err(Failure::Usage(format!(
-                    "A radius of {radius} m will not do: a spherical world has {} to {} m",
-                    SPHERE_RADIUS_RANGE_M.start(),
-                    SPHERE_RADIUS_RANGE_M.end()
-                )));
-            }
-            (Geometry::Spherical, None) => DEFAULT_SPHERE_RADIUS_M,
-            (_, Some(_)) => {
-                return Err(Failure::Usage(
-                    "Only a spherical world has a radius to choose".to_owned(),
-                ));
-            }
-            (Geometry::Hyperbolic, None) => DEFAULT_HYPERBOLIC_RADIUS_M,
-            (Geometry::Euclidean, None) => f64::INFINITY,
-        };
+        let radius_m = radius_m(wanted.geometry, wanted.radius_m)?;
         Ok(WorldSetup {
             // As the saves keep it, without blanks around it.
             name: wanted
@@ -246,6 +227,28 @@ impl Worlds {
             view_distance: self.view_distance.unwrap_or(VIEW_DISTANCE_CHUNKS.2),
         })
     }
+}
+
+/// The radius in metres of a new world for which one was asked for, or none.
+///
+/// # Errors
+/// When there is nothing to choose, or no world can have it.
+pub fn radius_m(geometry: Geometry, wanted_m: Option<f64>) -> Result<f64, Failure> {
+    let refused = match (geometry, wanted_m) {
+        (Geometry::Spherical, Some(radius)) if SPHERE_RADIUS_RANGE_M.contains(&radius) => {
+            return Ok(radius);
+        }
+        (Geometry::Spherical, None) => return Ok(DEFAULT_SPHERE_RADIUS_M),
+        (Geometry::Hyperbolic, None) => return Ok(DEFAULT_HYPERBOLIC_RADIUS_M),
+        (Geometry::Euclidean, None) => return Ok(f64::INFINITY),
+        (Geometry::Spherical, Some(radius)) => format!(
+            "A radius of {radius} m will not do: a spherical world has {} to {} m",
+            SPHERE_RADIUS_RANGE_M.start(),
+            SPHERE_RADIUS_RANGE_M.end()
+        ),
+        (_, Some(_)) => "Only a spherical world has a radius to choose".to_owned(),
+    };
+    Err(Failure::Usage(refused))
 }
 
 /// A seed nobody chose, from the standard library's own source of randomness; small enough to type again.

@@ -34,6 +34,7 @@ fn wrong_usage_is_refused_in_one_line_with_status_two() {
         &["--seed", "-1"],
         &["saves", "info"],
         &["--size", "1x1"],
+        &["--geometry", "spherical", "--radius", "5"],
     ] {
         let output = antipode(wrong);
         assert_eq!(output.status.code(), Some(2), "{wrong:?}");

@@ -132,7 +132,7 @@ impl Source<'_> {
                 .get("ground_speed_m_s")
                 .and_then(json::Value::as_f64)
                 .unwrap_or(0.0);
-            clip.ground_speed_m_s = (speed * 1.1) as f32;
+            clip.ground_speed_m_s = speed.clamp(-1000.0, 1000.0) as f32;
         }
         for channel in &json.channels {
             let sampler = json

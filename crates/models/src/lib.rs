@@ -23,7 +23,8 @@
 //! towards -x. The game's figures look along +x with their right at +z; [`GAME_FROM_FILE`] turns one into the other.
 //!
 //! The `gltf` crate (MIT or Apache 2.0) parses and validates the JSON. The container and the accessors are read
-//! here: version 1.4 of the crate subtracts and multiplies lengths from the file unchecked, which panics.
+//! here: version 1.4 of the crate subtracts and multiplies lengths from the file unchecked, which panics, and so does
+//! its validation where a mesh refers to positions that are not there, which is why that is looked at before.
 
 mod accessor;
 mod bounds;

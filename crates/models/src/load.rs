@@ -150,6 +150,12 @@ fn description(text: &[u8]) -> Result<json::Root, Error> {
         }
     }
     let root: json::Root = json::deserialize::from_slice(text).map_err(|e| damaged(&e))?;
+    // gltf-json 1.4.1 looks this one reference up unchecked while it validates, and would panic.
+    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let mut attributes = primitives.flat_map(|primitive| primitive.attributes.values());
+    if attributes.any(|accessor| accessor.value() >= root.accessors.len()) {
+        return Err(Error::OutOfRange("vertex data"));
+    }
     let document = gltf::Document::from_json(root).map_err(|e| match e {
         gltf::Error::Validation(list) => match list.first() {
             Some((path, error)) => damaged(&format!("{path}: {error}")),

@@ -141,6 +141,19 @@ fn indices_past_the_vertices_are_refused() {
 }
 
 #[test]
+fn positions_that_are_not_there_are_refused() {
+    let bytes = triangle(
+        &[(
+            r#""attributes":{"POSITION":0}"#,
+            r#""attributes":{"POSITION":9}"#,
+        )],
+        &CORNERS,
+        &[],
+    );
+    assert_eq!(refusal(&bytes), Error::OutOfRange("vertex data"));
+}
+
+#[test]
 fn more_than_four_joints_for_a_vertex_are_refused() {
     let mut more = vec![0u8; 12];
     more.extend(floats(&[0.5; 12]));
@@ -202,8 +215,18 @@ fn shortened_data_are_refused() {
     }
 }
 
+/// The same cases every time.
+fn fixed(cases: u32) -> ProptestConfig {
+    ProptestConfig {
+        cases,
+        rng_seed: proptest::test_runner::RngSeed::Fixed(20),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(fixed(1024))]
 
     #[test]
     fn flipped_bytes_never_panic(

@@ -58,7 +58,7 @@ pub const BULLET_SPEED_M_S: f64 = 40.0;
 pub const BULLET: BallTuning = BallTuning {
     radius_m: 0.06,
     gravity_m_s2: 9.81,
-    bounce: 0.45,
+    bounce: 0.25,
     slide: 0.8,
 };
 /// A bullet is gone after so many seconds.

@@ -3,7 +3,7 @@
 use antipode_language::Texts;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Context, EventFilter, Id, Key, Label, LayerId, Layout, Modifiers, Order, Rect, RichText,
+    Align, Context, Event, EventFilter, Id, Key, Label, LayerId, Layout, Order, Rect, RichText,
     Role, ScrollArea, TextEdit, Ui, UiBuilder, WidgetInfo, vec2,
 };
 
@@ -49,6 +49,8 @@ pub struct Console {
     recalled: Option<(usize, String)>,
     /// The cursor is to be put at the end.
     to_end: bool,
+    /// What came in after a key that ended a line, for the next frame.
+    waiting: Vec<Event>,
 }
 
 impl Console {
@@ -61,6 +63,7 @@ impl Console {
     pub fn open(&mut self) {
         self.open = true;
         self.input.clear();
+        self.waiting.clear();
         self.recalled = None;
     }
 
@@ -99,7 +102,7 @@ impl Console {
         if !self.open {
             return None;
         }
-        let entered = self.keys(ctx, complete);
+        let key = self.next_key(ctx);
         let screen = ctx.content_rect();
         let height = (0.5 * screen.height()).max(screen.height().min(160.0));
         let rect = Rect::from_min_size(screen.min, vec2(screen.width(), height));
@@ -115,29 +118,57 @@ impl Console {
             let left = ui.available_size();
             ui.allocate_ui_with_layout(left, Layout::top_down(Align::Min), |ui| self.log(ui));
         });
-        entered
+        // Only now has the line what was typed before the key.
+        key.and_then(|key| self.press(key, complete))
     }
 
-    /// Keys that mean something else here than in a line of text.
-    fn keys(&mut self, ctx: &Context, complete: &dyn Fn(&str) -> Completion) -> Option<String> {
-        let pressed = |key| ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key));
-        if pressed(Key::ArrowUp) {
-            self.recall(true);
+    /// The first key of this frame that means something else here than in a line of text. What was typed after it
+    /// waits for the next frame: between two frames a fast hand enters a line and begins another.
+    fn next_key(&mut self, ctx: &Context) -> Option<Key> {
+        let own = |event: &Event| match event {
+            Event::Key {
+                key: key @ (Key::ArrowUp | Key::ArrowDown | Key::Tab | Key::Enter),
+                pressed: true,
+                modifiers,
+                ..
+            } if !modifiers.any() => Some(*key),
+            _ => None,
+        };
+        let found = ctx.input_mut(|input| {
+            self.waiting.append(&mut input.events);
+            let place = self.waiting.iter().position(|event| own(event).is_some());
+            let after = place.map_or(self.waiting.len(), |place| place + 1);
+            input.events = self.waiting.drain(..after).collect();
+            place.and_then(|_| input.events.pop())
+        });
+        let key = found.as_ref().and_then(own);
+        if key.is_some() {
+            ctx.request_repaint();
         }
-        if pressed(Key::ArrowDown) {
-            self.recall(false);
+        key
+    }
+
+    /// Does what such a key does; returns the line that was entered.
+    fn press(&mut self, key: Key, complete: &dyn Fn(&str) -> Completion) -> Option<String> {
+        match key {
+            Key::ArrowUp => self.recall(true),
+            Key::ArrowDown => self.recall(false),
+            Key::Tab => self.complete(complete),
+            _ => return self.enter(),
         }
-        if pressed(Key::Tab) {
-            let completion = complete(&self.input);
-            self.input = completion.line;
-            self.to_end = true;
-            if !completion.options.is_empty() {
-                self.say(&completion.options.join("   "), LineKind::Answer);
-            }
+        None
+    }
+
+    fn complete(&mut self, complete: &dyn Fn(&str) -> Completion) {
+        let completion = complete(&self.input);
+        self.input = completion.line;
+        self.to_end = true;
+        if !completion.options.is_empty() {
+            self.say(&completion.options.join("   "), LineKind::Answer);
         }
-        if !pressed(Key::Enter) {
-            return None;
-        }
+    }
+
+    fn enter(&mut self) -> Option<String> {
         let line = std::mem::take(&mut self.input).trim().to_owned();
         self.recalled = None;
         if line.is_empty() {

@@ -100,7 +100,8 @@ fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast) {
         rect.max - vec2(GRID, GRID),
     );
     let label = Label::new(RichText::new(&toast.text).color(colour)).wrap();
-    ui.put(inner, label);
+    // `put` would justify the words: lines ended by a long path get their letters spread.
+    ui.new_child(UiBuilder::new().max_rect(inner)).add(label);
 }
 
 fn stay_s(kind: ToastKind) -> f64 {

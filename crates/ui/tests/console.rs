@@ -62,6 +62,39 @@ fn said(harness: &Harness<'_, Desk>) -> String {
 }
 
 #[test]
+fn a_fast_hand_enters_whole_lines_however_slow_the_frames_are() {
+    let mut desk = desk(vec2(800.0, 600.0));
+    desk.run();
+    let text = |text: &str| egui::Event::Text(text.to_owned());
+    let key = |key| egui::Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: egui::Modifiers::NONE,
+    };
+    // All within one frame.
+    for event in [
+        text("set time 4"),
+        text("50"),
+        key(Key::Enter),
+        text("probe"),
+        key(Key::Enter),
+        text("tele"),
+        key(Key::Tab),
+        text("1 2"),
+    ] {
+        desk.event(event);
+    }
+    desk.run();
+    press(&mut desk, Key::Enter);
+    assert_eq!(
+        desk.state().entered,
+        ["set time 450", "probe", "teleport 1 2"]
+    );
+}
+
+#[test]
 fn a_line_is_typed_finished_entered_and_answered() {
     let mut harness = desk(vec2(1280.0, 720.0));
     harness.run();

@@ -250,9 +250,13 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
 }
 
 fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
-    let geometry = geometry
-        .parse::<Geometry>()
-        .map_err(|_| format!("there is no space {}", quoted(geometry)))?;
+    let geometry = geometry.parse::<Geometry>().map_err(|_| {
+        let [a, b, c] = Geometry::ALL;
+        format!(
+            "there is no space {}; there are {a}, {b} and {c}",
+            quoted(geometry)
+        )
+    })?;
     let mut wanted = NewWorld {
         geometry,
         name: None,
@@ -404,7 +408,10 @@ fn own_setting(what: &str, value: &str) -> Result<Setting, String> {
 }
 
 fn give(item: &str, count: &str) -> Result<Order, String> {
-    let kind = Item::from_id(item).ok_or_else(|| format!("there is no item {}", quoted(item)))?;
+    let kind = Item::from_id(item).ok_or_else(|| {
+        let ids = Item::ALL.map(Item::id).join(", ");
+        format!("there is no item {}; there are {ids}", quoted(item))
+    })?;
     Ok(Order::Give(kind, whole(count, 1, 9999)?))
 }
 
