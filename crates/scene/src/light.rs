@@ -3,6 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye};
 
 use crate::frame::{BeamLight, LampLight, Lights};
+use crate::lamp::Lamp;
 use crate::scene::Scene;
 
 /// Lamps that a picture shows.
@@ -27,7 +28,7 @@ impl Scene {
         let mut lamps: Vec<(f64, ChartPoint)> = self
             .lamps
             .iter()
-            .map(|lamp| lamp.glow())
+            .map(Lamp::glow)
             .map(|glow| (strategy.distance_m(eye.point, glow, eye), glow))
             .collect();
         lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
