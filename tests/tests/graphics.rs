@@ -7,6 +7,7 @@
     reason = "tests fail by panicking"
 )]
 
+use std::cell::RefCell;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -14,7 +15,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use antipode_tests::background::signal;
 use antipode_tests::program::{game, may_skip, number, run};
 use antipode_tests::seam::{colours, compare};
-use antipode_tests::window::{Window, display};
+use antipode_tests::window::{Window, display, settle_settings};
 use image::RgbImage;
 use tempfile::TempDir;
 
@@ -36,6 +37,7 @@ fn felt() -> TempDir {
         "new euclidean seed=8 name=Felt\nwait 0.5\nsave",
     );
     assert_eq!(made.status, Some(0), "{}", made.stderr);
+    settle_settings(saves.path(), "");
     saves
 }
 
@@ -69,14 +71,28 @@ fn screen() -> Option<Screen> {
     })
 }
 
+/// The world with all its land, where nothing strikes.
+fn whole_world(screen: &Screen, saves: &Path) -> RgbImage {
+    let options = [&SMALL[..], &["--load", "Felt"]].concat();
+    let mut game = Window::open(&screen.display, saves, &options);
+    let last = RefCell::new(game.wait_until("the world", shows_day));
+    let whole = game.wait_until("all its land", |picture| {
+        let changed = compare(picture, &last.replace(picture.clone())).mean;
+        shows_day(picture) && changed < 1.0
+    });
+    signal("TERM", game.process());
+    assert_eq!(game.ended(), Some(143));
+    whole
+}
+
 /// The fault strikes in the open world, the same world is seen afterwards, and the game does what it is told.
 fn goes_on_after(fault: &str, words: &str) {
     let Some(screen) = screen() else {
         return;
     };
     let saves = felt();
+    let before = whole_world(&screen, saves.path());
     let mut game = open(&screen, saves.path(), fault);
-    let before = game.wait_until("the world", shows_day);
     game.wait_for(words);
     let after = game.wait_until("the same world", |picture| {
         shows_day(picture) && compare(picture, &before).mean < 8.0

@@ -244,8 +244,8 @@ fn curvature_glides_to_where_the_wheel_sets_it_and_slots_follow_elsewhere() {
     assert_eq!(number(run.probe(1), "curvature"), 13.0);
     assert_eq!(
         run.probe(1)["item"],
-        serde_json::Value::Null,
-        "one slot to the left of the pickaxes is empty"
+        "gun",
+        "one slot to the left of the pickaxes is the gun"
     );
     assert_eq!(run.probe(2)["curvature"], serde_json::Value::Null);
     assert_eq!(run.probe(2)["item"], "pickaxe-iron");

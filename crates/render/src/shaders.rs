@@ -147,6 +147,7 @@ pub mod tests {
             "trigonometry",
             "geometry",
             "common",
+            "lights",
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,

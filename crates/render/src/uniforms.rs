@@ -324,6 +324,8 @@ mod tests {
             ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
             ("fraction", offset_of!(SceneUniform, fraction)),
             ("shades", offset_of!(SceneUniform, shades)),
+            ("lamps", offset_of!(SceneUniform, lamps)),
+            ("beams", offset_of!(SceneUniform, beams)),
         ];
         assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
         assert_eq!(span, size_of::<SceneUniform>());

@@ -136,13 +136,17 @@ impl Console {
         };
         let found = ctx.input_mut(|input| {
             self.waiting.append(&mut input.events);
+            // The cursor goes to the end of a line that was put there when that is drawn, and only then is typed on.
+            if self.to_end {
+                return None;
+            }
             let place = self.waiting.iter().position(|event| own(event).is_some());
             let after = place.map_or(self.waiting.len(), |place| place + 1);
             input.events = self.waiting.drain(..after).collect();
             place.and_then(|_| input.events.pop())
         });
         let key = found.as_ref().and_then(own);
-        if key.is_some() {
+        if key.is_some() || self.to_end {
             ctx.request_repaint();
         }
         key
