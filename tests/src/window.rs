@@ -20,6 +20,8 @@ use crate::program::game;
 
 /// Longest wait for something to appear; a deadline for a hung program, not a measure of speed.
 const PATIENCE: Duration = Duration::from_mins(2);
+/// A program whose window is gone has ended within this.
+const GONE_WITHIN: Duration = Duration::from_secs(10);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
@@ -61,7 +63,8 @@ pub fn display() -> Option<String> {
 }
 
 impl Window {
-    /// Starts the game and waits for its window, which gets the keyboard.
+    /// Starts the game and waits for its window, which gets the keyboard. One that ends by itself before, as a
+    /// fault may have it, is left to [`Self::ended`].
     ///
     /// # Panics
     /// When it does not appear.
@@ -87,6 +90,9 @@ impl Window {
         };
         let began = Instant::now();
         while window.id.is_empty() {
+            if !window.is_alive() {
+                return window;
+            }
             window.give_up_after(began, "the window never appeared");
             // By its process, too: others may have the game open on the same display.
             let process = window.child.id().to_string();
@@ -100,7 +106,14 @@ impl Window {
                 .clone_into(&mut window.id);
             sleep(GLANCE);
         }
-        window.xdotool(&["windowfocus", "--sync", &window.id.clone()]);
+        let focus = ["windowfocus", "--sync", &window.id.clone()];
+        let focused = window.tool("xdotool", &focus);
+        if !focused.status.success() {
+            // A window that goes away in this moment cannot be given the keyboard.
+            sleep(GONE_WITHIN);
+            let words = String::from_utf8_lossy(&focused.stderr);
+            assert!(!window.is_alive(), "xdotool {focus:?}: {words}");
+        }
         window
     }
 
