@@ -14,7 +14,7 @@ mod standing;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use antipode_geometry::Geometry;
 use antipode_render::DrawStats;
@@ -55,7 +55,9 @@ fn playing(dir: &TempDir) -> Game {
 
 /// Lets the background work; how long it takes decides nothing.
 fn tick_until(game: &mut Game, there: impl Fn(&Game) -> bool) {
-    for _ in 0..1_000_000 {
+    // A deadline for what hangs, on however busy a machine.
+    let began = Instant::now();
+    while began.elapsed() < Duration::from_mins(2) {
         if there(game) {
             return;
         }
