@@ -32,7 +32,7 @@ fn pictures(dir: &TempDir) -> Vec<PathBuf> {
 fn ticks(game: &mut Game, from: Instant, count: u32) -> Instant {
     let mut now = from;
     for _ in 0..count {
-        now += std::time::Duration::from_micros(16_667);
+        now += Duration::from_micros(16_667);
         game.tick(now);
     }
     now
