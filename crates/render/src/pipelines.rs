@@ -187,7 +187,7 @@ const GLASS: Way = Way {
     culled: true,
 };
 
-/// Added at infinity, where depth is 0.
+/// Added where nothing nearer stands.
 const SHINE: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
@@ -246,6 +246,7 @@ impl<'a> Maker<'a> {
             sun: self.make(&module, ["vertex_sun", "fragment_sun"], &[], SHINE),
             moon: self.make(&module, ["vertex_moon", "fragment_moon"], &[], SHINE),
             star: self.make(&module, ["vertex_star", "fragment_star"], &stars, SHINE),
+            orb: self.make(&module, ["vertex_orb", "fragment_orb"], &[], SHINE),
         }
     }
 

@@ -378,11 +378,11 @@ impl Renderer {
             pass.set_pipeline(&pipelines.sky);
             pass.draw(0..3, 0..1);
             stats.add((1, 1));
-            stats.add(
-                self.celestial
-                    .draw(&mut pass, &frame.sky, &pipelines.celestial),
-            );
         }
+        stats.add(
+            self.celestial
+                .draw(&mut pass, &frame.sky, &pipelines.celestial),
+        );
         if self.marker.shown() {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
                 pass.set_pipeline(pipeline);
