@@ -36,7 +36,7 @@ struct Scene {
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,
     ambient_ground: vec4<f32>,
-    moon_colour: vec4<f32>,    // rgb: moonlight at its full
+    moon_colour: vec4<f32>,    // rgb: moonlight at its full; w: share of the sky that clouds cover
     sun_place: vec4<f32>,      // of a closed world's sun, a unit vector of the model in view coordinates
     moon_place: vec4<f32>,     // of its moon
     orb: vec4<f32>,            // x: radius of both, radii

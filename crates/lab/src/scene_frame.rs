@@ -27,6 +27,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             ambient_ground: dark,
             moon_colour: dark,
             dome: false,
+            clouds: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),

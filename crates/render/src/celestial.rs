@@ -11,7 +11,7 @@ use wgpu::{Buffer, BufferUsages, Device, RenderPass, RenderPipeline};
 /// Stars over the whole sphere.
 const STARS: u32 = 2600;
 /// Stars fainter than this share are not drawn.
-const FAINTEST: f32 = 0.01;
+pub const FAINTEST: f32 = 0.01;
 /// Sun and moon.
 const ORBS: u32 = 2;
 /// Corners of a patch.

@@ -12,6 +12,7 @@ mod draw_list;
 mod error;
 mod figures;
 mod gpu;
+mod heavens;
 mod lamps;
 mod land_mesh;
 mod marker;

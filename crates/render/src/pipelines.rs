@@ -8,6 +8,7 @@ use wgpu::{
 
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
+use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::solids::ModelVertex;
@@ -25,6 +26,10 @@ pub struct Pipelines {
     pub figure_framed: RenderPipeline,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// The band of faint stars over it.
+    pub band: RenderPipeline,
+    /// Clouds, before sun, moon and stars.
+    pub clouds: RenderPipeline,
     /// Sun, moon and stars.
     pub celestial: CelestialPipelines,
     /// The marker where it is seen.
@@ -103,6 +108,8 @@ impl Pipelines {
                     ..SHINE
                 },
             ),
+            band: maker.make(&sky, ["vertex", "fragment_band"], &[], SHINE),
+            clouds: maker.make(&sky, ["vertex", "fragment_clouds"], &[], VEIL),
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
@@ -196,6 +203,12 @@ const SHINE: Way = Way {
         alpha: ADDED,
     }),
     culled: false,
+};
+
+/// Laid over what is infinitely far.
+const VEIL: Way = Way {
+    culled: false,
+    ..GLASS
 };
 
 const ADDED: BlendComponent = BlendComponent {
@@ -321,19 +334,21 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform is bound by.
+/// What the scene's uniform and the pictures of the sky are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
+    let uniform = wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    };
+    let entries: Vec<_> = std::iter::once(uniform).chain(Heavens::layout()).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
+        entries: &entries,
     })
 }

@@ -75,7 +75,7 @@ impl SceneUniform {
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
-            moon_colour: with(sky.moon_colour.into(), 0.0),
+            moon_colour: with(sky.moon_colour.into(), sky.clouds),
             sun_place: orb_place(frame, |orbs| orbs.sun),
             moon_place: orb_place(frame, |orbs| orbs.moon),
             orb: [

@@ -56,6 +56,7 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
         ambient_sky: [0.26, 0.32, 0.40],
         ambient_ground: [0.17, 0.16, 0.15],
         dome: false,
+        clouds: 0.0,
         orbs: Some(orbs),
     }
 }

@@ -155,8 +155,14 @@ fn dome(time_of_day_s: f64) -> Sky {
         ambient_sky: ambient_sky.into(),
         ambient_ground: ambient_ground.into(),
         dome: true,
+        clouds: clouds(time_s),
         orbs: None,
     }
+}
+
+/// Clouds gather in the afternoon and are fewest before sunrise.
+fn clouds(time_s: f64) -> f32 {
+    (0.5 - 0.18 * (time_s / DAY_S * 2.0 * PI + 0.4).cos()) as f32
 }
 
 fn palette_at(time_s: f64) -> Palette {

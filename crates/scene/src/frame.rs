@@ -115,6 +115,8 @@ pub struct Sky {
     pub ambient_ground: [f32; 3],
     /// Whether there is a sky to draw at all; a spherical world has none.
     pub dome: bool,
+    /// How much of the sky clouds cover, 0 to 1.
+    pub clouds: f32,
     /// Sun and moon of a world without a sky.
     pub orbs: Option<Orbs>,
 }

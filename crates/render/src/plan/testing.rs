@@ -85,6 +85,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             ambient_ground: dark,
             moon_colour: dark,
             dome: false,
+            clouds: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),

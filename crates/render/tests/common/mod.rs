@@ -126,6 +126,7 @@ pub fn noon() -> Sky {
         moon_colour: [0.3, 0.36, 0.52],
         ambient_ground: [0.2, 0.18, 0.16],
         dome: true,
+        clouds: 0.0,
         orbs: None,
     }
 }

@@ -58,6 +58,7 @@ fn frame() -> Frame {
             ambient_ground: black,
             moon_colour: black,
             dome: true,
+            clouds: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),
