@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_PI_3, SQRT_2};
 
-use antipode_geometry::{ChartPoint, Geometry};
+use antipode_geometry::Geometry;
 use antipode_render::Gpu;
 use antipode_scene::frame::{Frame, LampLight, Lights};
 use glam::DVec3;
