@@ -9,11 +9,11 @@ use crate::models::{ModelVertex, Shape};
 /// Spikes around the barrel.
 const SPIKES: usize = 7;
 /// Half the width of a spike where it begins, metres.
-const HALF_WIDTH_M: f32 = 0.016;
+const HALF_WIDTH_M: f32 = 0.024;
 /// Length of the spike ahead, metres.
-const AHEAD_M: f32 = 0.17;
+const AHEAD_M: f32 = 0.26;
 /// Lengths of the others by turns, metres.
-const AROUND_M: [f32; 2] = [0.10, 0.06];
+const AROUND_M: [f32; 2] = [0.14, 0.09];
 /// How far the others lean ahead, as a slope.
 const LEAN: f32 = 0.55;
 const COLOUR: [u8; 4] = [255, 214, 128, 0];

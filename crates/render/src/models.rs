@@ -67,7 +67,8 @@ impl Shape {
     }
 
     /// Adds a mesh, placed by `place` in the file's axes.
-    fn add(&mut self, mesh: &Mesh, materials: &[Material], place: Mat4, skinned: bool) {
+    fn add(&mut self, mesh: &Mesh, materials: &[Material], place: Mat4, look: Look) {
+        let skinned = look == Look::Bent;
         for primitive in &mesh.primitives {
             let first = self.vertices.len() as u16;
             let Some(material) = materials.get(primitive.material) else {
@@ -77,7 +78,7 @@ impl Shape {
             let clear = material.clear && !skinned;
             for vertex in &primitive.vertices {
                 self.vertices
-                    .push(model_vertex(vertex, material, place, clear));
+                    .push(model_vertex(vertex, material, place, look, clear));
                 if skinned {
                     self.skin.push(skin_vertex(vertex));
                 }
@@ -88,6 +89,28 @@ impl Shape {
             } else {
                 self.solid.extend(indices);
             }
+        }
+    }
+}
+
+/// What a mesh is part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Look {
+    /// A lamp, which shines for others to see by.
+    Lamp,
+    /// Something with a skeleton.
+    Bent,
+    /// Anything else.
+    Thing,
+}
+
+impl Look {
+    /// Share of the brightest glow that a material which shines with full strength has: small lights are to be seen
+    /// as lights, and keep their colour.
+    fn glow(self) -> f32 {
+        match self {
+            Self::Lamp => 0.7,
+            Self::Bent | Self::Thing => 0.28,
         }
     }
 }
@@ -112,12 +135,14 @@ pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
         .map(|model| match model {
             ModelId::Astronaut => bent(&read(antipode_models::ASTRONAUT)?),
             ModelId::AstronautTeal => bent(&read(antipode_models::ASTRONAUT_TEAL)?),
-            ModelId::Lamp => Ok(whole(&read(antipode_models::LAMP)?)),
-            ModelId::Bullet => Ok(whole(&read(antipode_models::BULLET)?)),
-            ModelId::Gun => Ok(whole(&read(antipode_models::GUN)?)),
-            ModelId::PickaxeWood => Ok(whole(&read(antipode_models::WOODEN_PICKAXE)?)),
-            ModelId::PickaxeIron => Ok(whole(&read(antipode_models::IRON_PICKAXE)?)),
-            ModelId::PickaxeDiamond => Ok(whole(&read(antipode_models::DIAMOND_PICKAXE)?)),
+            ModelId::Lamp => Ok(whole(&read(antipode_models::LAMP)?, Look::Lamp)),
+            ModelId::Bullet => Ok(whole(&read(antipode_models::BULLET)?, Look::Thing)),
+            ModelId::Gun => Ok(whole(&read(antipode_models::GUN)?, Look::Thing)),
+            ModelId::PickaxeWood => Ok(whole(&read(antipode_models::WOODEN_PICKAXE)?, Look::Thing)),
+            ModelId::PickaxeIron => Ok(whole(&read(antipode_models::IRON_PICKAXE)?, Look::Thing)),
+            ModelId::PickaxeDiamond => {
+                Ok(whole(&read(antipode_models::DIAMOND_PICKAXE)?, Look::Thing))
+            }
             ModelId::CarBody => part(&car, "body"),
             ModelId::CarWheelLeft => part(&car, "wheel.FL"),
             ModelId::CarWheelRight => part(&car, "wheel.FR"),
@@ -134,7 +159,7 @@ fn read(bytes: &[u8]) -> Result<Model, RenderError> {
 }
 
 /// The whole of a model that does not move.
-fn whole(model: &Model) -> Loaded {
+fn whole(model: &Model, look: Look) -> Loaded {
     let places = antipode_models::Pose::rest(&model.skeleton).model_matrices(&model.skeleton);
     let mut shape = Shape::default();
     for part in &model.parts {
@@ -142,7 +167,7 @@ fn whole(model: &Model) -> Loaded {
             &model.meshes[part.mesh],
             &model.materials,
             places[part.node],
-            false,
+            look,
         );
     }
     Loaded { shape, rig: None }
@@ -155,7 +180,7 @@ fn part(model: &Model, name: &str) -> Result<Loaded, RenderError> {
     let part = model.parts.iter().find(|part| part.node == node);
     let mut shape = Shape::default();
     let mesh = &model.meshes[part.ok_or_else(missing)?.mesh];
-    shape.add(mesh, &model.materials, Mat4::IDENTITY, false);
+    shape.add(mesh, &model.materials, Mat4::IDENTITY, Look::Thing);
     Ok(Loaded { shape, rig: None })
 }
 
@@ -167,7 +192,7 @@ fn bent(model: &Model) -> Result<Loaded, RenderError> {
             &model.meshes[part.mesh],
             &model.materials,
             Mat4::IDENTITY,
-            true,
+            Look::Bent,
         );
     }
     Ok(Loaded {
@@ -176,7 +201,13 @@ fn bent(model: &Model) -> Result<Loaded, RenderError> {
     })
 }
 
-fn model_vertex(vertex: &Vertex, material: &Material, place: Mat4, clear: bool) -> ModelVertex {
+fn model_vertex(
+    vertex: &Vertex,
+    material: &Material,
+    place: Mat4,
+    look: Look,
+    clear: bool,
+) -> ModelVertex {
     let position = GAME_FROM_FILE * place.transform_point3(vertex.position);
     let normal = (GAME_FROM_FILE * place.transform_vector3(vertex.normal)).normalize_or(Vec3::Y);
     let colour = vertex.colour * material.colour;
@@ -191,7 +222,7 @@ fn model_vertex(vertex: &Vertex, material: &Material, place: Mat4, clear: bool) 
             snorm(normal.x),
             snorm(normal.y),
             snorm(normal.z),
-            snorm(material.emission.max_element().min(1.0)),
+            snorm(look.glow() * material.emission.max_element().min(1.0)),
         ],
         colour: [
             unorm(srgb(colour.x)),
