@@ -32,7 +32,7 @@ struct VertexOut {
     @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
     @location(4) glow: f32,
     @location(5) view: vec4<f32>,
-    @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where lights may fall
+    @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
 }
 
@@ -81,11 +81,11 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.normal = port_normal(space, p, normalize(stance.normal), hemisphere);
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
-    out.veil = vec4<f32>(haze(direction) * fog, 1.0 - fog);
+    out.veil = vec4<f32>(haze_before(space, view) * fog, 1.0 - fog);
     out.glow = in.normal.w;
     out.view = view;
     out.lights = in.lights;
-    if any(in.lights != vec3<u32>(0u)) {
+    if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
     }
     return out;
@@ -159,7 +159,7 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
-    var colour = in.albedo.rgb * light_on(normal);
+    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }

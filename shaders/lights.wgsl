@@ -88,3 +88,35 @@ fn lights_on(view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32>, gloss: f32) ->
     let lit = lit_at(scene.space, view, normal);
     return lamps_on(lit, mask.xy, gloss) + beams_on(lit, mask.z, gloss);
 }
+
+// Light of the sun, the moon and all around on a point of a closed world. The cosine between the normal n and the way
+// to a body s is <n, s> over the sine of the distance, n being square to the point.
+// `up` is the normal's share of the way up.
+fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32) -> vec3<f32> {
+    let place = model_of(space, view);
+    let near = vec2<f32>(dot(place, scene.sun_place), dot(place, scene.moon_place));
+    let slant = vec2<f32>(dot(normal, scene.sun_place), dot(normal, scene.moon_place));
+    let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
+    let key = 0.78 * max(facing, vec2<f32>(0.0)) + 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
+    let day = smoothstep(NIGHT, DAY, near.x);
+    // Low light has come a long way through haze: red.
+    let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));
+    let moonlight = smoothstep(NIGHT, DAY, near.y) * (1.0 - day);
+    let ambient = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * up);
+    return scene.key_colour.rgb * warmth * (day * key.x)
+        + scene.moon_colour.rgb * (moonlight * key.y)
+        + ambient * mix(NIGHT_AMBIENT, vec3<f32>(1.0), day);
+}
+
+// All light but that of lamps and beams: `normal` in the chart's frame, `model_normal` in view coordinates.
+fn daylight_on(space: Space, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> vec3<f32> {
+    if geo_kind(space) == GEO_SPHERE {
+        return orbs_on(space, view, model_normal, normal.y);
+    }
+    return light_on(normal);
+}
+
+// Whether a vertex needs its normal in view coordinates.
+fn wants_model_normal(space: Space, lights: vec3<u32>) -> bool {
+    return geo_kind(space) == GEO_SPHERE || any(lights != vec3<u32>(0u));
+}

@@ -124,7 +124,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
     Frame {
         eye,
         projection,
-        sky: sky(time_of_day_s(&wanted.hour), space.as_ref()),
+        sky: sky(time_of_day_s(&wanted.hour), space.as_ref(), &eye),
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
         hand: None,

@@ -44,7 +44,7 @@ pub fn grip_m(model: ModelId) -> Vec3 {
 fn grip(model: ModelId) -> Grip {
     let (place, turn) = match model {
         ModelId::Gun => (Vec3::new(0.25, -0.25, 0.50), Vec3::new(0.09, 0.04, 0.0)),
-        ModelId::Lamp => (Vec3::new(0.40, -0.02, 0.95), Vec3::ZERO),
+        ModelId::Lamp => (Vec3::new(0.40, 0.05, 1.0), Vec3::ZERO),
         ModelId::Bullet => (Vec3::new(0.22, -0.18, 0.52), Vec3::new(0.6, 0.25, 0.0)),
         _ => (Vec3::new(0.40, -0.54, 0.82), Vec3::new(0.75, 0.0, -0.18)),
     };

@@ -15,6 +15,7 @@ mod figures;
 mod flash;
 mod gpu;
 mod hand;
+mod heavens;
 mod lamps;
 mod land_mesh;
 mod marker;

@@ -9,6 +9,7 @@ use wgpu::{
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
+use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
@@ -23,6 +24,10 @@ pub struct Pipelines {
     pub figures: FigurePipelines,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// The band of faint stars over it.
+    pub band: RenderPipeline,
+    /// Clouds, before sun, moon and stars.
+    pub clouds: RenderPipeline,
     /// Sun, moon and stars.
     pub celestial: CelestialPipelines,
     /// The marker where it is seen.
@@ -91,6 +96,8 @@ impl Pipelines {
                     ..SHINE
                 },
             ),
+            band: maker.make(&sky, ["vertex", "fragment_band"], &[], SHINE),
+            clouds: maker.make(&sky, ["vertex", "fragment_clouds"], &[], VEIL),
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
@@ -227,7 +234,7 @@ const GLASS: Way = Way {
     bends: false,
 };
 
-/// Added at infinity, where depth is 0.
+/// Added where nothing nearer stands.
 const SHINE: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
@@ -237,6 +244,12 @@ const SHINE: Way = Way {
     }),
     culled: false,
     bends: false,
+};
+
+/// Laid over what is infinitely far.
+const VEIL: Way = Way {
+    culled: false,
+    ..GLASS
 };
 
 const ADDED: BlendComponent = BlendComponent {
@@ -292,6 +305,7 @@ impl<'a> Maker<'a> {
             sun: self.make(&module, ["vertex_sun", "fragment_sun"], &[], SHINE),
             moon: self.make(&module, ["vertex_moon", "fragment_moon"], &[], SHINE),
             star: self.make(&module, ["vertex_star", "fragment_star"], &stars, SHINE),
+            orb: self.make(&module, ["vertex_orb", "fragment_orb"], &[], SHINE),
         }
     }
 
@@ -370,19 +384,21 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform is bound by.
+/// What the scene's uniform and the pictures of the sky are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
+    let uniform = wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    };
+    let entries: Vec<_> = std::iter::once(uniform).chain(Heavens::layout()).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
+        entries: &entries,
     })
 }

@@ -1,7 +1,7 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
-use antipode_scene::frame::{Figure, Frame};
+use antipode_scene::frame::{Figure, Frame, Orbs};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -34,6 +34,10 @@ pub struct SceneUniform {
     key_colour: [f32; 4],
     ambient_sky: [f32; 4],
     ambient_ground: [f32; 4],
+    moon_colour: [f32; 4],
+    sun_place: [f32; 4],
+    moon_place: [f32; 4],
+    orb: [f32; 4],
     fraction: [f32; 4],
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
@@ -71,12 +75,33 @@ impl SceneUniform {
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
+            moon_colour: with(sky.moon_colour.into(), sky.clouds),
+            sun_place: orb_place(frame, |orbs| orbs.sun),
+            moon_place: orb_place(frame, |orbs| orbs.moon),
+            orb: [
+                sky.orbs
+                    .map_or(0.0, |orbs| orbs.radius_m / frame.strategy.radius_m())
+                    as f32,
+                0.0,
+                0.0,
+                0.0,
+            ],
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             shades,
             lamps: lamps(frame),
             beams: beams(frame),
         }
     }
+}
+
+/// Where a body of a closed world stands: a unit vector of the model in view coordinates.
+fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
+    let Some(orbs) = frame.sky.orbs else {
+        return [0.0; 4];
+    };
+    let view = frame.strategy.view_point(&frame.eye, which(orbs));
+    let units = view.truncate() / frame.strategy.radius_m();
+    units.extend(view.w).as_vec4().into()
 }
 
 /// The feet of the figures nearest to the eye.
@@ -322,6 +347,10 @@ mod tests {
             ("key_colour", offset_of!(SceneUniform, key_colour)),
             ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
             ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+            ("moon_colour", offset_of!(SceneUniform, moon_colour)),
+            ("sun_place", offset_of!(SceneUniform, sun_place)),
+            ("moon_place", offset_of!(SceneUniform, moon_place)),
+            ("orb", offset_of!(SceneUniform, orb)),
             ("fraction", offset_of!(SceneUniform, fraction)),
             ("shades", offset_of!(SceneUniform, shades)),
             ("lamps", offset_of!(SceneUniform, lamps)),

@@ -14,7 +14,7 @@ use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_scene::frame::{
     ChunkChange, Clip, Figure, Frame, Hand, LampLight, ModelId, Posture, Quality,
 };
-use common::{GEOMETRIES, Studio, difference, frame, noon, plates, seen_at, space, standing};
+use common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
@@ -310,17 +310,17 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
         let space = space(geometry);
         let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
         let mut frame = frame(&space, stand, ASPECT);
-        frame.sky = noon(false);
         frame.eye = Eye {
             yaw: 0.4,
             pitch: -0.2,
             ..frame.eye
         };
-        frame.hand = Some(hand(ModelId::PickaxeIron));
+        let bare = studio.picture(&frame);
+        frame.hand = Some(hand(ModelId::PickaxeWood));
         let rest = studio.picture(&frame);
         frame.hand = Some(Hand {
             swing: 1.0,
-            ..hand(ModelId::PickaxeIron)
+            ..hand(ModelId::PickaxeWood)
         });
         assert!(
             changed(&rest, &studio.picture(&frame)).len() > 200,
@@ -337,14 +337,15 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
             changed(&shot, &studio.picture(&frame)).len() > 60,
             "{geometry}"
         );
-        shown.push(rest);
+        shown.push(changed(&bare, &rest));
     }
+    // The light of each space is its own; the shape is not.
     for other in &shown[1..] {
-        assert!(
-            difference(&shown[0], other).1 < 0.2,
-            "{:?}",
-            difference(&shown[0], other)
-        );
+        let alone = shown[0]
+            .iter()
+            .filter(|place| !other.contains(place))
+            .count();
+        assert!(alone * 20 < shown[0].len(), "{alone} of {}", shown[0].len());
     }
 }
 

@@ -108,14 +108,31 @@ pub struct Sky {
     pub moon_direction: [f32; 3],
     /// Towards the light that casts the key (sun or moon).
     pub key_direction: [f32; 3],
-    /// Key light's colour times strength.
+    /// Key light's colour times strength; in a closed world the sun's.
     pub key_colour: [f32; 3],
+    /// Colour times strength of the moon's light when it stands high and there is no other.
+    pub moon_colour: [f32; 3],
     /// Ambient light from above.
     pub ambient_sky: [f32; 3],
     /// Ambient light from below.
     pub ambient_ground: [f32; 3],
     /// Whether there is a sky to draw at all; a spherical world has none.
     pub dome: bool,
+    /// How much of the sky clouds cover, 0 to 1.
+    pub clouds: f32,
+    /// Sun and moon of a world without a sky.
+    pub orbs: Option<Orbs>,
+}
+
+/// Sun and moon that stand in a closed world, among its land.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbs {
+    /// The sun's middle.
+    pub sun: ChartPoint,
+    /// The moon's.
+    pub moon: ChartPoint,
+    /// Radius of each in metres.
+    pub radius_m: f64,
 }
 
 /// Which model a figure is drawn with.

@@ -8,6 +8,7 @@ mod aim;
 mod body;
 pub mod bot;
 pub mod camera;
+mod closed_day;
 pub mod day;
 mod detail;
 mod dip;

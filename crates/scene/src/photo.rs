@@ -87,7 +87,7 @@ impl Scene {
             Vec::new()
         };
         let strategy = view.lens.strategy();
-        let sky = crate::day::sky(view.time_of_day_s, &**strategy);
+        let sky = crate::day::sky(view.time_of_day_s, &**strategy, &view.eye);
         Frame {
             eye: view.eye,
             strategy: std::sync::Arc::clone(strategy),

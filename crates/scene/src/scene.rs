@@ -412,7 +412,7 @@ impl Scene {
             eye,
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             strategy: Arc::clone(self.lens.strategy()),
-            sky: day::sky(self.time_of_day_s, &**self.lens.strategy()),
+            sky: day::sky(self.time_of_day_s, &**self.lens.strategy(), &eye),
             chunk_changes: self.ground.take_changes(),
             figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
             hand: self.hand_seen(),
