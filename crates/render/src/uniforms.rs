@@ -243,23 +243,23 @@ fn wrap_m(x: f64) -> f64 {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct FigureInstance {
-    /// The feet from the reference, metres.
+    /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub hemisphere: u32,
-    /// Cosine and sine of the heading, angle of the swing in radians, rise of the body in metres.
-    pub pose: [f32; 4],
-    /// View coordinates of the feet, and per metre along x, y and z, where the figure is ported as a whole.
+    /// The hemisphere's number in the lowest bit, and above it the figure's place in its batch of joints.
+    pub flags: u32,
+    /// How it is turned in the chart: a quaternion, its real part last.
+    pub turn: [f32; 4],
+    /// View coordinates of the origin, and per metre along x, y and z, where the figure is ported as a whole.
     pub frame: [[f32; 4]; 4],
     /// Which lamps, by 64 bits, and which beams may light the figure.
     pub lights: [u32; 3],
 }
 
 impl FigureInstance {
-    /// Attributes from location 4 on.
+    /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
-        4 => Float32x3, 5 => Uint32, 6 => Float32x4,
-        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4, 11 => Uint32x3
+        3 => Float32x3, 4 => Uint32, 5 => Float32x4,
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x3
     ];
 }
 

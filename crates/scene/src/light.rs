@@ -38,7 +38,12 @@ impl Scene {
             range_m: LAMP_RANGE_M,
         };
         Lights {
-            lamps: lamps.into_iter().take(MOST_LIT).map(lamp_light).collect(),
+            lamps: self
+                .shot_light()
+                .into_iter()
+                .chain(lamps.into_iter().map(lamp_light))
+                .take(MOST_LIT)
+                .collect(),
             beams: self
                 .flashlight
                 .then(|| self.flash_beam())
