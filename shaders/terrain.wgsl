@@ -13,7 +13,7 @@ struct VertexIn {
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
-    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the chunk
+    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams (16) may light the chunk, and its level
 }
 
 struct VertexOut {
@@ -21,7 +21,7 @@ struct VertexOut {
     @location(0) normal: vec3<f32>,
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
-    @location(3) veil: vec3<f32>,       // the fog's share of the colour
+    @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
@@ -93,9 +93,14 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 1u), in.world.w);
     out.view = view;
-    out.lights = in.lights;
     if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+    }
+    if any(in.lights != vec3<u32>(0u)) {
+        let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
+        out.lights = lamplight.near;
+        // It joins the veil, without the grain: one more number for every pixel of every picture would cost a tenth.
+        out.veil += out.albedo * lamplight.far * (1.0 - fog);
     }
     return out;
 }
@@ -144,7 +149,7 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
     tone *= 1.0 - 0.55 * shade;
     var light = daylight_on(scene.space, in.view, normalize(in.normal), in.frame_normal);
     if any(in.lights != vec3<u32>(0u)) {
-        light += lights_on(in.view, in.frame_normal, in.lights, 0.05);
+        light += lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
     let lit = in.albedo * light;
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);

@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
 use antipode_scene::frame::{Figure, Frame, Orbs};
+use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -172,7 +173,7 @@ pub struct ChunkInstance {
     pub blend: f32,
     /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
-    /// Which lamps, by 64 bits, and which beams may light the chunk.
+    /// Which lamps, by 64 bits, and which beams, by 16, may light the chunk, and above those the level of its land.
     pub lights: [u32; 3],
 }
 
@@ -207,10 +208,17 @@ impl ChunkInstance {
         }
     }
 
-    /// The same, with lights that may fall on it.
+    /// The same, with lights that may fall on it, whose triangles are those of a level.
     #[must_use]
-    pub fn lit(self, lights: [u32; 3]) -> Self {
-        Self { lights, ..self }
+    pub fn lit(self, lights: [u32; 3], level: Level) -> Self {
+        let [near, far, beams] = lights;
+        if lights == [0; 3] {
+            return self;
+        }
+        Self {
+            lights: [near, far, beams | (level.index() as u32) << BEAMS],
+            ..self
+        }
     }
 
     /// The same, in a blend.
