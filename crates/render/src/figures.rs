@@ -117,7 +117,7 @@ impl Figures {
         let limits = posed
             .as_ref()
             .map_or(self.statics.places[model].limits, |posed| posed.limits);
-        self.put(frame, plan, figure, (model, limits), seen);
+        put(frame, plan, figure, (model, limits), seen);
         let Some(Posed { joints, hand, .. }) = posed else {
             return;
         };
@@ -126,8 +126,8 @@ impl Figures {
         }
         let Some(held) = figure.held else { return };
         let (turn, place) = in_hand(figure, held, hand);
-        let things = [(held, true), (ModelId::Flash, figure.flashes)];
-        for (thing, _) in things.into_iter().filter(|(_, shown)| *shown) {
+        let flash = figure.flashes.then_some(ModelId::Flash);
+        for thing in [Some(held), flash].into_iter().flatten() {
             let beyond = if thing == ModelId::Flash {
                 turn * hand::MUZZLE_M.as_dvec3()
             } else {
@@ -139,48 +139,8 @@ impl Figures {
             };
             let thing = number(thing);
             let limits = self.statics.places[thing].limits;
-            self.put(frame, plan, &figure, (thing, limits), seen);
+            put(frame, plan, &figure, (thing, limits), seen);
         }
-    }
-
-    /// Adds one instance, whose vertices are within a box about its origin.
-    fn put(
-        &self,
-        frame: &Frame,
-        plan: &mut FramePlan,
-        figure: &Figure,
-        (model, limits): (usize, (Vec3, Vec3)),
-        seen: &mut Vec<Seen>,
-    ) {
-        let (low, high) = turned(limits, figure.turn.as_quat());
-        let middle = figure.point.moved(low.midpoint(high).as_dvec3());
-        let half = (0.5 * (high - low)).as_dvec3();
-        let tolerance_px = Tolerance::of(frame.quality).shape_px;
-        let framed = plan
-            .bounds
-            .object(frame, figure.point, middle, half, tolerance_px);
-        let hemisphere = figure.point.hemisphere;
-        let (min, max) = (middle.pos - half, middle.pos + half);
-        let mut instance = FigureInstance {
-            offset: offset_of(frame, figure.point),
-            flags: hemisphere_index(hemisphere),
-            turn: figure.turn.as_quat().to_array(),
-            frame: [[0.0; 4]; 4],
-            lights: lights_near(frame, hemisphere, min, max),
-        };
-        let mut way = Way::Vertex;
-        if let Some((affine, error_px)) = framed {
-            let affine: Affine = affine;
-            plan.stats.error_at_least(error_px);
-            instance.frame = frame_rows(&affine);
-            way = Way::Framed;
-        }
-        seen.push(Seen {
-            model,
-            way,
-            instance,
-            joints: None,
-        });
     }
 
     /// Brings together what one call can draw, and the joints of all that bend, each with its place among them.
@@ -281,6 +241,45 @@ impl Figures {
         }
         (triangles as usize, calls)
     }
+}
+
+/// Adds one instance, whose vertices are within a box about its origin.
+fn put(
+    frame: &Frame,
+    plan: &mut FramePlan,
+    figure: &Figure,
+    (model, limits): (usize, (Vec3, Vec3)),
+    seen: &mut Vec<Seen>,
+) {
+    let (low, high) = turned(limits, figure.turn.as_quat());
+    let middle = figure.point.moved(low.midpoint(high).as_dvec3());
+    let half = (0.5 * (high - low)).as_dvec3();
+    let tolerance_px = Tolerance::of(frame.quality).shape_px;
+    let framed = plan
+        .bounds
+        .object(frame, figure.point, middle, half, tolerance_px);
+    let hemisphere = figure.point.hemisphere;
+    let (min, max) = (middle.pos - half, middle.pos + half);
+    let mut instance = FigureInstance {
+        offset: offset_of(frame, figure.point),
+        flags: hemisphere_index(hemisphere),
+        turn: figure.turn.as_quat().to_array(),
+        frame: [[0.0; 4]; 4],
+        lights: lights_near(frame, hemisphere, min, max),
+    };
+    let mut way = Way::Vertex;
+    if let Some((affine, error_px)) = framed {
+        let affine: Affine = affine;
+        plan.stats.error_at_least(error_px);
+        instance.frame = frame_rows(&affine);
+        way = Way::Framed;
+    }
+    seen.push(Seen {
+        model,
+        way,
+        instance,
+        joints: None,
+    });
 }
 
 /// How what a figure holds is turned and where its origin is, given how its hand is in the figure's axes.

@@ -113,8 +113,10 @@ fn a_gait_swings_the_legs_and_a_hold_brings_the_hand_ahead() {
 #[test]
 fn legs_go_where_they_are_turned_and_the_face_stays_ahead() {
     let (rig, shape) = rig();
-    let mut posture = Posture::default();
-    posture.twist_rad = 1.0;
+    let posture = Posture {
+        twist_rad: 1.0,
+        ..Posture::default()
+    };
     let posed = rig.pose(&posture);
     let visor = shape
         .vertices
