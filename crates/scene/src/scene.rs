@@ -25,6 +25,7 @@ use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
+use crate::spawn::{FIRST_PITCH_RAD, FIRST_YAW_RAD, spawn_point};
 use crate::tuning::{
     BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
     VIEW_DISTANCE_CHUNKS,
@@ -173,8 +174,12 @@ impl Scene {
             Config::default(),
         )?;
         let mut ecs = hecs::World::new();
-        let start = crate::spawn::spawn_point(&field);
-        let player = ecs.spawn(player::components(start, crate::spawn::FIRST_YAW_RAD));
+        let start = spawn_point(&field);
+        let look = Look {
+            yaw: FIRST_YAW_RAD,
+            pitch: FIRST_PITCH_RAD,
+        };
+        let player = ecs.spawn(player::components(start, look));
         let mut scene = Self {
             setup: setup.within_range(),
             ground: Ground::new(field, Arc::clone(&strategy)),
@@ -337,7 +342,13 @@ impl Scene {
     /// The player's feet, view and body.
     pub(crate) fn player_parts(&self) -> (Position, Look, Body, Appearance) {
         let fallback = || {
-            let (p, l, b, _, a) = player::components(ChartPoint::a(glam::DVec3::ZERO), 0.0);
+            let (p, l, b, _, a) = player::components(
+                ChartPoint::a(glam::DVec3::ZERO),
+                Look {
+                    yaw: 0.0,
+                    pitch: 0.0,
+                },
+            );
             (p, l, b, a)
         };
         self.ecs

@@ -9,6 +9,10 @@ use glam::DVec3;
 /// Heading of a new player: along -z, towards the sunrise.
 pub const FIRST_YAW_RAD: f64 = -FRAC_PI_2;
 
+/// Elevation of a new player's view: enough below the horizon for the ground under the crosshair to be in reach, where
+/// level it hung in the sky.
+pub const FIRST_PITCH_RAD: f64 = -8.0 * std::f64::consts::PI / 180.0;
+
 /// Columns considered around the world's centre: a spiral of rings, in metres.
 const RINGS_M: [f64; 4] = [0.0, 4.0, 8.0, 12.0];
 /// Gap left below the feet so that the capsule never begins inside a facet.

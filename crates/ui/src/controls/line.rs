@@ -10,6 +10,10 @@ use crate::shell::Pass;
 use crate::theme::{BAD, WEAK, small};
 use crate::widgets::focus_ring;
 
+/// Share of a line that its name takes from [`ROOMY`] points on: two inputs with their buttons fit beside it.
+const NAME_SHARE: f32 = 0.36;
+const ROOMY: f32 = 480.0;
+
 /// Draws the line; what is asked for there.
 pub(super) fn show(
     ui: &mut Ui,
@@ -22,15 +26,20 @@ pub(super) fn show(
     let texts = pass.model.texts;
     let label = action_label(texts, action);
     ui.push_id(action.info().id, |ui| {
-        ui.columns_const(|[left, right]| {
-            Label::new(&label).wrap().ui(left);
-            right
-                .horizontal_wrapped(|ui| {
-                    ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                    inputs(ui, pass, stops, profile, action, &label, takes_focus)
-                })
-                .inner
+        let whole = ui.available_width();
+        let name = whole * if whole < ROOMY { 0.5 } else { NAME_SHARE };
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                ui.set_width((name - ui.spacing().item_spacing.x).max(1.0));
+                Label::new(&label).wrap().ui(ui);
+            });
+            ui.horizontal_wrapped(|ui| {
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+                inputs(ui, pass, stops, profile, action, &label, takes_focus)
+            })
+            .inner
         })
+        .inner
     })
     .inner
 }
