@@ -411,7 +411,7 @@ impl Window {
                 let _ = child.kill();
                 let _ = child.wait();
             }
-            None if self.is_alive() => {
+            None if arguments(self.process).is_some() => {
                 let process = self.process.to_string();
                 let _ = Command::new("kill").args(["-KILL", &process]).status();
             }

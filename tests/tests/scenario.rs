@@ -38,7 +38,7 @@ fn walking_digging_building_saving_and_loading_bring_the_same_world_back() {
 #[test]
 fn a_new_player_has_ground_in_reach_under_the_crosshair() {
     for space in SPACES {
-        for seed in [1, 3, 7] {
+        for seed in [1, 3, 7, 9, 12] {
             let saves = tempfile::tempdir().unwrap();
             let run = run(
                 saves.path(),
@@ -46,7 +46,7 @@ fn a_new_player_has_ground_in_reach_under_the_crosshair() {
             );
             let probe = run.probe(0);
             let pitch = number(probe, "player.pitch");
-            assert!((-15.0..-2.0).contains(&pitch), "{pitch} degrees");
+            assert!((-45.0..-2.0).contains(&pitch), "{pitch} degrees");
             let at = |of: &str| [0, 1, 2].map(|axis| number(probe, &format!("{of}.{axis}")));
             let (eye, marker) = (at("camera.pos"), at("marker.pos"));
             let off: f64 = eye.iter().zip(marker).map(|(a, b)| (a - b).powi(2)).sum();

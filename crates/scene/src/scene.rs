@@ -25,7 +25,7 @@ use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
-use crate::spawn::{FIRST_PITCH_RAD, FIRST_YAW_RAD, spawn_point};
+use crate::spawn::{FIRST_YAW_RAD, spawn_point};
 use crate::tuning::{
     BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
     VIEW_DISTANCE_CHUNKS,
@@ -177,12 +177,12 @@ impl Scene {
         let start = spawn_point(&field);
         let look = Look {
             yaw: FIRST_YAW_RAD,
-            pitch: FIRST_PITCH_RAD,
+            pitch: 0.0,
         };
         let player = ecs.spawn(player::components(start, look));
         let mut scene = Self {
             setup: setup.within_range(),
-            ground: Ground::new(field, Arc::clone(&strategy)),
+            ground: Ground::new(Arc::clone(&field), Arc::clone(&strategy)),
             lens,
             strategy,
             streamer,
@@ -226,8 +226,9 @@ impl Scene {
             next_bot: 0,
             sounds: Sounds::default(),
         };
-        if let Some(state) = saved {
-            scene.restore(&state);
+        match saved {
+            Some(state) => scene.restore(&state),
+            None => scene.look_at_ground(&field),
         }
         scene.changed = false;
         scene.request_ground();

@@ -130,11 +130,15 @@ impl Backpack {
             Sense::click_and_drag(),
         );
         self.at = None;
+        let mut focused = None;
         for slot in 0..SLOTS {
-            self.slot(&mut ui, &places, model, slot, &mut wishes);
+            let response = self.slot(&mut ui, &places, model, slot, &mut wishes);
+            focused = focused.or(response.has_focus().then_some((slot, response)));
         }
+        // Once all are there: a slot that gets the focus now would hand it on.
+        let leaves = focused.is_some_and(|(slot, response)| walk(&ui, slot, &response));
         self.fresh = false;
-        let buttons = self.foot(&mut ui, &places, model, &mut wishes);
+        let buttons = self.foot(&mut ui, &places, model, leaves, &mut wishes);
         let carries = model.carried.is_some();
         wishes.extend(
             self.presses
@@ -163,7 +167,7 @@ impl Backpack {
         model: &BackpackModel<'_>,
         slot: u8,
         wishes: &mut Vec<BackpackWish>,
-    ) {
+    ) -> Response {
         let rect = places.slot(slot);
         let response = ui.interact(rect, id(slot), Sense::click());
         let empty = SlotView::default();
@@ -180,9 +184,6 @@ impl Backpack {
             response.request_focus();
         }
         focus_ring(ui, &response);
-        if response.has_focus() {
-            walk(ui, slot, &response);
-        }
         if (self.by_keys && response.has_focus()) || (!self.by_keys && response.hovered()) {
             self.at = Some(slot);
         }
@@ -190,6 +191,7 @@ impl Backpack {
         if response.clicked() && !response.clicked_by(egui::PointerButton::Primary) {
             wishes.push(by_key(ui, slot));
         }
+        response
     }
 
     /// The buttons below, and what the mouse or the keys do; what the buttons cover.
@@ -198,6 +200,7 @@ impl Backpack {
         ui: &mut Ui,
         places: &Places,
         model: &BackpackModel<'_>,
+        takes_focus: bool,
         wishes: &mut Vec<BackpackWish>,
     ) -> Buttons {
         let texts = model.texts;
@@ -231,6 +234,10 @@ impl Backpack {
             let close = button(ui, &texts.say("backpack-close"));
             if close.clicked() {
                 wishes.push(BackpackWish::Close);
+            }
+            if takes_focus {
+                let first = if throw.enabled() { &throw } else { &close };
+                first.request_focus();
             }
             Buttons { throw: throw.rect }
         })
@@ -296,8 +303,8 @@ fn item_name(texts: &Texts, view: &SlotView) -> String {
     }
 }
 
-/// Moves the focus along the slots by the arrow keys; only below the last line it leaves them, for the buttons.
-fn walk(ui: &Ui, slot: u8, response: &Response) {
+/// Moves the focus along the slots by the arrow keys. Whether it leaves them, below the last line, for the buttons.
+fn walk(ui: &Ui, slot: u8, response: &Response) -> bool {
     let last_line = slot < HOTBAR;
     let lock = EventFilter {
         horizontal_arrows: true,
@@ -311,13 +318,15 @@ fn walk(ui: &Ui, slot: u8, response: &Response) {
         presses(Key::ArrowDown) - presses(Key::ArrowUp),
     );
     if by == (0, 0) {
-        return;
+        return false;
     }
-    if last_line && by.1 > 0 {
-        ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::Next));
-        return;
+    // In the first frame of a focus the lock does not hold yet, and egui would move it on.
+    ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+    let leaves = last_line && by.1 > 0;
+    if !leaves {
+        ui.memory_mut(|memory| memory.request_focus(id(layout::beside(slot, by))));
     }
-    ui.memory_mut(|memory| memory.request_focus(id(layout::beside(slot, by))));
+    leaves
 }
 
 /// What Enter on a slot asks for, with what is held beside it.

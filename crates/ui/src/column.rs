@@ -32,7 +32,8 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
         spacing.button_padding.y = 4.0 - lower / 2.0;
         spacing.item_spacing.y = 2.0;
     } else if regions.whole.height() < ROOMY {
-        spacing.interact_size.y = 34.0;
+        spacing.interact_size.y = 30.0;
+        spacing.button_padding.y = 4.0;
         spacing.item_spacing.y = 4.0;
     } else {
         spacing.interact_size.y = 40.0;

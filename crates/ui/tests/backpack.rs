@@ -216,6 +216,26 @@ fn focused(harness: &Harness<'_, Bag>) -> String {
 }
 
 #[test]
+fn arrows_in_one_frame_after_another_move_one_slot_each() {
+    let mut harness = Harness::builder()
+        .with_size(vec2(800.0, 600.0))
+        .with_context_setup(apply_theme)
+        .with_max_steps(1)
+        .build_ui_state(|ui, bag: &mut Bag| show(ui.ctx(), bag), bag());
+    for _ in 0..4 {
+        harness.input_mut().events.push(Event::Key {
+            key: Key::ArrowRight,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers: Modifiers::NONE,
+        });
+        harness.step();
+    }
+    assert_eq!(focused(&harness), "Slot 5: Bullet × 64");
+}
+
+#[test]
 fn everything_is_done_by_keys() {
     let mut harness = window();
     assert_eq!(focused(&harness), "Slot 1: Gun", "what is in hand");

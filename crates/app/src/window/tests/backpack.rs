@@ -73,6 +73,7 @@ fn the_world_goes_on_behind_it_and_no_key_reaches_the_player() {
         let scene = &game.phase.session().unwrap().scene;
         (scene.feet(), scene.simulated_s())
     };
+    tick_until(game, |game| scene(game).1 > 0.8);
     let (feet, before) = scene(game);
     for key in ["KeyW", "KeyP", "Backquote", "Space"] {
         assert!(!game.take_key(Input::Key(key), true, false), "{key}");
