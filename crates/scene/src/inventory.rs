@@ -252,14 +252,13 @@ impl Inventory {
         let origin = usize::from(from);
         let is_free = self.slots[origin].is_none();
         let left = match self.slots.get_mut(usize::from(slot)) {
-            None => Some(carried),
             Some(place @ None) => {
                 *place = Some(carried);
                 None
             }
             Some(Some(there)) if there.item == carried.item => merge(there, carried, carried.count),
             Some(Some(there)) if is_free => Some(std::mem::replace(there, carried)),
-            Some(Some(_)) => Some(carried),
+            None | Some(Some(_)) => Some(carried),
         };
         let Some(left) = left else { return };
         self.carried = match &mut self.slots[origin] {
