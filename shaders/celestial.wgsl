@@ -103,3 +103,34 @@ fn fragment_star(in: VertexOut) -> @location(0) vec4<f32> {
     let near = max(1.0 - dot(in.place, in.place), 0.0);
     return vec4<f32>(in.light * (near * near), 0.0);
 }
+
+// Sun and moon of a closed world stand in it and so have a depth. Their patches reach ORB_REACH radii of the body
+// across, along two unit vectors of the tangent space at its middle s: whatever is square to s.xyz, with w = 0.
+const ORB_REACH: f32 = 7.0;
+
+@vertex
+fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instance: u32) -> VertexOut {
+    let is_sun = instance == 0u;
+    let middle = select(scene.moon_place, scene.sun_place, is_sun);
+    let toward = middle.xyz / max(length(middle.xyz), 1.0e-6);
+    let other = select(vec3<f32>(0.0, 1.0, 0.0), vec3<f32>(1.0, 0.0, 0.0), abs(toward.y) > 0.9);
+    let across = normalize(cross(other, toward));
+    let along = cross(toward, across);
+    let corner = corner_of(index);
+    let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb.x);
+    let space = space_at(index);
+    var out: VertexOut;
+    out.clip = clip_from_view(space, vec4<f32>(at.xyz / space.curve.x, at.w));
+    out.place = corner;
+    out.light = select(vec3<f32>(0.20, 0.24, 0.34), vec3<f32>(3.4, 2.6, 1.5), is_sun);
+    return out;
+}
+
+@fragment
+fn fragment_orb(in: VertexOut) -> @location(0) vec4<f32> {
+    let away = length(in.place);
+    let near = max(1.0 - away, 0.0);
+    let near2 = near * near;
+    let disc = 1.0 - smoothstep(0.92 / ORB_REACH, 1.0 / ORB_REACH, away);
+    return vec4<f32>(in.light * (disc * 1.6 + 0.22 * near2 * near2 + 0.03 * near2), 0.0);
+}

@@ -11,7 +11,7 @@ const BEAMS: u32 = 16u;
 // Light that goes all ways from a place.
 struct Lamp {
     place: vec4<f32>,   // in view coordinates, w in metres
-    colour: vec4<f32>,  // rgb; w: square of the chord at which it has faded away, square metres
+    colour: vec4<f32>,  // rgb; w: one over the square of the chord at which it has faded away, per square metre
 }
 
 // Light that goes one way from a place.
@@ -27,8 +27,8 @@ struct Scene {
     right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
     up: vec4<f32>,             // xyz: upwards in the picture; w: strength of the contour bands
     front: vec4<f32>,          // xyz: into the picture; w: distance at which the fog is complete, m
-    top: vec4<f32>,            // rgb: sky overhead; w: strength of the stars
-    horizon: vec4<f32>,        // rgb: sky at the horizon; w: 1 under a sky, 0 in a closed world
+    top: vec4<f32>,            // rgb: sky overhead, in a closed world the haze about the eye; w: strength of the stars
+    horizon: vec4<f32>,        // rgb: sky at the horizon, in a closed world the haze of full day; w: 1 under a sky, 0 in a closed world
     glare: vec4<f32>,          // rgb: the sun's disc and glow; w: sine of the turn of the stars about x
     sun: vec4<f32>,            // xyz: towards the sun; w: cosine of that turn
     moon: vec4<f32>,           // xyz: towards the moon; w: chart radius of the equator, m, or 0
@@ -36,6 +36,10 @@ struct Scene {
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,
     ambient_ground: vec4<f32>,
+    moon_colour: vec4<f32>,    // rgb: moonlight at its full; w: share of the sky that clouds cover
+    sun_place: vec4<f32>,      // of a closed world's sun, a unit vector of the model in view coordinates
+    moon_place: vec4<f32>,     // of its moon
+    orb: vec4<f32>,            // x: radius of both, radii
     fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
     lamps: array<Lamp, LAMPS>,
@@ -77,6 +81,32 @@ fn fog_at(distance_m: f32) -> f32 {
     let x2 = x * x;
     let x4 = x2 * x2;
     return 0.42 * x2 + 0.58 * x4 * x2;
+}
+
+// What is left by night of a closed world's haze and of its light from all around; crates/scene/src/closed_day.rs.
+const NIGHT_HAZE: vec3<f32> = vec3<f32>(0.055, 0.065, 0.10);
+const NIGHT_AMBIENT: vec3<f32> = vec3<f32>(0.13, 0.15, 0.23);
+// Cosines of the distance from its sun past which it is night and within which it is full day.
+const NIGHT: f32 = -0.08;
+const DAY: f32 = 0.48;
+
+// A view point as a unit vector of the model of a closed world.
+fn model_of(space: Space, view: vec4<f32>) -> vec4<f32> {
+    return vec4<f32>(view.xyz * space.curve.x, view.w);
+}
+
+// How much of the day's light there is at a place of a closed world, 0 to 1.
+fn daylight_at(model: vec4<f32>) -> f32 {
+    return smoothstep(NIGHT, DAY, dot(model, scene.sun_place));
+}
+
+// The haze before a view point. In a closed world it is the mean of that about the eye and that about the point.
+fn haze_before(space: Space, view: vec4<f32>) -> vec3<f32> {
+    if geo_kind(space) == GEO_SPHERE {
+        let there = scene.horizon.rgb * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(space, view)));
+        return 0.5 * (scene.top.rgb + there);
+    }
+    return haze(direction_of(view.xyz));
 }
 
 // Warm key and cool ambient from above, bounce from below: nothing is black.

@@ -1,5 +1,9 @@
-// The sky where nothing stands before it: the haze of each direction, over the whole picture.
-// The sun, the moon and the stars are drawn over it by celestial.wgsl.
+// The sky where nothing stands before it: the haze of each direction over the whole picture, then by night the band of
+// faint stars, and last the clouds. Between them celestial.wgsl draws the sun, the moon and the single stars.
+
+@group(0) @binding(5) var band: texture_cube<f32>;
+@group(0) @binding(6) var layer: texture_2d<f32>;
+@group(0) @binding(7) var smooth_sampler: sampler;
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
@@ -21,4 +25,53 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return vec4<f32>(haze(normalize(in.ray)), 1.0);
+}
+
+// The band turns about x with the sun, as the stars do.
+@fragment
+fn fragment_band(in: VertexOut) -> @location(0) vec4<f32> {
+    let d = normalize(in.ray);
+    let s = scene.glare.w;
+    let c = scene.sun.w;
+    let at_sunrise = vec3<f32>(d.x, c * d.y + s * d.z, c * d.z - s * d.y);
+    let light = textureSampleLevel(band, smooth_sampler, at_sunrise, 0.0).rgb;
+    let over_horizon = smoothstep(0.0, 0.25, d.y);
+    return vec4<f32>(light * (0.55 * scene.top.w * over_horizon), 0.0);
+}
+
+// Clouds lie in a level layer as many heights away as the ray needs to get up to it. They drift, and seen through a
+// second, slower layer of themselves they change their shape.
+const CLOUD_SCALE: f32 = 0.11;
+const CLOUD_TEXELS: f32 = 256.0;
+const CLOUD_WIND: vec2<f32> = vec2<f32>(0.0011, 0.0006);
+
+fn thickness(at: vec2<f32>, level: f32) -> f32 {
+    let drift = scene.right.w * CLOUD_WIND;
+    let heaps = textureSampleLevel(layer, smooth_sampler, at + drift, level).r;
+    let groups = textureSampleLevel(layer, smooth_sampler, 0.37 * at + 0.45 * drift + 0.31, level).r;
+    return 0.62 * heaps + 0.38 * groups;
+}
+
+@fragment
+fn fragment_clouds(in: VertexOut) -> @location(0) vec4<f32> {
+    let d = normalize(in.ray);
+    let rise = max(d.y, 0.0) + 0.06;
+    let at = d.xz / rise * CLOUD_SCALE;
+    // A pixel's width in the layer grows with the square of the way there.
+    let pixel = scene.key_colour.w / scene.space.project.y;
+    let level = clamp(log2(CLOUD_SCALE * CLOUD_TEXELS * pixel / (rise * rise)), 0.0, 6.0);
+    let thick = thickness(at, level);
+    let clear = 0.74 - 0.48 * scene.moon_colour.w;
+    let cover = smoothstep(clear, clear + 0.22, thick) * smoothstep(0.015, 0.16, d.y);
+    // Thinner towards the light means that light comes through to this side.
+    let toward = normalize(scene.key_direction.xz + vec2<f32>(1.0e-3, 0.0));
+    let shaded = clamp(0.5 + 3.2 * (thick - thickness(at + toward * 0.012, level)), 0.0, 1.0);
+    let near_sun = max(dot(d, scene.key_direction.xyz), 0.0);
+    let near2 = near_sun * near_sun;
+    let lining = near2 * near2 * near2 * near2 * (1.0 - cover);
+    let lit = scene.key_colour.rgb * (0.22 + 0.34 * shaded + 0.5 * lining)
+        + scene.ambient_sky.rgb * 0.62 + scene.horizon.rgb * 0.12;
+    let colour = mix(haze(d), lit, smoothstep(0.0, 0.35, d.y));
+    let opacity = cover * 0.94;
+    return vec4<f32>(colour * opacity, opacity);
 }

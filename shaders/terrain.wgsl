@@ -13,7 +13,7 @@ struct VertexIn {
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
-    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the chunk
+    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams (16) may light the chunk, and its level
 }
 
 struct VertexOut {
@@ -21,12 +21,12 @@ struct VertexOut {
     @location(0) normal: vec3<f32>,
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
-    @location(3) veil: vec3<f32>,       // the fog's share of the colour
+    @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
     @location(7) view: vec4<f32>,
-    @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where lights may fall
+    @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
 }
 
@@ -87,15 +87,20 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
-    out.veil = haze(direction_of(view.xyz)) * fog;
+    out.veil = haze_before(space, view) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 1u), in.world.w);
     out.view = view;
-    out.lights = in.lights;
-    if any(in.lights != vec3<u32>(0u)) {
+    if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+    }
+    if any(in.lights != vec3<u32>(0u)) {
+        let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
+        out.lights = lamplight.near;
+        // It joins the veil, without the grain: one more number for every pixel of every picture would cost a tenth.
+        out.veil += out.albedo * lamplight.far * (1.0 - fog);
     }
     return out;
 }
@@ -142,9 +147,9 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
-    var light = light_on(normalize(in.normal));
+    var light = daylight_on(scene.space, in.view, normalize(in.normal), in.frame_normal);
     if any(in.lights != vec3<u32>(0u)) {
-        light += lights_on(in.view, in.frame_normal, in.lights, 0.05);
+        light += lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
     let lit = in.albedo * light;
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);

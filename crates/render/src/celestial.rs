@@ -1,4 +1,4 @@
-//! Sun, moon and stars.
+//! Sun, moon and stars: those of a sky, and the two that stand in a closed world.
 
 use std::f32::consts::TAU;
 
@@ -11,7 +11,9 @@ use wgpu::{Buffer, BufferUsages, Device, RenderPass, RenderPipeline};
 /// Stars over the whole sphere.
 const STARS: u32 = 2600;
 /// Stars fainter than this share are not drawn.
-const FAINTEST: f32 = 0.01;
+pub const FAINTEST: f32 = 0.01;
+/// Sun and moon.
+const ORBS: u32 = 2;
 /// Corners of a patch.
 const CORNERS: u32 = 6;
 
@@ -40,6 +42,8 @@ pub struct CelestialPipelines {
     pub moon: RenderPipeline,
     /// All stars.
     pub star: RenderPipeline,
+    /// Sun and moon of a closed world.
+    pub orb: RenderPipeline,
 }
 
 /// The stars on the adapter.
@@ -67,6 +71,11 @@ impl Celestial {
         sky: &Sky,
         pipelines: &CelestialPipelines,
     ) -> (usize, usize) {
+        if sky.orbs.is_some() {
+            pass.set_pipeline(&pipelines.orb);
+            pass.draw(0..CORNERS, 0..ORBS);
+            return ((ORBS * CORNERS / 3) as usize, 1);
+        }
         let mut patches = 0;
         let mut draws = 0;
         let mut patch = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline, count: u32| {

@@ -307,7 +307,9 @@ impl ChunkStore {
             };
             let shades = shades_on(frame, &chunk.land);
             let lights = lights_near(frame, coord.hemisphere, chunk.land.min, chunk.land.max);
-            let instance = instance(frame, coord, choice).shaded(shades).lit(lights);
+            let instance = instance(frame, coord, choice)
+                .shaded(shades)
+                .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let blend = chunk

@@ -8,9 +8,10 @@ use wgpu::{
 
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
+use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
+use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
-use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
 
@@ -20,11 +21,13 @@ pub struct Pipelines {
     /// Land.
     pub terrain: TerrainPipelines,
     /// Figures.
-    pub figure: RenderPipeline,
-    /// Figures ported as a whole.
-    pub figure_framed: RenderPipeline,
+    pub figures: FigurePipelines,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
+    /// The band of faint stars over it.
+    pub band: RenderPipeline,
+    /// Clouds, before sun, moon and stars.
+    pub clouds: RenderPipeline,
     /// Sun, moon and stars.
     pub celestial: CelestialPipelines,
     /// The marker where it is seen.
@@ -52,19 +55,10 @@ impl Pipelines {
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
-        let [land, figure, sky, marker] =
-            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| maker.compile(shader));
+        let [land, sky, marker] = [TERRAIN, SKY, MARKER].map(|shader| maker.compile(shader));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
-        ];
-        let figure_buffers = [
-            layout(
-                size_of::<ModelVertex>() as u64,
-                VertexStepMode::Vertex,
-                &ModelVertex::ATTRIBUTES,
-            ),
-            instances::<FigureInstance>(&FigureInstance::ATTRIBUTES),
         ];
         let position = wgpu::vertex_attr_array![0 => Float32x3];
         let marker_buffers = [
@@ -92,8 +86,7 @@ impl Pipelines {
                 deep_blending: terrain("vertex", "fragment_deep_blending"),
                 framed_blending: terrain("vertex_framed", "fragment_blending"),
             },
-            figure: solid(&figure, ["vertex", "fragment"], &figure_buffers),
-            figure_framed: solid(&figure, ["vertex_framed", "fragment"], &figure_buffers),
+            figures: FigurePipelines::made_by(maker),
             sky: maker.make(
                 &sky,
                 ["vertex", "fragment"],
@@ -103,9 +96,59 @@ impl Pipelines {
                     ..SHINE
                 },
             ),
+            band: maker.make(&sky, ["vertex", "fragment_band"], &[], SHINE),
+            clouds: maker.make(&sky, ["vertex", "fragment_clouds"], &[], VEIL),
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
+        }
+    }
+}
+
+/// The ways of drawing figures.
+#[derive(Debug)]
+pub struct FigurePipelines {
+    /// Ported by vertex.
+    pub plain: RenderPipeline,
+    /// Ported as a whole.
+    pub framed: RenderPipeline,
+    /// Bent by a skeleton, and ported by vertex.
+    pub bent: RenderPipeline,
+    /// Bent by a skeleton, and ported as a whole.
+    pub bent_framed: RenderPipeline,
+    /// What light goes through, ported by vertex.
+    pub clear: RenderPipeline,
+    /// The same, ported as a whole.
+    pub clear_framed: RenderPipeline,
+    /// In the player's hand.
+    pub hand: RenderPipeline,
+    /// The same of what light goes through.
+    pub hand_clear: RenderPipeline,
+}
+
+impl FigurePipelines {
+    fn made_by(maker: &Maker<'_>) -> Self {
+        let module = maker.compile(FIGURE);
+        let instances = instances::<FigureInstance>(&FigureInstance::ATTRIBUTES);
+        let buffers = [vertex_layout(), instances, skin_layout()];
+        let plain =
+            |vertex, fragment, way| maker.make(&module, [vertex, fragment], &buffers[..2], way);
+        let bent = |vertex| {
+            let way = Way {
+                bends: true,
+                ..SOLID
+            };
+            maker.make(&module, [vertex, "fragment"], &buffers, way)
+        };
+        Self {
+            plain: plain("vertex", "fragment", SOLID),
+            framed: plain("vertex_framed", "fragment", SOLID),
+            bent: bent("vertex_bent"),
+            bent_framed: bent("vertex_bent_framed"),
+            clear: plain("vertex", "fragment_clear", GLASS),
+            clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
+            hand: plain("vertex_hand", "fragment", SOLID),
+            hand_clear: plain("vertex_hand", "fragment_clear", GLASS),
         }
     }
 }
@@ -170,6 +213,8 @@ struct Way {
     writes_depth: bool,
     blend: Option<BlendState>,
     culled: bool,
+    /// Whether joints bend it.
+    bends: bool,
 }
 
 const SOLID: Way = Way {
@@ -177,6 +222,7 @@ const SOLID: Way = Way {
     writes_depth: true,
     blend: None,
     culled: true,
+    bends: false,
 };
 
 /// Colours come multiplied by their opacity.
@@ -185,9 +231,10 @@ const GLASS: Way = Way {
     writes_depth: false,
     blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
     culled: true,
+    bends: false,
 };
 
-/// Added at infinity, where depth is 0.
+/// Added where nothing nearer stands.
 const SHINE: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
@@ -196,6 +243,13 @@ const SHINE: Way = Way {
         alpha: ADDED,
     }),
     culled: false,
+    bends: false,
+};
+
+/// Laid over what is infinitely far.
+const VEIL: Way = Way {
+    culled: false,
+    ..GLASS
 };
 
 const ADDED: BlendComponent = BlendComponent {
@@ -209,6 +263,7 @@ struct Maker<'a> {
     device: &'a Device,
     shaders: Shaders,
     layout: PipelineLayout,
+    bent_layout: PipelineLayout,
     kind: f64,
     samples: u32,
 }
@@ -221,15 +276,19 @@ impl<'a> Maker<'a> {
         kind: u32,
         samples: u32,
     ) -> Self {
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("scene"),
-            bind_group_layouts: &[Some(scene_layout)],
-            immediate_size: 0,
-        });
+        let layout = |label, groups: &[Option<&BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                immediate_size: 0,
+            })
+        };
+        let joints_layout = joints_layout(device);
         Self {
             device,
             shaders,
-            layout,
+            layout: layout("scene", &[Some(scene_layout)]),
+            bent_layout: layout("bent", &[Some(scene_layout), Some(&joints_layout)]),
             kind: f64::from(kind),
             samples,
         }
@@ -246,6 +305,7 @@ impl<'a> Maker<'a> {
             sun: self.make(&module, ["vertex_sun", "fragment_sun"], &[], SHINE),
             moon: self.make(&module, ["vertex_moon", "fragment_moon"], &[], SHINE),
             star: self.make(&module, ["vertex_star", "fragment_star"], &stars, SHINE),
+            orb: self.make(&module, ["vertex_orb", "fragment_orb"], &[], SHINE),
         }
     }
 
@@ -265,7 +325,11 @@ impl<'a> Maker<'a> {
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(fragment),
-                layout: Some(&self.layout),
+                layout: Some(if way.bends {
+                    &self.bent_layout
+                } else {
+                    &self.layout
+                }),
                 vertex: wgpu::VertexState {
                     module,
                     entry_point: Some(vertex),
@@ -320,19 +384,21 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform is bound by.
+/// What the scene's uniform and the pictures of the sky are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
+    let uniform = wgpu::BindGroupLayoutEntry {
+        binding: 0,
+        visibility: ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        },
+        count: None,
+    };
+    let entries: Vec<_> = std::iter::once(uniform).chain(Heavens::layout()).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: false,
-                min_binding_size: None,
-            },
-            count: None,
-        }],
+        entries: &entries,
     })
 }

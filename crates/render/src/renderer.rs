@@ -2,19 +2,20 @@
 
 use antipode_scene::frame::Frame;
 use wgpu::{
-    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
-    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    StoreOp, TextureFormat, TextureView,
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
+    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, RenderPipeline, StoreOp, TextureFormat, TextureView,
 };
 
-use crate::celestial::Celestial;
+use crate::celestial::{Celestial, FAINTEST};
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::{DrawList, LandDraws};
 use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
+use crate::heavens::Heavens;
 use crate::marker::MarkerBalls;
-use crate::pipelines::scene_layout;
+use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{PlanStats, Planner};
 use crate::shaders::Shaders;
 use crate::targets::{Targets, drawn_size};
@@ -95,7 +96,7 @@ impl Renderer {
     /// A renderer for targets of one pixel; [`Renderer::resize`] gives it their size.
     ///
     /// # Errors
-    /// When the options are out of range, or the adapter refuses the last pass's shader. Those of the scene are
+    /// When the options are out of range, a model cannot be read, or the adapter refuses the last pass's shader. Those of the scene are
     /// compiled later: see [`Renderer::fault`].
     pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
         Self::with_shaders(gpu, options, Shaders::default())
@@ -119,14 +120,8 @@ impl Renderer {
             usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let scene_bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("scene"),
-            layout: &scene_layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: uniform.as_entire_binding(),
-            }],
-        });
+        let heavens = Heavens::new(&device, &queue)?;
+        let scene_bindings = bind_scene(&device, &scene_layout, &uniform, &heavens);
         let pipelines = Workshop::new(&device, shaders, &scene_layout, options.samples);
         let targets = Targets::new(&device, (1, 1), options.samples);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
@@ -136,7 +131,7 @@ impl Renderer {
             planner: Planner::default(),
             land: LandDraws::new(gpu),
             list: DrawList::default(),
-            figures: Figures::new(&device),
+            figures: Figures::new(&device)?,
             marker: MarkerBalls::new(&device),
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
@@ -351,6 +346,32 @@ impl Renderer {
         })
     }
 
+    /// What lies behind everything, from the back to the front.
+    fn draw_sky(
+        &self,
+        frame: &Frame,
+        pipelines: &Pipelines,
+        pass: &mut RenderPass<'_>,
+        stats: &mut DrawStats,
+    ) {
+        let mut cover = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline| {
+            pass.set_pipeline(pipeline);
+            pass.draw(0..3, 0..1);
+            stats.add((1, 1));
+        };
+        if frame.sky.dome {
+            cover(pass, &pipelines.sky);
+            if frame.sky.stars > FAINTEST {
+                cover(pass, &pipelines.band);
+            }
+        }
+        let celestial = self.celestial.draw(pass, &frame.sky, &pipelines.celestial);
+        if frame.sky.dome && frame.sky.clouds > 0.0 {
+            cover(pass, &pipelines.clouds);
+        }
+        stats.add(celestial);
+    }
+
     fn draw_scene(
         &self,
         frame: &Frame,
@@ -374,15 +395,8 @@ impl Renderer {
                     pipelines.terrain.numbered(number)
                 }),
         );
-        if frame.sky.dome {
-            pass.set_pipeline(&pipelines.sky);
-            pass.draw(0..3, 0..1);
-            stats.add((1, 1));
-            stats.add(
-                self.celestial
-                    .draw(&mut pass, &frame.sky, &pipelines.celestial),
-            );
-        }
+        self.draw_sky(frame, pipelines, &mut pass, stats);
+        stats.add(self.figures.draw_clear(&mut pass, pipelines));
         if self.marker.shown() {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
                 pass.set_pipeline(pipeline);
@@ -390,6 +404,24 @@ impl Renderer {
             }
         }
     }
+}
+
+fn bind_scene(
+    device: &Device,
+    layout: &BindGroupLayout,
+    uniform: &Buffer,
+    heavens: &Heavens,
+) -> BindGroup {
+    let uniform = wgpu::BindGroupEntry {
+        binding: 0,
+        resource: uniform.as_entire_binding(),
+    };
+    let entries: Vec<_> = std::iter::once(uniform).chain(heavens.bind()).collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("scene"),
+        layout,
+        entries: &entries,
+    })
 }
 
 fn check(options: &Options) -> Result<(), RenderError> {

@@ -1,7 +1,8 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
-use antipode_scene::frame::{Figure, Frame};
+use antipode_scene::frame::{Figure, Frame, Orbs};
+use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -34,6 +35,10 @@ pub struct SceneUniform {
     key_colour: [f32; 4],
     ambient_sky: [f32; 4],
     ambient_ground: [f32; 4],
+    moon_colour: [f32; 4],
+    sun_place: [f32; 4],
+    moon_place: [f32; 4],
+    orb: [f32; 4],
     fraction: [f32; 4],
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
@@ -71,12 +76,33 @@ impl SceneUniform {
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), 0.0),
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
+            moon_colour: with(sky.moon_colour.into(), sky.clouds),
+            sun_place: orb_place(frame, |orbs| orbs.sun),
+            moon_place: orb_place(frame, |orbs| orbs.moon),
+            orb: [
+                sky.orbs
+                    .map_or(0.0, |orbs| orbs.radius_m / frame.strategy.radius_m())
+                    as f32,
+                0.0,
+                0.0,
+                0.0,
+            ],
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             shades,
             lamps: lamps(frame),
             beams: beams(frame),
         }
     }
+}
+
+/// Where a body of a closed world stands: a unit vector of the model in view coordinates.
+fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
+    let Some(orbs) = frame.sky.orbs else {
+        return [0.0; 4];
+    };
+    let view = frame.strategy.view_point(&frame.eye, which(orbs));
+    let units = view.truncate() / frame.strategy.radius_m();
+    units.extend(view.w).as_vec4().into()
 }
 
 /// The feet of the figures nearest to the eye.
@@ -147,7 +173,7 @@ pub struct ChunkInstance {
     pub blend: f32,
     /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
-    /// Which lamps, by 64 bits, and which beams may light the chunk.
+    /// Which lamps, by 64 bits, and which beams, by 16, may light the chunk, and above those the level of its land.
     pub lights: [u32; 3],
 }
 
@@ -182,10 +208,17 @@ impl ChunkInstance {
         }
     }
 
-    /// The same, with lights that may fall on it.
+    /// The same, with lights that may fall on it, whose triangles are those of a level.
     #[must_use]
-    pub fn lit(self, lights: [u32; 3]) -> Self {
-        Self { lights, ..self }
+    pub fn lit(self, lights: [u32; 3], level: Level) -> Self {
+        let [near, far, beams] = lights;
+        if lights == [0; 3] {
+            return self;
+        }
+        Self {
+            lights: [near, far, beams | (level.index() as u32) << BEAMS],
+            ..self
+        }
     }
 
     /// The same, in a blend.
@@ -210,23 +243,23 @@ fn wrap_m(x: f64) -> f64 {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct FigureInstance {
-    /// The feet from the reference, metres.
+    /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub hemisphere: u32,
-    /// Cosine and sine of the heading, angle of the swing in radians, rise of the body in metres.
-    pub pose: [f32; 4],
-    /// View coordinates of the feet, and per metre along x, y and z, where the figure is ported as a whole.
+    /// The hemisphere's number in the lowest bit, and above it the figure's place in its batch of joints.
+    pub flags: u32,
+    /// How it is turned in the chart: a quaternion, its real part last.
+    pub turn: [f32; 4],
+    /// View coordinates of the origin, and per metre along x, y and z, where the figure is ported as a whole.
     pub frame: [[f32; 4]; 4],
     /// Which lamps, by 64 bits, and which beams may light the figure.
     pub lights: [u32; 3],
 }
 
 impl FigureInstance {
-    /// Attributes from location 4 on.
+    /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
-        4 => Float32x3, 5 => Uint32, 6 => Float32x4,
-        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4, 11 => Uint32x3
+        3 => Float32x3, 4 => Uint32, 5 => Float32x4,
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x3
     ];
 }
 
@@ -322,6 +355,10 @@ mod tests {
             ("key_colour", offset_of!(SceneUniform, key_colour)),
             ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
             ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+            ("moon_colour", offset_of!(SceneUniform, moon_colour)),
+            ("sun_place", offset_of!(SceneUniform, sun_place)),
+            ("moon_place", offset_of!(SceneUniform, moon_place)),
+            ("orb", offset_of!(SceneUniform, orb)),
             ("fraction", offset_of!(SceneUniform, fraction)),
             ("shades", offset_of!(SceneUniform, shades)),
             ("lamps", offset_of!(SceneUniform, lamps)),

@@ -15,7 +15,7 @@ use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strat
 use antipode_scene::frame::{ChunkChange, Frame, Marker};
 use antipode_terrain::ChunkMesh;
 use common::{
-    GEOMETRIES, Studio, difference, frame, land, middle_of_change, noon, plates, seen_at, space,
+    GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
 };
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
@@ -240,7 +240,6 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, -1.0));
     let mut frame = Frame {
         chunk_changes: vec![ChunkChange::Put(corner, plates(&[strip]))],
-        sky: noon(false),
         ..frame(&space, eye, ASPECT)
     };
     frame.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;

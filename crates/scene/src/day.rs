@@ -5,9 +5,10 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::Strategy;
+use antipode_geometry::{Eye, Strategy};
 use glam::Vec3;
 
+use crate::closed_day;
 use crate::frame::Sky;
 use crate::tuning::DAY_S;
 
@@ -112,15 +113,13 @@ const MOMENTS: [Palette; 10] = [
 ];
 
 const MOON_COLOUR: Vec3 = Vec3::new(0.30, 0.36, 0.52);
-/// Light over a spherical world, which has no sun: straight down, always.
-const ZENITH_LIGHT: Vec3 = Vec3::new(1.05, 1.0, 0.92);
 
-/// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) in the given space.
-pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy) -> Sky {
+/// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) for an eye in the given space.
+pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
     if strategy.has_sky() {
         dome(time_of_day_s)
     } else {
-        enclosed()
+        closed_day::sky(time_of_day_s, strategy, eye)
     }
 }
 
@@ -152,27 +151,18 @@ fn dome(time_of_day_s: f64) -> Sky {
         moon_direction: moon.into(),
         key_direction: key_direction.into(),
         key_colour: key_colour.into(),
+        moon_colour: MOON_COLOUR.into(),
         ambient_sky: ambient_sky.into(),
         ambient_ground: ambient_ground.into(),
         dome: true,
+        clouds: clouds(time_s),
+        orbs: None,
     }
 }
 
-fn enclosed() -> Sky {
-    let haze = [0.50, 0.62, 0.74];
-    Sky {
-        top: haze,
-        horizon: haze,
-        glare: [1.0, 0.96, 0.9],
-        stars: 0.0,
-        sun_direction: Vec3::Y.into(),
-        moon_direction: Vec3::NEG_Y.into(),
-        key_direction: Vec3::Y.into(),
-        key_colour: (ZENITH_LIGHT * 1.15).into(),
-        ambient_sky: [0.26, 0.32, 0.40],
-        ambient_ground: [0.17, 0.16, 0.15],
-        dome: false,
-    }
+/// Clouds gather in the afternoon and are fewest before sunrise.
+fn clouds(time_s: f64) -> f32 {
+    (0.5 - 0.18 * (time_s / DAY_S * 2.0 * PI + 0.4).cos()) as f32
 }
 
 fn palette_at(time_s: f64) -> Palette {
@@ -199,12 +189,20 @@ fn smooth(from: f32, to: f32, x: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, strategy};
+    use antipode_geometry::{ChartPoint, Geometry, strategy};
+    use glam::DVec3;
 
     use super::*;
 
     fn at(time_s: f64) -> Sky {
-        sky(time_s, &*strategy(Geometry::Euclidean, 0.0))
+        let eye = Eye {
+            point: ChartPoint::a(DVec3::ZERO),
+            yaw: 0.0,
+            pitch: 0.0,
+            dial: 0.0,
+            lift_m: 0.0,
+        };
+        sky(time_s, &*strategy(Geometry::Euclidean, 0.0), &eye)
     }
 
     #[test]
@@ -240,14 +238,5 @@ mod tests {
                 "black at {tick} s"
             );
         }
-    }
-
-    #[test]
-    fn a_spherical_world_is_lit_from_above_at_every_hour() {
-        let sphere = strategy(Geometry::Spherical, 32.0);
-        let noon = sky(150.0, &*sphere);
-        assert_eq!(noon, sky(450.0, &*sphere));
-        assert_eq!(noon.key_direction, [0.0, 1.0, 0.0]);
-        assert!(!noon.dome);
     }
 }

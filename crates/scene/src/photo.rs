@@ -87,12 +87,13 @@ impl Scene {
             Vec::new()
         };
         let strategy = view.lens.strategy();
-        let sky = crate::day::sky(view.time_of_day_s, &**strategy);
+        let sky = crate::day::sky(view.time_of_day_s, &**strategy, &view.eye);
         Frame {
             eye: view.eye,
             strategy: std::sync::Arc::clone(strategy),
             sky,
             figures,
+            hand: None,
             lights: self.lights(&view.eye),
             marker: None,
             fog_distance_m: self.fog_distance_from_m(&view.eye, &**strategy),

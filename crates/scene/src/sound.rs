@@ -108,7 +108,7 @@ impl Scene {
     pub fn surroundings(&self) -> Surroundings {
         let (position, _, body, _) = self.player_parts();
         let (low_m, high_m) = self.ground.height_range_m();
-        let sky = day::sky(self.time_of_day_s, &*self.strategy);
+        let sky = day::sky(self.time_of_day_s, &*self.strategy, &self.eye());
         Surroundings {
             day: 1.0 - f64::from(sky.stars),
             height_m: position.0.pos.y - low_m,

@@ -138,18 +138,17 @@ fn the_same_actions_are_heard_the_same() {
 }
 
 #[test]
-fn night_and_height_are_told_and_a_world_without_a_sky_has_no_night() {
-    let mut flat = standing(Geometry::Euclidean);
-    flat.set_time_of_day_s(150.0);
-    let noon = flat.surroundings();
-    flat.set_time_of_day_s(450.0);
-    let midnight = flat.surroundings();
-    assert!(
-        noon.day > 0.99 && midnight.day < 0.01,
-        "{noon:?} {midnight:?}"
-    );
-    assert!((0.0..=noon.relief_m).contains(&noon.height_m), "{noon:?}");
-    let mut sphere = standing(Geometry::Spherical);
-    sphere.set_time_of_day_s(450.0);
-    assert_eq!(sphere.surroundings().day, 1.0);
+fn night_and_height_are_told_in_every_space() {
+    for geometry in Geometry::ALL {
+        let mut scene = standing(geometry);
+        scene.set_time_of_day_s(150.0);
+        let noon = scene.surroundings();
+        scene.set_time_of_day_s(450.0);
+        let midnight = scene.surroundings();
+        assert!(
+            noon.day > 0.99 && midnight.day < 0.01,
+            "{geometry}: {noon:?} {midnight:?}"
+        );
+        assert!((0.0..=noon.relief_m).contains(&noon.height_m), "{noon:?}");
+    }
 }

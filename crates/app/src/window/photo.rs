@@ -213,7 +213,7 @@ impl Game {
         let model = PhotoModel {
             texts: &self.texts,
             dial: lens.range().map(|(min, max)| (kind, min, max)),
-            day_s: lens.strategy().has_sky().then_some(DAY_S),
+            day_s: Some(DAY_S),
             clock: &clock,
             size,
             most_times,

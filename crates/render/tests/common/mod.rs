@@ -111,38 +111,48 @@ pub fn space(geometry: Geometry) -> Arc<dyn Strategy> {
     }
 }
 
-pub fn noon(dome: bool) -> Sky {
+pub fn noon() -> Sky {
     let sun = Vec3::new(0.4, 0.8, -0.3).normalize().to_array();
     Sky {
         top: [0.10, 0.28, 0.66],
         horizon: [0.50, 0.62, 0.74],
         glare: [1.0, 0.95, 0.85],
         stars: 0.0,
-        sun_direction: if dome { sun } else { [0.0, 1.0, 0.0] },
+        sun_direction: sun,
         moon_direction: [0.0, -1.0, 0.0],
-        key_direction: if dome { sun } else { [0.0, 1.0, 0.0] },
+        key_direction: sun,
         key_colour: [1.8, 1.7, 1.5],
         ambient_sky: [0.3, 0.4, 0.5],
+        moon_colour: [0.3, 0.36, 0.52],
         ambient_ground: [0.2, 0.18, 0.16],
-        dome,
+        dome: true,
+        clouds: 0.0,
+        orbs: None,
     }
 }
 
 /// An empty frame seen from `point` along +x.
 pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame {
+    let eye = Eye {
+        point,
+        yaw: 0.0,
+        pitch: 0.0,
+        dial: 10.0,
+        lift_m: 1.62,
+    };
+    let sky = match (space.has_sky(), point.hemisphere) {
+        (true, _) => noon(),
+        (false, Hemisphere::A) => antipode_scene::day::sky(150.0, &**space, &eye),
+        (false, Hemisphere::B) => antipode_scene::day::sky(450.0, &**space, &eye),
+    };
     Frame {
-        eye: Eye {
-            point,
-            yaw: 0.0,
-            pitch: 0.0,
-            dial: 10.0,
-            lift_m: 1.62,
-        },
+        eye,
         projection: Projection::new(75f64.to_radians(), aspect, 0.02),
         strategy: Arc::clone(space),
-        sky: noon(space.has_sky()),
+        sky,
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 150.0,

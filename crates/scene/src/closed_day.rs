@@ -1,0 +1,161 @@
+//! The day of a closed world, where no sky is seen: a sun and a moon go round over the land, so that morning and night
+//! sweep round the world.
+//!
+//! The land of the three-sphere is a shell about the great sphere y = 0, and the free room over it a ball about the
+//! pole (0, 1, 0, 0). Each body keeps to one height in that room, on opposite sides of it, and their feet run along a
+//! great circle over the centre of A at noon and over that of B at midnight. Distances in the space decide how much
+//! light arrives: on the far side light would come together again, as everything does at an antipode, and there would
+//! be no night; so it is taken to fade in the haze on its way.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use glam::{DVec3, Vec3};
+
+use crate::frame::{Orbs, Sky};
+use crate::tuning::DAY_S;
+
+/// Heights of sun and moon, radii: over the highest land, at 0.5, and within the room below the pole, at 1.57. They
+/// differ, so that neither hides the other where one stands overhead and the other beyond it.
+const SUN_HEIGHT: f64 = 0.85;
+const MOON_HEIGHT: f64 = 1.05;
+/// Their size, radii.
+const SIZE: f64 = 0.045;
+/// Cosines of the distance from the sun, in radii, past which it is night and within which it is full day.
+const NIGHT_AND_DAY: [f32; 2] = [-0.08, 0.48];
+/// The haze by day, and what is left of it by night.
+const DAY_HAZE: Vec3 = Vec3::new(0.50, 0.62, 0.74);
+/// As `closed_haze` of common.wgsl.
+const NIGHT_HAZE: Vec3 = Vec3::new(0.055, 0.065, 0.10);
+const SUN_COLOUR: Vec3 = Vec3::new(1.21, 1.13, 1.02);
+const MOON_COLOUR: Vec3 = Vec3::new(0.17, 0.22, 0.34);
+
+/// Sky and light at a time of day, as seen by an eye in a closed world.
+pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
+    let radius_m = strategy.radius_m();
+    let turn = time_of_day_s.rem_euclid(DAY_S) / (DAY_S / 2.0) * PI;
+    let orbs = Orbs {
+        sun: over_land(turn, SUN_HEIGHT, radius_m),
+        moon: over_land(turn + PI, MOON_HEIGHT, radius_m),
+        radius_m: SIZE * radius_m,
+    };
+    let day = daylight(strategy, orbs.sun, eye);
+    let haze = DAY_HAZE * NIGHT_HAZE.lerp(Vec3::ONE, day);
+    let sun = toward(strategy, eye, orbs.sun);
+    let moon = toward(strategy, eye, orbs.moon);
+    Sky {
+        top: haze.into(),
+        horizon: DAY_HAZE.into(),
+        glare: [1.0, 0.93, 0.80],
+        stars: 1.0 - day,
+        sun_direction: sun.into(),
+        moon_direction: moon.into(),
+        key_direction: if day > 0.0 { sun } else { moon }.into(),
+        key_colour: SUN_COLOUR.into(),
+        moon_colour: MOON_COLOUR.into(),
+        ambient_sky: [0.26, 0.32, 0.40],
+        ambient_ground: [0.17, 0.16, 0.15],
+        dome: false,
+        clouds: 0.0,
+        orbs: Some(orbs),
+    }
+}
+
+/// Where a body at a height in radii stands after a turn in radians from sunrise, when it is over the equator at -z as
+/// seen from the centre of A.
+fn over_land(turn: f64, height: f64, radius_m: f64) -> ChartPoint {
+    let (sin, cos) = turn.sin_cos();
+    let hemisphere = if sin < 0.0 {
+        Hemisphere::B
+    } else {
+        Hemisphere::A
+    };
+    let from_centre = FRAC_PI_2 - sin.abs().clamp(0.0, 1.0).asin();
+    let z = -from_centre.copysign(cos);
+    ChartPoint::new(hemisphere, DVec3::new(0.0, height, z) * radius_m)
+}
+
+/// How much of the day's light there is at an eye, 0 to 1: `daylight_at` of common.wgsl.
+fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
+    let away = strategy.distance_m(eye.point, sun, eye) / strategy.radius_m();
+    let [night, day] = NIGHT_AND_DAY;
+    let t = ((away.cos() as f32 - night) / (day - night)).clamp(0.0, 1.0);
+    t * t * (3.0 - 2.0 * t)
+}
+
+/// The chart direction, at the eye, in which a point is seen.
+fn toward(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> Vec3 {
+    let view = strategy.view_point(eye, point).truncate();
+    let seen = eye.right() * view.x + eye.up() * view.y - eye.front() * view.z;
+    seen.normalize_or(DVec3::Y).as_vec3()
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    const RADIUS_M: f64 = 64.0;
+
+    fn eye(hemisphere: Hemisphere, x: f64, z: f64) -> Eye {
+        let pos = DVec3::new(x, 0.3 * RADIUS_M, z);
+        Eye {
+            point: ChartPoint::new(hemisphere, pos),
+            yaw: 0.4,
+            pitch: 0.1,
+            dial: 0.0,
+            lift_m: 0.0,
+        }
+    }
+
+    fn day_at(time_s: f64, eye: &Eye) -> f32 {
+        1.0 - sky(time_s, &*strategy(Geometry::Spherical, RADIUS_M), eye).stars
+    }
+
+    #[test]
+    fn noon_at_the_centre_of_one_hemisphere_is_midnight_at_that_of_the_other() {
+        let (a, b) = (eye(Hemisphere::A, 0.0, 0.0), eye(Hemisphere::B, 0.0, 0.0));
+        assert_eq!((day_at(150.0, &a), day_at(150.0, &b)), (1.0, 0.0));
+        assert_eq!((day_at(450.0, &a), day_at(450.0, &b)), (0.0, 1.0));
+        let noon = sky(150.0, &*strategy(Geometry::Spherical, RADIUS_M), &a);
+        assert!(noon.sun_direction[1] > 0.999, "{:?}", noon.sun_direction);
+    }
+
+    #[test]
+    fn morning_sweeps_round_the_world() {
+        let rim_m = FRAC_PI_2 * RADIUS_M;
+        let places = [-0.9, -0.45, 0.0, 0.45, 0.9].map(|z| eye(Hemisphere::A, 0.0, z * rim_m));
+        let dawns = places.map(|place| {
+            let dark_s = (0..DAY_S as u32).rfind(|s| day_at(f64::from(*s), &place) == 0.0);
+            let dark_s = f64::from(dark_s.unwrap_or_default());
+            let light = (0..DAY_S as u32).find(|s| {
+                let before = day_at(f64::from(*s) + dark_s, &place);
+                before > 0.5
+            });
+            (dark_s + f64::from(light.unwrap_or_default())).rem_euclid(DAY_S)
+        });
+        let first = dawns[0];
+        let after = dawns.map(|dawn| (dawn - first).rem_euclid(DAY_S));
+        assert!(after.is_sorted() && after[4] > 200.0, "{dawns:?}");
+    }
+
+    #[test]
+    fn light_changes_without_a_step_all_day_and_on_a_walk_over_the_equator() {
+        let place = eye(Hemisphere::A, 12.0, 40.0);
+        for tick in 0..6000 {
+            let at = f64::from(tick) * 0.1;
+            let (a, b) = (day_at(at, &place), day_at(at + 0.1, &place));
+            assert!((a - b).abs() < 0.003, "{a} and {b} at {at} s");
+        }
+        let space = strategy(Geometry::Spherical, RADIUS_M);
+        let rim = eye(Hemisphere::A, 0.0, FRAC_PI_2 * RADIUS_M);
+        let carried = space.carry(rim.point).map(|crossing| crossing.point);
+        let other = Eye {
+            point: carried.unwrap_or(rim.point),
+            ..rim
+        };
+        assert_ne!(other.point.hemisphere, rim.point.hemisphere);
+        assert!((day_at(260.0, &rim) - day_at(260.0, &other)).abs() < 1e-6);
+    }
+}
