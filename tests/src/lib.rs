@@ -1,6 +1,7 @@
 //! Helpers shared by the tests: running the program, reading its probes, comparing pictures.
 
 pub mod background;
+pub mod processes;
 pub mod program;
 pub mod seam;
 pub mod window;

@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 
 use image::RgbImage;
 
+use crate::processes::{arguments, started_with};
 use crate::program::game;
 
 /// Longest wait for something to appear; a deadline for a hung program, not a measure of speed.
@@ -31,7 +32,9 @@ static KEYBOARD: Mutex<()> = Mutex::new(());
 /// A game in a window on the test display. While it is open no other test of the same program opens one.
 #[derive(Debug)]
 pub struct Window {
-    child: Child,
+    /// `None` of a game that another game has started.
+    child: Option<Child>,
+    process: u32,
     display: String,
     id: String,
     /// What it writes to standard error.
@@ -82,54 +85,114 @@ impl Window {
             .spawn()
             .expect("the program starts");
         let mut window = Self {
-            child,
+            process: child.id(),
+            child: Some(child),
             display: display.to_owned(),
             id: String::new(),
             words,
             _keyboard: keyboard,
         };
+        if window.find() {
+            window.focus();
+        }
+        window
+    }
+
+    /// Finds the window of a game that another one on these saves has started with that option, and gives it the
+    /// keyboard.
+    ///
+    /// # Panics
+    /// When there is none.
+    pub fn follow(display: &str, saves: &Path, option: &str) -> Self {
+        let keyboard = KEYBOARD.lock().unwrap_or_else(PoisonError::into_inner);
         let began = Instant::now();
-        while window.id.is_empty() {
-            if !window.is_alive() {
-                return window;
+        let process = loop {
+            if let Some(process) = started_with(saves, option) {
+                break process;
             }
-            window.give_up_after(began, "the window never appeared");
+            assert!(
+                began.elapsed() < PATIENCE,
+                "no game was started with {option}"
+            );
+            sleep(GLANCE);
+        };
+        let mut window = Self {
+            child: None,
+            process,
+            display: display.to_owned(),
+            id: String::new(),
+            words: saves.join("stderr.txt"),
+            _keyboard: keyboard,
+        };
+        assert!(window.find(), "the game ended: {}", window.said());
+        window.focus();
+        window
+    }
+
+    /// Waits for the window; whether the game is still there.
+    fn find(&mut self) -> bool {
+        let began = Instant::now();
+        while self.id.is_empty() {
+            if !self.is_alive() {
+                return false;
+            }
+            self.give_up_after(began, "the window never appeared");
             // By its process, too: others may have the game open on the same display.
-            let process = window.child.id().to_string();
+            let process = self.process.to_string();
             let search = ["search", "--all", "--pid", &process, "--name", "^Antipode$"];
-            let found = window.tool("xdotool", &search);
+            let found = self.tool("xdotool", &search);
             let listed = String::from_utf8_lossy(&found.stdout).into_owned();
             listed
                 .lines()
                 .next()
                 .unwrap_or_default()
-                .clone_into(&mut window.id);
+                .clone_into(&mut self.id);
             sleep(GLANCE);
         }
-        let focus = ["windowfocus", "--sync", &window.id.clone()];
-        let focused = window.tool("xdotool", &focus);
+        true
+    }
+
+    /// Gives it the keyboard.
+    fn focus(&mut self) {
+        let focus = ["windowfocus", "--sync", &self.id.clone()];
+        let focused = self.tool("xdotool", &focus);
         if !focused.status.success() {
             // A window that goes away in this moment cannot be given the keyboard.
             sleep(GONE_WITHIN);
             let words = String::from_utf8_lossy(&focused.stderr);
-            assert!(!window.is_alive(), "xdotool {focus:?}: {words}");
+            assert!(!self.is_alive(), "xdotool {focus:?}: {words}");
         }
-        window
     }
 
     /// Clicks a button at a place of the window, in pixels.
     pub fn click(&self, x: u32, y: u32) {
-        self.xdotool(&[
-            "mousemove",
-            "--window",
-            &self.id,
-            &x.to_string(),
-            &y.to_string(),
-        ]);
+        self.drag((x, y), (x, y));
+    }
+
+    /// Clicks with the right button at a place of the window, in pixels.
+    pub fn click_right(&self, x: u32, y: u32) {
+        self.press_between("3", (x, y), (x, y));
+    }
+
+    /// Presses the left button at a place of the window and lets go of it at another, in pixels.
+    pub fn drag(&self, from: (u32, u32), to: (u32, u32)) {
+        self.press_between("1", from, to);
+    }
+
+    fn press_between(&self, button: &str, from: (u32, u32), to: (u32, u32)) {
+        self.move_to(from);
+        self.xdotool(&["mousedown", button]);
         sleep(GLANCE);
-        self.xdotool(&["mousedown", "1"]);
+        if from != to {
+            self.move_to(to);
+        }
+        self.xdotool(&["mouseup", button]);
         sleep(GLANCE);
-        self.xdotool(&["mouseup", "1"]);
+    }
+
+    fn move_to(&self, (x, y): (u32, u32)) {
+        let (x, y) = (x.to_string(), y.to_string());
+        self.xdotool(&["mousemove", "--window", &self.id, &x, &y]);
         sleep(GLANCE);
     }
 
@@ -221,8 +284,13 @@ impl Window {
     /// # Panics
     /// When nobody can tell.
     pub fn is_alive(&mut self) -> bool {
-        let ended = self.child.try_wait();
-        ended.expect("the program can be asked").is_none()
+        match &mut self.child {
+            Some(child) => {
+                let ended = child.try_wait();
+                ended.expect("the program can be asked").is_none()
+            }
+            None => arguments(self.process).is_some(),
+        }
     }
 
     /// Holds a key for a while.
@@ -291,7 +359,19 @@ impl Window {
 
     /// The number of the program's process.
     pub fn process(&self) -> u32 {
-        self.child.id()
+        self.process
+    }
+
+    /// Waits until a game that another one has started is gone.
+    ///
+    /// # Panics
+    /// When it does not end.
+    pub fn gone(mut self) {
+        let began = Instant::now();
+        while self.is_alive() {
+            self.give_up_after(began, "the program did not end");
+            sleep(GLANCE);
+        }
     }
 
     /// Waits until the program has ended by itself; its exit status.
@@ -301,11 +381,11 @@ impl Window {
     pub fn ended(mut self) -> Option<i32> {
         let began = Instant::now();
         loop {
-            if let Some(status) = self
+            let child = self
                 .child
-                .try_wait()
-                .expect("the program can be waited for")
-            {
+                .as_mut()
+                .expect("a game that this test has started");
+            if let Some(status) = child.try_wait().expect("the program can be waited for") {
                 return status.code();
             }
             self.give_up_after(began, "the program did not end");
@@ -320,8 +400,22 @@ impl Window {
             if !self.id.is_empty() {
                 self.tool("import", &["-window", &self.id.clone(), &path]);
             }
-            let _ = self.child.kill();
+            self.kill();
             panic!("{what} (picture: {path})\n{}", self.said());
+        }
+    }
+
+    fn kill(&mut self) {
+        match &mut self.child {
+            Some(child) => {
+                let _ = child.kill();
+                let _ = child.wait();
+            }
+            None if arguments(self.process).is_some() => {
+                let process = self.process.to_string();
+                let _ = Command::new("kill").args(["-KILL", &process]).status();
+            }
+            None => {}
         }
     }
 
@@ -345,7 +439,6 @@ impl Window {
 
 impl Drop for Window {
     fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+        self.kill();
     }
 }

@@ -18,6 +18,10 @@ const LIMIT: Duration = Duration::from_mins(1);
 const PIXEL: f64 = 2.0 / 720.0;
 
 fn scene(geometry: Geometry) -> Scene {
+    seeded(geometry, 6)
+}
+
+fn seeded(geometry: Geometry, seed: u64) -> Scene {
     let radius_m = if geometry == Geometry::Spherical {
         32.0
     } else {
@@ -25,7 +29,7 @@ fn scene(geometry: Geometry) -> Scene {
     };
     let setup = WorldSetup {
         name: "Marker".to_owned(),
-        seed: 6,
+        seed,
         geometry,
         radius_m,
         view_distance: 2,
@@ -50,6 +54,27 @@ fn stand(scene: &mut Scene, point: ChartPoint) {
     scene.teleport(point);
     assert!(scene.wait_for_step(LIMIT));
     assert!(scene.settle(LIMIT));
+}
+
+#[test]
+fn a_view_along_an_axis_of_the_chart_finds_the_same_ground_as_one_beside_it() {
+    for seed in [7, 9] {
+        let mut scene = seeded(Geometry::Euclidean, seed);
+        let mut found = |yaw: f64, pitch: f64| {
+            scene.aim(yaw.to_radians(), pitch.to_radians());
+            let marker = scene.marker().expect("a pickaxe is in hand");
+            marker.point.pos.distance(scene.eye().point.pos)
+        };
+        for yaw in [-90.0, 0.0, 90.0, 180.0] {
+            for pitch in [-12.0, -15.0, -20.0, -22.0, -30.0, -40.0] {
+                let (along, beside) = (found(yaw, pitch), found(yaw + 0.01, pitch));
+                assert!(
+                    (along - beside).abs() < 0.1,
+                    "{yaw} {pitch} in {seed}: {along} m and {beside} m"
+                );
+            }
+        }
+    }
 }
 
 #[test]

@@ -36,6 +36,26 @@ fn walking_digging_building_saving_and_loading_bring_the_same_world_back() {
 }
 
 #[test]
+fn a_new_player_has_ground_in_reach_under_the_crosshair() {
+    for space in SPACES {
+        for seed in [1, 3, 7, 9, 12] {
+            let saves = tempfile::tempdir().unwrap();
+            let run = run(
+                saves.path(),
+                &format!("new {space} seed={seed}\nwait 0.5\nprobe"),
+            );
+            let probe = run.probe(0);
+            let pitch = number(probe, "player.pitch");
+            assert!((-45.0..-2.0).contains(&pitch), "{pitch} degrees");
+            let at = |of: &str| [0, 1, 2].map(|axis| number(probe, &format!("{of}.{axis}")));
+            let (eye, marker) = (at("camera.pos"), at("marker.pos"));
+            let off: f64 = eye.iter().zip(marker).map(|(a, b)| (a - b).powi(2)).sum();
+            assert!(off.sqrt() < 22.0, "{space} {seed}: {} m off", off.sqrt());
+        }
+    }
+}
+
+#[test]
 fn the_same_script_gives_the_same_probes() {
     let script = "new hyperbolic seed=5\nhold KeyW 2\naim 30 -40\nhold LEFT 1.2\nhold KeyD 1\ntap Space\nwait 0.5\nprobe\nhold KeyS 1\nprobe";
     let saves = tempfile::tempdir().unwrap();

@@ -17,6 +17,10 @@ use antipode_tests::window::{Window, display, settings_file, settle_settings};
 use image::RgbImage;
 use tempfile::TempDir;
 
+// Beside this file it would be a test program of its own, and two of them fight for the keyboard.
+#[path = "walk/backpack.rs"]
+mod backpack;
+
 /// Small, so that software draws it quickly; the menu has both its columns.
 const SMALL: [&str; 4] = ["--size", "800x600", "--view-distance", "1"];
 /// What the display of the tests shows, pixels.
@@ -397,8 +401,10 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     game.hold_key("w", Duration::from_millis(1500));
     game.hold_key("space", Duration::from_millis(400));
     game.hold_left(Duration::from_secs(1));
-    // What is left: building, and the menu.
-    let building = game.wait_until("the hint about building", shows_hint);
+    // What is left: building, the backpack, and the menu.
+    game.wait_until("the hint about building", shows_hint);
+    game.key("n");
+    let building = game.wait_until("the hint about the backpack", shows_hint);
     game.key("n");
     game.wait_until("the last hint", |picture| {
         let plate = |picture| image::imageops::crop_imm(picture, 350, 80, 100, 30).to_image();

@@ -10,7 +10,7 @@ menu-delete = Löschen
 menu-controls = Steuerung
 menu-quit = Beenden
 version = Version { $version }
-adapter-software = Es wurde keine Grafikkarte gefunden: der Prozessor zeichnet ({ $adapter }), die Welt in { $percent } % der Fensterauflösung. Es gibt weniger Bilder pro Sekunde; ein kleines Fenster, kleine Sichtweite oder Auflösung hilft.
+adapter-software = Keine Grafikkarte gefunden: der Prozessor zeichnet ({ $adapter }), in { $percent } % der Fensterauflösung. Ein kleines Fenster oder kleine Sichtweite hilft.
 running-world = { $name } · Startwert { $seed }
 
 back = Zurück

@@ -61,7 +61,13 @@ name-taken = Es gibt schon eine Welt namens „{ $name }“.
 
 no-adapter = Auf diesem Rechner wurde keine Grafikkarte gefunden, die das Spiel nutzen kann ({ $found }). Installiere ihren Treiber oder starte das Spiel mit --adapter software.
 adapter-lost = Die Grafikkarte ist verloren gegangen. Deine Welt ist sicher; starte das Spiel neu.
+adapter-refuses = Die Grafikkarte lehnt einen Shader des Spiels ab ({ $details }). Aktualisiere ihren Treiber oder starte das Spiel mit --adapter software.
 adapter-reopened = Die Grafikkarte war verloren gegangen und wurde neu geöffnet.
+
+# Why the game was started anew after its graphics had failed for good, and what draws now.
+graphics-title = Die Grafik ist ausgefallen
+graphics-lost = Die Grafikkarte ist verloren gegangen und ließ sich nicht wieder öffnen. Deine Welt ist gespeichert.
+graphics-software = Das Spiel wurde neu gestartet, und jetzt zeichnet der Prozessor, was langsamer ist. Um es wieder mit der Grafikkarte zu versuchen, beende das Spiel und starte es noch einmal.
 
 # Ein Absturz des Spiels zuvor.
 crash-title = Das Spiel ist abgestürzt

@@ -6,6 +6,7 @@ hints-jump = Springen: { $key }
 hints-dig = Graben, gedrückt halten: { $key }
 hints-build = Bauen, gedrückt halten: { $key }
 hints-curve = Den Raum anders abbilden: { $up } und { $down }
+hints-backpack = Den Rucksack öffnen: { $key }
 hints-menu = Pause, Einstellungen, alle Tasten: { $key }
 hints-footer = { $step } von { $count } · überspringen: { $key }
 hints-footer-plain = { $step } von { $count }

@@ -15,9 +15,9 @@ worlds-played = { $time } gespielt
 worlds-played-briefly = unter einer Minute
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
-worlds-size = { $megabytes } MB
+worlds-size = { $megabytes } MB
 worlds-edits = { $count ->
-    [0] nichts von Hand geändert
+    [0] noch nichts geändert
     [one] { $count } geänderter Block
    *[other] { $count } geänderte Blöcke
 }

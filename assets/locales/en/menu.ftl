@@ -10,7 +10,7 @@ menu-delete = Delete
 menu-controls = Controls
 menu-quit = Quit
 version = Version { $version }
-adapter-software = No graphics card was found: the processor draws ({ $adapter }), the world in { $percent } % of the window's resolution. Expect fewer pictures a second; a small window, view distance or resolution helps.
+adapter-software = No graphics card was found: the processor draws ({ $adapter }), at { $percent } % of the window's resolution. A small window or view distance helps.
 running-world = { $name } · seed { $seed }
 
 back = Back

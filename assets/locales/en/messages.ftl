@@ -66,7 +66,13 @@ name-taken = There is a world called “{ $name }” already.
 # The graphics adapter.
 no-adapter = No graphics card that the game can use was found on this machine ({ $found }). Install its driver, or start the game with --adapter software.
 adapter-lost = The graphics adapter was lost. Your world is safe; start the game again.
+adapter-refuses = The graphics adapter refuses a shader of the game ({ $details }). Update its driver, or start the game with --adapter software.
 adapter-reopened = The graphics adapter was lost and has been opened again.
+
+# Why the game was started anew after its graphics had failed for good, and what draws now.
+graphics-title = The graphics have failed
+graphics-lost = The graphics adapter was lost and could not be opened again. Your world is saved.
+graphics-software = The game has been started anew, and the processor draws now, which is slower. To try the graphics card again, quit and start the game once more.
 
 # A crash of the game before this one.
 crash-title = The game has crashed

@@ -6,6 +6,7 @@ hints-jump = Jump: { $key }
 hints-dig = Dig, held down: { $key }
 hints-build = Build, held down: { $key }
 hints-curve = Change how space is pictured: { $up } and { $down }
+hints-backpack = Open the backpack: { $key }
 hints-menu = Pause, settings, all the keys: { $key }
 hints-footer = { $step } of { $count } · skip: { $key }
 hints-footer-plain = { $step } of { $count }

@@ -15,9 +15,9 @@ worlds-played = played { $time }
 worlds-played-briefly = under a minute
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
-worlds-size = { $megabytes } MB
+worlds-size = { $megabytes } MB
 worlds-edits = { $count ->
-    [0] nothing changed by hand
+    [0] nothing changed yet
     [one] { $count } changed chunk
    *[other] { $count } changed chunks
 }

@@ -10,7 +10,7 @@ menu-delete = Borrar
 menu-controls = Controles
 menu-quit = Salir del juego
 version = Versión { $version }
-adapter-software = No se encontró ninguna tarjeta gráfica: dibuja el procesador ({ $adapter }), y el mundo al { $percent } % de la resolución de la ventana. Habrá menos imágenes por segundo; ayuda una ventana, distancia o resolución pequeña.
+adapter-software = No se encontró tarjeta gráfica: dibuja el procesador ({ $adapter }), al { $percent } % de la resolución de la ventana. Ayuda una ventana o distancia pequeña.
 running-world = { $name } · semilla { $seed }
 
 back = Atrás

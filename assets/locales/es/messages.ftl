@@ -61,7 +61,13 @@ name-taken = Ya hay un mundo llamado «{ $name }».
 
 no-adapter = No se encontró en este equipo ninguna tarjeta gráfica que el juego pueda usar ({ $found }). Instala su controlador o inicia el juego con --adapter software.
 adapter-lost = Se perdió la tarjeta gráfica. Tu mundo está a salvo; inicia el juego de nuevo.
+adapter-refuses = La tarjeta gráfica rechaza un shader del juego ({ $details }). Actualiza su controlador o inicia el juego con --adapter software.
 adapter-reopened = Se perdió la tarjeta gráfica y se ha vuelto a abrir.
+
+# Why the game was started anew after its graphics had failed for good, and what draws now.
+graphics-title = Los gráficos han fallado
+graphics-lost = Se perdió la tarjeta gráfica y no se pudo volver a abrir. Tu mundo está guardado.
+graphics-software = El juego se ha vuelto a iniciar y ahora dibuja el procesador, que es más lento. Para probar otra vez con la tarjeta gráfica, sal del juego e inícialo de nuevo.
 
 # Un fallo de la ejecución anterior.
 crash-title = El juego ha fallado

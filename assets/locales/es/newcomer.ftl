@@ -6,6 +6,7 @@ hints-jump = Saltar: { $key }
 hints-dig = Cavar, sin soltar: { $key }
 hints-build = Construir, sin soltar: { $key }
 hints-curve = Cambiar la imagen del espacio: { $up } y { $down }
+hints-backpack = Abrir la mochila: { $key }
 hints-menu = Pausa, ajustes, todas las teclas: { $key }
 hints-footer = { $step } de { $count } · omitir: { $key }
 hints-footer-plain = { $step } de { $count }

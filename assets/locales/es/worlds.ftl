@@ -15,9 +15,9 @@ worlds-played = jugado { $time }
 worlds-played-briefly = menos de un minuto
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } h { $minutes } min
-worlds-size = { $megabytes } MB
+worlds-size = { $megabytes } MB
 worlds-edits = { $count ->
-    [0] nada cambiado a mano
+    [0] nada cambiado todavía
     [one] { $count } bloque cambiado
    *[other] { $count } bloques cambiados
 }

@@ -10,7 +10,7 @@ menu-delete = Usuń
 menu-controls = Sterowanie
 menu-quit = Wyjdź z gry
 version = Wersja { $version }
-adapter-software = Nie znaleziono karty graficznej: rysuje procesor ({ $adapter }), a świat ma { $percent }% rozdzielczości okna. Obrazów na sekundę będzie mniej; pomaga małe okno, zasięg widzenia lub rozdzielczość.
+adapter-software = Nie znaleziono karty graficznej: rysuje procesor ({ $adapter }), w { $percent }% rozdzielczości okna. Pomaga małe okno lub zasięg widzenia.
 running-world = { $name } · ziarno { $seed }
 
 back = Wstecz

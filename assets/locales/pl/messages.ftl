@@ -68,7 +68,13 @@ name-taken = Jest już świat o nazwie „{ $name }”.
 # Karta graficzna.
 no-adapter = Na tym komputerze nie znaleziono karty graficznej, której gra może użyć ({ $found }). Zainstaluj jej sterownik albo uruchom grę z --adapter software.
 adapter-lost = Utracono kartę graficzną. Twój świat jest bezpieczny; uruchom grę ponownie.
+adapter-refuses = Karta graficzna odrzuca shader gry ({ $details }). Zaktualizuj jej sterownik albo uruchom grę z --adapter software.
 adapter-reopened = Utracono kartę graficzną i otwarto ją ponownie.
+
+# Why the game was started anew after its graphics had failed for good, and what draws now.
+graphics-title = Grafika zawiodła
+graphics-lost = Utracono kartę graficzną i nie dało się jej ponownie otworzyć. Twój świat jest zapisany.
+graphics-software = Gra uruchomiła się na nowo i teraz rysuje procesor, co jest wolniejsze. Aby znów spróbować z kartą graficzną, zamknij grę i uruchom ją jeszcze raz.
 
 # Awaria poprzedniego uruchomienia gry.
 crash-title = Gra uległa awarii

@@ -6,6 +6,7 @@ hints-jump = Skok: { $key }
 hints-dig = Kopanie, z przytrzymaniem: { $key }
 hints-build = Budowanie, z przytrzymaniem: { $key }
 hints-curve = Inny obraz przestrzeni: { $up } i { $down }
+hints-backpack = Otwórz plecak: { $key }
 hints-menu = Pauza, ustawienia, wszystkie klawisze: { $key }
 hints-footer = { $step } z { $count } · pomiń: { $key }
 hints-footer-plain = { $step } z { $count }

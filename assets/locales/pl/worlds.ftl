@@ -15,9 +15,9 @@ worlds-played = czas gry: { $time }
 worlds-played-briefly = poniżej minuty
 worlds-played-minutes = { $minutes } min
 worlds-played-hours = { $hours } godz. { $minutes } min
-worlds-size = { $megabytes } MB
+worlds-size = { $megabytes } MB
 worlds-edits = { $count ->
-    [0] nic nie zmieniono ręcznie
+    [0] nic jeszcze nie zmieniono
     [one] { $count } zmieniony blok
     [few] { $count } zmienione bloki
    *[other] { $count } zmienionych bloków

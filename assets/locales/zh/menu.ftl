@@ -10,7 +10,7 @@ menu-delete = 删除
 menu-controls = 操作
 menu-quit = 退出游戏
 version = 版本 { $version }
-adapter-software = 没有找到显卡：由处理器绘制（{ $adapter }），世界的分辨率为窗口的 { $percent }%。每秒画面会较少；较小的窗口、视距或分辨率会有帮助。
+adapter-software = 没有找到显卡：由处理器绘制（{ $adapter }），分辨率为窗口的 { $percent }%。较小的窗口或视距会有帮助。
 running-world = { $name } · 种子 { $seed }
 
 back = 返回

@@ -55,7 +55,13 @@ name-taken = 已经有一个叫“{ $name }”的世界。
 
 no-adapter = 这台电脑上没有找到游戏可用的显卡（{ $found }）。请安装显卡驱动，或用 --adapter software 启动游戏。
 adapter-lost = 显卡连接已丢失。你的世界是安全的；请重新启动游戏。
+adapter-refuses = 显卡拒绝了游戏的一个着色器（{ $details }）。请更新显卡驱动，或用 --adapter software 启动游戏。
 adapter-reopened = 显卡连接曾丢失，现已重新打开。
+
+# Why the game was started anew after its graphics had failed for good, and what draws now.
+graphics-title = 图形出现故障
+graphics-lost = 显卡连接已丢失，且无法重新打开。你的世界已保存。
+graphics-software = 游戏已重新启动，现在由处理器绘制，速度较慢。想再次尝试显卡，请退出后重新启动游戏。
 
 # 上一次运行时的崩溃。
 crash-title = 游戏崩溃了

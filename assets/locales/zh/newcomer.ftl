@@ -6,6 +6,7 @@ hints-jump = 跳跃：{ $key }
 hints-dig = 按住挖掘：{ $key }
 hints-build = 按住建造：{ $key }
 hints-curve = 改变空间的画面：{ $up }和{ $down }
+hints-backpack = 打开背包：{ $key }
 hints-menu = 暂停、设置和全部按键：{ $key }
 hints-footer = { $step } / { $count } · 跳过：{ $key }
 hints-footer-plain = { $step } / { $count }

@@ -15,9 +15,9 @@ worlds-played = 已玩 { $time }
 worlds-played-briefly = 不到一分钟
 worlds-played-minutes = { $minutes } 分钟
 worlds-played-hours = { $hours } 小时 { $minutes } 分钟
-worlds-size = { $megabytes } MB
+worlds-size = { $megabytes } MB
 worlds-edits = { $count ->
-    [0] 没有手工改动
+    [0] 尚无改动
    *[other] 改动了 { $count } 个区块
 }
 worlds-edits-unknown = 正在统计改动的区块

@@ -10,6 +10,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use crate::failure::Failure;
 use crate::log::LogLevel;
 use crate::script::Shooting;
+use crate::trouble::Trouble;
 use crate::{crash, log_file, session};
 use crate::{lab_command, saves_command, script, tour, window};
 
@@ -45,6 +46,9 @@ pub struct Cli {
     /// The report of a crash to tell of first; the game starts itself so after one.
     #[arg(long, hide = true, value_name = "REPORT", conflicts_with_all = ["geometry", "load"])]
     pub after_crash: Option<PathBuf>,
+    /// Why the graphics of the game before failed; the game starts itself so when they do.
+    #[arg(long, hide = true, value_name = "WHY", conflicts_with_all = ["geometry", "load", "after_crash"])]
+    pub after_graphics: Option<Trouble>,
     /// Break on purpose, to see what becomes of it.
     #[arg(long, hide = true, value_enum)]
     pub inject: Option<Fault>,
@@ -228,13 +232,17 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
         Some(Command::Lab { action }) => lab_command::run(&action, &cli.common),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
-            let again = cli.after_crash.is_none();
+            let again = cli.after_crash.is_none() && cli.after_graphics.is_none();
             if let Some(geometry) = cli.geometry {
                 // Said at once, and not in a window that opens for it.
                 session::radius_m(geometry, cli.radius)?;
             }
-            let start = match (cli.after_crash, cli.geometry, cli.load) {
-                (Some(report), ..) => window::Start::AfterCrash { report },
+            let after = match (cli.after_crash, cli.after_graphics) {
+                (Some(report), _) => Some(window::After::Crash(report)),
+                (None, trouble) => trouble.map(window::After::Graphics),
+            };
+            let start = match (after, cli.geometry, cli.load) {
+                (Some(after), ..) => window::Start::After(after),
                 (None, Some(geometry), _) => window::Start::New {
                     geometry,
                     seed: cli.seed,

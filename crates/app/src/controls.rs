@@ -27,7 +27,9 @@ pub struct Controls {
 
 impl Default for Controls {
     fn default() -> Self {
-        let Config { settings, profiles } = Config::default();
+        let Config {
+            settings, profiles, ..
+        } = Config::default();
         let mut controls = Self {
             profile: profiles.chosen().clone(),
             look_rad_per_px: 0.0,
@@ -191,6 +193,7 @@ impl Controls {
             | Action::Screenshot
             | Action::PhotoMode
             | Action::SkipHint
+            | Action::Backpack
             | Action::Console => return Some(action),
             _ => {}
         }

@@ -1,6 +1,7 @@
 //! What is left behind when the game itself breaks: a report, and words about it.
 
 use std::backtrace::Backtrace;
+use std::ffi::OsStr;
 use std::fmt::Write as _;
 use std::panic::{PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::path::{Path, PathBuf};
@@ -9,15 +10,19 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::failure::Failure;
+use crate::trouble::Trouble;
 
 /// The option that a game is started with after another has crashed: it shows the report's place.
 pub const AFTER_CRASH: &str = "--after-crash";
+/// The option that a game is started with after another has lost its graphics: it says why.
+pub const AFTER_GRAPHICS: &str = "--after-graphics";
 
 /// Where the report of this process's crash lies.
 type Report = Arc<Mutex<Option<PathBuf>>>;
 
 /// Runs the game in its window. If it breaks, its report is written, what was written goes to the log, and the game
-/// is started anew to say so: once, so that what breaks at every start does not go on for ever.
+/// is started anew to say so: once, so that what breaks at every start does not go on for ever. So it is where the
+/// graphics fail for good, since without them nothing can be said in the window; the new game draws in software.
 ///
 /// # Errors
 /// The game's own, or that it has crashed.
@@ -31,12 +36,24 @@ pub fn guard(
     let Ok(ended) = catch_unwind(play) else {
         let path = report.lock().unwrap_or_else(PoisonError::into_inner).take();
         if again && let Some(path) = &path {
-            start_again(path);
+            start_again(
+                kept_options(std::env::args().skip(1), &OF_A_WORLD),
+                AFTER_CRASH,
+                path,
+            );
         }
         return Err(Failure::Crashed {
             report: path.map_or_else(|| "the log".to_owned(), |p| p.display().to_string()),
         });
     };
+    if let (true, Err(Failure::Render(error))) = (again, &ended)
+        && let Some(trouble) = Trouble::of(error)
+    {
+        let but = [&OF_A_WORLD[..], &["--adapter"]].concat();
+        let mut options = kept_options(std::env::args().skip(1), &but);
+        options.extend(["--adapter", "software"].map(str::to_owned));
+        start_again(options, AFTER_GRAPHICS, trouble.to_string());
+    }
     ended
 }
 
@@ -83,38 +100,37 @@ fn seconds_now() -> u64 {
     since.map_or(0, |since| since.as_secs())
 }
 
-/// The same program with the same options, but for what it began in: in its menu, with words about the crash.
-fn start_again(report: &Path) {
+/// The same program with these options: in its menu, with words about why.
+fn start_again(options: Vec<String>, why: &str, details: impl AsRef<OsStr>) {
     let Ok(program) = std::env::current_exe() else {
         return;
     };
     let mut command = Command::new(program);
-    command.args(kept_options(std::env::args().skip(1)));
-    command.arg(AFTER_CRASH).arg(report).stdin(Stdio::null());
+    command.args(options);
+    command.arg(why).arg(details).stdin(Stdio::null());
     if let Err(e) = command.spawn() {
         tracing::error!("the game could not be started again: {e}");
     }
 }
 
-/// What the new game is started with: everything but the world that broke.
-fn kept_options(arguments: impl Iterator<Item = String>) -> Vec<String> {
-    const OF_A_WORLD: [&str; 6] = [
-        "--geometry",
-        "--seed",
-        "--name",
-        "--radius",
-        "--load",
-        "--inject",
-    ];
+/// Options that say which world the game began in, and what breaks it on purpose.
+const OF_A_WORLD: [&str; 6] = [
+    "--geometry",
+    "--seed",
+    "--name",
+    "--radius",
+    "--load",
+    "--inject",
+];
+
+/// What the new game is started with: everything but these options and their values.
+fn kept_options(arguments: impl Iterator<Item = String>, but: &[&str]) -> Vec<String> {
     let mut kept = Vec::new();
     let mut arguments = arguments;
     while let Some(argument) = arguments.next() {
-        if OF_A_WORLD.contains(&argument.as_str()) {
+        if but.contains(&argument.as_str()) {
             arguments.next();
-        } else if !OF_A_WORLD
-            .iter()
-            .any(|o| argument.starts_with(&format!("{o}=")))
-        {
+        } else if !but.iter().any(|o| argument.starts_with(&format!("{o}="))) {
             kept.push(argument);
         }
     }
@@ -136,7 +152,7 @@ mod tests {
             "--saves-dir",
             "/x",
         ];
-        let kept = kept_options(args.map(str::to_owned).into_iter());
+        let kept = kept_options(args.map(str::to_owned).into_iter(), &OF_A_WORLD);
         assert_eq!(kept, ["--size", "640x360", "--saves-dir", "/x"]);
     }
 }

@@ -2,7 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
-use antipode_scene::{CameraMode, Item, Lens, Scene};
+use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
 use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView};
 use glam::DVec3;
 
@@ -28,7 +28,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
             .inventory()
             .hotbar()
             .iter()
-            .map(|stack| slot(texts, stack.map(|s| (s.item, s.count))))
+            .map(|stack| slot(texts, *stack))
             .collect(),
         selected: usize::from(scene.inventory().selected()),
         curvature: dial(scene.lens()),
@@ -71,14 +71,15 @@ fn dial(lens: &Lens) -> Option<CurvatureView> {
     })
 }
 
-fn slot(texts: &Texts, held: Option<(Item, u32)>) -> SlotView {
+/// What a slot shows of what lies in it.
+pub fn slot(texts: &Texts, held: Option<Stack>) -> SlotView {
     match held {
         None => SlotView {
             label: String::new(),
             icon: SlotIcon::Empty,
             count: None,
         },
-        Some((item, count)) => SlotView {
+        Some(Stack { item, count }) => SlotView {
             label: wording::item(texts, item),
             icon: match item {
                 Item::Gun => SlotIcon::Gun,

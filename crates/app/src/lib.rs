@@ -25,5 +25,6 @@ pub mod screenshots;
 pub mod script;
 pub mod session;
 pub mod tour;
+pub mod trouble;
 pub mod window;
 pub mod wording;

@@ -1,5 +1,6 @@
 //! `antipode saves`: looking after worlds from the command line.
 
+use antipode_geometry::Geometry;
 use antipode_storage::{RepairReport, VerifyReport, WorldSummary};
 
 use crate::cli::{Common, SavesAction};
@@ -102,10 +103,14 @@ fn particulars(world: &WorldSummary) -> String {
         lines.push(format!("space     {}", meta.geometry));
         lines.push(format!("biome     {}", meta.biome));
         lines.push(format!("seed      {}", meta.seed));
-        if meta.radius_m.is_finite() {
+        // Only a closed space has a radius; that of a hyperbolic one follows the player's dial.
+        if meta.geometry.parse() == Ok(Geometry::Spherical) {
             lines.push(format!("radius    {} m", meta.radius_m));
         }
         lines.push(format!("played    {:.1} min", meta.played_s / 60.0));
+        if meta.cheated {
+            lines.push("cheats    used".to_owned());
+        }
     }
     lines.push(format!("size      {:.2} MB", world.size_bytes as f64 / 1e6));
     if let Some(problem) = &world.problem {

@@ -10,6 +10,7 @@ use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
 
 use crate::failure::Failure;
+use crate::trouble::Trouble;
 
 /// What can end an action, as sentences.
 pub fn failure(texts: &Texts, failure: &Failure) -> String {
@@ -201,7 +202,21 @@ fn render(texts: &Texts, error: &RenderError) -> String {
             texts.say_with("no-adapter", &[("found", found.into())])
         }
         RenderError::Lost(_) => texts.say("adapter-lost"),
+        RenderError::Shader(details) => refused_shader(texts, details),
         _ => other(texts, &error.to_string()),
+    }
+}
+
+fn refused_shader(texts: &Texts, details: &str) -> String {
+    texts.say_with("adapter-refuses", &[("details", details.into())])
+}
+
+/// Why the graphics of the game before failed for good.
+pub fn trouble(texts: &Texts, trouble: &Trouble) -> String {
+    match trouble {
+        Trouble::Lost => texts.say("graphics-lost"),
+        Trouble::Shader(details) => refused_shader(texts, details),
+        Trouble::Other(details) => other(texts, details),
     }
 }
 
@@ -245,6 +260,8 @@ pub fn texts_with(texts: &Texts, key: &str, values: Vec<(&'static str, String)>)
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::panic, reason = "tests fail by panicking")]
+
     use std::path::PathBuf;
     use std::sync::Arc;
 
@@ -301,6 +318,24 @@ mod tests {
                 told.ends_with(&why) && asked.ends_with(&why),
                 "{told} {asked}"
             );
+        }
+    }
+
+    #[test]
+    fn what_failed_of_the_graphics_is_told_in_the_players_language() {
+        let refused = RenderError::Shader("expected one of".to_owned());
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            let english = Texts::default();
+            for failed in [&refused, &RenderError::Lost("gone".to_owned())] {
+                let Some(why) = Trouble::of(failed) else {
+                    panic!("{failed} is told to nobody");
+                };
+                let said = trouble(&texts, &why);
+                let same = said == trouble(&english, &why);
+                assert_eq!(same, language == Language::English, "{said}");
+            }
+            assert!(render(&texts, &refused).contains("expected one of"));
         }
     }
 

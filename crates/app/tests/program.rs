@@ -42,3 +42,32 @@ fn wrong_usage_is_refused_in_one_line_with_status_two() {
         assert_eq!(said.trim().lines().count(), 1, "{wrong:?} said: {said}");
     }
 }
+
+/// What `saves info` tells of a world made by this script.
+fn told(script: &str) -> String {
+    let saves = tempfile::tempdir().unwrap();
+    let file = saves.path().join("script.txt");
+    std::fs::write(&file, script).unwrap();
+    let (saves, file) = (saves.path().to_str().unwrap(), file.to_str().unwrap());
+    let at = ["--saves-dir", saves, "--adapter", "none"];
+    let made = antipode(&[&at[..], &["script", file]].concat());
+    assert!(made.status.success(), "{made:?}");
+    let info = antipode(&["--saves-dir", saves, "saves", "info", "W"]);
+    assert!(info.status.success(), "{info:?}");
+    String::from_utf8(info.stdout).unwrap()
+}
+
+#[test]
+fn the_particulars_of_a_world_are_those_that_its_space_has() {
+    let said = told("new hyperbolic seed=4 name=W\nsave");
+    assert!(
+        said.contains("hyperbolic") && !said.contains("radius"),
+        "{said}"
+    );
+    assert!(!said.contains("cheats"), "{said}");
+    let said = told("new spherical seed=4 radius=40 name=W\ngive lamp 1\nsave");
+    assert!(
+        said.contains("radius    40 m") && said.contains("cheats    used"),
+        "{said}"
+    );
+}

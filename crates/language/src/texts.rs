@@ -205,6 +205,28 @@ mod tests {
     }
 
     #[test]
+    fn a_number_of_its_own_is_chosen_before_the_plural_that_counts_it() {
+        let counted =
+            "count = { $n ->\n    [0] none\n    [1.5] one and a half\n   *[other] { $n }\n}";
+        let texts = texts(Language::English, counted, "");
+        let say = |n: Value<'_>| texts.say_with("count", &[("n", n)]);
+        assert_eq!(say(0.into()), "none");
+        assert_eq!(say(Value::decimals(-0.0, 0)), "none");
+        assert_eq!(say(Value::decimals(1.5, 1)), "one and a half");
+        assert_eq!(say(3.into()), "3");
+    }
+
+    #[test]
+    fn a_world_that_nobody_has_changed_says_so_in_every_language() {
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            let say = |count: usize| texts.say_with("worlds-edits", &[("count", count.into())]);
+            assert!(!say(0).contains('0'), "{}", say(0));
+            assert!(say(30).contains("30"), "{}", say(30));
+        }
+    }
+
+    #[test]
     fn numbers_have_the_languages_decimal_mark_and_no_sign_when_they_round_to_nothing() {
         let say = |language, number, digits| {
             let texts = texts(language, "length = { $m } m", "");

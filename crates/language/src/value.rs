@@ -26,9 +26,10 @@ impl Value<'_> {
         let scale = 10_f64.powi(digits as i32);
         // Adding zero drops the sign of what rounds to it.
         let rounded = (number * scale).round_ties_even() / scale + 0.0;
+        // A number matches a literal of a message, such as `[0]`, only if their options are the same: a literal has its
+        // digits behind the point as the least, none at all where it has no point, and nothing else.
         let options = FluentNumberOptions {
-            minimum_fraction_digits: Some(digits),
-            maximum_fraction_digits: Some(digits),
+            minimum_fraction_digits: (digits > 0).then_some(digits),
             ..FluentNumberOptions::default()
         };
         Self(FluentValue::Number(FluentNumber::new(rounded, options)))

@@ -242,6 +242,43 @@ impl Inventory {
         }
     }
 
+    /// The end of a drag on a slot: puts the carried stack down there, or merges it with one of its kind. What was
+    /// there goes to where the carried one came from; if that is not free, or something is left, the carried one goes
+    /// back there itself. A slot past the last undoes the drag.
+    pub fn end_drag(&mut self, slot: u8) {
+        let Some((carried, from)) = self.carried.take() else {
+            return;
+        };
+        let origin = usize::from(from);
+        let is_free = self.slots[origin].is_none();
+        let left = match self.slots.get_mut(usize::from(slot)) {
+            Some(place @ None) => {
+                *place = Some(carried);
+                None
+            }
+            Some(Some(there)) if there.item == carried.item => merge(there, carried, carried.count),
+            Some(Some(there)) if is_free => Some(std::mem::replace(there, carried)),
+            None | Some(Some(_)) => Some(carried),
+        };
+        let Some(left) = left else { return };
+        self.carried = match &mut self.slots[origin] {
+            place @ None => {
+                *place = Some(left);
+                None
+            }
+            Some(there) if there.item == left.item => merge(there, left, left.count),
+            Some(_) => Some(left),
+        }
+        .map(|left| (left, from));
+    }
+
+    /// Swaps what lies in two slots; where one is past the last nothing happens.
+    pub fn swap(&mut self, one: u8, other: u8) {
+        if one < SLOTS && other < SLOTS {
+            self.slots.swap(usize::from(one), usize::from(other));
+        }
+    }
+
     /// Lets go of what the pointer holds, or of one of it, for it to be dropped.
     pub fn let_go(&mut self, whole: bool) -> Option<Stack> {
         let (stack, from) = self.carried.take()?;
@@ -254,7 +291,12 @@ impl Inventory {
 
     /// Takes one, or the whole, out of the slot in hand, for it to be dropped.
     pub fn take_held(&mut self, whole: bool) -> Option<Stack> {
-        let slot = &mut self.slots[usize::from(self.selected)];
+        self.take_from(self.selected, whole)
+    }
+
+    /// Takes one, or the whole, out of a slot, for it to be dropped.
+    pub fn take_from(&mut self, slot: u8, whole: bool) -> Option<Stack> {
+        let slot = self.slots.get_mut(usize::from(slot))?;
         let stack = slot.take()?;
         let count = if whole { stack.count } else { 1 };
         *slot = less(stack, count);
@@ -295,158 +337,4 @@ fn less(stack: Stack, count: u32) -> Option<Stack> {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use proptest::prelude::*;
-
-    use super::*;
-
-    fn stack(item: Item, count: u32) -> Stack {
-        Stack { item, count }
-    }
-
-    #[test]
-    fn a_new_player_has_everything_in_the_first_six_slots() {
-        let bag = Inventory::default();
-        assert_eq!(bag.held(), Some(Item::PickaxeWood));
-        let counts: Vec<_> = bag.slots().iter().flatten().map(|s| s.count).collect();
-        assert_eq!(counts, [1, 1, 1, 1, 64, 10]);
-        assert_eq!(bag.hotbar().len(), 10);
-    }
-
-    #[test]
-    fn every_slot_can_be_reached_by_number_and_by_step() {
-        let mut bag = Inventory::default();
-        for slot in 0..HOTBAR_SLOTS {
-            bag.select(slot);
-            assert_eq!(bag.selected(), slot);
-        }
-        bag.step(1);
-        assert_eq!(bag.selected(), 0);
-        bag.step(-1);
-        assert_eq!(bag.selected(), 9);
-        bag.select(10);
-        assert_eq!(bag.selected(), 9);
-    }
-
-    #[test]
-    fn giving_fills_stacks_then_slots_and_says_what_found_no_room() {
-        let mut bag = Inventory::empty();
-        assert_eq!(bag.give(Item::Lamp, 100), 0);
-        assert_eq!(
-            bag.slots()[..3],
-            [
-                Some(stack(Item::Lamp, 64)),
-                Some(stack(Item::Lamp, 36)),
-                None
-            ]
-        );
-        assert_eq!(bag.give(Item::Lamp, 30), 0);
-        assert_eq!(bag.count(Item::Lamp), 130);
-        assert_eq!(bag.give(Item::Gun, 100), 63);
-        assert_eq!(bag.count(Item::Gun), 37);
-    }
-
-    #[test]
-    fn spending_takes_what_is_in_hand_first_and_empties_the_slot_with_the_last() {
-        let mut bag = Inventory::empty();
-        bag.put(0, stack(Item::Bullet, 5));
-        bag.put(3, stack(Item::Bullet, 1));
-        bag.select(3);
-        assert!(bag.spend(Item::Bullet));
-        assert_eq!(bag.slots()[3], None);
-        for _ in 0..5 {
-            assert!(bag.spend(Item::Bullet));
-        }
-        assert!(!bag.spend(Item::Bullet));
-    }
-
-    #[test]
-    fn stacks_are_dragged_swapped_merged_and_split() {
-        let mut bag = Inventory::default();
-        bag.click(4);
-        assert_eq!(
-            (bag.carried(), bag.slots()[4]),
-            (Some(stack(Item::Bullet, 64)), None)
-        );
-        bag.click(5);
-        assert_eq!(bag.slots()[5], Some(stack(Item::Bullet, 64)));
-        assert_eq!(bag.carried(), Some(stack(Item::Lamp, 10)));
-        bag.click(20);
-        assert_eq!(
-            (bag.carried(), bag.slots()[20]),
-            (None, Some(stack(Item::Lamp, 10)))
-        );
-        bag.click_other(5);
-        bag.click_other(21);
-        assert_eq!(bag.slots()[21], Some(stack(Item::Bullet, 1)));
-        bag.click(21);
-        assert_eq!(bag.slots()[21], Some(stack(Item::Bullet, 32)));
-        bag.click_other(5);
-        assert_eq!(bag.carried(), Some(stack(Item::Bullet, 16)));
-        bag.click(21);
-        assert_eq!(
-            (bag.carried(), bag.slots()[21]),
-            (None, Some(stack(Item::Bullet, 48)))
-        );
-    }
-
-    #[test]
-    fn a_full_stack_takes_no_more_and_the_rest_stays_at_the_pointer() {
-        let mut bag = Inventory::empty();
-        bag.put(0, stack(Item::Bullet, 60));
-        bag.put(1, stack(Item::Bullet, 10));
-        bag.click(1);
-        bag.click(0);
-        assert_eq!(
-            (bag.slots()[0], bag.carried()),
-            (Some(stack(Item::Bullet, 64)), Some(stack(Item::Bullet, 6)))
-        );
-        assert_eq!(bag.put_back(), None);
-        assert_eq!(bag.slots()[1], Some(stack(Item::Bullet, 6)));
-    }
-
-    #[test]
-    fn a_stack_is_sent_to_the_other_part_and_back() {
-        let mut bag = Inventory::default();
-        bag.send(4);
-        assert_eq!(
-            (bag.slots()[4], bag.slots()[10]),
-            (None, Some(stack(Item::Bullet, 64)))
-        );
-        bag.send(10);
-        assert_eq!(
-            (bag.slots()[10], bag.slots()[4]),
-            (None, Some(stack(Item::Bullet, 64)))
-        );
-    }
-
-    proptest! {
-        /// Whatever is done, every thing is in a slot, at the pointer, or was handed out.
-        #[test]
-        fn nothing_is_lost_whatever_is_clicked(moves in prop::collection::vec((0u8..7, 0u8..45), 0..200)) {
-            let mut bag = Inventory::default();
-            let mut out = [0u32; Item::ALL.len()];
-            let mut gone = |stack: Option<Stack>| {
-                if let Some(stack) = stack {
-                    out[Item::ALL.iter().position(|item| *item == stack.item).unwrap()] += stack.count;
-                }
-            };
-            for (kind, slot) in moves {
-                match kind {
-                    0 | 1 => bag.click(slot),
-                    2 => bag.click_other(slot),
-                    3 => bag.send(slot),
-                    4 => gone(bag.let_go(slot % 2 == 0)),
-                    5 => { bag.select(slot); gone(bag.take_held(slot % 3 == 0)); }
-                    _ => gone(bag.put_back()),
-                }
-            }
-            gone(bag.put_back());
-            for (item, out) in Item::ALL.into_iter().zip(out) {
-                prop_assert_eq!(bag.count(item) + out, item.at_start());
-            }
-            prop_assert!(bag.slots().iter().flatten().all(|s| s.count > 0 && s.count <= s.item.most_in_slot()));
-        }
-    }
-}
+mod tests;

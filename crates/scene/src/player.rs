@@ -65,11 +65,11 @@ impl Appearance {
     }
 }
 
-/// The components a player begins with at `point`, feet on the ground, looking along `yaw`.
-pub fn components(point: ChartPoint, yaw: f64) -> (Position, Look, Body, Health, Appearance) {
+/// The components a player begins with at `point`, feet on the ground, looking that way.
+pub fn components(point: ChartPoint, look: Look) -> (Position, Look, Body, Health, Appearance) {
     (
         Position(point),
-        Look { yaw, pitch: 0.0 },
+        look,
         Body(Character::at(point.pos)),
         Health(FULL_HEALTH),
         Appearance::standing(ModelId::Astronaut),
@@ -142,6 +142,10 @@ mod tests {
 
     use super::*;
 
+    fn level(yaw: f64) -> Look {
+        Look { yaw, pitch: 0.0 }
+    }
+
     #[test]
     fn angles_wrap_to_one_turn() {
         assert!((wrap_angle(3.0 * PI) - PI).abs() < 1e-12);
@@ -199,7 +203,7 @@ mod tests {
         let sphere = strategy(Geometry::Spherical, 32.0);
         let rim = sphere.rim_m().unwrap_or(0.0);
         let point = ChartPoint::a(DVec3::new(rim + 0.3, 8.0, 0.0));
-        let (mut position, mut look, mut body, ..) = components(point, 0.4);
+        let (mut position, mut look, mut body, ..) = components(point, level(0.4));
         body.0.velocity = DVec3::new(3.0, -1.0, 2.0);
         let before = sphere.distance_m(
             point,

@@ -27,6 +27,7 @@ use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
+use crate::spawn::{FIRST_YAW_RAD, spawn_point};
 use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, PICTURE_HEIGHT_PX, VIEW_DISTANCE_CHUNKS};
 use crate::viewing::Viewing;
 
@@ -174,11 +175,15 @@ impl Scene {
             Config::default(),
         )?;
         let mut ecs = hecs::World::new();
-        let start = crate::spawn::spawn_point(&field);
-        let player = ecs.spawn(player::components(start, crate::spawn::FIRST_YAW_RAD));
+        let start = spawn_point(&field);
+        let look = Look {
+            yaw: FIRST_YAW_RAD,
+            pitch: 0.0,
+        };
+        let player = ecs.spawn(player::components(start, look));
         let mut scene = Self {
             setup: setup.within_range(),
-            ground: Ground::new(field, Arc::clone(&strategy)),
+            ground: Ground::new(Arc::clone(&field), Arc::clone(&strategy)),
             lens,
             strategy,
             streamer,
@@ -223,8 +228,9 @@ impl Scene {
             next_bot: 0,
             sounds: Sounds::default(),
         };
-        if let Some(state) = saved {
-            scene.restore(&state);
+        match saved {
+            Some(state) => scene.restore(&state),
+            None => scene.look_at_ground(&field),
         }
         scene.changed = false;
         scene.request_ground();
@@ -339,7 +345,13 @@ impl Scene {
     /// The player's feet, view and body.
     pub(crate) fn player_parts(&self) -> (Position, Look, Body, Appearance) {
         let fallback = || {
-            let (p, l, b, _, a) = player::components(ChartPoint::a(DVec3::ZERO), 0.0);
+            let (p, l, b, _, a) = player::components(
+                ChartPoint::a(DVec3::ZERO),
+                Look {
+                    yaw: 0.0,
+                    pitch: 0.0,
+                },
+            );
             (p, l, b, a)
         };
         self.ecs

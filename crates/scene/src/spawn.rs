@@ -2,12 +2,23 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartPoint, Eye, Hemisphere};
 use antipode_terrain::Field;
 use glam::DVec3;
 
+use crate::player::Look;
+use crate::scene::Scene;
+
 /// Heading of a new player: along -z, towards the sunrise.
 pub const FIRST_YAW_RAD: f64 = -FRAC_PI_2;
+
+/// Elevation of a new player's view, where ground in reach is under the crosshair then: level, the marker would hang in
+/// the sky. Where the land falls away, as all land does in hyperbolic space, it is lowered in steps.
+const FIRST_PITCH_RAD: f64 = -8.0 * std::f64::consts::PI / 180.0;
+const LOWER_BY_RAD: f64 = 2.0 * std::f64::consts::PI / 180.0;
+const MOST_STEPS: u32 = 16;
+/// Points of the view's geodesic at which the ground is asked for, in metres: apart, and the farthest.
+const LOOK_M: (f64, f64) = (0.5, 20.0);
 
 /// Columns considered around the world's centre: a spiral of rings, in metres.
 const RINGS_M: [f64; 4] = [0.0, 4.0, 8.0, 12.0];
@@ -33,6 +44,32 @@ pub fn spawn_point(field: &Field) -> ChartPoint {
         }
     }
     ChartPoint::a(best.map_or(DVec3::ZERO, |(_, point)| point))
+}
+
+impl Scene {
+    /// Turns a new player's view to the ground ahead.
+    pub(crate) fn look_at_ground(&mut self, field: &Field) {
+        let pitches = (0..=MOST_STEPS).map(|step| FIRST_PITCH_RAD - f64::from(step) * LOWER_BY_RAD);
+        let found = pitches.into_iter().find(|pitch| self.sees(field, *pitch));
+        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+            look.pitch = found.unwrap_or(FIRST_PITCH_RAD);
+        }
+    }
+
+    /// Whether ground in reach is under the crosshair with this elevation.
+    fn sees(&self, field: &Field, pitch: f64) -> bool {
+        let eye = Eye {
+            pitch,
+            ..self.head()
+        };
+        let strategy = self.lens().strategy();
+        let (step_m, most_m) = LOOK_M;
+        let steps = (most_m / step_m) as u32;
+        (1..=steps).any(|step| {
+            let at = strategy.along(&eye, DVec3::NEG_Z, f64::from(step) * step_m);
+            field.sample(at) < 0.0
+        })
+    }
 }
 
 /// Height of a column, the highest of its close neighbourhood, and how far that neighbourhood spreads.

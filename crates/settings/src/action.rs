@@ -29,6 +29,8 @@ pub enum Action {
     Flashlight,
     /// Throw away one of what is in hand.
     Drop,
+    /// Open and close the backpack.
+    Backpack,
     /// Take a slot of the hotbar in hand, 0 to 9.
     Slot(u8),
     /// The slot to the left.
@@ -157,7 +159,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 38] = {
+static ACTIONS: [ActionInfo; 39] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -193,6 +195,12 @@ static ACTIONS: [ActionInfo; 38] = {
         ),
         line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
         line(Action::Drop, "drop", Tools, &["KeyQ"]),
+        line(
+            Action::Backpack,
+            "backpack",
+            Tools,
+            &["KeyE", "pad-right-stick"],
+        ),
         line(Action::Slot(0), "slot-1", Tools, &["Digit1"]),
         line(Action::Slot(1), "slot-2", Tools, &["Digit2"]),
         line(Action::Slot(2), "slot-3", Tools, &["Digit3"]),

@@ -12,10 +12,13 @@ mod choice;
 mod field;
 mod file;
 mod input;
+mod lesson;
 mod pad;
 mod profile;
 mod profiles;
 mod settings;
+
+use std::collections::BTreeSet;
 
 pub use action::{Action, ActionGroup, ActionInfo, actions};
 pub use choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale};
@@ -24,6 +27,7 @@ pub use file::{
     Condition, Keeper, Notice, Opened, Reading, SaveProblem, config_path, open, read, write,
 };
 pub use input::{Input, MouseButton};
+pub use lesson::Lesson;
 pub use pad::PadButton;
 pub use profile::{BindError, Conflict, MAX_INPUTS, Profile};
 pub use profiles::{MAX_PROFILE_NAME_CHARS, MAX_PROFILES, ProfileError, Profiles};
@@ -36,4 +40,6 @@ pub struct Config {
     pub settings: Settings,
     /// The key bindings.
     pub profiles: Profiles,
+    /// What a newcomer has done already of what the hints tell.
+    pub learnt: BTreeSet<Lesson>,
 }

@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use antipode_settings::{
-    Action, Condition, Config, Input, Language, Notice, Opened, Profile, Quality, config_path,
-    open, read, write,
+    Action, Condition, Config, Input, Language, Lesson, Notice, Opened, Profile, Quality,
+    config_path, open, read, write,
 };
 
 fn place() -> (tempfile::TempDir, PathBuf) {
@@ -52,6 +52,7 @@ fn changed() -> Config {
     config.settings.mouse_sensitivity_deg_per_px = 0.07;
     config.settings.quality = Quality::Exact;
     config.settings.language = Language::Polish;
+    config.learnt = [Lesson::Dig, Lesson::Walk].into();
     config.profiles.add("Left \"hand\", {()}").unwrap();
     let own = config.profiles.chosen_mut();
     own.bind(Action::Jump, Input::named("Mouse4").unwrap())

@@ -2,7 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use antipode_settings::{
-    Condition, Config, Given, Input, Kind, MouseButton, PadButton, actions, fields, read, write,
+    Condition, Config, Given, Input, Kind, Lesson, MouseButton, PadButton, actions, fields, read,
+    write,
 };
 use proptest::prelude::*;
 
@@ -21,8 +22,11 @@ fn config() -> impl Strategy<Value = Config> {
     let shares = prop::collection::vec(0.0..1.0, fields().len());
     let strokes = prop::collection::vec((0..actions().len(), input(), any::<bool>()), 0..40);
     let names = prop::collection::vec(".{0,45}", 0..4);
-    (shares, strokes, names, 0..5usize).prop_map(|(shares, strokes, names, chosen)| {
+    let learnt = prop::collection::btree_set(0..Lesson::ALL.len(), 0..Lesson::ALL.len());
+    let all = (shares, strokes, names, 0..5usize, learnt);
+    all.prop_map(|(shares, strokes, names, chosen, learnt)| {
         let mut config = Config::default();
+        config.learnt = learnt.into_iter().map(|at| Lesson::ALL[at]).collect();
         for (field, share) in fields().iter().zip(&shares) {
             let given = match field.kind {
                 Kind::Toggle => Given::Switch(*share < 0.5),

@@ -2,7 +2,7 @@
 
 use egui::{Key, Label, RichText, Ui, Widget as _, vec2};
 
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, long_pane};
 use crate::model::Screen;
 use crate::shell::Pass;
 use crate::theme::{ACCENT, GRID, WEAK, small};
@@ -41,7 +41,7 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>) {
         facts(ui, pass);
         licences(ui, pass);
     };
-    pane(
+    long_pane(
         ui,
         pass.regions.pane,
         &texts.say("menu-about"),

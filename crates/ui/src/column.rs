@@ -9,6 +9,10 @@ use crate::shell::Pass;
 use crate::theme::{ACCENT, GRID, PANEL, WEAK, small};
 use crate::widgets::column_button;
 
+/// From this height of the window on the buttons are as high as they get, in points: below it they would push the note
+/// on the adapter out of sight.
+const ROOMY: f32 = 680.0;
+
 /// Draws the column; `current` is marked.
 pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     let regions = pass.regions;
@@ -27,6 +31,10 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
         spacing.interact_size.y = 28.0 - lower;
         spacing.button_padding.y = 4.0 - lower / 2.0;
         spacing.item_spacing.y = 2.0;
+    } else if regions.whole.height() < ROOMY {
+        spacing.interact_size.y = 30.0;
+        spacing.button_padding.y = 4.0;
+        spacing.item_spacing.y = 4.0;
     } else {
         spacing.interact_size.y = 40.0;
     }

@@ -72,6 +72,11 @@ impl Console {
         self.open = false;
     }
 
+    /// Forgets what came of it all; what was entered can still be brought back.
+    pub fn clear(&mut self) {
+        self.lines.clear();
+    }
+
     /// Adds lines below the others.
     pub fn say(&mut self, text: &str, kind: LineKind) {
         let lines = text.lines().map(|line| (line.to_owned(), kind));

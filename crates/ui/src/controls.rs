@@ -8,7 +8,7 @@ use antipode_language::Texts;
 use antipode_settings::{Action, ActionGroup, BindError, Input, Profiles, actions};
 use egui::{Label, RichText, Ui};
 
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, long_pane, pane};
 use crate::model::{Intent, Screen};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, BAD, TEXT, WEAK};
@@ -81,7 +81,8 @@ impl ControlsScreen {
             turned |= self.form.show(ui, pass, stops);
             wish = self.lines(ui, pass, stops);
         };
-        pane(ui, regions.pane, &texts.say("menu-controls"), body, |ui| {
+        let title = texts.say("menu-controls");
+        long_pane(ui, regions.pane, &title, body, |ui| {
             back = button(ui, &texts.say("back")).clicked();
         });
         if back {

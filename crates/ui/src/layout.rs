@@ -3,6 +3,7 @@
 
 use std::cmp::Ordering;
 
+use egui::scroll_area::ScrollBarVisibility;
 use egui::{Context, Id, Key, Rect, Response, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 
 use crate::theme::{GRID, panel};
@@ -131,6 +132,43 @@ pub(crate) fn pane<R>(
     body: impl FnOnce(&mut Ui, &mut Stops) -> R,
     footer: impl FnOnce(&mut Ui),
 ) -> R {
+    pane_with(
+        ui,
+        rect,
+        title,
+        ScrollBarVisibility::VisibleWhenNeeded,
+        body,
+        footer,
+    )
+}
+
+/// The same for a body that is longer than any usual window: its scroll bar is there from the first frame, whereas
+/// whether another needs one is known only after it was laid out.
+pub(crate) fn long_pane<R>(
+    ui: &mut Ui,
+    rect: Rect,
+    title: &str,
+    body: impl FnOnce(&mut Ui, &mut Stops) -> R,
+    footer: impl FnOnce(&mut Ui),
+) -> R {
+    pane_with(
+        ui,
+        rect,
+        title,
+        ScrollBarVisibility::AlwaysVisible,
+        body,
+        footer,
+    )
+}
+
+fn pane_with<R>(
+    ui: &mut Ui,
+    rect: Rect,
+    title: &str,
+    bar: ScrollBarVisibility,
+    body: impl FnOnce(&mut Ui, &mut Stops) -> R,
+    footer: impl FnOnce(&mut Ui),
+) -> R {
     let margin = if rect.height() < 480.0 { 12.0 } else { 16.0 };
     ui.painter().add(panel(rect));
     let inner = inset(rect, margin);
@@ -139,7 +177,7 @@ pub(crate) fn pane<R>(
     ui.label(RichText::new(title).heading());
     let footer_height = ui.spacing().interact_size.y + GRID;
     let body_height = (inner.max.y - ui.cursor().min.y - footer_height).max(24.0);
-    let result = scroll(&mut ui, body_height, |ui| {
+    let result = scroll_with(&mut ui, body_height, bar, |ui| {
         let mut stops = Stops::default();
         let result = body(ui, &mut stops);
         stops.step(ui);
@@ -152,6 +190,15 @@ pub(crate) fn pane<R>(
 /// A vertical scroll area of that height, which PageUp, PageDown, Home and End
 /// move as well: not everything worth reading can hold the focus.
 pub(crate) fn scroll<R>(ui: &mut Ui, height: f32, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    scroll_with(ui, height, ScrollBarVisibility::VisibleWhenNeeded, contents)
+}
+
+fn scroll_with<R>(
+    ui: &mut Ui,
+    height: f32,
+    bar: ScrollBarVisibility,
+    contents: impl FnOnce(&mut Ui) -> R,
+) -> R {
     // Home and End belong to a text field while one is being edited.
     let editing = ui.ctx().text_edit_focused();
     let pages = ui.input(|input| {
@@ -170,6 +217,7 @@ pub(crate) fn scroll<R>(ui: &mut Ui, height: f32, contents: impl FnOnce(&mut Ui)
         .max_height(rect.height())
         .min_scrolled_height(rect.height())
         .auto_shrink(false)
+        .scroll_bar_visibility(bar)
         .content_margin(RING)
         .show(&mut child, |ui| {
             if pages != 0.0 {

@@ -8,6 +8,7 @@
 
 mod about;
 mod backdrop;
+mod backpack;
 mod column;
 mod console;
 mod contrast;
@@ -16,6 +17,7 @@ mod dialog;
 mod entry;
 mod fonts;
 mod hud;
+mod icons;
 mod layout;
 mod model;
 mod new_game;
@@ -29,6 +31,7 @@ mod widgets;
 mod worlds;
 
 pub use about::AboutModel;
+pub use backpack::{Backpack, BackpackModel, BackpackWish};
 pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};

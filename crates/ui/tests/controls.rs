@@ -206,3 +206,24 @@ fn all_keys_are_reset_only_after_a_question() {
     assert_eq!(inputs(&harness, Action::Forward), ["KeyW"]);
     assert!(matches!(&intents(&mut harness)[..], [Intent::Bind(_)]));
 }
+
+#[test]
+fn what_an_action_hangs_on_by_default_fits_in_one_line() {
+    for language in Language::ALL {
+        let mut game = Game::new();
+        game.texts = Texts::new(language);
+        game.shell.open(Screen::Controls);
+        let mut harness = window(game);
+        harness.run();
+        let texts = Texts::new(language);
+        for info in actions().iter().filter(|info| info.action != Action::Menu) {
+            let label = action_label(&texts, info.action);
+            let input = harness.state().config.profiles.chosen().inputs(info.action)[0];
+            let first = format!("{label}: {}", input_label(&texts, input));
+            let add = texts.say_with("controls-add", &[("action", label.as_str().into())]);
+            let line = |name: &str| harness.get_by_label(name).rect().center().y;
+            let apart = (line(&first) - line(&add)).abs();
+            assert!(apart < 2.0, "{language:?}, {label}: {apart} points apart");
+        }
+    }
+}

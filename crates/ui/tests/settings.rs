@@ -222,3 +222,22 @@ fn who_hears_nothing_is_told_why_among_the_settings_of_sound() {
             .all(|text| text.text != "There is no sound device.")
     );
 }
+
+#[test]
+fn nothing_moves_after_the_first_frame_of_a_long_screen() {
+    for screen in [Screen::Settings, Screen::Controls, Screen::About] {
+        let mut harness = window(Game::new());
+        harness.run();
+        harness.state_mut().shell.open(screen.clone());
+        let places = |harness: &Harness<'_, Game>| {
+            let texts = painted(harness.output()).into_iter();
+            texts.map(|text| (text.text, text.rect)).collect::<Vec<_>>()
+        };
+        harness.step();
+        let first = places(&harness);
+        assert!(first.len() > 10);
+        // The scroll bar comes with the first frame, not beside words that are there already.
+        harness.run_ok();
+        assert_eq!(first, places(&harness), "{screen:?}");
+    }
+}

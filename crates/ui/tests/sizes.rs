@@ -133,6 +133,32 @@ fn the_main_menu_needs_no_scrolling_at_640_by_360() {
     }
 }
 
+#[test]
+fn the_note_on_the_adapter_is_seen_without_scrolling_at_800_by_600() {
+    for (language, running) in Language::ALL
+        .into_iter()
+        .flat_map(|l| [(l, false), (l, true)])
+    {
+        let mut game = crowded_in(language, running);
+        let values = [
+            ("adapter", "llvmpipe (LLVM 20.1.2, 256 bits)".into()),
+            ("percent", 50.into()),
+        ];
+        game.adapter_notice = game.texts.say_with("adapter-software", &values);
+        let notice = game.adapter_notice.clone();
+        let mut harness = common::harness(game, vec2(800.0, 600.0));
+        harness.run();
+        let texts = painted(harness.output());
+        let seen = texts.iter().find(|text| text.text == notice);
+        let seen = seen.unwrap_or_else(|| panic!("{language:?}: not there"));
+        assert!(
+            seen.rect.max.y < 600.0,
+            "{language:?} {running}: {}",
+            seen.rect
+        );
+    }
+}
+
 /// Every language with every one of these sizes.
 fn everywhere(sizes: &[Vec2]) -> Vec<(Language, Vec2)> {
     let languages = Language::ALL.into_iter();

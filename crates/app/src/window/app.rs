@@ -1,6 +1,5 @@
 //! The program's part in the event loop: opens the window, hands events on, and says when the next frame is due.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -10,12 +9,13 @@ use winit::event::{DeviceEvent, DeviceId, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
+use super::After;
 use super::game::Game;
 use super::injected::Injected;
 use super::open::Open;
 use super::phase::Request;
 use super::stage::Stage;
-use crate::cli::{Common, Fault};
+use crate::cli::{Adapter, Common, Fault};
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::screenshots::Album;
@@ -28,8 +28,8 @@ pub struct App {
     first: Option<Request>,
     /// The settings to begin with.
     settings: Option<Opened>,
-    /// The report of a crash to tell of.
-    crash: Option<PathBuf>,
+    /// How the game before this one ended, to be told.
+    after: Option<After>,
     injected: Injected,
     open: Option<Open>,
     failure: Option<Failure>,
@@ -114,12 +114,12 @@ impl ApplicationHandler for App {
 }
 
 impl App {
-    /// A program that has no window yet, and begins with `first`, or tells of a crash.
+    /// A program that has no window yet, and begins with `first`, or tells how the one before ended.
     pub fn new(
         common: &Common,
         worlds: Worlds,
         first: Option<Request>,
-        crash: Option<PathBuf>,
+        after: Option<After>,
         inject: Option<Fault>,
     ) -> Self {
         Self {
@@ -127,7 +127,7 @@ impl App {
             worlds,
             first,
             settings: Some(crate::options::for_player(common.config.as_deref())),
-            crash,
+            after,
             injected: Injected::new(inject),
             open: None,
             failure: None,
@@ -161,12 +161,7 @@ impl App {
         let window = events
             .create_window(attributes)
             .map_err(|e| Failure::no_window(&e))?;
-        let stage = Stage::new(
-            Arc::new(window),
-            events.owned_display_handle(),
-            &self.common,
-            self.injected.shaders(),
-        )?;
+        let stage = self.open_stage(&Arc::new(window), events)?;
         tracing::info!("drawing with {}", stage.adapter_name());
         let mut game = Game::new(self.worlds.clone(), stage.software(), None);
         game.about = super::about::about(&stage.adapter_info());
@@ -177,12 +172,33 @@ impl App {
         if let Some(request) = self.first.take() {
             game.open(request);
         }
-        if let Some(report) = self.crash.take() {
-            game.tell_crash(&report);
+        match self.after.take() {
+            Some(After::Crash(report)) => game.tell_crash(&report),
+            Some(After::Graphics(trouble)) => game.tell_graphics(&trouble),
+            None => {}
         }
         let album = Album::new(&self.common, self.worlds.saves().path());
         let settings = antipode_settings::config_path(self.common.config.as_deref());
         game.begin_in(stage.adapter_name(), album, settings.as_deref());
         Ok(Open::new(stage, game))
+    }
+
+    /// The stage that the command line asks for. After the graphics have failed that is one in software, and where
+    /// there is none, any that will do: the player is to be told at least.
+    fn open_stage(&self, window: &Arc<Window>, events: &ActiveEventLoop) -> Result<Stage, Failure> {
+        let open = |common: &Common| {
+            let display = events.owned_display_handle();
+            Stage::new(Arc::clone(window), display, common, self.injected.shaders())
+        };
+        match open(&self.common) {
+            Err(why) if matches!(self.after, Some(After::Graphics(_))) => {
+                tracing::warn!("{why}");
+                open(&Common {
+                    adapter: Adapter::Auto,
+                    ..self.common.clone()
+                })
+            }
+            opened => opened,
+        }
     }
 }

@@ -92,10 +92,21 @@ impl Open {
                 state: ElementState::Pressed,
                 button,
                 ..
-            } if self.take_for_binding(button_input(*button)) => return,
+            } if self.take_for_binding(button_input(*button)) || self.closes_backpack(*button) => {
+                return;
+            }
             _ => {}
         }
         let _ = self.stage.input.on_window_event(&self.stage.window, event);
+    }
+
+    /// Whether the backpack was up and this button closes it.
+    fn closes_backpack(&mut self, button: MouseButton) -> bool {
+        let closes = button_input(button).is_some_and(|input| self.game.is_backpacks(input));
+        if closes {
+            self.game.escape();
+        }
+        closes
     }
 
     fn button(&mut self, button: MouseButton, pressed: bool) {

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
 use antipode_scene::frame::Frame;
-use antipode_ui::{Screen, Shell};
+use antipode_ui::{Backpack, Screen, Shell};
 
 use super::backdrop::Backdrop;
 use super::console::Desk;
@@ -60,6 +60,7 @@ pub struct Game {
     /// The picture that is being drawn for the menu.
     pub(super) last_picture: Option<LastPicture>,
     pub(super) console: Desk,
+    pub(super) backpack: Backpack,
     pub(super) shots: Shots,
     pub(super) photographer: Photographer,
     /// Where the sticks of the gamepads stand.
@@ -111,6 +112,7 @@ impl Game {
             wants_picture: false,
             last_picture: None,
             console: Desk::default(),
+            backpack: Backpack::default(),
             shots: Shots::new(album),
             photographer: Photographer::default(),
             sticks: Sticks::default(),
@@ -133,7 +135,12 @@ impl Game {
 
     /// Whether the mouse turns the view and keys act in the world.
     pub fn is_playing(&self) -> bool {
-        matches!(self.phase, Phase::Playing(_)) && !self.is_typing() && !self.is_photographing()
+        matches!(self.phase, Phase::Playing(_)) && !self.is_elsewhere()
+    }
+
+    /// Whether keys and pointer are for something that is up over the open world.
+    pub(super) fn is_elsewhere(&self) -> bool {
+        self.is_typing() || self.is_photographing() || self.is_packing()
     }
 
     /// What could not be saved when nothing could be shown any more.

@@ -3,10 +3,12 @@
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeSet;
+
 use antipode_language::Texts;
 use antipode_scene::Actions;
 use antipode_scene::tuning::STEP_S;
-use antipode_settings::{Profiles, Value};
+use antipode_settings::{Lesson, Profiles, Value};
 use antipode_ui::{HintModel, first_input_label, pad_input_label};
 
 use super::game::Game;
@@ -21,31 +23,9 @@ const WALK_S: f64 = 0.8;
 const WORK_S: f64 = 0.3;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
-
-/// Something to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Lesson {
-    Look,
-    Walk,
-    Jump,
-    Dig,
-    Build,
-    Curve,
-    Menu,
-}
-
-impl Lesson {
-    /// All, in the order in which they are told.
-    const ALL: [Self; 7] = [
-        Self::Look,
-        Self::Walk,
-        Self::Jump,
-        Self::Dig,
-        Self::Build,
-        Self::Curve,
-        Self::Menu,
-    ];
-}
+/// How long the last hint is shown to somebody who does not do what it says, seconds: who has read it knows it, and
+/// nobody must open the menu to be rid of it.
+const LAST_S: f64 = 15.0;
 
 /// What was done of it so far.
 #[derive(Clone, Debug, Default)]
@@ -55,6 +35,8 @@ pub struct Hints {
     walked_s: f64,
     dug_s: f64,
     built_s: f64,
+    /// How long the last hint has been shown, seconds.
+    last_s: f64,
     /// Until the next is told, seconds.
     rest_s: f64,
     /// Whether the player last used a gamepad.
@@ -74,9 +56,34 @@ impl Hints {
         };
     }
 
-    /// Takes in what the player asked for in one step of the simulation.
-    fn step(&mut self, actions: &Actions) {
+    /// Goes on from what was learnt in earlier runs.
+    pub fn go_on(&mut self, learnt: &BTreeSet<Lesson>) {
+        for lesson in learnt {
+            self.finish(*lesson);
+        }
+        self.rest_s = 0.0;
+    }
+
+    /// What was done, skipped or seen long enough.
+    fn learnt(&self) -> BTreeSet<Lesson> {
+        let all = Lesson::ALL.into_iter().zip(self.done);
+        all.filter_map(|(lesson, done)| done.then_some(lesson))
+            .collect()
+    }
+
+    /// Takes in what the player asked for in one step of the simulation, in a world that has a dial or not.
+    fn step(&mut self, actions: &Actions, has_dial: bool) {
         self.rest_s = (self.rest_s - STEP_S).max(0.0);
+        if self
+            .current(has_dial)
+            .is_some_and(|(_, step, count)| step == count)
+            && self.rest_s <= 0.0
+        {
+            self.last_s += STEP_S;
+            if self.last_s >= LAST_S {
+                self.finish(Lesson::Menu);
+            }
+        }
         self.turned_rad += actions.look_yaw.abs() + actions.look_pitch.abs();
         self.walked_s += actions.forward.hypot(actions.strafe).min(1.0) * STEP_S;
         let worked = |on: bool| if on { STEP_S } else { 0.0 };
@@ -144,6 +151,7 @@ impl Hints {
                 let (up, down) = (key(Action::DialUp), key(Action::DialDown));
                 texts.say_with("hints-curve", &[("up", up.into()), ("down", down.into())])
             }
+            Lesson::Backpack => say("hints-backpack", key(Action::Backpack)),
             Lesson::Menu => say("hints-menu", key(Action::Menu)),
         };
         let mut values = vec![("step", step.into()), ("count", count.into())];
@@ -161,9 +169,9 @@ impl Hints {
 
 impl Game {
     /// Takes in one step of play.
-    pub(super) fn step_hints(&mut self, actions: &Actions) {
+    pub(super) fn step_hints(&mut self, actions: &Actions, has_dial: bool) {
         if self.config.settings.hints {
-            self.hints.step(actions);
+            self.hints.step(actions, has_dial);
         }
     }
 
@@ -178,6 +186,7 @@ impl Game {
     pub(super) fn watch_hints(&mut self) {
         if !self.config.settings.hints {
             self.hints.begin_anew();
+            self.keep_learnt();
             return;
         }
         let has_dial = match &self.phase {
@@ -192,6 +201,23 @@ impl Game {
         if self.hints.current(has_dial).is_none() {
             self.hints.begin_anew();
             self.set_option("hints", Value::Switch(false));
+        }
+        self.keep_learnt();
+    }
+
+    /// Has the file keep what was learnt, where that is something else than before.
+    fn keep_learnt(&mut self) {
+        let learnt = self.hints.learnt();
+        if learnt != self.config.learnt {
+            self.config.learnt = learnt;
+            self.keep_config();
+        }
+    }
+
+    /// What was done of a lesson that no action of the simulation shows.
+    pub(super) fn has_done(&mut self, lesson: Lesson) {
+        if self.config.settings.hints {
+            self.hints.finish(lesson);
         }
     }
 

@@ -39,6 +39,7 @@ impl Game {
             Action::Console => self.open_console(),
             Action::PhotoMode => self.enter_photo_mode(),
             Action::SkipHint => self.skip_hint(),
+            Action::Backpack => self.open_backpack(),
             _ => {}
         }
     }
@@ -48,6 +49,10 @@ impl Game {
         if self.is_typing() || self.is_photographing() {
             self.console.view.close();
             self.leave_photo_mode();
+            return;
+        }
+        if self.is_packing() {
+            self.close_backpack();
             return;
         }
         let running = matches!(self.phase, Phase::Paused(_));
@@ -67,7 +72,7 @@ impl Game {
 
     /// The wheel, in notches.
     pub fn wheel(&mut self, notches: f64) {
-        if self.is_typing() || self.is_photographing() {
+        if self.is_elsewhere() {
             return;
         }
         if let Phase::Playing(session) = &self.phase {

@@ -17,6 +17,7 @@ impl Game {
         if let Some(model) = self.display(drawn) {
             antipode_ui::show_hud(context, &self.texts, &model);
         }
+        self.show_backpack(context);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
             if (self.display_hidden || self.is_photographing()) && !self.shell.is_open() {
@@ -96,7 +97,8 @@ impl Game {
                 });
                 let model = hud::model(&self.texts, &session.scene, fps, figures);
                 Some(HudModel {
-                    hint: self.hint(),
+                    hint: self.hint().filter(|_| !self.is_packing()),
+                    show_crosshair: model.show_crosshair && !self.is_packing(),
                     ..model
                 })
             }

@@ -4,6 +4,7 @@ mod about;
 mod app;
 mod backdrop;
 mod background;
+mod backpack;
 mod console;
 mod events;
 mod framerate;
@@ -41,8 +42,18 @@ use winit::event_loop::EventLoop;
 use crate::cli::{Adapter, Common, Fault};
 use crate::failure::Failure;
 use crate::session::{NewWorld, Worlds};
+use crate::trouble::Trouble;
 use app::App;
 use phase::Request;
+
+/// How the game before this one ended, to be told.
+#[derive(Clone, Debug, PartialEq)]
+pub enum After {
+    /// It crashed; the report.
+    Crash(PathBuf),
+    /// Its graphics failed for good.
+    Graphics(Trouble),
+}
 
 /// How the game begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,11 +71,8 @@ pub enum Start {
         /// Its radius, for a spherical world.
         radius_m: Option<f64>,
     },
-    /// In the main menu, with words about a crash before.
-    AfterCrash {
-        /// The crash's report.
-        report: PathBuf,
-    },
+    /// In the main menu, with words about how the game before it ended.
+    After(After),
     /// In a saved world.
     Load {
         /// Its name.
@@ -83,13 +91,13 @@ pub fn run(start: Start, common: &Common, inject: Option<Fault>) -> Result<(), F
         ));
     }
     let worlds = Worlds::new(common);
-    let crash = match &start {
-        Start::AfterCrash { report } => Some(report.clone()),
+    let after = match &start {
+        Start::After(after) => Some(after.clone()),
         _ => None,
     };
     let first = first_request(start, &worlds)?;
     let events = EventLoop::new().map_err(|e| Failure::no_window(&e))?;
-    let mut app = App::new(common, worlds, first, crash, inject);
+    let mut app = App::new(common, worlds, first, after, inject);
     let ended = events.run_app(&mut app);
     let (failure, unsaved) = app.ended();
     match (failure, unsaved) {
@@ -102,7 +110,7 @@ pub fn run(start: Start, common: &Common, inject: Option<Fault>) -> Result<(), F
 
 fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failure> {
     Ok(match start {
-        Start::Menu | Start::AfterCrash { .. } => None,
+        Start::Menu | Start::After(_) => None,
         Start::New {
             geometry,
             seed,

@@ -47,6 +47,7 @@ impl Game {
             keeper,
         } = opened;
         self.config = config;
+        self.hints.go_on(&self.config.learnt);
         self.options = Options {
             keeper,
             fixed: Fixed {
@@ -93,6 +94,11 @@ impl Game {
         if self.config.settings.reset(id) {
             self.option_changed(id);
         }
+    }
+
+    /// Has the file keep what holds now.
+    pub(super) fn keep_config(&self) {
+        self.options.keeper.save(&self.config);
     }
 
     /// Puts key bindings in use.

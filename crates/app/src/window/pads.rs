@@ -72,6 +72,8 @@ impl Pads {
         } else if !pressed {
         } else if game.shell.wants_input() {
             game.shell.take_input(input);
+        } else if game.is_packing() {
+            in_backpack(game, button, keys);
         } else {
             match button {
                 PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
@@ -143,6 +145,21 @@ fn key(direction: Direction) -> Key {
         Direction::Down => Key::ArrowDown,
         Direction::Left => Key::ArrowLeft,
         Direction::Right => Key::ArrowRight,
+    }
+}
+
+/// In the backpack the buttons under the right thumb take and put, take half, send on, and close.
+fn in_backpack(game: &mut Game, button: PadButton, keys: &mut Vec<Event>) {
+    match button {
+        PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
+        PadButton::West => tap(Key::Enter, Modifiers::CTRL, keys),
+        PadButton::North => tap(Key::Enter, Modifiers::SHIFT, keys),
+        PadButton::East | PadButton::Start => game.escape(),
+        PadButton::LeftBumper => tap(Key::Tab, Modifiers::SHIFT, keys),
+        PadButton::RightBumper => tap(Key::Tab, Modifiers::NONE, keys),
+        _ => {
+            game.backpack_key(Input::Pad(button));
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use super::phase::{Next, Phase, Request};
 use super::portrait::LastPicture;
 use crate::failure::Failure;
 use crate::session::{Session, Unclosed};
+use crate::trouble::Trouble;
 use crate::wording;
 
 /// Longest time that a world which is closed waits for its picture; it is saved already then.
@@ -19,6 +20,7 @@ const PATIENCE: Duration = Duration::from_secs(5);
 impl Game {
     /// The player closes the window: what is open is committed first.
     pub fn close_window(&mut self) {
+        self.close_backpack();
         match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
                 self.close(session, Next::Quit);
@@ -61,6 +63,7 @@ impl Game {
 
     /// Closes what is open, then goes on.
     pub(super) fn leave(&mut self, next: Next) {
+        self.close_backpack();
         match std::mem::replace(&mut self.phase, Phase::Menu) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
                 self.close(session, next);
@@ -139,6 +142,8 @@ impl Game {
             Progress::Running => return Phase::Opening(task),
             Progress::Done(Ok(mut session)) => {
                 self.worlds_opened += 1;
+                // What was answered in another world is not true of this one.
+                self.console.view.clear();
                 self.fit(&mut session);
                 return self.loading(session);
             }
@@ -227,6 +232,16 @@ impl Game {
         let report = report.display().to_string();
         let title = self.texts.say("crash-title");
         let text = self.texts.say_with("crash", &[("report", report.into())]);
+        self.shell.open(Screen::Message { title, text });
+    }
+
+    /// Says that the graphics of the game before this one failed for good, and what draws now.
+    pub fn tell_graphics(&mut self, trouble: &Trouble) {
+        let mut text = wording::trouble(&self.texts, trouble);
+        if self.software.is_some() {
+            text = format!("{text} {}", self.texts.say("graphics-software"));
+        }
+        let title = self.texts.say("graphics-title");
         self.shell.open(Screen::Message { title, text });
     }
 

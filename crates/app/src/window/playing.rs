@@ -18,6 +18,7 @@ impl Game {
     pub(super) fn pause(&mut self) {
         self.console.leave();
         self.leave_photo_mode();
+        self.close_backpack();
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Playing(mut session) => {
                 self.controls.release_all();
@@ -54,14 +55,18 @@ impl Game {
         // Before the steps: they save by simulated time, which never runs ahead of the wall's.
         self.keep_saved(&mut session, passed, false);
         let feel = Feel::from(&self.config.settings);
+        // The sticks belong to what is up over the world, as the keys do.
+        let by_sticks = !self.is_elsewhere();
         for _ in 0..self.pace.steps(passed) {
             let mut actions = self.controls.take();
             let by_keys = actions;
-            self.sticks.add_to(&mut actions, feel, STEP_S);
+            if by_sticks {
+                self.sticks.add_to(&mut actions, feel, STEP_S);
+            }
             if actions != by_keys {
                 self.hints.use_pad(true);
             }
-            self.step_hints(&actions);
+            self.step_hints(&actions, session.scene.lens().range().is_some());
             session.scene.step(&actions);
             self.console.step(&mut self.controls);
         }

@@ -90,6 +90,9 @@ impl Game {
         if self.is_typing() {
             return fresh && self.console_key(input);
         }
+        if self.is_packing() {
+            return fresh && self.backpack_key(input);
+        }
         self.is_photographing() && self.photo_key(input, pressed, repeats)
     }
 

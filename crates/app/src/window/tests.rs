@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod backpack;
 mod console;
 mod newcomers;
 mod options;
@@ -26,14 +27,18 @@ use tempfile::TempDir;
 use super::game::Game;
 use super::phase::{Phase, Request};
 use crate::bindings::Input;
-use crate::cli::Cli;
+use crate::cli::{Cli, Common};
 use crate::drawn::Drawn;
 use crate::session::{NewWorld, Worlds};
 
 fn worlds(dir: &Path) -> Worlds {
+    Worlds::new(&worlds_options(dir))
+}
+
+fn worlds_options(dir: &Path) -> Common {
     let path = dir.to_str().unwrap();
     let cli = Cli::try_parse_from(["antipode", "--saves-dir", path, "--view-distance", "1"]);
-    Worlds::new(&cli.unwrap().common)
+    cli.unwrap().common
 }
 
 /// A game that begins in a new world called x.

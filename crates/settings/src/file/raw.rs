@@ -7,6 +7,8 @@ use ron::Value;
 pub(super) struct Raw {
     pub schema: Option<Value>,
     pub settings: Vec<(String, Value)>,
+    /// What was learnt.
+    pub learnt: Option<Value>,
     /// The name of the profile in use.
     pub chosen: Option<Value>,
     pub profiles: Vec<RawProfile>,
@@ -29,6 +31,7 @@ pub(super) fn whole(text: &str) -> Option<Raw> {
         match name.as_str() {
             "schema" => raw.schema = Some(value),
             "profile" => raw.chosen = Some(value),
+            "learnt" => raw.learnt = Some(value),
             "settings" => raw.settings = entries(value)?,
             "profiles" => {
                 let Value::Seq(profiles) = value else {
@@ -75,6 +78,7 @@ pub(super) fn lines(text: &str) -> Raw {
                 name: Some(value),
                 ..RawProfile::default()
             }),
+            ("learnt", Value::Seq(_)) => raw.learnt = Some(value),
             (_, Value::Seq(_)) => {
                 if let Some(profile) = raw.profiles.last_mut() {
                     profile.keys.push((name, value));

@@ -1,5 +1,7 @@
 //! From what a file says to settings: older schemas brought up to date, every value checked.
 
+use std::collections::BTreeSet;
+
 use ron::Value;
 
 use super::notice::Notice;
@@ -9,6 +11,7 @@ use crate::Config;
 use crate::action::Action;
 use crate::field::{Given, field};
 use crate::input::Input;
+use crate::lesson::Lesson;
 use crate::settings::Settings;
 
 /// Most notices of single values; a file that is all wrong need not be told line by line.
@@ -71,6 +74,7 @@ pub fn read(bytes: &[u8]) -> Reading {
     let mut notices = Vec::new();
     take_settings(&mut config.settings, &raw.settings, &mut notices);
     take_profiles(&mut config, &raw, &mut notices);
+    config.learnt = learnt(raw.learnt.as_ref());
     notices.extend(raw.others.iter().map(|(name, _)| unknown(name)));
     notices.truncate(MOST_NOTICES);
     Reading {
@@ -111,6 +115,18 @@ fn take_settings(settings: &mut Settings, said: &[(String, Value)], notices: &mu
             });
         }
     }
+}
+
+/// The lessons of a list. One that is unknown only means that a hint comes once more, and nobody needs to hear of it.
+fn learnt(said: Option<&Value>) -> BTreeSet<Lesson> {
+    let Some(Value::Seq(said)) = said else {
+        return BTreeSet::new();
+    };
+    let named = said.iter().filter_map(|one| match one {
+        Value::String(name) => Lesson::named(name),
+        _ => None,
+    });
+    named.collect()
 }
 
 fn take_profiles(config: &mut Config, raw: &Raw, notices: &mut Vec<Notice>) {

@@ -17,6 +17,8 @@ const HEADING: &str = "// Antipode's settings, written by the game. Each line ma
 struct File<'a> {
     schema: u32,
     settings: AllSettings<'a>,
+    /// Names of lessons; before the profiles, so that it is no list of one's keys in a damaged file.
+    learnt: Vec<&'static str>,
     profile: &'a str,
     profiles: Vec<OneProfile<'a>>,
 }
@@ -39,6 +41,7 @@ pub fn write(config: &Config) -> Result<String, String> {
     let file = File {
         schema: SCHEMA,
         settings: AllSettings(&config.settings),
+        learnt: config.learnt.iter().map(|lesson| lesson.id()).collect(),
         profile: profiles.chosen().name(),
         profiles: profiles
             .all()

@@ -10,6 +10,9 @@ use crate::shell::Pass;
 use crate::theme::{BAD, WEAK, small};
 use crate::widgets::focus_ring;
 
+/// Share of a line that its name takes from so many points of width on: two inputs with their buttons fit beside it.
+const NAME_SHARES: [(f32, f32); 2] = [(400.0, 0.28), (0.0, 0.5)];
+
 /// Draws the line; what is asked for there.
 pub(super) fn show(
     ui: &mut Ui,
@@ -22,15 +25,23 @@ pub(super) fn show(
     let texts = pass.model.texts;
     let label = action_label(texts, action);
     ui.push_id(action.info().id, |ui| {
-        ui.columns_const(|[left, right]| {
-            Label::new(&label).wrap().ui(left);
-            right
-                .horizontal_wrapped(|ui| {
-                    ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                    inputs(ui, pass, stops, profile, action, &label, takes_focus)
-                })
-                .inner
+        let whole = ui.available_width();
+        let share = NAME_SHARES.iter().find(|(from, _)| whole >= *from);
+        let name = whole * share.map_or(0.5, |(_, share)| *share);
+        ui.horizontal_top(|ui| {
+            ui.vertical(|ui| {
+                // In line with the words on the buttons.
+                ui.add_space(ui.spacing().button_padding.y);
+                ui.set_width((name - ui.spacing().item_spacing.x).max(1.0));
+                Label::new(&label).wrap().ui(ui);
+            });
+            ui.horizontal_wrapped(|ui| {
+                ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+                inputs(ui, pass, stops, profile, action, &label, takes_focus)
+            })
+            .inner
         })
+        .inner
     })
     .inner
 }

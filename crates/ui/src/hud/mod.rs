@@ -3,7 +3,7 @@
 mod figures;
 mod gauges;
 mod hint;
-mod hotbar;
+pub(crate) mod hotbar;
 mod plate;
 
 use antipode_language::Texts;
@@ -18,7 +18,7 @@ pub use figures::FigureModel;
 pub use hint::HintModel;
 
 /// What a slot of the hotbar shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum SlotIcon {
     /// Nothing.
     #[default]

@@ -9,7 +9,7 @@ use antipode_settings::{Group, fields};
 use egui::{RichText, Ui};
 
 use crate::entry::entry;
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, long_pane};
 use crate::model::Screen;
 use crate::shell::Pass;
 use crate::theme::{ACCENT, GRID, WEAK};
@@ -43,7 +43,8 @@ impl SettingsScreen {
             pass.offer_focus(&search);
             self.groups(ui, pass, stops);
         };
-        pane(ui, regions.pane, &texts.say("menu-settings"), body, |ui| {
+        let title = texts.say("menu-settings");
+        long_pane(ui, regions.pane, &title, body, |ui| {
             back = button(ui, &texts.say("back")).clicked();
         });
         if back {

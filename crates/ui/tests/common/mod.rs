@@ -26,6 +26,7 @@ pub struct Game {
     pub running: Option<String>,
     pub backdrop: Backdrop,
     pub about: AboutModel,
+    pub adapter_notice: String,
     pub intents: Vec<Intent>,
 }
 
@@ -40,6 +41,7 @@ impl Game {
             running: None,
             backdrop: Backdrop::default(),
             about: about(),
+            adapter_notice: "No GPU was found: the processor draws.".to_owned(),
             intents: Vec::new(),
         }
     }
@@ -54,7 +56,7 @@ impl Game {
             check_name: &check_name,
             check_rename: &|_, name| check_name(name),
             world_files: &self.files,
-            adapter_notice: Some("No GPU was found: the processor draws."),
+            adapter_notice: Some(&self.adapter_notice),
             sound_notice: Some("There is no sound device."),
             version: "0.1.0",
             about: &self.about,

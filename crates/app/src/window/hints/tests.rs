@@ -14,7 +14,7 @@ fn told(hints: &Hints, has_dial: bool) -> String {
 
 fn pass(hints: &mut Hints, actions: &Actions, time_s: f64) {
     for _ in 0..(time_s / STEP_S).round() as u32 {
-        hints.step(actions);
+        hints.step(actions, true);
     }
 }
 
@@ -53,12 +53,12 @@ fn lessons() -> [Actions; 6] {
 fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
     let mut hints = Hints::default();
     let words = [
-        "Look around: Mouse | 1 of 7 · skip: N",
-        "Walk: W A S D | 2 of 7 · skip: N",
-        "Jump: Space | 3 of 7 · skip: N",
-        "Dig, held down: Left button | 4 of 7 · skip: N",
-        "Build, held down: Right button | 5 of 7 · skip: N",
-        "Change how space is pictured: Wheel up and Wheel down | 6 of 7 · skip: N",
+        "Look around: Mouse | 1 of 8 · skip: N",
+        "Walk: W A S D | 2 of 8 · skip: N",
+        "Jump: Space | 3 of 8 · skip: N",
+        "Dig, held down: Left button | 4 of 8 · skip: N",
+        "Build, held down: Right button | 5 of 8 · skip: N",
+        "Change how space is pictured: Wheel up and Wheel down | 6 of 8 · skip: N",
     ];
     for (words, actions) in words.iter().zip(lessons()) {
         assert_eq!(told(&hints, true), *words);
@@ -67,6 +67,9 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
         pass(&mut hints, &actions, 1.0);
         pass(&mut hints, &Actions::default(), REST_S);
     }
+    assert!(told(&hints, true).starts_with("Open the backpack: E | 7 of 8"));
+    hints.finish(Lesson::Backpack);
+    pass(&mut hints, &Actions::default(), REST_S);
     assert!(told(&hints, true).starts_with("Pause"));
     hints.finish(Lesson::Menu);
     assert_eq!(hints.current(true), None);
@@ -75,12 +78,33 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
 #[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
     let mut hints = Hints::default();
-    assert!(told(&hints, false).contains("1 of 6"));
+    assert!(told(&hints, false).contains("1 of 7"));
     for actions in &lessons()[..5] {
         pass(&mut hints, actions, 1.0);
     }
     pass(&mut hints, &Actions::default(), REST_S);
+    hints.finish(Lesson::Backpack);
+    pass(&mut hints, &Actions::default(), REST_S);
     assert!(told(&hints, false).starts_with("Pause"));
+}
+
+#[test]
+fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
+    let mut hints = Hints::default();
+    pass(&mut hints, &Actions::default(), 10.0 * LAST_S);
+    assert!(
+        told(&hints, true).contains("1 of 8"),
+        "that is not the last"
+    );
+    for lesson in Lesson::ALL {
+        if lesson != Lesson::Menu {
+            hints.finish(lesson);
+        }
+    }
+    pass(&mut hints, &Actions::default(), 0.9 * LAST_S);
+    assert!(told(&hints, true).starts_with("Pause"));
+    pass(&mut hints, &Actions::default(), 0.2 * LAST_S);
+    assert_eq!(hints.current(true), None);
 }
 
 #[test]
@@ -109,7 +133,7 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
     let model = hints.model(&texts, &profiles, true).unwrap();
     assert_eq!(
         (model.text.as_str(), model.footer.as_str()),
-        ("Jump: J", "3 of 7")
+        ("Jump: J", "3 of 8")
     );
     hints.use_pad(true);
     let model = hints.model(&texts, &profiles, true).unwrap();
@@ -142,6 +166,7 @@ fn every_language_names_the_keys_in_every_hint() {
                 Lesson::Dig => Some(Action::Use),
                 Lesson::Build => Some(Action::SecondUse),
                 Lesson::Curve => Some(Action::DialDown),
+                Lesson::Backpack => Some(Action::Backpack),
                 Lesson::Menu => Some(Action::Menu),
             };
             let key = action.map_or_else(
@@ -149,7 +174,7 @@ fn every_language_names_the_keys_in_every_hint() {
                 |action| first_input_label(&texts, &Profiles::default(), action),
             );
             assert!(model.text.contains(&key), "{language:?}: {}", model.text);
-            assert!(model.footer.contains('N') && model.footer.contains('7'));
+            assert!(model.footer.contains('N') && model.footer.contains('8'));
             hints.finish(lesson);
         }
     }

@@ -169,6 +169,29 @@ fn start_pauses_and_starts_again() {
 }
 
 #[test]
+fn in_the_backpack_sticks_move_the_focus_and_not_the_player() {
+    let mut play = Play::in_world();
+    let press = |which| [button(which, true), button(which, false)];
+    play.pass(16, &press(PadButton::RightStick));
+    assert!(play.game.is_packing());
+    let start = play.feet();
+    assert_eq!(play.pass(16, &[stick(Axis::LeftX, 0.9)]), [Key::ArrowRight]);
+    for _ in 0..30 {
+        play.pass(20, &[]);
+    }
+    assert!((play.feet() - start).with_y(0.0).length() < 1e-3);
+    play.pass(16, &[stick(Axis::LeftX, 0.0)]);
+    assert_eq!(play.pass(16, &press(PadButton::South)), [Key::Enter]);
+    assert_eq!(play.pass(16, &press(PadButton::West)), [Key::Enter]);
+    play.pass(16, &press(PadButton::East));
+    assert!(play.game.is_playing());
+    play.pass(16, &press(PadButton::RightStick));
+    play.pass(16, &press(PadButton::RightStick));
+    assert!(play.game.is_playing(), "what opens it closes it");
+    play.game.finish();
+}
+
+#[test]
 fn in_menus_the_cross_and_the_stick_move_and_buttons_press_and_lead_back() {
     let mut play = Play::in_menu();
     assert_eq!(

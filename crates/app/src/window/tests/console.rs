@@ -164,6 +164,24 @@ fn each_cheat_marks_and_what_fails_does_not() {
 }
 
 #[test]
+fn what_was_answered_in_one_world_is_not_told_in_the_next() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut typing = Typing::new(&dir);
+    assert!(typing.enter("list").contains("x (euclidean, seed 7)"));
+    typing.enter("new euclidean seed=8 name=y");
+    tick_until(&mut typing.game, |game| {
+        game.is_playing() && game.phase.session().is_some_and(|s| s.slug == "y")
+    });
+    typing.game.input(BACKQUOTE, true);
+    let said = typing.frame(Vec::new());
+    assert!(!said.contains("seed 7"), "{said}");
+    // What was typed can still be brought back.
+    typing.press(Key::ArrowUp);
+    assert!(typing.frame(Vec::new()).contains("new euclidean seed=8"));
+    typing.game.finish();
+}
+
+#[test]
 fn mistakes_and_refusals_are_sentences() {
     let dir = tempfile::tempdir().unwrap();
     let mut typing = Typing::new(&dir);

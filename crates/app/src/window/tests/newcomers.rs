@@ -20,8 +20,8 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
     assert!(told(&game).starts_with("Look"));
-    // A flat world has no dial: six hints.
-    for _ in 0..6 {
+    // A flat world has no dial: seven hints.
+    for _ in 0..7 {
         assert!(game.config.settings.hints);
         game.input(KEY_N, true);
         game.input(KEY_N, false);
@@ -39,12 +39,45 @@ fn opening_the_menu_is_remembered_though_it_is_told_last() {
     game.input(Input::Key("Escape"), true);
     game.tick(Instant::now());
     game.follow(Intent::Resume);
-    for _ in 0..5 {
+    for _ in 0..6 {
         assert!(game.config.settings.hints);
         game.input(KEY_N, true);
         game.tick(Instant::now());
     }
-    assert!(!game.config.settings.hints, "the sixth is done already");
+    assert!(!game.config.settings.hints, "the seventh is done already");
+}
+
+#[test]
+fn what_was_learnt_in_one_run_is_not_told_in_the_next() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("settings.ron");
+    let common = worlds_options(dir.path());
+    let begin = |game: &mut Game| {
+        game.begin_with(antipode_settings::open(Some(file.clone())), &common);
+    };
+    let mut game = begun(&dir);
+    begin(&mut game);
+    tick_until(&mut game, Game::is_playing);
+    for _ in 0..2 {
+        game.input(KEY_N, true);
+        game.tick(Instant::now());
+    }
+    game.finish();
+    drop(game);
+    let mut game = Game::new(
+        worlds(dir.path()),
+        None,
+        Some(Request::Load("x".to_owned())),
+    );
+    begin(&mut game);
+    tick_until(&mut game, |game| told(game).starts_with("Jump"));
+    // Switched off and on they begin anew, for later runs too.
+    set_hints(&mut game, false);
+    game.tick(Instant::now());
+    assert!(game.config.learnt.is_empty());
+    set_hints(&mut game, true);
+    tick_until(&mut game, |game| told(game).starts_with("Look"));
+    game.finish();
 }
 
 #[test]

@@ -1,0 +1,22 @@
+### The backpack over the running world.
+
+action-backpack = Rucksack
+
+backpack-title = Rucksack
+# What a slot is called, and a thing with how many there are of it.
+backpack-slot = Platz { $number }: { $item }
+backpack-slot-empty = Platz { $number }: leer
+backpack-item = { $item } × { $count }
+backpack-throw = Wegwerfen
+backpack-close = Schließen
+# What the mouse does, and what the keys do, in a few lines.
+backpack-how = Linke Taste: nehmen, ablegen, ziehen · Rechte: die Hälfte nehmen, eins ablegen · Umschalt + links: in den anderen Teil · Außerhalb: wegwerfen
+backpack-how-keys = Pfeile: bewegen · Enter: nehmen, ablegen · Strg + Enter: die Hälfte nehmen, eins ablegen · Umschalt + Enter: in den anderen Teil · Ziffer: mit der Leiste tauschen
+
+# What a thing does, in a sentence.
+item-gun-about = Schießt eine Kugel auf das, was das Fadenkreuz verdeckt.
+item-bullet-about = Damit schießt die Pistole.
+item-lamp-about = Erhellt das Land ringsum. Lässt sich hinstellen und wieder aufheben.
+item-pickaxe-wood-about = Gräbt und baut, langsam.
+item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz.
+item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz.

@@ -1,0 +1,22 @@
+### The backpack over the running world.
+
+action-backpack = Backpack
+
+backpack-title = Backpack
+# What a slot is called, and a thing with how many there are of it.
+backpack-slot = Slot { $number }: { $item }
+backpack-slot-empty = Slot { $number }: empty
+backpack-item = { $item } × { $count }
+backpack-throw = Throw away
+backpack-close = Close
+# What the mouse does, and what the keys do, in a few lines.
+backpack-how = Left button: take, put down, drag · Right: take half, put one · Shift + left: to the other part · Outside: throw away
+backpack-how-keys = Arrows: move · Enter: take, put down · Ctrl + Enter: take half, put one · Shift + Enter: to the other part · Number: swap with the hotbar
+
+# What a thing does, in a sentence.
+item-gun-about = Shoots a bullet at what the crosshair covers.
+item-bullet-about = What the gun shoots.
+item-lamp-about = Lights up the land around it. Can be put down and picked up again.
+item-pickaxe-wood-about = Digs and builds, slowly.
+item-pickaxe-iron-about = Digs and builds three times as fast as wood.
+item-pickaxe-diamond-about = Digs and builds five times as fast as wood.

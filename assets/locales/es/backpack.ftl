@@ -1,0 +1,22 @@
+### The backpack over the running world.
+
+action-backpack = Mochila
+
+backpack-title = Mochila
+# What a slot is called, and a thing with how many there are of it.
+backpack-slot = Hueco { $number }: { $item }
+backpack-slot-empty = Hueco { $number }: vacío
+backpack-item = { $item } × { $count }
+backpack-throw = Tirar
+backpack-close = Cerrar
+# What the mouse does, and what the keys do, in a few lines.
+backpack-how = Botón izquierdo: tomar, dejar, arrastrar · Derecho: tomar la mitad, dejar uno · Mayús + izquierdo: a la otra parte · Fuera: tirar
+backpack-how-keys = Flechas: mover · Intro: tomar, dejar · Ctrl + Intro: tomar la mitad, dejar uno · Mayús + Intro: a la otra parte · Número: cambiar con la barra
+
+# What a thing does, in a sentence.
+item-gun-about = Dispara una bala a lo que cubre la mira.
+item-bullet-about = Lo que dispara la pistola.
+item-lamp-about = Ilumina los alrededores. Se puede colocar y volver a recoger.
+item-pickaxe-wood-about = Cava y construye, despacio.
+item-pickaxe-iron-about = Cava y construye tres veces más rápido que la madera.
+item-pickaxe-diamond-about = Cava y construye cinco veces más rápido que la madera.

@@ -1,0 +1,22 @@
+### The backpack over the running world.
+
+action-backpack = Plecak
+
+backpack-title = Plecak
+# What a slot is called, and a thing with how many there are of it.
+backpack-slot = Miejsce { $number }: { $item }
+backpack-slot-empty = Miejsce { $number }: puste
+backpack-item = { $item } × { $count }
+backpack-throw = Wyrzuć
+backpack-close = Zamknij
+# What the mouse does, and what the keys do, in a few lines.
+backpack-how = Lewy przycisk: weź, odłóż, przeciągnij · Prawy: weź połowę, odłóż sztukę · Shift + lewy: do drugiej części · Poza plecakiem: wyrzuć
+backpack-how-keys = Strzałki: ruch · Enter: weź, odłóż · Ctrl + Enter: weź połowę, odłóż sztukę · Shift + Enter: do drugiej części · Cyfra: zamień z paskiem
+
+# What a thing does, in a sentence.
+item-gun-about = Strzela nabojem w to, co zasłania celownik.
+item-bullet-about = Tym strzela pistolet.
+item-lamp-about = Oświetla okolicę. Można ją postawić i znów podnieść.
+item-pickaxe-wood-about = Kopie i buduje, powoli.
+item-pickaxe-iron-about = Kopie i buduje trzy razy szybciej niż drewniany.
+item-pickaxe-diamond-about = Kopie i buduje pięć razy szybciej niż drewniany.

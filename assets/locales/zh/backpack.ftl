@@ -1,0 +1,22 @@
+### The backpack over the running world.
+
+action-backpack = 背包
+
+backpack-title = 背包
+# What a slot is called, and a thing with how many there are of it.
+backpack-slot = 第 { $number } 格：{ $item }
+backpack-slot-empty = 第 { $number } 格：空
+backpack-item = { $item } × { $count }
+backpack-throw = 扔掉
+backpack-close = 关闭
+# What the mouse does, and what the keys do, in a few lines.
+backpack-how = 左键：拿起、放下、拖动 · 右键：拿一半、放一个 · Shift + 左键：移到另一部分 · 框外：扔掉
+backpack-how-keys = 方向键：移动 · Enter：拿起、放下 · Ctrl + Enter：拿一半、放一个 · Shift + Enter：移到另一部分 · 数字键：与快捷栏交换
+
+# What a thing does, in a sentence.
+item-gun-about = 向准星所指之处射出一颗子弹。
+item-bullet-about = 枪用的子弹。
+item-lamp-about = 照亮周围。可以放下，也可以再拿起。
+item-pickaxe-wood-about = 挖掘和建造，很慢。
+item-pickaxe-iron-about = 挖掘和建造，速度是木镐的三倍。
+item-pickaxe-diamond-about = 挖掘和建造，速度是木镐的五倍。
