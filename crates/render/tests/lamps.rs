@@ -120,8 +120,8 @@ fn brightening(studio: &mut Studio, space: &Arc<dyn Strategy>, eye: Eye) -> [f64
     let empty = frame(space, eye.point, ASPECT);
     let dark = Sky {
         key_colour: [0.0; 3],
-        ambient_sky: [0.12; 3],
-        ambient_ground: [0.12; 3],
+        ambient_sky: [1.4; 3],
+        ambient_ground: [1.4; 3],
         orbs: None,
         ..noon()
     };
