@@ -34,7 +34,7 @@ struct Scene {
     moon: vec4<f32>,           // xyz: towards the moon; w: chart radius of the equator, m, or 0
     key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
-    ambient_sky: vec4<f32>,
+    ambient_sky: vec4<f32>,    // rgb; w: how far clouds have drifted, 0 to 1 over a day
     ambient_ground: vec4<f32>,
     moon_colour: vec4<f32>,    // rgb: moonlight at its full; w: share of the sky that clouds cover
     sun_place: vec4<f32>,      // of a closed world's sun, a unit vector of the model in view coordinates

@@ -43,12 +43,14 @@ fn fragment_band(in: VertexOut) -> @location(0) vec4<f32> {
 // second, slower layer of themselves they change their shape.
 const CLOUD_SCALE: f32 = 0.11;
 const CLOUD_TEXELS: f32 = 256.0;
-const CLOUD_WIND: vec2<f32> = vec2<f32>(0.0011, 0.0006);
+// Whole repetitions of the picture over a day, so that nothing jumps at its end.
+const WIND: vec2<f32> = vec2<f32>(1.0, 1.0);
+const SLOW_WIND: vec2<f32> = vec2<f32>(1.0, 0.0);
 
 fn thickness(at: vec2<f32>, level: f32) -> f32 {
-    let drift = scene.right.w * CLOUD_WIND;
-    let heaps = textureSampleLevel(layer, smooth_sampler, at + drift, level).r;
-    let groups = textureSampleLevel(layer, smooth_sampler, 0.37 * at + 0.45 * drift + 0.31, level).r;
+    let drift = scene.ambient_sky.w;
+    let heaps = textureSampleLevel(layer, smooth_sampler, at + drift * WIND, level).r;
+    let groups = textureSampleLevel(layer, smooth_sampler, 0.37 * at + drift * SLOW_WIND + 0.31, level).r;
     return 0.62 * heaps + 0.38 * groups;
 }
 

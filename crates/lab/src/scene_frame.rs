@@ -28,6 +28,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             moon_colour: dark,
             dome: false,
             clouds: 0.0,
+            drift: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),

@@ -74,7 +74,7 @@ impl SceneUniform {
             moon: with(sky.moon_direction.into(), rim_m),
             key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
-            ambient_sky: with(sky.ambient_sky.into(), 0.0),
+            ambient_sky: with(sky.ambient_sky.into(), sky.drift),
             ambient_ground: with(sky.ambient_ground.into(), 0.0),
             moon_colour: with(sky.moon_colour.into(), sky.clouds),
             sun_place: orb_place(frame, |orbs| orbs.sun),

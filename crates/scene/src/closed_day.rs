@@ -57,6 +57,7 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
         ambient_ground: [0.17, 0.16, 0.15],
         dome: false,
         clouds: 0.0,
+        drift: 0.0,
         orbs: Some(orbs),
     }
 }

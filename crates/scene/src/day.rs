@@ -156,6 +156,7 @@ fn dome(time_of_day_s: f64) -> Sky {
         ambient_ground: ambient_ground.into(),
         dome: true,
         clouds: clouds(time_s),
+        drift: (time_s / DAY_S) as f32,
         orbs: None,
     }
 }

@@ -120,6 +120,8 @@ pub struct Sky {
     pub dome: bool,
     /// How much of the sky clouds cover, 0 to 1.
     pub clouds: f32,
+    /// How far they have drifted, 0 to 1 over a day; then they are where they were.
+    pub drift: f32,
     /// Sun and moon of a world without a sky.
     pub orbs: Option<Orbs>,
 }

@@ -86,6 +86,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             moon_colour: dark,
             dome: false,
             clouds: 0.0,
+            drift: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),

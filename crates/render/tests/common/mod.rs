@@ -127,6 +127,7 @@ pub fn noon() -> Sky {
         ambient_ground: [0.2, 0.18, 0.16],
         dome: true,
         clouds: 0.0,
+        drift: 0.0,
         orbs: None,
     }
 }

@@ -59,6 +59,7 @@ fn frame() -> Frame {
             moon_colour: black,
             dome: true,
             clouds: 0.0,
+            drift: 0.0,
             orbs: None,
         },
         chunk_changes: Vec::new(),
