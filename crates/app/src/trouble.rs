@@ -27,9 +27,10 @@ impl Trouble {
             RenderError::NoDevice { .. } | RenderError::NoSurface(_) => {
                 Some(Self::Other(error.to_string()))
             }
-            RenderError::NoAdapter { .. } | RenderError::Readback(_) | RenderError::Options(_) => {
-                None
-            }
+            RenderError::NoAdapter { .. }
+            | RenderError::Readback(_)
+            | RenderError::Model(_)
+            | RenderError::Options(_) => None,
         }
     }
 }
