@@ -26,6 +26,7 @@ struct VertexOut {
     @location(5) view: vec4<f32>,
     @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
+    @location(8) place: vec3<f32>,      // from the reference, m
 }
 
 // Turns about the axis to the right: a positive angle moves what hangs from the joint ahead.
@@ -61,6 +62,7 @@ fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.glow = in.normal.w;
     out.view = view;
     out.lights = in.lights;
+    out.place = p;
     if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, in.hemisphere);
     }
@@ -82,8 +84,14 @@ fn vertex_framed(in: VertexIn) -> VertexOut {
     return figure_at(in, in.offset + from_feet, view);
 }
 
+@vertex
+fn vertex_caster(in: VertexIn) -> @builtin(position) vec4<f32> {
+    return caster_clip(in.offset + stance(in), in.hemisphere);
+}
+
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    let point = shaded_at(in.place, in.view);
     let normal = normalize(in.normal);
     let toward_eye = normalize(in.toward_eye);
     let gloss = in.albedo.a;
@@ -92,13 +100,14 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
-    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal);
+    let share = key_share(point, in.clip.xy, normal, true);
+    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }
     // A soft bright edge keeps the figure readable against land of its own brightness.
     colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
-    colour += (scene.key_colour.rgb * shine + sky * 0.35) * gloss;
+    colour += (scene.key_colour.rgb * (shine * share) + sky * 0.35) * gloss;
     // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
     colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));
     return vec4<f32>(colour * in.veil.a + in.veil.rgb, 1.0);

@@ -3,7 +3,7 @@
 use antipode_scene::frame::{Figure, Frame, ModelId};
 use glam::DVec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
 
 use crate::astronaut::astronaut;
 use crate::lamps::lights_near;
@@ -166,6 +166,25 @@ impl Figures {
             triangles += place.index_count / 3 * run.count;
         }
         (triangles as usize, self.runs.len())
+    }
+}
+
+impl Figures {
+    /// Draws them into a shadow map; returns triangles.
+    pub fn draw_shadows(&self, pass: &mut RenderPass<'_>, pipeline: &RenderPipeline) -> usize {
+        let mut triangles = 0;
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, self.vertices.slice(..));
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
+        for run in &self.runs {
+            let place = self.places[run.model];
+            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
+            pass.set_vertex_buffer(1, self.instances.slice(start..));
+            let indices = place.first_index..place.first_index + place.index_count;
+            pass.draw_indexed(indices, place.base_vertex, 0..run.count);
+            triangles += place.index_count / 3 * run.count;
+        }
+        triangles as usize
     }
 }
 

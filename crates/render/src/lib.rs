@@ -27,6 +27,7 @@ mod refinery;
 mod renderer;
 mod seams;
 mod shaders;
+mod shadow;
 mod solids;
 mod targets;
 mod things;
@@ -45,4 +46,5 @@ pub use plan::{
 };
 pub use renderer::{DrawStats, Options, Renderer};
 pub use shaders::Shaders;
+pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

@@ -11,6 +11,7 @@ use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
+use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
@@ -36,11 +37,15 @@ pub struct Pipelines {
     pub marker: RenderPipeline,
     /// The marker where land hides it.
     pub marker_hidden: RenderPipeline,
+    /// Land into a shadow map.
+    pub caster: RenderPipeline,
+    /// Figures into a shadow map.
+    pub figure_caster: RenderPipeline,
 }
 
 impl Pipelines {
     /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, and so many
-    /// samples a pixel.
+    /// samples a pixel and shadows of a quality.
     ///
     /// # Errors
     /// What the device has to say against one of them.
@@ -49,10 +54,11 @@ impl Pipelines {
         shaders: Shaders,
         scene_layout: &BindGroupLayout,
         kind: u32,
-        samples: u32,
+        (samples, shadows): (u32, ShadowQuality),
     ) -> Result<Self, String> {
         accepted(device, || {
-            Self::made_by(&Maker::new(device, shaders, scene_layout, kind, samples))
+            let maker = Maker::new(device, shaders, scene_layout, kind, samples);
+            Self::made_by(&Maker { shadows, ..maker })
         })
     }
 
@@ -113,6 +119,8 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
+            caster: maker.caster(&land, &land_buffers),
+            figure_caster: maker.caster(&figure, &figure_buffers),
         }
     }
 }
@@ -222,8 +230,10 @@ struct Maker<'a> {
     device: &'a Device,
     shaders: Shaders,
     layout: PipelineLayout,
+    caster_layout: PipelineLayout,
     kind: f64,
     samples: u32,
+    shadows: ShadowQuality,
 }
 
 impl<'a> Maker<'a> {
@@ -239,12 +249,20 @@ impl<'a> Maker<'a> {
             bind_group_layouts: &[Some(scene_layout)],
             immediate_size: 0,
         });
+        // A map must not be bound where it is drawn into.
+        let caster_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("shadow caster"),
+            bind_group_layouts: &[None, Some(&caster_layout(device))],
+            immediate_size: 0,
+        });
         Self {
             device,
             shaders,
             layout,
+            caster_layout,
             kind: f64::from(kind),
             samples,
+            shadows: ShadowQuality::Off,
         }
     }
 
@@ -263,6 +281,37 @@ impl<'a> Maker<'a> {
         }
     }
 
+    /// What throws shadows, from both sides: land has no underside where it ends.
+    fn caster(&self, module: &ShaderModule, buffers: &[VertexBufferLayout<'_>]) -> RenderPipeline {
+        let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
+        self.device
+            .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some("shadow caster"),
+                layout: Some(&self.caster_layout),
+                vertex: wgpu::VertexState {
+                    module,
+                    entry_point: Some("vertex_caster"),
+                    compilation_options: wgpu::PipelineCompilationOptions {
+                        constants: &[("GEO_KIND", self.kind)],
+                        ..Default::default()
+                    },
+                    buffers: &buffers,
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: Some(wgpu::DepthStencilState {
+                    format: DEPTH_FORMAT,
+                    depth_write_enabled: Some(true),
+                    depth_compare: Some(CompareFunction::Greater),
+                    stencil: wgpu::StencilState::default(),
+                    bias: wgpu::DepthBiasState::default(),
+                }),
+                multisample: wgpu::MultisampleState::default(),
+                fragment: None,
+                multiview_mask: None,
+                cache: None,
+            })
+    }
+
     fn make(
         &self,
         module: &ShaderModule,
@@ -271,7 +320,8 @@ impl<'a> Maker<'a> {
         way: Way,
     ) -> RenderPipeline {
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
-        let constants = [("GEO_KIND", self.kind)];
+        let shadows = ("SHADOWS", f64::from(self.shadows.number()));
+        let constants = [("GEO_KIND", self.kind), shadows];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()
@@ -334,7 +384,7 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform and the pictures of the sky are bound by.
+/// What the scene's uniform, the pictures of the sky and the shadow maps are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
     let uniform = wgpu::BindGroupLayoutEntry {
         binding: 0,
@@ -346,7 +396,10 @@ pub fn scene_layout(device: &Device) -> BindGroupLayout {
         },
         count: None,
     };
-    let entries: Vec<_> = std::iter::once(uniform).chain(Heavens::layout()).collect();
+    let entries: Vec<_> = std::iter::once(uniform)
+        .chain(Heavens::layout())
+        .chain(scene_entries())
+        .collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &entries,
