@@ -172,15 +172,34 @@ fn shadow_end(away: f32) -> f32 {
     return clamp((away - SHADOW_EDGE) / SHADOW_BLEND + 1.0, 0.0, 1.0);
 }
 
+// Share of the key light that a map and the next let through, where one gives way to the other. Low quality reads one
+// of them in each pixel.
+fn either(point: Shaded, near: ShadowMap, next: ShadowMap, end: f32) -> f32 {
+    let read = shadow_read(point, near);
+    if end <= 0.0 {
+        return read;
+    }
+    return mix(read, shadow_read(point, next), end);
+}
+
 // Share of the key light that land lets through to a point.
 fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
+    let near_end = shadow_end(shadow_away(point, 0u));
+    if SHADOWS == 2u {
+        if GEO_KIND == GEO_SPHERE {
+            return either(point, scene.shadows.maps[0], scene.shadows.maps[shadow_face(point)], near_end);
+        }
+        let past_near = near_end >= 1.0;
+        let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
+        let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
+        return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+    }
     let noise = shadow_noise(pixel);
-    let past_near = shadow_end(shadow_away(point, 0u)) > noise;
     if GEO_KIND == GEO_SPHERE {
-        return shadow_read(point, scene.shadows.maps[select(0u, shadow_face(point), past_near)]);
+        return shadow_read(point, scene.shadows.maps[select(0u, shadow_face(point), near_end > noise)]);
     }
     let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
-    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), past_near)));
+    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
     return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
 }
 

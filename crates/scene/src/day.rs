@@ -244,6 +244,24 @@ mod tests {
     }
 
     #[test]
+    fn shadows_fade_where_sun_and_moon_take_turns_and_change_without_a_step() {
+        let mut turns = 0;
+        for tick in 0..6000 {
+            let (a, b) = (at(f64::from(tick) * 0.1), at(f64::from(tick + 1) * 0.1));
+            assert!((a.key_shadow - b.key_shadow).abs() < 0.1, "{tick}");
+            let along: f32 = (0..3)
+                .map(|i| a.key_direction[i] * b.key_direction[i])
+                .sum();
+            if along < 0.9 {
+                turns += 1;
+                assert!(a.key_shadow.max(b.key_shadow) < 0.1, "{tick}");
+            }
+        }
+        assert_eq!(turns, 2);
+        assert!(at(450.0).key_shadow < at(150.0).key_shadow);
+    }
+
+    #[test]
     fn no_moment_is_without_light() {
         for tick in 0..600 {
             let sky = at(f64::from(tick));
