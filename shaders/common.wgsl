@@ -14,7 +14,7 @@ const SHADOW_MAPS: u32 = 8u;
 // Light that goes all ways from a place.
 struct Lamp {
     place: vec4<f32>,   // in view coordinates, w in metres
-    colour: vec4<f32>,  // rgb; w: square of the chord at which it has faded away, square metres
+    colour: vec4<f32>,  // rgb; w: one over the square of the chord at which it has faded away, per square metre
 }
 
 // Light that goes one way from a place.

@@ -1,25 +1,33 @@
-// Figures: limbs swing in the model, the model stands in the chart, and every vertex is carried into the space
-// like the land it stands on.
+// Figures: joints bend the model in its own axes, the model is turned and stands in the chart, and every vertex is carried
+// into the space like the land it stands on. What is in the player's hand stands before the eye instead.
+
+// Joints that a model has at most, and figures whose joints are seen at once.
+const JOINTS: u32 = 21u;
+const BATCH: u32 = 16u;
 
 struct VertexIn {
     @location(0) position: vec3<f32>,   // metres; x ahead, y up from the feet, z to the right
     @location(1) normal: vec4<f32>,     // w: how much it glows
-    @location(2) colour: vec4<f32>,     // sRGB; a: gloss
-    @location(3) swing: vec2<f32>,      // height of the joint, m; share of the swing, signed
-    @location(4) offset: vec3<f32>,     // the feet from the reference, metres
-    @location(5) hemisphere: u32,
-    @location(6) pose: vec4<f32>,       // cosine and sine of the heading, angle of the swing, rise of the body m
-    @location(7) frame_origin: vec4<f32>, // view coordinates of the feet, where the figure is ported as a whole,
-    @location(8) frame_x: vec4<f32>,    // and per metre along x, y and z
-    @location(9) frame_y: vec4<f32>,
-    @location(10) frame_z: vec4<f32>,
-    @location(11) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the figure
+    @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
+    @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
+    @location(4) flags: u32,            // lowest bit: hemisphere; the rest: the figure's place in its batch
+    @location(5) turn: vec4<f32>,       // a quaternion
+    @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
+    @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
+    @location(8) frame_y: vec4<f32>,
+    @location(9) frame_z: vec4<f32>,
+    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the figure
+}
+
+struct SkinIn {
+    @location(11) weights: vec4<f32>,   // they sum to 1
+    @location(12) joints: vec4<u32>,
 }
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) normal: vec3<f32>,
-    @location(1) albedo: vec4<f32>,     // a: gloss
+    @location(1) albedo: vec4<f32>,     // a: gloss, or cover
     @location(2) toward_eye: vec3<f32>,
     @location(3) veil: vec4<f32>,       // rgb: the fog's share of the colour; a: share of the figure's own
     @location(4) glow: f32,
@@ -29,33 +37,49 @@ struct VertexOut {
     @location(8) place: vec3<f32>,      // from the reference, m
 }
 
-// Turns about the axis to the right: a positive angle moves what hangs from the joint ahead.
-fn turn_limb(v: vec3<f32>, angle: f32) -> vec3<f32> {
-    let c = cos(angle);
-    let s = sin(angle);
-    return vec3<f32>(c * v.x - s * v.y, s * v.x + c * v.y, v.z);
+// A vertex of the model: where it is from the origin, in metres, and its normal.
+struct Stance {
+    place: vec3<f32>,
+    normal: vec3<f32>,
 }
 
-fn face(v: vec3<f32>, heading: vec2<f32>) -> vec3<f32> {
-    return vec3<f32>(heading.x * v.x - heading.y * v.z, v.y, heading.y * v.x + heading.x * v.z);
+// Where joints carry what hangs from them: each is three rows, whose products with a place and 1 are where it comes to.
+@group(1) @binding(0) var<uniform> joints: array<mat3x4<f32>, JOINTS * BATCH>;
+
+// Linear blend skinning (Magnenat-Thalmann et al. 1988): the mean of where the joints would carry the vertex. Joints turn
+// and move but do not stretch, so normals go as places do.
+fn bend(model: Stance, skin: SkinIn, figure: u32) -> Stance {
+    let at = vec4<u32>(figure * JOINTS) + skin.joints;
+    let rows = joints[at.x] * skin.weights.x + joints[at.y] * skin.weights.y + joints[at.z] * skin.weights.z
+        + joints[at.w] * skin.weights.w;
+    return Stance(vec4<f32>(model.place, 1.0) * rows, vec4<f32>(model.normal, 0.0) * rows);
 }
 
-// Where a vertex stands, in metres from the feet.
-fn stance(in: VertexIn) -> vec3<f32> {
-    let joint = vec3<f32>(0.0, in.swing.x, 0.0);
-    let angle = in.pose.z * in.swing.y;
-    let bent = turn_limb(in.position - joint, angle) + joint + vec3<f32>(0.0, in.pose.w, 0.0);
-    return face(bent, in.pose.xy);
+fn turn(v: vec3<f32>, q: vec4<f32>) -> vec3<f32> {
+    return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v);
 }
 
-fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
-    let normal = face(turn_limb(in.normal.xyz, in.pose.z * in.swing.y), in.pose.xy);
-    let space = space_at(in.hemisphere);
+fn turned(model: Stance, in: VertexIn) -> Stance {
+    return Stance(turn(model.place, in.turn), turn(model.normal, in.turn));
+}
+
+fn plain(in: VertexIn) -> Stance {
+    return turned(Stance(in.position, in.normal.xyz), in);
+}
+
+fn bent(in: VertexIn, skin: SkinIn) -> Stance {
+    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 1u), in);
+}
+
+fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
+    let hemisphere = in.flags & 1u;
+    let p = in.offset + stance.place;
+    let space = space_at(in.flags);
     let fog = fog_at(eye_distance(space, view));
     let direction = direction_of(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    out.normal = port_normal(space, p, normalize(normal), in.hemisphere);
+    out.normal = port_normal(space, p, normalize(stance.normal), hemisphere);
     out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(space, view) * fog, 1.0 - fog);
@@ -64,43 +88,91 @@ fn figure_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.lights = in.lights;
     out.place = p;
     if wants_model_normal(space, in.lights) {
-        out.frame_normal = frame_vector(space, p, out.normal, in.hemisphere);
+        out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
     }
     return out;
 }
 
-@vertex
-fn vertex(in: VertexIn) -> VertexOut {
-    let p = in.offset + stance(in);
-    return figure_at(in, p, port_to_view(space_at(in.hemisphere), p, in.hemisphere));
+fn by_vertex(in: VertexIn, stance: Stance) -> VertexOut {
+    let p = in.offset + stance.place;
+    return figure_at(in, stance, port_to_view(space_at(in.flags), p, in.flags & 1u));
 }
 
 // The whole figure by one first-order map, where that errs by less than anyone can see.
+fn by_frame(in: VertexIn, stance: Stance) -> VertexOut {
+    let p = stance.place;
+    let view = in.frame_origin + in.frame_x * p.x + in.frame_y * p.y + in.frame_z * p.z;
+    return figure_at(in, stance, view);
+}
+
+@vertex
+fn vertex(in: VertexIn) -> VertexOut {
+    return by_vertex(in, plain(in));
+}
+
 @vertex
 fn vertex_framed(in: VertexIn) -> VertexOut {
-    let from_feet = stance(in);
-    let view = in.frame_origin + in.frame_x * from_feet.x + in.frame_y * from_feet.y
-        + in.frame_z * from_feet.z;
-    return figure_at(in, in.offset + from_feet, view);
+    return by_frame(in, plain(in));
+}
+
+@vertex
+fn vertex_bent(in: VertexIn, skin: SkinIn) -> VertexOut {
+    return by_vertex(in, bent(in, skin));
+}
+
+@vertex
+fn vertex_bent_framed(in: VertexIn, skin: SkinIn) -> VertexOut {
+    return by_frame(in, bent(in, skin));
 }
 
 @vertex
 fn vertex_caster(in: VertexIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + stance(in), in.hemisphere);
+    return caster_clip(in.offset + plain(in).place, in.flags & 1u);
 }
 
-@fragment
-fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    let point = shaded_at(in.place, in.view);
+@vertex
+fn vertex_caster_bent(in: VertexIn, skin: SkinIn) -> @builtin(position) vec4<f32> {
+    return caster_clip(in.offset + bent(in, skin).place, in.flags & 1u);
+}
+
+// What is in the hand is seen at this focal length, whatever the field of view is: 1 over the tangent of 27 degrees.
+const HAND_FOCAL: f32 = 1.96;
+// It is nearer than all else: its depths lie from here to 1.
+const HAND_DEPTH: f32 = 0.9;
+
+// Before the eye, at the length of an arm, every space is flat.
+@vertex
+fn vertex_hand(in: VertexIn) -> VertexOut {
+    let stance = plain(in);
+    let v = in.offset + stance.place;
+    let normal = normalize(stance.normal);
+    let direction = direction_of(v);
+    let aspect = scene.space.project.x / scene.space.project.y;
+    let depth = mix(scene.space.project.z, -v.z, HAND_DEPTH);
+    var out: VertexOut;
+    out.clip = vec4<f32>(HAND_FOCAL * aspect * v.x, HAND_FOCAL * v.y, depth, -v.z);
+    out.normal = scene.right.xyz * normal.x + scene.up.xyz * normal.y - scene.front.xyz * normal.z;
+    out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
+    out.toward_eye = -direction;
+    out.veil = vec4<f32>(0.0, 0.0, 0.0, 1.0);
+    out.glow = in.normal.w;
+    out.view = vec4<f32>(v, 1.0);
+    out.place = scene.right.xyz * v.x + scene.up.xyz * v.y - scene.front.xyz * v.z;
+    out.frame_normal = vec4<f32>(normal, 0.0);
+    out.lights = in.lights;
+    return out;
+}
+
+// Light that comes off a surface of that gloss.
+fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let normal = normalize(in.normal);
     let toward_eye = normalize(in.toward_eye);
-    let gloss = in.albedo.a;
     let edge = 1.0 - max(dot(normal, toward_eye), 0.0);
     let edge2 = edge * edge;
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
-    let share = key_share(point, in.clip.xy, normal, true);
+    let share = key_share(shaded_at(in.place, in.view), in.clip.xy, normal, true);
     var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
@@ -110,5 +182,18 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     colour += (scene.key_colour.rgb * (shine * share) + sky * 0.35) * gloss;
     // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
     colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));
-    return vec4<f32>(colour * in.veil.a + in.veil.rgb, 1.0);
+    return colour;
+}
+
+@fragment
+fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    return vec4<f32>(figure_light(in, in.albedo.a) * in.veil.a + in.veil.rgb, 1.0);
+}
+
+// Glass: what it sends back and what it shines by itself comes on top of what shines through.
+@fragment
+fn fragment_clear(in: VertexOut) -> @location(0) vec4<f32> {
+    let cover = in.albedo.a;
+    let light = figure_light(in, 0.9) * in.veil.a + in.veil.rgb;
+    return vec4<f32>(light * cover, cover);
 }

@@ -2,7 +2,7 @@
 // Follows common.wgsl.
 //
 // With the lit point v, its unit normal n and the lamp l, all in view coordinates with w in radii (metres), and s the
-// sign of the curvature k^2: the chord c^2 = <l - v, l - v> is (2/k sin(k d/2))^2, the sine of the distance over k is
+// sign of the curvature k^2: the square of the chord c, <l - v, l - v>, is (2/k sin(k d/2))^2, the sine of the distance over k is
 // c sqrt(1 - s k^2 c^2/4), and the cosine between the normal and the way to the lamp is <n, l - v> over that sine.
 // Nothing is divided by k but w, so the flat space is the limit.
 
@@ -29,42 +29,113 @@ fn model_dot(lit: Lit, a: vec4<f32>, b: vec4<f32>) -> f32 {
     return dot(a.xyz, b.xyz) + lit.sign * a.w * b.w;
 }
 
-// Diffuse and specular light of one lamp, before its colour.
-// `reach2` is the square of the chord at which the light has faded away.
-fn lamp_on(lit: Lit, toward: vec4<f32>, reach2: f32, gloss: f32) -> f32 {
-    let chord2 = max(model_dot(lit, toward, toward), 1.0e-4);
-    if chord2 > reach2 {
-        return 0.0;
-    }
-    let bend = lit.sign * lit.k * lit.k * chord2 * 0.25;
-    let sine = sqrt(chord2 * max(1.0 - bend, 1.0e-3));
-    // asin(x)/x by its series, x^2 = bend; negative where it stands for asinh.
-    let distance = sqrt(chord2) * (1.0 + bend * (0.16666667 + bend * (0.075 + bend * 0.044642857)));
-    let share2 = chord2 / reach2;
-    let fade = max(1.0 - share2 * share2, 0.0);
-    let cosine = model_dot(lit, lit.normal, toward) / sine;
-    // Light wraps a little round an edge, as from a globe that is no point.
-    let diffuse = max(0.9 * cosine + 0.1, 0.0);
-    // The way back to the eye is minus the view's own direction; Blinn's half way between the two.
-    let back = -normalize(lit.view.xyz);
-    let half_way = normalize(toward.xyz / sine + back);
-    let shine = gloss * pow(max(dot(lit.normal.xyz, half_way), 0.0), 32.0);
-    return fade * fade * (diffuse + shine) / (1.0 + 0.5 * distance + 0.12 * distance * distance);
+// The chord to a lamp, squared, and how far off the lamp is, squared: d^2 = c^2 (1 + b/3 + 8 b^2/45) to within a
+// thousandth for |b| < 0.4, where b = s k^2 c^2/4 (asin^2 by its series, or asinh^2 where b is negative).
+// The sine is sin(k d)/k = c sqrt(1 - b).
+struct Away {
+    chord2: f32,
+    distance2: f32,
+    sine: f32,
 }
 
-// Light of all lamps of a mask on a point.
+fn away(lit: Lit, toward: vec4<f32>) -> Away {
+    let chord2 = max(model_dot(lit, toward, toward), 1.0e-4);
+    let bend = lit.sign * lit.k * lit.k * 0.25 * chord2;
+    let distance2 = chord2 * (1.0 + bend * (0.33333333 + bend * 0.17777778));
+    return Away(chord2, distance2, sqrt(chord2 * max(1.0 - bend, 1.0e-3)));
+}
+
+// The share of a lamp's light that comes through so far, times the sine of the distance: zero where it has faded away.
+// `fades` is one over the square of the chord at which it has.
+fn through(at: Away, fades: f32) -> f32 {
+    let share2 = at.chord2 * fades;
+    let fade = max(1.0 - share2 * share2, 0.0);
+    return fade * fade / (at.sine * (1.0 + 0.24 * at.distance2));
+}
+
+// Diffuse light of one lamp times the sine of the distance, which `through` divides by. Light wraps a little round an
+// edge, as from a globe that is no point.
+fn diffuse_of(lit: Lit, toward: vec4<f32>, at: Away) -> f32 {
+    return max(0.9 * model_dot(lit, lit.normal, toward) + 0.1 * at.sine, 0.0);
+}
+
+// Specular light, also times the sine: the way back to the eye is minus the view's own direction; Blinn's half way
+// between the two.
+fn shine_of(lit: Lit, toward: vec4<f32>, at: Away) -> f32 {
+    let half_way = normalize(toward.xyz / at.sine - normalize(lit.view.xyz));
+    return at.sine * pow(max(dot(lit.normal.xyz, half_way), 0.0), 32.0);
+}
+
+// The number of a bit that stands alone, by the exponent of its value: where vectors of integers are counted one by
+// one this is quicker than counting.
+fn number_of(bit: u32) -> u32 {
+    return (bitcast<u32>(f32(bit)) >> 23u) - 127u;
+}
+
+// Longest edge of land of the finest level, metres.
+const LONGEST_EDGE: f32 = 1.75;
+// Light of lamps farther off than this changes little over such an edge and is worked out at the corners of triangles;
+// nearer than the first it is worked out at each point, and between the two partly so. Metres.
+const SMOOTH_FROM: vec2<f32> = vec2<f32>(3.0, 6.0);
+
+// The share of a lamp's light that is worked out at each point.
+fn point_share(at: Away) -> f32 {
+    return 1.0 - smoothstep(SMOOTH_FROM.x * SMOOTH_FROM.x, SMOOTH_FROM.y * SMOOTH_FROM.y, at.chord2);
+}
+
+// Light of all lamps of a mask on a point. Land, whose gloss is 0, is matt and so spared the highlights, and has the
+// light of far lamps from its corners.
 fn lamps_on(lit: Lit, mask: vec2<u32>, gloss: f32) -> vec3<f32> {
     var sum = vec3<f32>(0.0);
     for (var half = 0u; half < 2u; half++) {
         var left = select(mask.x, mask.y, half == 1u);
         while left != 0u {
-            let lamp = scene.lamps[firstTrailingBit(left) + 32u * half];
-            left &= left - 1u;
-            let toward = vec4<f32>(lamp.place.xyz, lamp.place.w) - lit.view;
-            sum += lamp.colour.rgb * lamp_on(lit, toward, lamp.colour.w, gloss);
+            let rest = left & (left - 1u);
+            let lamp = scene.lamps[number_of(left ^ rest) + 32u * half];
+            left = rest;
+            let toward = lamp.place - lit.view;
+            let at = away(lit, toward);
+            var light = diffuse_of(lit, toward, at);
+            if gloss > 0.0 {
+                light += gloss * shine_of(lit, toward, at);
+            } else {
+                light *= point_share(at);
+            }
+            sum += lamp.colour.rgb * (through(at, lamp.colour.w) * light);
         }
     }
     return sum;
+}
+
+// What lamps are to a triangle, as told by one of its corners.
+struct Lamplight {
+    near: vec3<u32>,    // lamps to be worked out at each point, and beams
+    far: vec3<f32>,     // light of those that are not, or the share of it that is not
+}
+
+// Parts a chunk's lamps at a corner. Its mask's third number holds the beams in the lower half and the level of detail
+// above.
+fn lamplight_at(space: Space, view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32>) -> Lamplight {
+    let lit = lit_at(space, view, normal);
+    let close = SMOOTH_FROM.y + LONGEST_EDGE * f32(1u << (mask.z >> 16u));
+    var light = Lamplight(vec3<u32>(0u, 0u, mask.z & 0xffffu), vec3<f32>(0.0));
+    for (var half = 0u; half < 2u; half++) {
+        var left = select(mask.x, mask.y, half == 1u);
+        while left != 0u {
+            let rest = left & (left - 1u);
+            let bit = left ^ rest;
+            left = rest;
+            let lamp = scene.lamps[number_of(bit) + 32u * half];
+            let toward = lamp.place - lit.view;
+            let at = away(lit, toward);
+            let near = select(0u, bit, at.chord2 < close * close);
+            light.near.x |= select(near, 0u, half == 1u);
+            light.near.y |= select(0u, near, half == 1u);
+            let share = (1.0 - point_share(at)) * through(at, lamp.colour.w);
+            light.far += lamp.colour.rgb * (share * diffuse_of(lit, toward, at));
+        }
+    }
+    return light;
 }
 
 // Light of all beams of a mask on a point: full within the inner cone, none outside the outer.
@@ -75,11 +146,11 @@ fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
         let beam = scene.beams[firstTrailingBit(left)];
         left &= left - 1u;
         let toward = beam.place - lit.view;
-        let chord2 = max(model_dot(lit, toward, toward), 1.0e-4);
-        let sine = sqrt(chord2 * max(1.0 - lit.sign * lit.k * lit.k * chord2 * 0.25, 1.0e-3));
-        let along = -model_dot(lit, beam.axis, toward) / sine;
+        let at = away(lit, toward);
+        let along = -model_dot(lit, beam.axis, toward) / at.sine;
         let inside = smoothstep(beam.cone.y, beam.cone.x, along);
-        sum += beam.colour.rgb * (inside * lamp_on(lit, toward, beam.colour.w, gloss));
+        let light = diffuse_of(lit, toward, at) + gloss * shine_of(lit, toward, at);
+        sum += beam.colour.rgb * (inside * through(at, beam.colour.w) * light);
     }
     return sum;
 }

@@ -25,7 +25,7 @@ struct Caster {
 
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
 @group(0) @binding(3) var shadow_sampler: sampler;
-@group(1) @binding(0) var<uniform> caster: Caster;
+@group(2) @binding(0) var<uniform> caster: Caster;
 
 // Where a point of the chart falls on the map that is being drawn.
 fn caster_clip(p: vec3<f32>, hemisphere: u32) -> vec4<f32> {

@@ -14,22 +14,24 @@ struct VertexIn {
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
-    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the chunk
+    @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams (16) may light the chunk, and its level
 }
+
+// Added to the share of a blend where a figure's shadow may fall on the chunk: what every pixel is handed costs.
+const SHADED: f32 = 8.0;
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) normal: vec3<f32>,
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
-    @location(3) veil: vec3<f32>,       // the fog's share of the colour
+    @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
     @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
     @location(7) view: vec4<f32>,
     @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
-    @location(10) @interpolate(flat) shaded: u32, // whether a figure's shadow may fall on the chunk
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
@@ -93,12 +95,17 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
-    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w);
+    let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
+    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w + mark);
     out.view = view;
-    out.lights = in.lights;
-    out.shaded = in.flags & 2u;
     if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+    }
+    if any(in.lights != vec3<u32>(0u)) {
+        let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
+        out.lights = lamplight.near;
+        // It joins the veil, without the grain: one more number for every pixel of every picture would cost a tenth.
+        out.veil += out.albedo * lamplight.far * (1.0 - fog);
     }
     return out;
 }
@@ -157,10 +164,10 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
     let normal = normalize(in.normal);
-    let share = key_share(point, in.clip.xy, normal, in.shaded != 0u);
+    let share = key_share(point, in.clip.xy, normal, in.feet.w > 0.5 * SHADED);
     var light = daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
-        light += lights_on(in.view, in.frame_normal, in.lights, 0.05);
+        light += lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
     let lit = in.albedo * light;
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
@@ -224,7 +231,7 @@ fn dither(pixel: vec2<f32>) -> f32 {
 
 // Whether a pixel is left to the other mesh of a blend: exactly one of the two draws it.
 fn is_left_out(in: VertexOut) -> bool {
-    let share = in.feet.w;
+    let share = in.feet.w - select(0.0, SHADED, in.feet.w > 0.5 * SHADED);
     return (dither(in.clip.xy) < abs(share)) != (share > 0.0);
 }
 

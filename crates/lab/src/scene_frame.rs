@@ -33,6 +33,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
         },
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 1e5,

@@ -13,7 +13,7 @@ use antipode_geometry::{
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
-use antipode_scene::frame::{ChunkChange, Figure, Frame, Marker, ModelId, Quality};
+use antipode_scene::frame::{ChunkChange, Clip, Figure, Frame, Marker, ModelId, Posture, Quality};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec3, IVec3};
 
@@ -107,19 +107,17 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         f64::from(SIZE.0) / f64::from(SIZE.1),
         0.02,
     );
-    let figure = |ahead: f64, aside: f64, yaw: f64, stride: f32| {
+    let figure = |ahead: f64, aside: f64, yaw: f64, cycle: f32| {
         let at = stand.pos + eye.front() * ahead + eye.right() * aside;
         Figure {
-            model: ModelId::Astronaut,
-            point: on_ground(at.x, at.z),
-            yaw,
-            stride,
+            posture: Posture::of(Clip::Walk, cycle),
+            ..Figure::standing(ModelId::Astronaut, on_ground(at.x, at.z), yaw)
         }
     };
     let figures = vec![
-        figure(4.0, -1.3, 2.2, 0.9),
-        figure(9.0, 2.4, -0.2, 1.2),
-        figure(24.0, -5.0, 1.0, 0.5),
+        figure(4.0, -1.3, 2.2, 0.15),
+        figure(9.0, 2.4, -0.2, 0.2),
+        figure(24.0, -5.0, 1.0, 0.1),
     ];
     let marker = on_ground(stand.pos.x + 10.0, stand.pos.z - 3.0);
     let reach_m = f64::from(VIEW_CHUNKS * CHUNK_CELLS);
@@ -129,6 +127,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         sky: sky(time_of_day_s(&wanted.hour), space.as_ref(), &eye),
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: Some(Marker {
             point: marker,

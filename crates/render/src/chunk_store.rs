@@ -346,7 +346,7 @@ impl ChunkStore {
             let by_figures = shadows.figures_shade(frame, &Caster::of(&chunk.land));
             let instance = instance(frame, coord, choice)
                 .shaded(shades, by_figures)
-                .lit(lights);
+                .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
             let blend = chunk

@@ -43,6 +43,9 @@ pub enum RenderError {
         "The graphics adapter refuses a shader of the game ({0}). Update its driver, or start with --adapter software."
     )]
     Shader(String),
+    /// A model of the game cannot be read.
+    #[error("A model of the game is damaged ({0}). Install the game again.")]
+    Model(String),
     /// The options are outside what can be drawn.
     #[error("The renderer cannot be set up: {0}.")]
     Options(String),

@@ -1,66 +1,62 @@
-//! Figures: one mesh for each model, an instance for each figure.
+//! Figures: one mesh for each model, an instance for each figure and for what it holds.
 
+use antipode_geometry::ChartPoint;
 use antipode_scene::frame::{Figure, Frame, ModelId};
-use glam::DVec3;
-use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
+use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
+use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
-use crate::astronaut::astronaut;
+use crate::error::RenderError;
+use crate::figure_buffers::{BATCH, Place, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
+use crate::hand;
 use crate::lamps::lights_near;
-use crate::pipelines::Pipelines;
+use crate::models::Loaded;
+use crate::pipelines::{FigurePipelines, Pipelines};
 use crate::plan::{Affine, FramePlan, Tolerance};
-use crate::solids::Solid;
-use crate::things::{Head, bullet, gun, lamp, pickaxe};
+use crate::rig::{JOINTS, JointRows, Posed};
 use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
 
-/// Widest angle of a leg from straight down, radians.
-const SWING_RAD: f32 = 0.62;
-/// The body rises by this much when the legs pass each other, metres.
-const RISE_M: f32 = 0.035;
-
-/// Half the sides of the box that a figure in any pose stays in, metres.
-const FIGURE_HALF_WIDTH_M: f64 = 0.6;
-/// Half its height, metres.
-const FIGURE_HALF_HEIGHT_M: f64 = 0.95;
-
-/// Where a model lies in the buffers.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    base_vertex: i32,
-    first_index: u32,
-    index_count: u32,
+/// How figures are carried into the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Way {
+    /// Before the eye, in its own axes.
+    Hand,
+    /// By one matrix.
+    Framed,
+    /// Vertex by vertex.
+    Vertex,
 }
 
-/// Figures drawn at once: of one model, and all by a frame or all by the vertex.
+/// Figures drawn at once.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     model: usize,
-    framed: bool,
+    way: Way,
     first: u32,
     count: u32,
+    /// Where the joints of the first lie, in figures that bend.
+    joints: Option<u32>,
+}
+
+/// A figure about to be drawn.
+#[derive(Debug)]
+struct Seen {
+    model: usize,
+    way: Way,
+    instance: FigureInstance,
+    joints: Option<Vec<JointRows>>,
 }
 
 /// The models on the adapter and this frame's figures.
 #[derive(Debug)]
 pub struct Figures {
-    vertices: Buffer,
-    indices: Buffer,
-    places: Vec<Place>,
+    models: Vec<Loaded>,
+    statics: Statics,
     instances: Buffer,
     room: usize,
+    joints: Buffer,
+    joints_bound: BindGroup,
+    joints_room: usize,
     runs: Vec<Run>,
-}
-
-fn solid(model: ModelId) -> Solid {
-    match model {
-        ModelId::Astronaut => astronaut(),
-        ModelId::Lamp => lamp(),
-        ModelId::Bullet => bullet(),
-        ModelId::Gun => gun(),
-        ModelId::PickaxeWood => pickaxe(Head::Wood),
-        ModelId::PickaxeIron => pickaxe(Head::Iron),
-        ModelId::PickaxeDiamond => pickaxe(Head::Diamond),
-    }
 }
 
 /// The number of a model in the buffers.
@@ -69,167 +65,288 @@ fn number(model: ModelId) -> usize {
 }
 
 impl Figures {
-    /// Uploads the models.
-    pub fn new(device: &Device) -> Self {
-        let mut whole = Solid::default();
-        let places = ModelId::ALL.map(|model| {
-            let solid = solid(model);
-            let place = Place {
-                base_vertex: whole.vertices.len() as i32,
-                first_index: whole.indices.len() as u32,
-                index_count: solid.indices.len() as u32,
-            };
-            whole.vertices.extend(solid.vertices);
-            whole.indices.extend(solid.indices);
-            place
-        });
-        let vertices = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("model vertices"),
-            contents: bytemuck::cast_slice(&whole.vertices),
-            usage: BufferUsages::VERTEX,
-        });
-        let indices = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("model indices"),
-            contents: bytemuck::cast_slice(&whole.indices),
-            usage: BufferUsages::INDEX,
-        });
-        let room = 16;
-        Self {
-            vertices,
-            indices,
-            places: places.to_vec(),
+    /// Reads and uploads the models.
+    ///
+    /// # Errors
+    /// When a model cannot be read.
+    pub fn new(device: &Device) -> Result<Self, RenderError> {
+        let models = crate::models::load_all()?;
+        let (room, joints_room) = (16, BATCH);
+        let (joints, joints_bound) = joints_buffer(device, joints_room);
+        Ok(Self {
+            statics: Statics::new(device, &models),
+            models,
             instances: instance_buffer(device, room),
             room,
+            joints,
+            joints_bound,
+            joints_room,
             runs: Vec::new(),
-        }
+        })
     }
 
     /// Takes this frame's figures, those that a frame serves within the tolerance first.
     pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame, plan: &mut FramePlan) {
-        let mut seen: Vec<(usize, bool, FigureInstance)> = Vec::with_capacity(frame.figures.len());
+        let mut seen: Vec<Seen> = Vec::with_capacity(frame.figures.len());
         for figure in &frame.figures {
-            let plain = instance(frame, figure);
-            let model = number(figure.model);
-            match figure_frame(frame, plan, figure) {
-                Some((affine, error_px)) => {
-                    plan.stats.error_at_least(error_px);
-                    let frame = frame_rows(&affine);
-                    seen.push((model, true, FigureInstance { frame, ..plain }));
-                }
-                None => seen.push((model, false, plain)),
-            }
+            self.see(frame, plan, figure, &mut seen);
         }
-        // A stable sort: figures of a kind keep their order, and so the picture its bits.
-        seen.sort_by_key(|(model, framed, _)| (!framed, *model));
-        plan.stats.figures_by_frame = seen.iter().filter(|(_, framed, _)| *framed).count();
+        plan.stats.figures_by_frame = seen.iter().filter(|it| it.way == Way::Framed).count();
         plan.stats.figures_by_vertex = seen.len() - plan.stats.figures_by_frame;
+        let in_hand = frame
+            .hand
+            .iter()
+            .flat_map(|hand| hand::instances(frame, hand));
+        seen.extend(in_hand.map(|(model, instance)| Seen {
+            model: number(model),
+            way: Way::Hand,
+            instance,
+            joints: None,
+        }));
+        // A stable sort: figures of a kind keep their order, and so the picture its bits.
+        seen.sort_by_key(|it| (it.way, it.model));
+        let rows = self.run_up(&mut seen);
+        self.send(device, queue, &seen, &rows);
+    }
+
+    /// Adds a figure, and what it holds.
+    fn see(&self, frame: &Frame, plan: &mut FramePlan, figure: &Figure, seen: &mut Vec<Seen>) {
+        let model = number(figure.model);
+        let Loaded { shape: _, rig } = &self.models[model];
+        let posed = rig.as_ref().map(|rig| rig.pose(&figure.posture));
+        let limits = posed
+            .as_ref()
+            .map_or(self.statics.places[model].limits, |posed| posed.limits);
+        self.put(frame, plan, figure, (model, limits), seen);
+        let Some(Posed { joints, hand, .. }) = posed else {
+            return;
+        };
+        if let Some(last) = seen.last_mut() {
+            last.joints = Some(joints);
+        }
+        let Some(held) = figure.held else { return };
+        let (turn, place) = in_hand(figure, held, hand);
+        let things = [(held, true), (ModelId::Flash, figure.flashes)];
+        for (thing, _) in things.into_iter().filter(|(_, shown)| *shown) {
+            let beyond = if thing == ModelId::Flash {
+                turn * hand::MUZZLE_M.as_dvec3()
+            } else {
+                DVec3::ZERO
+            };
+            let figure = Figure {
+                turn,
+                ..Figure::standing(thing, place.moved(beyond), 0.0)
+            };
+            let thing = number(thing);
+            let limits = self.statics.places[thing].limits;
+            self.put(frame, plan, &figure, (thing, limits), seen);
+        }
+    }
+
+    /// Adds one instance, whose vertices are within a box about its origin.
+    fn put(
+        &self,
+        frame: &Frame,
+        plan: &mut FramePlan,
+        figure: &Figure,
+        (model, limits): (usize, (Vec3, Vec3)),
+        seen: &mut Vec<Seen>,
+    ) {
+        let (low, high) = turned(limits, figure.turn.as_quat());
+        let middle = figure.point.moved(low.midpoint(high).as_dvec3());
+        let half = (0.5 * (high - low)).as_dvec3();
+        let tolerance_px = Tolerance::of(frame.quality).shape_px;
+        let framed = plan
+            .bounds
+            .object(frame, figure.point, middle, half, tolerance_px);
+        let hemisphere = figure.point.hemisphere;
+        let (min, max) = (middle.pos - half, middle.pos + half);
+        let mut instance = FigureInstance {
+            offset: offset_of(frame, figure.point),
+            flags: hemisphere_index(hemisphere),
+            turn: figure.turn.as_quat().to_array(),
+            frame: [[0.0; 4]; 4],
+            lights: lights_near(frame, hemisphere, min, max),
+        };
+        let mut way = Way::Vertex;
+        if let Some((affine, error_px)) = framed {
+            let affine: Affine = affine;
+            plan.stats.error_at_least(error_px);
+            instance.frame = frame_rows(&affine);
+            way = Way::Framed;
+        }
+        seen.push(Seen {
+            model,
+            way,
+            instance,
+            joints: None,
+        });
+    }
+
+    /// Brings together what one call can draw, and the joints of all that bend, each with its place among them.
+    fn run_up(&mut self, seen: &mut [Seen]) -> Vec<JointRows> {
+        let mut rows: Vec<JointRows> = Vec::new();
         self.runs.clear();
-        for (model, framed, _) in &seen {
-            match self.runs.last_mut() {
-                Some(run) if (run.model, run.framed) == (*model, *framed) => run.count += 1,
-                last => {
-                    let first = last.map_or(0, |run| run.first + run.count);
-                    self.runs.push(Run {
-                        model: *model,
-                        framed: *framed,
-                        first,
-                        count: 1,
-                    });
-                }
+        for (first, it) in (0..).zip(seen.iter_mut()) {
+            let goes_on = self.runs.last_mut().filter(|run| {
+                let full = run.joints.is_some() && run.count as usize >= BATCH;
+                (run.model, run.way) == (it.model, it.way) && !full
+            });
+            if let Some(run) = goes_on {
+                run.count += 1;
+            } else {
+                // A batch begins where the adapter can bind it, which the figures in it fill up to.
+                rows.resize(
+                    rows.len().next_multiple_of(BATCH * JOINTS),
+                    JointRows::default(),
+                );
+                self.runs.push(Run {
+                    model: it.model,
+                    way: it.way,
+                    first,
+                    count: 1,
+                    joints: it.joints.as_ref().map(|_| (rows.len() * ROWS_BYTES) as u32),
+                });
+            }
+            if let Some(joints) = it.joints.take() {
+                let place = self.runs.last().map_or(0, |run| run.count - 1);
+                it.instance.flags |= place << 1;
+                let end = rows.len() + JOINTS;
+                rows.extend(joints);
+                rows.resize(end, JointRows::default());
             }
         }
+        rows
+    }
+
+    fn send(&mut self, device: &Device, queue: &Queue, seen: &[Seen], rows: &[JointRows]) {
         if seen.len() > self.room {
             self.room = seen.len().next_power_of_two();
             self.instances = instance_buffer(device, self.room);
         }
-        let instances: Vec<FigureInstance> = seen.into_iter().map(|(.., it)| it).collect();
+        let instances: Vec<FigureInstance> = seen.iter().map(|it| it.instance).collect();
         queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
+        let figures = (rows.len() / JOINTS).next_multiple_of(BATCH);
+        if figures > self.joints_room {
+            self.joints_room = figures.next_power_of_two();
+            (self.joints, self.joints_bound) = joints_buffer(device, self.joints_room);
+        }
+        queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
     }
 
-    /// Draws them; returns triangles and draw calls.
+    /// Draws what hides things behind it; returns triangles and draw calls.
     pub fn draw(&self, pass: &mut RenderPass<'_>, pipelines: &Pipelines) -> (usize, usize) {
+        self.draw_parts(pass, &pipelines.figures, |place| &place.solid, false)
+    }
+
+    /// Draws what lets light through, which is to come after all that is solid; returns triangles and draw calls.
+    pub fn draw_clear(&self, pass: &mut RenderPass<'_>, pipelines: &Pipelines) -> (usize, usize) {
+        self.draw_parts(pass, &pipelines.figures, |place| &place.clear, true)
+    }
+
+    /// Draws what is solid of them into a shadow map; returns triangles.
+    pub fn draw_shadows(&self, pass: &mut RenderPass<'_>, pipelines: &FigurePipelines) -> usize {
         let mut triangles = 0;
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
+        for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
+            let place = &self.statics.places[run.model];
+            if place.solid.is_empty() {
+                continue;
+            }
+            pass.set_pipeline(match run.joints {
+                Some(_) => &pipelines.bent_caster,
+                None => &pipelines.caster,
+            });
+            self.statics.bind(pass, run.joints.is_some());
+            if let Some(offset) = run.joints {
+                pass.set_bind_group(1, &self.joints_bound, &[offset]);
+            }
+            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
+            pass.set_vertex_buffer(1, self.instances.slice(start..));
+            triangles += place.solid.len() / 3 * run.count as usize;
+            pass.draw_indexed(place.solid.clone(), place.base_vertex, 0..run.count);
+        }
+        triangles
+    }
+
+    fn draw_parts(
+        &self,
+        pass: &mut RenderPass<'_>,
+        pipelines: &FigurePipelines,
+        part: impl Fn(&Place) -> &std::ops::Range<u32>,
+        clear: bool,
+    ) -> (usize, usize) {
+        let (mut triangles, mut calls) = (0, 0);
         for run in &self.runs {
-            let place = self.places[run.model];
+            let place = &self.statics.places[run.model];
+            let indices = part(place).clone();
+            if indices.is_empty() {
+                continue;
+            }
+            pass.set_pipeline(match (run.way, run.joints, clear) {
+                (Way::Hand, _, false) => &pipelines.hand,
+                (Way::Hand, _, true) => &pipelines.hand_clear,
+                (Way::Framed, Some(_), _) => &pipelines.bent_framed,
+                (Way::Vertex, Some(_), _) => &pipelines.bent,
+                (Way::Framed, None, false) => &pipelines.framed,
+                (Way::Vertex, None, false) => &pipelines.plain,
+                (Way::Framed, None, true) => &pipelines.clear_framed,
+                (Way::Vertex, None, true) => &pipelines.clear,
+            });
+            self.statics.bind(pass, run.joints.is_some());
+            if let Some(offset) = run.joints {
+                pass.set_bind_group(1, &self.joints_bound, &[offset]);
+            }
             // Not every adapter draws instances from a number on, so the buffer begins there.
             let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
-            pass.set_pipeline(if run.framed {
-                &pipelines.figure_framed
-            } else {
-                &pipelines.figure
-            });
             pass.set_vertex_buffer(1, self.instances.slice(start..));
-            let indices = place.first_index..place.first_index + place.index_count;
+            triangles += (indices.len() / 3) as u32 * run.count;
+            calls += 1;
             pass.draw_indexed(indices, place.base_vertex, 0..run.count);
-            triangles += place.index_count / 3 * run.count;
         }
-        (triangles as usize, self.runs.len())
+        (triangles as usize, calls)
     }
 }
 
-impl Figures {
-    /// Draws them into a shadow map; returns triangles.
-    pub fn draw_shadows(&self, pass: &mut RenderPass<'_>, pipeline: &RenderPipeline) -> usize {
-        let mut triangles = 0;
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, self.vertices.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        for run in &self.runs {
-            let place = self.places[run.model];
-            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
-            pass.set_vertex_buffer(1, self.instances.slice(start..));
-            let indices = place.first_index..place.first_index + place.index_count;
-            pass.draw_indexed(indices, place.base_vertex, 0..run.count);
-            triangles += place.index_count / 3 * run.count;
+/// How what a figure holds is turned and where its origin is, given how its hand is in the figure's axes.
+fn in_hand(figure: &Figure, held: ModelId, (turn, place): (Quat, Vec3)) -> (DQuat, ChartPoint) {
+    let turn = figure.turn * turn.as_dquat();
+    let grip = turn * -hand::grip_m(held).as_dvec3();
+    let place = figure.turn * place.as_dvec3();
+    (turn, figure.point.moved(place + grip))
+}
+
+/// The box of a turned box.
+fn turned((low, high): (Vec3, Vec3), turn: Quat) -> (Vec3, Vec3) {
+    let axes = Mat3::from_quat(turn);
+    let middle = axes * low.midpoint(high);
+    let half = 0.5 * (high - low);
+    let reach =
+        axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z;
+    (middle - reach, middle + reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turned_box_holds_every_corner() {
+        let limits = (Vec3::new(-0.2, 0.0, -0.7), Vec3::new(1.5, 1.8, 0.3));
+        let turn = Quat::from_rotation_y(0.7) * Quat::from_rotation_x(-1.1);
+        let (low, high) = turned(limits, turn);
+        for corner in 0..8 {
+            let pick = |axis: usize| {
+                if corner >> axis & 1 == 1 {
+                    limits.1[axis]
+                } else {
+                    limits.0[axis]
+                }
+            };
+            let at = turn * Vec3::from_array([0, 1, 2].map(pick));
+            assert!(
+                at.cmpge(low - 1e-5).all() && at.cmple(high + 1e-5).all(),
+                "{at}"
+            );
         }
-        triangles as usize
-    }
-}
-
-/// The frame of a figure, where it is exact enough.
-fn figure_frame(frame: &Frame, plan: &FramePlan, figure: &Figure) -> Option<(Affine, f64)> {
-    let half = DVec3::new(
-        FIGURE_HALF_WIDTH_M,
-        FIGURE_HALF_HEIGHT_M,
-        FIGURE_HALF_WIDTH_M,
-    );
-    let middle = figure.point.moved(DVec3::Y * FIGURE_HALF_HEIGHT_M);
-    let tolerance = Tolerance::of(frame.quality);
-    plan.bounds
-        .object(frame, figure.point, middle, half, tolerance.shape_px)
-}
-
-fn instance_buffer(device: &Device, room: usize) -> Buffer {
-    device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("figures"),
-        size: (room * size_of::<FigureInstance>()) as u64,
-        usage: BufferUsages::VERTEX | BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    })
-}
-
-fn instance(frame: &Frame, figure: &Figure) -> FigureInstance {
-    let (sin, cos) = figure.yaw.sin_cos();
-    let swing = figure.stride.sin();
-    // Standing still (stride 0) is the middle of a step, where the body is at its height: no rise is added.
-    let pose = [
-        cos as f32,
-        sin as f32,
-        SWING_RAD * swing,
-        -RISE_M * swing * swing,
-    ];
-    FigureInstance {
-        offset: offset_of(frame, figure.point),
-        hemisphere: hemisphere_index(figure.point.hemisphere),
-        pose,
-        frame: [[0.0; 4]; 4],
-        lights: lights_near(
-            frame,
-            figure.point.hemisphere,
-            figure.point.pos,
-            figure.point.pos + DVec3::Y * (2.0 * FIGURE_HALF_HEIGHT_M),
-        ),
     }
 }

@@ -57,10 +57,10 @@ fn place(frame: &Frame, point: ChartPoint) -> DVec4 {
     view.truncate().extend(w)
 }
 
-/// The square of the chord over a distance, square metres: `2 R sin(d / 2 R)` or, in hyperbolic space, with sinh.
-fn chord2(frame: &Frame, range_m: f64) -> f64 {
+/// The chord over a distance, metres: `2 R sin(d / 2 R)` or, in hyperbolic space, with sinh.
+fn chord_m(frame: &Frame, range_m: f64) -> f64 {
     let Some((sign, radius_m)) = curvature(frame) else {
-        return range_m * range_m;
+        return range_m;
     };
     let half = 0.5 * range_m / radius_m;
     let chord = if sign < 0.0 {
@@ -68,12 +68,18 @@ fn chord2(frame: &Frame, range_m: f64) -> f64 {
     } else {
         half.min(FRAC_PI_2).sin()
     };
-    (2.0 * radius_m * chord).powi(2)
+    2.0 * radius_m * chord
 }
 
 fn colour(frame: &Frame, colour: [f32; 3], range_m: f64) -> [f32; 4] {
     let [r, g, b] = colour;
-    [r, g, b, chord2(frame, range_m) as f32]
+    let chord_m = chord_m(frame, range_m);
+    [
+        r,
+        g,
+        b,
+        (1.0 / (chord_m * chord_m).max(f64::MIN_POSITIVE)) as f32,
+    ]
 }
 
 /// A frame's lamps.

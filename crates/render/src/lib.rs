@@ -4,18 +4,22 @@
 //! [`Frame`](antipode_scene::frame::Frame) after another, [`Offscreen`] is a target that can be read back.
 //! Nothing here opens a window, loads a world or asks which space the world is in.
 
-mod astronaut;
+mod ball;
 mod blend;
 mod celestial;
 mod chunk_store;
 mod draw_list;
 mod error;
+mod figure_buffers;
 mod figures;
+mod flash;
 mod gpu;
+mod hand;
 mod heavens;
 mod lamps;
 mod land_mesh;
 mod marker;
+mod models;
 mod offscreen;
 mod page_book;
 mod pages;
@@ -25,12 +29,11 @@ mod plan;
 mod refinements;
 mod refinery;
 mod renderer;
+mod rig;
 mod seams;
 mod shaders;
 mod shadow;
-mod solids;
 mod targets;
-mod things;
 mod tile;
 mod timing;
 mod tonemap;

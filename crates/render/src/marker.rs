@@ -1,11 +1,10 @@
 //! The brush marker: a small ball at the point aimed at and the faint shell of the brush's reach.
 
 use antipode_scene::frame::{Frame, Marker};
-use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
-use crate::solids::{Part, Solid};
+use crate::ball::ball;
 use crate::uniforms::{MarkerInstance, hemisphere_index, offset_of};
 
 /// The ball's radius as a share of the brush's.
@@ -40,17 +39,7 @@ pub struct MarkerBalls {
 impl MarkerBalls {
     /// Uploads the sphere.
     pub fn new(device: &Device) -> Self {
-        let mut solid = Solid::default();
-        let unit = Part {
-            centre: Vec3::ZERO,
-            radii: Vec3::ONE,
-            roundness: 1.0,
-            colour: [0; 4],
-            swing: [0.0; 2],
-            glow: 0.0,
-        };
-        solid.add(&unit, RINGS, SIDES);
-        let positions: Vec<[f32; 3]> = solid.vertices.iter().map(|v| v.position).collect();
+        let (positions, triangles) = ball(RINGS, SIDES);
         let vertices = device.create_buffer_init(&BufferInitDescriptor {
             label: Some("marker vertices"),
             contents: bytemuck::cast_slice(&positions),
@@ -58,7 +47,7 @@ impl MarkerBalls {
         });
         let indices = device.create_buffer_init(&BufferInitDescriptor {
             label: Some("marker indices"),
-            contents: bytemuck::cast_slice(&solid.indices),
+            contents: bytemuck::cast_slice(&triangles),
             usage: BufferUsages::INDEX,
         });
         let instances = device.create_buffer(&wgpu::BufferDescriptor {
@@ -70,7 +59,7 @@ impl MarkerBalls {
         Self {
             vertices,
             indices,
-            index_count: solid.indices.len() as u32,
+            index_count: triangles.len() as u32,
             instances,
             shown: false,
         }
@@ -121,15 +110,15 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
     } else {
         (SHELL_OPACITY, BALL_OPACITY)
     };
-    let ball = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
+    let of_radius = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
         offset: offset_of(frame, marker.point),
         hemisphere: hemisphere_index(marker.point.hemisphere),
         colour: [r, g, b, face],
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };
     [
-        ball(marker.radius_m, shell),
-        ball(marker.radius_m * BALL_SHARE, core),
+        of_radius(marker.radius_m, shell),
+        of_radius(marker.radius_m * BALL_SHARE, core),
     ]
 }
 

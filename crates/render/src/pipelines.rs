@@ -8,11 +8,11 @@ use wgpu::{
 
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
+use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
 use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
-use crate::solids::ModelVertex;
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
 
@@ -22,9 +22,7 @@ pub struct Pipelines {
     /// Land.
     pub terrain: TerrainPipelines,
     /// Figures.
-    pub figure: RenderPipeline,
-    /// Figures ported as a whole.
-    pub figure_framed: RenderPipeline,
+    pub figures: FigurePipelines,
     /// Sky, behind everything.
     pub sky: RenderPipeline,
     /// The band of faint stars over it.
@@ -39,8 +37,6 @@ pub struct Pipelines {
     pub marker_hidden: RenderPipeline,
     /// Land into a shadow map.
     pub caster: RenderPipeline,
-    /// Figures into a shadow map.
-    pub figure_caster: RenderPipeline,
 }
 
 impl Pipelines {
@@ -63,19 +59,10 @@ impl Pipelines {
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
-        let [land, figure, sky, marker] =
-            [TERRAIN, FIGURE, SKY, MARKER].map(|shader| maker.compile(shader));
+        let [land, sky, marker] = [TERRAIN, SKY, MARKER].map(|shader| maker.compile(shader));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
-        ];
-        let figure_buffers = [
-            layout(
-                size_of::<ModelVertex>() as u64,
-                VertexStepMode::Vertex,
-                &ModelVertex::ATTRIBUTES,
-            ),
-            instances::<FigureInstance>(&FigureInstance::ATTRIBUTES),
         ];
         let position = wgpu::vertex_attr_array![0 => Float32x3];
         let marker_buffers = [
@@ -103,8 +90,7 @@ impl Pipelines {
                 deep_blending: terrain("vertex", "fragment_deep_blending"),
                 framed_blending: terrain("vertex_framed", "fragment_blending"),
             },
-            figure: solid(&figure, ["vertex", "fragment"], &figure_buffers),
-            figure_framed: solid(&figure, ["vertex_framed", "fragment"], &figure_buffers),
+            figures: FigurePipelines::made_by(maker),
             sky: maker.make(
                 &sky,
                 ["vertex", "fragment"],
@@ -119,8 +105,61 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
-            caster: maker.caster(&land, &land_buffers),
-            figure_caster: maker.caster(&figure, &figure_buffers),
+            caster: maker.caster(&land, "vertex_caster", &land_buffers),
+        }
+    }
+}
+
+/// The ways of drawing figures.
+#[derive(Debug)]
+pub struct FigurePipelines {
+    /// Ported by vertex.
+    pub plain: RenderPipeline,
+    /// Ported as a whole.
+    pub framed: RenderPipeline,
+    /// Bent by a skeleton, and ported by vertex.
+    pub bent: RenderPipeline,
+    /// Bent by a skeleton, and ported as a whole.
+    pub bent_framed: RenderPipeline,
+    /// What light goes through, ported by vertex.
+    pub clear: RenderPipeline,
+    /// The same, ported as a whole.
+    pub clear_framed: RenderPipeline,
+    /// In the player's hand.
+    pub hand: RenderPipeline,
+    /// The same of what light goes through.
+    pub hand_clear: RenderPipeline,
+    /// Into a shadow map.
+    pub caster: RenderPipeline,
+    /// Bent by a skeleton, into a shadow map.
+    pub bent_caster: RenderPipeline,
+}
+
+impl FigurePipelines {
+    fn made_by(maker: &Maker<'_>) -> Self {
+        let module = maker.compile(FIGURE);
+        let instances = instances::<FigureInstance>(&FigureInstance::ATTRIBUTES);
+        let buffers = [vertex_layout(), instances, skin_layout()];
+        let plain =
+            |vertex, fragment, way| maker.make(&module, [vertex, fragment], &buffers[..2], way);
+        let bent = |vertex| {
+            let way = Way {
+                bends: true,
+                ..SOLID
+            };
+            maker.make(&module, [vertex, "fragment"], &buffers, way)
+        };
+        Self {
+            plain: plain("vertex", "fragment", SOLID),
+            framed: plain("vertex_framed", "fragment", SOLID),
+            bent: bent("vertex_bent"),
+            bent_framed: bent("vertex_bent_framed"),
+            clear: plain("vertex", "fragment_clear", GLASS),
+            clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
+            hand: plain("vertex_hand", "fragment", SOLID),
+            hand_clear: plain("vertex_hand", "fragment_clear", GLASS),
+            caster: maker.caster(&module, "vertex_caster", &buffers[..2]),
+            bent_caster: maker.caster(&module, "vertex_caster_bent", &buffers),
         }
     }
 }
@@ -185,6 +224,8 @@ struct Way {
     writes_depth: bool,
     blend: Option<BlendState>,
     culled: bool,
+    /// Whether joints bend it.
+    bends: bool,
 }
 
 const SOLID: Way = Way {
@@ -192,6 +233,7 @@ const SOLID: Way = Way {
     writes_depth: true,
     blend: None,
     culled: true,
+    bends: false,
 };
 
 /// Colours come multiplied by their opacity.
@@ -200,6 +242,7 @@ const GLASS: Way = Way {
     writes_depth: false,
     blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
     culled: true,
+    bends: false,
 };
 
 /// Added where nothing nearer stands.
@@ -211,6 +254,7 @@ const SHINE: Way = Way {
         alpha: ADDED,
     }),
     culled: false,
+    bends: false,
 };
 
 /// Laid over what is infinitely far.
@@ -230,7 +274,9 @@ struct Maker<'a> {
     device: &'a Device,
     shaders: Shaders,
     layout: PipelineLayout,
+    bent_layout: PipelineLayout,
     caster_layout: PipelineLayout,
+    bent_caster_layout: PipelineLayout,
     kind: f64,
     samples: u32,
     shadows: ShadowQuality,
@@ -244,22 +290,26 @@ impl<'a> Maker<'a> {
         kind: u32,
         samples: u32,
     ) -> Self {
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("scene"),
-            bind_group_layouts: &[Some(scene_layout)],
-            immediate_size: 0,
-        });
-        // A map must not be bound where it is drawn into.
-        let caster_layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("shadow caster"),
-            bind_group_layouts: &[None, Some(&caster_layout(device))],
-            immediate_size: 0,
-        });
+        let layout = |label, groups: &[Option<&BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                immediate_size: 0,
+            })
+        };
+        let joints_layout = joints_layout(device);
+        // What the scene reads is not bound where a map is drawn: the map is a part of it.
+        let caster = caster_layout(device);
         Self {
             device,
             shaders,
-            layout,
-            caster_layout,
+            layout: layout("scene", &[Some(scene_layout)]),
+            bent_layout: layout("bent", &[Some(scene_layout), Some(&joints_layout)]),
+            caster_layout: layout("shadow caster", &[None, None, Some(&caster)]),
+            bent_caster_layout: layout(
+                "bent shadow caster",
+                &[None, Some(&joints_layout), Some(&caster)],
+            ),
             kind: f64::from(kind),
             samples,
             shadows: ShadowQuality::Off,
@@ -282,15 +332,24 @@ impl<'a> Maker<'a> {
     }
 
     /// What throws shadows, from both sides: land has no underside where it ends.
-    fn caster(&self, module: &ShaderModule, buffers: &[VertexBufferLayout<'_>]) -> RenderPipeline {
+    fn caster(
+        &self,
+        module: &ShaderModule,
+        entry: &str,
+        buffers: &[VertexBufferLayout<'_>],
+    ) -> RenderPipeline {
+        let layout = match entry {
+            "vertex_caster_bent" => &self.bent_caster_layout,
+            _ => &self.caster_layout,
+        };
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("shadow caster"),
-                layout: Some(&self.caster_layout),
+                layout: Some(layout),
                 vertex: wgpu::VertexState {
                     module,
-                    entry_point: Some("vertex_caster"),
+                    entry_point: Some(entry),
                     compilation_options: wgpu::PipelineCompilationOptions {
                         constants: &[("GEO_KIND", self.kind)],
                         ..Default::default()
@@ -329,7 +388,11 @@ impl<'a> Maker<'a> {
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some(fragment),
-                layout: Some(&self.layout),
+                layout: Some(if way.bends {
+                    &self.bent_layout
+                } else {
+                    &self.layout
+                }),
                 vertex: wgpu::VertexState {
                     module,
                     entry_point: Some(vertex),

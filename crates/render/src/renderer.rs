@@ -107,7 +107,7 @@ impl Renderer {
     /// A renderer for targets of one pixel; [`Renderer::resize`] gives it their size.
     ///
     /// # Errors
-    /// When the options are out of range, or the adapter refuses the last pass's shader. Those of the scene are
+    /// When the options are out of range, a model cannot be read, or the adapter refuses the last pass's shader. Those of the scene are
     /// compiled later: see [`Renderer::fault`].
     pub fn new(gpu: &Gpu, options: Options) -> Result<Self, RenderError> {
         Self::with_shaders(gpu, options, Shaders::default())
@@ -145,7 +145,7 @@ impl Renderer {
             planner: Planner::default(),
             land: LandDraws::new(gpu),
             list: DrawList::default(),
-            figures: Figures::new(&device),
+            figures: Figures::new(&device)?,
             shadows,
             heavens,
             marker: MarkerBalls::new(&device),
@@ -414,6 +414,7 @@ impl Renderer {
                 }),
         );
         self.draw_sky(frame, pipelines, &mut pass, stats);
+        stats.add(self.figures.draw_clear(&mut pass, pipelines));
         if self.marker.shown() {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
                 pass.set_pipeline(pipeline);

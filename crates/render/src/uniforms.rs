@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
 use antipode_scene::frame::{Frame, Orbs};
+use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
@@ -187,7 +188,7 @@ pub struct ChunkInstance {
     pub blend: f32,
     /// View coordinates of the reference, and per metre along x, y and z, where the chunk is ported as a whole.
     pub frame: [[f32; 4]; 4],
-    /// Which lamps, by 64 bits, and which beams may light the chunk.
+    /// Which lamps, by 64 bits, and which beams, by 16, may light the chunk, and above those the level of its land.
     pub lights: [u32; 3],
 }
 
@@ -222,10 +223,17 @@ impl ChunkInstance {
         }
     }
 
-    /// The same, with lights that may fall on it.
+    /// The same, with lights that may fall on it, whose triangles are those of a level.
     #[must_use]
-    pub fn lit(self, lights: [u32; 3]) -> Self {
-        Self { lights, ..self }
+    pub fn lit(self, lights: [u32; 3], level: Level) -> Self {
+        let [near, far, beams] = lights;
+        if lights == [0; 3] {
+            return self;
+        }
+        Self {
+            lights: [near, far, beams | (level.index() as u32) << BEAMS],
+            ..self
+        }
     }
 
     /// The same, in a blend.
@@ -250,23 +258,23 @@ fn wrap_m(x: f64) -> f64 {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct FigureInstance {
-    /// The feet from the reference, metres.
+    /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub hemisphere: u32,
-    /// Cosine and sine of the heading, angle of the swing in radians, rise of the body in metres.
-    pub pose: [f32; 4],
-    /// View coordinates of the feet, and per metre along x, y and z, where the figure is ported as a whole.
+    /// The hemisphere's number in the lowest bit, and above it the figure's place in its batch of joints.
+    pub flags: u32,
+    /// How it is turned in the chart: a quaternion, its real part last.
+    pub turn: [f32; 4],
+    /// View coordinates of the origin, and per metre along x, y and z, where the figure is ported as a whole.
     pub frame: [[f32; 4]; 4],
     /// Which lamps, by 64 bits, and which beams may light the figure.
     pub lights: [u32; 3],
 }
 
 impl FigureInstance {
-    /// Attributes from location 4 on.
+    /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 8] = wgpu::vertex_attr_array![
-        4 => Float32x3, 5 => Uint32, 6 => Float32x4,
-        7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Float32x4, 11 => Uint32x3
+        3 => Float32x3, 4 => Uint32, 5 => Float32x4,
+        6 => Float32x4, 7 => Float32x4, 8 => Float32x4, 9 => Float32x4, 10 => Uint32x3
     ];
 }
 

@@ -195,17 +195,12 @@ fn chunks_beyond_the_fog_or_behind_the_eye_are_left_out_unseen() {
     assert!(space.distance_m(frame.eye.point, ChartPoint::a(far.origin()), &frame.eye) > 150.0);
 }
 
-fn astronaut(stride: f32, yaw: f64) -> Frame {
+fn astronaut(yaw: f64) -> Frame {
     let space = space(Geometry::Euclidean);
     let eye = ChartPoint::a(DVec3::new(0.0, 1.0, 0.0));
-    let figure = Figure {
-        model: ModelId::Astronaut,
-        point: ChartPoint::a(DVec3::new(3.0, 0.0, 0.0)),
-        yaw,
-        stride,
-    };
+    let point = ChartPoint::a(DVec3::new(3.0, 0.0, 0.0));
     Frame {
-        figures: vec![figure],
+        figures: vec![Figure::standing(ModelId::Astronaut, point, yaw)],
         ..frame(&space, eye, ASPECT)
     }
 }
@@ -218,48 +213,11 @@ fn count(picture: &RgbaImage, like: impl Fn([u8; 3]) -> bool) -> usize {
 }
 
 #[test]
-fn an_astronaut_is_white_and_orange_turns_and_walks() {
-    let Some(mut studio) = Studio::new((320, 180)) else {
-        return;
-    };
-    let facing = studio.picture(&astronaut(0.0, std::f64::consts::PI));
-    let white = count(&facing, |[r, g, b]| {
-        r > 190 && r.abs_diff(g) < 24 && g.abs_diff(b) < 34
-    });
-    let orange = count(&facing, |[r, g, b]| {
-        r > 150 && r.saturating_sub(g) > 50 && g.saturating_sub(b) > 20
-    });
-    assert!(white > 400 && orange > 60, "{white} {orange}");
-    let head = seen_at(
-        &astronaut(0.0, 0.0),
-        ChartPoint::a(DVec3::new(3.0, 1.575, 0.0)),
-        (320, 180),
-    );
-    let dark = |picture: &RgbaImage| {
-        let crop = image::imageops::crop_imm(picture, head.0 as u32 - 8, head.1 as u32 - 8, 16, 16)
-            .to_image();
-        count(&crop, |[r, g, b]| {
-            u16::from(r) + u16::from(g) + u16::from(b) < 420
-        })
-    };
-    let back = studio.picture(&astronaut(0.0, 0.0));
-    assert!(
-        dark(&facing) > 100 && dark(&facing) > 2 * dark(&back),
-        "visor in front: {} {}",
-        dark(&facing),
-        dark(&back)
-    );
-    let side = studio.picture(&astronaut(0.0, 1.57));
-    let walking = studio.picture(&astronaut(1.57, 1.57));
-    assert!(difference(&side, &walking).1 > 0.5, "legs swing");
-}
-
-#[test]
 fn a_figure_stands_in_a_shade_of_its_own() {
     let Some(mut studio) = Studio::new((320, 180)) else {
         return;
     };
-    let mut frame = astronaut(0.0, 0.0);
+    let mut frame = astronaut(0.0);
     let corners = [[0.0, -8.0], [0.0, 8.0], [16.0, 8.0], [16.0, -8.0]];
     let ground = plates(&[corners.map(|[x, z]| Vec3::new(x, 0.0, z))]);
     let corner = ChunkCoord::containing(frame.eye.point);

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{Eye, Geometry, Hemisphere, HyperbolicMap, Strategy, picture};
 use antipode_render::{DrawStats, tolerance_px};
-use antipode_scene::frame::{Figure, Frame, ModelId, Quality};
+use antipode_scene::frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use common::{Studio, frame, land, standing};
 use image::RgbaImage;
 
@@ -151,11 +151,10 @@ fn what_a_figure_gains_by_distance_is_one_matrix() {
         frame.fog_distance_m = 1e4;
         let far_m = (space.sight_limit_m(&frame.eye) * 0.6).min(30.0);
         let mut chosen = |away_m: f64, quality| {
+            let point = stand.moved(glam::DVec3::new(away_m, -1.7, 0.0));
             frame.figures = vec![Figure {
-                model: ModelId::Astronaut,
-                point: stand.moved(glam::DVec3::new(away_m, -1.7, 0.0)),
-                yaw: 2.0,
-                stride: 0.7,
+                posture: Posture::of(Clip::Walk, 0.2),
+                ..Figure::standing(ModelId::Astronaut, point, 2.0)
             }];
             frame.quality = quality;
             let (picture, stats) = studio.draw(&frame);

@@ -268,12 +268,7 @@ fn a_figure_throws_a_shadow_in_every_space() {
         let feet = DVec3::new(13.5, FLOOR_M, 12.0);
         let mut shaded = Vec::new();
         for figures in [0, 1] {
-            let figure = Figure {
-                model: ModelId::Astronaut,
-                point: ChartPoint::a(feet),
-                yaw: 0.0,
-                stride: 0.0,
-            };
+            let figure = Figure::standing(ModelId::Astronaut, ChartPoint::a(feet), 0.0);
             frame.figures = vec![figure; figures];
             let Some([on, off]) = both(&frame, SIZE) else {
                 return;

@@ -10,7 +10,7 @@ mod common;
 
 use antipode_geometry::{Eye, Geometry, Hemisphere};
 use antipode_render::{Offscreen, Tile};
-use antipode_scene::frame::{Figure, Frame, ModelId, Quality};
+use antipode_scene::frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use common::{GEOMETRIES, PLAIN, Studio, frame, land, space, standing};
 use image::{RgbaImage, imageops};
 
@@ -36,10 +36,9 @@ fn view(geometry: Geometry, quality: Quality) -> Frame {
     feet.pos += 3.0 * eye.front();
     feet.pos.y = point.pos.y - 1.7;
     let figure = Figure {
-        model: ModelId::Astronaut,
-        point: feet,
-        yaw: 0.5,
-        stride: 0.3,
+        posture: Posture::of(Clip::Walk, 0.3),
+        held: Some(ModelId::Lamp),
+        ..Figure::standing(ModelId::Astronaut, feet, 0.5)
     };
     Frame {
         eye,

@@ -6,6 +6,7 @@ use hecs::Entity;
 
 use crate::frame::ModelId;
 use crate::ground::chunks_near;
+use crate::motion::Doing;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Standing;
 use crate::scene::Scene;
@@ -72,8 +73,8 @@ impl Scene {
             Body(Character::at(point.pos + origin)),
             Health(health),
             Appearance {
-                model: ModelId::Astronaut,
-                stride: 0.0,
+                held: hostile.then_some(ModelId::Gun),
+                ..Appearance::standing(ModelId::AstronautTeal)
             },
         ));
         self.changed = true;
@@ -101,15 +102,22 @@ impl Scene {
     pub(crate) fn step_bots(&mut self) {
         let mut gone = Vec::new();
         let strategy = std::sync::Arc::clone(&self.strategy);
-        for (entity, bot, position, look, body, health) in self.ecs.query_mut::<(
+        for (entity, bot, position, look, body, health, appearance) in self.ecs.query_mut::<(
             Entity,
             &mut Bot,
             &mut Position,
             &mut Look,
             &mut Body,
             &Health,
+            &mut Appearance,
         )>() {
             bot.hit_s_ago += STEP_S;
+            let doing = Doing {
+                dead: health.0 <= 0.0,
+                holds: appearance.held.is_some(),
+                ..player::doing(look, body)
+            };
+            appearance.motion.pass(&doing, STEP_S);
             if health.0 <= 0.0 {
                 bot.dead_s += STEP_S;
                 if bot.dead_s > BOT_LIES_S {

@@ -8,10 +8,11 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Projection, Strategy};
 use antipode_terrain::ChunkMesh;
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use thiserror::Error;
 
 use crate::item::Item;
+pub use crate::posture::{Clip, Posture};
 
 /// Everything needed to draw one picture.
 #[derive(Clone, Debug)]
@@ -28,6 +29,8 @@ pub struct Frame {
     pub chunk_changes: Vec<ChunkChange>,
     /// Figures standing in the world.
     pub figures: Vec<Figure>,
+    /// What the player sees in the own hand; none from elsewhere than the head.
+    pub hand: Option<Hand>,
     /// Lamps and beams.
     pub lights: Lights,
     /// The brush marker, when a tool is held and points at something.
@@ -139,35 +142,50 @@ pub struct Orbs {
 pub enum ModelId {
     /// The player's astronaut.
     Astronaut,
+    /// The astronaut in the second outfit.
+    AstronautTeal,
     /// A lamp, about its foot.
     Lamp,
     /// A bullet, about its middle.
     Bullet,
     /// The gun, about its grip.
     Gun,
-    /// The weak pickaxe, about the middle of its handle.
+    /// The weak pickaxe, about its grip.
     PickaxeWood,
     /// The medium pickaxe.
     PickaxeIron,
     /// The strong pickaxe.
     PickaxeDiamond,
+    /// The car without its wheels, about the ground below its middle.
+    CarBody,
+    /// A wheel of the car's left side, about its hub.
+    CarWheelLeft,
+    /// A wheel of the car's right side, about its hub.
+    CarWheelRight,
+    /// The flash at the gun's muzzle.
+    Flash,
 }
 
 impl ModelId {
     /// Every model.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 12] = [
         Self::Astronaut,
+        Self::AstronautTeal,
         Self::Lamp,
         Self::Bullet,
         Self::Gun,
         Self::PickaxeWood,
         Self::PickaxeIron,
         Self::PickaxeDiamond,
+        Self::CarBody,
+        Self::CarWheelLeft,
+        Self::CarWheelRight,
+        Self::Flash,
     ];
 
     /// Whether it is large enough to have a shade below it.
     pub fn casts_shade(self) -> bool {
-        self == Self::Astronaut
+        matches!(self, Self::Astronaut | Self::AstronautTeal | Self::CarBody)
     }
 }
 
@@ -189,12 +207,47 @@ impl From<Item> for ModelId {
 pub struct Figure {
     /// The model.
     pub model: ModelId,
-    /// Where its feet are.
+    /// Where its origin is; of astronauts, their feet.
     pub point: ChartPoint,
-    /// The way it faces, radians, 0 along +x and a quarter turn along +z.
-    pub yaw: f64,
-    /// Phase of the walk in radians; legs and arms swing with its sine.
-    pub stride: f32,
+    /// How it is turned from looking along +x with its right-hand side at +z, in the chart.
+    pub turn: DQuat,
+    /// How its body is held, where it has one; without meaning else.
+    pub posture: Posture,
+    /// What is in its right hand, where it has one.
+    pub held: Option<ModelId>,
+    /// Whether what is held flashes.
+    pub flashes: bool,
+}
+
+impl Figure {
+    /// A figure upright at `point`, facing along `yaw` radians: 0 along +x and a quarter turn along +z.
+    pub fn standing(model: ModelId, point: ChartPoint, yaw: f64) -> Self {
+        Self {
+            model,
+            point,
+            turn: DQuat::from_rotation_y(-yaw),
+            posture: Posture::default(),
+            held: None,
+            flashes: false,
+        }
+    }
+}
+
+/// What the player sees in the own hand, in first person.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hand {
+    /// What is held.
+    pub model: ModelId,
+    /// How far it is out of the picture, 0 to 1, as while it is being taken in hand.
+    pub lowered: f32,
+    /// How far the step moves it, metres to the right and up.
+    pub bob_m: [f32; 2],
+    /// How far it is swung, from 0 raised to 1 struck; -1 where it is not swung.
+    pub swing: f32,
+    /// How far it is thrown back, 0 to 1.
+    pub kick: f32,
+    /// Whether it flashes.
+    pub flashes: bool,
 }
 
 /// The brush marker.

@@ -41,6 +41,7 @@ impl Scene {
             return;
         }
         self.sounds.push(SoundEvent::Shot);
+        self.hand.fire();
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();
         if self.straight_shots {
@@ -114,7 +115,7 @@ impl Scene {
     }
 
     /// The gun's muzzle; short of a wall that one stands close to.
-    fn muzzle(&self) -> ChartPoint {
+    pub(crate) fn muzzle(&self) -> ChartPoint {
         let head = self.head();
         let (right, up, ahead) = MUZZLE_M;
         let way = head.right() * right + head.up() * up + head.front() * ahead;

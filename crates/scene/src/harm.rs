@@ -4,7 +4,7 @@ use hecs::Entity;
 
 use crate::bot::Bot;
 use crate::notice::Hint;
-use crate::player::Health;
+use crate::player::{Appearance, Health};
 use crate::projectile::Strike;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
@@ -61,6 +61,9 @@ impl Scene {
         self.set_health(self.health() - harm);
         self.condition.unhurt_s = 0.0;
         self.sounds.push(SoundEvent::Hurt);
+        if let Ok(mut appearance) = self.ecs.get::<&mut Appearance>(self.player) {
+            appearance.motion.strike();
+        }
         if self.health() <= 0.0 {
             self.condition.dead_left_s = Some(DEAD_S);
             self.hints.push(match kind {
@@ -109,7 +112,11 @@ impl Scene {
     }
 
     fn hurt_bot(&mut self, entity: Entity, by: Entity) {
-        if let Ok((bot, health)) = self.ecs.query_one_mut::<(&mut Bot, &mut Health)>(entity) {
+        let parts = self
+            .ecs
+            .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance)>(entity);
+        if let Ok((bot, health, appearance)) = parts {
+            appearance.motion.strike();
             health.0 = (health.0 - BULLET_HARM).max(0.0);
             bot.struck_by = Some(by);
             bot.hit_s_ago = 0.0;

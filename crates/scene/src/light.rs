@@ -11,7 +11,7 @@ const MOST_LIT: usize = 64;
 /// Colour times strength of a lamp: warm.
 const LAMP_COLOUR: [f32; 3] = [2.6, 1.9, 1.1];
 /// Distance at which a lamp has faded away, metres.
-const LAMP_RANGE_M: f64 = 14.0;
+const LAMP_RANGE_M: f64 = 12.0;
 /// Colour times strength of the flashlight: nearly white.
 const FLASH_COLOUR: [f32; 3] = [6.0, 6.0, 5.6];
 /// Distance at which the flashlight has faded away, metres.
@@ -38,7 +38,12 @@ impl Scene {
             range_m: LAMP_RANGE_M,
         };
         Lights {
-            lamps: lamps.into_iter().take(MOST_LIT).map(lamp_light).collect(),
+            lamps: self
+                .shot_light()
+                .into_iter()
+                .chain(lamps.into_iter().map(lamp_light))
+                .take(MOST_LIT)
+                .collect(),
             beams: self
                 .flashlight
                 .then(|| self.flash_beam())

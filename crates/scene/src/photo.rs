@@ -93,6 +93,7 @@ impl Scene {
             strategy: std::sync::Arc::clone(strategy),
             sky,
             figures,
+            hand: None,
             lights: self.lights(&view.eye),
             marker: None,
             fog_distance_m: self.fog_distance_from_m(&view.eye, &**strategy),

@@ -2,11 +2,12 @@
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::Character;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::frame::ModelId;
-use crate::tuning::{FULL_HEALTH, PITCH_LIMIT_RAD, STRIDE_M_PER_RAD};
+use crate::motion::{Doing, Motion};
+use crate::tuning::{FULL_HEALTH, PITCH_LIMIT_RAD};
 
 /// Where an entity's feet are, in the chart of the hemisphere it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,13 +43,26 @@ pub struct Body(pub Character);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Health(pub f64);
 
-/// What an entity is drawn as, and the phase of its walk.
+/// What an entity is drawn as, how it moves, and what it holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Appearance {
     /// The model.
     pub model: ModelId,
-    /// Walk phase in radians.
-    pub stride: f64,
+    /// How its body is held.
+    pub motion: Motion,
+    /// What is in its right hand.
+    pub held: Option<ModelId>,
+}
+
+impl Appearance {
+    /// Someone who stands with empty hands.
+    pub fn standing(model: ModelId) -> Self {
+        Self {
+            model,
+            motion: Motion::default(),
+            held: None,
+        }
+    }
 }
 
 /// The components a player begins with at `point`, feet on the ground, looking along `yaw`.
@@ -58,10 +72,7 @@ pub fn components(point: ChartPoint, yaw: f64) -> (Position, Look, Body, Health,
         Look { yaw, pitch: 0.0 },
         Body(Character::at(point.pos)),
         Health(FULL_HEALTH),
-        Appearance {
-            model: ModelId::Astronaut,
-            stride: 0.0,
-        },
+        Appearance::standing(ModelId::Astronaut),
     )
 }
 
@@ -102,18 +113,19 @@ pub fn eye(position: &Position, look: &Look, dial: f64, height_m: f64) -> Eye {
     }
 }
 
-/// Advances the walk by the ground covered; standing still lets it come to rest. Returns whether a foot came down:
-/// each does once a turn.
-pub fn walk(appearance: &mut Appearance, ground_speed_m_s: f64, grounded: bool, dt_s: f64) -> bool {
-    use std::f64::consts::{PI, TAU};
-    if !grounded || ground_speed_m_s <= 0.3 {
-        appearance.stride *= 1.0 - (8.0 * dt_s).min(1.0);
-        return false;
+/// What a body does of itself: how it moves relative to where it faces. Death, flight and what is held are left to add.
+pub fn doing(look: &Look, body: &Body) -> Doing {
+    let velocity = body.0.velocity;
+    let ahead = look.heading();
+    let right = DVec3::new(-ahead.z, 0.0, ahead.x);
+    Doing {
+        way: DVec2::new(velocity.dot(ahead), velocity.dot(right)),
+        rise_m_s: velocity.y,
+        grounded: body.0.grounded,
+        impact_m_s: body.0.impact_m_s,
+        pitch_rad: look.pitch,
+        ..Doing::default()
     }
-    let on = appearance.stride + ground_speed_m_s * dt_s / STRIDE_M_PER_RAD;
-    let foot_down = (on / PI).floor() != (appearance.stride / PI).floor();
-    appearance.stride = on.rem_euclid(TAU);
-    foot_down
 }
 
 /// The angle within (-pi, pi].
@@ -168,20 +180,6 @@ mod tests {
             &look,
         );
         assert!((both.length() - 1.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn each_foot_comes_down_once_a_turn_and_none_in_the_air_or_at_rest() {
-        let (.., mut appearance) = components(ChartPoint::a(DVec3::ZERO), 0.0);
-        let mut feet = |speed_m_s: f64, grounded: bool| {
-            (0..600)
-                .filter(|_| walk(&mut appearance, speed_m_s, grounded, 1.0 / 60.0))
-                .count()
-        };
-        // Ten seconds at 4 m/s are 40 m, and a half turn is 0.88 m.
-        assert_eq!(feet(4.0, true), 45);
-        assert_eq!(feet(4.0, false), 0);
-        assert_eq!(feet(0.2, true), 0);
     }
 
     #[test]

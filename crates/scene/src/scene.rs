@@ -7,6 +7,7 @@ use antipode_physics::{CharacterTuning, PhysicsWorld};
 use antipode_storage::{StorageError, WorldState, WorldStore};
 use antipode_streaming::{Config, Streamer, StreamingError};
 use antipode_terrain::{Biome, Field};
+use glam::DVec3;
 use hecs::Entity;
 use thiserror::Error;
 
@@ -15,8 +16,9 @@ use crate::day;
 use crate::detail::Sight;
 use crate::dip::HeadDip;
 use crate::drops::Drop;
-use crate::frame::{Figure, Frame, Marker, ModelId, Quality};
+use crate::frame::{Frame, Marker, Quality};
 use crate::ground::Ground;
+use crate::hand::HandMotion;
 use crate::harm::Condition;
 use crate::inventory::Inventory;
 use crate::lamp::Lamp;
@@ -25,10 +27,7 @@ use crate::notice::{Hint, Notice};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
-use crate::tuning::{
-    BRUSH_RADIUS_M, DAY_START_S, FIGURE_SEEN_FROM_M, NEAR_M, PICTURE_HEIGHT_PX,
-    VIEW_DISTANCE_CHUNKS,
-};
+use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, PICTURE_HEIGHT_PX, VIEW_DISTANCE_CHUNKS};
 use crate::viewing::Viewing;
 
 /// How many damaged places of a save are told one by one.
@@ -129,6 +128,8 @@ pub struct Scene {
     /// Whether each button was down in the step before.
     pub(crate) primary_before: bool,
     pub(crate) secondary_before: bool,
+    /// How what is in the player's hand moves.
+    pub(crate) hand: HandMotion,
     pub(crate) flashlight: bool,
     pub(crate) lamps: Vec<Lamp>,
     /// Whether the ground may have changed below lamps, or below things that lie about.
@@ -213,6 +214,7 @@ impl Scene {
             gun_rests_s: 0.0,
             primary_before: false,
             secondary_before: false,
+            hand: HandMotion::default(),
             flashlight: false,
             lamps: Vec::new(),
             lamps_unchecked: false,
@@ -337,7 +339,7 @@ impl Scene {
     /// The player's feet, view and body.
     pub(crate) fn player_parts(&self) -> (Position, Look, Body, Appearance) {
         let fallback = || {
-            let (p, l, b, _, a) = player::components(ChartPoint::a(glam::DVec3::ZERO), 0.0);
+            let (p, l, b, _, a) = player::components(ChartPoint::a(DVec3::ZERO), 0.0);
             (p, l, b, a)
         };
         self.ecs
@@ -413,6 +415,7 @@ impl Scene {
             sky: day::sky(self.time_of_day_s, &**self.lens.strategy(), &eye),
             chunk_changes: self.ground.take_changes(),
             figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
+            hand: self.hand_seen(),
             lights: self.lights(&eye),
             marker: self.marker,
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
@@ -421,61 +424,6 @@ impl Scene {
             quality: self.quality,
             loaded_world: world_id,
         }
-    }
-
-    /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
-    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<Figure> {
-        let eye = eye.point;
-        let inside_own = eye.hemisphere == self.feet().hemisphere
-            && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
-        let mut seen = Vec::new();
-        for (entity, position, look, appearance) in
-            &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
-        {
-            if entity == self.player && (!sees_player || inside_own) {
-                continue;
-            }
-            seen.push(Figure {
-                model: appearance.model,
-                point: position.0,
-                yaw: look.yaw,
-                stride: appearance.stride as f32,
-            });
-        }
-        self.show_things(&mut seen);
-        seen
-    }
-
-    /// Lamps, bullets, and what lies about, which turns so that it is noticed.
-    fn show_things(&self, seen: &mut Vec<Figure>) {
-        let thing = |model, point, yaw| Figure {
-            model,
-            point,
-            yaw,
-            stride: 0.0,
-        };
-        let turn = if self.viewing.reduced_motion {
-            0.0
-        } else {
-            self.simulated_s
-        };
-        seen.extend(
-            self.lamps
-                .iter()
-                .map(|lamp| thing(ModelId::Lamp, lamp.point, 0.0)),
-        );
-        seen.extend(self.projectiles().iter().map(|bullet| {
-            thing(
-                ModelId::Bullet,
-                bullet.point,
-                bullet.velocity.z.atan2(bullet.velocity.x),
-            )
-        }));
-        seen.extend(
-            self.drops
-                .iter()
-                .map(|drop| thing(drop.stack.item.into(), drop.point, turn)),
-        );
     }
 
     /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and

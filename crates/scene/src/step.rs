@@ -2,7 +2,6 @@
 
 use antipode_physics::{Character, CharacterInput};
 use antipode_terrain::Stroke;
-use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::camera::CameraMode;
@@ -10,6 +9,7 @@ use crate::frame::Marker;
 use crate::ground::chunks_near;
 use crate::harm::{HarmKind, fall_harm};
 use crate::item::Item;
+use crate::motion::Doing;
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
@@ -52,6 +52,7 @@ impl Scene {
         self.step_projectiles();
         self.step_lamps();
         self.step_drops();
+        self.step_hand(actions);
         self.primary_before = actions.primary;
         self.secondary_before = actions.secondary;
         self.autosave();
@@ -99,7 +100,8 @@ impl Scene {
 
     fn move_player(&mut self, actions: &Actions) {
         let strategy = std::sync::Arc::clone(&self.strategy);
-        let flying = self.flying;
+        let (flying, dead) = (self.flying, self.is_dead());
+        let holds = self.inventory.held().is_some();
         let Ok((position, look, body, appearance)) =
             self.ecs
                 .query_one_mut::<(&mut Position, &mut Look, &mut Body, &mut Appearance)>(
@@ -135,8 +137,13 @@ impl Scene {
         if self.viewing.dips() {
             self.dip.land(body.0.impact_m_s);
         }
-        let speed = DVec3::new(body.0.velocity.x, 0.0, body.0.velocity.z).length();
-        let foot_down = player::walk(appearance, speed, body.0.grounded, STEP_S);
+        let doing = Doing {
+            flying,
+            dead,
+            holds,
+            ..player::doing(look, body)
+        };
+        let foot_down = appearance.motion.pass(&doing, STEP_S);
         self.hear_body(foot_down);
         self.hurt_player(harm, HarmKind::Fall);
     }

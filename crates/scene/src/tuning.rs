@@ -40,8 +40,22 @@ pub const FULL_HEALTH: f64 = 20.0;
 pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
 /// What changed is committed at least this often, in simulated seconds.
 pub const AUTOSAVE_S: f64 = 3.0;
-/// Metres walked per radian of the walking figure's stride.
-pub const STRIDE_M_PER_RAD: f64 = 0.28;
+/// Metres that a cycle of the walk covers, two steps: the speed at which the clip's feet stand still, times its length.
+pub const WALK_STRIDE_M: f64 = 1.4 * 0.78;
+/// Metres that a cycle of the run covers.
+pub const RUN_STRIDE_M: f64 = 4.5 * 0.54;
+/// Speeds from which a walk becomes a run, and at which nothing is left of it, in metres per second.
+pub const RUNS_FROM_M_S: (f64, f64) = (1.8, 3.2);
+/// Slowest fall whose end bends the knees, in metres per second.
+pub const LANDS_FROM_M_S: f64 = 2.5;
+/// How long the flash of a shot is seen, in seconds.
+pub const FLASH_S: f64 = 0.05;
+/// How long it takes to take another thing in hand, in seconds.
+pub const TAKES_S: f64 = 0.22;
+/// Time in which the kick of a shot falls to a third, in seconds.
+pub const KICK_S: f64 = 0.07;
+/// How far a step moves what is held, as seen from the eye: sideways and up, in metres.
+pub const BOB_M: (f64, f64) = (0.012, 0.010);
 /// Nearest to the head, in metres, from which the camera behind a figure still shows it.
 pub const FIGURE_SEEN_FROM_M: f64 = 2.2;
 /// Slowest fall whose end dips the head, in metres per second: a step down a stair does not.

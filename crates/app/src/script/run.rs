@@ -247,7 +247,10 @@ impl Runner {
             ));
         };
         let fov_y_rad = session.scene.viewing().fov_y_rad;
-        let frame = session.scene.frame(fov_y_rad, studio.aspect(), id);
+        let mut frame = session.scene.frame(fov_y_rad, studio.aspect(), id);
+        if self.display_hidden {
+            frame.hand = None;
+        }
         let scene = &session.scene;
         let (drawn, texts) = (&mut self.drawn, &self.texts);
         let (frame_ms, gpu_ms) = (self.frame_ms, self.gpu_ms);

@@ -195,7 +195,11 @@ impl Game {
             return self.photo_frame(aspect, id);
         }
         let fov_y_rad = session.scene.viewing().fov_y_rad;
-        Some(session.scene.frame(fov_y_rad, aspect, id))
+        let mut frame = session.scene.frame(fov_y_rad, aspect, id);
+        if self.display_hidden {
+            frame.hand = None;
+        }
+        Some(frame)
     }
 
     /// A frame was shown.

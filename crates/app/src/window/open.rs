@@ -190,7 +190,8 @@ impl Open {
 
     /// Has a picture of the open world drawn for the menu.
     pub(super) fn begin_picture(&mut self) {
-        if let Some(frame) = self.game.frame(16.0 / 9.0, self.stage.height_px()) {
+        if let Some(mut frame) = self.game.frame(16.0 / 9.0, self.stage.height_px()) {
+            frame.hand = None;
             let world = self.game.expect_picture();
             self.stage.begin_thumbnail(world, &frame);
         }

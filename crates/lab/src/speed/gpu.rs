@@ -6,7 +6,7 @@ use antipode_scene::frame::{Frame, Quality};
 
 use crate::speed::scenes::{Look, Order, fixed, keep_common, looks, sphere_looks};
 use crate::speed::stage::{Taken, race};
-use crate::speed::{equal, quality, shadows, vertex_stage};
+use crate::speed::{equal, lamps, quality, shadows, vertex_stage};
 use crate::{Cell, Effort, LabError, Section, Table};
 
 /// Fog out of the way of what has to be the same everywhere, metres.
@@ -40,6 +40,8 @@ pub fn gpu_section(effort: Effort, adapter: AdapterChoice) -> Result<Section, La
     ] {
         tables.extend(same_triangles(&gpu, frame, &looks, &land, effort)?);
     }
+    tables.push(lamps::table(&gpu, &frames, effort)?);
+    tables.extend(lit_triangles(&gpu, open, closed, effort)?);
     let (qualities, quality_plot) = quality::tables(&gpu, &frames, size(effort), effort)?;
     tables.extend(qualities);
     tables.push(shadows::table(&gpu, &frames, effort)?);
@@ -101,6 +103,34 @@ const SPHERE: Land = Land {
     quality: Quality::Fast,
     order: Order::NearestFirst,
 };
+
+/// The same work in every map once more, with some lamps.
+fn lit_triangles(
+    gpu: &Gpu,
+    open: &Frame,
+    closed: &Frame,
+    effort: Effort,
+) -> Result<Vec<Table>, LabError> {
+    let mut tables = Vec::new();
+    for (frame, looks, land) in [(open, looks(), NEAR), (closed, sphere_looks(), SPHERE)] {
+        let mut frame = Frame {
+            quality: land.quality,
+            fog_distance_m: NO_FOG_M,
+            ..lamps::lit(frame, lamps::FEW)
+        };
+        let chunks = keep_common(gpu, &mut frame, &looks, BAR_SIZE.1, land.order)?;
+        let land = format!(
+            "{chunks} chunks of {}, {}, with {} lamps",
+            land.name,
+            land.quality,
+            lamps::FEW
+        );
+        tables.push(equal::same_pixels(
+            gpu, &frame, &looks, &land, BAR_SIZE, effort,
+        )?);
+    }
+    Ok(tables)
+}
 
 /// One world's land seen in several ways, every one of which draws all of it.
 fn same_triangles(

@@ -9,6 +9,7 @@ mod equal;
 mod frames;
 mod gpu;
 mod inputs;
+mod lamps;
 mod library;
 mod moves;
 mod normals;

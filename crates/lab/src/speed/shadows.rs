@@ -35,14 +35,13 @@ fn at(frame: &Frame, step: usize) -> Frame {
     let time_s = seconds * step as f64;
     own.time_s += time_s as f32;
     own.sky = day::sky(MORNING_S + time_s, &*own.strategy, &own.eye);
-    let beside = |right_m: f64| Figure {
-        model: ModelId::Astronaut,
-        point: ChartPoint {
-            pos: own.eye.point.pos + ahead * 5.0 + own.eye.right() * right_m - DVec3::Y * 3.6,
+    let beside = |right_m: f64| {
+        let place = own.eye.point.pos + ahead * 5.0 + own.eye.right() * right_m;
+        let point = ChartPoint {
+            pos: place - DVec3::Y * 3.6,
             ..own.eye.point
-        },
-        yaw: own.eye.yaw,
-        stride: time_s as f32 * 6.0,
+        };
+        Figure::standing(ModelId::Astronaut, point, own.eye.yaw)
     };
     own.figures.extend([-2.0, 0.5, 2.5].map(beside));
     own

@@ -91,6 +91,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
         },
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 400.0,

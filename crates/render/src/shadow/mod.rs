@@ -411,7 +411,7 @@ impl Shadows {
                 .maps
                 .begin(encoder, (PASSES - 1, layer), true, timing.take());
             if let Some(mut pass) = begun {
-                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figure_caster);
+                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figures);
             }
         }
         (stats, stamps && timing.is_none())

@@ -170,6 +170,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         sky,
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 150.0,

@@ -64,6 +64,7 @@ fn frame() -> Frame {
         },
         chunk_changes: Vec::new(),
         figures: Vec::new(),
+        hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
         fog_distance_m: 100.0,

@@ -1,0 +1,86 @@
+//! What the player sees in the own hand: drawn before the eye in its own axes, where every space is flat.
+
+use std::f32::consts::FRAC_PI_2;
+
+use antipode_scene::frame::{Frame, Hand, ModelId};
+use glam::{Quat, Vec3};
+
+use crate::lamps::lights_near;
+use crate::uniforms::FigureInstance;
+
+/// The gun's muzzle from its grip, metres.
+pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
+
+/// Out of the picture, what is held is lower by this, metres, and turned down by this, radians.
+const LOWERED_M: f32 = 0.35;
+const LOWERED_RAD: f32 = 0.9;
+/// How far a shot throws what is held back, metres, and up, radians.
+const KICK_BACK_M: f32 = 0.055;
+const KICK_UP_RAD: f32 = 0.16;
+/// A tool is raised by this before its stroke, strikes down by this from there, radians, and reaches ahead by this,
+/// metres.
+const RAISED_RAD: f32 = 0.45;
+const STROKE_RAD: f32 = 1.25;
+const REACH_M: f32 = 0.16;
+
+/// How a thing is held before the eye.
+struct Grip {
+    /// Where the hand is: to the right, up and ahead, metres.
+    place: Vec3,
+    /// Turns about its height (to the left positive), then about the way to the right (its front up), then about the
+    /// way ahead (its top to the right), radians.
+    turn: Vec3,
+}
+
+/// Where a thing is held, from its origin in its own axes, metres.
+pub fn grip_m(model: ModelId) -> Vec3 {
+    match model {
+        // By the ring on its top.
+        ModelId::Lamp => Vec3::new(0.0, 0.455, 0.0),
+        _ => Vec3::ZERO,
+    }
+}
+
+fn grip(model: ModelId) -> Grip {
+    let (place, turn) = match model {
+        ModelId::Gun => (Vec3::new(0.25, -0.25, 0.50), Vec3::new(0.09, 0.04, 0.0)),
+        ModelId::Lamp => (Vec3::new(0.40, 0.05, 1.0), Vec3::ZERO),
+        ModelId::Bullet => (Vec3::new(0.22, -0.18, 0.52), Vec3::new(0.6, 0.25, 0.0)),
+        _ => (Vec3::new(0.40, -0.54, 0.82), Vec3::new(0.75, 0.0, -0.18)),
+    };
+    Grip { place, turn }
+}
+
+/// What is drawn of the hand: the model, and its instance in the eye's axes.
+pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
+    let Grip { place, turn } = grip(hand.model);
+    let swing = hand.swing.max(0.0);
+    let swings = f32::from(u8::from(hand.swing >= 0.0));
+    let up_rad = KICK_UP_RAD * hand.kick + swings * (RAISED_RAD - STROKE_RAD * swing)
+        - LOWERED_RAD * hand.lowered;
+    let ahead_m = REACH_M * swing - KICK_BACK_M * hand.kick;
+    let [right_m, up_m] = hand.bob_m;
+    let place = place + Vec3::new(right_m, up_m - LOWERED_M * hand.lowered, ahead_m);
+    // In the game's axes: x ahead, y up, z to the right.
+    let held = Quat::from_rotation_z(up_rad)
+        * Quat::from_rotation_x(turn.z)
+        * Quat::from_rotation_y(turn.x)
+        * Quat::from_rotation_z(turn.y);
+    // From there to the eye's: x to the right, y up, z back.
+    let turn = Quat::from_rotation_y(FRAC_PI_2) * held;
+    let origin = Vec3::new(place.x, place.y, -place.z) - turn * grip_m(hand.model);
+    let point = frame.eye.point;
+    let lights = lights_near(frame, point.hemisphere, point.pos, point.pos);
+    let instance = |at: Vec3| FigureInstance {
+        offset: at.into(),
+        flags: 0,
+        turn: turn.to_array(),
+        frame: [[0.0; 4]; 4],
+        lights,
+    };
+    let mut seen = vec![(hand.model, instance(origin))];
+    if hand.flashes {
+        seen.push((ModelId::Flash, instance(origin + turn * MUZZLE_M)));
+    }
+    seen
+}

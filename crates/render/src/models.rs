@@ -1,0 +1,318 @@
+//! The game's models as the adapter takes them: vertices and indices in the game's axes, x ahead, y up, z to the right.
+
+use antipode_models::{GAME_FROM_FILE, Material, Mesh, Model, Vertex};
+use antipode_scene::frame::ModelId;
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3};
+
+use crate::error::RenderError;
+use crate::flash;
+use crate::rig::Rig;
+
+/// A vertex of a model; the attributes of figure.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct ModelVertex {
+    /// Metres, in the bind pose.
+    pub position: [f32; 3],
+    /// Unit normal, signed normalised; the last is how much it glows, 0 to 1.
+    pub normal: [i16; 4],
+    /// sRGB, then gloss; of what is clear, its cover.
+    pub colour: [u8; 4],
+}
+
+impl ModelVertex {
+    /// Attributes from location 0 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4];
+}
+
+/// What ties a vertex to a skeleton.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+pub struct SkinVertex {
+    /// Shares of the joints, unsigned normalised; they sum to 1.
+    pub weights: [u16; 4],
+    /// Joints of the skin.
+    pub joints: [u8; 4],
+}
+
+impl SkinVertex {
+    /// Attributes from location 11 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 2] =
+        wgpu::vertex_attr_array![11 => Unorm16x4, 12 => Uint8x4];
+}
+
+/// The triangles of a model.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shape {
+    /// Vertices.
+    pub vertices: Vec<ModelVertex>,
+    /// One for each vertex; none where nothing bends.
+    pub skin: Vec<SkinVertex>,
+    /// Three indices for each triangle that hides what is behind it, counter-clockwise seen from outside.
+    pub solid: Vec<u16>,
+    /// The same of those that let it through.
+    pub clear: Vec<u16>,
+}
+
+impl Shape {
+    /// Lowest and highest corner of its box in the bind pose, metres.
+    pub fn limits(&self) -> (Vec3, Vec3) {
+        let places = || self.vertices.iter().map(|v| Vec3::from(v.position));
+        (
+            places().reduce(Vec3::min).unwrap_or_default(),
+            places().reduce(Vec3::max).unwrap_or_default(),
+        )
+    }
+
+    /// Adds a mesh, placed by `place` in the file's axes.
+    fn add(&mut self, mesh: &Mesh, materials: &[Material], place: Mat4, look: Look) {
+        let skinned = look == Look::Bent;
+        for primitive in &mesh.primitives {
+            let first = self.vertices.len() as u16;
+            let Some(material) = materials.get(primitive.material) else {
+                continue;
+            };
+            // What bends is drawn solid: no astronaut has a part that light goes through.
+            let clear = material.clear && !skinned;
+            for vertex in &primitive.vertices {
+                self.vertices
+                    .push(model_vertex(vertex, material, place, look, clear));
+                if skinned {
+                    self.skin.push(skin_vertex(vertex));
+                }
+            }
+            let indices = primitive.indices.iter().map(|&i| first + i as u16);
+            if clear {
+                self.clear.extend(indices);
+            } else {
+                self.solid.extend(indices);
+            }
+        }
+    }
+}
+
+/// What a mesh is part of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Look {
+    /// A lamp, which shines for others to see by.
+    Lamp,
+    /// Something with a skeleton.
+    Bent,
+    /// Anything else.
+    Thing,
+}
+
+impl Look {
+    /// Share of the brightest glow that a material which shines with full strength has: small lights are to be seen
+    /// as lights, and keep their colour.
+    fn glow(self) -> f32 {
+        match self {
+            Self::Lamp => 0.7,
+            Self::Bent | Self::Thing => 0.28,
+        }
+    }
+}
+
+/// A shape, and the skeleton that bends it if there is one.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// Triangles.
+    pub shape: Shape,
+    /// What bends it.
+    pub rig: Option<Rig>,
+}
+
+/// Reads every model of the game, in the order of [`ModelId::ALL`].
+///
+/// # Errors
+/// When one of the embedded files cannot be read or outgrows what is drawn; a test reads them all.
+pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
+    let car = read(antipode_models::CAR)?;
+    ModelId::ALL
+        .into_iter()
+        .map(|model| match model {
+            ModelId::Astronaut => bent(&read(antipode_models::ASTRONAUT)?),
+            ModelId::AstronautTeal => bent(&read(antipode_models::ASTRONAUT_TEAL)?),
+            ModelId::Lamp => Ok(whole(&read(antipode_models::LAMP)?, Look::Lamp)),
+            ModelId::Bullet => Ok(whole(&read(antipode_models::BULLET)?, Look::Thing)),
+            ModelId::Gun => Ok(whole(&read(antipode_models::GUN)?, Look::Thing)),
+            ModelId::PickaxeWood => Ok(whole(&read(antipode_models::WOODEN_PICKAXE)?, Look::Thing)),
+            ModelId::PickaxeIron => Ok(whole(&read(antipode_models::IRON_PICKAXE)?, Look::Thing)),
+            ModelId::PickaxeDiamond => {
+                Ok(whole(&read(antipode_models::DIAMOND_PICKAXE)?, Look::Thing))
+            }
+            ModelId::CarBody => part(&car, "body"),
+            ModelId::CarWheelLeft => part(&car, "wheel.FL"),
+            ModelId::CarWheelRight => part(&car, "wheel.FR"),
+            ModelId::Flash => Ok(Loaded {
+                shape: flash::shape(),
+                rig: None,
+            }),
+        })
+        .collect()
+}
+
+fn read(bytes: &[u8]) -> Result<Model, RenderError> {
+    Model::from_glb(bytes).map_err(|e| RenderError::Model(e.to_string()))
+}
+
+/// The whole of a model that does not move.
+fn whole(model: &Model, look: Look) -> Loaded {
+    let places = antipode_models::Pose::rest(&model.skeleton).model_matrices(&model.skeleton);
+    let mut shape = Shape::default();
+    for part in &model.parts {
+        shape.add(
+            &model.meshes[part.mesh],
+            &model.materials,
+            places[part.node],
+            look,
+        );
+    }
+    Loaded { shape, rig: None }
+}
+
+/// What hangs from one node, about that node.
+fn part(model: &Model, name: &str) -> Result<Loaded, RenderError> {
+    let missing = || RenderError::Model(format!("there is no part {name}"));
+    let node = model.skeleton.find(name).ok_or_else(missing)?;
+    let part = model.parts.iter().find(|part| part.node == node);
+    let mut shape = Shape::default();
+    let mesh = &model.meshes[part.ok_or_else(missing)?.mesh];
+    shape.add(mesh, &model.materials, Mat4::IDENTITY, Look::Thing);
+    Ok(Loaded { shape, rig: None })
+}
+
+/// A model that is bent by its skeleton.
+fn bent(model: &Model) -> Result<Loaded, RenderError> {
+    let mut shape = Shape::default();
+    for part in &model.parts {
+        shape.add(
+            &model.meshes[part.mesh],
+            &model.materials,
+            Mat4::IDENTITY,
+            Look::Bent,
+        );
+    }
+    Ok(Loaded {
+        shape,
+        rig: Some(Rig::new(model)?),
+    })
+}
+
+fn model_vertex(
+    vertex: &Vertex,
+    material: &Material,
+    place: Mat4,
+    look: Look,
+    clear: bool,
+) -> ModelVertex {
+    let position = GAME_FROM_FILE * place.transform_point3(vertex.position);
+    let normal = (GAME_FROM_FILE * place.transform_vector3(vertex.normal)).normalize_or(Vec3::Y);
+    let colour = vertex.colour * material.colour;
+    // A mirror's shine is all of it, chalk's none; in between it falls quickly.
+    let gloss = (1.0 - material.roughness).powi(2);
+    let fourth = if clear { colour.w } else { gloss };
+    let snorm = |x: f32| (x * f32::from(i16::MAX)).round() as i16;
+    let unorm = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    ModelVertex {
+        position: position.into(),
+        normal: [
+            snorm(normal.x),
+            snorm(normal.y),
+            snorm(normal.z),
+            snorm(look.glow() * material.emission.max_element().min(1.0)),
+        ],
+        colour: [
+            unorm(srgb(colour.x)),
+            unorm(srgb(colour.y)),
+            unorm(srgb(colour.z)),
+            unorm(fourth),
+        ],
+    }
+}
+
+/// The sRGB curve (IEC 61966-2-1) from linear light.
+fn srgb(light: f32) -> f32 {
+    if light <= 0.003_130_8 {
+        12.92 * light
+    } else {
+        1.055 * light.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// Weights in 16 bits that still sum to one: what rounding leaves over goes to the greatest.
+fn skin_vertex(vertex: &Vertex) -> SkinVertex {
+    let one = u32::from(u16::MAX);
+    let mut weights = vertex.weights.map(|w| (w * one as f32) as u32);
+    let left = one.saturating_sub(weights.iter().sum());
+    if let Some(most) = weights.iter_mut().max() {
+        *most = (*most + left).min(one);
+    }
+    SkinVertex {
+        weights: weights.map(|w| w as u16),
+        joints: vertex.joints.map(|j| j as u8),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use super::*;
+
+    #[test]
+    fn every_model_is_read_and_fits_the_buffers() {
+        for (id, Loaded { shape, rig }) in ModelId::ALL.into_iter().zip(load_all().unwrap()) {
+            assert!(shape.vertices.len() < usize::from(u16::MAX), "{id:?}");
+            assert!(
+                shape.solid.len() >= 12 && shape.solid.len().is_multiple_of(3),
+                "{id:?}"
+            );
+            assert_eq!(rig.is_some(), !shape.skin.is_empty(), "{id:?}");
+            let used = || shape.solid.iter().chain(&shape.clear);
+            assert!(
+                used().all(|&i| usize::from(i) < shape.vertices.len()),
+                "{id:?}"
+            );
+            for skin in &shape.skin {
+                let sum: u32 = skin.weights.iter().map(|w| u32::from(*w)).sum();
+                assert_eq!(sum, u32::from(u16::MAX));
+            }
+        }
+    }
+
+    #[test]
+    fn they_look_along_x_with_their_feet_on_the_ground() {
+        let all = load_all().unwrap();
+        let of = |id: ModelId| &all[ModelId::ALL.iter().position(|it| *it == id).unwrap()].shape;
+        let (low, high) = of(ModelId::Astronaut).limits();
+        assert!(
+            low.y.abs() < 0.01 && (high.y - 1.8).abs() < 0.02,
+            "{low} {high}"
+        );
+        // The visor is the glossiest, and in front.
+        let visor = || {
+            of(ModelId::Astronaut)
+                .vertices
+                .iter()
+                .filter(|v| v.colour[3] > 200)
+        };
+        assert!(visor().count() > 20 && visor().all(|v| v.position[0] > 0.0));
+        let (low, high) = of(ModelId::Gun).limits();
+        assert!(
+            high.x > 0.25 && low.x > -0.1,
+            "the barrel is ahead: {low} {high}"
+        );
+        let (low, high) = of(ModelId::CarWheelLeft).limits();
+        assert!(
+            (low + high).truncate().length() < 0.01,
+            "about its hub: {low} {high}"
+        );
+        // The hub caps show outwards: of the left side at -z.
+        assert!(low.z < -0.13 && high.z < 0.13, "{low} {high}");
+        let (low, high) = of(ModelId::CarBody).limits();
+        assert!(high.x - low.x > 3.0 && high.z - low.z < 1.6, "{low} {high}");
+        assert!(!of(ModelId::Lamp).clear.is_empty() && !of(ModelId::CarBody).clear.is_empty());
+    }
+}

@@ -1,0 +1,61 @@
+//! What of the scene is shown as figures: everyone, what they hold, and things that lie, stand or fly.
+
+use antipode_geometry::Eye;
+use glam::{DQuat, DVec3};
+use hecs::Entity;
+
+use crate::frame::{Figure, ModelId};
+use crate::player::{Appearance, Look, Position};
+use crate::scene::Scene;
+use crate::tuning::FIGURE_SEEN_FROM_M;
+
+impl Scene {
+    /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
+    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<Figure> {
+        let eye = eye.point;
+        let inside_own = eye.hemisphere == self.feet().hemisphere
+            && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
+        let mut seen = Vec::new();
+        for (entity, position, look, appearance) in
+            &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
+        {
+            if entity == self.player && (!sees_player || inside_own) {
+                continue;
+            }
+            let mut figure = Figure {
+                posture: appearance.motion.posture(),
+                held: appearance.held,
+                ..Figure::standing(appearance.model, position.0, look.yaw)
+            };
+            if entity == self.player {
+                self.use_in_hand(&mut figure);
+            }
+            seen.push(figure);
+        }
+        self.show_things(&mut seen);
+        seen
+    }
+
+    /// Lamps, bullets, and what lies about, which turns so that it is noticed.
+    fn show_things(&self, seen: &mut Vec<Figure>) {
+        let turn = if self.viewing.reduced_motion {
+            0.0
+        } else {
+            self.simulated_s
+        };
+        let lamps = self.lamps.iter();
+        seen.extend(lamps.map(|lamp| Figure::standing(ModelId::Lamp, lamp.point, 0.0)));
+        seen.extend(self.projectiles().iter().map(|bullet| {
+            let way = bullet.velocity.normalize_or(DVec3::X);
+            Figure {
+                turn: DQuat::from_rotation_arc(DVec3::X, way),
+                ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
+            }
+        }));
+        let drops = self.drops.iter();
+        seen.extend(drops.map(|drop| {
+            let model = drop.stack.item.into();
+            Figure::standing(model, drop.point, turn)
+        }));
+    }
+}
