@@ -8,6 +8,9 @@ const SHADES: u32 = 8u;
 const LAMPS: u32 = 64u;
 const BEAMS: u32 = 16u;
 
+// Maps of the key light's shadows.
+const SHADOW_MAPS: u32 = 8u;
+
 // Light that goes all ways from a place.
 struct Lamp {
     place: vec4<f32>,   // in view coordinates, w in metres
@@ -20,6 +23,17 @@ struct Beam {
     axis: vec4<f32>,    // the way it goes there, a unit vector in view coordinates
     colour: vec4<f32>,  // as above
     cone: vec4<f32>,    // cosines of the angles within which it is full, and outside which there is none
+}
+
+// A map of depth as the key light sees it.
+struct ShadowMap {
+    clip: mat4x4<f32>,  // to its clip coordinates, from metres from the reference; in a closed world from view coordinates
+    info: vec4<f32>,    // its layer, depth of a texel's length where w is 1, how far it is to be trusted, room
+}
+
+struct Shadows {
+    maps: array<ShadowMap, SHADOW_MAPS>,
+    key: vec4<f32>,     // strength, texels of a side, one over that, 1 where a closed world's moon throws them
 }
 
 struct Scene {
@@ -44,6 +58,7 @@ struct Scene {
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
+    shadows: Shadows,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
@@ -110,12 +125,14 @@ fn haze_before(space: Space, view: vec4<f32>) -> vec3<f32> {
 }
 
 // Warm key and cool ambient from above, bounce from below: nothing is black.
-fn light_on(normal: vec3<f32>) -> vec3<f32> {
+// `share` of the key reaches the place; in a shadow less of it is bounced about, too.
+fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
     let facing = dot(normal, scene.key_direction.xyz);
     let key = max(facing, 0.0);
     let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
     let sky = 0.5 + 0.5 * normal.y;
-    return scene.key_colour.rgb * (0.78 * key + wrap) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
+    let bounced = wrap * (0.4 + 0.6 * share);
+    return scene.key_colour.rgb * (0.78 * key * share + bounced) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
 }
 
 // sRGB to linear light; cubic fit of the standard's curve, within 0.003.

@@ -34,6 +34,7 @@ struct VertexOut {
     @location(5) view: vec4<f32>,
     @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
+    @location(8) place: vec3<f32>,      // from the reference, m
 }
 
 // A vertex of the model: where it is from the origin, in metres, and its normal.
@@ -85,6 +86,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.glow = in.normal.w;
     out.view = view;
     out.lights = in.lights;
+    out.place = p;
     if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
     }
@@ -123,6 +125,16 @@ fn vertex_bent_framed(in: VertexIn, skin: SkinIn) -> VertexOut {
     return by_frame(in, bent(in, skin));
 }
 
+@vertex
+fn vertex_caster(in: VertexIn) -> @builtin(position) vec4<f32> {
+    return caster_clip(in.offset + plain(in).place, in.flags & 1u);
+}
+
+@vertex
+fn vertex_caster_bent(in: VertexIn, skin: SkinIn) -> @builtin(position) vec4<f32> {
+    return caster_clip(in.offset + bent(in, skin).place, in.flags & 1u);
+}
+
 // What is in the hand is seen at this focal length, whatever the field of view is: 1 over the tangent of 27 degrees.
 const HAND_FOCAL: f32 = 1.96;
 // It is nearer than all else: its depths lie from here to 1.
@@ -145,6 +157,7 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     out.veil = vec4<f32>(0.0, 0.0, 0.0, 1.0);
     out.glow = in.normal.w;
     out.view = vec4<f32>(v, 1.0);
+    out.place = scene.right.xyz * v.x + scene.up.xyz * v.y - scene.front.xyz * v.z;
     out.frame_normal = vec4<f32>(normal, 0.0);
     out.lights = in.lights;
     return out;
@@ -159,13 +172,14 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
-    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal);
+    let share = key_share(shaded_at(in.place, in.view), in.clip.xy, normal, true);
+    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }
     // A soft bright edge keeps the figure readable against land of its own brightness.
     colour += scene.ambient_sky.rgb * (edge2 * edge * (0.30 + 0.9 * gloss));
-    colour += (scene.key_colour.rgb * shine + sky * 0.35) * gloss;
+    colour += (scene.key_colour.rgb * (shine * share) + sky * 0.35) * gloss;
     // Brighter than white, so that tone mapping lets it shine; a little less at the rim, so that it stays round.
     colour += in.albedo.rgb * (in.glow * (3.2 - 1.4 * edge2));
     return colour;

@@ -162,13 +162,15 @@ fn lights_on(view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32>, gloss: f32) ->
 
 // Light of the sun, the moon and all around on a point of a closed world. The cosine between the normal n and the way
 // to a body s is <n, s> over the sine of the distance, n being square to the point.
-// `up` is the normal's share of the way up.
-fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32) -> vec3<f32> {
+// `up` is the normal's share of the way up; `share` of the light that throws shadows reaches the point.
+fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32> {
     let place = model_of(space, view);
     let near = vec2<f32>(dot(place, scene.sun_place), dot(place, scene.moon_place));
     let slant = vec2<f32>(dot(normal, scene.sun_place), dot(normal, scene.moon_place));
     let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
-    let key = 0.78 * max(facing, vec2<f32>(0.0)) + 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
+    let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.key.w);
+    let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
+    let key = 0.78 * max(facing, vec2<f32>(0.0)) * reaches + bounced * (0.4 + 0.6 * reaches);
     let day = smoothstep(NIGHT, DAY, near.x);
     // Low light has come a long way through haze: red.
     let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));
@@ -180,11 +182,12 @@ fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32) -> vec3<f3
 }
 
 // All light but that of lamps and beams: `normal` in the chart's frame, `model_normal` in view coordinates.
-fn daylight_on(space: Space, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> vec3<f32> {
+// `share` as above.
+fn daylight_on(space: Space, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32) -> vec3<f32> {
     if geo_kind(space) == GEO_SPHERE {
-        return orbs_on(space, view, model_normal, normal.y);
+        return orbs_on(space, view, model_normal, normal.y, share);
     }
-    return light_on(normal);
+    return light_on(normal, share);
 }
 
 // Whether a vertex needs its normal in view coordinates.

@@ -6,7 +6,8 @@ struct VertexIn {
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
     @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
-    @location(4) flags: u32,            // lowest bit: hemisphere; the rest: how many shades may fall on the chunk
+    @location(4) flags: u32,            // lowest bit: hemisphere; next: whether a figure's shadow may fall on the chunk;
+                                        // the rest: how many shades may
     @location(5) world: vec4<f32>,      // xyz: the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
                                         // blend, the share of the pixels that show it; minus that of one that goes
     @location(6) frame_origin: vec4<f32>, // view coordinates of the reference, where the chunk is ported as a whole,
@@ -15,6 +16,9 @@ struct VertexIn {
     @location(9) frame_z: vec4<f32>,
     @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams (16) may light the chunk, and its level
 }
+
+// Added to the share of a blend where a figure's shadow may fall on the chunk: what every pixel is handed costs.
+const SHADED: f32 = 8.0;
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
@@ -56,9 +60,9 @@ fn nearest_feet(p: vec3<f32>, hemisphere: u32, count: u32) -> vec3<f32> {
 }
 
 // Metres from the chunk's corner, exactly.
-fn position_of(in: VertexIn) -> vec3<f32> {
-    let parts = (vec3<u32>(in.units.w) >> vec3<u32>(0u, 5u, 10u)) & vec3<u32>(31u);
-    return vec3<f32>((in.units.xyz << vec3<u32>(5u)) | parts) * (1.0 / 32768.0);
+fn position_of(units: vec4<u32>) -> vec3<f32> {
+    let parts = (vec3<u32>(units.w) >> vec3<u32>(0u, 5u, 10u)) & vec3<u32>(31u);
+    return vec3<f32>((units.xyz << vec3<u32>(5u)) | parts) * (1.0 / 32768.0);
 }
 
 fn normal_of(in: VertexIn) -> vec3<f32> {
@@ -70,7 +74,7 @@ fn normal_of(in: VertexIn) -> vec3<f32> {
 
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
-    let world = in.world.xyz + position_of(in);
+    let world = in.world.xyz + position_of(in.units);
     let hemisphere = in.flags & 1u;
     let grain = grain_point(world, hemisphere);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
@@ -91,7 +95,8 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
-    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 1u), in.world.w);
+    let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
+    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w + mark);
     out.view = view;
     if wants_model_normal(space, in.lights) {
         out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
@@ -108,7 +113,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
 // A vertex from the reference. Offsets are whole metres and so are chunk borders, so the sum is exact there: both
 // chunks give a shared vertex the same bits, however far from the origin they lie.
 fn from_reference(in: VertexIn) -> vec3<f32> {
-    return (in.offset + position_of(in)) - scene.fraction.xyz;
+    return (in.offset + position_of(in.units)) - scene.fraction.xyz;
 }
 
 @vertex
@@ -125,7 +130,18 @@ fn vertex_framed(in: VertexIn) -> VertexOut {
     return land_at(in, p, view);
 }
 
-fn land_colour(in: VertexOut) -> vec4<f32> {
+struct CasterIn {
+    @location(0) units: vec4<u32>,      // as above
+    @location(3) offset: vec3<f32>,     // the chunk's corner from where the map's matrix begins
+    @location(4) flags: u32,            // lowest bit: hemisphere
+}
+
+@vertex
+fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
+    return caster_clip(in.offset + position_of(in.units), in.flags & 1u);
+}
+
+fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let spread_m = in.land.y;
     let steep = in.land.z;
     let height = in.land.w;
@@ -147,7 +163,9 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
-    var light = daylight_on(scene.space, in.view, normalize(in.normal), in.frame_normal);
+    let normal = normalize(in.normal);
+    let share = key_share(point, in.clip.xy, normal, in.feet.w > 0.5 * SHADED);
+    var light = daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         light += lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
@@ -157,7 +175,8 @@ fn land_colour(in: VertexOut) -> vec4<f32> {
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    return land_colour(in);
+    let point = shaded_at(in.place.xyz, in.view);
+    return land_colour(in, point);
 }
 
 // Beyond what the chart draws, by more than 5 cm: over the equator, where the other chart draws it, or past what a
@@ -168,10 +187,11 @@ fn is_trimmed(in: VertexOut) -> bool {
 
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
+    let point = shaded_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
     }
-    return land_colour(in);
+    return land_colour(in, point);
 }
 
 struct DeepOut {
@@ -188,15 +208,17 @@ fn own_depth(in: VertexOut) -> f32 {
 
 @fragment
 fn fragment_deep(in: VertexOut) -> DeepOut {
-    return DeepOut(land_colour(in), own_depth(in));
+    let point = shaded_at(in.place.xyz, in.view);
+    return DeepOut(land_colour(in, point), own_depth(in));
 }
 
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
+    let point = shaded_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
     }
-    return DeepOut(land_colour(in), own_depth(in));
+    return DeepOut(land_colour(in, point), own_depth(in));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -209,22 +231,24 @@ fn dither(pixel: vec2<f32>) -> f32 {
 
 // Whether a pixel is left to the other mesh of a blend: exactly one of the two draws it.
 fn is_left_out(in: VertexOut) -> bool {
-    let share = in.feet.w;
+    let share = in.feet.w - select(0.0, SHADED, in.feet.w > 0.5 * SHADED);
     return (dither(in.clip.xy) < abs(share)) != (share > 0.0);
 }
 
 @fragment
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
+    let point = shaded_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }
-    return land_colour(in);
+    return land_colour(in, point);
 }
 
 @fragment
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
+    let point = shaded_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }
-    return DeepOut(land_colour(in), own_depth(in));
+    return DeepOut(land_colour(in, point), own_depth(in));
 }

@@ -6,9 +6,10 @@ use std::time::Duration;
 
 use antipode_geometry::HyperbolicMap;
 use antipode_language::{Language, Texts};
+use antipode_render::ShadowQuality;
 use antipode_scene::Viewing;
 use antipode_scene::frame::Quality;
-use antipode_settings::{Config, Map, Settings, config_path};
+use antipode_settings::{Config, Map, Settings, Shadows, config_path};
 
 use crate::failure::Failure;
 
@@ -71,6 +72,15 @@ pub fn quality(settings: &Settings) -> Quality {
         antipode_settings::Quality::Fast => Quality::Fast,
         antipode_settings::Quality::Balanced => Quality::Balanced,
         antipode_settings::Quality::Exact => Quality::Exact,
+    }
+}
+
+/// How shadows are drawn; `software`: whether the processor draws.
+pub fn shadows(settings: &Settings, software: bool) -> ShadowQuality {
+    match settings.shadows.resolved(software) {
+        Shadows::Off => ShadowQuality::Off,
+        Shadows::Auto | Shadows::Low => ShadowQuality::Low,
+        Shadows::High => ShadowQuality::High,
     }
 }
 

@@ -5,11 +5,13 @@ use std::time::{Duration, Instant};
 use antipode_language::Texts;
 use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
 use antipode_scene::frame::Frame;
+use antipode_settings::Settings;
 use antipode_ui::HudModel;
 use image::RgbaImage;
 
 use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
+use crate::options;
 use crate::overlay::Overlay;
 
 /// Format of pictures in memory.
@@ -22,6 +24,7 @@ pub struct Studio {
     renderer: Renderer,
     overlay: Overlay,
     offscreen: Offscreen,
+    options: Options,
     size: (u32, u32),
 }
 
@@ -35,16 +38,17 @@ pub fn adapter_choice(adapter: Adapter) -> AdapterChoice {
 }
 
 impl Studio {
-    /// Opens an adapter and makes ready for pictures of the size the command line asks for.
+    /// Opens an adapter and makes ready for pictures of the size the command line asks for, as the settings say.
     ///
     /// # Errors
     /// When there is no adapter of the kind asked for.
-    pub fn new(common: &Common) -> Result<Self, Failure> {
+    pub fn new(common: &Common, settings: &Settings) -> Result<Self, Failure> {
         let gpu = Gpu::headless(adapter_choice(common.adapter))?;
         let options = Options {
             samples: if gpu.is_software() { 1 } else { 4 },
             scale: 1.0,
             output_format: FORMAT,
+            shadows: options::shadows(settings, gpu.is_software()),
         };
         let mut renderer = Renderer::new(&gpu, options)?;
         renderer.resize(common.size.0, common.size.1);
@@ -55,8 +59,27 @@ impl Studio {
             renderer,
             overlay,
             offscreen,
+            options,
             size: common.size,
         })
+    }
+
+    /// Draws as the settings say from the next frame on.
+    ///
+    /// # Errors
+    /// When the renderer refuses; it goes on as before then.
+    pub fn follow(&mut self, settings: &Settings) -> Result<(), Failure> {
+        let shadows = options::shadows(settings, self.gpu.is_software());
+        let options = Options {
+            shadows,
+            ..self.options
+        };
+        if options != self.options {
+            self.renderer.set_options(options)?;
+            self.options = options;
+            self.renderer.resize(self.size.0, self.size.1);
+        }
+        Ok(())
     }
 
     /// The adapter's name.

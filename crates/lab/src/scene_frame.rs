@@ -22,6 +22,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             sun_direction: up,
             moon_direction: up,
             key_direction: up,
+            key_shadow: 1.0,
             key_colour: dark,
             ambient_sky: dark,
             ambient_ground: dark,

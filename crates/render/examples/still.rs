@@ -161,6 +161,7 @@ impl Studio {
                 samples,
                 scale,
                 output_format: FORMAT,
+                shadows: antipode_render::ShadowQuality::Off,
             },
         )?;
         renderer.resize(SIZE.0, SIZE.1);

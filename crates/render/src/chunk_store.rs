@@ -18,6 +18,7 @@ use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, LandBook, Port, Tolerance};
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
+use crate::shadow::{Caster, Shadows};
 use crate::uniforms::{ChunkInstance, shades_on, whole_reference};
 
 /// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
@@ -96,6 +97,8 @@ pub struct ChunkStore {
     book: Option<Arc<LandBook>>,
     clock: BlendClock,
     world: Option<u64>,
+    /// Land that came, changed or went since somebody asked.
+    touched: Vec<Caster>,
     /// Whether the next frame is to be complete, however long that takes.
     pub(crate) rush: bool,
 }
@@ -111,6 +114,7 @@ impl ChunkStore {
             book: None,
             clock: BlendClock::default(),
             world: None,
+            touched: Vec::new(),
             rush: false,
         }
     }
@@ -144,6 +148,7 @@ impl ChunkStore {
                 ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
                     self.waiting.remove(coord);
                     if let Some(gone) = self.chunks.remove(coord) {
+                        self.touched.push(Caster::of(&gone.land));
                         self.book = None;
                         gone.give_back(&mut self.pages);
                     }
@@ -154,6 +159,8 @@ impl ChunkStore {
     }
 
     fn clear(&mut self) {
+        let gone = self.chunks.values().map(|chunk| Caster::of(&chunk.land));
+        self.touched.extend(gone);
         self.chunks.clear();
         self.book = None;
         self.waiting.clear();
@@ -205,9 +212,11 @@ impl ChunkStore {
             fading: None,
         };
         self.book = None;
+        self.touched.push(Caster::of(&chunk.land));
         let Some(mut old) = self.chunks.insert(coord, chunk) else {
             return;
         };
+        self.touched.push(Caster::of(&old.land));
         if let Some(new) = self.chunks.get_mut(&coord) {
             new.is_urgent = old.refined.is_some();
             if old.land.level == mesh.level {
@@ -286,12 +295,39 @@ impl ChunkStore {
         &self.pages
     }
 
+    /// Land that came, changed or went since this was last asked.
+    pub fn take_touched(&mut self) -> Vec<Caster> {
+        std::mem::take(&mut self.touched)
+    }
+
+    /// All chunks as what throws shadows, in an order that depends on nothing else.
+    pub fn casters(&self) -> impl Iterator<Item = (ChunkCoord, Caster)> {
+        let caster = |(coord, chunk): (&ChunkCoord, &GpuChunk)| (*coord, Caster::of(&chunk.land));
+        self.chunks.iter().map(caster)
+    }
+
+    /// Adds a chunk's mesh, as it was authored, with its seams to a list; returns its triangles.
+    pub fn list_caster(
+        &self,
+        coord: ChunkCoord,
+        instance: ChunkInstance,
+        list: &mut DrawList,
+    ) -> usize {
+        let Some(chunk) = self.chunks.get(&coord) else {
+            return 0;
+        };
+        let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
+        list.add(instance, 0, chunk.mesh.pieces(seams));
+        chunk.land.triangles
+    }
+
     /// Lists the chosen chunks in order, with the seams that are needed beside what is finer.
     pub fn list(
         &self,
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
+        shadows: &Shadows,
         list: &mut DrawList,
     ) {
         list.clear();
@@ -307,8 +343,9 @@ impl ChunkStore {
             };
             let shades = shades_on(frame, &chunk.land);
             let lights = lights_near(frame, coord.hemisphere, chunk.land.min, chunk.land.max);
+            let by_figures = shadows.figures_shade(frame, &Caster::of(&chunk.land));
             let instance = instance(frame, coord, choice)
-                .shaded(shades)
+                .shaded(shades, by_figures)
                 .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);

@@ -204,6 +204,30 @@ impl Figures {
         self.draw_parts(pass, &pipelines.figures, |place| &place.clear, true)
     }
 
+    /// Draws what is solid of them into a shadow map; returns triangles.
+    pub fn draw_shadows(&self, pass: &mut RenderPass<'_>, pipelines: &FigurePipelines) -> usize {
+        let mut triangles = 0;
+        for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
+            let place = &self.statics.places[run.model];
+            if place.solid.is_empty() {
+                continue;
+            }
+            pass.set_pipeline(match run.joints {
+                Some(_) => &pipelines.bent_caster,
+                None => &pipelines.caster,
+            });
+            self.statics.bind(pass, run.joints.is_some());
+            if let Some(offset) = run.joints {
+                pass.set_bind_group(1, &self.joints_bound, &[offset]);
+            }
+            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
+            pass.set_vertex_buffer(1, self.instances.slice(start..));
+            triangles += place.solid.len() / 3 * run.count as usize;
+            pass.draw_indexed(place.solid.clone(), place.base_vertex, 0..run.count);
+        }
+        triangles
+    }
+
     fn draw_parts(
         &self,
         pass: &mut RenderPass<'_>,

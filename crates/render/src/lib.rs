@@ -32,6 +32,7 @@ mod renderer;
 mod rig;
 mod seams;
 mod shaders;
+mod shadow;
 mod targets;
 mod tile;
 mod timing;
@@ -48,4 +49,5 @@ pub use plan::{
 };
 pub use renderer::{DrawStats, Options, Renderer};
 pub use shaders::Shaders;
+pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

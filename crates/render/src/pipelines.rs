@@ -12,6 +12,7 @@ use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
 use crate::heavens::Heavens;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
+use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
 
@@ -34,11 +35,13 @@ pub struct Pipelines {
     pub marker: RenderPipeline,
     /// The marker where land hides it.
     pub marker_hidden: RenderPipeline,
+    /// Land into a shadow map.
+    pub caster: RenderPipeline,
 }
 
 impl Pipelines {
     /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, and so many
-    /// samples a pixel.
+    /// samples a pixel and shadows of a quality.
     ///
     /// # Errors
     /// What the device has to say against one of them.
@@ -47,10 +50,11 @@ impl Pipelines {
         shaders: Shaders,
         scene_layout: &BindGroupLayout,
         kind: u32,
-        samples: u32,
+        (samples, shadows): (u32, ShadowQuality),
     ) -> Result<Self, String> {
         accepted(device, || {
-            Self::made_by(&Maker::new(device, shaders, scene_layout, kind, samples))
+            let maker = Maker::new(device, shaders, scene_layout, kind, samples);
+            Self::made_by(&Maker { shadows, ..maker })
         })
     }
 
@@ -101,6 +105,7 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
+            caster: maker.caster(&land, "vertex_caster", &land_buffers),
         }
     }
 }
@@ -124,6 +129,10 @@ pub struct FigurePipelines {
     pub hand: RenderPipeline,
     /// The same of what light goes through.
     pub hand_clear: RenderPipeline,
+    /// Into a shadow map.
+    pub caster: RenderPipeline,
+    /// Bent by a skeleton, into a shadow map.
+    pub bent_caster: RenderPipeline,
 }
 
 impl FigurePipelines {
@@ -149,6 +158,8 @@ impl FigurePipelines {
             clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
             hand: plain("vertex_hand", "fragment", SOLID),
             hand_clear: plain("vertex_hand", "fragment_clear", GLASS),
+            caster: maker.caster(&module, "vertex_caster", &buffers[..2]),
+            bent_caster: maker.caster(&module, "vertex_caster_bent", &buffers),
         }
     }
 }
@@ -264,8 +275,11 @@ struct Maker<'a> {
     shaders: Shaders,
     layout: PipelineLayout,
     bent_layout: PipelineLayout,
+    caster_layout: PipelineLayout,
+    bent_caster_layout: PipelineLayout,
     kind: f64,
     samples: u32,
+    shadows: ShadowQuality,
 }
 
 impl<'a> Maker<'a> {
@@ -284,13 +298,21 @@ impl<'a> Maker<'a> {
             })
         };
         let joints_layout = joints_layout(device);
+        // What the scene reads is not bound where a map is drawn: the map is a part of it.
+        let caster = caster_layout(device);
         Self {
             device,
             shaders,
             layout: layout("scene", &[Some(scene_layout)]),
             bent_layout: layout("bent", &[Some(scene_layout), Some(&joints_layout)]),
+            caster_layout: layout("shadow caster", &[None, None, Some(&caster)]),
+            bent_caster_layout: layout(
+                "bent shadow caster",
+                &[None, Some(&joints_layout), Some(&caster)],
+            ),
             kind: f64::from(kind),
             samples,
+            shadows: ShadowQuality::Off,
         }
     }
 
@@ -309,6 +331,46 @@ impl<'a> Maker<'a> {
         }
     }
 
+    /// What throws shadows, from both sides: land has no underside where it ends.
+    fn caster(
+        &self,
+        module: &ShaderModule,
+        entry: &str,
+        buffers: &[VertexBufferLayout<'_>],
+    ) -> RenderPipeline {
+        let layout = match entry {
+            "vertex_caster_bent" => &self.bent_caster_layout,
+            _ => &self.caster_layout,
+        };
+        let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
+        self.device
+            .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some("shadow caster"),
+                layout: Some(layout),
+                vertex: wgpu::VertexState {
+                    module,
+                    entry_point: Some(entry),
+                    compilation_options: wgpu::PipelineCompilationOptions {
+                        constants: &[("GEO_KIND", self.kind)],
+                        ..Default::default()
+                    },
+                    buffers: &buffers,
+                },
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: Some(wgpu::DepthStencilState {
+                    format: DEPTH_FORMAT,
+                    depth_write_enabled: Some(true),
+                    depth_compare: Some(CompareFunction::Greater),
+                    stencil: wgpu::StencilState::default(),
+                    bias: wgpu::DepthBiasState::default(),
+                }),
+                multisample: wgpu::MultisampleState::default(),
+                fragment: None,
+                multiview_mask: None,
+                cache: None,
+            })
+    }
+
     fn make(
         &self,
         module: &ShaderModule,
@@ -317,7 +379,8 @@ impl<'a> Maker<'a> {
         way: Way,
     ) -> RenderPipeline {
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
-        let constants = [("GEO_KIND", self.kind)];
+        let shadows = ("SHADOWS", f64::from(self.shadows.number()));
+        let constants = [("GEO_KIND", self.kind), shadows];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()
@@ -384,7 +447,7 @@ fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform and the pictures of the sky are bound by.
+/// What the scene's uniform, the pictures of the sky and the shadow maps are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
     let uniform = wgpu::BindGroupLayoutEntry {
         binding: 0,
@@ -396,7 +459,10 @@ pub fn scene_layout(device: &Device) -> BindGroupLayout {
         },
         count: None,
     };
-    let entries: Vec<_> = std::iter::once(uniform).chain(Heavens::layout()).collect();
+    let entries: Vec<_> = std::iter::once(uniform)
+        .chain(Heavens::layout())
+        .chain(scene_entries())
+        .collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some("scene"),
         entries: &entries,

@@ -2,9 +2,9 @@
 
 use antipode_scene::frame::Frame;
 use wgpu::{
-    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
-    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, RenderPipeline, StoreOp, TextureFormat, TextureView,
+    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
+    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    RenderPipeline, StoreOp, TextureFormat, TextureView,
 };
 
 use crate::celestial::{Celestial, FAINTEST};
@@ -18,12 +18,17 @@ use crate::marker::MarkerBalls;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{PlanStats, Planner};
 use crate::shaders::Shaders;
+use crate::shadow::{ShadowQuality, ShadowStats, Shadows};
 use crate::targets::{Targets, drawn_size};
 use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
 use crate::workshop::Workshop;
+
+mod scene;
+
+use scene::bind_scene;
 
 /// The number of the map that every open world can turn to.
 const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
@@ -37,6 +42,8 @@ pub struct Options {
     pub scale: f32,
     /// Format of the targets.
     pub output_format: TextureFormat,
+    /// How shadows of the key light are drawn.
+    pub shadows: ShadowQuality,
 }
 
 /// What drawing a frame took.
@@ -52,6 +59,8 @@ pub struct DrawStats {
     pub land_bytes: u64,
     /// What the planner chose, and the error that causes.
     pub plan: PlanStats,
+    /// What drawing the shadow maps took.
+    pub shadows: ShadowStats,
     /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
     pub gpu_ms: Option<f32>,
 }
@@ -83,6 +92,8 @@ pub struct Renderer {
     land: LandDraws,
     list: DrawList,
     figures: Figures,
+    shadows: Shadows,
+    heavens: Heavens,
     marker: MarkerBalls,
     celestial: Celestial,
     timing: Option<Timing>,
@@ -121,8 +132,11 @@ impl Renderer {
             mapped_at_creation: false,
         });
         let heavens = Heavens::new(&device, &queue)?;
-        let scene_bindings = bind_scene(&device, &scene_layout, &uniform, &heavens);
-        let pipelines = Workshop::new(&device, shaders, &scene_layout, options.samples);
+        let shadows = Shadows::new(gpu, options.shadows);
+        let extras = (&heavens, &shadows);
+        let scene_bindings = bind_scene(&device, &scene_layout, &uniform, extras);
+        let quality = (options.samples, options.shadows);
+        let pipelines = Workshop::new(&device, shaders, &scene_layout, quality);
         let targets = Targets::new(&device, (1, 1), options.samples);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
         let light = tonemap.bind(&device, &targets.light);
@@ -132,6 +146,8 @@ impl Renderer {
             land: LandDraws::new(gpu),
             list: DrawList::default(),
             figures: Figures::new(&device)?,
+            shadows,
+            heavens,
             marker: MarkerBalls::new(&device),
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
@@ -211,9 +227,11 @@ impl Renderer {
     pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
         check(&options)?;
         self.tonemap = Tonemap::accepted(&self.device, self.shaders, &options)?;
-        if options.samples != self.options.samples {
+        let quality = (options.samples, options.shadows);
+        if quality != (self.options.samples, self.options.shadows) {
             let layout = scene_layout(&self.device);
-            self.pipelines = Workshop::new(&self.device, self.shaders, &layout, options.samples);
+            self.pipelines = Workshop::new(&self.device, self.shaders, &layout, quality);
+            self.shadows.set_quality(options.shadows);
         }
         self.options = options;
         Ok(())
@@ -228,7 +246,7 @@ impl Renderer {
     /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
     /// are being refined.
     pub fn is_busy(&self) -> bool {
-        self.chunks.is_busy()
+        self.chunks.is_busy() || self.shadows.is_busy()
     }
 
     /// Takes over the land that another renderer shows, whose adapter may be lost: every mesh is sent anew, at once.
@@ -245,6 +263,7 @@ impl Renderer {
     /// Draws each mesh by a call of its own from now on, as is done on adapters that cannot draw many by one.
     pub fn draw_singly(&mut self) {
         self.land.draw_singly();
+        self.shadows.draw_singly();
     }
 
     /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
@@ -266,11 +285,7 @@ impl Renderer {
         let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
         self.chunks.apply(frame);
         self.marker.prepare(&self.queue, frame);
-        self.queue.write_buffer(
-            &self.uniform,
-            0,
-            bytemuck::bytes_of(&SceneUniform::new(frame, drawn)),
-        );
+        self.prepare_shadows(frame, drawn);
         let book = self.chunks.land();
         let land = book.land();
         let mut plan = self.planner.plan(frame, height_px, &book);
@@ -278,7 +293,8 @@ impl Renderer {
         self.chunks.end_rush();
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
-        self.chunks.list(frame, land, &mut plan, &mut self.list);
+        self.chunks
+            .list(frame, land, &mut plan, &self.shadows, &mut self.list);
         self.land.send(&self.queue, &mut self.list);
         let mut stats = DrawStats {
             culled: self.chunks.len() - plan.chunks.len(),
@@ -287,7 +303,8 @@ impl Renderer {
             gpu_ms,
             ..DrawStats::default()
         };
-        self.draw_scene(frame, map, encoder, &mut stats);
+        let stamped = self.draw_shadows(map, encoder, &mut stats);
+        self.draw_scene(frame, (map, stamped), encoder, &mut stats);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -317,6 +334,7 @@ impl Renderer {
         &self,
         encoder: &'e mut CommandEncoder,
         horizon: [f32; 3],
+        stamped: bool,
     ) -> RenderPass<'e> {
         let [r, g, b] = horizon.map(f64::from);
         let clear = LoadOp::Clear(Color { r, g, b, a: 1.0 });
@@ -341,7 +359,7 @@ impl Renderer {
                 }),
                 stencil_ops: None,
             }),
-            timestamp_writes: self.timing.as_ref().map(Timing::begin),
+            timestamp_writes: self.timing.as_ref().filter(|_| !stamped).map(Timing::begin),
             ..Default::default()
         })
     }
@@ -375,11 +393,11 @@ impl Renderer {
     fn draw_scene(
         &self,
         frame: &Frame,
-        map: u32,
+        (map, stamped): (u32, bool),
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
-        let mut pass = self.begin_scene(encoder, frame.sky.horizon);
+        let mut pass = self.begin_scene(encoder, frame.sky.horizon, stamped);
         if let Some(tile) = self.tile {
             tile.lay(&mut pass);
         }
@@ -404,24 +422,6 @@ impl Renderer {
             }
         }
     }
-}
-
-fn bind_scene(
-    device: &Device,
-    layout: &BindGroupLayout,
-    uniform: &Buffer,
-    heavens: &Heavens,
-) -> BindGroup {
-    let uniform = wgpu::BindGroupEntry {
-        binding: 0,
-        resource: uniform.as_entire_binding(),
-    };
-    let entries: Vec<_> = std::iter::once(uniform).chain(heavens.bind()).collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("scene"),
-        layout,
-        entries: &entries,
-    })
 }
 
 fn check(options: &Options) -> Result<(), RenderError> {
@@ -450,6 +450,7 @@ mod tests {
             samples: 4,
             scale: 0.5,
             output_format: TextureFormat::Bgra8UnormSrgb,
+            shadows: ShadowQuality::Off,
         };
         assert_eq!(check(&good), Ok(()));
         for bad in [

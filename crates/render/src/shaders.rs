@@ -4,6 +4,7 @@ use antipode_geometry::WGSL as GEOMETRY;
 
 const COMMON: &str = include_str!("../../../shaders/common.wgsl");
 const LIGHTS: &str = include_str!("../../../shaders/lights.wgsl");
+const SHADOW: &str = include_str!("../../../shaders/shadow.wgsl");
 
 /// The land.
 pub const TERRAIN: Shader = Shader {
@@ -56,7 +57,7 @@ impl Shader {
     /// The whole text, shared files first.
     pub fn source(&self) -> String {
         if self.space {
-            [GEOMETRY, COMMON, LIGHTS, self.own].join("\n")
+            [GEOMETRY, COMMON, LIGHTS, SHADOW, self.own].join("\n")
         } else {
             self.own.to_owned()
         }
@@ -148,6 +149,7 @@ pub mod tests {
             "geometry",
             "common",
             "lights",
+            "shadow",
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,

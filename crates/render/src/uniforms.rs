@@ -1,13 +1,14 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
-use antipode_scene::frame::{Figure, Frame, Orbs};
+use antipode_scene::frame::{Frame, Orbs};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::plan::{Affine, ChunkLand};
+use crate::shadow::ShadowUniform;
 
 /// Strength of the contour bands, where they are drawn.
 const CONTOUR_STRENGTH: f32 = 0.24;
@@ -43,11 +44,12 @@ pub struct SceneUniform {
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
     beams: [BeamUniform; BEAMS],
+    shadows: ShadowUniform,
 }
 
 impl SceneUniform {
     /// Everything the shaders need to know of a frame drawn `size` pixels large.
-    pub fn new(frame: &Frame, size: (u32, u32)) -> Self {
+    pub fn new(frame: &Frame, size: (u32, u32), shadows: ShadowUniform) -> Self {
         let (eye, sky) = (&frame.eye, &frame.sky);
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
@@ -91,6 +93,7 @@ impl SceneUniform {
             shades,
             lamps: lamps(frame),
             beams: beams(frame),
+            shadows,
         }
     }
 }
@@ -105,14 +108,31 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
     units.extend(view.w).as_vec4().into()
 }
 
-/// The feet of the figures nearest to the eye.
-fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
-    let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
-    let shaded = frame
+/// Feet with a shade below them. Close to where two charts meet they are in both, for land of either.
+fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
+    let space = &*frame.strategy;
+    let at_rim = |point: &ChartPoint| {
+        let away_m = point.pos.x.hypot(point.pos.z);
+        space
+            .rim_m()
+            .is_some_and(|rim_m| (rim_m - away_m).abs() < SHADE_REACH_M)
+    };
+    let figures = frame
         .figures
         .iter()
         .filter(|figure| figure.model.casts_shade());
-    let mut feet: Vec<_> = shaded.map(|figure| figure.point).collect();
+    figures.map(|figure| figure.point).flat_map(move |point| {
+        let carried = Some(point)
+            .filter(at_rim)
+            .and_then(|point| space.carry(point));
+        std::iter::once(point).chain(carried.map(|crossing| crossing.point))
+    })
+}
+
+/// The feet of the figures nearest to the eye.
+fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
+    let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
+    let mut feet: Vec<_> = shaded_feet(frame).collect();
     feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
     let mut shades = [[0.0; 4]; SHADES];
     for (shade, point) in shades.iter_mut().zip(&feet) {
@@ -126,18 +146,12 @@ fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
 
 /// How many shades may fall on a chunk's land: all or none.
 pub fn shades_on(frame: &Frame, land: &ChunkLand) -> u32 {
-    let falls = |figure: &Figure| {
-        let (feet, hemisphere) = (figure.point.pos, figure.point.hemisphere);
-        figure.model.casts_shade()
-            && hemisphere == land.coord.hemisphere
-            && feet.distance(feet.clamp(land.min, land.max)) < SHADE_REACH_M
+    let falls = |feet: ChartPoint| {
+        feet.hemisphere == land.coord.hemisphere
+            && feet.pos.distance(feet.pos.clamp(land.min, land.max)) < SHADE_REACH_M
     };
-    if frame.figures.iter().any(falls) {
-        let shaded = frame
-            .figures
-            .iter()
-            .filter(|figure| figure.model.casts_shade());
-        shaded.count().min(SHADES) as u32
+    if shaded_feet(frame).any(falls) {
+        shaded_feet(frame).count().min(SHADES) as u32
     } else {
         0
     }
@@ -164,7 +178,8 @@ fn reference_fraction(frame: &Frame) -> DVec3 {
 pub struct ChunkInstance {
     /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
-    /// The hemisphere's number in the lowest bit, and above it how many figures' shades may fall on the chunk.
+    /// The hemisphere's number in the lowest bit, in the next whether a figure's shadow may fall on the chunk, and
+    /// above how many figures' shades may.
     pub flags: u32,
     /// The chunk's corner wrapped to [-128, 128) metres.
     pub world: [f32; 3],
@@ -199,11 +214,11 @@ impl ChunkInstance {
         }
     }
 
-    /// The same, with so many shades that may fall on it.
+    /// The same, with so many shades that may fall on it, and a figure's shadow or none.
     #[must_use]
-    pub fn shaded(self, shades: u32) -> Self {
+    pub fn shaded(self, shades: u32, by_figures: bool) -> Self {
         Self {
-            flags: self.flags & 1 | shades << 1,
+            flags: self.flags & 1 | u32::from(by_figures) << 1 | shades << 2,
             ..self
         }
     }
@@ -363,6 +378,7 @@ mod tests {
             ("shades", offset_of!(SceneUniform, shades)),
             ("lamps", offset_of!(SceneUniform, lamps)),
             ("beams", offset_of!(SceneUniform, beams)),
+            ("shadows", offset_of!(SceneUniform, shadows)),
         ];
         assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
         assert_eq!(span, size_of::<SceneUniform>());
@@ -450,7 +466,8 @@ mod tests {
             ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
         assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
         assert_eq!(instance.flags, 1);
-        assert_eq!(instance.shaded(8).flags, 0b1_0001);
+        assert_eq!(instance.shaded(8, false).flags, 0b10_0001);
+        assert_eq!(instance.shaded(8, true).flags, 0b10_0011);
         assert_eq!(instance.world, [0.0, -32.0, 96.0]);
         assert_eq!(wrap_m(128.0), -128.0);
     }

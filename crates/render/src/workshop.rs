@@ -9,6 +9,7 @@ use wgpu::{BindGroupLayout, Device};
 
 use crate::pipelines::Pipelines;
 use crate::shaders::Shaders;
+use crate::shadow::ShadowQuality;
 
 /// Maps that shaders are compiled for: numbers that `SpaceUniform::kind` begins with.
 const MAPS: u32 = 4;
@@ -26,7 +27,8 @@ struct Shelf {
     device: Device,
     shaders: Shaders,
     layout: BindGroupLayout,
-    samples: u32,
+    /// Samples a pixel, and the shadows' quality.
+    quality: (u32, ShadowQuality),
     /// Or why they cannot be made.
     made: [OnceLock<Result<Pipelines, String>>; MAPS as usize],
     closes: AtomicBool,
@@ -42,7 +44,7 @@ impl Shelf {
     /// The pipelines of a map; makes them, or waits for the thread that does.
     fn get(&self, map: u32) -> Option<&Pipelines> {
         let map = map % MAPS;
-        let make = || Pipelines::new(&self.device, self.shaders, &self.layout, map, self.samples);
+        let make = || Pipelines::new(&self.device, self.shaders, &self.layout, map, self.quality);
         self.made[map as usize].get_or_init(make).as_ref().ok()
     }
 }
@@ -67,13 +69,18 @@ impl Worker {
 
 impl Workshop {
     /// A workshop that has made nothing.
-    pub fn new(device: &Device, shaders: Shaders, layout: &BindGroupLayout, samples: u32) -> Self {
+    pub fn new(
+        device: &Device,
+        shaders: Shaders,
+        layout: &BindGroupLayout,
+        quality: (u32, ShadowQuality),
+    ) -> Self {
         Self {
             shelf: Arc::new(Shelf {
                 device: device.clone(),
                 shaders,
                 layout: layout.clone(),
-                samples,
+                quality,
                 made: [const { OnceLock::new() }; MAPS as usize],
                 closes: AtomicBool::new(false),
             }),

@@ -20,6 +20,7 @@ const OPTIONS: Options = Options {
     samples: 1,
     scale: 1.0,
     output_format: PLAIN,
+    shadows: antipode_render::ShadowQuality::Off,
 };
 
 fn view() -> Frame {

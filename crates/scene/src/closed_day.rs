@@ -12,6 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use glam::{DVec3, Vec3};
 
+use crate::day::key_shadow;
 use crate::frame::{Orbs, Sky};
 use crate::tuning::DAY_S;
 
@@ -41,6 +42,8 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
     };
     let day = daylight(strategy, orbs.sun, eye);
     let haze = DAY_HAZE * NIGHT_HAZE.lerp(Vec3::ONE, day);
+    let sun_strength = day * SUN_COLOUR.length();
+    let moon_strength = (1.0 - day) * daylight(strategy, orbs.moon, eye) * MOON_COLOUR.length();
     let sun = toward(strategy, eye, orbs.sun);
     let moon = toward(strategy, eye, orbs.moon);
     Sky {
@@ -50,7 +53,13 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
         stars: 1.0 - day,
         sun_direction: sun.into(),
         moon_direction: moon.into(),
-        key_direction: if day > 0.0 { sun } else { moon }.into(),
+        key_direction: if sun_strength >= moon_strength {
+            sun
+        } else {
+            moon
+        }
+        .into(),
+        key_shadow: key_shadow(sun_strength, moon_strength),
         key_colour: SUN_COLOUR.into(),
         moon_colour: MOON_COLOUR.into(),
         ambient_sky: [0.26, 0.32, 0.40],
@@ -76,7 +85,7 @@ fn over_land(turn: f64, height: f64, radius_m: f64) -> ChartPoint {
     ChartPoint::new(hemisphere, DVec3::new(0.0, height, z) * radius_m)
 }
 
-/// How much of the day's light there is at an eye, 0 to 1: `daylight_at` of common.wgsl.
+/// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of common.wgsl.
 fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
     let away = strategy.distance_m(eye.point, sun, eye) / strategy.radius_m();
     let [night, day] = NIGHT_AND_DAY;

@@ -114,6 +114,18 @@ const MOMENTS: [Palette; 10] = [
 
 const MOON_COLOUR: Vec3 = Vec3::new(0.30, 0.36, 0.52);
 
+/// How dark shadows by the sun and by the moon are, of all that their light gives.
+const SUN_SHADOW: f32 = 1.0;
+const MOON_SHADOW: f32 = 0.75;
+
+/// How dark shadows are where the sun and the moon give so much light. Where one takes over from the other both are as
+/// strong, and neither may throw a shadow that comes or goes at once.
+pub(crate) fn key_shadow(sun: f32, moon: f32) -> f32 {
+    let lead = (sun - moon).abs() / sun.max(moon).max(1e-6);
+    let darkest = if sun >= moon { SUN_SHADOW } else { MOON_SHADOW };
+    darkest * smooth(0.0, 0.5, lead)
+}
+
 /// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) for an eye in the given space.
 pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
     if strategy.has_sky() {
@@ -135,7 +147,8 @@ fn dome(time_of_day_s: f64) -> Sky {
     let moonlight = smooth(-0.02, 0.25, moon.y) * (1.0 - sunlight);
     let sun_colour = now.glare * (1.8 * sunlight);
     let moon_colour = MOON_COLOUR * (0.9 * moonlight);
-    let (key_direction, key_colour) = if sun_colour.length() >= moon_colour.length() {
+    let (sun_strength, moon_strength) = (sun_colour.length(), moon_colour.length());
+    let (key_direction, key_colour) = if sun_strength >= moon_strength {
         (sun, sun_colour)
     } else {
         (moon, moon_colour)
@@ -150,6 +163,7 @@ fn dome(time_of_day_s: f64) -> Sky {
         sun_direction: sun.into(),
         moon_direction: moon.into(),
         key_direction: key_direction.into(),
+        key_shadow: key_shadow(sun_strength, moon_strength),
         key_colour: key_colour.into(),
         moon_colour: MOON_COLOUR.into(),
         ambient_sky: ambient_sky.into(),
@@ -228,6 +242,24 @@ mod tests {
                 assert!((x - y).abs() < 0.01);
             }
         }
+    }
+
+    #[test]
+    fn shadows_fade_where_sun_and_moon_take_turns_and_change_without_a_step() {
+        let mut turns = 0;
+        for tick in 0..6000 {
+            let (a, b) = (at(f64::from(tick) * 0.1), at(f64::from(tick + 1) * 0.1));
+            assert!((a.key_shadow - b.key_shadow).abs() < 0.1, "{tick}");
+            let along: f32 = (0..3)
+                .map(|i| a.key_direction[i] * b.key_direction[i])
+                .sum();
+            if along < 0.9 {
+                turns += 1;
+                assert!(a.key_shadow.max(b.key_shadow) < 0.1, "{tick}");
+            }
+        }
+        assert_eq!(turns, 2);
+        assert!(at(450.0).key_shadow < at(150.0).key_shadow);
     }
 
     #[test]

@@ -108,6 +108,8 @@ pub struct Sky {
     pub moon_direction: [f32; 3],
     /// Towards the light that casts the key (sun or moon).
     pub key_direction: [f32; 3],
+    /// How dark the key's shadows are, 0 to 1: it goes to 0 where sun and moon take turns.
+    pub key_shadow: f32,
     /// Key light's colour times strength; in a closed world the sun's.
     pub key_colour: [f32; 3],
     /// Colour times strength of the moon's light when it stands high and there is no other.

@@ -107,6 +107,31 @@ impl Msaa {
 }
 
 choice! {
+    /// Shadows of the sun and the moon.
+    Shadows {
+        /// High on a graphics card, low in software.
+        Auto = "auto",
+        /// None.
+        Off = "off",
+        /// As fine as a processor can draw them.
+        Low = "low",
+        /// Finer and softer.
+        High = "high",
+    } default Auto
+}
+
+impl Shadows {
+    /// What automatic stands for; `software`: whether the processor draws.
+    pub fn resolved(self, software: bool) -> Self {
+        match (self, software) {
+            (Self::Auto, true) => Self::Low,
+            (Self::Auto, false) => Self::High,
+            (chosen, _) => chosen,
+        }
+    }
+}
+
+choice! {
     /// Share of the window's resolution that the world is drawn in, along each side.
     RenderScale {
         /// All of it on a graphics card, half in software.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale};
+use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows};
 use crate::settings::Settings;
 
 /// The heading a setting stands under.
@@ -337,7 +337,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 29] = [
+static FIELDS: [Field; 30] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -371,6 +371,7 @@ static FIELDS: [Field; 29] = [
     },
     choice_of!("render-scale", Picture, render_scale, RenderScale),
     choice_of!("msaa", Picture, msaa, Msaa),
+    choice_of!("shadows", Picture, shadows, Shadows),
     choice_of!("frame-cap", Picture, frame_cap, FrameCap),
     toggle!("vsync", Picture, vsync),
     toggle!("fullscreen", Picture, fullscreen),

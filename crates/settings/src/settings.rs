@@ -1,6 +1,6 @@
 //! The settings as typed values. Ranges and words are in the table of [`crate::fields`].
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale};
+use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows};
 use crate::field::{Field, Given, SetError, Value, field};
 
 /// What the player has chosen. Every value here is within the range of its field.
@@ -22,6 +22,8 @@ pub struct Settings {
     pub vsync: bool,
     /// How edges are smoothed.
     pub msaa: Msaa,
+    /// How shadows of the sun and the moon are drawn.
+    pub shadows: Shadows,
     /// Share of the window's resolution that is drawn.
     pub render_scale: RenderScale,
     /// Size of texts and buttons, 1 being the system's.
@@ -77,6 +79,7 @@ impl Default for Settings {
             frame_cap: FrameCap::default(),
             vsync: true,
             msaa: Msaa::default(),
+            shadows: Shadows::default(),
             render_scale: RenderScale::default(),
             ui_scale: 1.0,
             fullscreen: false,

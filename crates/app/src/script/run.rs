@@ -277,9 +277,12 @@ impl Runner {
                     "there are no pictures with --adapter none".to_owned(),
                 ));
             }
-            self.studio = Some(Studio::new(&self.common)?);
+            self.studio = Some(Studio::new(&self.common, &self.config.settings)?);
         }
-        Ok(())
+        match &mut self.studio {
+            Some(studio) => studio.follow(&self.config.settings),
+            None => Ok(()),
+        }
     }
 }
 

@@ -16,6 +16,7 @@ use winit::window::{Fullscreen, Window};
 use crate::cli::Common;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
+use crate::options;
 use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
 use canvas::Canvas;
@@ -162,6 +163,7 @@ impl Stage {
             samples: settings.msaa.samples(software),
             scale: settings.render_scale.share(software),
             output_format: self.config.format,
+            shadows: options::shadows(settings, software),
         };
         if options != self.options {
             self.renderer.set_options(options)?;

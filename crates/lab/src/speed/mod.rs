@@ -19,6 +19,7 @@ mod pictures;
 mod port;
 mod quality;
 mod scenes;
+mod shadows;
 pub(crate) mod stage;
 mod vertex_stage;
 mod view;

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use antipode_render::{DrawStats, Gpu, Offscreen, Options, Renderer};
+use antipode_render::{DrawStats, Gpu, Offscreen, Options, Renderer, ShadowQuality};
 use antipode_scene::frame::Frame;
 
 use crate::speed::clock::{median, worked_s};
@@ -19,16 +19,29 @@ pub struct Stage<'g> {
 }
 
 impl<'g> Stage<'g> {
-    /// A stage for pictures of that size, with the samples per pixel that the game takes on this adapter.
+    /// A stage for pictures of that size without shadows, with the samples per pixel that the game takes on this adapter.
     ///
     /// # Errors
     /// When the renderer cannot be set up.
-    pub fn new(gpu: &'g Gpu, (width, height): (u32, u32)) -> Result<Self, LabError> {
+    pub fn new(gpu: &'g Gpu, size: (u32, u32)) -> Result<Self, LabError> {
+        Self::shadowed(gpu, size, ShadowQuality::Off)
+    }
+
+    /// The same, with shadows of a quality.
+    ///
+    /// # Errors
+    /// As [`Stage::new`].
+    pub fn shadowed(
+        gpu: &'g Gpu,
+        (width, height): (u32, u32),
+        shadows: ShadowQuality,
+    ) -> Result<Self, LabError> {
         let samples = if gpu.is_software() { 1 } else { 4 };
         let options = Options {
             samples,
             scale: 1.0,
             output_format: FORMAT,
+            shadows,
         };
         let mut renderer = Renderer::new(gpu, options)?;
         renderer.resize(width, height);
@@ -38,6 +51,11 @@ impl<'g> Stage<'g> {
             renderer,
             offscreen,
         })
+    }
+
+    /// Lets the next frame be complete, however long that takes.
+    pub fn complete_next(&mut self) {
+        self.renderer.complete_next();
     }
 
     /// Draws a frame and waits for it.

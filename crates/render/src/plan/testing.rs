@@ -80,6 +80,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             sun_direction: up,
             moon_direction: up,
             key_direction: up,
+            key_shadow: 1.0,
             key_colour: dark,
             ambient_sky: dark,
             ambient_ground: dark,

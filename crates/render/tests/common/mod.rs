@@ -13,7 +13,7 @@ use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
     Hemisphere, Projection, Strategy, strategy,
 };
-use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
+use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, ShadowQuality};
 use antipode_scene::frame::{ChunkChange, Frame, Quality, Sky};
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
@@ -55,18 +55,35 @@ impl Studio {
         scale: f32,
         samples: u32,
     ) -> Option<Self> {
-        let gpu = adapter()?;
-        let mut renderer = Renderer::new(
-            &gpu,
+        Self::made(
+            size,
             Options {
                 samples,
                 scale,
                 output_format: format,
+                shadows: ShadowQuality::Off,
             },
         )
-        .unwrap();
+    }
+
+    /// With shadows of a quality.
+    pub fn shadowed(size: (u32, u32), shadows: ShadowQuality) -> Option<Self> {
+        Self::made(
+            size,
+            Options {
+                samples: 1,
+                scale: 1.0,
+                output_format: PLAIN,
+                shadows,
+            },
+        )
+    }
+
+    fn made(size: (u32, u32), options: Options) -> Option<Self> {
+        let gpu = adapter()?;
+        let mut renderer = Renderer::new(&gpu, options).unwrap();
         renderer.resize(size.0, size.1);
-        let offscreen = Offscreen::new(&gpu, size.0, size.1, format);
+        let offscreen = Offscreen::new(&gpu, size.0, size.1, options.output_format);
         Some(Self {
             gpu,
             renderer,
@@ -121,6 +138,7 @@ pub fn noon() -> Sky {
         sun_direction: sun,
         moon_direction: [0.0, -1.0, 0.0],
         key_direction: sun,
+        key_shadow: 1.0,
         key_colour: [1.8, 1.7, 1.5],
         ambient_sky: [0.3, 0.4, 0.5],
         moon_colour: [0.3, 0.36, 0.52],

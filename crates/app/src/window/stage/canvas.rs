@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_render::{AdapterChoice, Gpu, Options, Renderer, Shaders};
+use antipode_render::{AdapterChoice, Gpu, Options, Renderer, Shaders, ShadowQuality};
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::Window;
 
@@ -53,6 +53,11 @@ impl Canvas {
             samples: if software { 1 } else { 4 },
             scale: if software { SOFTWARE_SCALE } else { 1.0 },
             output_format: config.format,
+            shadows: if software {
+                ShadowQuality::Low
+            } else {
+                ShadowQuality::High
+            },
         };
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;
         renderer.resize(width, height);

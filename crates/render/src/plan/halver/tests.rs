@@ -53,6 +53,7 @@ fn frame() -> Frame {
             sun_direction: black,
             moon_direction: black,
             key_direction: black,
+            key_shadow: 1.0,
             key_colour: black,
             ambient_sky: black,
             ambient_ground: black,

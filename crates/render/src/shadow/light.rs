@@ -1,0 +1,395 @@
+//! How the key light sees the world: the planes that shadow maps are pictures of, and what falls on them.
+//!
+//! Under a sky the key comes from one direction of the chart, so that rays of light are straight lines of the chart
+//! whatever the map of the picture does, and a map is a parallel picture of the chart. In a closed world the key comes
+//! from a point of the three-sphere. Its rays are great circles, which a central projection from that point makes
+//! straight, so a map is a perspective picture of the space itself, with six faces for all directions.
+
+use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use antipode_scene::frame::Frame;
+use glam::{DMat4, DVec2, DVec3, DVec4};
+
+use crate::plan::ChunkLand;
+
+/// Where a parallel picture is measured from: the corner of this grid next to the eye, metres. Sums stay small, and
+/// nothing depends on the way that the eye took.
+const ANCHOR_M: f64 = 64.0;
+/// Room beyond what a map holds in depth, metres.
+const DEPTH_SLACK_M: f64 = 1.0;
+/// Depth of a perspective picture by the cotangent of the distance, in radii: 0.5 + this * cot. Half a metre from the
+/// light it would leave 0 to 1 where the radius is 16 m, and one f32 step is 0.05 mm where it is 256 m.
+const COTANGENT_DEPTH: f64 = 0.012;
+/// Faces that see all directions of a point.
+pub const FACES: usize = 6;
+
+/// Where the key light comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light {
+    /// From one direction of the chart: unit vectors towards it and across it, and the point, whole metres, that
+    /// pictures are measured from.
+    Far {
+        toward: DVec3,
+        across: [DVec3; 2],
+        anchor: DVec3,
+    },
+    /// From a point of the unit three-sphere, with three tangents there; the radius in metres.
+    Star {
+        at: DVec4,
+        axes: [DVec4; 3],
+        radius_m: f64,
+    },
+}
+
+/// The four tangents of a point of the three-sphere that a product with unit quaternions gives: orthonormal, and
+/// nowhere a jump from point to point.
+fn star(at: DVec4, radius_m: f64) -> Light {
+    let DVec4 { x, y, z, w } = at;
+    let axes = [
+        DVec4::new(w, -z, y, -x),
+        DVec4::new(z, w, -x, -y),
+        DVec4::new(-y, x, w, -z),
+    ];
+    Light::Star { at, axes, radius_m }
+}
+
+fn far(toward: DVec3, eye: DVec3) -> Light {
+    // The sun goes round x and the moon round z; an axis that the light never comes near does not spin.
+    let axis = if toward.x.abs() < 0.9 {
+        DVec3::X
+    } else {
+        DVec3::Z
+    };
+    let right = (axis - toward * axis.dot(toward)).normalize();
+    Light::Far {
+        toward,
+        across: [right, toward.cross(right)],
+        anchor: (eye / ANCHOR_M).round() * ANCHOR_M,
+    }
+}
+
+/// The point of the unit three-sphere that a closed world's key light comes from; straight up where none is told.
+fn body(frame: &Frame) -> DVec4 {
+    let Some(orbs) = frame.sky.orbs else {
+        return DVec4::Y;
+    };
+    let is_sun = frame.sky.key_direction == frame.sky.sun_direction;
+    let point = if is_sun { orbs.sun } else { orbs.moon };
+    frame.strategy.curved(&frame.eye, point)
+}
+
+impl Light {
+    /// A frame's key light.
+    pub fn of(frame: &Frame) -> Self {
+        match frame.strategy.rim_m() {
+            None => {
+                let toward = DVec3::from(frame.sky.key_direction.map(f64::from));
+                far(toward.normalize_or(DVec3::Y), frame.eye.point.pos)
+            }
+            Some(_) => star(body(frame), frame.strategy.radius_m()),
+        }
+    }
+
+    /// How far the light has turned, or gone round its world, radians; infinite from one kind to the other.
+    pub fn turn_to(&self, other: &Self) -> f64 {
+        match (self, other) {
+            (Self::Far { toward: a, .. }, Self::Far { toward: b, .. }) => {
+                2.0 * (0.5 * a.distance(*b)).min(1.0).asin()
+            }
+            (Self::Star { at: a, .. }, Self::Star { at: b, .. }) => {
+                2.0 * (0.5 * a.distance(*b)).min(1.0).asin()
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// What maps are made from: homogeneous chart metres from the anchor, or the sphere's point, its first three
+    /// coordinates in metres.
+    pub fn base(&self, strategy: &dyn Strategy, point: ChartPoint) -> DVec4 {
+        match self {
+            Self::Far { anchor, .. } => (point.pos - *anchor).extend(1.0),
+            Self::Star { radius_m, .. } => {
+                let x = strategy.curved(&Eye::default(), point);
+                (x.truncate() * *radius_m).extend(x.w)
+            }
+        }
+    }
+
+    /// Rows that take the base to the light's own coordinates: for one far off two across, the height towards it and
+    /// 1; for a star three metres of the space's coordinates there, and the fourth without unit.
+    fn rows(&self) -> [DVec4; 4] {
+        match self {
+            Self::Far { toward, across, .. } => [
+                across[0].extend(0.0),
+                across[1].extend(0.0),
+                toward.extend(0.0),
+                DVec4::W,
+            ],
+            Self::Star { at, axes, radius_m } => {
+                let metres = |axis: &DVec4| axis.truncate().extend(radius_m * axis.w);
+                [
+                    metres(&axes[0]),
+                    metres(&axes[1]),
+                    metres(&axes[2]),
+                    (at.truncate() / *radius_m).extend(at.w),
+                ]
+            }
+        }
+    }
+
+    /// The face on which a point is seen, and where on its plane: metres, or tangents of angles.
+    pub fn seen(&self, base: DVec4) -> (usize, DVec2) {
+        let own = self.rows().map(|row| row.dot(base));
+        let face = match self {
+            Self::Far { .. } => 0,
+            Self::Star { .. } => (0..FACES)
+                .max_by(|a, b| ahead(own, *a).total_cmp(&ahead(own, *b)))
+                .unwrap_or(0),
+        };
+        (face, self.on_plane(face, base))
+    }
+
+    /// Where a point lies on the plane of a face, which it may be behind.
+    pub fn on_plane(&self, face: usize, base: DVec4) -> DVec2 {
+        let own = self.rows().map(|row| row.dot(base));
+        match self {
+            Self::Far { .. } => DVec2::new(own[0], own[1]),
+            Self::Star { .. } => {
+                let depth = ahead(own, face).max(f64::MIN_POSITIVE);
+                let [a, b] = beside(face).map(|axis| own[axis]);
+                DVec2::new(a, b) / depth
+            }
+        }
+    }
+
+    /// How long a stretch of `metres` at a point is on the plane of a face, at most.
+    pub fn length_on_plane(&self, base: DVec4, metres: f64) -> f64 {
+        match self {
+            Self::Far { .. } => metres,
+            Self::Star { radius_m, .. } => {
+                let [.., w] = self.rows().map(|row| row.dot(base));
+                let sine = (1.0 - w * w).max(1e-6).sqrt();
+                // A plane is stretched away from its middle.
+                let stretch = 1.0 + self.seen(base).1.length_squared();
+                (stretch * (metres / radius_m).sin() / sine).min(1.0)
+            }
+        }
+    }
+}
+
+/// How far ahead of a face something is whose coordinates are `own`.
+fn ahead(own: [f64; 4], face: usize) -> f64 {
+    if face.is_multiple_of(2) {
+        own[face / 2]
+    } else {
+        -own[face / 2]
+    }
+}
+
+/// The axes of a face's plane.
+fn beside(face: usize) -> [usize; 2] {
+    let axis = face / 2;
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
+/// A square on the plane of a face: what one map is a picture of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crop {
+    /// The face of a star's light; 0 of one far off.
+    pub face: usize,
+    /// Its middle.
+    pub centre: DVec2,
+    /// Half its side.
+    pub half: f64,
+}
+
+/// A box of the chart that may throw a shadow.
+#[derive(Clone, Copy, Debug)]
+pub struct Caster {
+    /// Its chart.
+    pub hemisphere: Hemisphere,
+    /// Lowest corner, metres.
+    pub min: DVec3,
+    /// Highest corner, metres.
+    pub max: DVec3,
+}
+
+impl Caster {
+    /// All of a chunk's land.
+    pub fn of(land: &ChunkLand) -> Self {
+        Self {
+            hemisphere: land.coord.hemisphere,
+            min: land.min,
+            max: land.max,
+        }
+    }
+}
+
+impl Light {
+    /// The heights towards the light between which a box lies, if any of it falls on a crop. A star's maps hold all
+    /// distances.
+    pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
+        let middle = ChartPoint::new(of.hemisphere, 0.5 * (of.min + of.max));
+        let reach = 0.5 * (of.max - of.min);
+        let base = self.base(strategy, middle);
+        match self {
+            Self::Far { toward, across, .. } => {
+                let spread = |way: &DVec3| way.abs().dot(reach);
+                let at = self.on_plane(0, base) - crop.centre;
+                let apart = (at.x.abs() - spread(&across[0])).max(at.y.abs() - spread(&across[1]));
+                let height = toward.dot(base.truncate());
+                let own = spread(toward);
+                (apart <= crop.half).then_some([height - own, height + own])
+            }
+            Self::Star { radius_m, .. } => {
+                // Ways of the space are no longer than those of the chart.
+                let size = (reach.length() / radius_m).min(1.5).sin();
+                self.is_in_sight(crop, base, size).then_some([0.0, 1.0])
+            }
+        }
+    }
+
+    /// Whether a ball about a point, given by the sine of its radius over the space's, falls on a crop. The cone of
+    /// great circles that touch it has the sine of its radius over that of its distance for its own.
+    fn is_in_sight(&self, crop: &Crop, base: DVec4, size: f64) -> bool {
+        let own = self.rows().map(|row| row.dot(base));
+        let away = DVec3::new(own[0], own[1], own[2]).length();
+        let sine = (1.0 - own[3] * own[3]).max(0.0).sqrt();
+        if sine <= size {
+            return true;
+        }
+        let cone = size / sine;
+        let depth = ahead(own, crop.face) / away;
+        let [a, b] = beside(crop.face).map(|axis| own[axis] / away);
+        let inside = |along: f64, edge: f64, sign: f64| {
+            sign * (depth * edge - along) / (1.0 + edge * edge).sqrt() >= -cone
+        };
+        let between = |along: f64, centre: f64| {
+            inside(along, centre + crop.half, 1.0) && inside(along, centre - crop.half, -1.0)
+        };
+        between(a, crop.centre.x) && between(b, crop.centre.y)
+    }
+
+    /// The matrix from the base to clip coordinates of a map of `crop` that holds `heights`: depth is greater nearer
+    /// to the light.
+    pub fn clip(&self, crop: &Crop, heights: [f64; 2]) -> DMat4 {
+        let rows = self.rows();
+        let (plane, depth, w) = match self {
+            Self::Far { .. } => {
+                let [low, high] = [heights[0] - DEPTH_SLACK_M, heights[1] + DEPTH_SLACK_M];
+                let depth = (rows[2] - rows[3] * low) / (high - low);
+                ([rows[0], rows[1]], depth, rows[3])
+            }
+            Self::Star { radius_m, .. } => {
+                let sign = if crop.face.is_multiple_of(2) {
+                    1.0
+                } else {
+                    -1.0
+                };
+                let w = rows[crop.face / 2] * sign;
+                let depth = w * 0.5 + rows[3] * (COTANGENT_DEPTH * radius_m);
+                (beside(crop.face).map(|axis| rows[axis]), depth, w)
+            }
+        };
+        let x = (plane[0] - w * crop.centre.x) / crop.half;
+        let y = (plane[1] - w * crop.centre.y) / crop.half;
+        DMat4::from_cols(x, y, depth, w).transpose()
+    }
+
+    /// Depth of a map of `crop` and `heights` for the length of a texel of `size` on its plane, where clip
+    /// coordinates have w = 1.
+    pub fn texel_depth(&self, crop: &Crop, heights: [f64; 2], size: u32) -> f64 {
+        let texel = 2.0 * crop.half / f64::from(size);
+        match self {
+            Self::Far { .. } => texel / (heights[1] - heights[0] + 2.0 * DEPTH_SLACK_M),
+            Self::Star { radius_m, .. } => COTANGENT_DEPTH * radius_m * texel,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn axes_are_orthonormal_wherever_the_light_comes_from() {
+        for i in 0..200 {
+            let t = f64::from(i) * 0.37;
+            let toward = DVec3::new(t.sin(), (1.7 * t).cos(), (0.6 * t).sin()).normalize();
+            if let Light::Far { across, anchor, .. } = far(toward, DVec3::splat(100.0)) {
+                let [a, b] = across;
+                assert!(a.dot(b).abs() < 1e-14 && a.dot(toward).abs() < 1e-14);
+                assert!(
+                    (a.cross(b) - toward).length() < 1e-14
+                        || (b.cross(a) - toward).length() < 1e-14
+                );
+                assert_eq!(anchor, DVec3::splat(128.0));
+            }
+            let at = DVec4::new(t.sin(), t.cos(), (2.0 * t).sin(), (0.3 * t).cos()).normalize();
+            if let Light::Star { axes, .. } = star(at, 32.0) {
+                let all = [at, axes[0], axes[1], axes[2]];
+                for (i, a) in all.iter().enumerate() {
+                    for (j, b) in all.iter().enumerate() {
+                        let due = if i == j { 1.0 } else { 0.0 };
+                        assert!((a.dot(*b) - due).abs() < 1e-14);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Every point of every box must be counted where the map shows it.
+    #[test]
+    fn a_box_is_left_out_only_where_no_point_of_it_is_on_the_map() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let flat = strategy(Geometry::Euclidean, 0.0);
+        let mut found = [0; 2];
+        for i in 0..400_u32 {
+            let t = f64::from(i);
+            let wave = |f: f64| (t * f).sin();
+            let min = DVec3::new(36.0 * wave(1.3), 5.0 + 4.0 * wave(0.7), 36.0 * wave(2.1));
+            let of = Caster {
+                hemisphere: if i % 3 == 0 {
+                    Hemisphere::B
+                } else {
+                    Hemisphere::A
+                },
+                min,
+                max: min + DVec3::new(3.0, 5.0, 8.0),
+            };
+            let at = DVec4::new(wave(0.11), 0.3, wave(0.17), wave(0.23)).normalize();
+            let toward = DVec3::new(wave(0.3), 0.4, wave(0.4)).normalize();
+            for (case, (space, light)) in
+                [(&flat, far(toward, DVec3::ZERO)), (&sphere, star(at, 32.0))]
+                    .into_iter()
+                    .enumerate()
+            {
+                let face = if case == 1 { i as usize % FACES } else { 0 };
+                let scale = if case == 1 { 1.0 } else { 20.0 };
+                let crop = Crop {
+                    face,
+                    centre: DVec2::new(wave(0.9), wave(1.9)) * scale,
+                    half: 0.3 * scale,
+                };
+                let heights = light.heights(&**space, &crop, &of);
+                let clip = light.clip(&crop, heights.unwrap_or([0.0, 1.0]));
+                for corner in 0..27_u32 {
+                    let share = |n: u32| f64::from(corner / n % 3) * 0.5;
+                    let inside = DVec3::new(share(1), share(3), share(9)) * (of.max - of.min);
+                    let base = light.base(&**space, ChartPoint::new(of.hemisphere, min + inside));
+                    let c = clip * base;
+                    if c.w > 1e-9 && (c.x / c.w).abs() < 1.0 && (c.y / c.w).abs() < 1.0 {
+                        found[case] += 1;
+                        assert!(heights.is_some(), "{i} {case}");
+                        assert!(
+                            (0.0..=1.0).contains(&(c.z / c.w)) || c.w < 1.0,
+                            "{i} {case} {c}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(found[0] > 100 && found[1] > 50, "{found:?}");
+    }
+}

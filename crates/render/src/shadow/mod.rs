@@ -1,0 +1,424 @@
+//! Shadows of the key light: maps of depth as the light sees the land and the figures.
+//!
+//! Maps of land are drawn anew only when the light has turned by more than their texels show, the eye has come away
+//! from their middle, or land on them has changed; a bit each frame, into a layer that takes the old one's place when
+//! it is complete. Figures move all the time: they have a map of their own, of what is near.
+
+mod casting;
+mod levels;
+mod light;
+mod maps;
+mod uniform;
+
+use antipode_geometry::ChunkCoord;
+use antipode_scene::frame::Frame;
+use glam::{DVec3, DVec4};
+use wgpu::{CommandEncoder, Device, Queue};
+
+use levels::{Level, Shot, count, wanted};
+pub use light::Caster;
+use light::Light;
+use maps::{Maps, PASSES};
+pub use maps::{caster_layout, scene_entries};
+pub use uniform::ShadowUniform;
+use uniform::{CasterUniform, FIGURES, MapUniform};
+
+use crate::chunk_store::ChunkStore;
+use crate::draw_list::{DrawList, LandDraws};
+use crate::figures::Figures;
+use crate::gpu::Gpu;
+use crate::pipelines::Pipelines;
+use crate::timing::Timing;
+use crate::uniforms::ChunkInstance;
+
+/// How shadows are drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ShadowQuality {
+    /// Not at all.
+    #[default]
+    Off,
+    /// As a processor can.
+    Low,
+    /// Finer and softer.
+    High,
+}
+
+impl ShadowQuality {
+    /// `SHADOWS` of shadow.wgsl.
+    pub fn number(self) -> u32 {
+        match self {
+            Self::Off => 0,
+            Self::Low => 1,
+            Self::High => 2,
+        }
+    }
+
+    /// Texels of a map's side; more maps are smaller.
+    fn texels(self, maps: usize) -> u32 {
+        let few = maps <= levels::CASCADES;
+        match (self, few) {
+            (Self::Off, _) => 1,
+            (Self::Low, true) | (Self::High, false) => 1024,
+            (Self::Low, false) => 768,
+            (Self::High, true) => 2048,
+        }
+    }
+
+    /// Triangles of land that a frame draws into maps at most, but for one mesh.
+    fn triangles_a_frame(self) -> usize {
+        match self {
+            Self::Off => 0,
+            Self::Low => 5_000,
+            Self::High => 400_000,
+        }
+    }
+}
+
+/// A map that the light has turned away from by this much tells nothing, radians; from half of that on it fades.
+const OUT_OF_DATE_RAD: f64 = 0.06;
+
+/// Maps that can be in the making at once.
+const SLOTS: usize = 2;
+
+/// The slot that a map is made in.
+fn slot_of(level: usize) -> usize {
+    level.min(SLOTS - 1)
+}
+
+/// A map in the making.
+#[derive(Debug)]
+struct Job {
+    level: usize,
+    shot: Shot,
+    /// Chunks that are still to be drawn.
+    todo: Vec<ChunkCoord>,
+    begun: bool,
+    changed: bool,
+}
+
+/// A pass of this frame over land.
+#[derive(Clone, Copy, Debug)]
+struct Pass {
+    layer: u32,
+    is_fresh: bool,
+}
+
+/// The maps and what is on them.
+#[derive(Debug)]
+pub struct Shadows {
+    device: Device,
+    queue: Queue,
+    quality: ShadowQuality,
+    maps: Maps,
+    levels: Vec<Level>,
+    /// What is in the making, and the layer that it is drawn into: of the finest map, which shows at once what is
+    /// dug, and of one of the others.
+    jobs: [Option<Job>; SLOTS],
+    spares: [u32; SLOTS],
+    passes: Vec<Pass>,
+    lists: Vec<(DrawList, LandDraws)>,
+    figures: Option<Shot>,
+    /// The world that is on the maps.
+    world: Option<u64>,
+    busy: bool,
+}
+
+/// What drawing the maps took.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ShadowStats {
+    /// Triangles drawn into maps.
+    pub triangles: usize,
+    /// Passes over land.
+    pub passes: usize,
+}
+
+impl Shadows {
+    /// Maps of a quality, with nothing on them.
+    pub fn new(gpu: &Gpu, quality: ShadowQuality) -> Self {
+        Self {
+            device: gpu.device.clone(),
+            queue: gpu.queue.clone(),
+            quality,
+            maps: Maps::new(&gpu.device, 1, 1),
+            levels: Vec::new(),
+            jobs: [const { None }; SLOTS],
+            spares: [0; SLOTS],
+            passes: Vec::new(),
+            lists: (0..PASSES - 1)
+                .map(|_| (DrawList::default(), LandDraws::new(gpu)))
+                .collect(),
+            figures: None,
+            world: None,
+            busy: false,
+        }
+    }
+
+    /// Draws with another quality from the next frame on.
+    pub fn set_quality(&mut self, quality: ShadowQuality) {
+        if quality != self.quality {
+            self.quality = quality;
+            self.forget();
+        }
+    }
+
+    /// Draws each mesh by a call of its own from now on.
+    pub fn draw_singly(&mut self) {
+        for (_, draws) in &mut self.lists {
+            draws.draw_singly();
+        }
+    }
+
+    /// Whether maps are out of date for want of time.
+    pub fn is_busy(&self) -> bool {
+        self.busy
+    }
+
+    fn forget(&mut self) {
+        self.busy = false;
+        self.levels.clear();
+        self.jobs = [const { None }; SLOTS];
+    }
+
+    /// What the scene's group has of them: [`scene_entries`].
+    pub fn bind(&self) -> [wgpu::BindGroupEntry<'_>; 2] {
+        [
+            wgpu::BindGroupEntry {
+                binding: 2,
+                resource: wgpu::BindingResource::TextureView(&self.maps.all),
+            },
+            wgpu::BindGroupEntry {
+                binding: 3,
+                resource: wgpu::BindingResource::Sampler(&self.maps.sampler),
+            },
+        ]
+    }
+
+    /// Plans this frame's passes; `true` where what [`Shadows::bind`] gives is other than before. In a rush all maps are
+    /// brought to just what the frame wants.
+    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore) -> bool {
+        let touched = chunks.take_touched();
+        if self.world.replace(frame.loaded_world) != Some(frame.loaded_world) {
+            self.jobs = [const { None }; SLOTS];
+            self.levels.iter_mut().for_each(|level| level.shot = None);
+        }
+        self.passes.clear();
+        self.figures = None;
+        if self.quality == ShadowQuality::Off {
+            return self.fit(0);
+        }
+        let light = Light::of(frame);
+        let is_new = self.fit(count(&light));
+        for of in &touched {
+            self.note(frame, of);
+        }
+        for level in &mut self.levels {
+            level.changed = level.changed.map(|frames| frames.saturating_add(1));
+        }
+        let mut left = if chunks.rush {
+            usize::MAX
+        } else {
+            self.quality.triangles_a_frame()
+        };
+        if chunks.rush {
+            self.jobs = [const { None }; SLOTS];
+        }
+        for slot in 0..SLOTS {
+            while left > 0 && self.passes.len() < self.lists.len() {
+                let begun = self.jobs[slot].take();
+                let Some(job) = begun.or_else(|| self.next_job(slot, frame, &light, chunks)) else {
+                    break;
+                };
+                left = self.advance(job, chunks, left);
+            }
+        }
+        self.busy = left == 0 || self.jobs.iter().any(Option::is_some);
+        self.prepare_figures(frame, &light);
+        is_new
+    }
+
+    /// Has so many maps of land, or none.
+    fn fit(&mut self, count: usize) -> bool {
+        let (texels, layers) = if count == 0 {
+            (1, 1)
+        } else {
+            (self.quality.texels(count), (count + SLOTS) as u32 + 1)
+        };
+        if self.levels.len() == count && self.maps.texels == texels {
+            return false;
+        }
+        self.forget();
+        self.maps = Maps::new(&self.device, texels, layers);
+        let level = |layer| Level {
+            layer,
+            shot: None,
+            changed: None,
+        };
+        self.levels = (0..count as u32).map(level).collect();
+        self.spares = [count as u32, count as u32 + 1];
+        true
+    }
+
+    fn note(&mut self, frame: &Frame, of: &Caster) {
+        for level in &mut self.levels {
+            level.note(frame, of);
+        }
+        for job in self.jobs.iter_mut().flatten() {
+            let (light, crop) = (&job.shot.light, &job.shot.crop);
+            job.changed |= light.heights(&*frame.strategy, crop, of).is_some();
+        }
+    }
+
+    /// The map of a slot that most needs to be drawn anew, if any does.
+    fn next_job(
+        &self,
+        slot: usize,
+        frame: &Frame,
+        light: &Light,
+        chunks: &ChunkStore,
+    ) -> Option<Job> {
+        let texels = self.maps.texels;
+        let own = self
+            .levels
+            .iter()
+            .enumerate()
+            .filter(|(i, _)| slot_of(*i) == slot);
+        let due = own.filter_map(|(i, level)| {
+            let crop = wanted(i, frame, light, texels);
+            let staleness = if !chunks.rush {
+                level.staleness(i, frame, light, &crop, texels)
+            } else if level.is_exact(light, &crop) {
+                0.0
+            } else {
+                f64::INFINITY
+            };
+            (staleness > 1.0).then_some((staleness, i, crop))
+        });
+        let (_, level, crop) = due.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
+        let mut todo = Vec::new();
+        for (coord, caster) in chunks.casters() {
+            if let Some([low, high]) = light.heights(&*frame.strategy, &crop, &caster) {
+                heights = [heights[0].min(low), heights[1].max(high)];
+                todo.push(coord);
+            }
+        }
+        if todo.is_empty() {
+            heights = [0.0, 1.0];
+        }
+        Some(Job {
+            level,
+            shot: Shot {
+                light: *light,
+                crop,
+                heights,
+            },
+            todo,
+            begun: false,
+            changed: false,
+        })
+    }
+
+    /// Goes on with a map, by a pass over at most `left` triangles; returns what is left of them.
+    fn advance(&mut self, mut job: Job, chunks: &ChunkStore, left: usize) -> usize {
+        let (number, slot) = (self.passes.len(), slot_of(job.level));
+        let (list, draws) = &mut self.lists[number];
+        let from = match job.shot.light {
+            Light::Far { anchor, .. } => anchor,
+            Light::Star { .. } => DVec3::ZERO,
+        };
+        list.clear();
+        let mut used = 0;
+        while used < left
+            && let Some(coord) = job.todo.pop()
+        {
+            let instance = ChunkInstance::new(coord.origin(), coord.hemisphere, from);
+            used += chunks.list_caster(coord, instance, list);
+        }
+        draws.send(&self.queue, list);
+        self.maps.write(
+            &self.queue,
+            number,
+            &CasterUniform::new(&job.shot, DVec4::W),
+        );
+        self.passes.push(Pass {
+            layer: self.spares[slot],
+            is_fresh: !job.begun,
+        });
+        job.begun = true;
+        if job.todo.is_empty() {
+            let level = &mut self.levels[job.level];
+            std::mem::swap(&mut level.layer, &mut self.spares[slot]);
+            level.shot = Some(job.shot);
+            level.changed = job.changed.then_some(0);
+        } else {
+            self.jobs[slot] = Some(job);
+        }
+        left.saturating_sub(used.max(1))
+    }
+
+    /// What the scene's shaders are told.
+    pub fn uniform(&self, frame: &Frame) -> ShadowUniform {
+        let mut uniform = ShadowUniform::default();
+        if self.quality == ShadowQuality::Off {
+            return uniform;
+        }
+        let (texels, light) = (self.maps.texels, Light::of(frame));
+        uniform.key = [
+            frame.sky.key_shadow,
+            texels as f32,
+            1.0 / texels as f32,
+            if is_closed_moon(frame) { 1.0 } else { 0.0 },
+        ];
+        for (level, map) in self.levels.iter().zip(&mut uniform.maps) {
+            if let Some(shot) = &level.shot {
+                let late = shot.light.turn_to(&light) / OUT_OF_DATE_RAD;
+                let weight = (2.0 - 2.0 * late).clamp(0.0, 1.0);
+                *map = MapUniform::new(frame, shot, level.layer, texels, weight);
+            }
+        }
+        if let Some(shot) = &self.figures {
+            let layer = (self.levels.len() + SLOTS) as u32;
+            uniform.maps[FIGURES] = MapUniform::new(frame, shot, layer, texels, 1.0);
+        }
+        uniform
+    }
+
+    /// Draws what was planned. `timing` stamps the first pass; tells whether one was stamped.
+    pub fn draw(
+        &self,
+        encoder: &mut CommandEncoder,
+        pipelines: &Pipelines,
+        chunks: &ChunkStore,
+        figures: &Figures,
+        mut timing: Option<&Timing>,
+    ) -> (ShadowStats, bool) {
+        let mut stats = ShadowStats::default();
+        let stamps = timing.is_some();
+        for (number, (planned, (list, draws))) in self.passes.iter().zip(&self.lists).enumerate() {
+            let place = (number, planned.layer);
+            let begun = self
+                .maps
+                .begin(encoder, place, planned.is_fresh, timing.take());
+            if let Some(mut pass) = begun {
+                let drawn = draws.draw(&mut pass, list, chunks.pages(), |_| &pipelines.caster);
+                stats.triangles += drawn.0;
+                stats.passes += 1;
+            }
+        }
+        if self.figures.is_some() {
+            let layer = (self.levels.len() + SLOTS) as u32;
+            let begun = self
+                .maps
+                .begin(encoder, (PASSES - 1, layer), true, timing.take());
+            if let Some(mut pass) = begun {
+                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figures);
+            }
+        }
+        (stats, stamps && timing.is_none())
+    }
+}
+
+/// Whether it is the moon of a closed world that throws shadows.
+fn is_closed_moon(frame: &Frame) -> bool {
+    frame.sky.orbs.is_some() && frame.sky.key_direction != frame.sky.sun_direction
+}

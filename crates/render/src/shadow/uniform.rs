@@ -1,0 +1,87 @@
+//! What the shaders are told of the shadow maps, laid out as they read it.
+
+use antipode_geometry::Eye;
+use antipode_scene::frame::Frame;
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat4, DVec4};
+
+use super::levels::Shot;
+use super::light::Light;
+
+/// Maps that a picture reads; `SHADOW_MAPS` of common.wgsl. The last is that of figures.
+pub const MAPS: usize = 8;
+/// The map of figures.
+pub const FIGURES: usize = MAPS - 1;
+
+/// `ShadowMap` of common.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct MapUniform {
+    clip: [[f32; 4]; 4],
+    layer: f32,
+    texel_depth: f32,
+    weight: f32,
+    padding: f32,
+}
+
+/// `Shadows` of common.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct ShadowUniform {
+    pub maps: [MapUniform; MAPS],
+    /// Strength, texels of a side, one over that, and room.
+    pub key: [f32; 4],
+}
+
+/// `Caster` of common.wgsl: one pass into a map.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct CasterUniform {
+    clip: [[f32; 4]; 4],
+    /// Curvature per metre, and room.
+    curve: [f32; 4],
+}
+
+impl CasterUniform {
+    /// A pass over what stands at metres from `from` in the base of the light: chart metres under a sky.
+    pub fn new(shot: &Shot, from: DVec4) -> Self {
+        let (clip, k) = match shot.light {
+            Light::Far { .. } => (shot.clip() * DMat4::from_translation(from.truncate()), 0.0),
+            Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m),
+        };
+        Self {
+            clip: clip.as_mat4().to_cols_array_2d(),
+            curve: [k as f32, 0.0, 0.0, 0.0],
+        }
+    }
+}
+
+/// From what a shader has of a point to a light's base: its place from the reference, or its view coordinates.
+pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
+    let eye: &Eye = &frame.eye;
+    match light {
+        Light::Far { anchor, .. } => {
+            let reference = frame.strategy.reference(eye, eye.point.hemisphere);
+            DMat4::from_translation(reference - *anchor)
+        }
+        Light::Star { .. } => {
+            let view = frame.strategy.uniform(eye, &frame.projection).view;
+            glam::Mat4::from_cols_array_2d(&view).as_dmat4().inverse()
+        }
+    }
+}
+
+impl MapUniform {
+    /// A map that lies in a layer of `texels` a side, to be trusted by a weight from 0 to 1.
+    pub fn new(frame: &Frame, shot: &Shot, layer: u32, texels: u32, weight: f64) -> Self {
+        let clip = shot.clip() * to_base(frame, &shot.light);
+        let depth = shot.light.texel_depth(&shot.crop, shot.heights, texels);
+        Self {
+            clip: clip.as_mat4().to_cols_array_2d(),
+            layer: layer as f32,
+            texel_depth: depth as f32,
+            weight: weight as f32,
+            padding: 0.0,
+        }
+    }
+}

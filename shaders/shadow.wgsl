@@ -1,0 +1,229 @@
+// Shadows of the key light: how what throws them is drawn into maps of depth, and how those are read.
+// Follows common.wgsl.
+//
+// A map's matrix takes what a fragment knows of its place to the map: chart metres where the light comes from one
+// direction of the chart, and view coordinates where it comes from a point of a closed world. Both are linear over a
+// triangle as it was authored, and so are the map's coordinates and depth: a point is compared with its own surface
+// exactly, and no acne is to be hidden but that of surfaces that bend within a texel.
+
+// 0: no shadows; 1: soft over a texel; 2: over five.
+override SHADOWS: u32 = 0u;
+
+const SHADOW_CASCADES: u32 = 3u;
+const SHADOW_FIGURES: u32 = 7u;
+// How far a cascade is read, as a part of its half side, and over which part of that it goes over to the next.
+const SHADOW_EDGE: f32 = 0.86;
+const SHADOW_BLEND: f32 = 0.16;
+// Depths of a texel that a surface may be off where it bends, and the steepest slope that is followed.
+const SHADOW_BIAS: f32 = 0.75;
+const SHADOW_STEEPEST: f32 = 10.0;
+
+struct Caster {
+    clip: mat4x4<f32>,
+    curve: vec4<f32>,  // x: curvature per metre
+}
+
+@group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
+@group(0) @binding(3) var shadow_sampler: sampler;
+@group(2) @binding(0) var<uniform> caster: Caster;
+
+// Where a point of the chart falls on the map that is being drawn.
+fn caster_clip(p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
+    if GEO_KIND == GEO_SPHERE {
+        var space: Space;
+        space.curve.x = caster.curve.x;
+        return caster.clip * geo_port_sphere(space, p, hemisphere);
+    }
+    return caster.clip * vec4<f32>(p, 1.0);
+}
+
+// What a fragment knows of its place, and how that changes to the next pixel on the right and below.
+struct Shaded {
+    at: vec4<f32>,
+    x: vec4<f32>,
+    y: vec4<f32>,
+}
+
+// To be called before a fragment may be discarded.
+fn shaded_at(place: vec3<f32>, view: vec4<f32>) -> Shaded {
+    if SHADOWS == 0u {
+        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0));
+    }
+    if GEO_KIND == GEO_SPHERE {
+        return Shaded(view, dpdx(view), dpdy(view));
+    }
+    return Shaded(vec4<f32>(place, 1.0), vec4<f32>(dpdx(place), 0.0), vec4<f32>(dpdy(place), 0.0));
+}
+
+// How far from a map's middle a point falls on it: 1 at its edge.
+fn shadow_away(point: Shaded, number: u32) -> f32 {
+    let c = scene.shadows.maps[number].clip * point.at;
+    if GEO_KIND != GEO_SPHERE {
+        return max(abs(c.x), abs(c.y));
+    }
+    let at = c.xy / max(c.w, 1e-6);
+    return select(2.0, max(abs(at.x), abs(at.y)), c.w > 0.0);
+}
+
+fn chosen(rows: array<vec4<f32>, 3>, number: u32) -> vec4<f32> {
+    return select(select(rows[1], rows[2], number == 2u), rows[0], number == 0u);
+}
+
+// One of the cascades. Numbers that differ from pixel to pixel are dear to look up with in software.
+fn cascade(number: u32) -> ShadowMap {
+    let a = scene.shadows.maps[0];
+    let b = scene.shadows.maps[1];
+    let c = scene.shadows.maps[2];
+    let clip = mat4x4<f32>(
+        chosen(array<vec4<f32>, 3>(a.clip[0], b.clip[0], c.clip[0]), number),
+        chosen(array<vec4<f32>, 3>(a.clip[1], b.clip[1], c.clip[1]), number),
+        chosen(array<vec4<f32>, 3>(a.clip[2], b.clip[2], c.clip[2]), number),
+        chosen(array<vec4<f32>, 3>(a.clip[3], b.clip[3], c.clip[3]), number),
+    );
+    return ShadowMap(clip, chosen(array<vec4<f32>, 3>(a.info, b.info, c.info), number));
+}
+
+// Where a point is on a map, in texels and depth, and how depth changes from texel to texel on its own surface.
+struct Placed {
+    texel: vec2<f32>,
+    depth: f32,
+    slope: vec2<f32>,
+}
+
+fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
+    let c = map.clip * point.at;
+    let cx = map.clip * point.x;
+    let cy = map.clip * point.y;
+    var s = c.xyz;
+    var dx = cx.xyz;
+    var dy = cy.xyz;
+    var texel = map.info.y;
+    if GEO_KIND == GEO_SPHERE {
+        // A map that is not there yet is all zero, and trusted by nothing.
+        let inverse = 1.0 / select(c.w, 1e-6, abs(c.w) < 1e-6);
+        s = c.xyz * inverse;
+        dx = (cx.xyz - s * cx.w) * inverse;
+        dy = (cy.xyz - s * cy.w) * inverse;
+        texel = map.info.y * inverse;
+    }
+    let size = scene.shadows.key.y;
+    let to_texels = vec2<f32>(0.5, -0.5) * size;
+    let ax = dx.xy * to_texels;
+    let ay = dy.xy * to_texels;
+    let area = ax.x * ay.y - ax.y * ay.x;
+    let slope = vec2<f32>(ay.y * dx.z - ax.y * dy.z, ax.x * dy.z - ay.x * dx.z);
+    let steepest = SHADOW_STEEPEST * texel;
+    let safe = select(area, 1e-12, abs(area) < 1e-12);
+    let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
+    let bias = SHADOW_BIAS * length(vec3<f32>(g, texel));
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g);
+}
+
+// Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
+// depth of the point's plane at the upper left one.
+fn gathered(corner: vec2<f32>, layer: f32, own: f32, slope: vec2<f32>) -> vec4<f32> {
+    let found = textureGather(shadow_maps, shadow_sampler, corner * scene.shadows.key.z, u32(layer));
+    let plane = own + vec4<f32>(slope.y, slope.x + slope.y, slope.x, 0.0);
+    return select(vec4<f32>(0.0), vec4<f32>(1.0), plane >= found);
+}
+
+// Share of the light that a map lets through to a point: each texel is compared with the plane of the point's own
+// surface where the texel's middle is, and counts by its share of a square round the point.
+fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
+    let placed = placed_on(point, map);
+    let base = floor(placed.texel - 0.5);
+    let part = placed.texel - 0.5 - base;
+    // Low: two texels along each side; high: six, of which the inner ones count whole.
+    let gathers = select(3u, 1u, SHADOWS == 1u);
+    let first = base - f32(gathers - 1u);
+    let here = placed.depth + dot(placed.slope, first + 0.5 - placed.texel);
+    var lit = 0.0;
+    for (var j = 0u; j < gathers; j++) {
+        for (var i = 0u; i < gathers; i++) {
+            let step = vec2<f32>(f32(2u * i), f32(2u * j));
+            let free = gathered(first + step + 1.0, map.info.x, here + dot(placed.slope, step), placed.slope);
+            let wx = vec2<f32>(select(1.0, 1.0 - part.x, i == 0u), select(1.0, part.x, i == gathers - 1u));
+            let wy = vec2<f32>(select(1.0, 1.0 - part.y, j == 0u), select(1.0, part.y, j == gathers - 1u));
+            lit += dot(free, vec4<f32>(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));
+        }
+    }
+    let width = f32(2u * gathers - 1u);
+    return mix(1.0, lit / (width * width), map.info.z);
+}
+
+// The face of a star's light on which a point lies.
+fn shadow_face(point: Shaded) -> u32 {
+    let x = (scene.shadows.maps[1].clip * point.at).w;
+    let y = (scene.shadows.maps[3].clip * point.at).w;
+    let z = (scene.shadows.maps[5].clip * point.at).w;
+    let most = max(abs(x), max(abs(y), abs(z)));
+    let along = select(select(5u, 3u, abs(y) >= most), 1u, abs(x) >= most);
+    let value = select(select(z, y, abs(y) >= most), x, abs(x) >= most);
+    return along + select(1u, 0u, value > 0.0);
+}
+
+// Which pixels show the next map where one ends, by a fixed noise from 0 to 1 (Jimenez, 2014).
+fn shadow_noise(pixel: vec2<f32>) -> f32 {
+    return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715))));
+}
+
+// How far a map has given way to the next: 0 inside, 1 at the end of what is read of it.
+fn shadow_end(away: f32) -> f32 {
+    return clamp((away - SHADOW_EDGE) / SHADOW_BLEND + 1.0, 0.0, 1.0);
+}
+
+// Share of the key light that a map and the next let through, where one gives way to the other. Low quality reads one
+// of them in each pixel.
+fn either(point: Shaded, near: ShadowMap, next: ShadowMap, end: f32) -> f32 {
+    let read = shadow_read(point, near);
+    if end <= 0.0 {
+        return read;
+    }
+    return mix(read, shadow_read(point, next), end);
+}
+
+// Share of the key light that land lets through to a point.
+fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
+    let near_end = shadow_end(shadow_away(point, 0u));
+    if SHADOWS == 2u {
+        if GEO_KIND == GEO_SPHERE {
+            return either(point, scene.shadows.maps[0], scene.shadows.maps[shadow_face(point)], near_end);
+        }
+        let past_near = near_end >= 1.0;
+        let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
+        let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
+        return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+    }
+    let noise = shadow_noise(pixel);
+    if GEO_KIND == GEO_SPHERE {
+        return shadow_read(point, scene.shadows.maps[select(0u, shadow_face(point), near_end > noise)]);
+    }
+    let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
+    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
+    return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+}
+
+// Share of the key light that figures let through to a point.
+fn figure_shadow(point: Shaded) -> f32 {
+    let away = shadow_away(point, SHADOW_FIGURES);
+    if away >= 1.0 {
+        return 1.0;
+    }
+    return mix(shadow_read(point, scene.shadows.maps[SHADOW_FIGURES]), 1.0, shadow_end(away));
+}
+
+// Share of the key light that reaches a point, and a part of what is bounced about.
+fn key_share(point: Shaded, pixel: vec2<f32>, normal: vec3<f32>, by_figures: bool) -> f32 {
+    if SHADOWS == 0u {
+        return 1.0;
+    }
+    // What faces away gets none as it is.
+    if GEO_KIND != GEO_SPHERE && dot(normal, scene.key_direction.xyz) <= 0.0 {
+        return 1.0;
+    }
+    var lit = land_shadow(point, pixel);
+    if by_figures {
+        lit = min(lit, figure_shadow(point));
+    }
+    return 1.0 - scene.shadows.key.x * (1.0 - lit);
+}
