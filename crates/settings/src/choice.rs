@@ -122,6 +122,7 @@ choice! {
 
 impl Shadows {
     /// What automatic stands for; `software`: whether the processor draws.
+    #[must_use]
     pub fn resolved(self, software: bool) -> Self {
         match (self, software) {
             (Self::Auto, true) => Self::Low,

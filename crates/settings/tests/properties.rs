@@ -25,8 +25,10 @@ fn config() -> impl Strategy<Value = Config> {
     let learnt = prop::collection::btree_set(0..Lesson::ALL.len(), 0..Lesson::ALL.len());
     let all = (shares, strokes, names, 0..5usize, learnt);
     all.prop_map(|(shares, strokes, names, chosen, learnt)| {
-        let mut config = Config::default();
-        config.learnt = learnt.into_iter().map(|at| Lesson::ALL[at]).collect();
+        let mut config = Config {
+            learnt: learnt.into_iter().map(|at| Lesson::ALL[at]).collect(),
+            ..Config::default()
+        };
         for (field, share) in fields().iter().zip(&shares) {
             let given = match field.kind {
                 Kind::Toggle => Given::Switch(*share < 0.5),

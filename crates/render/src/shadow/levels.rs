@@ -141,27 +141,7 @@ impl Level {
         let changed = self.changed.map_or(0.0, |frames| {
             1.01 + f64::from(frames) / (PATIENCE_FRAMES * (number + 1) as f64)
         });
-        turned.max(changed).max(self.moved(frame, shot, wanted))
-    }
-
-    /// How far the eye has moved from the middle, in blocks; or past any, where the size is another.
-    fn moved(&self, frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
-        let crop = &shot.crop;
-        if matches!(shot.light, Light::Star { .. }) {
-            if wanted.half == FACE_HALF {
-                return 0.0;
-            }
-            let base = shot.light.base(&*frame.strategy, frame.eye.point);
-            let needed = shot.light.length_on_plane(base, NEAR_M);
-            if !(USED_HALF * crop.half..=1.05 * crop.half).contains(&needed) {
-                return f64::INFINITY;
-            }
-        } else if crop.half != wanted.half {
-            return f64::INFINITY;
-        }
-        let base = shot.light.base(&*frame.strategy, frame.eye.point);
-        let at = shot.light.on_plane(crop.face, base) - crop.centre;
-        at.abs().max_element() / (2.0 * crop.half / BLOCKS)
+        turned.max(changed).max(blocks_moved(frame, shot, wanted))
     }
 
     /// Whether it is just what a frame wants, for pictures that do not depend on what came before.
@@ -184,4 +164,24 @@ impl Level {
             self.changed = Some(0);
         }
     }
+}
+
+/// How far the eye has moved from the middle, in blocks; or past any, where the size is another.
+fn blocks_moved(frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
+    let crop = &shot.crop;
+    if matches!(shot.light, Light::Star { .. }) {
+        if wanted.half == FACE_HALF {
+            return 0.0;
+        }
+        let base = shot.light.base(&*frame.strategy, frame.eye.point);
+        let needed = shot.light.length_on_plane(base, NEAR_M);
+        if !(USED_HALF * crop.half..=1.05 * crop.half).contains(&needed) {
+            return f64::INFINITY;
+        }
+    } else if crop.half != wanted.half {
+        return f64::INFINITY;
+    }
+    let base = shot.light.base(&*frame.strategy, frame.eye.point);
+    let at = shot.light.on_plane(crop.face, base) - crop.centre;
+    at.abs().max_element() / (2.0 * crop.half / BLOCKS)
 }

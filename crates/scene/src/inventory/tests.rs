@@ -184,7 +184,7 @@ proptest! {
                 3 => bag.send(slot),
                 4 => gone(bag.let_go(slot % 2 == 0)),
                 7 => bag.end_drag(slot),
-                8 => bag.swap(slot, slot ^ 21),
+                8 => bag.swap(slot, slot ^ 0b1_0101),
                 5 => { bag.select(slot); gone(bag.take_held(slot % 3 == 0)); }
                 _ => gone(bag.put_back()),
             }
