@@ -49,7 +49,7 @@ pub struct SceneUniform {
 
 impl SceneUniform {
     /// Everything the shaders need to know of a frame drawn `size` pixels large.
-    pub fn new(frame: &Frame, size: (u32, u32), shadows: ShadowUniform) -> Self {
+    pub fn new(frame: &Frame, size: (u32, u32), shadows: &ShadowUniform) -> Self {
         let (eye, sky) = (&frame.eye, &frame.sky);
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
@@ -93,7 +93,7 @@ impl SceneUniform {
             shades,
             lamps: lamps(frame),
             beams: beams(frame),
-            shadows,
+            shadows: *shadows,
         }
     }
 }

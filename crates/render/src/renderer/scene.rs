@@ -17,7 +17,7 @@ impl Renderer {
             let extras = (&self.heavens, &self.shadows);
             self.scene_bindings = bind_scene(&self.device, &layout, &self.uniform, extras);
         }
-        let scene = SceneUniform::new(frame, drawn, self.shadows.uniform(frame));
+        let scene = SceneUniform::new(frame, drawn, &self.shadows.uniform(frame));
         self.queue
             .write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
     }
