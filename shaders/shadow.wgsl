@@ -194,10 +194,14 @@ fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
         let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
         return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
     }
-    let noise = shadow_noise(pixel);
     if GEO_KIND == GEO_SPHERE {
-        return shadow_read(point, scene.shadows.maps[select(0u, shadow_face(point), near_end > noise)]);
+        // Looking up one of seven maps in each pixel doubles a frame in software: there is only the nearest.
+        if near_end >= 1.0 {
+            return 1.0;
+        }
+        return mix(shadow_read(point, scene.shadows.maps[0]), 1.0, near_end);
     }
+    let noise = shadow_noise(pixel);
     let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
     let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
     return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
@@ -212,13 +216,22 @@ fn figure_shadow(point: Shaded) -> f32 {
     return mix(shadow_read(point, scene.shadows.maps[SHADOW_FIGURES]), 1.0, shadow_end(away));
 }
 
-// Share of the key light that reaches a point, and a part of what is bounced about.
-fn key_share(point: Shaded, pixel: vec2<f32>, normal: vec3<f32>, by_figures: bool) -> f32 {
+// Whether a point turns away from the light that throws shadows, or lies where that does not reach: it gets none as it
+// is. In a closed world the normal is the one in view coordinates.
+fn is_unlit(point: Shaded, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
+    if GEO_KIND != GEO_SPHERE {
+        return dot(normal, scene.key_direction.xyz) <= 0.0;
+    }
+    let body = mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
+    return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, point.at), body) <= NIGHT;
+}
+
+// Share of the key light that reaches a point.
+fn key_share(point: Shaded, pixel: vec2<f32>, normal: vec3<f32>, model_normal: vec4<f32>, by_figures: bool) -> f32 {
     if SHADOWS == 0u {
         return 1.0;
     }
-    // What faces away gets none as it is.
-    if GEO_KIND != GEO_SPHERE && dot(normal, scene.key_direction.xyz) <= 0.0 {
+    if is_unlit(point, normal, model_normal) {
         return 1.0;
     }
     var lit = land_shadow(point, pixel);

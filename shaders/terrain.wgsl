@@ -164,7 +164,7 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
     let normal = normalize(in.normal);
-    let share = key_share(point, in.clip.xy, normal, in.feet.w > 0.5 * SHADED);
+    let share = key_share(point, in.clip.xy, normal, in.frame_normal, in.feet.w > 0.5 * SHADED);
     var light = daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         light += lights_on(in.view, in.frame_normal, in.lights, 0.0);

@@ -87,7 +87,11 @@ fn studio(shadows: ShadowQuality, size: (u32, u32)) -> Option<Studio> {
 
 /// Pictures with and without shadows.
 fn both(frame: &Frame, size: (u32, u32)) -> Option<[RgbaImage; 2]> {
-    let on = studio(ShadowQuality::Low, size)?.picture(frame);
+    compared(frame, size, ShadowQuality::Low)
+}
+
+fn compared(frame: &Frame, size: (u32, u32), quality: ShadowQuality) -> Option<[RgbaImage; 2]> {
+    let on = studio(quality, size)?.picture(frame);
     Some([on, studio(ShadowQuality::Off, size)?.picture(frame)])
 }
 
@@ -139,9 +143,13 @@ fn brightness(picture: &RgbaImage, (x, y): (f64, f64)) -> Option<i32> {
 
 #[test]
 fn a_pillar_shades_what_lies_behind_it_and_nothing_else_in_every_space() {
-    for geometry in GEOMETRIES {
+    let qualities = [ShadowQuality::Low, ShadowQuality::High];
+    for (geometry, quality) in GEOMETRIES
+        .into_iter()
+        .flat_map(|g| qualities.map(|q| (g, q)))
+    {
         let frame = scene(geometry);
-        let Some([on, off]) = both(&frame, SIZE) else {
+        let Some([on, off]) = compared(&frame, SIZE, quality) else {
             return;
         };
         let mut found = [0; 2];

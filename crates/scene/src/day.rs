@@ -123,7 +123,7 @@ const MOON_SHADOW: f32 = 0.75;
 pub(crate) fn key_shadow(sun: f32, moon: f32) -> f32 {
     let lead = (sun - moon).abs() / sun.max(moon).max(1e-6);
     let darkest = if sun >= moon { SUN_SHADOW } else { MOON_SHADOW };
-    darkest * smooth(0.0, 0.5, lead)
+    darkest * smooth(0.0, 0.95, lead)
 }
 
 /// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) for an eye in the given space.

@@ -14,8 +14,9 @@ use super::light::{Caster, Crop, FACES, Light};
 
 /// Cascades under a sky; `SHADOW_CASCADES` of shadow.wgsl.
 pub const CASCADES: usize = 3;
-/// Half the side of what the finest map holds, metres.
+/// Half the side of what the finest map holds, metres; and of what the only one of a closed world does.
 const NEAR_M: f64 = 12.0;
+const ALONE_M: f64 = 24.0;
 /// The farthest cascade is at least so wide on each side of the eye, and at most, metres.
 const FAR_M: [f64; 2] = [64.0, 1024.0];
 /// Half the side of a face, as a tangent: a little past the next face, for the texels around a point.
@@ -57,12 +58,18 @@ pub struct Level {
     pub changed: Option<u32>,
 }
 
-/// How many maps of land there are by a light.
-pub fn count(light: &Light) -> usize {
+/// How many maps of land there are by a light. In a closed world a processor has no time for its faces.
+pub fn count(light: &Light, with_faces: bool) -> usize {
     match light {
         Light::Far { .. } => CASCADES,
-        Light::Star { .. } => 1 + FACES,
+        Light::Star { .. } if with_faces => 1 + FACES,
+        Light::Star { .. } => 1,
     }
+}
+
+/// Half the side of what the finest of so many maps holds, metres.
+fn near_m(maps: usize) -> f64 {
+    if maps == 1 { ALONE_M } else { NEAR_M }
 }
 
 /// The next power of the root of two: sizes change seldom, and by steps.
@@ -70,8 +77,8 @@ fn stepped(size: f64) -> f64 {
     SQRT_2.powf((size.log2() * 2.0).ceil())
 }
 
-/// What is to be on a map of so many texels.
-pub fn wanted(level: usize, frame: &Frame, light: &Light, texels: u32) -> Crop {
+/// What is to be on one of so many maps, of so many texels.
+pub fn wanted((level, maps): (usize, usize), frame: &Frame, light: &Light, texels: u32) -> Crop {
     match light {
         Light::Far { .. } => {
             let far_m = stepped(f64::from(frame.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
@@ -84,7 +91,7 @@ pub fn wanted(level: usize, frame: &Frame, light: &Light, texels: u32) -> Crop {
             centre: DVec2::ZERO,
             half: FACE_HALF,
         },
-        Light::Star { .. } => near_crop(frame, light, NEAR_M, texels / BLOCKS as u32, texels),
+        Light::Star { .. } => near_crop(frame, light, near_m(maps), texels / BLOCKS as u32, texels),
     }
 }
 
@@ -119,8 +126,8 @@ fn turn_allowed(light: &Light, crop: &Crop, texels: u32) -> f64 {
     let texel = 2.0 * crop.half / f64::from(texels);
     match light {
         Light::Far { .. } => texel / (8.0 + 0.25 * crop.half),
-        // A star is at least twice as far from what throws a shadow as that is from its shadow.
-        Light::Star { .. } => 2.0 * texel,
+        // A star is at least four times as far from what throws a shadow as that is from its shadow.
+        Light::Star { .. } => 4.0 * texel,
     }
 }
 
@@ -128,7 +135,7 @@ impl Level {
     /// How badly it is to be drawn anew: over 1 is due.
     pub fn staleness(
         &self,
-        number: usize,
+        (number, maps): (usize, usize),
         frame: &Frame,
         light: &Light,
         wanted: &Crop,
@@ -141,7 +148,7 @@ impl Level {
         let changed = self.changed.map_or(0.0, |frames| {
             1.01 + f64::from(frames) / (PATIENCE_FRAMES * (number + 1) as f64)
         });
-        turned.max(changed).max(blocks_moved(frame, shot, wanted))
+        turned.max(changed).max(moved(maps, frame, shot, wanted))
     }
 
     /// Whether it is just what a frame wants, for pictures that do not depend on what came before.
@@ -167,14 +174,14 @@ impl Level {
 }
 
 /// How far the eye has moved from the middle, in blocks; or past any, where the size is another.
-fn blocks_moved(frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
+fn moved(maps: usize, frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
     let crop = &shot.crop;
     if matches!(shot.light, Light::Star { .. }) {
         if wanted.half == FACE_HALF {
             return 0.0;
         }
         let base = shot.light.base(&*frame.strategy, frame.eye.point);
-        let needed = shot.light.length_on_plane(base, NEAR_M);
+        let needed = shot.light.length_on_plane(base, near_m(maps));
         if !(USED_HALF * crop.half..=1.05 * crop.half).contains(&needed) {
             return f64::INFINITY;
         }

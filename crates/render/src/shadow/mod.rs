@@ -58,8 +58,7 @@ impl ShadowQuality {
         let few = maps <= levels::CASCADES;
         match (self, few) {
             (Self::Off, _) => 1,
-            (Self::Low, true) | (Self::High, false) => 1024,
-            (Self::Low, false) => 768,
+            (Self::Low, _) | (Self::High, false) => 1024,
             (Self::High, true) => 2048,
         }
     }
@@ -68,7 +67,7 @@ impl ShadowQuality {
     fn triangles_a_frame(self) -> usize {
         match self {
             Self::Off => 0,
-            Self::Low => 5_000,
+            Self::Low => 4_000,
             Self::High => 400_000,
         }
     }
@@ -207,7 +206,7 @@ impl Shadows {
             return self.fit(0);
         }
         let light = Light::of(frame);
-        let is_new = self.fit(count(&light));
+        let is_new = self.fit(count(&light, self.quality == ShadowQuality::High));
         for of in &touched {
             self.note(frame, of);
         }
@@ -283,9 +282,10 @@ impl Shadows {
             .enumerate()
             .filter(|(i, _)| slot_of(*i) == slot);
         let due = own.filter_map(|(i, level)| {
-            let crop = wanted(i, frame, light, texels);
+            let place = (i, self.levels.len());
+            let crop = wanted(place, frame, light, texels);
             let staleness = if !chunks.rush {
-                level.staleness(i, frame, light, &crop, texels)
+                level.staleness(place, frame, light, &crop, texels)
             } else if level.is_exact(light, &crop) {
                 0.0
             } else {
