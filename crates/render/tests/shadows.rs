@@ -51,7 +51,7 @@ fn floor_and_pillar() -> Arc<ChunkMesh> {
     let mut mesh = ChunkMesh::default();
     let (x, y, z) = (Vec3::X, Vec3::Y, Vec3::Z);
     rectangle(&mut mesh, y * FLOOR_M as f32, z * 32.0, x * 32.0);
-    let [low, high] = PILLAR.map(glam::DVec3::as_vec3);
+    let [low, high] = PILLAR.map(DVec3::as_vec3);
     let up = y * (high - low).y;
     rectangle(&mut mesh, low, up, x);
     rectangle(&mut mesh, low + x + z, up, -x);

@@ -117,13 +117,15 @@ const MOON_COLOUR: Vec3 = Vec3::new(0.30, 0.36, 0.52);
 /// How dark shadows by the sun and by the moon are, of all that their light gives.
 const SUN_SHADOW: f32 = 1.0;
 const MOON_SHADOW: f32 = 0.75;
+/// Strength of a light that hardly shows: a third of the moon's.
+const FAINT: f32 = 0.2;
 
 /// How dark shadows are where the sun and the moon give so much light. Where one takes over from the other both are as
-/// strong, and neither may throw a shadow that comes or goes at once.
+/// strong, and neither may throw a shadow that comes or goes at once; nor does a light too weak to see.
 pub(crate) fn key_shadow(sun: f32, moon: f32) -> f32 {
-    let lead = (sun - moon).abs() / sun.max(moon).max(1e-6);
+    let lead = (sun - moon).abs() / sun.max(moon).max(FAINT);
     let darkest = if sun >= moon { SUN_SHADOW } else { MOON_SHADOW };
-    darkest * smooth(0.0, 0.95, lead)
+    darkest * smooth(0.0, 0.6, lead)
 }
 
 /// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) for an eye in the given space.
