@@ -124,7 +124,8 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
 fn gathered(corner: vec2<f32>, layer: f32, own: f32, slope: vec2<f32>) -> vec4<f32> {
     let found = textureGather(shadow_maps, shadow_sampler, corner * scene.shadows.key.z, u32(layer));
     let plane = own + vec4<f32>(slope.y, slope.x + slope.y, slope.x, 0.0);
-    return select(vec4<f32>(0.0), vec4<f32>(1.0), plane >= found);
+    // Where nothing was drawn the map holds 0, and land may lie deeper than that: under a figure on a cliff.
+    return select(vec4<f32>(0.0), vec4<f32>(1.0), max(plane, vec4<f32>(0.0)) >= found);
 }
 
 // Share of the light that a map lets through to a point: each texel is compared with the plane of the point's own
