@@ -295,3 +295,41 @@ fn a_figure_throws_a_shadow_in_every_space() {
         assert!(shaded[1] > shaded[0] + 15, "{geometry}: {shaded:?}");
     }
 }
+
+#[test]
+fn land_far_below_a_figure_is_dark_under_it_alone() {
+    for (geometry, above_m) in [
+        (Geometry::Euclidean, 24.0),
+        (Geometry::Hyperbolic, 24.0),
+        (Geometry::Euclidean, 60.0),
+    ] {
+        let mut frame = scene(geometry);
+        frame.sky.key_direction = Vec3::new(0.2, 1.0, 0.1).normalize().into();
+        frame.sky.sun_direction = frame.sky.key_direction;
+        let below = DVec3::new(13.5, FLOOR_M, 12.0);
+        let feet = below + DVec3::new(0.2, 1.0, 0.1) * above_m;
+        frame.figures = vec![Figure::standing(
+            ModelId::Astronaut,
+            ChartPoint::a(feet),
+            0.0,
+        )];
+        let Some([on, off]) = both(&frame, SIZE) else {
+            return;
+        };
+        let (mut dark, mut seen) = (0, 0);
+        for (i, j) in (-30..30).flat_map(|i| (-30..30).map(move |j| (i, j))) {
+            let point = below + DVec3::new(f64::from(i), 0.0, f64::from(j)) * 0.1;
+            let at = seen_at(&frame, ChartPoint::a(point), SIZE);
+            let levels = brightness(&on, at).zip(brightness(&off, at));
+            if let Some((a, b)) = levels.filter(|_| !is_shaded(&frame, point, 0.5)) {
+                seen += 1;
+                dark += i32::from(b - a > 20);
+            }
+        }
+        assert!(seen > 2000, "{geometry}: {seen}");
+        assert!(
+            dark < 150,
+            "{geometry}, {above_m} m: {dark} of {seen} are dark"
+        );
+    }
+}
