@@ -49,6 +49,8 @@ pub enum Action {
     Camera,
     /// Hide the display.
     HideDisplay,
+    /// The shapes by which things are hit.
+    HitShapes,
     /// What drawing a frame takes, on the display.
     FrameFigures,
     /// A picture of the screen, kept as a file.
@@ -159,7 +161,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 39] = {
+static ACTIONS: [ActionInfo; 40] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -239,6 +241,7 @@ static ACTIONS: [ActionInfo; 39] = {
             View,
             &["F1", "pad-select"],
         ),
+        line(Action::HitShapes, "hit-shapes", View, &["F3"]),
         line(Action::FrameFigures, "frame-figures", View, &["F4"]),
         line(Action::PhotoMode, "photo-mode", View, &["KeyP"]),
         line(Action::Screenshot, "screenshot", View, &["F12"]),
