@@ -9,6 +9,7 @@ use crate::aim::aim;
 use crate::camera::CameraMode;
 use crate::item::Item;
 use crate::notice::Hint;
+use crate::npc::Event;
 use crate::pick::{Pick, pick_among};
 use crate::projectile::{Air, Projectile, Standing};
 use crate::scene::Scene;
@@ -49,6 +50,7 @@ impl Scene {
             return;
         }
         self.sounds.push(SoundEvent::Shot);
+        self.npcs.events.push(Event::Shot(self.feet()));
         self.hand.fire();
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();
@@ -124,7 +126,11 @@ impl Scene {
 
     /// The gun's muzzle; short of a wall that one stands close to.
     pub(crate) fn muzzle(&self) -> ChartPoint {
-        let head = self.head();
+        self.muzzle_of(&self.head())
+    }
+
+    /// The muzzle of a gun held by someone with that eye.
+    pub(crate) fn muzzle_of(&self, head: &Eye) -> ChartPoint {
         let (right, up, ahead) = MUZZLE_M;
         let way = head.right() * right + head.up() * up + head.front() * ahead;
         let from = head.point.pos + self.strategy.chart_origin_m(head.point.hemisphere);
