@@ -172,7 +172,8 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
     let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
-    let share = key_share(shaded_at(in.place, in.view), in.clip.xy, normal, in.frame_normal, true);
+    let unlit = is_unlit(in.view, normal, in.frame_normal);
+    let share = key_share(shaded_at(in.place, in.view), in.clip.xy, unlit, true);
     var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;

@@ -217,22 +217,19 @@ fn figure_shadow(point: Shaded) -> f32 {
     return mix(shadow_read(point, scene.shadows.maps[SHADOW_FIGURES]), 1.0, shadow_end(away));
 }
 
-// Whether a point turns away from the light that throws shadows, or lies where that does not reach: it gets none as it
-// is. In a closed world the normal is the one in view coordinates.
-fn is_unlit(point: Shaded, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
+// Whether a point turns away from the light that throws shadows, or lies where that does not reach. In a closed world
+// the normal is the one in view coordinates.
+fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
     if GEO_KIND != GEO_SPHERE {
         return dot(normal, scene.key_direction.xyz) <= 0.0;
     }
     let body = mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
-    return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, point.at), body) <= NIGHT;
+    return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, view), body) <= NIGHT;
 }
 
-// Share of the key light that reaches a point.
-fn key_share(point: Shaded, pixel: vec2<f32>, normal: vec3<f32>, model_normal: vec4<f32>, by_figures: bool) -> f32 {
-    if SHADOWS == 0u {
-        return 1.0;
-    }
-    if is_unlit(point, normal, model_normal) {
+// Share of the key light that reaches a point; one that is unlit is left as it is.
+fn key_share(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> f32 {
+    if SHADOWS == 0u || unlit {
         return 1.0;
     }
     var lit = land_shadow(point, pixel);

@@ -22,7 +22,7 @@ const SHADED: f32 = 8.0;
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
-    @location(0) normal: vec3<f32>,
+    @location(0) facing: vec3<f32>,     // the normal; in a closed world the land's colour by day or night
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
@@ -32,6 +32,7 @@ struct VertexOut {
     @location(7) view: vec4<f32>,
     @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
+    @location(10) dark: vec3<f32>,      // in a closed world the land's colour in the shadow
 }
 
 // Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
@@ -87,7 +88,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let spread_m = length(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    out.normal = port_normal(space, p, authored, hemisphere);
+    out.facing = port_normal(space, p, authored, hemisphere);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
@@ -99,7 +100,17 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w + mark);
     out.view = view;
     if wants_model_normal(space, in.lights) {
-        out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+        out.frame_normal = frame_vector(space, p, out.facing, hemisphere);
+    }
+    if geo_kind(space) == GEO_SPHERE {
+        // Sun and moon stand among the land: their light is three times the work of a fixed direction's, and changes
+        // little along an edge.
+        let normal = out.facing;
+        out.facing = out.albedo * orbs_on(space, view, out.frame_normal, normal.y, 1.0);
+        if SHADOWS != 0u {
+            let unlit = is_unlit(view, normal, out.frame_normal);
+            out.dark = out.albedo * orbs_on(space, view, out.frame_normal, normal.y, select(0.0, 1.0, unlit));
+        }
     }
     if any(in.lights != vec3<u32>(0u)) {
         let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
@@ -141,6 +152,21 @@ fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
     return caster_clip(in.offset + position_of(in.units), in.flags & 1u);
 }
 
+// The land's colour in all light but that of lamps and beams.
+fn daylit(in: VertexOut, point: Shaded) -> vec3<f32> {
+    let by_figures = in.feet.w > 0.5 * SHADED;
+    if geo_kind(scene.space) == GEO_SPHERE {
+        if SHADOWS == 0u {
+            return in.facing;
+        }
+        let unlit = all(in.facing - in.dark <= 0.002 * in.facing);
+        return mix(in.dark, in.facing, key_share(point, in.clip.xy, unlit, by_figures));
+    }
+    let normal = normalize(in.facing);
+    let unlit = is_unlit(in.view, normal, in.frame_normal);
+    return in.albedo * light_on(normal, key_share(point, in.clip.xy, unlit, by_figures));
+}
+
 fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let spread_m = in.land.y;
     let steep = in.land.z;
@@ -163,13 +189,10 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
-    let normal = normalize(in.normal);
-    let share = key_share(point, in.clip.xy, normal, in.frame_normal, in.feet.w > 0.5 * SHADED);
-    var light = daylight_on(scene.space, in.view, normal, in.frame_normal, share);
+    var lit = daylit(in, point);
     if any(in.lights != vec3<u32>(0u)) {
-        light += lights_on(in.view, in.frame_normal, in.lights, 0.0);
+        lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
-    let lit = in.albedo * light;
     return vec4<f32>(lit * (tone * in.land.x) + in.veil, 1.0);
 }
 

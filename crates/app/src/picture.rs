@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
-use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer};
+use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders};
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
 use antipode_ui::HudModel;
@@ -43,6 +43,14 @@ impl Studio {
     /// # Errors
     /// When there is no adapter of the kind asked for.
     pub fn new(common: &Common, settings: &Settings) -> Result<Self, Failure> {
+        Self::with_shaders(common, settings, Shaders::default())
+    }
+
+    fn with_shaders(
+        common: &Common,
+        settings: &Settings,
+        shaders: Shaders,
+    ) -> Result<Self, Failure> {
         let gpu = Gpu::headless(adapter_choice(common.adapter))?;
         let options = Options {
             samples: if gpu.is_software() { 1 } else { 4 },
@@ -50,7 +58,7 @@ impl Studio {
             output_format: FORMAT,
             shadows: options::shadows(settings, gpu.is_software()),
         };
-        let mut renderer = Renderer::new(&gpu, options)?;
+        let mut renderer = Renderer::with_shaders(&gpu, options, shaders)?;
         renderer.resize(common.size.0, common.size.1);
         let overlay = Overlay::new(&gpu, FORMAT);
         let offscreen = Offscreen::new(&gpu, common.size.0, common.size.1, FORMAT);
@@ -96,7 +104,7 @@ impl Studio {
     /// main thread took before it waited.
     ///
     /// # Errors
-    /// When the adapter fails.
+    /// When the adapter fails or refuses a shader.
     pub fn draw(&mut self, frame: &Frame) -> Result<(DrawStats, Duration), Failure> {
         let began = Instant::now();
         let mut encoder = self
@@ -109,13 +117,14 @@ impl Studio {
         self.gpu.queue.submit([encoder.finish()]);
         let recorded = began.elapsed();
         self.gpu.wait()?;
+        self.drawn_in_full()?;
         Ok((stats, recorded))
     }
 
     /// Takes a picture, with the display over it if there is one for what the renderer did.
     ///
     /// # Errors
-    /// When the adapter fails.
+    /// When the adapter fails or refuses a shader.
     pub fn shoot(
         &mut self,
         frame: &Frame,
@@ -141,7 +150,15 @@ impl Studio {
             );
         }
         self.gpu.queue.submit([encoder.finish()]);
+        self.drawn_in_full()?;
         Ok(self.offscreen.read(&self.gpu)?)
+    }
+
+    /// What a refused shader was to draw is missing in the picture.
+    fn drawn_in_full(&self) -> Result<(), Failure> {
+        self.renderer
+            .fault()
+            .map_or(Ok(()), |fault| Err(fault.into()))
     }
 
     fn display(&self, texts: &Texts, model: &HudModel) -> egui::FullOutput {
@@ -163,4 +180,39 @@ impl Studio {
 /// Pixels per point of the display on a picture of this height: it keeps its share of small pictures.
 fn display_scale(height: u32) -> f32 {
     (height as f32 / 720.0).clamp(0.5, 3.0)
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use antipode_geometry::Geometry;
+    use antipode_scene::{Scene, WorldSetup};
+    use clap::Parser as _;
+
+    use super::*;
+    use crate::cli::Cli;
+
+    #[test]
+    fn a_picture_that_lacks_what_a_shader_was_to_draw_is_refused() {
+        let common =
+            Cli::parse_from(["antipode", "--adapter", "software", "--size", "64x48"]).common;
+        let (settings, texts) = (Settings::default(), Texts::default());
+        let setup = WorldSetup {
+            name: "Picture".to_owned(),
+            seed: 1,
+            geometry: Geometry::Euclidean,
+            radius_m: 32.0,
+            view_distance: 2,
+        };
+        let frame = Scene::open(setup, None).unwrap().frame(1.2, 4.0 / 3.0, 1);
+        let mut take = |shaders| {
+            let mut studio = Studio::with_shaders(&common, &settings, shaders)?;
+            studio.draw(&frame)?;
+            studio.shoot(&frame, &texts, |_| None)
+        };
+        assert!(take(Shaders::default()).is_ok());
+        let refused = take(Shaders::with("terrain", "fn vertex( { nothing }"));
+        let words = refused.unwrap_err().to_string();
+        assert!(words.contains("refuses a shader"), "{words}");
+    }
 }

@@ -119,21 +119,7 @@ impl Source<'_> {
             ground_speed_m_s: 0.0,
             channels: Vec::new(),
         };
-        let extras: Option<json::Value> = json
-            .extras
-            .as_ref()
-            .and_then(|text| json::deserialize::from_str(text.get()).ok());
-        if let Some(extras) = extras {
-            clip.loops = extras
-                .get("loop")
-                .and_then(json::Value::as_bool)
-                .unwrap_or(false);
-            let speed = extras
-                .get("ground_speed_m_s")
-                .and_then(json::Value::as_f64)
-                .unwrap_or(0.0);
-            clip.ground_speed_m_s = speed.clamp(-1000.0, 1000.0) as f32;
-        }
+        read_extras(json, &mut clip);
         for channel in &json.channels {
             let sampler = json
                 .samplers
@@ -226,6 +212,25 @@ impl Source<'_> {
         }
         curve(times, values, interpolation)
     }
+}
+
+/// Whether a clip goes round, and the speed over the ground that it is made for: nothing of glTF itself has room for
+/// these.
+fn read_extras(json: &Animation, clip: &mut Clip) {
+    let extras: Option<json::Value> = json
+        .extras
+        .as_ref()
+        .and_then(|text| json::deserialize::from_str(text.get()).ok());
+    let Some(extras) = extras else { return };
+    clip.loops = extras
+        .get("loop")
+        .and_then(json::Value::as_bool)
+        .unwrap_or(false);
+    let speed = extras
+        .get("ground_speed_m_s")
+        .and_then(json::Value::as_f64)
+        .unwrap_or(0.0);
+    clip.ground_speed_m_s = speed.clamp(-1000.0, 1000.0) as f32;
 }
 
 fn curve<T>(

@@ -62,13 +62,29 @@ impl Source<'_> {
             return Err(Error::Absurd("positions"));
         }
         let mut vertices: Vec<Vertex> = positions.into_iter().map(plain).collect();
-        let normals = find(Semantic::Normals);
-        if let Some(normals) = normals {
+        self.dress(&mut vertices, json, name)?;
+        let indices = self.indices(json, vertices.len(), name)?;
+        let (vertices, indices) = if find(Semantic::Normals).is_some() {
+            (vertices, indices)
+        } else {
+            flatten(&vertices, &indices)
+        };
+        Ok(Primitive {
+            material,
+            vertices,
+            indices,
+        })
+    }
+
+    /// Gives vertices that have places whatever else the primitive says of them.
+    fn dress(self, vertices: &mut [Vertex], json: &JsonPrimitive, name: &str) -> Result<(), Error> {
+        let find = |semantic: Semantic| json.attributes.get(&Valid(semantic)).copied();
+        if let Some(normals) = find(Semantic::Normals) {
             let set = |v: &mut Vertex, n: [f32; 3]| {
                 v.normal = Vec3::from(n).try_normalize().unwrap_or(Vec3::Y);
             };
             each(
-                &mut vertices,
+                vertices,
                 self.floats::<3>(normals, "normals")?,
                 "normals",
                 set,
@@ -76,12 +92,12 @@ impl Source<'_> {
         }
         if let Some(colours) = find(Semantic::Colors(0)) {
             let set = |v: &mut Vertex, c: Vec4| v.colour = c;
-            each(&mut vertices, self.colours(colours)?, "colours", set)?;
+            each(vertices, self.colours(colours)?, "colours", set)?;
         }
         if let Some(uvs) = find(Semantic::TexCoords(0)) {
             let set = |v: &mut Vertex, uv: [f32; 2]| v.uv = Vec2::from(uv);
             each(
-                &mut vertices,
+                vertices,
                 self.floats::<2>(uvs, "texture coordinates")?,
                 "texture coordinates",
                 set,
@@ -90,7 +106,7 @@ impl Source<'_> {
         if let (Some(joints), Some(weights)) =
             (find(Semantic::Joints(0)), find(Semantic::Weights(0)))
         {
-            self.weigh(&mut vertices, joints, weights)?;
+            self.weigh(vertices, joints, weights)?;
         }
         if let Some(more) = find(Semantic::Weights(1))
             && self
@@ -101,17 +117,7 @@ impl Source<'_> {
         {
             return Err(Error::Influences(name.to_owned()));
         }
-        let indices = self.indices(json, vertices.len(), name)?;
-        let (vertices, indices) = if normals.is_some() {
-            (vertices, indices)
-        } else {
-            flatten(&vertices, &indices)
-        };
-        Ok(Primitive {
-            material,
-            vertices,
-            indices,
-        })
+        Ok(())
     }
 
     fn indices(self, json: &JsonPrimitive, vertices: usize, name: &str) -> Result<Vec<u32>, Error> {

@@ -118,6 +118,9 @@ impl Scene {
                 .chain(self.carried_record())
                 .collect(),
             bots: self.bot_records(),
+            cars: Vec::new(),
+            driving: None,
+            car_given: false,
         }
     }
 
@@ -137,6 +140,7 @@ impl Scene {
                 yaw: view.yaw,
                 health: view.health,
                 hostile: view.bot.hostile,
+                provoked_s: 0.0,
             })
             .collect()
     }

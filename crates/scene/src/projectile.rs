@@ -77,6 +77,7 @@ pub(crate) struct Projectiles {
 }
 
 impl Projectiles {
+    /// The oldest first.
     pub fn all(&self) -> &[Projectile] {
         &self.flying
     }

@@ -45,8 +45,8 @@ pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord, SCHEMA_VERSION, SlotRecord,
-    WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord, SCHEMA_VERSION,
+    SlotRecord, WorldMeta, WorldState,
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};

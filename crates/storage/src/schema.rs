@@ -10,10 +10,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3};
+use crate::schema_history::{v1, v2, v3, v4};
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 4;
+pub const SCHEMA_VERSION: u16 = 5;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -107,6 +107,25 @@ pub struct BotRecord {
     pub health: f64,
     /// Whether it fights the player.
     pub hostile: bool,
+    /// For how long yet a peaceful one that was provoked fights, seconds.
+    pub provoked_s: f64,
+}
+
+/// A car.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct CarRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// The middle of its body, chart metres.
+    pub pos: [f64; 3],
+    /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
+    pub turn: [f64; 4],
+    /// Velocity, metres per second.
+    pub vel: [f64; 3],
+    /// Angular velocity, radians per second.
+    pub spin: [f64; 3],
+    /// Whether its lights are on.
+    pub lights: bool,
 }
 
 /// Everything that changes while a world is played, but for the terrain.
@@ -144,6 +163,12 @@ pub struct WorldState {
     pub drops: Vec<DropRecord>,
     /// Other figures.
     pub bots: Vec<BotRecord>,
+    /// Cars.
+    pub cars: Vec<CarRecord>,
+    /// Which of the cars the player drives.
+    pub driving: Option<u32>,
+    /// Whether the world has been given its first car, which it may have lost since.
+    pub car_given: bool,
 }
 
 /// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
@@ -242,8 +267,14 @@ impl Versioned for WorldState {
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
         match version {
-            1 => decode::<v1::WorldState>(body).map(|old| v3::WorldState::from(old).into()),
-            2 | 3 => decode::<v3::WorldState>(body).map(Self::from),
+            1 => decode::<v1::WorldState>(body)
+                .map(v3::WorldState::from)
+                .map(v4::WorldState::from)
+                .map(Self::from),
+            2 | 3 => decode::<v3::WorldState>(body)
+                .map(v4::WorldState::from)
+                .map(Self::from),
+            4 => decode::<v4::WorldState>(body).map(Self::from),
             _ => decode(body),
         }
     }
@@ -403,7 +434,7 @@ mod tests {
             assert_eq!(WorldMeta::upgrade(version, body), Ok(meta.clone()));
             assert!(WorldMeta::upgrade(version, &today).is_err());
         }
-        for version in [3, 4] {
+        for version in [3, 4, 5] {
             assert_eq!(WorldMeta::upgrade(version, &today), Ok(meta.clone()));
         }
         assert!(WorldMeta::upgrade(3, body).is_err());
@@ -426,8 +457,8 @@ mod tests {
         assert_eq!((state.bent, state.bend), (false, 0.0));
         assert_eq!((state.brush_radius_m, state.view_distance), (4.0, 5));
         let today = codec::encode(&state).unwrap();
-        assert_eq!(WorldState::upgrade(4, &today).as_ref(), Ok(&state));
-        for version in [1, 2, 3] {
+        assert_eq!(WorldState::upgrade(5, &today).as_ref(), Ok(&state));
+        for version in [1, 2, 3, 4] {
             assert!(WorldState::upgrade(version, &today).is_err());
         }
     }
@@ -448,6 +479,7 @@ mod tests {
             let _ = WorldState::upgrade(1, &bytes);
             let _ = WorldState::upgrade(2, &bytes);
             let _ = WorldState::upgrade(4, &bytes);
+            let _ = WorldState::upgrade(5, &bytes);
             let _ = WorldMeta::upgrade(2, &bytes);
             let _ = WorldMeta::upgrade(3, &bytes);
         }

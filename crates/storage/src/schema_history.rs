@@ -82,7 +82,8 @@ pub(crate) mod v2 {
 pub(crate) mod v3 {
     use serde::{Deserialize, Serialize};
 
-    use crate::schema::{self, PlayerRecord, SlotRecord};
+    use super::v4;
+    use crate::schema::{PlayerRecord, SlotRecord};
 
     /// What a new player of version 4 has and one of version 3 could not have: the slot, the item and how many.
     const NEW_AT_START: [(u8, &str, u32); 3] = [(0, "gun", 1), (4, "bullet", 64), (5, "lamp", 10)];
@@ -106,7 +107,7 @@ pub(crate) mod v3 {
         pub view_distance: u32,
     }
 
-    impl From<WorldState> for schema::WorldState {
+    impl From<WorldState> for v4::WorldState {
         /// What there was stays; what is new and was not there is added where it would be at the start, or in the next
         /// free slot.
         fn from(old: WorldState) -> Self {
@@ -168,7 +169,7 @@ pub(crate) mod v3 {
                 simulated_s: 7.0,
                 view_distance: 5,
             };
-            let state = schema::WorldState::from(old);
+            let state = v4::WorldState::from(old);
             let slots: Vec<_> = state
                 .inventory
                 .iter()
@@ -182,6 +183,84 @@ pub(crate) mod v3 {
                 (5, "lamp", 10),
             ];
             assert_eq!(slots, expected);
+        }
+    }
+}
+
+/// Version 4 knew no cars, and nobody in it calmed down.
+pub(crate) mod v4 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema::{self, DropRecord, LampRecord, PlayerRecord, SlotRecord};
+
+    /// What version 4 kept of a figure that nobody plays.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct BotRecord {
+        pub hemisphere: u8,
+        pub pos: [f64; 3],
+        pub yaw: f64,
+        pub health: f64,
+        pub hostile: bool,
+    }
+
+    /// What version 4 kept of everything that changes while a world is played.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldState {
+        pub player: PlayerRecord,
+        pub item_slot: u8,
+        pub inventory: Vec<SlotRecord>,
+        pub time_of_day_s: f64,
+        pub map: String,
+        pub curvature: f64,
+        pub curvature_horizon: f64,
+        pub bent: bool,
+        pub bend: f64,
+        pub brush_radius_m: f64,
+        pub simulated_s: f64,
+        pub view_distance: u32,
+        pub flashlight: bool,
+        pub lamps: Vec<LampRecord>,
+        pub drops: Vec<DropRecord>,
+        pub bots: Vec<BotRecord>,
+    }
+
+    impl From<BotRecord> for schema::BotRecord {
+        fn from(old: BotRecord) -> Self {
+            Self {
+                hemisphere: old.hemisphere,
+                pos: old.pos,
+                yaw: old.yaw,
+                health: old.health,
+                hostile: old.hostile,
+                provoked_s: 0.0,
+            }
+        }
+    }
+
+    impl From<WorldState> for schema::WorldState {
+        /// The world gets its first car when it is opened.
+        fn from(old: WorldState) -> Self {
+            Self {
+                player: old.player,
+                item_slot: old.item_slot,
+                inventory: old.inventory,
+                time_of_day_s: old.time_of_day_s,
+                map: old.map,
+                curvature: old.curvature,
+                curvature_horizon: old.curvature_horizon,
+                bent: old.bent,
+                bend: old.bend,
+                brush_radius_m: old.brush_radius_m,
+                simulated_s: old.simulated_s,
+                view_distance: old.view_distance,
+                flashlight: old.flashlight,
+                lamps: old.lamps,
+                drops: old.drops,
+                bots: old.bots.into_iter().map(Into::into).collect(),
+                cars: Vec::new(),
+                driving: None,
+                car_given: false,
+            }
         }
     }
 }

@@ -63,12 +63,12 @@ pub trait Host {
 pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure> {
     match order {
         Order::Delete(name) => delete(host, name),
-        Order::Press(input, true) => {
-            host.press(*input);
-            Ok(())
-        }
-        Order::Press(input, false) => {
-            host.controls().input(*input, false);
+        Order::Press(input, down) => {
+            if *down {
+                host.press(*input);
+            } else {
+                host.controls().input(*input, false);
+            }
             Ok(())
         }
         Order::Tap(input) => {

@@ -53,13 +53,7 @@ impl Open {
             }
             WindowEvent::ScaleFactorChanged { .. } | WindowEvent::Moved(_) => self.fit(),
             WindowEvent::Occluded(occluded) => self.occluded = *occluded,
-            WindowEvent::Focused(gained) => {
-                if !gained {
-                    // What comes up elsewhere is not told everywhere.
-                    self.down = Down::default();
-                }
-                self.game.focus(*gained);
-            }
+            WindowEvent::Focused(gained) => self.focus(*gained),
             WindowEvent::KeyboardInput {
                 event: key,
                 is_synthetic,
@@ -98,6 +92,14 @@ impl Open {
             _ => {}
         }
         let _ = self.stage.input.on_window_event(&self.stage.window, event);
+    }
+
+    fn focus(&mut self, gained: bool) {
+        if !gained {
+            // What comes up elsewhere is not told everywhere.
+            self.down = Down::default();
+        }
+        self.game.focus(gained);
     }
 
     /// Whether the backpack was up and this button closes it.

@@ -1,3 +1,4 @@
+//! Joints from postures: clips hold their shapes, and fades go from one to the other.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

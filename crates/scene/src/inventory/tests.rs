@@ -1,3 +1,4 @@
+//! Stacks in slots: nothing is lost or made by any way of moving them.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 use proptest::prelude::*;
 

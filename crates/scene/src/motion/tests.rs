@@ -1,3 +1,4 @@
+//! Which clip a body is in, and how one goes over into the next.
 use super::*;
 
 const DT_S: f64 = 1.0 / 60.0;

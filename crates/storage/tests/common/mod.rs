@@ -6,8 +6,8 @@
 )]
 
 use antipode_storage::{
-    Batch, BotRecord, CHUNK_SAMPLES, ChunkKey, DropRecord, LampRecord, PlayerRecord, SlotRecord,
-    WorldMeta, WorldState,
+    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord,
+    SlotRecord, WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -78,7 +78,18 @@ pub fn state(simulated_s: f64) -> WorldState {
             yaw: 0.75,
             health: 2.0,
             hostile: true,
+            provoked_s: 4.5,
         }],
+        cars: vec![CarRecord {
+            hemisphere: 0,
+            pos: [10.0, 11.0, 12.5],
+            turn: [0.0, 0.6, 0.0, 0.8],
+            vel: [1.0, -2.0, 3.5],
+            spin: [0.25, 0.5, -0.75],
+            lights: true,
+        }],
+        driving: Some(0),
+        car_given: true,
     }
 }
 

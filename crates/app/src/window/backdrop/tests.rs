@@ -1,3 +1,4 @@
+//! The world behind the menu: that it comes, changes its space, and goes.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use antipode_geometry::Geometry;

@@ -1,3 +1,4 @@
+//! Which hints a newcomer is given, in which order, and what ends them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use antipode_language::Language;
