@@ -19,6 +19,10 @@ pub enum HarmKind {
     Fall,
     /// A bullet.
     Shot,
+    /// The car that one drives ran into something.
+    Crash,
+    /// A car.
+    RunOver,
 }
 
 /// How the player is, besides the health itself.
@@ -69,6 +73,8 @@ impl Scene {
             self.hints.push(match kind {
                 HarmKind::Fall => Hint::DiedOfFall,
                 HarmKind::Shot => Hint::DiedOfShot,
+                HarmKind::Crash => Hint::DiedOfCrash,
+                HarmKind::RunOver => Hint::DiedOfCar,
             });
         }
     }
@@ -112,13 +118,18 @@ impl Scene {
     }
 
     fn hurt_bot(&mut self, entity: Entity, by: Entity) {
+        self.hurt_bot_by(entity, BULLET_HARM, Some(by));
+    }
+
+    /// Takes health from a bot; `by` is who did it, if anybody.
+    pub(crate) fn hurt_bot_by(&mut self, entity: Entity, harm: f64, by: Option<Entity>) {
         let parts = self
             .ecs
             .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance)>(entity);
         if let Ok((bot, health, appearance)) = parts {
             appearance.motion.strike();
-            health.0 = (health.0 - BULLET_HARM).max(0.0);
-            bot.struck_by = Some(by);
+            health.0 = (health.0 - harm).max(0.0);
+            bot.struck_by = by.or(bot.struck_by);
             bot.hit_s_ago = 0.0;
         }
     }

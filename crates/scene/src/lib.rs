@@ -8,6 +8,7 @@ mod aim;
 mod body;
 pub mod bot;
 pub mod camera;
+pub mod car;
 mod closed_day;
 pub mod day;
 mod detail;
@@ -46,6 +47,7 @@ mod viewing;
 
 pub use actions::Actions;
 pub use camera::CameraMode;
+pub use car::CarView;
 pub use inventory::{Inventory, Stack};
 pub use item::Item;
 pub use lens::{DialGoals, Lens};

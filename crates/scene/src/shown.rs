@@ -29,10 +29,12 @@ impl Scene {
             };
             if entity == self.player {
                 self.use_in_hand(&mut figure);
+                self.seat_figure(&mut figure);
             }
             seen.push(figure);
         }
         self.show_things(&mut seen);
+        self.show_cars(&mut seen);
         seen
     }
 

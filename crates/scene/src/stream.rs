@@ -61,7 +61,8 @@ impl Scene {
             .iter()
             .map(|(_, at)| (at.0, DVec3::ZERO))
             .collect::<Vec<_>>();
-        reaches.extend(reach::of_others(bullets.chain(bots)));
+        let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
+        reaches.extend(reach::of_others(bullets.chain(bots).chain(cars)));
         reaches
     }
 
@@ -248,6 +249,7 @@ impl Scene {
         if edited {
             self.lamps_unchecked = true;
             self.drops_unchecked = true;
+            self.wake_cars();
             self.lift_player_out();
         }
     }

@@ -52,7 +52,7 @@ impl Hull {
         Self {
             shape,
             free_box: SharedShape::cuboid(HALF_BOX_M.x, HALF_BOX_M.y, HALF_BOX_M.z),
-            corners: corners.iter().map(Vec3::as_dvec3).collect(),
+            corners: corners.into_iter().map(Vec3::as_dvec3).collect(),
             triangles,
         }
     }
