@@ -59,6 +59,8 @@ pub(crate) struct Standing {
 pub(crate) struct Strike {
     pub entity: Entity,
     pub by: Entity,
+    /// The way it flew, in the chart of who was struck.
+    pub way: DVec3,
 }
 
 /// A bullet has struck a car.
@@ -196,6 +198,7 @@ impl Projectile {
                 hits.strikes.push(Strike {
                     entity,
                     by: self.by,
+                    way: self.velocity,
                 });
                 // Who is struck stops the bullet; it drops to the ground.
                 ball.centre = from;
@@ -442,7 +445,11 @@ mod tests {
             &[stands(by, 0.2), stands(other, 12.0)],
             60,
         );
-        assert_eq!(strikes, [Strike { entity: other, by }]);
+        let [strike] = strikes[..] else {
+            panic!("{strikes:?}")
+        };
+        assert!(strike.entity == other && strike.by == by);
+        assert!(strike.way.x > 30.0, "the way it flew: {}", strike.way);
         assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
     }
 }

@@ -25,6 +25,7 @@ use crate::inventory::Inventory;
 use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
+use crate::npc::Npcs;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
@@ -141,6 +142,8 @@ pub struct Scene {
     pub(crate) drops: Vec<Drop>,
     /// The number that the next bot gets.
     pub(crate) next_bot: u32,
+    /// What other figures have in common.
+    pub(crate) npcs: Npcs,
     /// What could be heard since somebody last listened.
     pub(crate) sounds: Sounds,
 }
@@ -229,6 +232,7 @@ impl Scene {
             drops_unchecked: false,
             drops: Vec::new(),
             next_bot: 0,
+            npcs: Npcs::default(),
             sounds: Sounds::default(),
         };
         match saved {
@@ -445,6 +449,7 @@ impl Scene {
             hand: self.hand_seen(),
             lights: self.lights(&eye),
             marker: self.marker,
+            hit_shapes: Vec::new(),
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
             contour_bands: self.viewing.contour_bands,
             time_s: self.simulated_s as f32,

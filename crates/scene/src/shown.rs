@@ -5,6 +5,7 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::frame::{Figure, ModelId};
+use crate::npc::mind::Mind;
 use crate::player::{Appearance, Look, Position};
 use crate::scene::Scene;
 use crate::tuning::FIGURE_SEEN_FROM_M;
@@ -16,8 +17,10 @@ impl Scene {
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
-        for (entity, position, look, appearance) in
-            &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
+        for (entity, position, look, appearance, mind) in
+            &mut self
+                .ecs
+                .query::<(Entity, &Position, &Look, &Appearance, Option<&Mind>)>()
         {
             if entity == self.player && (!sees_player || inside_own) {
                 continue;
@@ -31,6 +34,9 @@ impl Scene {
                 self.use_in_hand(&mut figure);
                 self.seat_figure(&mut figure);
             }
+            if let Some(mind) = mind {
+                mind.show_shot(&mut figure);
+            }
             seen.push(figure);
         }
         self.show_things(&mut seen);
@@ -38,13 +44,8 @@ impl Scene {
         seen
     }
 
-    /// Lamps, bullets, and what lies about, which turns so that it is noticed.
+    /// Lamps, bullets, and what lies about.
     fn show_things(&self, seen: &mut Vec<Figure>) {
-        let turn = if self.viewing.reduced_motion {
-            0.0
-        } else {
-            self.simulated_s
-        };
         let lamps = self.lamps.iter();
         seen.extend(lamps.map(|lamp| Figure::standing(ModelId::Lamp, lamp.point, 0.0)));
         seen.extend(self.projectiles().iter().map(|bullet| {
@@ -54,10 +55,6 @@ impl Scene {
                 ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
             }
         }));
-        let drops = self.drops.iter();
-        seen.extend(drops.map(|drop| {
-            let model = drop.stack.item.into();
-            Figure::standing(model, drop.point, turn)
-        }));
+        seen.extend(self.drops.iter().map(|drop| self.show_drop(drop)));
     }
 }

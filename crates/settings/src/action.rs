@@ -57,6 +57,8 @@ pub enum Action {
     Camera,
     /// Hide the display.
     HideDisplay,
+    /// The shapes by which things are hit.
+    HitShapes,
     /// What drawing a frame takes, on the display.
     FrameFigures,
     /// A picture of the screen, kept as a file.
@@ -167,7 +169,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 43] = {
+static ACTIONS: [ActionInfo; 44] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -251,6 +253,7 @@ static ACTIONS: [ActionInfo; 43] = {
             View,
             &["F1", "pad-select"],
         ),
+        line(Action::HitShapes, "hit-shapes", View, &["F3"]),
         line(Action::FrameFigures, "frame-figures", View, &["F4"]),
         line(Action::PhotoMode, "photo-mode", View, &["KeyP"]),
         line(Action::Screenshot, "screenshot", View, &["F12"]),

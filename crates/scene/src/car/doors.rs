@@ -33,13 +33,8 @@ impl Scene {
             && let Some(car) = self.driven_car()
         {
             self.sounds.push(SoundEvent::Horn);
-            self.scatter(car.point, HORN_REACH_M);
+            self.scare(car.point, HORN_REACH_M);
         }
-    }
-
-    /// Whoever is peaceful runs from the horn.
-    fn scatter(&mut self, from: ChartPoint, radius_m: f64) {
-        let _ = (from, radius_m);
     }
 
     /// Switches the lights of the car that the player drives.

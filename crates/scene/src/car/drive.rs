@@ -190,7 +190,7 @@ impl Scene {
                 speed_m_s: jolt_m_s,
             });
             let harm = fall_harm(jolt_m_s * CRASH_SHARE, self.tuning.gravity_m_s2);
-            self.hurt_player(harm, HarmKind::Crash);
+            self.hurt_player(harm, HarmKind::Crash, Some(car.turn * DVec3::X));
         }
     }
 }

@@ -99,7 +99,7 @@ impl Scene {
         self.sounds.push(SoundEvent::Struck);
         let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
         if who == self.player {
-            self.hurt_player(harm, HarmKind::RunOver);
+            self.hurt_player(harm, HarmKind::RunOver, Some(-away));
         } else {
             let by = (self.driven_number() == Some(meeting.car)).then_some(self.player);
             self.hurt_bot_by(who, harm, by);
