@@ -138,6 +138,10 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooManyDrops => texts.say("hint-too-many-drops"),
         Hint::DiedOfFall => texts.say("hint-died-of-fall"),
         Hint::DiedOfShot => texts.say("hint-died-of-shot"),
+        Hint::DiedOfCrash => texts.say("hint-died-of-crash"),
+        Hint::DiedOfCar => texts.say("hint-died-of-car"),
+        Hint::NoCarNear => texts.say("hint-no-car-near"),
+        Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),
     }
 }
