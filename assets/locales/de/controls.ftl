@@ -24,6 +24,7 @@ action-wheel-slots = Gehalten: Das Rad wechselt die Fächer
 action-dial-up = Krümmung hinauf
 action-dial-down = Krümmung hinab
 action-flashlight = Taschenlampe
+action-talk = Ansprechen, wer vor dir ist
 action-drop = Eins wegwerfen
 action-other-map = Andere Karte, oder flache Welt biegen
 action-camera = Mit eigenen Augen oder von hinten

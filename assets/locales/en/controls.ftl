@@ -24,6 +24,7 @@ action-wheel-slots = Held: the wheel moves along the slots
 action-dial-up = Curvature up
 action-dial-down = Curvature down
 action-flashlight = Flashlight
+action-talk = Talk to who is ahead
 action-drop = Throw one away
 action-other-map = Other map, or bend a flat world
 action-camera = First or third person

@@ -24,6 +24,7 @@ action-wheel-slots = Mantenida: la rueda cambia de hueco
 action-dial-up = Más curvatura
 action-dial-down = Menos curvatura
 action-flashlight = Linterna
+action-talk = Hablar con quien está delante
 action-drop = Tirar uno
 action-other-map = Otro mapa, o doblar un mundo plano
 action-camera = Con los ojos o desde atrás

@@ -24,6 +24,7 @@ action-wheel-slots = Przytrzymane: kółko zmienia przegródki
 action-dial-up = Krzywizna w górę
 action-dial-down = Krzywizna w dół
 action-flashlight = Latarka
+action-talk = Rozmowa z osobą z przodu
 action-drop = Wyrzuć sztukę
 action-other-map = Druga mapa albo wygięcie płaskiego świata
 action-camera = Widok z oczu lub zza pleców

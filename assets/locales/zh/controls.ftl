@@ -24,6 +24,7 @@ action-wheel-slots = 按住：滚轮切换物品格
 action-dial-up = 增大曲率
 action-dial-down = 减小曲率
 action-flashlight = 手电筒
+action-talk = 与前面的人交谈
 action-drop = 扔掉一个
 action-other-map = 另一张地图，或弯曲平坦世界
 action-camera = 第一或第三人称

@@ -183,6 +183,7 @@ impl Controls {
             Action::BrushLarger => self.events.brush_step += 1,
             Action::BrushSmaller => self.events.brush_step -= 1,
             Action::Flashlight => self.events.toggle_light = !self.events.toggle_light,
+            Action::Talk => self.events.talk = true,
             Action::Drop => self.events.drop_one = true,
             Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
             Action::OtherMap => self.events.turn_map = !self.events.turn_map,

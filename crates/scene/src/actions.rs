@@ -37,6 +37,8 @@ pub struct Actions {
     pub toggle_camera: bool,
     /// Switch the flashlight.
     pub toggle_light: bool,
+    /// Talk to who is ahead.
+    pub talk: bool,
     /// Throw away one of what is in hand.
     pub drop_one: bool,
     /// Throw away all of what is in hand.

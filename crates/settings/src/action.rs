@@ -27,6 +27,8 @@ pub enum Action {
     BrushSmaller,
     /// The flashlight on or off.
     Flashlight,
+    /// Talk to who is ahead.
+    Talk,
     /// Throw away one of what is in hand.
     Drop,
     /// Open and close the backpack.
@@ -159,7 +161,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 39] = {
+static ACTIONS: [ActionInfo; 40] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -194,6 +196,7 @@ static ACTIONS: [ActionInfo; 39] = {
             &["ArrowDown", "pad-down"],
         ),
         line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
+        line(Action::Talk, "talk", Tools, &["KeyT"]),
         line(Action::Drop, "drop", Tools, &["KeyQ"]),
         line(
             Action::Backpack,

@@ -10,6 +10,7 @@ mod navigation;
 mod population;
 mod senses;
 mod shooting;
+mod talk;
 pub(crate) mod tuning;
 
 use std::sync::Arc;
@@ -33,6 +34,7 @@ pub use mind::State;
 pub(crate) use navigation::ASKS_M;
 pub(crate) use senses::Event;
 use senses::{Around, Other, Quarry};
+pub use talk::Line;
 use tuning::{LEAVES_BULLETS, THINKS_EVERY_STEPS};
 
 /// Height over the ground at which the dead leave what they had, in metres.
