@@ -29,6 +29,7 @@ action-drop = Eins wegwerfen
 action-other-map = Andere Karte, oder flache Welt biegen
 action-camera = Mit eigenen Augen oder von hinten
 action-hide-display = Anzeige verbergen
+action-hit-shapes = Trefferkörper
 action-frame-figures = Zahlen zu den Bildern
 action-fullscreen = Vollbild
 action-menu = Menü und Pause

@@ -7,6 +7,12 @@ display-loading = Das Land kommt: { $percent } %
 display-hemisphere = Halbkugel { $letter }
 display-brush = Pinsel { $radius } m
 
+compass-north = N
+compass-east = O
+compass-south = S
+compass-west = W
+compass-equator = { $letter } · Äquator { $metres } m
+
 dial-raised = Krümmung, angehoben
 dial-horizon = Krümmung, Horizont
 dial-bend-hyperbolic = Biegung, hyperbolisch

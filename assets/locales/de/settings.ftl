@@ -73,6 +73,12 @@ setting-hyperbolic-map-raised = Gehoben
 setting-hyperbolic-map-horizon = Horizont
 setting-contour-bands = Höhenlinien
 setting-contour-bands-about = Zarte Linien auf dem Land, alle 8 Meter Höhe. Sie zeigen, wie sich der Raum biegt.
+setting-compass = Kompass
+setting-compass-about = Zeigt oben, wo Norden ist; in sphärischen Welten auch die Hemisphäre und den Weg zum Äquator.
+setting-minimap = Umgebungskarte
+setting-minimap-about = Eine runde Karte des Landes um dich: Höhen, Lampen und wer in der Nähe ist.
+setting-straight-shots = Gerade Schüsse
+setting-straight-shots-about = Kugeln folgen den geradesten Linien des Raums, statt im Bogen zu fallen.
 
 setting-language = Sprache
 setting-language-about = Die Sprache aller Texte. System ist die deines Rechners, sofern das Spiel sie spricht.

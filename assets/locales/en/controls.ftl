@@ -29,6 +29,7 @@ action-drop = Throw one away
 action-other-map = Other map, or bend a flat world
 action-camera = First or third person
 action-hide-display = Hide the display
+action-hit-shapes = Hit boxes
 action-frame-figures = Frame figures
 action-fullscreen = Fullscreen
 action-menu = Menu and pause

@@ -8,6 +8,13 @@ display-loading = The land is coming: { $percent } %
 display-hemisphere = Hemisphere { $letter }
 display-brush = Brush { $radius } m
 
+# The compass: letters of the quarters of the horizon, and the way to the equator: the hemisphere, how far it is.
+compass-north = N
+compass-east = E
+compass-south = S
+compass-west = W
+compass-equator = { $letter } · equator { $metres } m
+
 # What the dial under the wheel turns; a few words.
 dial-raised = Curvature, raised
 dial-horizon = Curvature, horizon

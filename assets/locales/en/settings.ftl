@@ -73,6 +73,12 @@ setting-hyperbolic-map-raised = Raised
 setting-hyperbolic-map-horizon = Horizon
 setting-contour-bands = Contour lines
 setting-contour-bands-about = Faint lines on the land, one every 8 metres of height. They show how space bends.
+setting-compass = Compass
+setting-compass-about = Shows at the top where north is; in spherical worlds also the hemisphere and the way to the equator.
+setting-minimap = Map
+setting-minimap-about = A round map of the land about you: heights, lamps, and who is near.
+setting-straight-shots = Straight shots
+setting-straight-shots-about = Bullets follow the straightest lines of the space instead of falling in an arc.
 
 setting-language = Language
 setting-language-about = The language of all texts. System is the one your computer is set to, where the game speaks it.

@@ -29,6 +29,7 @@ action-drop = Tirar uno
 action-other-map = Otro mapa, o doblar un mundo plano
 action-camera = Con los ojos o desde atrás
 action-hide-display = Ocultar los indicadores
+action-hit-shapes = Cuerpos de impacto
 action-frame-figures = Cifras de las imágenes
 action-fullscreen = Pantalla completa
 action-menu = Menú y pausa

@@ -7,6 +7,12 @@ display-loading = La tierra está llegando: { $percent } %
 display-hemisphere = Hemisferio { $letter }
 display-brush = Pincel { $radius } m
 
+compass-north = N
+compass-east = E
+compass-south = S
+compass-west = O
+compass-equator = { $letter } · ecuador { $metres } m
+
 dial-raised = Curvatura, elevada
 dial-horizon = Curvatura, horizonte
 dial-bend-hyperbolic = Flexión, hiperbólica

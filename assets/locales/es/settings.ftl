@@ -73,6 +73,12 @@ setting-hyperbolic-map-raised = Elevado
 setting-hyperbolic-map-horizon = Horizonte
 setting-contour-bands = Curvas de nivel
 setting-contour-bands-about = Líneas tenues sobre el terreno, una cada 8 metros de altura. Muestran cómo se dobla el espacio.
+setting-compass = Brújula
+setting-compass-about = Muestra arriba dónde está el norte; en los mundos esféricos, también el hemisferio y el camino al ecuador.
+setting-minimap = Minimapa
+setting-minimap-about = Un mapa redondo del terreno a tu alrededor: alturas, lámparas y quién está cerca.
+setting-straight-shots = Disparos rectos
+setting-straight-shots-about = Las balas siguen las líneas más rectas del espacio en vez de caer en arco.
 
 setting-language = Idioma
 setting-language-about = El idioma de todos los textos. Sistema es el de tu equipo, si el juego lo habla.

@@ -29,6 +29,7 @@ action-drop = Wyrzuć sztukę
 action-other-map = Druga mapa albo wygięcie płaskiego świata
 action-camera = Widok z oczu lub zza pleców
 action-hide-display = Ukryj wskaźniki
+action-hit-shapes = Bryły trafień
 action-frame-figures = Liczby o klatkach
 action-fullscreen = Pełny ekran
 action-menu = Menu i pauza

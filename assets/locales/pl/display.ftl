@@ -8,6 +8,12 @@ display-loading = Ląd się pojawia: { $percent }%
 display-hemisphere = Półkula { $letter }
 display-brush = Pędzel { $radius } m
 
+compass-north = N
+compass-east = E
+compass-south = S
+compass-west = W
+compass-equator = { $letter } · równik { $metres } m
+
 # Czym obraca pokrętło pod kółkiem; kilka słów.
 dial-raised = Krzywizna, uniesiona
 dial-horizon = Krzywizna, horyzont

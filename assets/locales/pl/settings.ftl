@@ -73,6 +73,12 @@ setting-hyperbolic-map-raised = Wyniesiona
 setting-hyperbolic-map-horizon = Horyzontalna
 setting-contour-bands = Poziomice
 setting-contour-bands-about = Delikatne linie na terenie, co 8 metrów wysokości. Pokazują, jak wygina się przestrzeń.
+setting-compass = Kompas
+setting-compass-about = Pokazuje u góry, gdzie jest północ; w światach sferycznych także półkulę i drogę do równika.
+setting-minimap = Minimapa
+setting-minimap-about = Okrągła mapa terenu wokół ciebie: wysokości, lampy i kto jest w pobliżu.
+setting-straight-shots = Proste strzały
+setting-straight-shots-about = Pociski lecą po najprostszych liniach przestrzeni, zamiast opadać łukiem.
 
 setting-language = Język
 setting-language-about = Język wszystkich tekstów. Systemowy to język twojego komputera, jeśli gra go zna.

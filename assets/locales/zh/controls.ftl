@@ -29,6 +29,7 @@ action-drop = 扔掉一个
 action-other-map = 另一张地图，或弯曲平坦世界
 action-camera = 第一或第三人称
 action-hide-display = 隐藏显示
+action-hit-shapes = 碰撞体
 action-frame-figures = 帧数据
 action-fullscreen = 全屏
 action-menu = 菜单与暂停

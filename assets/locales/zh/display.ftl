@@ -7,6 +7,12 @@ display-loading = 大地正在出现：{ $percent }%
 display-hemisphere = 半球 { $letter }
 display-brush = 笔刷 { $radius } 米
 
+compass-north = 北
+compass-east = 东
+compass-south = 南
+compass-west = 西
+compass-equator = { $letter } · 赤道 { $metres } 米
+
 dial-raised = 曲率，抬升
 dial-horizon = 曲率，地平
 dial-bend-hyperbolic = 弯曲，双曲

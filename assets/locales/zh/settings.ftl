@@ -73,6 +73,12 @@ setting-hyperbolic-map-raised = 隆起
 setting-hyperbolic-map-horizon = 地平线
 setting-contour-bands = 等高线
 setting-contour-bands-about = 地面上的淡线，每 8 米高度一条。它们显示空间如何弯曲。
+setting-compass = 罗盘
+setting-compass-about = 在上方显示北方；在球面世界中还显示所在半球和通往赤道的方向。
+setting-minimap = 小地图
+setting-minimap-about = 你周围地面的圆形地图：高度、灯，以及附近有谁。
+setting-straight-shots = 直线射击
+setting-straight-shots-about = 子弹沿空间中最直的线飞行，而不是沿弧线落下。
 
 setting-language = 语言
 setting-language-about = 所有文字的语言。“系统”是你电脑所用的语言，只要游戏会说。

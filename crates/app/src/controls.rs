@@ -189,6 +189,7 @@ impl Controls {
             Action::OtherMap => self.events.turn_map = !self.events.turn_map,
             Action::Menu
             | Action::HideDisplay
+            | Action::HitShapes
             | Action::FrameFigures
             | Action::Fullscreen
             | Action::Screenshot

@@ -53,6 +53,10 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         hint: None,
         cheated: scene.cheated(),
         figures,
+        compass: None,
+        map: None,
+        harm: None,
+        struck: false,
     }
 }
 

@@ -14,6 +14,7 @@ pub mod lab_command;
 pub mod log;
 pub mod log_file;
 pub mod names;
+pub mod navigator;
 pub mod options;
 pub mod output;
 pub mod overlay;

@@ -7,8 +7,8 @@ use std::time::Duration;
 use antipode_geometry::HyperbolicMap;
 use antipode_language::{Language, Texts};
 use antipode_render::ShadowQuality;
-use antipode_scene::Viewing;
 use antipode_scene::frame::Quality;
+use antipode_scene::{Scene, Viewing};
 use antipode_settings::{Config, Map, Settings, Shadows, config_path};
 
 use crate::failure::Failure;
@@ -64,6 +64,15 @@ pub fn viewing(settings: &Settings) -> Viewing {
         reduced_motion: settings.reduced_motion,
         safe_marker: settings.safe_marker,
     }
+}
+
+/// Gives a world what the player has chosen for all of them.
+pub fn fit(scene: &mut Scene, settings: &Settings) {
+    let viewing = viewing(settings);
+    if scene.viewing() != viewing {
+        scene.set_viewing(viewing);
+    }
+    scene.set_straight_shots(settings.straight_shots);
 }
 
 /// How much exactness pictures trade for speed.

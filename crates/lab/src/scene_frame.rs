@@ -37,6 +37,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
         hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
+        hit_shapes: Vec::new(),
         fog_distance_m: 1e5,
         contour_bands: false,
         time_s: 0.0,

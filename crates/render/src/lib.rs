@@ -21,6 +21,7 @@ mod land_mesh;
 mod marker;
 mod models;
 mod offscreen;
+mod outlines;
 mod page_book;
 mod pages;
 mod parts;

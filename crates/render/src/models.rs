@@ -315,4 +315,21 @@ mod tests {
         assert!(high.x - low.x > 3.0 && high.z - low.z < 1.6, "{low} {high}");
         assert!(!of(ModelId::Lamp).clear.is_empty() && !of(ModelId::CarBody).clear.is_empty());
     }
+
+    /// What the scene says of how things lie must fit the models: their lowest corner touches the ground.
+    #[test]
+    fn things_that_lie_touch_the_ground_and_do_not_sink_into_it() {
+        let all = load_all().unwrap();
+        for item in antipode_scene::Item::ALL {
+            let id = ModelId::from(item);
+            let place = ModelId::ALL.iter().position(|it| *it == id).unwrap();
+            let (turn, height_m) = antipode_scene::drops::lying(item);
+            let heights = all[place].shape.vertices.iter().map(|vertex| {
+                let at = glam::Vec3::from(vertex.position).as_dvec3();
+                (turn * at).y + height_m
+            });
+            let lowest = heights.fold(f64::INFINITY, f64::min);
+            assert!(lowest.abs() < 0.003, "{item:?}: {lowest} m over the ground");
+        }
+    }
 }

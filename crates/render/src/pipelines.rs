@@ -10,11 +10,14 @@ use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
 use crate::heavens::Heavens;
+use crate::outlines;
 use crate::plan::{ChunkChoice, DepthMethod, Port};
-use crate::shaders::{CELESTIAL, FIGURE, MARKER, SKY, Shader, Shaders, TERRAIN, accepted};
+use crate::shaders::{
+    CELESTIAL, FIGURE, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted,
+};
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
-use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance};
+use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance, OutlineInstance};
 
 /// Everything the scene is drawn with.
 #[derive(Debug)]
@@ -35,6 +38,10 @@ pub struct Pipelines {
     pub marker: RenderPipeline,
     /// The marker where land hides it.
     pub marker_hidden: RenderPipeline,
+    /// Outlines of hit shapes where they are seen.
+    pub outlines: RenderPipeline,
+    /// The same where something hides them.
+    pub outlines_hidden: RenderPipeline,
     /// Land into a shadow map.
     pub caster: RenderPipeline,
 }
@@ -59,7 +66,8 @@ impl Pipelines {
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
-        let [land, sky, marker] = [TERRAIN, SKY, MARKER].map(|shader| maker.compile(shader));
+        let [land, sky, marker, outlines] =
+            [TERRAIN, SKY, MARKER, OUTLINES].map(|shader| maker.compile(shader));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
@@ -77,6 +85,22 @@ impl Pipelines {
                 ["vertex", fragment],
                 &marker_buffers,
                 Way { compare, ..GLASS },
+            )
+        };
+        let outline_buffers = [
+            layout(
+                size_of::<outlines::Corner>() as u64,
+                VertexStepMode::Vertex,
+                &outlines::Corner::ATTRIBUTES,
+            ),
+            instances::<OutlineInstance>(&OutlineInstance::ATTRIBUTES),
+        ];
+        let outline = |fragment, compare| {
+            maker.make(
+                &outlines,
+                ["vertex", fragment],
+                &outline_buffers,
+                Way { compare, ..VEIL },
             )
         };
         Self {
@@ -105,6 +129,8 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
+            outlines: outline("fragment", CompareFunction::GreaterEqual),
+            outlines_hidden: outline("fragment_hidden", CompareFunction::Less),
             caster: maker.caster(&land, "vertex_caster", &land_buffers),
         }
     }

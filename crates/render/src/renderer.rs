@@ -15,6 +15,7 @@ use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::heavens::Heavens;
 use crate::marker::MarkerBalls;
+use crate::outlines::Outlines;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{PlanStats, Planner};
 use crate::shaders::Shaders;
@@ -95,6 +96,7 @@ pub struct Renderer {
     shadows: Shadows,
     heavens: Heavens,
     marker: MarkerBalls,
+    outlines: Outlines,
     celestial: Celestial,
     timing: Option<Timing>,
     /// Height of the targets, pixels: what errors are measured in.
@@ -149,6 +151,7 @@ impl Renderer {
             shadows,
             heavens,
             marker: MarkerBalls::new(&device),
+            outlines: Outlines::new(&device),
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
             height_px: 1,
@@ -285,6 +288,7 @@ impl Renderer {
         let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
         self.chunks.apply(frame);
         self.marker.prepare(&self.queue, frame);
+        self.outlines.prepare(&self.device, &self.queue, frame);
         self.prepare_shadows(frame, drawn);
         let book = self.chunks.land();
         let land = book.land();
@@ -419,6 +423,12 @@ impl Renderer {
             for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
                 pass.set_pipeline(pipeline);
                 stats.add(self.marker.draw(&mut pass));
+            }
+        }
+        if self.outlines.shown() {
+            for pipeline in [&pipelines.outlines_hidden, &pipelines.outlines] {
+                pass.set_pipeline(pipeline);
+                stats.add(self.outlines.draw(&mut pass));
             }
         }
     }

@@ -24,6 +24,12 @@ pub const MARKER: Shader = Shader {
     own: include_str!("../../../shaders/marker.wgsl"),
     space: true,
 };
+/// Outlines of hit shapes.
+pub const OUTLINES: Shader = Shader {
+    name: "outlines",
+    own: include_str!("../../../shaders/outlines.wgsl"),
+    space: true,
+};
 /// The sky.
 pub const SKY: Shader = Shader {
     name: "sky",
@@ -133,7 +139,7 @@ pub mod tests {
 
     #[test]
     fn every_shader_is_valid() {
-        for shader in [TERRAIN, FIGURE, MARKER, SKY, CELESTIAL, TONEMAP] {
+        for shader in [TERRAIN, FIGURE, MARKER, OUTLINES, SKY, CELESTIAL, TONEMAP] {
             let module = parse(shader);
             let checked =
                 Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
@@ -153,6 +159,7 @@ pub mod tests {
             TERRAIN.name,
             FIGURE.name,
             MARKER.name,
+            OUTLINES.name,
             SKY.name,
             CELESTIAL.name,
             TONEMAP.name,

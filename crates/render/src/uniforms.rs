@@ -304,6 +304,28 @@ impl MarkerInstance {
         wgpu::vertex_attr_array![1 => Float32x3, 2 => Uint32, 3 => Float32x4, 4 => Float32x4];
 }
 
+/// A shape whose outline is drawn.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct OutlineInstance {
+    /// Its point from the reference, metres.
+    pub offset: [f32; 3],
+    /// 0 or 1.
+    pub hemisphere: u32,
+    /// Turn as a quaternion (x, y, z, w).
+    pub turn: [f32; 4],
+    /// What the unit shape is stretched by along each axis, metres; last, the height of its lower middle over its
+    /// point.
+    pub size: [f32; 4],
+    /// Linear light; last, the height of its upper middle over its point, metres.
+    pub colour: [f32; 4],
+}
+
+impl OutlineInstance {
+    /// Attributes from location 3 on.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
+}
+
 /// The shaders' number of a hemisphere.
 pub fn hemisphere_index(hemisphere: Hemisphere) -> u32 {
     match hemisphere {
@@ -333,7 +355,7 @@ mod tests {
 
     use super::*;
     use crate::shaders::tests::parse;
-    use crate::shaders::{FIGURE, MARKER, TERRAIN};
+    use crate::shaders::{FIGURE, MARKER, OUTLINES, TERRAIN};
 
     fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
         let (_, ty) = module
@@ -438,6 +460,11 @@ mod tests {
                 inputs(&parse(MARKER)),
                 MarkerInstance::ATTRIBUTES.to_vec(),
                 size_of::<MarkerInstance>(),
+            ),
+            (
+                inputs(&parse(OUTLINES)),
+                OutlineInstance::ATTRIBUTES.to_vec(),
+                size_of::<OutlineInstance>(),
             ),
         ];
         for (read, attributes, size) in cases {

@@ -1,17 +1,36 @@
 //! Things that were dropped: they fall, lie where they come to rest, and are picked up by walking over them.
 
+use std::f64::consts::FRAC_PI_2;
+
 use antipode_geometry::ChartPoint;
 use antipode_physics::{Ball, BallTuning};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
+use crate::frame::Figure;
 use crate::inventory::Stack;
+use crate::item::Item;
 use crate::notice::Hint;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 
+/// How a thing of each model lies on level ground: its turn, and how high its origin is over the ground, metres. Lamps
+/// stand, bullets lie as they fly, and what has a grip lies on its side. The heights are half of the models' widths, or
+/// where their origin is at the foot, none.
+pub fn lying(item: Item) -> (DQuat, f64) {
+    let on_its_side = DQuat::from_rotation_x(FRAC_PI_2);
+    match item {
+        Item::Lamp => (DQuat::IDENTITY, 0.0),
+        Item::Bullet => (DQuat::IDENTITY, 0.027),
+        Item::Gun => (on_its_side, 0.046),
+        Item::PickaxeWood | Item::PickaxeIron | Item::PickaxeDiamond => (on_its_side, 0.036),
+    }
+}
+
 /// Slower than this after a touch, in m/s, a thing comes to rest.
 const RESTS_M_S: f64 = 0.4;
+/// How far things turn in flight, radians per metre.
+const TURN_RAD_PER_M: f64 = 2.3;
 /// Things within this of the player move, in metres: further off there may be nothing to fall on.
 const NEAR_M: f64 = 24.0;
 
@@ -25,6 +44,8 @@ pub struct Drop {
     pub(crate) velocity: DVec3,
     pub(crate) age_s: f64,
     pub(crate) rests: bool,
+    /// How it is turned about the vertical, radians.
+    yaw_rad: f64,
 }
 
 impl Drop {
@@ -36,7 +57,19 @@ impl Drop {
             velocity: DVec3::ZERO,
             age_s: 0.0,
             rests: true,
+            // Nothing is known of it; things side by side are not to lie alike.
+            yaw_rad: TURN_RAD_PER_M * (point.pos.x + point.pos.z),
         }
+    }
+
+    /// Whether it is near enough to a point to move there.
+    fn is_near(&self, point: ChartPoint) -> bool {
+        self.point.hemisphere == point.hemisphere && self.point.pos.distance(point.pos) < NEAR_M
+    }
+
+    /// Whether it moves while the player's feet are there.
+    pub(crate) fn is_awake(&self, feet: ChartPoint) -> bool {
+        !self.rests && self.is_near(feet)
     }
 }
 
@@ -81,9 +114,7 @@ impl Scene {
         let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
         for drop in &mut drops {
             drop.age_s += STEP_S;
-            let is_near = drop.point.hemisphere == middle.hemisphere
-                && drop.point.pos.distance(middle.pos) < NEAR_M;
-            if is_near && (!drop.rests || self.drops_unchecked) {
+            if drop.is_near(middle) && (!drop.rests || self.drops_unchecked) {
                 self.let_fall(drop);
             }
         }
@@ -92,6 +123,29 @@ impl Scene {
         }
         self.drops_unchecked = false;
         self.drops = drops;
+    }
+
+    /// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
+    /// looked at, and level while it flies.
+    pub(crate) fn show_drop(&self, drop: &Drop) -> Figure {
+        let item = drop.stack.item;
+        let (turn, height_m) = lying(item);
+        let lies = drop.rests && drop.is_near(self.feet());
+        let up = if lies {
+            self.ground_normal(drop.point).as_dvec3()
+        } else {
+            DVec3::Y
+        };
+        Figure {
+            turn: DQuat::from_rotation_arc(DVec3::Y, up)
+                * DQuat::from_rotation_y(drop.yaw_rad)
+                * turn,
+            ..Figure::standing(
+                item.into(),
+                drop.point.moved(up * (height_m - DROP.radius_m)),
+                0.0,
+            )
+        }
     }
 
     fn let_fall(&self, drop: &mut Drop) {
@@ -110,6 +164,7 @@ impl Scene {
         let touch = self.physics.throw_ball(&mut ball, tuning, STEP_S);
         drop.point.pos = ball.centre - origin;
         drop.velocity = ball.velocity;
+        drop.yaw_rad += TURN_RAD_PER_M * STEP_S * drop.velocity.with_y(0.0).length();
         drop.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
         if drop.rests {
             drop.velocity = DVec3::ZERO;

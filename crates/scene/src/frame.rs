@@ -11,6 +11,7 @@ use antipode_terrain::ChunkMesh;
 use glam::{DQuat, DVec3};
 use thiserror::Error;
 
+pub use crate::hit_shapes::{HitForm, HitShape};
 use crate::item::Item;
 pub use crate::posture::{Clip, Posture};
 
@@ -35,6 +36,8 @@ pub struct Frame {
     pub lights: Lights,
     /// The brush marker, when a tool is held and points at something.
     pub marker: Option<Marker>,
+    /// Shapes of bodies and things, where their outlines are to be drawn.
+    pub hit_shapes: Vec<HitShape>,
     /// Distance in metres, measured in the space, at which the fog is complete.
     pub fog_distance_m: f32,
     /// Whether faint contour bands are drawn on the land.

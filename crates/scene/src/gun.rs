@@ -2,6 +2,8 @@
 
 use antipode_geometry::{ChartPoint, Eye};
 
+use glam::DVec3;
+
 use crate::actions::Actions;
 use crate::aim::aim;
 use crate::camera::CameraMode;
@@ -21,6 +23,12 @@ impl Scene {
     /// Bullets in flight, the oldest first.
     pub fn projectiles(&self) -> &[Projectile] {
         self.projectiles.all()
+    }
+
+    /// Puts a bullet in flight that nobody's gun has fired: it harms everyone but the player, as the player's own do at
+    /// first. `point` is its middle, `velocity` in metres a second of the chart.
+    pub fn throw_bullet(&mut self, point: ChartPoint, velocity: DVec3) {
+        self.projectiles.fire(point, velocity, self.player);
     }
 
     /// Whether bullets follow the space's geodesics instead of falling in its chart.

@@ -1,5 +1,7 @@
 //! Harm and healing: falls, shots, death and standing up again.
 
+use antipode_geometry::ChartPoint;
+use glam::DVec3;
 use hecs::Entity;
 
 use crate::bot::Bot;
@@ -22,13 +24,40 @@ pub enum HarmKind {
     Shot,
 }
 
+/// Harm that the player took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hurt {
+    /// How long ago, seconds.
+    pub ago_s: f64,
+    /// Where the player's feet were.
+    at: ChartPoint,
+    /// The heading there, radians, from which it came; none for a fall.
+    from_rad: Option<f64>,
+}
+
 /// How the player is, besides the health itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Condition {
     /// Since the last harm, seconds.
     pub unhurt_s: f64,
+    /// The last harm, until the player stands up again from death.
+    pub hurt: Option<Hurt>,
+    /// Since a shot of the player's struck someone, seconds.
+    pub struck_s_ago: Option<f64>,
     /// How long the player will still lie dead, seconds.
     pub dead_left_s: Option<f64>,
+}
+
+impl Condition {
+    fn pass(&mut self, dt_s: f64) {
+        self.unhurt_s += dt_s;
+        if let Some(hurt) = &mut self.hurt {
+            hurt.ago_s += dt_s;
+        }
+        if let Some(ago_s) = &mut self.struck_s_ago {
+            *ago_s += dt_s;
+        }
+    }
 }
 
 /// Health that a fall ending at that speed takes: none below eight metres, one at eight, and one for each metre more.
@@ -49,18 +78,43 @@ impl Scene {
         self.condition.dead_left_s.is_some()
     }
 
+    /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
+    /// radians, if from one.
+    pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {
+        let hurt = self.condition.hurt?;
+        let turned_rad = if hurt.at.hemisphere == self.feet().hemisphere {
+            0.0
+        } else {
+            let over = self.strategy.carry(hurt.at);
+            over.map_or(0.0, |crossing| crossing.turn_rad)
+        };
+        Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
+    }
+
+    /// Seconds since a shot of the player's struck someone.
+    pub fn struck_s_ago(&self) -> Option<f64> {
+        self.condition.struck_s_ago
+    }
+
     /// Seconds since the player was last hurt.
     pub fn unhurt_s(&self) -> f64 {
         self.condition.unhurt_s
     }
 
     /// Takes health from the player. Nobody dies twice, and a spectator is not there to be hurt.
-    pub(crate) fn hurt_player(&mut self, harm: f64, kind: HarmKind) {
+    ///
+    /// `from`: the way to where it came from, in the player's chart.
+    pub(crate) fn hurt_player(&mut self, harm: f64, kind: HarmKind, from: Option<DVec3>) {
         if harm <= 0.0 || self.flying || self.is_dead() {
             return;
         }
         self.set_health(self.health() - harm);
         self.condition.unhurt_s = 0.0;
+        self.condition.hurt = Some(Hurt {
+            ago_s: 0.0,
+            at: self.feet(),
+            from_rad: from.map(|way| way.z.atan2(way.x)),
+        });
         self.sounds.push(SoundEvent::Hurt);
         if let Ok(mut appearance) = self.ecs.get::<&mut Appearance>(self.player) {
             appearance.motion.strike();
@@ -76,7 +130,7 @@ impl Scene {
 
     /// Lets a step's time heal the player, or bring the dead back.
     pub(crate) fn heal(&mut self) {
-        self.condition.unhurt_s += STEP_S;
+        self.condition.pass(STEP_S);
         if let Some(left_s) = self.condition.dead_left_s {
             let left_s = left_s - STEP_S;
             self.condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
@@ -102,11 +156,14 @@ impl Scene {
 
     /// Deals out what bullets did in a step.
     pub(crate) fn take_strikes(&mut self, strikes: Vec<Strike>) {
-        for Strike { entity, by } in strikes {
+        for Strike { entity, by, way } in strikes {
             self.sounds.push(SoundEvent::Struck);
             if entity == self.player {
-                self.hurt_player(BULLET_HARM, HarmKind::Shot);
+                self.hurt_player(BULLET_HARM, HarmKind::Shot, Some(-way));
             } else {
+                if by == self.player {
+                    self.condition.struck_s_ago = Some(0.0);
+                }
                 self.hurt_bot(entity, by);
             }
         }

@@ -55,6 +55,11 @@ impl Lamp {
         *y = (*y - self.fall_m_s * STEP_S).max(self.rests_m);
     }
 
+    /// Whether it falls.
+    pub(crate) fn falls(&self) -> bool {
+        self.point.pos.y > self.rests_m
+    }
+
     /// The middle of its glass.
     pub fn glow(&self) -> ChartPoint {
         self.point.moved(DVec3::Y * LAMP_HEIGHT_M)

@@ -5,6 +5,7 @@
 
 pub mod actions;
 mod aim;
+pub mod bearings;
 mod body;
 pub mod bot;
 pub mod camera;
@@ -18,6 +19,7 @@ pub mod ground;
 mod gun;
 mod hand;
 mod harm;
+mod hit_shapes;
 pub mod inventory;
 pub mod item;
 pub mod lamp;
@@ -42,6 +44,7 @@ pub mod sound;
 mod spawn;
 mod step;
 mod stream;
+pub mod survey;
 pub mod tuning;
 mod viewing;
 

@@ -58,6 +58,8 @@ pub(crate) struct Standing {
 pub(crate) struct Strike {
     pub entity: Entity,
     pub by: Entity,
+    /// The way it flew, in the chart of who was struck.
+    pub way: DVec3,
 }
 
 /// What bullets fly through.
@@ -160,6 +162,7 @@ impl Projectile {
                 strikes.push(Strike {
                     entity,
                     by: self.by,
+                    way: self.velocity,
                 });
                 // Who is struck stops the bullet; it drops to the ground.
                 ball.centre = from;
@@ -403,7 +406,11 @@ mod tests {
             &[stands(by, 0.2), stands(other, 12.0)],
             60,
         );
-        assert_eq!(strikes, [Strike { entity: other, by }]);
+        let [strike] = strikes[..] else {
+            panic!("{strikes:?}")
+        };
+        assert!(strike.entity == other && strike.by == by);
+        assert!(strike.way.x > 30.0, "the way it flew: {}", strike.way);
         assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
     }
 }

@@ -434,6 +434,7 @@ impl Scene {
             hand: self.hand_seen(),
             lights: self.lights(&eye),
             marker: self.marker,
+            hit_shapes: Vec::new(),
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
             contour_bands: self.viewing.contour_bands,
             time_s: self.simulated_s as f32,

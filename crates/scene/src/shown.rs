@@ -42,13 +42,8 @@ impl Scene {
         seen
     }
 
-    /// Lamps, bullets, and what lies about, which turns so that it is noticed.
+    /// Lamps, bullets, and what lies about.
     fn show_things(&self, seen: &mut Vec<Figure>) {
-        let turn = if self.viewing.reduced_motion {
-            0.0
-        } else {
-            self.simulated_s
-        };
         let lamps = self.lamps.iter();
         seen.extend(lamps.map(|lamp| Figure::standing(ModelId::Lamp, lamp.point, 0.0)));
         seen.extend(self.projectiles().iter().map(|bullet| {
@@ -58,10 +53,6 @@ impl Scene {
                 ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
             }
         }));
-        let drops = self.drops.iter();
-        seen.extend(drops.map(|drop| {
-            let model = drop.stack.item.into();
-            Figure::standing(model, drop.point, turn)
-        }));
+        seen.extend(self.drops.iter().map(|drop| self.show_drop(drop)));
     }
 }

@@ -160,7 +160,7 @@ impl Scene {
     }
 
     /// The unit normal of the ground at a point: the way in which the field rises fastest.
-    fn ground_normal(&self, point: ChartPoint) -> Vec3 {
+    pub(crate) fn ground_normal(&self, point: ChartPoint) -> Vec3 {
         let density = |offset: DVec3| {
             let at = ChartPoint::new(point.hemisphere, point.pos + offset);
             self.ground.density(at)

@@ -148,7 +148,7 @@ impl Scene {
         };
         let foot_down = appearance.motion.pass(&doing, STEP_S);
         self.hear_body(foot_down);
-        self.hurt_player(harm, HarmKind::Fall);
+        self.hurt_player(harm, HarmKind::Fall, None);
     }
 
     /// Points the marker anew, as after the view was set from outside a step.

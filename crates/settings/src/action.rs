@@ -51,6 +51,8 @@ pub enum Action {
     Camera,
     /// Hide the display.
     HideDisplay,
+    /// The shapes by which things are hit.
+    HitShapes,
     /// What drawing a frame takes, on the display.
     FrameFigures,
     /// A picture of the screen, kept as a file.
@@ -242,6 +244,7 @@ static ACTIONS: [ActionInfo; 40] = {
             View,
             &["F1", "pad-select"],
         ),
+        line(Action::HitShapes, "hit-shapes", View, &["F3"]),
         line(Action::FrameFigures, "frame-figures", View, &["F4"]),
         line(Action::PhotoMode, "photo-mode", View, &["KeyP"]),
         line(Action::Screenshot, "screenshot", View, &["F12"]),

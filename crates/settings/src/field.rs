@@ -337,7 +337,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 30] = [
+static FIELDS: [Field; 33] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -383,6 +383,9 @@ static FIELDS: [Field; 30] = [
     ),
     choice_of!("hyperbolic-map", World, hyperbolic_map, Map),
     toggle!("contour-bands", World, contour_bands),
+    toggle!("compass", World, compass),
+    toggle!("minimap", World, minimap),
+    toggle!("straight-shots", World, straight_shots),
     number!("volume-master", Sound, volume_master_pc, PERCENT),
     number!("volume-effects", Sound, volume_effects_pc, PERCENT),
     number!("volume-ambience", Sound, volume_ambience_pc, PERCENT),

@@ -36,6 +36,12 @@ pub struct Settings {
     pub hyperbolic_map: Map,
     /// Whether lines of equal height are drawn on the land.
     pub contour_bands: bool,
+    /// Whether the display has a compass.
+    pub compass: bool,
+    /// Whether the display has a map of the land about the player.
+    pub minimap: bool,
+    /// Whether bullets follow the space's geodesics instead of falling.
+    pub straight_shots: bool,
     /// Volume of everything together, percent.
     pub volume_master_pc: f64,
     /// Volume of steps, landings and tools, percent.
@@ -86,6 +92,9 @@ impl Default for Settings {
             curvature_step: 1.0,
             hyperbolic_map: Map::default(),
             contour_bands: true,
+            compass: true,
+            minimap: true,
+            straight_shots: false,
             volume_master_pc: 80.0,
             volume_effects_pc: 80.0,
             volume_ambience_pc: 70.0,

@@ -55,8 +55,8 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-/// What version 4 holds: everything.
-fn v4_state() -> WorldState {
+/// What version 5 holds: everything.
+fn v5_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
         item: "lamp".to_owned(),
@@ -64,6 +64,20 @@ fn v4_state() -> WorldState {
     };
     let mut state = state(3725.5);
     state.inventory.push(lamp);
+    state
+}
+
+/// What version 4 could hold of it: no cars, and nobody who calms down.
+fn v4_state() -> WorldState {
+    let mut state = WorldState {
+        cars: Vec::new(),
+        driving: None,
+        car_given: false,
+        ..v5_state()
+    };
+    for bot in &mut state.bots {
+        bot.provoked_s = 0.0;
+    }
     state
 }
 

@@ -36,7 +36,8 @@ pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
 pub use hud::{
-    CurvatureView, DialKind, FigureModel, HintModel, HudModel, SlotIcon, SlotView, show_hud,
+    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
+    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotIcon, SlotView, show_hud,
 };
 pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, show_photo};

@@ -8,13 +8,16 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    CurvatureView, DialKind, FigureModel, HintModel, HudModel, Screen, SlotIcon, SlotView,
+    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
+    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, Screen, SlotIcon, SlotView,
     ToastKind, apply_theme, show_hud,
 };
 use common::{Game, painted, world};
-use egui::{Pos2, Rect, Vec2, vec2};
+use egui::{Pos2, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 
 const SIZES: [Vec2; 6] = [
@@ -206,6 +209,52 @@ fn full_hud() -> HudModel {
         }),
         cheated: true,
         figures: None,
+        compass: Some(CompassModel {
+            heading_rad: 0.9,
+            equator: Some(EquatorView {
+                hemisphere: 'B',
+                distance_m: 402.1,
+                bearing_rad: 4.0,
+            }),
+        }),
+        map: Some(map()),
+        harm: Some(HarmModel {
+            strength: 0.7,
+            solid: false,
+            from_rad: Some(2.0),
+        }),
+        struck: true,
+    }
+}
+
+/// A hill about the player, and one of each mark.
+fn map() -> MapModel {
+    let nodes = (0..21u8).flat_map(|i| (0..21u8).map(move |j| (i, j)));
+    let node = |(i, j)| {
+        let [x, z] = [i, j].map(|step| (f32::from(step) - 10.0) * 3.0);
+        ReliefNode {
+            at: [x, z],
+            share: 1.0 - x.hypot(z) / 45.0,
+            light: x / 30.0,
+        }
+    };
+    let corners = (0..20u32).flat_map(|i| (0..20u32).map(move |j| 21 * i + j));
+    let kinds = [MarkKind::Lamp, MarkKind::Neutral, MarkKind::Hostile];
+    let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
+    MapModel {
+        relief: Arc::new(Relief {
+            reach_m: 30.0,
+            nodes: nodes.map(node).collect(),
+            patches: corners.map(|a| [a, a + 21, a + 1, a + 22]).collect(),
+            contours: vec![[[0.0, 3.0], [3.0, 0.0]]],
+        }),
+        heading_rad: 1.0,
+        north_rad: -0.4,
+        marks: kinds
+            .into_iter()
+            .zip([-12.0, 0.0, 12.0])
+            .map(mark)
+            .collect(),
     }
 }
 
@@ -376,6 +425,89 @@ fn neither_overlaps_nor_leaves(language: Language, model: HudModel, size: Vec2) 
     }
 }
 
+/// What the land of the map covers, if it is drawn.
+fn map_rect(harness: &Harness<'_, HudModel>) -> Option<Rect> {
+    let many = |shape: &Shape| match shape {
+        Shape::Mesh(mesh) if mesh.vertices.len() > 100 => Some(mesh.calc_bounds()),
+        _ => None,
+    };
+    let shapes = harness.output().shapes.iter();
+    shapes.filter_map(|clipped| many(&clipped.shape)).next()
+}
+
+#[test]
+fn compass_and_map_are_there_where_there_is_room_and_only_if_wanted() {
+    for size in [
+        vec2(800.0, 600.0),
+        vec2(1280.0, 720.0),
+        vec2(1920.0, 1080.0),
+    ] {
+        for language in Language::ALL {
+            let texts = Texts::new(language);
+            let shown = hud_in(language, full_hud(), size);
+            let values = [("letter", 'B'.into()), ("metres", 402.into())];
+            let way = texts.say_with("compass-equator", &values);
+            assert!(says(&shown, &way), "{language:?} {size}");
+            let land = map_rect(&shown).expect("the map is there");
+            assert!(land.width() > 60.0 && land.max.x < 0.3 * size.x, "{land}");
+            // Hints end above the middle, and instruments and hotbar begin below the map.
+            assert!(land.min.y > 0.5 * size.y, "{land} at {size}");
+            for text in painted(shown.output()) {
+                let north = text.text == texts.say("compass-north");
+                assert!(
+                    north || !land.intersects(text.rect.shrink(1.0)),
+                    "“{}” lies on the map at {size}",
+                    text.text
+                );
+            }
+            let without = HudModel {
+                compass: None,
+                map: None,
+                ..full_hud()
+            };
+            let bare = hud_in(language, without, size);
+            assert!(!says(&bare, &way) && map_rect(&bare).is_none());
+        }
+    }
+}
+
+#[test]
+fn the_compass_stands_between_the_plates_at_640_by_360() {
+    let shown = hud(full_hud(), vec2(640.0, 360.0));
+    assert!(says(&shown, "B · equator 402 m"));
+}
+
+/// The corners of all that is drawn in a colour like red.
+fn reds(harness: &Harness<'_, HudModel>) -> usize {
+    let is_red = |shape: &Shape| match shape {
+        Shape::Mesh(mesh) => mesh
+            .vertices
+            .iter()
+            .any(|v| v.color.r() > 2 * v.color.g().max(v.color.b()).max(10)),
+        _ => false,
+    };
+    let shapes = harness.output().shapes.iter();
+    shapes.filter(|clipped| is_red(&clipped.shape)).count()
+}
+
+#[test]
+fn harm_reddens_the_edge_and_is_gone_when_it_has_faded() {
+    let hurt = |strength: f32, solid: bool| HudModel {
+        harm: Some(HarmModel {
+            strength,
+            solid,
+            from_rad: Some(1.0),
+        }),
+        ..HudModel::default()
+    };
+    let size = vec2(800.0, 600.0);
+    assert_eq!(reds(&hud(hurt(0.8, false), size)), 1);
+    assert_eq!(reds(&hud(hurt(0.0, false), size)), 0);
+    assert_eq!(reds(&hud(HudModel::default(), size)), 0);
+    // In high contrast a line that nothing shines through takes the place of the fade.
+    assert_eq!(reds(&hud(hurt(0.8, true), size)), 0);
+}
+
 #[test]
 fn the_display_survives_any_size_and_any_number() {
     let odd = HudModel {
@@ -393,6 +525,25 @@ fn the_display_survives_any_size_and_any_number() {
         hemisphere: Some('B'),
         brush_radius_m: Some(f64::INFINITY),
         loading: Some(f32::NAN),
+        compass: Some(CompassModel {
+            heading_rad: f64::NAN,
+            equator: Some(EquatorView {
+                hemisphere: 'A',
+                distance_m: f64::INFINITY,
+                bearing_rad: f64::NAN,
+            }),
+        }),
+        map: Some(MapModel {
+            relief: Arc::default(),
+            heading_rad: f32::NAN,
+            north_rad: f32::INFINITY,
+            marks: Vec::new(),
+        }),
+        harm: Some(HarmModel {
+            strength: f32::NAN,
+            solid: false,
+            from_rad: Some(f32::NAN),
+        }),
         ..full_hud()
     };
     for size in SIZES.into_iter().chain(SMALLEST) {

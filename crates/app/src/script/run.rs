@@ -18,6 +18,7 @@ use crate::drawn::Drawn;
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::hud;
+use crate::navigator::{Navigator, WHOLE_MAP};
 use crate::options;
 use crate::picture::Studio;
 use crate::session::{NewWorld, Session, Worlds};
@@ -49,6 +50,8 @@ pub struct Runner {
     pub(super) drawn: Option<Drawn>,
     display_hidden: bool,
     figures_shown: bool,
+    hit_shapes_shown: bool,
+    navigator: Navigator,
 }
 
 impl Runner {
@@ -85,6 +88,8 @@ impl Runner {
             drawn: None,
             display_hidden: false,
             figures_shown: false,
+            hit_shapes_shown: false,
+            navigator: Navigator::default(),
         }
     }
 
@@ -136,8 +141,7 @@ impl Runner {
 
     fn enter(&mut self, mut session: Session) -> Result<(), Failure> {
         session.scene.set_picture_height_px(self.common.size.1);
-        let viewing = options::viewing(&self.config.settings);
-        session.scene.set_viewing(viewing);
+        options::fit(&mut session.scene, &self.config.settings);
         self.worlds_opened += 1;
         self.controls.release_all();
         self.session = Some(session);
@@ -251,16 +255,24 @@ impl Runner {
         if self.display_hidden {
             frame.hand = None;
         }
+        if self.hit_shapes_shown {
+            frame.hit_shapes = session.scene.hit_shapes();
+        }
         let scene = &session.scene;
         let (drawn, texts) = (&mut self.drawn, &self.texts);
         let (frame_ms, gpu_ms) = (self.frame_ms, self.gpu_ms);
         let fps = frame_ms.map_or(0.0, |ms| 1000.0 / ms) as f32;
+        let (navigator, settings) = (&mut self.navigator, &self.config.settings);
         let picture = studio.shoot(&frame, texts, |stats| {
             let drawn = drawn.insert(Drawn::new(stats, frame.quality));
             let figures = self
                 .figures_shown
                 .then(|| drawn.figures(texts, scene, frame_ms, gpu_ms, 0.0));
-            (!self.display_hidden).then(|| hud::model(texts, scene, fps, figures))
+            (!self.display_hidden).then(|| {
+                let mut model = hud::model(texts, scene, fps, figures);
+                navigator.add_to(&mut model, scene, settings, (id, WHOLE_MAP));
+                model
+            })
         })?;
         picture.save(&path).map_err(|e| {
             Failure::Runtime(format!(
@@ -315,15 +327,15 @@ impl Host for Runner {
         if id == "language" {
             self.texts = options::texts(&self.config.settings);
         }
-        let viewing = options::viewing(&self.config.settings);
         if let Some(session) = &mut self.session {
-            session.scene.set_viewing(viewing);
+            options::fit(&mut session.scene, &self.config.settings);
         }
     }
 
     fn press(&mut self, input: Input) {
         match self.controls.input(input, true) {
             Some(Action::HideDisplay) => self.display_hidden = !self.display_hidden,
+            Some(Action::HitShapes) => self.hit_shapes_shown = !self.hit_shapes_shown,
             Some(Action::FrameFigures) => self.figures_shown = !self.figures_shown,
             _ => {}
         }

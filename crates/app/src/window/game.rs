@@ -18,6 +18,7 @@ use super::portrait::LastPicture;
 use super::shots::Shots;
 use super::worldlist::WorldList;
 use crate::controls::Controls;
+use crate::navigator::Navigator;
 use crate::pad::Sticks;
 use crate::screenshots::Album;
 use crate::session::Worlds;
@@ -41,6 +42,8 @@ pub struct Game {
     pub(super) software: Option<String>,
     pub(super) display_hidden: bool,
     pub(super) figures_shown: bool,
+    pub(super) hit_shapes_shown: bool,
+    pub(super) navigator: Navigator,
     last_tick: Option<Instant>,
     pub(super) pace: Pace,
     pub(super) fps: FrameRate,
@@ -99,6 +102,8 @@ impl Game {
             software,
             display_hidden: false,
             figures_shown: false,
+            hit_shapes_shown: false,
+            navigator: Navigator::default(),
             last_tick: None,
             pace: Pace::default(),
             fps: FrameRate::default(),
@@ -205,6 +210,9 @@ impl Game {
         let mut frame = session.scene.frame(fov_y_rad, aspect, id);
         if self.display_hidden {
             frame.hand = None;
+        }
+        if self.hit_shapes_shown {
+            frame.hit_shapes = session.scene.hit_shapes();
         }
         Some(frame)
     }

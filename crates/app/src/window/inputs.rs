@@ -33,6 +33,7 @@ impl Game {
         match action {
             Action::Menu => self.pause(),
             Action::HideDisplay => self.display_hidden = !self.display_hidden,
+            Action::HitShapes => self.hit_shapes_shown = !self.hit_shapes_shown,
             Action::FrameFigures => self.figures_shown = !self.figures_shown,
             Action::Fullscreen => self.turn_fullscreen(),
             Action::Screenshot => self.take_screenshot(),

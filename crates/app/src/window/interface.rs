@@ -7,6 +7,7 @@ use super::game::Game;
 use super::phase::{Next, Phase, Request};
 use crate::drawn::Drawn;
 use crate::hud;
+use crate::navigator::COLUMNS_A_FRAME;
 use crate::session::NewWorld;
 
 impl Game {
@@ -81,7 +82,7 @@ impl Game {
         Some((session.slug.clone(), title))
     }
 
-    fn display(&self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
+    fn display(&mut self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
         match &self.phase {
             Phase::Playing(session) if !self.display_hidden && !self.is_photographing() => {
                 let fps = self.fps.value();
@@ -95,7 +96,11 @@ impl Game {
                         self.pace.dropped_s(),
                     )
                 });
-                let model = hud::model(&self.texts, &session.scene, fps, figures);
+                let mut model = hud::model(&self.texts, &session.scene, fps, figures);
+                let settings = &self.config.settings;
+                let surveyed = (self.worlds_opened, COLUMNS_A_FRAME);
+                self.navigator
+                    .add_to(&mut model, &session.scene, settings, surveyed);
                 Some(HudModel {
                     hint: self.hint().filter(|_| !self.is_packing()),
                     show_crosshair: model.show_crosshair && !self.is_packing(),

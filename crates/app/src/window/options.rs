@@ -132,9 +132,7 @@ impl Game {
 
     /// Gives an opened world what the player has chosen for all.
     pub(super) fn fit(&self, session: &mut Session) {
-        session
-            .scene
-            .set_viewing(options::viewing(&self.config.settings));
+        options::fit(&mut session.scene, &self.config.settings);
     }
 
     fn option_changed(&mut self, id: &str) {
@@ -162,16 +160,13 @@ impl Game {
         self.worlds.set_quality(quality);
         self.worlds.set_view_distance(chunks);
         self.worlds.set_map(options::map(settings));
-        let viewing = options::viewing(settings);
         if let Some(session) = self.phase.session_mut() {
             let scene = &mut session.scene;
             scene.set_quality(quality);
             if scene.view_distance() != chunks {
                 scene.set_view_distance(chunks);
             }
-            if scene.viewing() != viewing {
-                scene.set_viewing(viewing);
-            }
+            options::fit(scene, settings);
         }
     }
 

@@ -95,6 +95,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
         hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
+        hit_shapes: Vec::new(),
         fog_distance_m: 400.0,
         contour_bands: false,
         time_s: 0.0,

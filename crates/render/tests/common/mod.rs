@@ -174,6 +174,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
+        hit_shapes: Vec::new(),
         fog_distance_m: 150.0,
         contour_bands: false,
         time_s: 0.0,

@@ -16,12 +16,7 @@ const WIDTH: f32 = 136.0;
 /// Draws those the model asks for: beside the hotbar where there is room, else
 /// above it.
 pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, model: &HudModel) {
-    let beside = screen.max.x - bar.max.x >= WIDTH;
-    let bottom = if beside {
-        screen.max.y
-    } else {
-        bar.min.y - GRID
-    };
+    let bottom = bottom(screen, bar);
     // They give way to the rest on screens too small for everything.
     if bottom - 2.0 * SIDE < screen.min.y {
         return;
@@ -55,6 +50,15 @@ pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, mo
             &words,
             ring,
         );
+    }
+}
+
+/// Where the lowest instruments end: beside the hotbar where there is room, else above it.
+pub(super) fn bottom(screen: Rect, bar: Rect) -> f32 {
+    if screen.max.x - bar.max.x >= WIDTH {
+        screen.max.y
+    } else {
+        bar.min.y - GRID
     }
 }
 

@@ -1,9 +1,12 @@
 //! The heads-up display over the world, painted and never clickable.
 
+mod compass;
 mod figures;
 mod gauges;
+mod harm;
 mod hint;
 pub(crate) mod hotbar;
+mod minimap;
 mod plate;
 
 use antipode_language::Texts;
@@ -14,8 +17,11 @@ use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
+pub use compass::{CompassModel, EquatorView};
 pub use figures::FigureModel;
+pub use harm::HarmModel;
 pub use hint::HintModel;
+pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode};
 
 /// What a slot of the hotbar shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -109,18 +115,35 @@ pub struct HudModel {
     pub cheated: bool,
     /// What drawing the frame took, while the player wants to know.
     pub figures: Option<FigureModel>,
+    /// Which way the player looks, unless it is switched off.
+    pub compass: Option<CompassModel>,
+    /// The land about the player, unless it is switched off.
+    pub map: Option<MapModel>,
+    /// Harm that the player has just taken.
+    pub harm: Option<HarmModel>,
+    /// Whether a shot of the player's has just struck someone.
+    pub struck: bool,
 }
 
 /// Draws the display; call it before [`crate::Shell::show`].
 pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
+    if let Some(harm) = model.harm {
+        harm::show(&painter, ctx.content_rect(), harm);
+    }
     if model.show_crosshair {
         crosshair(&painter, ctx.content_rect().center());
     }
+    if model.struck {
+        harm::struck(&painter, ctx.content_rect().center());
+    }
     let position = position(&painter, screen, texts, model);
     let figures = figures::show(&painter, screen, position, texts, model);
-    let top = position.max.y.max(figures.max.y) + GRID;
+    let strip = model.compass.as_ref().map_or(Rect::NOTHING, |compass| {
+        compass::show(&painter, screen, (position, figures), texts, compass)
+    });
+    let top = position.max.y.max(figures.max.y).max(strip.max.y) + GRID;
     notices(&painter, screen, top, texts, model);
     let bar = hotbar::show(&painter, screen, model);
     // Beside so much to read the instruments keep below it.
@@ -130,6 +153,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
         screen.min.y
     };
     gauges::show(&painter, screen.with_min_y(ceiling), bar, texts, model);
+    if let Some(map) = &model.map {
+        let bottom = gauges::bottom(screen, bar) - minimap::OVER_BRUSH;
+        minimap::show(&painter, screen, bottom, texts, map);
+    }
 }
 
 /// A small cross with a gap, dark under light so it shows on snow and at night.

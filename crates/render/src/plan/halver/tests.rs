@@ -68,6 +68,7 @@ fn frame() -> Frame {
         hand: None,
         lights: antipode_scene::frame::Lights::default(),
         marker: None,
+        hit_shapes: Vec::new(),
         fog_distance_m: 100.0,
         contour_bands: false,
         time_s: 0.0,

@@ -1,0 +1,156 @@
+//! From the scene to compass, map and what tells of harm on the display.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use antipode_geometry::Hemisphere;
+use antipode_scene::Scene;
+use antipode_scene::bearings::{Bearings, LandmarkKind};
+use antipode_scene::survey::{Plan, Survey};
+use antipode_settings::Settings;
+use antipode_ui::{
+    CompassModel, EquatorView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode,
+};
+
+/// Columns of land that the map takes in for each frame: a small part of a frame's time.
+pub const COLUMNS_A_FRAME: usize = 3;
+/// For a single picture, which shows all of the map.
+pub const WHOLE_MAP: usize = usize::MAX;
+/// How long harm is told of, seconds; with reduced motion it fades more slowly, from a weaker beginning.
+const HARM_S: f64 = 1.2;
+const CALM_HARM_S: f64 = 2.5;
+const CALM_STRENGTH: f64 = 0.6;
+/// How long a strike is told of, seconds.
+const STRUCK_S: f64 = 0.25;
+
+/// What the map keeps from one frame to the next.
+#[derive(Debug, Default)]
+pub struct Navigator {
+    survey: Survey,
+    /// The last plan, and as the display is given it.
+    relief: Option<(Arc<Plan>, Arc<Relief>)>,
+}
+
+impl Navigator {
+    /// Adds to the display what the player has not switched off. `surveyed`: the world's number, and how many columns
+    /// of land may be taken in.
+    pub fn add_to(
+        &mut self,
+        model: &mut HudModel,
+        scene: &Scene,
+        settings: &Settings,
+        surveyed: (u64, usize),
+    ) {
+        let bearings = scene.bearings();
+        model.compass = settings.compass.then(|| compass(&bearings));
+        model.map = settings
+            .minimap
+            .then(|| self.map(scene, &bearings, surveyed));
+        model.harm = harm(scene, &bearings, settings);
+        model.struck = scene.struck_s_ago().is_some_and(|ago_s| ago_s < STRUCK_S);
+    }
+
+    fn map(
+        &mut self,
+        scene: &Scene,
+        bearings: &Bearings,
+        (world, columns): (u64, usize),
+    ) -> MapModel {
+        let plan = self.survey.look(scene, world, columns);
+        let relief = match self.relief.take() {
+            Some((drawn, relief)) if Arc::ptr_eq(&drawn, &plan) => relief,
+            _ => Arc::new(relief(&plan)),
+        };
+        let marks = scene.landmarks(plan.reach_m).into_iter();
+        let marks = marks.map(|mark| MapMark {
+            kind: match mark.kind {
+                LandmarkKind::Lamp => MarkKind::Lamp,
+                LandmarkKind::Neutral => MarkKind::Neutral,
+                LandmarkKind::Hostile => MarkKind::Hostile,
+            },
+            at: mark.at.as_vec2().to_array(),
+        });
+        let map = MapModel {
+            relief: Arc::clone(&relief),
+            heading_rad: bearings.heading_rad as f32,
+            north_rad: (bearings.north_rad - bearings.heading_rad) as f32,
+            marks: marks.collect(),
+        };
+        self.relief = Some((plan, relief));
+        map
+    }
+}
+
+fn compass(bearings: &Bearings) -> CompassModel {
+    let heading_rad = bearings.heading_rad;
+    CompassModel {
+        heading_rad: (heading_rad - bearings.north_rad).rem_euclid(TAU),
+        equator: bearings.equator.map(|equator| EquatorView {
+            hemisphere: match equator.hemisphere {
+                Hemisphere::A => 'A',
+                Hemisphere::B => 'B',
+            },
+            distance_m: equator.distance_m,
+            bearing_rad: (equator.heading_rad - heading_rad).rem_euclid(TAU),
+        }),
+    }
+}
+
+fn relief(plan: &Plan) -> Relief {
+    let node = |node: &antipode_scene::survey::PlanNode| ReliefNode {
+        at: node.at,
+        share: node.share,
+        light: node.light,
+    };
+    Relief {
+        reach_m: plan.reach_m as f32,
+        nodes: plan.nodes.iter().map(node).collect(),
+        patches: plan.patches.clone(),
+        contours: plan.contours.clone(),
+    }
+}
+
+fn harm(scene: &Scene, bearings: &Bearings, settings: &Settings) -> Option<HarmModel> {
+    let (ago_s, from_rad) = scene.last_hurt()?;
+    let (first, lasts_s) = if settings.reduced_motion {
+        (CALM_STRENGTH, CALM_HARM_S)
+    } else {
+        (1.0, HARM_S)
+    };
+    let left = 1.0 - ago_s / lasts_s;
+    (left > 0.0).then(|| HarmModel {
+        strength: (first * left) as f32,
+        solid: settings.high_contrast,
+        from_rad: from_rad.map(|from| (from - bearings.heading_rad).rem_euclid(TAU) as f32),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    use antipode_scene::bearings::Equator;
+
+    use super::*;
+
+    #[test]
+    fn the_compass_counts_clockwise_from_north_and_the_equator_from_straight_ahead() {
+        let bearings = |heading_rad: f64| Bearings {
+            heading_rad,
+            north_rad: PI,
+            equator: Some(Equator {
+                hemisphere: Hemisphere::B,
+                distance_m: 12.0,
+                heading_rad: FRAC_PI_2,
+            }),
+        };
+        assert_eq!(compass(&bearings(PI)).heading_rad, 0.0);
+        // Looking to where the sun comes up, at -z.
+        let east = compass(&bearings(-FRAC_PI_2));
+        assert!((east.heading_rad - FRAC_PI_2).abs() < 1e-12);
+        let equator = east.equator;
+        assert!(
+            equator.is_some_and(|it| it.hemisphere == 'B' && (it.bearing_rad - PI).abs() < 1e-12)
+        );
+    }
+}

@@ -1,0 +1,186 @@
+//! Where things are as on a map about the player: bearings, north, the equator, and what stands about.
+//!
+//! A map is of the sheet at height 0, which lines along the ground never leave in any space: each place is drawn in
+//! the direction in which the shortest line to it sets out, at that line's length (azimuthal equidistant). The picture's
+//! dial has no part in it.
+
+use std::f64::consts::PI;
+
+use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy, Viewer};
+use glam::{DVec2, DVec3};
+
+use crate::scene::Scene;
+
+/// North of worlds without an equator, as a heading: the way of -x, about which the stars turn. The sun comes up at
+/// -z, to the right of it.
+const OPEN_NORTH_RAD: f64 = PI;
+
+/// Which way the player looks, and where that is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearings {
+    /// Heading of the view, radians from +x towards +z of the player's chart.
+    pub heading_rad: f64,
+    /// Heading of north. In a world with an equator north is a place, where -x of hemisphere A meets the equator; so
+    /// nothing turns when the equator is crossed.
+    pub north_rad: f64,
+    /// The player's hemisphere and the nearest point of the equator, in a world that has one.
+    pub equator: Option<Equator>,
+}
+
+/// The nearest point of the equator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Equator {
+    /// Where the player is.
+    pub hemisphere: Hemisphere,
+    /// How far it is along the ground sheet, metres.
+    pub distance_m: f64,
+    /// The heading that leads there.
+    pub heading_rad: f64,
+}
+
+/// What is marked on a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LandmarkKind {
+    /// A lamp that was put down.
+    Lamp,
+    /// Someone who means no harm.
+    Neutral,
+    /// Someone who fights the player.
+    Hostile,
+}
+
+/// Something on the map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landmark {
+    /// What it is.
+    pub kind: LandmarkKind,
+    /// Metres from the player along +x and +z of the player's chart, as on the map.
+    pub at: DVec2,
+}
+
+/// Places points on a map about one of them.
+pub(crate) struct Locator<'a> {
+    strategy: &'a dyn Strategy,
+    eye: &'a Eye,
+    view: Viewer<'a>,
+}
+
+/// The eye of a map about a point.
+pub(crate) fn map_eye(about: ChartPoint) -> Eye {
+    Eye {
+        point: on_sheet(about),
+        ..Eye::default()
+    }
+}
+
+fn on_sheet(point: ChartPoint) -> ChartPoint {
+    ChartPoint::new(point.hemisphere, point.pos.with_y(0.0))
+}
+
+impl<'a> Locator<'a> {
+    pub fn new(strategy: &'a dyn Strategy, eye: &'a Eye) -> Self {
+        Self {
+            strategy,
+            eye,
+            view: strategy.viewer(eye),
+        }
+    }
+
+    /// Where a point is on the map: metres along +x and +z of the chart at the map's middle.
+    pub fn at(&self, point: ChartPoint) -> DVec2 {
+        let view = (self.view)(on_sheet(point));
+        let away_m = self.strategy.eye_distance_m(self.eye, view);
+        // The eye looks along +x and has +z at its right.
+        DVec2::new(-view.z, view.x).normalize_or_zero() * away_m
+    }
+}
+
+impl Scene {
+    /// Which way the player looks, and where that is.
+    pub fn bearings(&self) -> Bearings {
+        let feet = self.feet();
+        let equator = self.strategy.rim_m().map(|rim_m| {
+            let (x, z) = (feet.pos.x, feet.pos.z);
+            Equator {
+                hemisphere: feet.hemisphere,
+                distance_m: (rim_m - x.hypot(z)).max(0.0),
+                heading_rad: z.atan2(x),
+            }
+        });
+        Bearings {
+            heading_rad: self.head().yaw,
+            north_rad: self.north_rad(feet),
+            equator,
+        }
+    }
+
+    fn north_rad(&self, feet: ChartPoint) -> f64 {
+        let Some(rim_m) = self.strategy.rim_m() else {
+            return OPEN_NORTH_RAD;
+        };
+        let eye = map_eye(feet);
+        let pole = ChartPoint::a(DVec3::NEG_X * rim_m);
+        let at = Locator::new(&*self.strategy, &eye).at(pole);
+        if at == DVec2::ZERO {
+            return OPEN_NORTH_RAD;
+        }
+        at.y.atan2(at.x)
+    }
+
+    /// Lamps and everyone alive but the player, within a distance along the ground.
+    pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
+        let eye = map_eye(self.feet());
+        let locator = Locator::new(&*self.strategy, &eye);
+        let lamps = self.lamps.iter().map(|it| (LandmarkKind::Lamp, it.point));
+        let bots = self.bots().into_iter().filter(|it| it.health > 0.0);
+        let bots = bots.map(|it| {
+            let kind = if it.bot.hostile {
+                LandmarkKind::Hostile
+            } else {
+                LandmarkKind::Neutral
+            };
+            (kind, it.point)
+        });
+        lamps
+            .chain(bots)
+            .map(|(kind, point)| Landmark {
+                kind,
+                at: locator.at(point),
+            })
+            .filter(|it| it.at.length() <= reach_m)
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn in_open_worlds_the_map_is_the_plan_of_the_chart() {
+        for geometry in [Geometry::Euclidean, Geometry::Hyperbolic] {
+            let space = strategy(geometry, 20.0);
+            let eye = map_eye(ChartPoint::a(DVec3::new(300.0, 17.0, -40.0)));
+            let locator = Locator::new(&*space, &eye);
+            for (x, z) in [(10.0, 0.0), (-3.0, 30.0), (25.0, -25.0)] {
+                let at = locator.at(ChartPoint::a(DVec3::new(300.0 + x, 5.0, -40.0 + z)));
+                assert!((at - DVec2::new(x, z)).length() < 1e-9, "{geometry} {at}");
+            }
+        }
+    }
+
+    #[test]
+    fn over_the_equator_the_map_goes_on_as_the_ground_does() {
+        let space = strategy(Geometry::Spherical, 32.0);
+        let rim_m = space.rim_m().unwrap_or_default();
+        let eye = map_eye(ChartPoint::a(DVec3::new(0.0, 9.0, rim_m - 5.0)));
+        let locator = Locator::new(&*space, &eye);
+        let ahead = ChartPoint::a(DVec3::new(0.0, 9.0, rim_m + 7.0));
+        let over = space.carry(ahead).map(|crossing| crossing.point);
+        let (here, there) = (locator.at(ahead), over.map(|over| locator.at(over)));
+        assert!((here - DVec2::new(0.0, 12.0)).length() < 1e-9, "{here}");
+        assert!(there.is_some_and(|there| (there - here).length() < 1e-9));
+    }
+}

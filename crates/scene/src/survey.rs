@@ -1,0 +1,355 @@
+//! The heights of the land about the player, for a map: surveyed a few columns at a time, kept, and laid out as the
+//! player's place has it.
+//!
+//! No part of the simulation: it reads the ground that is there, and changes nothing.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use glam::{DVec2, DVec3};
+
+use crate::bearings::{Locator, map_eye};
+use crate::scene::Scene;
+
+/// Distance of columns in the chart, metres.
+const NODE_M: f64 = 3.0;
+/// How far a map reaches, metres of the space; in a small closed world less, so that nothing is shown twice.
+const REACH_M: f64 = 45.0;
+/// Share of the way to the equator and back that a map of a closed world reaches at most.
+const CLOSED_SHARE: f64 = 0.8;
+/// The charts of a closed world are at most so much wider than the space along their circles: `pi / 2`, at the rim.
+const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
+/// Columns within this of the player are surveyed again and again: the brush reaches there, metres.
+const CHANGES_M: f64 = 26.0;
+/// Columns that are surveyed again for one call that finds nothing new to survey.
+const AGAIN: usize = 2;
+/// Steps in which a column is searched for ground from above, and halvings of the last one.
+const STEP_M: f64 = 1.0;
+const HALVINGS: u32 = 5;
+/// Heights between contour lines, metres, as on the land.
+const CONTOUR_M: f32 = 8.0;
+/// Heights kept, of places further off too.
+const MOST_KEPT: usize = 20_000;
+/// Where the light of the map comes from, in its own axes, and how strongly slopes take it.
+const LIGHT: DVec2 = DVec2::new(-0.8, 0.6);
+const RELIEF: f32 = 1.4;
+
+/// A column of the chart, by whole multiples of [`NODE_M`].
+type Node = (Hemisphere, i32, i32);
+
+/// A column as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanNode {
+    /// Metres from the player along +x and +z of the player's chart, as on the map.
+    pub at: [f32; 2],
+    /// Height of the ground, 0 where this world's is lowest to 1 where it is highest.
+    pub share: f32,
+    /// How much the slope faces the map's light, -1 to 1.
+    pub light: f32,
+}
+
+/// The land about the player as on a map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Plan {
+    /// How far it reaches, metres.
+    pub reach_m: f64,
+    /// Columns, of which patches tell by their place in this list.
+    pub nodes: Vec<PlanNode>,
+    /// Four columns each: corners of what is filled, in the order of a Z.
+    pub patches: Vec<[u32; 4]>,
+    /// Lines of equal height, each from one place to another.
+    pub contours: Vec<[[f32; 2]; 2]>,
+}
+
+/// The columns of a map about a place.
+#[derive(Debug)]
+struct Sheet {
+    about: Node,
+    /// The nearest first.
+    nodes: Vec<Node>,
+    /// NaN where it is not known yet, metres.
+    heights: Vec<f32>,
+    patches: Vec<[u32; 4]>,
+    /// So many of the first ones are surveyed again and again.
+    near: usize,
+    /// All before this are known.
+    known: usize,
+    /// The next to be surveyed again.
+    again: usize,
+}
+
+/// What is known of the heights of one world.
+#[derive(Debug, Default)]
+pub struct Survey {
+    world: Option<u64>,
+    kept: HashMap<Node, f32>,
+    sheet: Option<Sheet>,
+    drawn: Option<(ChartPoint, Arc<Plan>)>,
+}
+
+impl Survey {
+    /// Surveys at most `columns` new ones about the player of a world, by its number, and gives the map of what is
+    /// known. Cheap where nobody moves.
+    pub fn look(&mut self, scene: &Scene, world: u64, columns: usize) -> Arc<Plan> {
+        if self.world != Some(world) {
+            *self = Self {
+                world: Some(world),
+                ..Self::default()
+            };
+        }
+        let feet = scene.feet();
+        let mut sheet = match self.sheet.take() {
+            Some(sheet) if sheet.about == node_of(feet) => sheet,
+            _ => self.sheet_about(&*scene.strategy, feet),
+        };
+        let changed = self.measure(scene, &mut sheet, columns);
+        let plan = match self.drawn.take() {
+            Some((about, plan)) if about == feet && !changed => plan,
+            _ => Arc::new(draw(scene, &sheet, feet)),
+        };
+        self.sheet = Some(sheet);
+        self.drawn = Some((feet, Arc::clone(&plan)));
+        plan
+    }
+
+    fn sheet_about(&mut self, strategy: &dyn Strategy, feet: ChartPoint) -> Sheet {
+        if self.kept.len() > MOST_KEPT {
+            self.kept.clear();
+        }
+        let mut nodes = nodes_about(strategy, feet);
+        nodes.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let near = nodes.partition_point(|(_, away_m)| *away_m < CHANGES_M);
+        let nodes: Vec<Node> = nodes.into_iter().map(|(node, _)| node).collect();
+        let heights = nodes
+            .iter()
+            .map(|node| self.kept.get(node).copied().unwrap_or(f32::NAN))
+            .collect();
+        Sheet {
+            about: node_of(feet),
+            patches: patches_of(strategy, &nodes),
+            nodes,
+            heights,
+            near,
+            known: 0,
+            again: 0,
+        }
+    }
+
+    /// Surveys; tells whether a height is new or another.
+    fn measure(&mut self, scene: &Scene, sheet: &mut Sheet, columns: usize) -> bool {
+        let mut changed = false;
+        let mut left = columns;
+        while sheet.known < sheet.nodes.len() && left > 0 {
+            if sheet.heights[sheet.known].is_nan() {
+                left -= 1;
+                changed |= self.measure_one(scene, sheet, sheet.known);
+            }
+            sheet.known += 1;
+        }
+        for _ in 0..AGAIN.min(left).min(sheet.near) {
+            sheet.again = (sheet.again + 1) % sheet.near;
+            changed |= self.measure_one(scene, sheet, sheet.again);
+        }
+        changed
+    }
+
+    fn measure_one(&mut self, scene: &Scene, sheet: &mut Sheet, index: usize) -> bool {
+        let node = sheet.nodes[index];
+        let height_m = top_m(scene, column(node)) as f32;
+        let before = std::mem::replace(&mut sheet.heights[index], height_m);
+        self.kept.insert(node, height_m);
+        before.to_bits() != height_m.to_bits()
+    }
+}
+
+fn node_of(point: ChartPoint) -> Node {
+    let whole = |x: f64| (x / NODE_M).round() as i32;
+    (point.hemisphere, whole(point.pos.x), whole(point.pos.z))
+}
+
+fn column((hemisphere, i, j): Node) -> ChartPoint {
+    let at = DVec3::new(f64::from(i), 0.0, f64::from(j)) * NODE_M;
+    ChartPoint::new(hemisphere, at)
+}
+
+fn reach_m(strategy: &dyn Strategy) -> f64 {
+    strategy
+        .rim_m()
+        .map_or(REACH_M, |rim_m| REACH_M.min(2.0 * rim_m * CLOSED_SHARE))
+}
+
+/// The columns that a map about the feet needs, with how far each is on it.
+fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
+    let eye = map_eye(feet);
+    let locator = Locator::new(strategy, &eye);
+    let margin_m = 1.5 * NODE_M;
+    let reach_m = reach_m(strategy) + margin_m;
+    let rim_m = strategy.rim_m();
+    let span = reach_m * rim_m.map_or(1.0, |_| WIDEST);
+    let over = strategy.carry(feet).map(|crossing| crossing.point);
+    let mut found = Vec::new();
+    for middle in [Some(feet), over].into_iter().flatten() {
+        let (_, x, z) = node_of(middle);
+        let around = (span / NODE_M).ceil() as i32;
+        for i in x.saturating_sub(around)..=x.saturating_add(around) {
+            for j in z.saturating_sub(around)..=z.saturating_add(around) {
+                let node = (middle.hemisphere, i, j);
+                let point = column(node);
+                if rim_m.is_some_and(|rim_m| point.pos.length() > rim_m + margin_m) {
+                    continue;
+                }
+                let away_m = locator.at(point).length();
+                if away_m <= reach_m {
+                    found.push((node, away_m));
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Squares of four columns that are all there, at least one of them within the chart's rim.
+fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
+    let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
+    let rim_m = strategy.rim_m().unwrap_or(f64::INFINITY);
+    let patch = |&(hemisphere, i, j): &Node| {
+        let corner = |di, dj| places.get(&(hemisphere, i + di, j + dj)).copied();
+        Some([corner(0, 0)?, corner(1, 0)?, corner(0, 1)?, corner(1, 1)?])
+    };
+    nodes
+        .iter()
+        .filter_map(patch)
+        .filter(|patch| {
+            patch
+                .iter()
+                .any(|node| column(nodes[*node as usize]).pos.length() <= rim_m)
+        })
+        .collect()
+}
+
+/// Height of the topmost ground of a column, metres; of untouched ground where no body is near. What is thinner than
+/// a step may be missed.
+fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
+    let (mut low, mut high) = scene.ground.height_range_m();
+    let feet = scene.feet();
+    let touched = column.hemisphere == feet.hemisphere
+        && (column.pos - feet.pos).with_y(0.0).length() < 2.0 * CHANGES_M;
+    if touched {
+        low = low.min(feet.pos.y - CHANGES_M);
+        high = high.max(feet.pos.y + CHANGES_M);
+    }
+    let is_solid = |y: f64| scene.ground.is_solid(column.moved(DVec3::Y * y));
+    let mut air = high + STEP_M;
+    while air > low && !is_solid(air - STEP_M) {
+        air -= STEP_M;
+    }
+    let mut ground = air - STEP_M;
+    for _ in 0..HALVINGS {
+        let middle = f64::midpoint(air, ground);
+        if is_solid(middle) {
+            ground = middle;
+        } else {
+            air = middle;
+        }
+    }
+    f64::midpoint(air, ground)
+}
+
+fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
+    let eye = map_eye(feet);
+    let locator = Locator::new(&*scene.strategy, &eye);
+    let reach_m = reach_m(&*scene.strategy);
+    let (low, high) = scene.ground.height_range_m();
+    let (low, span) = (low as f32, (high - low).max(1.0) as f32);
+    let mut nodes: Vec<PlanNode> = sheet
+        .nodes
+        .iter()
+        .zip(&sheet.heights)
+        .map(|(node, height)| {
+            let at = locator.at(column(*node)).clamp_length_max(reach_m);
+            PlanNode {
+                at: at.as_vec2().to_array(),
+                share: ((height - low) / span).clamp(0.0, 1.0),
+                light: 0.0,
+            }
+        })
+        .collect();
+    let height = |node: u32| sheet.heights[node as usize];
+    let outside = |node: &u32| {
+        let [x, z] = nodes[*node as usize].at;
+        f64::from(x.hypot(z)) >= reach_m - 1e-3
+    };
+    let patches: Vec<[u32; 4]> = sheet
+        .patches
+        .iter()
+        .filter(|patch| !patch.iter().all(outside))
+        .filter(|patch| patch.iter().all(|node| !height(*node).is_nan()))
+        .copied()
+        .collect();
+    shade(&mut nodes, &patches, height);
+    let contours = contours(&nodes, &patches, height);
+    Plan {
+        reach_m,
+        nodes,
+        patches,
+        contours,
+    }
+}
+
+/// Lets the slopes of the patches about each node face the light, or not.
+fn shade(nodes: &mut [PlanNode], patches: &[[u32; 4]], height: impl Fn(u32) -> f32) {
+    let mut sums = vec![(0.0, 0.0); nodes.len()];
+    for patch in patches {
+        let [a, b, c, d] = patch.map(&height);
+        let along = [b - a + d - c, c - a + d - b].map(|rise| rise / (2.0 * NODE_M as f32));
+        let light = -(along[0] * LIGHT.x as f32 + along[1] * LIGHT.y as f32) * RELIEF;
+        for node in patch {
+            let sum = &mut sums[*node as usize];
+            *sum = (sum.0 + light, sum.1 + 1.0);
+        }
+    }
+    for (node, (sum, count)) in nodes.iter_mut().zip(sums) {
+        if count > 0.0 {
+            let mean: f32 = sum / count;
+            node.light = mean.clamp(-1.0, 1.0);
+        }
+    }
+}
+
+/// Lines of equal height, by the two triangles of each patch.
+fn contours(
+    nodes: &[PlanNode],
+    patches: &[[u32; 4]],
+    height: impl Fn(u32) -> f32,
+) -> Vec<[[f32; 2]; 2]> {
+    let mut lines = Vec::new();
+    for [a, b, c, d] in patches {
+        for triangle in [[*a, *b, *c], [*b, *d, *c]] {
+            let heights = triangle.map(&height);
+            let low = heights.iter().copied().fold(f32::MAX, f32::min);
+            let high = heights.iter().copied().fold(f32::MIN, f32::max);
+            let first = (low / CONTOUR_M).floor() as i32 + 1;
+            let last = (high / CONTOUR_M).floor() as i32;
+            for level in first..=last {
+                let level = level as f32 * CONTOUR_M;
+                let crossed = |i: usize, j: usize| {
+                    let (from, to) = (heights[i], heights[j]);
+                    ((from < level) != (to < level)).then(|| {
+                        let share = (level - from) / (to - from);
+                        let [p, q] = [i, j].map(|end| nodes[triangle[end] as usize].at);
+                        [p[0] + (q[0] - p[0]) * share, p[1] + (q[1] - p[1]) * share]
+                    })
+                };
+                let ends: Vec<_> = [(0, 1), (1, 2), (2, 0)]
+                    .into_iter()
+                    .filter_map(|(i, j)| crossed(i, j))
+                    .collect();
+                if let [from, to] = ends[..] {
+                    lines.push([from, to]);
+                }
+            }
+        }
+    }
+    lines
+}

@@ -1,0 +1,252 @@
+//! The map of the land about the player, round, with what the player looks at above: at the left, in the lower half of
+//! the screen, where nothing else stands.
+
+use std::f32::consts::TAU;
+use std::sync::Arc;
+
+use antipode_language::Texts;
+use egui::{Align2, Color32, FontId, Mesh, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+use super::compass::{QUARTERS, arrow};
+use crate::theme::{ACCENT, BAD, GRID, PLATE, TEXT};
+
+/// Largest and smallest diameter, in points, and its share of the screen's height between them.
+const SIDE: (f32, f32) = (148.0, 72.0);
+const SHARE: f32 = 0.24;
+/// Width of the ring around the land, in points.
+const RING: f32 = 7.0;
+/// How much of what is behind the land is covered, 0 to 255.
+const COVER: u8 = 225;
+/// Height over the lower half's beginning, the middle of the screen: there hints end.
+const BELOW_MIDDLE: f32 = 2.0;
+/// Colours of the land by its height, from the lowest: greens, then earth, then stone.
+const TINTS: [[f32; 3]; 5] = [
+    [22.0, 52.0, 60.0],
+    [38.0, 84.0, 66.0],
+    [96.0, 118.0, 70.0],
+    [164.0, 150.0, 106.0],
+    [226.0, 222.0, 208.0],
+];
+
+/// A column of the land.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReliefNode {
+    /// Metres from the player along two axes at a right angle; the second is a quarter turn clockwise from the first.
+    pub at: [f32; 2],
+    /// Its height, 0 lowest to 1 highest.
+    pub share: f32,
+    /// How much it faces the light, -1 to 1.
+    pub light: f32,
+}
+
+/// The land as it is known.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Relief {
+    /// How far it reaches, metres.
+    pub reach_m: f32,
+    /// Columns.
+    pub nodes: Vec<ReliefNode>,
+    /// Four of them each, in the order of a Z: what is filled.
+    pub patches: Vec<[u32; 4]>,
+    /// Lines of equal height.
+    pub contours: Vec<[[f32; 2]; 2]>,
+}
+
+/// What a mark on the map stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkKind {
+    /// A lamp.
+    Lamp,
+    /// Someone who means no harm.
+    Neutral,
+    /// Someone who does.
+    Hostile,
+}
+
+/// A mark on the map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapMark {
+    /// What it stands for.
+    pub kind: MarkKind,
+    /// Where, as of [`ReliefNode`].
+    pub at: [f32; 2],
+}
+
+/// The map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapModel {
+    /// The land.
+    pub relief: Arc<Relief>,
+    /// Where the player looks, clockwise from the first axis, radians.
+    pub heading_rad: f32,
+    /// Where north is, clockwise from straight ahead, radians.
+    pub north_rad: f32,
+    /// What stands about.
+    pub marks: Vec<MapMark>,
+}
+
+/// From metres of the map to points of the screen.
+struct Projection {
+    centre: Pos2,
+    points_per_m: f32,
+    turn: (f32, f32),
+}
+
+impl Projection {
+    fn at(&self, [first, second]: [f32; 2]) -> Pos2 {
+        let (sin, cos) = self.turn;
+        let ahead = first * cos + second * sin;
+        let right = second * cos - first * sin;
+        self.centre + self.points_per_m * vec2(right, -ahead)
+    }
+}
+
+/// Draws it at the left between the middle of the screen and `bottom`; where there is no room, it is left out.
+pub(super) fn show(painter: &Painter, screen: Rect, bottom: f32, texts: &Texts, model: &MapModel) {
+    let top = screen.center().y + BELOW_MIDDLE;
+    let wanted = (SHARE * screen.height()).clamp(SIDE.1, SIDE.0);
+    let side = wanted.min(bottom - top).min(0.3 * screen.width());
+    if side < SIDE.1 || !model.heading_rad.is_finite() {
+        return;
+    }
+    let radius = 0.5 * side;
+    let centre = pos2(screen.min.x + radius, bottom - radius);
+    painter.circle_filled(centre, radius, PLATE);
+    let inner = radius - RING;
+    let projection = Projection {
+        centre,
+        points_per_m: inner / model.relief.reach_m.max(1.0),
+        turn: model.heading_rad.sin_cos(),
+    };
+    painter.add(land(&model.relief, &projection));
+    for line in &model.relief.contours {
+        let ends = line.map(|end| projection.at(end));
+        painter.line_segment(ends, Stroke::new(0.8, Color32::from_black_alpha(90)));
+    }
+    painter.circle_stroke(
+        centre,
+        inner,
+        Stroke::new(2.0, Color32::from_rgb(8, 11, 19)),
+    );
+    for mark in &model.marks {
+        paint_mark(painter, projection.at(mark.at), mark.kind);
+    }
+    painter.circle_filled(centre, 6.5, Color32::from_rgb(8, 11, 19));
+    arrow(painter, centre, 5.5, 0.0);
+    rim(painter, (centre, radius), texts, model.north_rad);
+}
+
+fn land(relief: &Relief, projection: &Projection) -> Shape {
+    let mut mesh = Mesh::default();
+    for node in &relief.nodes {
+        mesh.colored_vertex(projection.at(node.at), tint(node.share, node.light));
+    }
+    let count = relief.nodes.len() as u32;
+    for [a, b, c, d] in &relief.patches {
+        if [a, b, c, d].into_iter().all(|corner| *corner < count) {
+            mesh.add_triangle(*a, *b, *c);
+            mesh.add_triangle(*b, *d, *c);
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+fn tint(share: f32, light: f32) -> Color32 {
+    if !share.is_finite() {
+        return Color32::TRANSPARENT;
+    }
+    let last = TINTS.len() - 1;
+    let place = share.clamp(0.0, 1.0) * last as f32;
+    let below = (place as usize).min(last - 1);
+    let part = place - below as f32;
+    let lit = 1.0 + 0.45 * light.clamp(-1.0, 1.0);
+    let [r, g, b] = [0, 1, 2].map(|channel| {
+        let (low, high) = (TINTS[below][channel], TINTS[below + 1][channel]);
+        ((low + (high - low) * part) * lit).clamp(0.0, 255.0) as u8
+    });
+    Color32::from_rgba_unmultiplied(r, g, b, COVER)
+}
+
+/// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered.
+fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
+    let edge = Stroke::new(1.5, Color32::BLACK);
+    match kind {
+        MarkKind::Lamp => {
+            painter.circle(at, 2.6, ACCENT, edge);
+        }
+        MarkKind::Neutral => {
+            let square = Rect::from_center_size(at, vec2(6.5, 6.5));
+            painter.rect(square, 0, TEXT, edge, egui::StrokeKind::Outside);
+        }
+        MarkKind::Hostile => {
+            let corner = |turn: f32| {
+                let (sin, cos) = (turn * TAU).sin_cos();
+                at + 5.0 * vec2(sin, -cos)
+            };
+            let corners = vec![corner(0.0), corner(1.0 / 3.0), corner(2.0 / 3.0)];
+            painter.add(Shape::convex_polygon(corners, BAD, edge));
+        }
+    }
+}
+
+/// The letter of north on the ring, and ticks of the other quarters.
+fn rim(painter: &Painter, (centre, radius): (Pos2, f32), texts: &Texts, north_rad: f32) {
+    if !north_rad.is_finite() {
+        return;
+    }
+    let way = |turn: f32| {
+        let (sin, cos) = (north_rad + turn).sin_cos();
+        vec2(sin, -cos)
+    };
+    for quarter in 1..4u8 {
+        let way = way(f32::from(quarter) * 0.25 * TAU);
+        let ends = [
+            centre + (radius - RING) * way,
+            centre + (radius - 2.0) * way,
+        ];
+        painter.line_segment(ends, Stroke::new(2.0, TEXT));
+    }
+    let at = centre + (radius - RING) * way(0.0);
+    painter.circle_filled(at, 8.0, Color32::from_rgb(8, 11, 19));
+    let letter = texts.say(QUARTERS[0]);
+    let font = FontId::proportional(12.0);
+    painter.text(at, Align2::CENTER_CENTER, letter, font, ACCENT);
+}
+
+/// How much room the brush's instrument takes at the lower left, and a gap over it, in points.
+pub(super) const OVER_BRUSH: f32 = 56.0 + 4.0 + 24.0 + GRID;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_player_looks_at_is_above_and_what_is_to_the_right_is_right() {
+        for heading in [0.0f32, 1.0, 3.0, -2.0] {
+            let projection = Projection {
+                centre: pos2(50.0, 50.0),
+                points_per_m: 1.0,
+                turn: heading.sin_cos(),
+            };
+            let (sin, cos) = heading.sin_cos();
+            let ahead = projection.at([10.0 * cos, 10.0 * sin]);
+            assert!((ahead - pos2(50.0, 40.0)).length() < 1e-4, "{ahead:?}");
+            // A quarter turn clockwise.
+            let right = projection.at([-10.0 * sin, 10.0 * cos]);
+            assert!((right - pos2(60.0, 50.0)).length() < 1e-4, "{right:?}");
+        }
+    }
+
+    #[test]
+    fn higher_land_is_lighter_and_slopes_that_face_the_light_are_lit() {
+        let luminance = |colour: Color32| {
+            u32::from(colour.r()) * 2 + u32::from(colour.g()) * 7 + u32::from(colour.b())
+        };
+        let heights: Vec<u32> = (0..=20)
+            .map(|step| luminance(tint(step as f32 / 20.0, 0.0)))
+            .collect();
+        assert!(heights.is_sorted(), "{heights:?}");
+        assert!(luminance(tint(0.5, 0.8)) > luminance(tint(0.5, -0.8)));
+        assert_eq!(tint(f32::NAN, 0.0), Color32::TRANSPARENT);
+    }
+}
