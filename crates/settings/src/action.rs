@@ -163,7 +163,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 40] = {
+static ACTIONS: [ActionInfo; 41] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
