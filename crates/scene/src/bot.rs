@@ -1,27 +1,26 @@
-//! Other figures of the world. They stand, fall with the ground and die; what they want is decided elsewhere.
+//! Other figures of the world as what they are: put there, looked at, struck. What they want and do is in `npc`.
 
 use antipode_geometry::ChartPoint;
-use antipode_physics::{Character, CharacterInput};
+use antipode_physics::Character;
 use hecs::Entity;
 
 use crate::frame::ModelId;
-use crate::ground::chunks_near;
-use crate::motion::Doing;
-use crate::player::{self, Appearance, Body, Health, Look, Position};
+use crate::npc::State;
+use crate::npc::mind::Mind;
+use crate::player::{Appearance, Body, Health, Look, Position};
 use crate::projectile::Standing;
 use crate::scene::Scene;
-use crate::tuning::{BOT_HEALTH, BOT_LIES_S, STEP_S};
-
-/// Ground within this distance of a bot must be there before it moves, in metres.
-const NEEDED_AROUND_M: f64 = 2.0;
+use crate::tuning::BOT_HEALTH;
 
 /// A figure that nobody plays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bot {
     /// Its number in this world.
     pub id: u32,
-    /// Whether it fights the player.
+    /// Whether it fights the player by nature.
     pub hostile: bool,
+    /// Whether it came by itself, and may go so.
+    pub native: bool,
     /// Since it was last hit, seconds.
     pub hit_s_ago: f64,
     /// Since it died, seconds; zero while it lives.
@@ -41,6 +40,12 @@ pub struct BotView {
     pub yaw: f64,
     /// Its health.
     pub health: f64,
+    /// What it is doing.
+    pub state: State,
+    /// Whether it fights the player now.
+    pub fights: bool,
+    /// For how long yet it is angry, seconds.
+    pub angry_s: f64,
 }
 
 impl Scene {
@@ -62,12 +67,15 @@ impl Scene {
         let bot = Bot {
             id,
             hostile,
+            native: false,
             hit_s_ago: f64::INFINITY,
             dead_s: 0.0,
             struck_by: None,
         };
+        let mind = self.new_mind(id);
         self.ecs.spawn((
             bot,
+            mind,
             Position(point),
             Look { yaw, pitch: 0.0 },
             Body(Character::at(point.pos + origin)),
@@ -81,69 +89,33 @@ impl Scene {
         id
     }
 
+    /// Says of a bot for how long yet it is angry, seconds, and whether it came by itself.
+    pub(crate) fn restore_mind(&mut self, id: u32, angry_s: f64, native: bool) {
+        let found = self.ecs.query_mut::<(&mut Bot, &mut Mind)>();
+        for (bot, mind) in found.into_iter().filter(|(bot, _)| bot.id == id) {
+            bot.native = native;
+            mind.angry_s = angry_s;
+        }
+    }
+
     /// All bots, by their numbers.
     pub fn bots(&self) -> Vec<BotView> {
         let mut bots: Vec<_> = self
             .ecs
-            .query::<(&Bot, &Position, &Look, &Health)>()
+            .query::<(&Bot, &Position, &Look, &Health, &Mind)>()
             .iter()
-            .map(|(bot, position, look, health)| BotView {
+            .map(|(bot, position, look, health, mind)| BotView {
                 bot: *bot,
                 point: position.0,
                 yaw: look.yaw,
                 health: health.0,
+                state: mind.state,
+                fights: bot.hostile || mind.angry_s > 0.0,
+                angry_s: mind.angry_s,
             })
             .collect();
         bots.sort_unstable_by_key(|view| view.bot.id);
         bots
-    }
-
-    /// Lets every bot stand, fall or lie for one step, and the dead go.
-    pub(crate) fn step_bots(&mut self) {
-        let mut gone = Vec::new();
-        let strategy = std::sync::Arc::clone(&self.strategy);
-        for (entity, bot, position, look, body, health, appearance) in self.ecs.query_mut::<(
-            Entity,
-            &mut Bot,
-            &mut Position,
-            &mut Look,
-            &mut Body,
-            &Health,
-            &mut Appearance,
-        )>() {
-            bot.hit_s_ago += STEP_S;
-            let doing = Doing {
-                dead: health.0 <= 0.0,
-                holds: appearance.held.is_some(),
-                ..player::doing(look, body)
-            };
-            appearance.motion.pass(&doing, STEP_S);
-            if health.0 <= 0.0 {
-                bot.dead_s += STEP_S;
-                if bot.dead_s > BOT_LIES_S {
-                    gone.push(entity);
-                    continue;
-                }
-            }
-            let near = chunks_near(&*strategy, position.0, NEEDED_AROUND_M);
-            if !near.into_iter().all(|coord| self.streamer.is_ready(coord)) {
-                continue;
-            }
-            let origin = strategy.chart_origin_m(position.0.hemisphere);
-            body.0.feet = position.0.pos + origin;
-            self.physics.move_character(
-                &mut body.0,
-                &self.tuning,
-                &CharacterInput::default(),
-                STEP_S,
-            );
-            position.0.pos = body.0.feet - origin;
-            player::cross(&*strategy, position, look, body);
-        }
-        for entity in gone {
-            // It was there a moment ago.
-            let _ = self.ecs.despawn(entity);
-        }
     }
 
     /// Everyone who can be struck, where they stand in physics space; the dead and spectators cannot.

@@ -2,11 +2,14 @@
 
 use antipode_geometry::{ChartPoint, Eye};
 
+use glam::DVec3;
+
 use crate::actions::Actions;
 use crate::aim::aim;
 use crate::camera::CameraMode;
 use crate::item::Item;
 use crate::notice::Hint;
+use crate::npc::Event;
 use crate::pick::{Pick, pick_among};
 use crate::projectile::{Air, Projectile, Standing};
 use crate::scene::Scene;
@@ -20,6 +23,12 @@ impl Scene {
     /// Bullets in flight, the oldest first.
     pub fn projectiles(&self) -> &[Projectile] {
         self.projectiles.all()
+    }
+
+    /// Puts a bullet in flight that nobody's gun has fired: it harms everyone but the player, as the player's own do at
+    /// first. `point` is its middle, `velocity` in metres a second of the chart.
+    pub fn throw_bullet(&mut self, point: ChartPoint, velocity: DVec3) {
+        self.projectiles.fire(point, velocity, self.player);
     }
 
     /// Whether bullets follow the space's geodesics instead of falling in its chart.
@@ -46,6 +55,7 @@ impl Scene {
             return;
         }
         self.sounds.push(SoundEvent::Shot);
+        self.npcs.events.push(Event::Shot(self.feet()));
         self.hand.fire();
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();
@@ -121,7 +131,11 @@ impl Scene {
 
     /// The gun's muzzle; short of a wall that one stands close to.
     pub(crate) fn muzzle(&self) -> ChartPoint {
-        let head = self.head();
+        self.muzzle_of(&self.head())
+    }
+
+    /// The muzzle of a gun held by someone with that eye.
+    pub(crate) fn muzzle_of(&self, head: &Eye) -> ChartPoint {
         let (right, up, ahead) = MUZZLE_M;
         let way = head.right() * right + head.up() * up + head.front() * ahead;
         let from = head.point.pos + self.strategy.chart_origin_m(head.point.hemisphere);

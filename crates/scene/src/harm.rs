@@ -6,7 +6,8 @@ use hecs::Entity;
 
 use crate::bot::Bot;
 use crate::notice::Hint;
-use crate::player::{Appearance, Health};
+use crate::npc::Event;
+use crate::player::{Appearance, Health, Position};
 use crate::projectile::Strike;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
@@ -171,12 +172,19 @@ impl Scene {
     fn hurt_bot(&mut self, entity: Entity, by: Entity) {
         let parts = self
             .ecs
-            .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance)>(entity);
-        if let Ok((bot, health, appearance)) = parts {
+            .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
+        if let Ok((bot, health, appearance, position)) = parts {
             appearance.motion.strike();
             health.0 = (health.0 - BULLET_HARM).max(0.0);
             bot.struck_by = Some(by);
             bot.hit_s_ago = 0.0;
+            let at = position.0;
+            let by_player = by == self.player;
+            self.npcs.events.push(Event::Hit {
+                victim: entity,
+                at,
+                by_player,
+            });
         }
     }
 }

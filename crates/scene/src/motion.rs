@@ -36,6 +36,8 @@ const HIT_S: f32 = 0.46;
 const HIT_FADE_S: f64 = 0.08;
 /// All clips that go round have done so a whole number of times after this, seconds; others have long ended.
 const LONG_AGO_S: f32 = 600.0;
+/// How long it takes to sit down, seconds.
+const SITS_FADE_S: f64 = 0.5;
 /// How long it takes to take something in hand, seconds.
 const HOLD_FADE_S: f64 = 0.16;
 
@@ -56,6 +58,8 @@ pub struct Doing {
     pub dead: bool,
     /// Whether something is in its hand.
     pub holds: bool,
+    /// Whether it crouches to rest, where it stands on something.
+    pub sits: bool,
     /// How far it looks up, radians.
     pub pitch_rad: f64,
 }
@@ -193,6 +197,9 @@ impl Motion {
             };
         }
         let speed_m_s = doing.way.length();
+        if doing.sits && speed_m_s < STANDS_M_S {
+            return (Posture::of(Clip::Land, 0.0), SITS_FADE_S);
+        }
         let run = run_share(speed_m_s) as f32;
         let walk = smooth((speed_m_s - STANDS_M_S) / (WALKS_M_S - STANDS_M_S)) as f32;
         let land = if self.landing_left_s > 0.0 {

@@ -17,6 +17,7 @@ use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::lens::DialGoals;
 use crate::notice::Notice;
+use crate::npc::tuning::ANGRY_S;
 use crate::player::{Health, Look};
 use crate::scene::{Scene, SceneError, WorldSetup};
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_DROPS, MOST_LAMPS};
@@ -140,7 +141,8 @@ impl Scene {
                 yaw: view.yaw,
                 health: view.health,
                 hostile: view.bot.hostile,
-                provoked_s: 0.0,
+                provoked_s: view.angry_s,
+                native: view.bot.native,
             })
             .collect()
     }
@@ -214,7 +216,9 @@ impl Scene {
         self.notices.extend(unknown);
         for (record, at) in bots {
             let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
-            self.restore_bot(at, record.yaw, record.hostile, health);
+            let id = self.restore_bot(at, record.yaw, record.hostile, health);
+            let angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
+            self.restore_mind(id, angry_s, record.native);
         }
     }
 

@@ -124,7 +124,7 @@ pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> Cha
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.
 /// A segment over the equator is tested in the chart of its start.
-fn segment_hit(
+pub(crate) fn segment_hit(
     strategy: &dyn Strategy,
     physics: &PhysicsWorld,
     a: ChartPoint,

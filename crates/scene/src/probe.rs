@@ -106,11 +106,11 @@ pub struct BotProbe {
     pub pos: [f64; 3],
     /// Its health.
     pub health: f64,
-    /// Whether it fights the player.
+    /// Whether it fights the player, be it for good or until it has calmed down.
     pub hostile: bool,
     /// `A` or `B`.
     pub hemisphere: char,
-    /// What it does: `idle` or `dead`.
+    /// What it does: `idle`, `wander`, `watch`, `aside`, `sit`, `chase`, `fight`, `search`, `flee` or `dead`.
     pub state: &'static str,
 }
 

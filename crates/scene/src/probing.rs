@@ -108,16 +108,15 @@ impl Scene {
     }
 
     fn bot_probes(&self) -> Vec<BotProbe> {
-        let state = |view: &crate::bot::BotView| if view.health > 0.0 { "idle" } else { "dead" };
         self.bots()
             .iter()
             .map(|view| BotProbe {
                 id: view.bot.id,
                 pos: view.point.pos.to_array(),
                 health: view.health,
-                hostile: view.bot.hostile,
+                hostile: view.fights,
                 hemisphere: hemisphere(view.point),
-                state: state(view),
+                state: view.state.name(),
             })
             .collect()
     }

@@ -17,9 +17,9 @@ const COLUMN_M: f64 = 1.0;
 const AHEAD_S: f64 = 1.0;
 /// Around that place, in metres.
 const AHEAD_M: f64 = 8.0;
-/// Others than the player are looked after by cells of this edge, in metres, with a margin around each.
+/// Others than the player are looked after by cells of this edge, in metres, with a margin around each; that of bullets.
 const OTHERS_CELL_M: f64 = 16.0;
-const OTHERS_MARGIN_M: f64 = 2.0;
+pub(crate) const OTHERS_MARGIN_M: f64 = 2.0;
 /// Ground where a bullet will be so many seconds from now is made solid beforehand.
 const OTHERS_AHEAD_S: f64 = 0.3;
 /// Cells at most: a thousand bullets in all directions must not make the whole world solid.
@@ -54,8 +54,11 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
 }
 
 /// Where the ground around others than the player must be solid, each with its place and velocity in m/s. Those close
-/// together share one reach.
-pub(crate) fn of_others(others: impl Iterator<Item = (ChartPoint, DVec3)>) -> Vec<Reach> {
+/// together share one reach, `margin_m` metres wider than the cells they are in.
+pub(crate) fn of_others(
+    others: impl Iterator<Item = (ChartPoint, DVec3)>,
+    margin_m: f64,
+) -> Vec<Reach> {
     let mut cells = std::collections::BTreeSet::new();
     for (point, velocity) in others {
         let there = point.pos + velocity * OTHERS_AHEAD_S;
@@ -72,8 +75,8 @@ pub(crate) fn of_others(others: impl Iterator<Item = (ChartPoint, DVec3)>) -> Ve
         .take(MOST_OTHERS)
         .map(|(hemisphere, cell)| Reach {
             hemisphere,
-            min: corner(cell) - OTHERS_MARGIN_M,
-            max: corner(cell) + OTHERS_CELL_M + OTHERS_MARGIN_M,
+            min: corner(cell) - margin_m,
+            max: corner(cell) + OTHERS_CELL_M + margin_m,
         })
         .collect()
 }

@@ -24,6 +24,7 @@ use crate::inventory::Inventory;
 use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
+use crate::npc::Npcs;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
@@ -139,6 +140,8 @@ pub struct Scene {
     pub(crate) drops: Vec<Drop>,
     /// The number that the next bot gets.
     pub(crate) next_bot: u32,
+    /// What other figures have in common.
+    pub(crate) npcs: Npcs,
     /// What could be heard since somebody last listened.
     pub(crate) sounds: Sounds,
 }
@@ -226,6 +229,7 @@ impl Scene {
             drops_unchecked: false,
             drops: Vec::new(),
             next_bot: 0,
+            npcs: Npcs::default(),
             sounds: Sounds::default(),
         };
         match saved {

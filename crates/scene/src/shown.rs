@@ -5,6 +5,7 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::frame::{Figure, ModelId};
+use crate::npc::mind::Mind;
 use crate::player::{Appearance, Look, Position};
 use crate::scene::Scene;
 use crate::tuning::FIGURE_SEEN_FROM_M;
@@ -16,8 +17,10 @@ impl Scene {
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
-        for (entity, position, look, appearance) in
-            &mut self.ecs.query::<(Entity, &Position, &Look, &Appearance)>()
+        for (entity, position, look, appearance, mind) in
+            &mut self
+                .ecs
+                .query::<(Entity, &Position, &Look, &Appearance, Option<&Mind>)>()
         {
             if entity == self.player && (!sees_player || inside_own) {
                 continue;
@@ -29,6 +32,9 @@ impl Scene {
             };
             if entity == self.player {
                 self.use_in_hand(&mut figure);
+            }
+            if let Some(mind) = mind {
+                mind.show_shot(&mut figure);
             }
             seen.push(figure);
         }

@@ -9,12 +9,11 @@ use antipode_streaming::{Chunk, Detail, Reach, StreamingError, Until, Update, Wi
 use glam::DVec3;
 use thiserror::Error;
 
-use crate::bot::Bot;
 use crate::detail::{Sharpness, Sight};
 use crate::ground::{Spent, chunks_near};
 use crate::notice::Notice;
-use crate::player::Position;
-use crate::reach;
+use crate::npc::Event;
+use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
 use crate::tuning::AUTOSAVE_S;
 
@@ -55,13 +54,10 @@ impl Scene {
     fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
         let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
         let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
-        let bots = self
-            .ecs
-            .query::<(&Bot, &Position)>()
-            .iter()
-            .map(|(_, at)| (at.0, DVec3::ZERO))
-            .collect::<Vec<_>>();
-        reaches.extend(reach::of_others(bullets.chain(bots)));
+        reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
+        let bots = self.bots();
+        let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
+        reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
         reaches
     }
 
@@ -248,6 +244,7 @@ impl Scene {
         if edited {
             self.lamps_unchecked = true;
             self.drops_unchecked = true;
+            self.npcs.events.push(Event::Ground);
             self.lift_player_out();
         }
     }

@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap};
 use antipode_scene::tuning::BOT_HEALTH;
-use antipode_scene::{Actions, Scene};
+use antipode_scene::{Actions, NpcMode, Scene};
 use common::{scene, steps};
 use glam::DVec3;
 
@@ -93,6 +93,7 @@ fn places(scene: &Scene, around: ChartPoint, toward: impl Fn(usize) -> f64) -> V
 
 /// Hovers at a place over the ground and shoots at one target after another; returns hits and shots.
 fn hits(scene: &mut Scene, at: ChartPoint, toward: impl Fn(usize) -> f64) -> (usize, usize) {
+    scene.set_npcs(NpcMode::Still);
     let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
     let y = field.surface_height(at.hemisphere, at.pos.x, at.pos.z) + 5.0;
     let stand = ChartPoint::new(at.hemisphere, at.pos.with_y(y));

@@ -109,6 +109,8 @@ pub struct BotRecord {
     pub hostile: bool,
     /// For how long yet a peaceful one that was provoked fights, seconds.
     pub provoked_s: f64,
+    /// Whether it came by itself, and may go so.
+    pub native: bool,
 }
 
 /// A car.

@@ -233,6 +233,7 @@ pub(crate) mod v4 {
                 health: old.health,
                 hostile: old.hostile,
                 provoked_s: 0.0,
+                native: false,
             }
         }
     }

@@ -4,6 +4,7 @@
 //! Everything is driven through the interfaces that the game itself uses, without an adapter but for what is said to
 //! be drawn.
 
+mod bullets;
 mod clock;
 mod control;
 mod detail;
@@ -52,5 +53,6 @@ pub const SUITES: &[Suite] = &[
         logs.flight = log;
         Ok(section)
     },
+    |effort, _, _| bullets::section(effort),
     |effort, gpu, _| detail::section(effort, gpu),
 ];

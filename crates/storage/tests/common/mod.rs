@@ -79,6 +79,7 @@ pub fn state(simulated_s: f64) -> WorldState {
             health: 2.0,
             hostile: true,
             provoked_s: 4.5,
+            native: true,
         }],
         cars: vec![CarRecord {
             hemisphere: 0,

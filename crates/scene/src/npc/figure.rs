@@ -1,0 +1,278 @@
+//! One figure in one step: it takes in what happened, thinks when it is its turn, and moves.
+
+use antipode_geometry::ChartPoint;
+use antipode_physics::CharacterInput;
+use glam::DVec3;
+use hecs::Entity;
+
+use super::bearing::{ahead, way};
+use super::mind::{Mind, State};
+use super::navigation::{ASKS_M, Land};
+use super::senses::{Around, Event};
+use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
+use crate::bot::Bot;
+use crate::frame::ModelId;
+use crate::ground::chunks_near;
+use crate::motion::Doing;
+use crate::player::{self, Appearance, Body, Look, Position, wrap_angle};
+use crate::tuning::{BOT_HEALTH, STEP_S};
+
+/// Ground within this distance must be there before one moves, in metres.
+const NEEDED_AROUND_M: f64 = 2.0;
+/// A step of a way is taken this near to it, in metres.
+const STEP_THERE_M: f64 = 0.4;
+/// Plans are made anew after so long, in seconds: those that reached their goal, and those that did not.
+const PLANS_EVERY_S: (f64, f64) = (1.0, 2.0);
+/// Who has not got on by this, in metres, within this time, in seconds, is stuck.
+const GETS_ON_M: f64 = 0.35;
+const STUCK_AFTER_S: f64 = 1.2;
+/// How far ahead of who is stuck no way is, in metres.
+const BLOCKED_AHEAD_M: f64 = 0.9;
+/// How long a place that was no way is not tried again, in seconds.
+const BLOCKED_S: f64 = 8.0;
+/// So often in a row stuck, one gives a goal up.
+const STUCK_TIMES: u32 = 3;
+/// Rest between two jumps, in seconds, and from how near a jump is begun, in metres.
+const JUMP_REST_S: f64 = 1.2;
+const JUMPS_FROM_M: f64 = 1.3;
+/// Nearer than this others are kept away from, in metres.
+const ROOM_M: f64 = 0.9;
+
+/// A figure taken out of the world for a step.
+pub(crate) struct Npc {
+    pub entity: Entity,
+    pub bot: Bot,
+    pub point: ChartPoint,
+    pub look: Look,
+    pub body: Body,
+    pub health: f64,
+    pub appearance: Appearance,
+    pub mind: Mind,
+}
+
+impl Npc {
+    /// Lives one step; `thinks`: whether it is its turn to.
+    pub fn live(&mut self, around: &Around<'_>, thinks: bool) {
+        self.mind.pass();
+        self.heal();
+        self.notice(around);
+        if thinks {
+            self.perceive(around);
+            self.choose(around);
+            self.plan(around);
+        }
+        let input = self.steer(around);
+        self.face(around);
+        self.appearance.held = self.fights().then_some(ModelId::Gun);
+        self.advance(around, &input);
+    }
+
+    fn heal(&mut self) {
+        if self.bot.hit_s_ago > HEALS_AFTER_S && self.health < BOT_HEALTH {
+            self.health = (self.health + HEALS_PER_S * STEP_S).min(BOT_HEALTH);
+        }
+    }
+
+    /// Finds a way to the goal when there is none yet, or it is old.
+    fn plan(&mut self, around: &Around<'_>) {
+        let Some(goal) = self.mind.goal else { return };
+        let there = way(around.strategy(), self.point, goal.point);
+        if there.level_m < goal.within_m {
+            self.arrive(around, goal.lamp);
+            return;
+        }
+        let stale_s = if self.mind.steps.is_empty() {
+            PLANS_EVERY_S.0.min(0.5)
+        } else {
+            PLANS_EVERY_S.1
+        };
+        let changed = around
+            .events
+            .iter()
+            .any(|event| matches!(event, Event::Ground));
+        if self.mind.planned_s < stale_s && !changed || !self.body.0.grounded {
+            return;
+        }
+        // What a plan asks about must be there; else it would depend on how quickly it comes.
+        let asked = chunks_near(around.strategy(), self.point, ASKS_M);
+        let streamer = &around.scene.streamer;
+        if !asked.into_iter().all(|coord| streamer.is_ready(coord)) {
+            return;
+        }
+        let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
+        let land = Land {
+            strategy: around.strategy(),
+            ground: &around.scene.ground,
+            blocked: &blocked,
+        };
+        self.mind.planned_s = 0.0;
+        match land.route(self.point, goal.point) {
+            Some(route) => self.mind.steps = route.steps,
+            None => self.find_no_way(),
+        }
+    }
+
+    fn arrive(&mut self, around: &Around<'_>, lamp: Option<ChartPoint>) {
+        self.mind.halt();
+        match (self.mind.state, lamp) {
+            (State::Wander, Some(lamp)) => {
+                self.mind.enter(State::Sit);
+                self.mind.face = Some(lamp);
+            }
+            (State::Wander, None) => {
+                self.mind.rest();
+                // Who has met somebody looks at that one.
+                self.mind.face = around
+                    .others
+                    .iter()
+                    .filter(|other| other.entity != self.entity)
+                    .find(|other| around.apart_m(self.point, other.point) < 3.0)
+                    .map(|other| {
+                        other
+                            .point
+                            .moved(DVec3::Y * around.scene.tuning.eye_height_m())
+                    });
+            }
+            _ => {}
+        }
+    }
+
+    /// No way leads nearer to the goal: in peace another is chosen, in a fight it is tried again later.
+    fn find_no_way(&mut self) {
+        self.mind.steps.clear();
+        self.mind.stuck += 1;
+        match self.mind.state {
+            State::Wander | State::Aside => self.mind.rest(),
+            _ if self.mind.stuck > STUCK_TIMES => {
+                self.mind.goal = None;
+                self.mind.side = -self.mind.side;
+                self.mind.stuck = 0;
+            }
+            _ => {}
+        }
+    }
+
+    /// What the body is asked to do to follow the way.
+    fn steer(&mut self, around: &Around<'_>) -> CharacterInput {
+        let mut input = CharacterInput::default();
+        let room = self.room(around);
+        let pace = self.mind.goal.map_or(0.0, |goal| goal.pace);
+        while let Some(step) = self.mind.steps.last().copied() {
+            let there = way(around.strategy(), self.point, step.point);
+            if there.level_m < STEP_THERE_M {
+                self.mind.steps.pop();
+                continue;
+            }
+            let rises = step.jump && there.level_m < JUMPS_FROM_M;
+            if rises && self.body.0.grounded && self.mind.jump_rest_s <= 0.0 {
+                input.jump = true;
+                self.mind.jump_rest_s = JUMP_REST_S;
+            }
+            input.wish = there.heading * pace.min(1.0);
+            break;
+        }
+        if input.wish == DVec3::ZERO {
+            self.mind.anchor = None;
+        } else {
+            self.watch_progress(around);
+        }
+        input.wish = (input.wish + room).clamp_length_max(1.0);
+        if pace > 1.0 && input.wish != DVec3::ZERO {
+            // Faster than a walk is a share of a sprint.
+            input.sprint = true;
+            input.wish *= pace / around.scene.tuning.sprint_factor;
+        }
+        input
+    }
+
+    /// Which way to give room to others who stand too close, and how much.
+    fn room(&self, around: &Around<'_>) -> DVec3 {
+        let player = around.quarry.iter().map(|quarry| quarry.feet);
+        let others = around.others.iter().filter(|it| it.entity != self.entity);
+        let mut push = DVec3::ZERO;
+        for point in others.map(|it| it.point).chain(player) {
+            if point.hemisphere != self.point.hemisphere {
+                continue;
+            }
+            let away = self.point.pos - point.pos;
+            let level_m = away.with_y(0.0).length();
+            if level_m < ROOM_M && away.y.abs() < 1.8 {
+                push += away.with_y(0.0).normalize_or(DVec3::X) * (0.6 * (1.0 - level_m / ROOM_M));
+            }
+        }
+        push.clamp_length_max(0.5)
+    }
+
+    /// Notes whether it gets on. Who does not looks for a way round the next step, and gives up in the end.
+    fn watch_progress(&mut self, around: &Around<'_>) {
+        let anchor = *self.mind.anchor.get_or_insert(self.point);
+        if around.apart_m(anchor, self.point) > GETS_ON_M {
+            self.mind.anchor = Some(self.point);
+            self.mind.stuck_s = 0.0;
+            return;
+        }
+        self.mind.stuck_s += STEP_S;
+        if self.mind.stuck_s < STUCK_AFTER_S {
+            return;
+        }
+        self.mind.stuck_s = 0.0;
+        self.mind.anchor = None;
+        if let Some(step) = self.mind.steps.last() {
+            let heading = way(around.strategy(), self.point, step.point).heading;
+            let before = ahead(around.strategy(), self.point, heading, BLOCKED_AHEAD_M);
+            self.mind.blocked.push((before, BLOCKED_S));
+        }
+        self.mind.planned_s = f64::INFINITY;
+        self.find_no_way();
+    }
+
+    /// Turns towards what it looks at, or goes to.
+    fn face(&mut self, around: &Around<'_>) {
+        let (heading, rise) = if let Some(place) = self.mind.face {
+            let there = way(around.strategy(), self.point, place);
+            let eyes_m = self.point.pos.y + around.scene.tuning.eye_height_m();
+            let rise = (place.pos.y - eyes_m).atan2(there.level_m.max(0.5));
+            (there.heading, rise)
+        } else {
+            let velocity = self.body.0.velocity.with_y(0.0);
+            let goes = velocity.length() > 0.3;
+            (if goes { velocity } else { DVec3::ZERO }, 0.0)
+        };
+        let most = TURNS_RAD_S * STEP_S;
+        if heading != DVec3::ZERO {
+            let off = wrap_angle(heading.z.atan2(heading.x) - self.look.yaw);
+            self.look.yaw = wrap_angle(self.look.yaw + off.clamp(-most, most));
+        }
+        self.look.pitch += (rise - self.look.pitch).clamp(-most, most);
+    }
+
+    /// Moves the body through the world, and the clips with it.
+    pub fn advance(&mut self, around: &Around<'_>, input: &CharacterInput) {
+        let strategy = around.strategy();
+        let doing = Doing {
+            holds: self.appearance.held.is_some(),
+            sits: self.mind.state == State::Sit,
+            ..player::doing(&self.look, &self.body)
+        };
+        self.appearance.motion.pass(&doing, STEP_S);
+        self.settle(around, input);
+        let mut position = Position(self.point);
+        player::cross(strategy, &mut position, &mut self.look, &mut self.body);
+        self.point = position.0;
+    }
+
+    /// Lets the body stand, go or fall where the ground is there.
+    pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
+        let strategy = around.strategy();
+        let streamer = &around.scene.streamer;
+        let near = chunks_near(strategy, self.point, NEEDED_AROUND_M);
+        if !near.into_iter().all(|coord| streamer.is_ready(coord)) {
+            return;
+        }
+        let origin = strategy.chart_origin_m(self.point.hemisphere);
+        self.body.0.feet = self.point.pos + origin;
+        let physics = &around.scene.physics;
+        physics.move_character(&mut self.body.0, &around.scene.tuning, input, STEP_S);
+        self.point.pos = self.body.0.feet - origin;
+    }
+}

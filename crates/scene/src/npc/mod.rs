@@ -1,0 +1,251 @@
+//! The minds of other figures: what they sense, choose and do. One step of all of them, and what the rest of the scene
+//! tells them.
+
+mod bearing;
+mod choice;
+mod dice;
+mod figure;
+pub(crate) mod mind;
+mod navigation;
+mod population;
+mod senses;
+mod shooting;
+pub(crate) mod tuning;
+
+use std::sync::Arc;
+
+use antipode_geometry::ChartPoint;
+use antipode_physics::CharacterInput;
+use hecs::Entity;
+
+use crate::bot::Bot;
+use crate::drops::Drop;
+use crate::inventory::Stack;
+use crate::item::Item;
+use crate::motion::Doing;
+use crate::player::{self, Appearance, Body, Health, Look, Position};
+use crate::scene::Scene;
+use crate::tuning::{BOT_LIES_S, MOST_DROPS, STEP_S};
+use dice::Dice;
+use figure::Npc;
+use mind::Mind;
+pub use mind::State;
+pub(crate) use navigation::ASKS_M;
+pub(crate) use senses::Event;
+use senses::{Around, Other, Quarry};
+use tuning::{LEAVES_BULLETS, THINKS_EVERY_STEPS};
+
+/// Height over the ground at which the dead leave what they had, in metres.
+const LEAVES_AT_M: f64 = 0.4;
+
+/// What the figures of a world have in common.
+#[derive(Debug, Default)]
+pub(crate) struct Npcs {
+    /// What has happened since they last looked.
+    pub events: Vec<Event>,
+    /// Steps so far.
+    steps: u64,
+    /// Whether they come by themselves, and have a mind.
+    pub mode: NpcMode,
+}
+
+/// What other figures may do in a scene; no part of the world, so nothing of it is saved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NpcMode {
+    /// They come and go by themselves.
+    On,
+    /// None comes or goes by itself; those who are there live.
+    #[default]
+    Off,
+    /// Those who are there stand still, as targets do.
+    Still,
+}
+
+impl Scene {
+    /// Says what other figures may do. Off in a scene that was just opened.
+    pub fn set_npcs(&mut self, mode: NpcMode) {
+        self.npcs.mode = mode;
+    }
+
+    /// Frightens everyone peaceful within `radius_m` metres of a place: they run from it for some seconds.
+    pub fn scare(&mut self, from: ChartPoint, radius_m: f64) {
+        self.npcs.events.push(Event::Scare(from, radius_m));
+    }
+
+    /// A mind for a figure of that number: what it will choose follows from the world, the number and the time.
+    pub(crate) fn new_mind(&self, id: u32) -> Mind {
+        let seeds = [self.setup.seed, u64::from(id), self.simulated_s.to_bits()];
+        Mind::new(Dice::new(&seeds))
+    }
+
+    /// Lets everyone live one step, the dead lie and go, and others come.
+    pub(crate) fn step_bots(&mut self) {
+        self.npcs.steps += 1;
+        let steps = self.npcs.steps;
+        let events = std::mem::take(&mut self.npcs.events);
+        let others = self.others();
+        let quarry = self.quarry();
+        for (id, entity) in self.figures_in_order() {
+            let Some(mut npc) = self.take_npc(entity) else {
+                continue;
+            };
+            let around = Around {
+                scene: self,
+                quarry,
+                others: &others,
+                events: &events,
+            };
+            if npc.health <= 0.0 {
+                let dies = npc.lie(&around);
+                let gone = npc.bot.dead_s > BOT_LIES_S;
+                if dies {
+                    self.leave_bullets(&mut npc);
+                }
+                self.give_back(npc);
+                if gone {
+                    // It was there a moment ago.
+                    let _ = self.ecs.despawn(entity);
+                }
+                continue;
+            }
+            npc.bot.hit_s_ago += STEP_S;
+            let shot = if self.npcs.mode == NpcMode::Still {
+                npc.advance(&around, &CharacterInput::default());
+                None
+            } else {
+                let thinks = (steps + u64::from(id)).is_multiple_of(THINKS_EVERY_STEPS);
+                npc.live(&around, thinks);
+                npc.shoot(&around)
+            };
+            self.give_back(npc);
+            if let Some(shot) = shot {
+                self.fire_for(entity, shot);
+            }
+        }
+        if self.npcs.mode == NpcMode::On {
+            self.come_and_go(steps);
+        }
+    }
+
+    fn figures_in_order(&self) -> Vec<(u32, Entity)> {
+        let mut all: Vec<_> = self
+            .ecs
+            .query::<(Entity, &Bot)>()
+            .iter()
+            .map(|(entity, bot)| (bot.id, entity))
+            .collect();
+        all.sort_unstable_by_key(|(id, _)| *id);
+        all
+    }
+
+    fn others(&self) -> Vec<Other> {
+        let mut all: Vec<_> = self
+            .ecs
+            .query::<(Entity, &Bot, &Position, &Health, &Mind)>()
+            .iter()
+            .filter(|(.., health, _)| health.0 > 0.0)
+            .map(|(entity, bot, position, _, mind)| Other {
+                entity,
+                id: bot.id,
+                point: position.0,
+                fights: bot.hostile || mind.angry_s > 0.0,
+                native: bot.native,
+            })
+            .collect();
+        all.sort_unstable_by_key(|other| other.id);
+        all
+    }
+
+    /// The player, unless dead or a spectator.
+    fn quarry(&self) -> Option<Quarry> {
+        let (position, _, body, _) = self.player_parts();
+        (!self.flying && !self.is_dead()).then(|| Quarry {
+            head: self.head(),
+            feet: position.0,
+            velocity: body.0.velocity,
+        })
+    }
+
+    /// A figure out of the world; its mind is left behind empty until it is given back.
+    fn take_npc(&mut self, entity: Entity) -> Option<Npc> {
+        let empty = Mind::new(Dice::new(&[]));
+        let (bot, position, look, body, health, appearance, mind) = self
+            .ecs
+            .query_one_mut::<(
+                &Bot,
+                &Position,
+                &Look,
+                &Body,
+                &Health,
+                &Appearance,
+                &mut Mind,
+            )>(entity)
+            .ok()?;
+        Some(Npc {
+            entity,
+            bot: *bot,
+            point: position.0,
+            look: *look,
+            body: body.clone(),
+            health: health.0,
+            appearance: *appearance,
+            mind: std::mem::replace(mind, empty),
+        })
+    }
+
+    fn give_back(&mut self, npc: Npc) {
+        let components = (
+            npc.bot,
+            Position(npc.point),
+            npc.look,
+            npc.body,
+            Health(npc.health),
+            npc.appearance,
+            npc.mind,
+        );
+        // It was there a moment ago.
+        let _ = self.ecs.insert(npc.entity, components);
+    }
+
+    /// The dead leave bullets, more who fought.
+    fn leave_bullets(&mut self, npc: &mut Npc) {
+        let [fighters, others] = LEAVES_BULLETS;
+        let count = npc
+            .mind
+            .dice
+            .whole(if npc.fights() { fighters } else { others });
+        if self.drops.len() >= MOST_DROPS {
+            return;
+        }
+        let stack = Stack {
+            item: Item::Bullet,
+            count,
+        };
+        let point = npc.point.moved(glam::DVec3::Y * LEAVES_AT_M);
+        let mut drop = Drop::lying(stack, point);
+        drop.rests = false;
+        self.drops.push(drop);
+        self.changed = true;
+    }
+}
+
+impl Npc {
+    /// Lies dead for a step; returns whether it died in it.
+    fn lie(&mut self, around: &Around<'_>) -> bool {
+        let dies = self.mind.state != State::Dead;
+        self.mind.enter(State::Dead);
+        self.bot.dead_s += STEP_S;
+        let doing = Doing {
+            dead: true,
+            holds: self.appearance.held.is_some(),
+            ..player::doing(&self.look, &self.body)
+        };
+        self.appearance.motion.pass(&doing, STEP_S);
+        self.settle(around, &CharacterInput::default());
+        let strategy = Arc::clone(&around.scene.strategy);
+        let mut position = Position(self.point);
+        player::cross(&*strategy, &mut position, &mut self.look, &mut self.body);
+        self.point = position.0;
+        dies
+    }
+}

@@ -1,0 +1,333 @@
+//! Finding a way over the ground as it is, edits included: a search among columns a metre apart around who walks.
+//!
+//! Columns are those of the walker's chart, past its rim too; each is asked for in the chart that its point belongs to.
+
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use glam::DVec3;
+use pathfinding::prelude::astar;
+
+use super::bearing::{ahead, way};
+use crate::ground::Ground;
+use crate::pick::over;
+
+/// Distance between columns, in metres.
+const COLUMN_M: f64 = 1.0;
+/// How far a way is planned ahead, and how far from the start columns are looked at, in metres.
+pub(crate) const PLANS_M: f64 = 9.0;
+const LOOKS_M: f64 = 12.0;
+/// Ground within this distance is asked about by a plan, to each side and up and down, in metres.
+pub(crate) const ASKS_M: f64 = 14.0;
+/// From how far above the feet, and down to how far below, the floor of a next column is looked for, and in what steps,
+/// in metres.
+const FLOOR_ABOVE_M: f64 = 1.3;
+const FLOOR_BELOW_M: f64 = 3.1;
+const FLOOR_STEP_M: f64 = 0.4;
+/// Heights over a floor that must be free, in metres.
+const FREE_AT_M: [f64; 3] = [0.5, 1.1, 1.8];
+/// Steepest way that is walked up, as rise over level distance: short of the character's limit of fifty degrees.
+const STEEPEST: f64 = 0.95;
+/// Unevenness of a floor that is let pass besides, in metres.
+const UNEVEN_M: f64 = 0.05;
+/// Highest step that is jumped, and deepest that is gone down at once, in metres.
+const JUMPS_M: f64 = 0.95;
+const DROPS_M: f64 = 2.6;
+/// Head room that a jump needs over where it begins, in metres.
+const JUMP_ROOM_M: f64 = 2.7;
+/// What a jump and a metre of drop cost besides, in metres of way.
+const JUMP_COSTS_M: f64 = 3.0;
+const DROP_COSTS: f64 = 1.5;
+/// Most columns that a search goes on from.
+const MOST_EXPANDED: usize = 350;
+/// A way that ends nowhere at least this much nearer to the goal is none, in metres.
+const LEAST_GAIN_M: f64 = 0.8;
+/// Costs are counted in millimetres.
+const PER_M: f64 = 1000.0;
+
+/// A place to go to next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    /// Where the feet will be.
+    pub point: ChartPoint,
+    /// Whether it takes a jump to get there.
+    pub jump: bool,
+}
+
+/// A way to go.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Route {
+    /// The steps, the last first.
+    pub steps: Vec<Step>,
+    /// Whether it leads to what was asked for, or as far towards it as is planned; else only nearer.
+    pub reaches: bool,
+}
+
+/// The ground to walk on.
+pub(crate) struct Land<'a> {
+    pub strategy: &'a dyn Strategy,
+    pub ground: &'a Ground,
+    /// Places that have turned out to be no way.
+    pub blocked: &'a [ChartPoint],
+}
+
+/// A column and its floor, relative to the start: indices, and the height in centimetres.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Node {
+    x: i32,
+    z: i32,
+    y_cm: i32,
+}
+
+/// How one gets from a floor to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Gait {
+    Walk,
+    Jump,
+}
+
+impl Land<'_> {
+    /// A way from one place towards another: straight where that can be walked, else round what is in the way.
+    /// Nothing where there is no way that leads nearer.
+    pub fn route(&self, from: ChartPoint, to: ChartPoint) -> Option<Route> {
+        let there = way(self.strategy, from, to);
+        let target = if there.level_m > PLANS_M {
+            ahead(self.strategy, from, there.heading, PLANS_M)
+        } else {
+            to
+        };
+        let target = over(self.strategy, from, target);
+        if let Some(end) = self.straight(from, target.pos) {
+            let point = self.placed(from.hemisphere, end);
+            let step = Step { point, jump: false };
+            return Some(Route {
+                steps: vec![step],
+                reaches: true,
+            });
+        }
+        Search::new(self, from, target.pos).run()
+    }
+
+    /// Whether one can walk straight there, and where the feet are then.
+    fn straight(&self, from: ChartPoint, to: DVec3) -> Option<DVec3> {
+        let level = (to - from.pos).with_y(0.0);
+        let count = (level.length() / (0.5 * COLUMN_M)).ceil().max(1.0);
+        let mut at = from.pos;
+        for index in 1..=count as u32 {
+            let next = from.pos + level * (f64::from(index) / count);
+            let floor = self.floor(from.hemisphere, next.with_y(at.y))?;
+            let run_m = (floor - at).with_y(0.0).length();
+            if (floor.y - at.y).abs() > STEEPEST * run_m + UNEVEN_M || self.is_blocked(from, floor)
+            {
+                return None;
+            }
+            at = floor;
+        }
+        Some(at)
+    }
+
+    fn is_blocked(&self, from: ChartPoint, at: DVec3) -> bool {
+        self.blocked.iter().any(|spot| {
+            let spot = over(self.strategy, from, *spot).pos;
+            (spot - at).with_y(0.0).length() < 0.8 * COLUMN_M
+        })
+    }
+
+    /// The point in the chart that it belongs to.
+    fn placed(&self, hemisphere: Hemisphere, pos: DVec3) -> ChartPoint {
+        let point = ChartPoint::new(hemisphere, pos);
+        self.strategy.cross(point).map_or(point, |over| over.point)
+    }
+
+    fn density(&self, hemisphere: Hemisphere, pos: DVec3) -> f64 {
+        f64::from(self.ground.density(self.placed(hemisphere, pos)))
+    }
+
+    /// The floor of a column near a height, with room to stand on it.
+    fn floor(&self, hemisphere: Hemisphere, near: DVec3) -> Option<DVec3> {
+        let at = |y: f64| self.density(hemisphere, near.with_y(y));
+        let mut high = (near.y + FLOOR_ABOVE_M, at(near.y + FLOOR_ABOVE_M));
+        let bottom = near.y - FLOOR_BELOW_M;
+        while high.0 > bottom {
+            let y = high.0 - FLOOR_STEP_M;
+            let low = (y, at(y));
+            if high.1 >= 0.0 && low.1 < 0.0 {
+                // The field is nearly linear over so short a way.
+                let middle = high.0 - FLOOR_STEP_M * high.1 / (high.1 - low.1);
+                let free = FREE_AT_M.iter().all(|rise| at(middle + rise) > 0.0);
+                return free.then(|| near.with_y(middle));
+            }
+            high = low;
+        }
+        None
+    }
+
+    /// How one gets from a floor to the next, and what it costs in metres; both free to stand on.
+    fn gait(&self, hemisphere: Hemisphere, from: DVec3, to: DVec3) -> Option<(Gait, f64)> {
+        let rise = to.y - from.y;
+        let run_m = (to - from).with_y(0.0).length();
+        if rise < -DROPS_M {
+            return None;
+        }
+        let half = from.midpoint(to).with_y(from.y);
+        let middle = self.floor(hemisphere, half);
+        let walks = middle.is_some_and(|middle| {
+            let steepest = STEEPEST * 0.5 * run_m + UNEVEN_M;
+            (middle.y - from.y).abs() <= steepest && (to.y - middle.y).abs() <= steepest
+        });
+        if walks {
+            return Some((Gait::Walk, run_m.hypot(rise)));
+        }
+        if rise < -0.3 {
+            return Some((Gait::Walk, run_m - DROP_COSTS * rise));
+        }
+        let room = self.density(hemisphere, from + DVec3::Y * JUMP_ROOM_M) > 0.0;
+        (rise > 0.3 && rise <= JUMPS_M && room).then_some((Gait::Jump, run_m + JUMP_COSTS_M))
+    }
+}
+
+/// One search.
+struct Search<'a> {
+    land: &'a Land<'a>,
+    from: ChartPoint,
+    to: DVec3,
+    expanded: Cell<usize>,
+    /// The node nearest to the goal so far.
+    best: Cell<(u64, Node)>,
+    floors: RefCell<HashMap<Node, Option<Node>>>,
+    start: Node,
+}
+
+impl<'a> Search<'a> {
+    fn new(land: &'a Land<'a>, from: ChartPoint, to: DVec3) -> Self {
+        let start = Node {
+            x: 0,
+            z: 0,
+            y_cm: 0,
+        };
+        let search = Self {
+            land,
+            from,
+            to,
+            expanded: Cell::new(0),
+            best: Cell::new((u64::MAX, start)),
+            floors: RefCell::default(),
+            start,
+        };
+        search.best.set((search.left(start), start));
+        search
+    }
+
+    fn pos(&self, node: Node) -> DVec3 {
+        let away = DVec3::new(
+            f64::from(node.x) * COLUMN_M,
+            f64::from(node.y_cm) * 0.01,
+            f64::from(node.z) * COLUMN_M,
+        );
+        self.from.pos + away
+    }
+
+    /// Millimetres still to go over the level.
+    fn left(&self, node: Node) -> u64 {
+        ((self.to - self.pos(node)).with_y(0.0).length() * PER_M) as u64
+    }
+
+    fn run(&self) -> Option<Route> {
+        let near = |node: &Node| self.left(*node) <= (0.75 * COLUMN_M * PER_M) as u64;
+        let found = self.search(near);
+        let reaches = found.is_some();
+        let path = if let Some(path) = found {
+            path
+        } else {
+            let (left, best) = self.best.get();
+            if left + (LEAST_GAIN_M * PER_M) as u64 > self.left(self.start) {
+                return None;
+            }
+            self.expanded.set(0);
+            self.search(|node| *node == best)?
+        };
+        let mut steps: Vec<Step> = path
+            .windows(2)
+            .map(|pair| Step {
+                point: self.land.placed(self.from.hemisphere, self.pos(pair[1])),
+                jump: matches!(self.edge(pair[0], pair[1]), Some((Gait::Jump, _))),
+            })
+            .collect();
+        steps.reverse();
+        Some(Route { steps, reaches })
+    }
+
+    fn search(&self, success: impl Fn(&Node) -> bool) -> Option<Vec<Node>> {
+        astar(
+            &self.start,
+            |node| self.neighbours(*node),
+            |node| self.left(*node),
+            |node| success(node),
+        )
+        .map(|(path, _)| path)
+    }
+
+    /// The columns around that one can go to, and what it costs. Past corners one needs both sides.
+    fn neighbours(&self, node: Node) -> Vec<(Node, u64)> {
+        let count = self.expanded.get() + 1;
+        self.expanded.set(count);
+        let left = self.left(node);
+        if left < self.best.get().0 {
+            self.best.set((left, node));
+        }
+        if count > MOST_EXPANDED {
+            return Vec::new();
+        }
+        let mut sides = [None; 4];
+        for (side, (dx, dz)) in [(1, 0), (0, 1), (-1, 0), (0, -1)].into_iter().enumerate() {
+            sides[side] = self.reached(node, dx, dz);
+        }
+        let mut found: Vec<_> = sides.iter().copied().flatten().collect();
+        for side in 0..4 {
+            let next = (side + 1) % 4;
+            if sides[side].is_some() && sides[next].is_some() {
+                let (dx, dz) = [(1, 1), (-1, 1), (-1, -1), (1, -1)][side];
+                found.extend(self.reached(node, dx, dz));
+            }
+        }
+        found
+    }
+
+    fn reached(&self, node: Node, dx: i32, dz: i32) -> Option<(Node, u64)> {
+        let (x, z) = (node.x + dx, node.z + dz);
+        if f64::from(x.abs().max(z.abs())) * COLUMN_M > LOOKS_M {
+            return None;
+        }
+        let column = Node {
+            x,
+            z,
+            y_cm: node.y_cm,
+        };
+        let next = self.floor(column)?;
+        let (_, cost_m) = self.edge(node, next)?;
+        Some((next, (cost_m * PER_M) as u64))
+    }
+
+    fn edge(&self, from: Node, to: Node) -> Option<(Gait, f64)> {
+        self.land
+            .gait(self.from.hemisphere, self.pos(from), self.pos(to))
+    }
+
+    /// The floor of a column near the height of the node asked for, each looked for once.
+    fn floor(&self, column: Node) -> Option<Node> {
+        if let Some(known) = self.floors.borrow().get(&column) {
+            return *known;
+        }
+        let found = self
+            .land
+            .floor(self.from.hemisphere, self.pos(column))
+            .filter(|floor| !self.land.is_blocked(self.from, *floor))
+            .map(|floor| Node {
+                y_cm: ((floor.y - self.from.pos.y) * 100.0).round() as i32,
+                ..column
+            });
+        self.floors.borrow_mut().insert(column, found);
+        found
+    }
+}

@@ -1,0 +1,137 @@
+//! What a mind knows of the world around it: what it sees along geodesics, what it hears, who is near.
+
+use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_physics::PhysicsWorld;
+use glam::DVec3;
+use hecs::Entity;
+
+use super::bearing::{apart_m, way};
+use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
+use crate::pick::segment_hit;
+use crate::player::Look;
+use crate::scene::Scene;
+
+/// Length of a tested piece of a line of sight, in metres.
+const SEGMENT_M: f64 = 1.0;
+/// A line of sight is not tested over the last of it: who stands against a wall is seen before it, in metres.
+const LAST_M: f64 = 0.3;
+
+/// Something that happened and may be noticed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Event {
+    /// The player fired there.
+    Shot(ChartPoint),
+    /// Someone was hit there.
+    Hit {
+        /// Who.
+        victim: Entity,
+        /// Where.
+        at: ChartPoint,
+        /// Whether the player did it.
+        by_player: bool,
+    },
+    /// Something frightening is there, as far as it frightens, in metres.
+    Scare(ChartPoint, f64),
+    /// The ground was changed.
+    Ground,
+}
+
+/// The player as others may find it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quarry {
+    /// The eye in the player's head, through which the world is seen.
+    pub head: Eye,
+    /// Where the feet are.
+    pub feet: ChartPoint,
+    /// Velocity in the chart of the feet, m/s.
+    pub velocity: DVec3,
+}
+
+/// Another figure.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Other {
+    pub entity: Entity,
+    pub id: u32,
+    pub point: ChartPoint,
+    pub fights: bool,
+    pub native: bool,
+}
+
+/// The world around a mind, as it was when the step began.
+pub(crate) struct Around<'a> {
+    pub scene: &'a Scene,
+    /// The player, where there is one to be met: neither dead nor a spectator.
+    pub quarry: Option<Quarry>,
+    pub others: &'a [Other],
+    pub events: &'a [Event],
+}
+
+impl Around<'_> {
+    pub fn strategy(&self) -> &dyn Strategy {
+        &*self.scene.strategy
+    }
+
+    /// Whether the player is in sight of someone whose feet are at a point: just when the player could see that one too,
+    /// through whatever picture. Tested from head to head, and from head to belt.
+    pub fn sees_player(&self, quarry: &Quarry, point: ChartPoint) -> bool {
+        let tuning = &self.scene.tuning;
+        let pictured = &**self.scene.lens.strategy();
+        [tuning.eye_height_m(), 0.5 * tuning.height_m]
+            .into_iter()
+            .any(|rise_m| {
+                let spot = point.moved(DVec3::Y * rise_m);
+                sees(pictured, &self.scene.physics, &quarry.head, spot)
+            })
+    }
+
+    /// Whether someone whose feet are at a point sees another place.
+    pub fn sees_place(&self, point: ChartPoint, place: ChartPoint) -> bool {
+        let height_m = self.scene.tuning.eye_height_m();
+        let eye = Eye {
+            point: point.moved(DVec3::Y * height_m),
+            dial: self.scene.lens.value(),
+            lift_m: height_m,
+            ..Eye::default()
+        };
+        let pictured = &**self.scene.lens.strategy();
+        sees(pictured, &self.scene.physics, &eye, place)
+    }
+
+    /// Whether a place is where someone looks at a glance, or close enough to be felt.
+    pub fn is_before(&self, point: ChartPoint, look: &Look, place: ChartPoint) -> bool {
+        let there = way(self.strategy(), point, place);
+        there.level_m < FEELS_M || there.heading.dot(look.heading()) > GLANCE_HALF_RAD.cos()
+    }
+
+    /// How far apart two places are, in metres of the space.
+    pub fn apart_m(&self, a: ChartPoint, b: ChartPoint) -> f64 {
+        apart_m(self.strategy(), a, b)
+    }
+}
+
+/// Whether no ground lies on the geodesic from an eye to a place.
+pub(crate) fn sees(
+    strategy: &dyn Strategy,
+    physics: &PhysicsWorld,
+    eye: &Eye,
+    place: ChartPoint,
+) -> bool {
+    let view = strategy.view_point(eye, place);
+    let away_m = strategy.eye_distance_m(eye, view);
+    let direction = view.truncate().normalize_or_zero();
+    if away_m.is_nan() || away_m >= strategy.sight_limit_m(eye) || direction == DVec3::ZERO {
+        return false;
+    }
+    let end_m = away_m - LAST_M;
+    let count = (end_m / SEGMENT_M).ceil().max(1.0) as u32;
+    let mut near = eye.point;
+    for index in 1..=count {
+        let along_m = end_m * f64::from(index) / f64::from(count);
+        let far = strategy.along(eye, direction, along_m);
+        if segment_hit(strategy, physics, near, far).is_some() {
+            return false;
+        }
+        near = far;
+    }
+    true
+}

@@ -1,0 +1,169 @@
+//! Shots at the player: led by its way, only where nothing is between, and never quite exact.
+
+use antipode_geometry::ChartPoint;
+use antipode_physics::{Ball, meets_capsule};
+use glam::DVec3;
+use hecs::Entity;
+
+use super::bearing::{apart_m, way};
+use super::figure::Npc;
+use super::mind::State;
+use super::senses::{Around, Quarry};
+use super::tuning::{ASTRAY_RAD, MUZZLE_M_S, SHOOTS_M, SHOTS_EVERY_S};
+use crate::aim::aim;
+use crate::pick::{over, segment_hit};
+use crate::player::{self, Position};
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+use crate::tuning::BULLET;
+
+/// A look this far off the aim hinders a shot, in radians.
+const FACES_RAD: f64 = 0.35;
+/// Rounds in which the lead is found: each mends the time of flight.
+const LEAD_ROUNDS: usize = 3;
+/// Of the flight tested before a shot, the length of a piece, in seconds, and the end that is left out, in metres.
+const TESTED_S: f64 = 0.08;
+const LAST_M: f64 = 0.7;
+/// Who cannot shoot now looks again so soon, in seconds.
+const AGAIN_S: f64 = 0.4;
+/// What is aimed at, as a share of the height from the feet.
+const AIMS_AT: f64 = 0.6;
+/// Shots of others are heard within this distance, in metres.
+const HEARD_M: f64 = 40.0;
+/// Who is farther from a piece of a shot's way than this cannot be met on it, in metres.
+const NEAR_M: f64 = 5.0;
+/// Others this far from a shot's way are safe, in metres.
+const SAFE_M: f64 = 0.3;
+
+/// A shot to fire.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Shot {
+    muzzle: ChartPoint,
+    velocity: DVec3,
+}
+
+impl Npc {
+    /// Shoots when it is time and the way is clear.
+    pub fn shoot(&mut self, around: &Around<'_>) -> Option<Shot> {
+        let fights = matches!(self.mind.state, State::Fight | State::Chase);
+        let ready = fights && self.mind.fires_in_s <= 0.0;
+        let in_sight = self.mind.known.is_some_and(|known| known.ago_s < 0.2);
+        let quarry = around.quarry.filter(|_| ready && in_sight)?;
+        let there = way(around.strategy(), self.point, quarry.feet);
+        let faces = there.heading.dot(self.look.heading()) > FACES_RAD.cos();
+        let near = around.apart_m(self.point, quarry.feet) < SHOOTS_M;
+        if !(faces && near) {
+            return None;
+        }
+        let shot = self.aimed(around, &quarry);
+        if !self.is_clear(around, &shot, &quarry) {
+            self.mind.fires_in_s = AGAIN_S;
+            // Another place may have a clear way.
+            self.mind.since_s += 1.0;
+            return None;
+        }
+        self.mind.fires_in_s = self.mind.dice.between(SHOTS_EVERY_S);
+        self.mind.fired_s = 0.0;
+        Some(Shot {
+            velocity: self.mind.astray(shot.velocity, ASTRAY_RAD),
+            ..shot
+        })
+    }
+
+    /// A shot that meets the player where it will be when the bullet comes.
+    fn aimed(&self, around: &Around<'_>, quarry: &Quarry) -> Shot {
+        let scene = around.scene;
+        let eye = player::eye(
+            &Position(self.point),
+            &self.look,
+            0.0,
+            scene.tuning.eye_height_m(),
+        );
+        let muzzle = scene.muzzle_of(&eye);
+        let middle = quarry
+            .feet
+            .moved(DVec3::Y * (AIMS_AT * scene.tuning.height_m));
+        let aimed = |target| {
+            aim(
+                &*scene.strategy,
+                muzzle,
+                target,
+                MUZZLE_M_S,
+                BULLET.gravity_m_s2,
+            )
+        };
+        let mut velocity = aimed(middle);
+        let mut target = middle;
+        for _ in 0..LEAD_ROUNDS {
+            // Bullets go by the metres of the chart, which near the equator are more than those of the space.
+            let level = over(&*scene.strategy, muzzle, target).pos - muzzle.pos;
+            let speed_m_s = velocity.with_y(0.0).length().max(1.0);
+            let flight_s = level.with_y(0.0).length() / speed_m_s;
+            // A fall or a jump is not led: who is in the air is soon down again.
+            let led = middle.moved(quarry.velocity.with_y(0.0) * flight_s);
+            target = scene.strategy.cross(led).map_or(led, |over| over.point);
+            velocity = aimed(target);
+        }
+        Shot { muzzle, velocity }
+    }
+
+    /// Whether a shot would meet neither ground nor a friend before it comes to the player.
+    fn is_clear(&self, around: &Around<'_>, shot: &Shot, quarry: &Quarry) -> bool {
+        let strategy = around.strategy();
+        let away_m = around.apart_m(shot.muzzle, quarry.feet);
+        let mut at = shot.muzzle;
+        let mut ball = Ball {
+            centre: at.pos,
+            velocity: shot.velocity,
+        };
+        let mut gone_m = 0.0;
+        while gone_m + LAST_M < away_m {
+            let after = ball.fallen(BULLET.gravity_m_s2, TESTED_S);
+            let next = ChartPoint::new(at.hemisphere, after.centre);
+            gone_m += (after.centre - ball.centre).length();
+            if segment_hit(strategy, &around.scene.physics, at, next).is_some()
+                || self.meets_friend(around, at, next)
+            {
+                return false;
+            }
+            (at, ball) = (next, after);
+            if let Some(crossing) = strategy.cross(at) {
+                at = crossing.point;
+                ball = Ball {
+                    centre: at.pos,
+                    velocity: crossing.turn_vector(ball.velocity),
+                };
+            }
+        }
+        true
+    }
+
+    fn meets_friend(&self, around: &Around<'_>, from: ChartPoint, to: ChartPoint) -> bool {
+        let tuning = &around.scene.tuning;
+        around.others.iter().any(|other| {
+            let feet = over(around.strategy(), from, other.point).pos;
+            other.entity != self.entity
+                && (feet - from.pos).length_squared() < NEAR_M * NEAR_M
+                && meets_capsule(
+                    from.pos,
+                    to.pos,
+                    SAFE_M,
+                    feet,
+                    tuning.height_m,
+                    tuning.radius_m,
+                )
+                .is_some()
+        })
+    }
+}
+
+impl Scene {
+    /// Fires a shot for a figure.
+    pub(super) fn fire_for(&mut self, by: Entity, shot: Shot) {
+        self.projectiles.fire(shot.muzzle, shot.velocity, by);
+        let away_m = apart_m(&*self.strategy, self.feet(), shot.muzzle);
+        if away_m < HEARD_M {
+            self.sounds.push(SoundEvent::Shot);
+        }
+    }
+}
