@@ -92,9 +92,11 @@ impl Scene {
             pictured: &**self.lens.strategy(),
             physics: &self.physics,
             standing: &standing,
+            vehicles: self.cars.vehicles(),
         };
-        let strikes = self.projectiles.step(&air);
-        self.take_strikes(strikes);
+        let hits = self.projectiles.step(&air);
+        self.take_strikes(hits.strikes);
+        self.take_knocks(&hits.knocks);
     }
 
     /// What the crosshair covers, of the ground and of others, within `reach_m` metres beyond the head.

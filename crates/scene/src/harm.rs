@@ -22,6 +22,10 @@ pub enum HarmKind {
     Fall,
     /// A bullet.
     Shot,
+    /// The car that one drives ran into something.
+    Crash,
+    /// A car.
+    RunOver,
 }
 
 /// Harm that the player took.
@@ -124,6 +128,8 @@ impl Scene {
             self.hints.push(match kind {
                 HarmKind::Fall => Hint::DiedOfFall,
                 HarmKind::Shot => Hint::DiedOfShot,
+                HarmKind::Crash => Hint::DiedOfCrash,
+                HarmKind::RunOver => Hint::DiedOfCar,
             });
         }
     }
@@ -170,16 +176,21 @@ impl Scene {
     }
 
     fn hurt_bot(&mut self, entity: Entity, by: Entity) {
+        self.hurt_bot_by(entity, BULLET_HARM, Some(by));
+    }
+
+    /// Takes health from a bot; `by` is who did it, if anybody.
+    pub(crate) fn hurt_bot_by(&mut self, entity: Entity, harm: f64, by: Option<Entity>) {
         let parts = self
             .ecs
             .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
         if let Ok((bot, health, appearance, position)) = parts {
             appearance.motion.strike();
-            health.0 = (health.0 - BULLET_HARM).max(0.0);
-            bot.struck_by = Some(by);
+            health.0 = (health.0 - harm).max(0.0);
+            bot.struck_by = by.or(bot.struck_by);
             bot.hit_s_ago = 0.0;
             let at = position.0;
-            let by_player = by == self.player;
+            let by_player = by == Some(self.player);
             self.npcs.events.push(Event::Hit {
                 victim: entity,
                 at,

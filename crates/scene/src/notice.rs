@@ -5,6 +5,8 @@ use antipode_geometry::HyperbolicMap;
 use antipode_streaming::Cause;
 use thiserror::Error;
 
+use crate::npc::Line;
+
 /// Something that went wrong.
 #[derive(Clone, Debug, Error)]
 pub enum Notice {
@@ -77,6 +79,24 @@ pub enum Hint {
     /// The player was shot dead.
     #[error("You were shot. You will stand up again where you began.")]
     DiedOfShot,
+    /// The car that the player drove ran into something too hard.
+    #[error("The crash killed you. You will stand up again where you began.")]
+    DiedOfCrash,
+    /// The player was run over.
+    #[error("A car ran you over. You will stand up again where you began.")]
+    DiedOfCar,
+    /// There is no car to get into.
+    #[error("There is no car in view within four metres.")]
+    NoCarNear,
+    /// There is no room beside the car.
+    #[error("There is no room to get out here.")]
+    NoWayOut,
+    /// Nobody peaceful is close by and ahead.
+    #[error("There is nobody ahead to talk to.")]
+    NobodyToTalkTo,
+    /// Somebody says a line about the space.
+    #[error("{0}")]
+    Said(Line),
     /// The player stands up again.
     #[error("You are back at the start. What you carried is still with you.")]
     BackAgain,

@@ -25,8 +25,18 @@ pub enum Action {
     BrushLarger,
     /// Smaller brush.
     BrushSmaller,
-    /// The flashlight on or off.
+    /// The flashlight on or off; in a car, its lights.
     Flashlight,
+    /// Get into a car.
+    EnterCar,
+    /// Get out of it.
+    LeaveCar,
+    /// Set a car on its wheels.
+    FlipCar,
+    /// Sound its horn.
+    Horn,
+    /// Talk to who is ahead.
+    Talk,
     /// Throw away one of what is in hand.
     Drop,
     /// Open and close the backpack.
@@ -161,7 +171,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 40] = {
+static ACTIONS: [ActionInfo; 45] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -176,6 +186,10 @@ static ACTIONS: [ActionInfo; 40] = {
         ),
         line(Action::Jump, "jump", Moving, &["Space", "pad-south"]),
         line(Action::Sink, "sink", Moving, &["ControlLeft", "pad-east"]),
+        line(Action::EnterCar, "enter-car", Moving, &["KeyC"]),
+        line(Action::LeaveCar, "leave-car", Moving, &["KeyL"]),
+        line(Action::FlipCar, "flip-car", Moving, &["KeyF"]),
+        line(Action::Horn, "horn", Moving, &["KeyG"]),
         line(Action::Use, "use", Tools, &["Mouse1", "pad-right-trigger"]),
         line(
             Action::SecondUse,
@@ -196,6 +210,7 @@ static ACTIONS: [ActionInfo; 40] = {
             &["ArrowDown", "pad-down"],
         ),
         line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
+        line(Action::Talk, "talk", Tools, &["KeyT"]),
         line(Action::Drop, "drop", Tools, &["KeyQ"]),
         line(
             Action::Backpack,

@@ -22,7 +22,7 @@ pub enum Argument {
     Value,
     /// An item by its id.
     Item,
-    /// What can be put into the world: `bot`, `hostile` or `lamp`.
+    /// What can be put into the world: `bot`, `hostile`, `car` or `lamp`.
     Spawned,
     /// `A` or `B`.
     Hemisphere,
@@ -44,7 +44,7 @@ pub struct CommandInfo {
 }
 
 /// Settings that `set` knows, each with the words it takes; none where it takes a number.
-pub const SETTINGS: [(&str, &[&str]); 8] = [
+pub const SETTINGS: [(&str, &[&str]); 9] = [
     ("time", &[]),
     ("curvature", &[]),
     ("map", &["raised", "horizon"]),
@@ -53,6 +53,7 @@ pub const SETTINGS: [(&str, &[&str]); 8] = [
     ("view-distance", &[]),
     ("health", &[]),
     ("fly", &["on", "off"]),
+    ("npcs", &["on", "off", "still"]),
 ];
 
 const fn command(
@@ -103,7 +104,7 @@ pub static COMMANDS: [CommandInfo; 25] = {
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, Hemisphere]),
         command(
             "spawn",
-            "bot|hostile|lamp X Y Z [A|B]",
+            "bot|hostile|car|lamp X Y Z [A|B]",
             &[Spawned, Free, Free, Free, Hemisphere],
         ),
         command("perf", "SECONDS", &[Free]),

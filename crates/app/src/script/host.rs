@@ -153,6 +153,7 @@ fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> 
         Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
         Setting::Health(health) => scene.set_health(health),
         Setting::Fly(on) => scene.set_flying(on),
+        Setting::Npcs(mode) => scene.set_npcs(mode),
         Setting::Own(..) => {}
     }
     Ok(())
@@ -176,6 +177,7 @@ fn spawn<H: Host + ?Sized>(
     check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
     match spawned {
         Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
+        Spawned::Car => possible(scene.spawn_car(point, 0.0), "there are too many cars")?,
         Spawned::Bot | Spawned::Hostile => {
             scene.spawn_bot(point, 0.0, spawned == Spawned::Hostile);
         }
