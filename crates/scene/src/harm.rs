@@ -255,11 +255,14 @@ mod tests {
     fn over_the_equator_harm_still_comes_from_where_it_came_from() {
         let mut scene = scene(Geometry::Spherical);
         let rim_m = scene.strategy.rim_m().unwrap();
-        scene.teleport(ChartPoint::a(DVec3::new(20.0, 20.0, rim_m - 10.0)));
+        // So near that either chart keeps it.
+        let way = DVec3::new(0.6, 0.0, 0.8) * (rim_m - 0.05);
+        scene.teleport(ChartPoint::a(way.with_y(20.0)));
         let way = DVec3::new(9.0, 0.0, 31.0);
         strike(&mut scene, way);
         let over = scene.strategy.carry(scene.feet()).unwrap();
         scene.teleport(over.point);
+        assert_eq!(scene.feet().hemisphere, over.point.hemisphere);
         let from = -over.turn_vector(way);
         let (_, told) = scene.last_hurt().unwrap();
         let off = (told.unwrap() - from.z.atan2(from.x) + PI).rem_euclid(TAU) - PI;
