@@ -177,7 +177,7 @@ fn on_even_ground_neither_speed_nor_heading_change_and_no_wheel_leaves_the_groun
 #[test]
 fn on_waves_what_has_contact_keeps_it_and_nothing_changes_by_a_hundredth_more_than_elsewhere() {
     let space = strategy(Geometry::Spherical, 32.0);
-    let world = world(&*space, 0.25);
+    let world = world(&*space, 0.08);
     let mut kept = 0;
     many(|azimuth, aside, boost| {
         let run = drive(&space, &world, azimuth, aside, boost);
