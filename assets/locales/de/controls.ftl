@@ -28,6 +28,7 @@ action-leave-car = Aus dem Auto aussteigen
 action-flip-car = Das Auto auf die Räder stellen
 action-horn = Hupe
 action-flashlight = Taschenlampe; Licht des Autos
+action-talk = Ansprechen, wer vor dir ist
 action-drop = Eins wegwerfen
 action-other-map = Andere Karte, oder flache Welt biegen
 action-camera = Mit eigenen Augen oder von hinten

@@ -28,6 +28,7 @@ action-leave-car = Get out of the car
 action-flip-car = Set the car on its wheels
 action-horn = Horn
 action-flashlight = Flashlight; the car’s lights
+action-talk = Talk to who is ahead
 action-drop = Throw one away
 action-other-map = Other map, or bend a flat world
 action-camera = First or third person

@@ -21,6 +21,17 @@ hint-died-of-car = A car ran you over. You will stand up again where you began.
 hint-no-car-near = There is no car in view within four metres.
 hint-no-way-out = There is no room to get out here.
 hint-back-again = You are back at the start. What you carried is still with you.
+hint-nobody-to-talk-to = There is nobody ahead to talk to.
+
+# What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.
+talk-triangle-less = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, not 180.
+talk-triangle-flat = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, as in every schoolbook.
+talk-triangle-more = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, more than 180.
+talk-horizon-lower = See the ground { $away } m off, as high as this? You look { $angle }° lower than in flat space to see it.
+talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
+talk-horizon-higher = See the ground { $away } m off, as high as this? You look { $angle }° higher than in flat space to see it.
+talk-home-round = Home is { $there } m from here. Turn your back on it and go straight: after { $round } m you are home too.
+talk-home-straight = Home is { $there } m from here, and no way leads round: who turns his back on it never comes home.
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened

@@ -28,6 +28,7 @@ action-leave-car = Bajar del coche
 action-flip-car = Poner el coche sobre sus ruedas
 action-horn = Bocina
 action-flashlight = Linterna; luces del coche
+action-talk = Hablar con quien está delante
 action-drop = Tirar uno
 action-other-map = Otro mapa, o doblar un mundo plano
 action-camera = Con los ojos o desde atrás

@@ -28,6 +28,7 @@ action-leave-car = Wysiądź z samochodu
 action-flip-car = Postaw samochód na koła
 action-horn = Klakson
 action-flashlight = Latarka; światła samochodu
+action-talk = Rozmowa z osobą z przodu
 action-drop = Wyrzuć sztukę
 action-other-map = Druga mapa albo wygięcie płaskiego świata
 action-camera = Widok z oczu lub zza pleców

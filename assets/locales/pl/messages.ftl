@@ -21,6 +21,16 @@ hint-died-of-car = Przejechał cię samochód. Wstaniesz tam, gdzie zaczynasz.
 hint-no-car-near = W promieniu czterech metrów nie widać samochodu.
 hint-no-way-out = Nie ma tu miejsca, żeby wysiąść.
 hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
+hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
+
+talk-triangle-less = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, a nie 180.
+talk-triangle-flat = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, jak w podręczniku.
+talk-triangle-more = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, więcej niż 180.
+talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° niżej niż w płaskiej przestrzeni.
+talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
+talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° wyżej niż w płaskiej przestrzeni.
+talk-home-round = Do domu jest { $there } m. Odwróć się do niego plecami i idź prosto: po { $round } m też będziesz w domu.
+talk-home-straight = Do domu jest { $there } m i żadna droga nie prowadzi dookoła: kto odwróci się plecami, nigdy nie wróci.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
 open-failed = Nie udało się otworzyć świata

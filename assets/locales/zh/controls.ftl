@@ -28,6 +28,7 @@ action-leave-car = 下车
 action-flip-car = 把车扶正
 action-horn = 喇叭
 action-flashlight = 手电筒；车灯
+action-talk = 与前面的人交谈
 action-drop = 扔掉一个
 action-other-map = 另一张地图，或弯曲平坦世界
 action-camera = 第一或第三人称

@@ -20,6 +20,16 @@ hint-died-of-car = 你被车撞死了。你会在起点重新站起来。
 hint-no-car-near = 四米之内看不到车。
 hint-no-way-out = 这里没有下车的空间。
 hint-back-again = 你回到了起点，带着的东西都还在。
+hint-nobody-to-talk-to = 前面没有可以交谈的人。
+
+talk-triangle-less = 我走过一个三边都是 { $side } 米的三角形，内角和是 { $sum }°，不是 180°。
+talk-triangle-flat = 我走过一个三边都是 { $side } 米的三角形，内角和是 { $sum }°，和课本上一样。
+talk-triangle-more = 我走过一个三边都是 { $side } 米的三角形，内角和是 { $sum }°，超过了 180°。
+talk-horizon-lower = 看到 { $away } 米外和这里一样高的地面了吗？它比平直空间里低 { $angle }°。
+talk-horizon-flat = 看到 { $away } 米外和这里一样高的地面了吗？它正好在平直画面中的位置。
+talk-horizon-higher = 看到 { $away } 米外和这里一样高的地面了吗？它比平直空间里高 { $angle }°。
+talk-home-round = 从这里回家是 { $there } 米。背对着家一直走，{ $round } 米之后也会到家。
+talk-home-straight = 从这里回家是 { $there } 米，没有路能绕回去：背对着家走，永远到不了家。
 
 open-failed = 无法打开世界
 open-died = 读取时出了错；详情见日志。

@@ -187,6 +187,7 @@ impl Controls {
             Action::LeaveCar => self.events.leave_car = true,
             Action::FlipCar => self.events.flip_car = true,
             Action::Horn => self.events.horn = true,
+            Action::Talk => self.events.talk = true,
             Action::Drop => self.events.drop_one = true,
             Action::Camera => self.events.toggle_camera = !self.events.toggle_camera,
             Action::OtherMap => self.events.turn_map = !self.events.turn_map,

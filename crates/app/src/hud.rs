@@ -2,8 +2,9 @@
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
+use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
-use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView};
+use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, WoundModel};
 use glam::DVec3;
 
 use crate::wording;
@@ -55,9 +56,22 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         figures,
         compass: None,
         map: None,
+        health: Some((scene.health() / FULL_HEALTH) as f32),
         harm: None,
         struck: false,
+        wounds: wounds(scene),
     }
+}
+
+/// The health of others who are hurt.
+fn wounds(scene: &Scene) -> Vec<WoundModel> {
+    let wounds = scene.wounds(scene.viewing().fov_y_rad);
+    let shown = wounds.iter().map(|wound| WoundModel {
+        at: [wound.at.x as f32, wound.at.y as f32],
+        half_width: wound.half_width as f32,
+        share: wound.share as f32,
+    });
+    shown.collect()
 }
 
 /// The dial under the wheel, if there is one now.

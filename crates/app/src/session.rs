@@ -12,7 +12,7 @@ use antipode_geometry::{
 };
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
-use antipode_scene::{Scene, WorldSetup};
+use antipode_scene::{NpcMode, Scene, WorldSetup};
 use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
 use antipode_streaming::StreamingError;
 use image::{ImageFormat, RgbaImage};
@@ -205,6 +205,7 @@ impl Worlds {
         let mut scene = Scene::open(setup, store.clone())?;
         scene.set_quality(self.quality);
         scene.give_first_car();
+        scene.set_npcs(NpcMode::On);
         Ok(Session {
             scene,
             slug,

@@ -1,10 +1,12 @@
 //! From errors, notices and kinds of things to sentences in the player's language. What is rare keeps its details
 //! in English after a sentence of the player's language; logs and the command line are English throughout.
 
+use std::cmp::Ordering;
+
 use antipode_geometry::{Geometry, HyperbolicMap};
-use antipode_language::Texts;
+use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
-use antipode_scene::{Hint, Item, Notice, SceneError};
+use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
@@ -143,6 +145,46 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::NoCarNear => texts.say("hint-no-car-near"),
         Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),
+        Hint::NobodyToTalkTo => texts.say("hint-nobody-to-talk-to"),
+        Hint::Said(line) => said(texts, line),
+    }
+}
+
+/// What somebody says about the space.
+fn said(texts: &Texts, line: Line) -> String {
+    let tenths = |tenths: i32| Value::decimals(f64::from(tenths) / 10.0, 1);
+    match line {
+        Line::Triangle {
+            side_m,
+            sum_decidegrees,
+        } => {
+            let key = match sum_decidegrees.cmp(&1800) {
+                Ordering::Less => "talk-triangle-less",
+                Ordering::Equal => "talk-triangle-flat",
+                Ordering::Greater => "talk-triangle-more",
+            };
+            let values = [("side", side_m.into()), ("sum", tenths(sum_decidegrees))];
+            texts.say_with(key, &values)
+        }
+        Line::Horizon {
+            away_m,
+            lower_decidegrees,
+        } => {
+            let key = match lower_decidegrees.signum() {
+                1 => "talk-horizon-lower",
+                -1 => "talk-horizon-higher",
+                _ => "talk-horizon-flat",
+            };
+            let angle = tenths(lower_decidegrees.abs());
+            texts.say_with(key, &[("away", away_m.into()), ("angle", angle)])
+        }
+        Line::Home { there_m, round_m } => match round_m {
+            Some(round_m) => {
+                let values = [("there", there_m.into()), ("round", round_m.into())];
+                texts.say_with("talk-home-round", &values)
+            }
+            None => texts.say_with("talk-home-straight", &[("there", there_m.into())]),
+        },
     }
 }
 

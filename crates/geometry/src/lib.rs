@@ -25,6 +25,7 @@ pub mod scalar;
 mod sight;
 mod spherical;
 mod strategy;
+mod triangle;
 mod uniform;
 
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
@@ -43,6 +44,7 @@ pub use strategy::{
     DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII, HeightLimits,
     SPHERE_RADIUS_RANGE_M, Strategy, Viewer, picture, strategy,
 };
+pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
 
 /// The shader text that mirrors this crate: `struct Space` and the four functions that port,

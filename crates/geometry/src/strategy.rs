@@ -60,6 +60,15 @@ pub trait Strategy: Debug + Send + Sync {
     /// The world's own radius of curvature in metres; infinite in flat space.
     fn radius_m(&self) -> f64;
 
+    /// The world's own curvature per square metre: negative in hyperbolic space, positive in spherical.
+    fn curvature_per_m2(&self) -> f64 {
+        let magnitude = self.radius_m().powi(-2);
+        match self.geometry() {
+            Geometry::Hyperbolic => -magnitude,
+            Geometry::Euclidean | Geometry::Spherical => magnitude,
+        }
+    }
+
     /// Radius of curvature of the picture in metres, at the eye's dial.
     fn radius_at_m(&self, _eye: &Eye) -> f64 {
         self.radius_m()

@@ -45,6 +45,8 @@ pub struct Actions {
     pub flip_car: bool,
     /// Sound the car's horn.
     pub horn: bool,
+    /// Talk to who is ahead.
+    pub talk: bool,
     /// Throw away one of what is in hand.
     pub drop_one: bool,
     /// Throw away all of what is in hand.

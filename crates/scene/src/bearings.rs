@@ -134,7 +134,7 @@ impl Scene {
         let lamps = self.lamps.iter().map(|it| (LandmarkKind::Lamp, it.point));
         let bots = self.bots().into_iter().filter(|it| it.health > 0.0);
         let bots = bots.map(|it| {
-            let kind = if it.bot.hostile {
+            let kind = if it.fights {
                 LandmarkKind::Hostile
             } else {
                 LandmarkKind::Neutral

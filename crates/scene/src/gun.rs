@@ -36,6 +36,11 @@ impl Scene {
         self.straight_shots = straight;
     }
 
+    /// Whether bullets follow the space's geodesics.
+    pub fn straight_shots(&self) -> bool {
+        self.straight_shots
+    }
+
     /// Fires when the button goes down with the gun in hand, if there is a bullet.
     pub(crate) fn use_gun(&mut self, actions: &Actions) {
         self.gun_rests_s = (self.gun_rests_s - STEP_S).max(0.0);

@@ -5,6 +5,8 @@ use antipode_geometry::HyperbolicMap;
 use antipode_streaming::Cause;
 use thiserror::Error;
 
+use crate::npc::Line;
+
 /// Something that went wrong.
 #[derive(Clone, Debug, Error)]
 pub enum Notice {
@@ -89,6 +91,12 @@ pub enum Hint {
     /// There is no room beside the car.
     #[error("There is no room to get out here.")]
     NoWayOut,
+    /// Nobody peaceful is close by and ahead.
+    #[error("There is nobody ahead to talk to.")]
+    NobodyToTalkTo,
+    /// Somebody says a line about the space.
+    #[error("{0}")]
+    Said(Line),
     /// The player stands up again.
     #[error("You are back at the start. What you carried is still with you.")]
     BackAgain,

@@ -95,6 +95,9 @@ impl Scene {
         if actions.drop_one || actions.drop_all {
             self.drop_held(actions.drop_all);
         }
+        if actions.talk {
+            self.talk();
+        }
         if actions.turn_map {
             self.turn_map();
         }

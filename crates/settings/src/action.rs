@@ -35,6 +35,8 @@ pub enum Action {
     FlipCar,
     /// Sound its horn.
     Horn,
+    /// Talk to who is ahead.
+    Talk,
     /// Throw away one of what is in hand.
     Drop,
     /// Open and close the backpack.
@@ -169,7 +171,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 44] = {
+static ACTIONS: [ActionInfo; 45] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -208,6 +210,7 @@ static ACTIONS: [ActionInfo; 44] = {
             &["ArrowDown", "pad-down"],
         ),
         line(Action::Flashlight, "flashlight", Tools, &["KeyY"]),
+        line(Action::Talk, "talk", Tools, &["KeyT"]),
         line(Action::Drop, "drop", Tools, &["KeyQ"]),
         line(
             Action::Backpack,

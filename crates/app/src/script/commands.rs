@@ -44,7 +44,7 @@ pub struct CommandInfo {
 }
 
 /// Settings that `set` knows, each with the words it takes; none where it takes a number.
-pub const SETTINGS: [(&str, &[&str]); 8] = [
+pub const SETTINGS: [(&str, &[&str]); 9] = [
     ("time", &[]),
     ("curvature", &[]),
     ("map", &["raised", "horizon"]),
@@ -53,6 +53,7 @@ pub const SETTINGS: [(&str, &[&str]); 8] = [
     ("view-distance", &[]),
     ("health", &[]),
     ("fly", &["on", "off"]),
+    ("npcs", &["on", "off", "still"]),
 ];
 
 const fn command(

@@ -153,6 +153,7 @@ fn set<H: Host + ?Sized>(host: &mut H, setting: Setting) -> Result<(), Failure> 
         Setting::ViewDistance(chunks) => scene.set_view_distance(chunks),
         Setting::Health(health) => scene.set_health(health),
         Setting::Fly(on) => scene.set_flying(on),
+        Setting::Npcs(mode) => scene.set_npcs(mode),
         Setting::Own(..) => {}
     }
     Ok(())

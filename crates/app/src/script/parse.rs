@@ -1,8 +1,8 @@
 //! From the text of a script to orders, all checked before the first one runs.
 
 use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap};
-use antipode_scene::Item;
 use antipode_scene::frame::Quality;
+use antipode_scene::{Item, NpcMode};
 use antipode_settings::{Settings, Value};
 use antipode_storage::SavesDir;
 use thiserror::Error;
@@ -108,6 +108,8 @@ pub enum Setting {
     Health(f64),
     /// Spectator's flight.
     Fly(bool),
+    /// Whether other figures come, and whether they have a mind.
+    Npcs(NpcMode),
     /// One of the player's own settings: its id, and a value that it takes.
     Own(&'static str, Value),
 }
@@ -126,6 +128,8 @@ impl Order {
                 | Setting::Quality(_)
                 | Setting::ViewDistance(_)
                 | Setting::Own(..) => false,
+                // Who sends them away has it easier.
+                Setting::Npcs(mode) => *mode != NpcMode::On,
             },
             Self::New(_)
             | Self::Load(_)
@@ -394,6 +398,12 @@ fn setting(what: &str, value: &str) -> Result<Setting, String> {
             "off" => Setting::Fly(false),
             _ => return Err(format!("{} is neither on nor off", quoted(value))),
         },
+        "npcs" => Setting::Npcs(match value {
+            "on" => NpcMode::On,
+            "off" => NpcMode::Off,
+            "still" => NpcMode::Still,
+            _ => return Err(format!("{} is none of on, off and still", quoted(value))),
+        }),
         _ => return own_setting(what, value),
     })
 }

@@ -10,7 +10,7 @@ use super::senses::{Around, Event, Quarry};
 use super::tuning::{
     ANGRY_S, ASIDE_M, CHASE_PACE, DUSK_S, FIGHT_PACE, FLEE_PACE, FLEES_AT_HEALTH, FLEES_BY_M,
     FLEES_S, GIVES_UP_S, HEARS_SHOTS_M, KEEPS_M, KEEPS_SIGHT_M, KEEPS_SLACK_M, LAMP_M, NOTICES_M,
-    SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_AGAIN_S, WATCHES_M, WATCHES_S,
+    SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_M, WATCHES_S,
 };
 use crate::ground::Ground;
 use crate::lamp::Lamp;
@@ -281,7 +281,7 @@ impl Npc {
             && around.is_before(self.point, &self.look, quarry.feet)
             && around.sees_player(quarry, self.point)
         {
-            self.watch(quarry.head.point);
+            self.mind.watch(quarry.head.point);
             return true;
         }
         if self.mind.state == State::Watch && away_m < WATCHES_M {
@@ -289,16 +289,6 @@ impl Npc {
             self.mind.face = Some(quarry.head.point);
         }
         false
-    }
-
-    /// Stops and looks at a place for a while.
-    pub fn watch(&mut self, place: ChartPoint) {
-        self.mind.enter(State::Watch);
-        self.mind.halt();
-        self.mind.since_s = 0.0;
-        self.mind.face = Some(place);
-        self.mind.lasts_s = self.mind.dice.between(WATCHES_S);
-        self.mind.bored_s = WATCHES_AGAIN_S;
     }
 
     /// Chooses where to go next: at dusk to a lamp, else to a view, to somebody, or for a stroll.

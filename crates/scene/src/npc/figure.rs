@@ -261,6 +261,13 @@ impl Npc {
         self.point = position.0;
     }
 
+    /// Whether its middle is in rock, as when ground was built over it.
+    fn is_buried(&self, around: &Around<'_>) -> bool {
+        let middle_m = 0.5 * around.scene.tuning.height_m;
+        let middle = self.point.moved(DVec3::Y * middle_m);
+        around.scene.ground.is_solid(middle)
+    }
+
     /// Lets the body stand, go or fall where the ground is there.
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
         let strategy = around.strategy();
@@ -272,6 +279,12 @@ impl Npc {
         let origin = strategy.chart_origin_m(self.point.hemisphere);
         self.body.0.feet = self.point.pos + origin;
         let physics = &around.scene.physics;
+        if self.is_buried(around) {
+            let hemisphere = self.point.hemisphere;
+            let ground = &around.scene.ground;
+            let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
+            physics.lift_out_sized(&mut self.body.0, &around.scene.tuning, &solid);
+        }
         physics.move_character(&mut self.body.0, &around.scene.tuning, input, STEP_S);
         self.point.pos = self.body.0.feet - origin;
     }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::dice::Dice;
 use super::navigation::Step;
-use super::tuning::{FIRST_SHOT_S, RESTS_S};
+use super::tuning::{FIRST_SHOT_S, RESTS_S, WATCHES_AGAIN_S, WATCHES_S};
 use crate::frame::Figure;
 use crate::tuning::{FLASH_S, KICK_S, STEP_S};
 
@@ -115,6 +115,8 @@ pub(crate) struct Mind {
     pub jump_rest_s: f64,
     /// Places that turned out to be no way, and for how long that is remembered, in seconds.
     pub blocked: Vec<(ChartPoint, f64)>,
+    /// How often it was talked to.
+    pub told: u32,
     /// Which way it goes round the player, 1 or -1.
     pub side: f64,
 }
@@ -143,6 +145,7 @@ impl Mind {
             stuck: 0,
             jump_rest_s: 0.0,
             blocked: Vec::new(),
+            told: 0,
             side,
         }
     }
@@ -196,6 +199,16 @@ impl Mind {
         self.halt();
         self.since_s = 0.0;
         self.lasts_s = self.dice.between((0.0, RESTS_S));
+    }
+
+    /// Stops and looks at a place for a while.
+    pub fn watch(&mut self, place: ChartPoint) {
+        self.enter(State::Watch);
+        self.halt();
+        self.since_s = 0.0;
+        self.face = Some(place);
+        self.lasts_s = self.dice.between(WATCHES_S);
+        self.bored_s = WATCHES_AGAIN_S;
     }
 
     /// Lets a step's time pass.

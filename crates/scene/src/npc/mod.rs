@@ -10,7 +10,9 @@ mod navigation;
 mod population;
 mod senses;
 mod shooting;
+mod talk;
 pub(crate) mod tuning;
+mod wounds;
 
 use std::sync::Arc;
 
@@ -33,7 +35,9 @@ pub use mind::State;
 pub(crate) use navigation::ASKS_M;
 pub(crate) use senses::Event;
 use senses::{Around, Other, Quarry};
+pub use talk::Line;
 use tuning::{LEAVES_BULLETS, THINKS_EVERY_STEPS};
+pub use wounds::Wound;
 
 /// Height over the ground at which the dead leave what they had, in metres.
 const LEAVES_AT_M: f64 = 0.4;

@@ -8,6 +8,7 @@ mod hint;
 pub(crate) mod hotbar;
 mod minimap;
 mod plate;
+mod wounds;
 
 use antipode_language::Texts;
 use egui::{Align2, Context, FontId, LayerId, Painter, Pos2, Rect, Stroke, pos2, vec2};
@@ -22,6 +23,7 @@ pub use figures::FigureModel;
 pub use harm::HarmModel;
 pub use hint::HintModel;
 pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode};
+pub use wounds::WoundModel;
 
 /// What a slot of the hotbar shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -119,8 +121,12 @@ pub struct HudModel {
     pub compass: Option<CompassModel>,
     /// The land about the player, unless it is switched off.
     pub map: Option<MapModel>,
+    /// The player's health as a share of all there can be; not shown where nothing is known of it or it is full.
+    pub health: Option<f32>,
     /// Harm that the player has just taken.
     pub harm: Option<HarmModel>,
+    /// Health of others who are hurt.
+    pub wounds: Vec<WoundModel>,
     /// Whether a shot of the player's has just struck someone.
     pub struck: bool,
 }
@@ -129,6 +135,7 @@ pub struct HudModel {
 pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
+    wounds::show(&painter, ctx.content_rect(), &model.wounds);
     if let Some(harm) = model.harm {
         harm::show(&painter, ctx.content_rect(), harm);
     }

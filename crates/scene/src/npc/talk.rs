@@ -1,0 +1,200 @@
+//! What peaceful figures say: things about the space that are true of the place where one stands.
+
+use std::fmt;
+
+use antipode_geometry::{ChartPoint, Eye, equilateral_angle_sum_rad};
+use glam::DVec3;
+use hecs::Entity;
+
+use super::bearing::{Way, ahead, apart_m, way};
+use super::dice::Dice;
+use super::mind::{Mind, State};
+use super::senses::sees;
+use super::tuning::TALKS_M;
+use crate::bot::Bot;
+use crate::notice::Hint;
+use crate::player::{Health, Position};
+use crate::scene::Scene;
+
+/// Sides of the triangle whose angles are told, in metres: the way home if it lies between.
+const SIDE_M: (f64, f64) = (5.0, 20.0);
+/// How far off the ground is looked for that shows where the horizon lies, in metres.
+const HORIZON_M: f64 = 20.0;
+/// Angle from the middle of the view within which one is talked to, in radians.
+const AHEAD_RAD: f64 = 40.0 * std::f64::consts::PI / 180.0;
+/// A step by which it is measured how long ways are at a height, in metres.
+const PACE_M: f64 = 0.1;
+
+/// A line about the space, with its figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// The angles of a triangle of equal sides.
+    Triangle {
+        /// Length of each side, in metres.
+        side_m: u32,
+        /// Sum of its angles, in tenths of a degree.
+        sum_decidegrees: i32,
+    },
+    /// How much lower the ground is seen than flat space would show it; higher where negative.
+    Horizon {
+        /// How far off that ground is, in metres.
+        away_m: u32,
+        /// By how much lower, in tenths of a degree.
+        lower_decidegrees: i32,
+    },
+    /// The way to where a new player stands.
+    Home {
+        /// The short way, in metres.
+        there_m: u32,
+        /// The other way round, in metres; none in a world without end.
+        round_m: Option<u32>,
+    },
+}
+
+impl Scene {
+    /// Talks to the peaceful one ahead, if there is one close by.
+    pub(crate) fn talk(&mut self) {
+        let Some((entity, id)) = self.listener() else {
+            self.hints.push(Hint::NobodyToTalkTo);
+            return;
+        };
+        let head = self.head().point;
+        let Ok(mind) = self.ecs.query_one_mut::<&mut Mind>(entity) else {
+            return;
+        };
+        if mind.state != State::Sit {
+            mind.watch(head);
+        }
+        let told = mind.told;
+        mind.told += 1;
+        let line = self.line_of(id, told);
+        self.hints.push(Hint::Said(line));
+    }
+
+    /// The nearest living peaceful one that is ahead, near and in sight.
+    fn listener(&self) -> Option<(Entity, u32)> {
+        let eye = self.head();
+        let pictured = &**self.lens.strategy();
+        let is_ahead = |point: ChartPoint| {
+            let view = pictured.view_point(&eye, point).truncate();
+            -view.normalize_or_zero().z > AHEAD_RAD.cos()
+        };
+        let mut query = self
+            .ecs
+            .query::<(Entity, &Bot, &Position, &Health, &Mind)>();
+        query
+            .iter()
+            .filter(|(_, bot, _, health, mind)| {
+                health.0 > 0.0 && !bot.hostile && mind.angry_s <= 0.0
+            })
+            .map(|(entity, bot, position, ..)| {
+                let breast = position.0.moved(DVec3::Y * (0.7 * self.tuning.height_m));
+                let away_m = apart_m(&*self.strategy, self.feet(), position.0);
+                (away_m, bot.id, entity, breast)
+            })
+            .filter(|(away_m, .., breast)| {
+                *away_m < TALKS_M
+                    && is_ahead(*breast)
+                    && sees(pictured, &self.physics, &eye, *breast)
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+            .map(|(_, id, entity, _)| (entity, id))
+    }
+
+    /// One line after another, of those that are true here.
+    fn line_of(&self, id: u32, told: u32) -> Line {
+        let feet = self.feet();
+        let home = way(&*self.strategy, feet, self.ground.spawn_point());
+        let first = Dice::new(&[self.setup.seed, u64::from(id)]).whole((0, 2));
+        match (first + told) % 3 {
+            0 => self.triangle(home.level_m),
+            1 => self.horizon(feet),
+            _ => self.way_home(feet, home),
+        }
+    }
+
+    /// The triangle whose sides are as long as the way home.
+    fn triangle(&self, home_m: f64) -> Line {
+        let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
+        let sum_rad = equilateral_angle_sum_rad(self.strategy.curvature_per_m2(), side_m);
+        Line::Triangle {
+            side_m: side_m as u32,
+            sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
+        }
+    }
+
+    /// Where ground as high as one's own is seen some way off, beside where a flat space shows it.
+    fn horizon(&self, feet: ChartPoint) -> Line {
+        let level = Eye {
+            pitch: 0.0,
+            ..self.head()
+        };
+        let place = ahead(&*self.strategy, feet, level.front(), HORIZON_M);
+        let seen = self.lens.strategy().view_point(&level, place).truncate();
+        let rise_rad = seen.y.atan2(seen.x.hypot(seen.z));
+        let flat_rad = (feet.pos.y - level.point.pos.y).atan2(HORIZON_M);
+        Line::Horizon {
+            away_m: HORIZON_M as u32,
+            lower_decidegrees: ((flat_rad - rise_rad).to_degrees() * 10.0).round() as i32,
+        }
+    }
+
+    /// The way home, as far as it is where one stands: high above the level that ways are told by they are shorter in a
+    /// closed world.
+    fn way_home(&self, feet: ChartPoint, home: Way) -> Line {
+        let heading = home.heading.normalize_or(DVec3::X);
+        let pace = ahead(&*self.strategy, feet, heading, PACE_M);
+        let share = apart_m(&*self.strategy, feet, pace) / PACE_M;
+        let there_m = home.level_m * share;
+        Line::Home {
+            there_m: there_m.round() as u32,
+            // From the pole to the equator is a quarter of the way round.
+            round_m: self
+                .strategy
+                .rim_m()
+                .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),
+        }
+    }
+}
+
+/// English, for logs and scripts.
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Triangle {
+                side_m,
+                sum_decidegrees,
+            } => {
+                let degrees = f64::from(sum_decidegrees) / 10.0;
+                write!(
+                    f,
+                    "A triangle with sides of {side_m} m has angles of {degrees:.1} degrees together here."
+                )
+            }
+            Self::Horizon {
+                away_m,
+                lower_decidegrees,
+            } => {
+                let degrees = f64::from(lower_decidegrees) / 10.0;
+                write!(
+                    f,
+                    "Level ground {away_m} m off is seen {degrees:.1} degrees lower here than in flat space."
+                )
+            }
+            Self::Home {
+                there_m,
+                round_m: Some(round_m),
+            } => write!(
+                f,
+                "Home is {there_m} m that way, or {round_m} m the other way round the world."
+            ),
+            Self::Home {
+                there_m,
+                round_m: None,
+            } => write!(
+                f,
+                "Home is {there_m} m that way; no way leads round this world."
+            ),
+        }
+    }
+}

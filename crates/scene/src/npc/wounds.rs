@@ -1,0 +1,68 @@
+//! Where in the picture the health of those who are hurt is shown.
+
+use antipode_geometry::{Eye, Projection};
+use glam::{DVec2, DVec3};
+
+use super::senses::sees;
+use crate::scene::Scene;
+use crate::tuning::{BOT_HEALTH, NEAR_M};
+
+/// Farther off than this no health is shown, in metres.
+const SHOWN_M: f64 = 40.0;
+/// How high over the crown it stands, and half its width, in metres.
+const OVER_M: f64 = 0.25;
+const HALF_WIDTH_M: f64 = 0.35;
+
+/// The health of someone who is hurt, in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wound {
+    /// Middle of the bar, from the picture's middle to the right and up, in halves of its height.
+    pub at: DVec2,
+    /// Half of the bar's width, in halves of the picture's height.
+    pub half_width: f64,
+    /// Health that is left, as a share of the full.
+    pub share: f64,
+}
+
+impl Scene {
+    /// The health of living figures that are hurt and in sight, in a picture of that vertical field of view in radians.
+    pub fn wounds(&self, fov_y_rad: f64) -> Vec<Wound> {
+        let eye = self.eye();
+        let bots = self.bots();
+        let hurt = bots
+            .iter()
+            .filter(|view| view.health > 0.0 && view.health < BOT_HEALTH);
+        hurt.filter_map(|view| {
+            let over = view.point.moved(DVec3::Y * (self.tuning.height_m + OVER_M));
+            let head = view.point.moved(DVec3::Y * self.tuning.eye_height_m());
+            let pictured = &**self.lens.strategy();
+            let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
+            let shown = away_m < SHOWN_M && sees(pictured, &self.physics, &eye, head);
+            let at = self.pictured_at(&eye, over.pos, view.point.hemisphere, fov_y_rad);
+            let side = over.pos + eye.right() * HALF_WIDTH_M;
+            let end = self.pictured_at(&eye, side, view.point.hemisphere, fov_y_rad);
+            let (at, end) = at.zip(end).filter(|_| shown)?;
+            Some(Wound {
+                at,
+                half_width: at.distance(end),
+                share: view.health / BOT_HEALTH,
+            })
+        })
+        .collect()
+    }
+
+    fn pictured_at(
+        &self,
+        eye: &Eye,
+        pos: DVec3,
+        hemisphere: antipode_geometry::Hemisphere,
+        fov_y_rad: f64,
+    ) -> Option<DVec2> {
+        let pictured = self.lens.strategy();
+        let point = antipode_geometry::ChartPoint::new(hemisphere, pos);
+        let view = pictured.view_point(eye, point);
+        // With an aspect of one both axes count in halves of the height.
+        let projection = Projection::new(fov_y_rad, 1.0, NEAR_M);
+        Projection::screen(pictured.clip_from_view(eye, &projection, view))
+    }
+}
