@@ -67,6 +67,7 @@ impl Navigator {
                 LandmarkKind::Lamp => MarkKind::Lamp,
                 LandmarkKind::Neutral => MarkKind::Neutral,
                 LandmarkKind::Hostile => MarkKind::Hostile,
+                LandmarkKind::Car => MarkKind::Car,
             },
             at: mark.at.as_vec2().to_array(),
         });

@@ -66,8 +66,7 @@ impl Pipelines {
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
-        let [land, sky, marker, outlines] =
-            [TERRAIN, SKY, MARKER, OUTLINES].map(|shader| maker.compile(shader));
+        let [land, sky, marker] = [TERRAIN, SKY, MARKER].map(|shader| maker.compile(shader));
         let land_buffers = [
             layout(VERTEX_BYTES, VertexStepMode::Vertex, &VERTEX_ATTRIBUTES),
             instances::<ChunkInstance>(&ChunkInstance::ATTRIBUTES),
@@ -87,22 +86,7 @@ impl Pipelines {
                 Way { compare, ..GLASS },
             )
         };
-        let outline_buffers = [
-            layout(
-                size_of::<outlines::Corner>() as u64,
-                VertexStepMode::Vertex,
-                &outlines::Corner::ATTRIBUTES,
-            ),
-            instances::<OutlineInstance>(&OutlineInstance::ATTRIBUTES),
-        ];
-        let outline = |fragment, compare| {
-            maker.make(
-                &outlines,
-                ["vertex", fragment],
-                &outline_buffers,
-                Way { compare, ..VEIL },
-            )
-        };
+        let [outlines, outlines_hidden] = maker.outlines();
         Self {
             terrain: TerrainPipelines {
                 plain: terrain("vertex", "fragment"),
@@ -129,8 +113,8 @@ impl Pipelines {
             celestial: maker.celestial(),
             marker: glass("fragment", CompareFunction::GreaterEqual),
             marker_hidden: glass("fragment_hidden", CompareFunction::Less),
-            outlines: outline("fragment", CompareFunction::GreaterEqual),
-            outlines_hidden: outline("fragment_hidden", CompareFunction::Less),
+            outlines,
+            outlines_hidden,
             caster: maker.caster(&land, "vertex_caster", &land_buffers),
         }
     }
@@ -344,6 +328,27 @@ impl<'a> Maker<'a> {
 
     fn compile(&self, shader: Shader) -> ShaderModule {
         self.shaders.compile(self.device, shader)
+    }
+
+    /// Lines before what is nearer, and those behind it.
+    fn outlines(&self) -> [RenderPipeline; 2] {
+        let module = self.compile(OUTLINES);
+        let buffers = [
+            layout(
+                size_of::<outlines::Corner>() as u64,
+                VertexStepMode::Vertex,
+                &outlines::Corner::ATTRIBUTES,
+            ),
+            instances::<OutlineInstance>(&OutlineInstance::ATTRIBUTES),
+        ];
+        [
+            ("fragment", CompareFunction::GreaterEqual),
+            ("fragment_hidden", CompareFunction::Less),
+        ]
+        .map(|(fragment, compare)| {
+            let way = Way { compare, ..VEIL };
+            self.make(&module, ["vertex", fragment], &buffers, way)
+        })
     }
 
     fn celestial(&self) -> CelestialPipelines {

@@ -38,6 +38,9 @@ pub struct Equator {
     pub heading_rad: f64,
 }
 
+/// Where on the way to the edge of a map a car beyond it is marked.
+const EDGE: f64 = 0.94;
+
 /// What is marked on a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LandmarkKind {
@@ -47,6 +50,8 @@ pub enum LandmarkKind {
     Neutral,
     /// Someone who fights the player.
     Hostile,
+    /// A car that nobody drives.
+    Car,
 }
 
 /// Something on the map.
@@ -127,7 +132,8 @@ impl Scene {
         at.y.atan2(at.x)
     }
 
-    /// Lamps and everyone alive but the player, within a distance along the ground.
+    /// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
+    /// off are marked at the edge in their direction.
     pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
         let eye = map_eye(self.feet());
         let locator = Locator::new(&*self.strategy, &eye);
@@ -141,6 +147,11 @@ impl Scene {
             };
             (kind, it.point)
         });
+        let cars = self.cars().into_iter().filter(|it| !it.driven);
+        let cars = cars.map(|it| Landmark {
+            kind: LandmarkKind::Car,
+            at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
+        });
         lamps
             .chain(bots)
             .map(|(kind, point)| Landmark {
@@ -148,6 +159,7 @@ impl Scene {
                 at: locator.at(point),
             })
             .filter(|it| it.at.length() <= reach_m)
+            .chain(cars)
             .collect()
     }
 }

@@ -165,7 +165,6 @@ impl Scene {
     /// When the store cannot be read at all or the chunk workers cannot start.
     pub fn open(setup: WorldSetup, store: Option<Arc<WorldStore>>) -> Result<Self, SceneError> {
         let strategy = strategy(setup.geometry, setup.radius_m);
-        let lens = Lens::new(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
         let (saved, notices) = match &store {
             Some(store) => saved_state(store)?,
@@ -179,17 +178,39 @@ impl Scene {
             store,
             Config::default(),
         )?;
+        let mut scene = Self {
+            notices,
+            stored,
+            created_unix_s: meta.created_unix_s,
+            cheated: meta.cheated,
+            ..Self::fresh(setup, &field, strategy, streamer)
+        };
+        match saved {
+            Some(state) => scene.restore(&state),
+            None => scene.look_at_ground(&field),
+        }
+        scene.changed = false;
+        scene.request_ground();
+        Ok(scene)
+    }
+
+    /// A world that nobody has played yet, and that is kept nowhere.
+    fn fresh(
+        setup: WorldSetup,
+        field: &Arc<Field>,
+        strategy: Arc<dyn Strategy>,
+        streamer: Streamer,
+    ) -> Self {
         let mut ecs = hecs::World::new();
-        let start = spawn_point(&field);
         let look = Look {
             yaw: FIRST_YAW_RAD,
             pitch: 0.0,
         };
-        let player = ecs.spawn(player::components(start, look));
-        let mut scene = Self {
+        let player = ecs.spawn(player::components(spawn_point(field), look));
+        Self {
+            lens: Lens::new(setup.geometry, setup.radius_m),
             setup: setup.within_range(),
-            ground: Ground::new(Arc::clone(&field), Arc::clone(&strategy)),
-            lens,
+            ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
             strategy,
             streamer,
             physics: PhysicsWorld::new(),
@@ -207,12 +228,12 @@ impl Scene {
             viewing: Viewing::default(),
             dip: HeadDip::default(),
             quality: Quality::default(),
-            notices,
+            notices: Vec::new(),
             hints: Vec::new(),
-            stored,
+            stored: false,
             save_problem: None,
-            created_unix_s: meta.created_unix_s,
-            cheated: meta.cheated,
+            created_unix_s: 0,
+            cheated: false,
             changed: false,
             body_unchecked: true,
             picture_height_px: PICTURE_HEIGHT_PX,
@@ -234,14 +255,7 @@ impl Scene {
             next_bot: 0,
             npcs: Npcs::default(),
             sounds: Sounds::default(),
-        };
-        match saved {
-            Some(state) => scene.restore(&state),
-            None => scene.look_at_ground(&field),
         }
-        scene.changed = false;
-        scene.request_ground();
-        Ok(scene)
     }
 
     /// What makes this world the one it is.

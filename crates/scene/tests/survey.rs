@@ -167,6 +167,8 @@ fn lamps_and_bots_are_marked_where_they_stand() {
     assert!(scene.spawn_lamp(over));
     scene.spawn_bot(scene.feet().moved(DVec3::new(-8.0, -3.0, 0.0)), 0.0, true);
     scene.spawn_bot(ChartPoint::a(DVec3::new(-rim_m, 9.0, 0.0)), 0.0, false);
+    // A car beyond the edge is marked there, in its direction.
+    assert!(scene.spawn_car(scene.feet().moved(DVec3::new(-60.0, 0.0, 0.0)), 0.0));
     let marks = scene.landmarks(45.0);
     let is_there = |kind: LandmarkKind, x: f64| {
         let here = |mark: &&antipode_scene::bearings::Landmark| {
@@ -176,5 +178,6 @@ fn lamps_and_bots_are_marked_where_they_stand() {
     };
     assert!(is_there(LandmarkKind::Lamp, 10.0), "{marks:?}");
     assert!(is_there(LandmarkKind::Hostile, -8.0), "{marks:?}");
+    assert!(is_there(LandmarkKind::Car, -42.3), "{marks:?}");
     assert!(marks.iter().all(|mark| mark.at.length() <= 45.0));
 }

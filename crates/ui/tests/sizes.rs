@@ -240,7 +240,12 @@ fn map() -> MapModel {
         }
     };
     let corners = (0..20u32).flat_map(|i| (0..20u32).map(move |j| 21 * i + j));
-    let kinds = [MarkKind::Lamp, MarkKind::Neutral, MarkKind::Hostile];
+    let kinds = [
+        MarkKind::Lamp,
+        MarkKind::Neutral,
+        MarkKind::Hostile,
+        MarkKind::Car,
+    ];
     let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
     MapModel {
         relief: Arc::new(Relief {
@@ -253,7 +258,7 @@ fn map() -> MapModel {
         north_rad: -0.4,
         marks: kinds
             .into_iter()
-            .zip([-12.0, 0.0, 12.0])
+            .zip([-12.0, 0.0, 12.0, 22.0])
             .map(mark)
             .collect(),
     }

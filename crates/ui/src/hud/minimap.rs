@@ -61,6 +61,8 @@ pub enum MarkKind {
     Neutral,
     /// Someone who does.
     Hostile,
+    /// A car.
+    Car,
 }
 
 /// A mark on the map.
@@ -167,7 +169,7 @@ fn tint(share: f32, light: f32) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, COVER)
 }
 
-/// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered.
+/// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered, cars broad.
 fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
     let edge = Stroke::new(1.5, Color32::BLACK);
     match kind {
@@ -177,6 +179,10 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
         MarkKind::Neutral => {
             let square = Rect::from_center_size(at, vec2(6.5, 6.5));
             painter.rect(square, 0, TEXT, edge, egui::StrokeKind::Outside);
+        }
+        MarkKind::Car => {
+            let body = Rect::from_center_size(at, vec2(11.0, 5.5));
+            painter.rect(body, 2, ACCENT, edge, egui::StrokeKind::Outside);
         }
         MarkKind::Hostile => {
             let corner = |turn: f32| {
