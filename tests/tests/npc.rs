@@ -28,9 +28,8 @@ fn in_each(then: impl Fn(&dyn Fn(f64, f64) -> String) -> String, check: impl Fn(
         let there = play(&format!("{begin}probe"));
         let feet = [0, 1, 2].map(|axis| number(there.probe(0), &format!("player.pos.{axis}")));
         // From six metres up it comes down on whatever is there, unhurt.
-        let place = |dx: f64, dz: f64| {
-            format!("{} {} {} A", feet[0] + dx, feet[1] + 6.0, feet[2] + dz)
-        };
+        let place =
+            |dx: f64, dz: f64| format!("{} {} {} A", feet[0] + dx, feet[1] + 6.0, feet[2] + dz);
         check(new, &play(&format!("{begin}{}", then(&place))));
     }
 }
@@ -60,11 +59,20 @@ fn a_hostile_one_comes_keeps_off_and_shoots_after_four_seconds() {
         },
         |world, run| {
             let early = run.probe(0);
-            assert!(matches!(state(early), "chase" | "fight"), "{world}: {early}");
-            assert_eq!(field(run.probe(1), "projectiles").as_array().unwrap().len(), 0);
+            assert!(
+                matches!(state(early), "chase" | "fight"),
+                "{world}: {early}"
+            );
+            assert_eq!(
+                field(run.probe(1), "projectiles").as_array().unwrap().len(),
+                0
+            );
             let late = run.probe(2);
             assert_eq!(state(late), "fight", "{world}");
-            assert!(number(late, "player.health") < 20.0, "{world}: nobody was hit");
+            assert!(
+                number(late, "player.health") < 20.0,
+                "{world}: nobody was hit"
+            );
         },
     );
 }
@@ -72,7 +80,12 @@ fn a_hostile_one_comes_keeps_off_and_shoots_after_four_seconds() {
 #[test]
 fn a_peaceful_one_is_talked_to_by_t_and_fights_when_it_is_shot() {
     in_each(
-        |place| format!("spawn bot {}\nwait 1.5\nset npcs still\nwait 0.1\nprobe", place(-2.5, 1.0)),
+        |place| {
+            format!(
+                "spawn bot {}\nwait 1.5\nset npcs still\nwait 0.1\nprobe",
+                place(-2.5, 1.0)
+            )
+        },
         |world, run| {
             let (yaw, pitch) = at_bot(run.probe(0));
             let (new, arrive) = WORLDS.into_iter().find(|(new, _)| *new == world).unwrap();
@@ -83,7 +96,11 @@ fn a_peaceful_one_is_talked_to_by_t_and_fights_when_it_is_shot() {
                  aim {yaw} {pitch}\nset npcs off\ntap KeyT\nwait 0.2\nprobe\nset npcs still\n\
                  tap Digit1\nwait 0.5\nclick LEFT\nwait 0.5\nset npcs off\nwait 0.5\nprobe"
             ));
-            assert_eq!(state(again.probe(0)), "watch", "{world}: it does not listen");
+            assert_eq!(
+                state(again.probe(0)),
+                "watch",
+                "{world}: it does not listen"
+            );
             assert_eq!(bot(again.probe(0), 0)["hostile"], false);
             assert_eq!(bot(again.probe(1), 0)["hostile"], true, "{world}");
             assert_eq!(state(again.probe(1)), "fight", "{world}");
@@ -102,7 +119,9 @@ fn those_who_came_by_themselves_are_saved_and_the_same_in_each_run() {
         let back = run(saves.path(), "load Kept\nset npcs still\nprobe");
         let places = |probe: &Value| {
             let bots = field(probe, "bots").as_array().unwrap();
-            let kept = bots.iter().map(|bot| (bot["pos"].clone(), bot["hostile"].clone()));
+            let kept = bots
+                .iter()
+                .map(|bot| (bot["pos"].clone(), bot["hostile"].clone()));
             kept.collect::<Vec<_>>()
         };
         // The world is saved on leaving, as it was then.
@@ -110,7 +129,11 @@ fn those_who_came_by_themselves_are_saved_and_the_same_in_each_run() {
         let other = tempfile::tempdir().unwrap();
         let second = run(other.path(), &script);
         for n in 0..2 {
-            assert_eq!(comparable(first.probe(n)), comparable(second.probe(n)), "{space}");
+            assert_eq!(
+                comparable(first.probe(n)),
+                comparable(second.probe(n)),
+                "{space}"
+            );
         }
     }
 }
