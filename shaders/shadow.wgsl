@@ -20,7 +20,7 @@ const SHADOW_STEEPEST: f32 = 10.0;
 
 struct Caster {
     clip: mat4x4<f32>,
-    curve: vec4<f32>,  // x: curvature per metre
+    curve: vec4<f32>,  // x: curvature per metre; y: where the chart's land ends, metres from its middle
 }
 
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;

@@ -141,15 +141,25 @@ fn vertex_framed(in: VertexIn) -> VertexOut {
     return land_at(in, p, view);
 }
 
+// How far over the equator land throws shadows: half an edge of a triangle, so that there is no gap, metres.
+const RIM_OVERLAP: f32 = 0.5;
+
 struct CasterIn {
     @location(0) units: vec4<u32>,      // as above
     @location(3) offset: vec3<f32>,     // the chunk's corner from where the map's matrix begins
     @location(4) flags: u32,            // lowest bit: hemisphere
 }
 
+// Land past the equator, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
+// on the sheet y = 0, under all land: left out, it would take with it the triangles that reach over the equator.
+fn is_past_rim(p: vec3<f32>) -> bool {
+    return GEO_KIND == GEO_SPHERE && length(p.xz) > caster.curve.y + RIM_OVERLAP;
+}
+
 @vertex
 fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + position_of(in.units), in.flags & 1u);
+    let p = in.offset + position_of(in.units);
+    return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p)), in.flags & 1u);
 }
 
 // The land's colour in all light but that of lamps and beams.

@@ -9,6 +9,29 @@
 use antipode_tests::program::{Run, comparable, field, number, run};
 use serde_json::Value;
 
+#[test]
+fn anger_outlasts_leaving_and_passes() {
+    let saves = tempfile::tempdir().unwrap();
+    let there = play("new euclidean seed=3\nset npcs off\nwait 1\nprobe");
+    let feet = [0, 1, 2].map(|axis| number(there.probe(0), &format!("player.pos.{axis}")));
+    let place = format!("{} {} {} A", feet[0] - 2.5, feet[1] + 6.0, feet[2] + 1.0);
+    let begin = format!(
+        "new euclidean seed=3 name=Angry\nset npcs off\nwait 1\ntap Digit1\nspawn bot {place}\nwait 1.6\n"
+    );
+    let looked = play(&format!("{}probe", begin.replace(" name=Angry", "")));
+    let (yaw, pitch) = at_bot(looked.probe(0));
+    let script = format!("{begin}aim {yaw} {pitch}\nclick LEFT\nwait 0.5\nsave\nprobe");
+    assert_eq!(bot(run(saves.path(), &script).probe(0), 0)["hostile"], true);
+    let back = "load Angry\nset npcs off\nset fly on\nprobe\nwait 45\nprobe";
+    let back = run(saves.path(), back);
+    assert_eq!(
+        bot(back.probe(0), 0)["hostile"],
+        true,
+        "forgotten on leaving"
+    );
+    assert_eq!(bot(back.probe(1), 0)["hostile"], false, "never forgiven");
+}
+
 /// A world of each space in which the player stands; in the closed one by the equator.
 const WORLDS: [(&str, &str); 3] = [
     ("new euclidean seed=3", ""),
@@ -93,8 +116,8 @@ fn a_peaceful_one_is_talked_to_by_t_and_fights_when_it_is_shot() {
             let place = format!("{} {} {} A", feet[0] - 2.5, feet[1] + 6.0, feet[2] + 1.0);
             let again = play(&format!(
                 "{new}\nset npcs off\n{arrive}wait 1\nspawn bot {place}\nwait 1.5\nset npcs still\nwait 0.1\n\
-                 aim {yaw} {pitch}\nset npcs off\ntap KeyT\nwait 0.2\nprobe\nset npcs still\n\
-                 tap Digit1\nwait 0.5\nclick LEFT\nwait 0.5\nset npcs off\nwait 0.5\nprobe"
+                 tap Digit1\naim {yaw} {pitch}\nwait 0.5\nset npcs off\ntap KeyT\nwait 0.2\nprobe\n\
+                 click LEFT\nwait 1\nprobe"
             ));
             assert_eq!(
                 state(again.probe(0)),

@@ -7,6 +7,7 @@
 )]
 
 use antipode_tests::program::{comparable, field, game, number, run};
+use serde_json::Value;
 
 const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
 
@@ -21,7 +22,7 @@ fn walking_digging_building_saving_and_loading_bring_the_same_world_back() {
         let before = run(saves.path(), &script);
         let again = run(saves.path(), "load Kept\nprobe");
         let (before, after) = (before.probe(0), again.probe(0));
-        assert_eq!(comparable(before), comparable(after), "{space}");
+        assert_eq!(kept(before), kept(after), "{space}");
         assert_eq!(
             field(before, "chunks.edited"),
             field(after, "chunks.edited"),
@@ -33,6 +34,15 @@ fn walking_digging_building_saving_and_loading_bring_the_same_world_back() {
         );
         assert_eq!(field(before, "t"), field(after, "t"), "{space}");
     }
+}
+
+/// What a save keeps of a probe: others are where they were, but what they were about begins anew.
+fn kept(probe: &Value) -> Value {
+    let mut kept = comparable(probe);
+    for bot in kept["bots"].as_array_mut().unwrap() {
+        bot.as_object_mut().unwrap().remove("state");
+    }
+    kept
 }
 
 #[test]

@@ -128,10 +128,15 @@ pub fn meets_capsule(
     height_m: f64,
     radius_m: f64,
 ) -> Option<f64> {
-    let straight_m = (0.5 * height_m - radius_m).max(0.0);
-    let capsule = CapsuleShape::new_y(straight_m as f32, (radius_m + ball_radius_m) as f32);
     let middle = feet + DVec3::Y * (0.5 * height_m);
     let way = to - from;
+    // Most are far away; with hundreds of balls and capsules this is what counts.
+    let reach_m = way.length() + (0.5 * height_m).max(radius_m) + ball_radius_m;
+    if (from - middle).length_squared() > reach_m * reach_m {
+        return None;
+    }
+    let straight_m = (0.5 * height_m - radius_m).max(0.0);
+    let capsule = CapsuleShape::new_y(straight_m as f32, (radius_m + ball_radius_m) as f32);
     if !(way.is_finite() && (from - middle).is_finite()) {
         return None;
     }

@@ -320,7 +320,7 @@ impl Projectile {
 
 #[cfg(test)]
 mod tests {
-    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
     use antipode_geometry::{Geometry, Hemisphere, strategy};
 
     use super::*;

@@ -10,7 +10,7 @@ mod common;
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::frame::ModelId;
-use antipode_scene::{Actions, CarView, Hint, Scene};
+use antipode_scene::{Actions, CarView, Hint, NpcMode, Scene};
 use common::{LIMIT, scene, steps};
 use glam::{DQuat, DVec3};
 
@@ -343,4 +343,128 @@ fn over_the_equator_nothing_jerks_that_would_not_jerk_elsewhere() {
     }
     assert_eq!((crossings, lost), (12, 0));
     assert!(worse <= 1, "{worse} of {crossings}");
+}
+
+/// A careless driver: full force, and the wheel thrown about, until the car lies on its side or roof.
+fn roll_over(scene: &mut Scene) -> bool {
+    for second in 0..400 {
+        let strafe = [0.0, 1.0, 1.0, -1.0][second % 4];
+        let wish = Actions {
+            sprint: true,
+            strafe,
+            ..ahead()
+        };
+        steps(scene, 60, &wish);
+        let up = |scene: &Scene| (car(scene).turn * DVec3::Y).y;
+        if up(scene) < 0.1 {
+            steps(scene, 180, &still());
+            if up(scene) < 0.3 {
+                return true;
+            }
+        }
+    }
+    false
+}
+
+#[test]
+fn it_can_roll_over_and_is_set_upright_with_its_heading_and_lights_kept() {
+    let mut scene = driving(Geometry::Spherical);
+    scene.set_npcs(NpcMode::Still);
+    steps(
+        &mut scene,
+        1,
+        &Actions {
+            toggle_light: true,
+            ..still()
+        },
+    );
+    assert!(roll_over(&mut scene), "{:?}", car(&scene));
+    let lies = car(&scene);
+    let flip = Actions {
+        flip_car: true,
+        ..still()
+    };
+    steps(&mut scene, 1, &flip);
+    steps(&mut scene, 90, &still());
+    let stands = car(&scene);
+    assert!((stands.turn * DVec3::Y).y > 0.6, "{stands:?}");
+    assert!(scene.is_driving() && stands.lights && scene.cars().len() == 1);
+    let ahead_of = |car: &CarView| (car.turn * DVec3::X).with_y(0.0);
+    if ahead_of(&lies).length() > 0.5 && lies.point.hemisphere == stands.point.hemisphere {
+        let kept = ahead_of(&lies)
+            .normalize()
+            .dot(ahead_of(&stands).normalize());
+        assert!(kept > 0.8, "{kept}");
+    }
+}
+
+#[test]
+fn who_is_run_over_is_hurt_and_the_car_goes_on() {
+    let mut scene = driving(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Still);
+    let view = car(&scene);
+    let way = (view.turn * DVec3::X).with_y(0.0).normalize();
+    let at = view.point.moved(way * 9.0 + DVec3::Y * 3.0);
+    let id = scene.spawn_bot(at, 0.0, false);
+    steps(&mut scene, 90, &still());
+    let health = |scene: &Scene| {
+        let bots = scene.bots();
+        bots.iter().find(|it| it.bot.id == id).map(|it| it.health)
+    };
+    assert_eq!(health(&scene), Some(3.0), "a standing car hurts nobody");
+    let wish = Actions {
+        sprint: true,
+        ..ahead()
+    };
+    steps(&mut scene, 100, &wish);
+    assert!(
+        health(&scene).is_none_or(|left| left < 3.0),
+        "{:?}",
+        scene.bots()
+    );
+    assert!(car(&scene).point.pos.distance(view.point.pos) > 9.0);
+}
+
+#[test]
+fn a_bullet_rocks_a_parked_car_and_stops_there() {
+    let mut scene = with_car(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Still);
+    stand_beside(&mut scene, 2.4);
+    assert!(car(&scene).rests);
+    scene.inventory_mut().select(0);
+    let target = car(&scene).place(DVec3::Y * 0.8).pos;
+    let eye = scene.head().point.pos;
+    let way = target - eye;
+    scene.aim(way.z.atan2(way.x), (way.y / way.length()).asin());
+    steps(
+        &mut scene,
+        1,
+        &Actions {
+            primary: true,
+            ..still()
+        },
+    );
+    let mut most_m_s = 0.0f64;
+    for _ in 0..40 {
+        steps(&mut scene, 1, &still());
+        most_m_s = most_m_s.max(car(&scene).velocity.length());
+    }
+    assert!(most_m_s > 0.1, "{most_m_s}");
+}
+
+#[test]
+fn a_second_car_can_be_put_in_and_both_are_solid() {
+    let mut scene = with_car(Geometry::Euclidean);
+    let first = car(&scene);
+    let way = (first.turn * DVec3::X).with_y(0.0).normalize();
+    assert!(scene.spawn_car(first.point.moved(way * 8.0), 0.0));
+    steps(&mut scene, 120, &still());
+    let cars = scene.cars();
+    assert_eq!(cars.len(), 2);
+    assert!(cars[1].wheels.iter().filter(|it| it.contact).count() >= 3);
+    // Who walks against a car stands in front of it.
+    stand_beside(&mut scene, 3.0);
+    steps(&mut scene, 120, &ahead());
+    let side = scene.feet().pos - car(&scene).point.pos;
+    assert!(side.with_y(0.0).length() > 0.9, "{side}");
 }

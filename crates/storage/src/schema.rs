@@ -118,7 +118,7 @@ pub struct BotRecord {
 pub struct CarRecord {
     /// Hemisphere: 0 for A, 1 for B.
     pub hemisphere: u8,
-    /// The middle of its body, chart metres.
+    /// The ground below its middle when it stands on level ground, chart metres.
     pub pos: [f64; 3],
     /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
     pub turn: [f64; 4],
@@ -128,6 +128,12 @@ pub struct CarRecord {
     pub spin: [f64; 3],
     /// Whether its lights are on.
     pub lights: bool,
+    /// How far its front wheels are turned to the right, radians.
+    pub steer: f64,
+    /// How far each spring is pushed in, metres; zero in the air.
+    pub springs: [f64; 4],
+    /// Whether it has come to rest.
+    pub rests: bool,
 }
 
 /// Everything that changes while a world is played, but for the terrain.

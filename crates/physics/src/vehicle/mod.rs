@@ -211,6 +211,33 @@ impl Vehicles {
         self.all.len() - 1
     }
 
+    /// Gives a vehicle back how its front wheels were turned (rad, to the right), how far its springs were pushed in
+    /// (m, zero in the air) and whether it rested. Numbers that are not finite are left out.
+    pub fn restore(&mut self, number: usize, steer_rad: f64, springs_m: [f64; 4], rests: bool) {
+        let tuning = &self.tuning;
+        let Some(vehicle) = self.all.get_mut(number) else {
+            return;
+        };
+        if steer_rad.is_finite() {
+            let most = tuning.steer_most_rad;
+            vehicle.steer_rad = steer_rad.clamp(-most, most);
+        }
+        for (place, (wheel, spring_m)) in vehicle.wheels.iter_mut().zip(springs_m).enumerate() {
+            if !(spring_m > 0.0 && spring_m <= tuning.spring_m()) {
+                continue;
+            }
+            wheel.contact = true;
+            wheel.compression_m = spring_m;
+            wheel.hub = tuning.mount(place) - DVec3::Y * (tuning.spring_m() - spring_m);
+            if place < 2 {
+                wheel.steer_rad = vehicle.steer_rad;
+            }
+        }
+        if rests {
+            vehicle.rests_s = SLEEPS_AFTER_S;
+        }
+    }
+
     /// Puts a vehicle elsewhere, and wakes it. A motion that is not finite is ignored.
     pub fn set_motion(&mut self, number: usize, motion: VehicleMotion) {
         let Some(vehicle) = self.all.get_mut(number).filter(|_| motion.is_finite()) else {

@@ -1,5 +1,7 @@
 //! What the shaders are told of the shadow maps, laid out as they read it.
 
+use std::f64::consts::FRAC_PI_2;
+
 use antipode_geometry::Eye;
 use antipode_scene::frame::Frame;
 use bytemuck::{Pod, Zeroable};
@@ -38,20 +40,23 @@ pub struct ShadowUniform {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct CasterUniform {
     clip: [[f32; 4]; 4],
-    /// Curvature per metre, and room.
+    /// Curvature per metre, the distance of the equator in metres, and room.
     curve: [f32; 4],
 }
 
 impl CasterUniform {
     /// A pass over what stands at metres from `from` in the base of the light: chart metres under a sky.
     pub fn new(shot: &Shot, from: DVec4) -> Self {
-        let (clip, k) = match shot.light {
-            Light::Far { .. } => (shot.clip() * DMat4::from_translation(from.truncate()), 0.0),
-            Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m),
+        let (clip, k, rim_m) = match shot.light {
+            Light::Far { .. } => {
+                let clip = shot.clip() * DMat4::from_translation(from.truncate());
+                (clip, 0.0, f64::INFINITY)
+            }
+            Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m, FRAC_PI_2 * radius_m),
         };
         Self {
             clip: clip.as_mat4().to_cols_array_2d(),
-            curve: [k as f32, 0.0, 0.0, 0.0],
+            curve: [k as f32, rim_m as f32, 0.0, 0.0],
         }
     }
 }

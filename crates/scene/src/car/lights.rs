@@ -18,11 +18,11 @@ const HEAD_CONE_RAD: (f64, f64) = (0.24, 0.55);
 const HEAD_DOWN: f64 = 0.10;
 const HEAD_OUT: f64 = 0.06;
 /// Colour times strength of the tail lights, and of the brake lights.
-const TAIL_COLOUR: [f32; 3] = [0.9, 0.05, 0.03];
-const BRAKE_COLOUR: [f32; 3] = [3.2, 0.16, 0.10];
+const TAIL_COLOUR: [f32; 3] = [0.35, 0.02, 0.012];
+const BRAKE_COLOUR: [f32; 3] = [1.6, 0.08, 0.05];
 /// Where they have faded away, in metres.
-const TAIL_RANGE_M: f64 = 4.0;
-const BRAKE_RANGE_M: f64 = 7.0;
+const TAIL_RANGE_M: f64 = 3.0;
+const BRAKE_RANGE_M: f64 = 5.0;
 /// Cars whose lights are shown, the player's first.
 const MOST_LIT_CARS: usize = 6;
 

@@ -85,6 +85,8 @@ pub struct CarView {
     pub brakes: bool,
     /// Whether the player drives it.
     pub driven: bool,
+    /// Whether it has come to rest, and costs nothing.
+    pub rests: bool,
     /// Front left, front right, rear left, rear right.
     pub wheels: [VehicleWheel; 4],
 }
@@ -126,6 +128,7 @@ impl Scene {
             lights: state.lights,
             brakes: vehicle.brakes(),
             driven: self.driven_number() == Some(number),
+            rests: vehicle.is_asleep(),
             wheels: *vehicle.wheels(),
         })
     }
@@ -223,6 +226,9 @@ impl Scene {
                 vel: car.velocity.to_array(),
                 spin: car.spin.to_array(),
                 lights: car.lights,
+                steer: car.steer_rad,
+                springs: car.wheels.map(|wheel| wheel.compression_m),
+                rests: car.rests,
             })
             .collect()
     }
@@ -256,6 +262,10 @@ impl Scene {
                 spin,
             };
             self.add_car(point.hemisphere, motion, record.lights, false);
+            let number = self.cars.states.len() - 1;
+            self.cars
+                .vehicles
+                .restore(number, record.steer, record.springs, record.rests);
         }
         if let Some(number) = driven {
             self.take_wheel(number);

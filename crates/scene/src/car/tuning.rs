@@ -78,6 +78,6 @@ pub const HORN_REACH_M: f64 = 30.0;
 /// Where the head lights and the tail lights are, in the car's axes, in metres; the others are their mirror images.
 pub const HEAD_LIGHT_M: DVec3 = DVec3::new(1.58, 0.655, 0.335);
 /// In metres.
-pub const TAIL_LIGHT_M: DVec3 = DVec3::new(-1.62, 0.66, 0.345);
+pub const TAIL_LIGHT_M: DVec3 = DVec3::new(-1.85, 0.66, 0.345);
 /// A new world's car stands as far from the start as one of these, in metres.
 pub const FIRST_CAR_RINGS_M: [f64; 3] = [7.0, 9.5, 12.0];

@@ -32,9 +32,6 @@ const BLOCKED_AHEAD_M: f64 = 0.9;
 const BLOCKED_S: f64 = 8.0;
 /// So often in a row stuck, one gives a goal up.
 const STUCK_TIMES: u32 = 3;
-/// Rest between two jumps, in seconds, and from how near a jump is begun, in metres.
-const JUMP_REST_S: f64 = 1.2;
-const JUMPS_FROM_M: f64 = 1.3;
 /// Nearer than this others are kept away from, in metres.
 const ROOM_M: f64 = 0.9;
 
@@ -158,15 +155,10 @@ impl Npc {
         let room = self.room(around);
         let pace = self.mind.goal.map_or(0.0, |goal| goal.pace);
         while let Some(step) = self.mind.steps.last().copied() {
-            let there = way(around.strategy(), self.point, step.point);
+            let there = way(around.strategy(), self.point, step);
             if there.level_m < STEP_THERE_M {
                 self.mind.steps.pop();
                 continue;
-            }
-            let rises = step.jump && there.level_m < JUMPS_FROM_M;
-            if rises && self.body.0.grounded && self.mind.jump_rest_s <= 0.0 {
-                input.jump = true;
-                self.mind.jump_rest_s = JUMP_REST_S;
             }
             input.wish = there.heading * pace.min(1.0);
             break;
@@ -218,7 +210,7 @@ impl Npc {
         self.mind.stuck_s = 0.0;
         self.mind.anchor = None;
         if let Some(step) = self.mind.steps.last() {
-            let heading = way(around.strategy(), self.point, step.point).heading;
+            let heading = way(around.strategy(), self.point, *step).heading;
             let before = ahead(around.strategy(), self.point, heading, BLOCKED_AHEAD_M);
             self.mind.blocked.push((before, BLOCKED_S));
         }

@@ -4,7 +4,6 @@ use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
 use super::dice::Dice;
-use super::navigation::Step;
 use super::tuning::{FIRST_SHOT_S, RESTS_S, WATCHES_AGAIN_S, WATCHES_S};
 use crate::frame::Figure;
 use crate::tuning::{FLASH_S, KICK_S, STEP_S};
@@ -88,7 +87,7 @@ pub(crate) struct Mind {
     pub dice: Dice,
     pub goal: Option<Goal>,
     /// The steps to the goal, the last first.
-    pub steps: Vec<Step>,
+    pub steps: Vec<ChartPoint>,
     /// Since the steps were found, in seconds.
     pub planned_s: f64,
     /// Where to look; the way one goes if there is nothing.
@@ -111,8 +110,6 @@ pub(crate) struct Mind {
     pub stuck_s: f64,
     /// Times in a row that it was stuck.
     pub stuck: u32,
-    /// Until it may jump again, in seconds.
-    pub jump_rest_s: f64,
     /// Places that turned out to be no way, and for how long that is remembered, in seconds.
     pub blocked: Vec<(ChartPoint, f64)>,
     /// How often it was talked to.
@@ -143,7 +140,6 @@ impl Mind {
             anchor: None,
             stuck_s: 0.0,
             stuck: 0,
-            jump_rest_s: 0.0,
             blocked: Vec::new(),
             told: 0,
             side,
@@ -219,7 +215,6 @@ impl Mind {
         self.fires_in_s -= STEP_S;
         self.fired_s += STEP_S;
         self.bored_s = (self.bored_s - STEP_S).max(0.0);
-        self.jump_rest_s = (self.jump_rest_s - STEP_S).max(0.0);
         if let Some(known) = &mut self.known {
             known.ago_s += STEP_S;
         }

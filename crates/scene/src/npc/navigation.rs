@@ -27,17 +27,14 @@ const FLOOR_BELOW_M: f64 = 3.1;
 const FLOOR_STEP_M: f64 = 0.4;
 /// Heights over a floor that must be free, in metres.
 const FREE_AT_M: [f64; 3] = [0.5, 1.1, 1.8];
-/// Steepest way that is walked up, as rise over level distance: short of the character's limit of fifty degrees.
+/// Steepest way that is walked up, as rise over level distance: short of the character's limit of fifty degrees. The field
+/// is linear over a metre, so a ledge is either such a slope or higher than a jump: nobody needs to jump.
 const STEEPEST: f64 = 0.95;
 /// Unevenness of a floor that is let pass besides, in metres.
 const UNEVEN_M: f64 = 0.05;
-/// Highest step that is jumped, and deepest that is gone down at once, in metres.
-const JUMPS_M: f64 = 0.95;
+/// Deepest that is gone down at once, in metres.
 const DROPS_M: f64 = 2.6;
-/// Head room that a jump needs over where it begins, in metres.
-const JUMP_ROOM_M: f64 = 2.7;
-/// What a jump and a metre of drop cost besides, in metres of way.
-const JUMP_COSTS_M: f64 = 3.0;
+/// What a metre of drop costs besides, in metres of way.
 const DROP_COSTS: f64 = 1.5;
 /// Most columns that a search goes on from.
 const MOST_EXPANDED: usize = 350;
@@ -46,20 +43,11 @@ const LEAST_GAIN_M: f64 = 0.8;
 /// Costs are counted in millimetres.
 const PER_M: f64 = 1000.0;
 
-/// A place to go to next.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Step {
-    /// Where the feet will be.
-    pub point: ChartPoint,
-    /// Whether it takes a jump to get there.
-    pub jump: bool,
-}
-
 /// A way to go.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Route {
-    /// The steps, the last first.
-    pub steps: Vec<Step>,
+    /// Where the feet will be, the last place first.
+    pub steps: Vec<ChartPoint>,
     /// Whether it leads to what was asked for, or as far towards it as is planned; else only nearer.
     pub reaches: bool,
 }
@@ -80,13 +68,6 @@ struct Node {
     y_cm: i32,
 }
 
-/// How one gets from a floor to the next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Gait {
-    Walk,
-    Jump,
-}
-
 impl Land<'_> {
     /// A way from one place towards another: straight where that can be walked, else round what is in the way.
     /// Nothing where there is no way that leads nearer.
@@ -99,10 +80,8 @@ impl Land<'_> {
         };
         let target = over(self.strategy, from, target);
         if let Some(end) = self.straight(from, target.pos) {
-            let point = self.placed(from.hemisphere, end);
-            let step = Step { point, jump: false };
             return Some(Route {
-                steps: vec![step],
+                steps: vec![self.placed(from.hemisphere, end)],
                 reaches: true,
             });
         }
@@ -163,8 +142,8 @@ impl Land<'_> {
         None
     }
 
-    /// How one gets from a floor to the next, and what it costs in metres; both free to stand on.
-    fn gait(&self, hemisphere: Hemisphere, from: DVec3, to: DVec3) -> Option<(Gait, f64)> {
+    /// What it costs in metres to go from a floor to the next, if one can; both free to stand on.
+    fn cost_m(&self, hemisphere: Hemisphere, from: DVec3, to: DVec3) -> Option<f64> {
         let rise = to.y - from.y;
         let run_m = (to - from).with_y(0.0).length();
         if rise < -DROPS_M {
@@ -177,13 +156,9 @@ impl Land<'_> {
             (middle.y - from.y).abs() <= steepest && (to.y - middle.y).abs() <= steepest
         });
         if walks {
-            return Some((Gait::Walk, run_m.hypot(rise)));
+            return Some(run_m.hypot(rise));
         }
-        if rise < -0.3 {
-            return Some((Gait::Walk, run_m - DROP_COSTS * rise));
-        }
-        let room = self.density(hemisphere, from + DVec3::Y * JUMP_ROOM_M) > 0.0;
-        (rise > 0.3 && rise <= JUMPS_M && room).then_some((Gait::Jump, run_m + JUMP_COSTS_M))
+        (rise < -0.3).then_some(run_m - DROP_COSTS * rise)
     }
 }
 
@@ -247,13 +222,8 @@ impl<'a> Search<'a> {
             self.expanded.set(0);
             self.search(|node| *node == best)?
         };
-        let mut steps: Vec<Step> = path
-            .windows(2)
-            .map(|pair| Step {
-                point: self.land.placed(self.from.hemisphere, self.pos(pair[1])),
-                jump: matches!(self.edge(pair[0], pair[1]), Some((Gait::Jump, _))),
-            })
-            .collect();
+        let placed = |node: &Node| self.land.placed(self.from.hemisphere, self.pos(*node));
+        let mut steps: Vec<_> = path.iter().skip(1).map(placed).collect();
         steps.reverse();
         Some(Route { steps, reaches })
     }
@@ -305,13 +275,10 @@ impl<'a> Search<'a> {
             y_cm: node.y_cm,
         };
         let next = self.floor(column)?;
-        let (_, cost_m) = self.edge(node, next)?;
+        let cost_m = self
+            .land
+            .cost_m(self.from.hemisphere, self.pos(node), self.pos(next))?;
         Some((next, (cost_m * PER_M) as u64))
-    }
-
-    fn edge(&self, from: Node, to: Node) -> Option<(Gait, f64)> {
-        self.land
-            .gait(self.from.hemisphere, self.pos(from), self.pos(to))
     }
 
     /// The floor of a column near the height of the node asked for, each looked for once.
@@ -329,5 +296,107 @@ impl<'a> Search<'a> {
             });
         self.floors.borrow_mut().insert(column, found);
         found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::expect_used, reason = "tests fail by panicking")]
+    use std::sync::Arc;
+
+    use antipode_geometry::{ChunkCoord, Geometry, strategy};
+    use antipode_physics::PhysicsWorld;
+    use antipode_streaming::Chunk;
+    use antipode_terrain::{Field, Samples};
+    use glam::IVec3;
+
+    use super::*;
+
+    /// Land of one chunk whose floor is at the height that is told for each place.
+    fn land(height: impl Fn(f64, f64) -> f64) -> Ground {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let mut ground = Ground::new(Arc::new(Field::new(1, Arc::clone(&space))), space);
+        let samples =
+            Samples::from_fn(|p| (f64::from(p.y) - height(f64::from(p.x), f64::from(p.z))) as f32);
+        let chunk = Chunk {
+            coord: ChunkCoord {
+                hemisphere: Hemisphere::A,
+                index: IVec3::ZERO,
+            },
+            mesh: Arc::default(),
+            collider: None,
+            samples: Some(Arc::new(samples)),
+        };
+        ground.put(chunk, &mut PhysicsWorld::new());
+        ground
+    }
+
+    fn route(ground: &Ground, from: DVec3, to: DVec3) -> Option<Route> {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let land = Land {
+            strategy: &*space,
+            ground,
+            blocked: &[],
+        };
+        land.route(ChartPoint::a(from), ChartPoint::a(to))
+    }
+
+    const FROM: DVec3 = DVec3::new(10.5, 6.5, 14.5);
+    const TO: DVec3 = DVec3::new(18.5, 6.5, 14.5);
+
+    #[test]
+    fn over_open_ground_the_way_is_straight() {
+        let ground = land(|x, _| 6.5 + 0.3 * (x - 10.5));
+        let route = route(&ground, FROM, TO).expect("a slope is a way");
+        assert!(route.reaches && route.steps.len() == 1, "{route:?}");
+        let end = route.steps[0].pos;
+        assert!((end.y - (6.5 + 0.3 * 8.0)).abs() < 0.05, "{end}");
+    }
+
+    #[test]
+    fn walls_and_pits_are_gone_round() {
+        for height_m in [12.5, 0.5] {
+            let in_the_way = |x: f64, z: f64| (13.0..16.0).contains(&x) && z < 19.0;
+            let ground = land(|x, z| if in_the_way(x, z) { height_m } else { 6.5 });
+            let route = route(&ground, FROM, TO).expect("there is a way round");
+            assert!(route.reaches, "{height_m}");
+            let mut farthest: f64 = 0.0;
+            for step in &route.steps {
+                let at = step.pos;
+                assert!((at.y - 6.5).abs() < 0.6, "{height_m}: {at}");
+                farthest = farthest.max(at.z);
+            }
+            assert!(farthest > 18.9, "{height_m}: through it at {farthest}");
+        }
+    }
+
+    #[test]
+    fn what_is_steep_is_climbed_and_a_wall_or_a_cliff_without_end_is_no_way() {
+        let step = |rise_m: f64| land(move |x, _| if x > 14.0 { 6.5 + rise_m } else { 6.5 });
+        let up = route(&step(0.9), FROM, TO).expect("a slope of 42 degrees");
+        assert!(up.reaches, "{up:?}");
+        let down = route(&step(-2.0), FROM, TO).expect("one can drop so deep");
+        assert!(down.reaches, "{down:?}");
+        let wall = route(&step(6.0), FROM, TO);
+        assert!(wall.is_none_or(|route| !route.reaches));
+        let cliff = route(&step(-6.0), FROM, TO);
+        assert!(cliff.is_none_or(|route| !route.reaches));
+    }
+
+    #[test]
+    fn a_place_that_was_no_way_is_gone_round() {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let ground = land(|_, _| 6.5);
+        let blocked = [ChartPoint::a(DVec3::new(14.5, 6.5, 14.5))];
+        let land = Land {
+            strategy: &*space,
+            ground: &ground,
+            blocked: &blocked,
+        };
+        let route = land
+            .route(ChartPoint::a(FROM), ChartPoint::a(TO))
+            .expect("there is room beside it");
+        let clear = |step: &ChartPoint| (step.pos - blocked[0].pos).length() > 0.7;
+        assert!(route.reaches && route.steps.iter().all(clear), "{route:?}");
     }
 }

@@ -1,0 +1,107 @@
+//! The car by a player's keys: getting in, driving, lights, getting out, a long drive over the equator, and the save.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use antipode_tests::program::{comparable, field, number, run};
+use serde_json::Value;
+
+const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
+
+/// The beginning of a script: a new world, and a player who stands beside its car and looks at it.
+fn beside_the_car(saves: &Path, new: &str) -> String {
+    let asked = run(saves, &format!("new {new}\nwait 2\nprobe"));
+    let car = asked.probe(0);
+    let yaw = number(car, "car.yaw").to_radians();
+    let (left_x, left_z) = (yaw.sin(), -yaw.cos());
+    let at = [0, 1, 2].map(|axis| number(car, &format!("car.pos.{axis}")));
+    format!(
+        "new {new}\nwait 2\nteleport {} {} {}\nwait 0.7\naim {} -20\n",
+        at[0] + 2.4 * left_x,
+        at[1] + 1.2,
+        at[2] + 2.4 * left_z,
+        (-left_z).atan2(-left_x).to_degrees(),
+    )
+}
+
+fn in_car(probe: &Value) -> bool {
+    field(probe, "player.in_car") == &Value::Bool(true)
+}
+
+#[test]
+fn it_is_driven_by_keys_in_every_space_and_is_saved_where_it_stands() {
+    for space in SPACES {
+        let saves = tempfile::tempdir().unwrap();
+        let begin = beside_the_car(saves.path(), &format!("{space} seed=7"))
+            .replace("seed=7", "seed=7 name=Kept");
+        let script = format!(
+            "{begin}tap KeyC\nwait 0.3\nprobe\nhold KeyW 1\nprobe\nhold Space 2\ntap KeyY\nwait 1.5\nprobe\nsave\n\
+             tap KeyL\nwait 0.3\nprobe"
+        );
+        let run = run(saves.path(), &script);
+        assert!(in_car(run.probe(0)), "{space}");
+        assert!(number(run.probe(1), "car.speed") > 2.0, "{space}");
+        let kept = run.probe(2);
+        assert!(number(kept, "car.speed").abs() < 0.5, "{space}");
+        assert_eq!(field(kept, "car.lights"), &Value::Bool(true));
+        assert!(!in_car(run.probe(3)), "{space}");
+        assert_eq!(field(run.probe(3), "car.lights"), &Value::Bool(true));
+        assert!(number(run.probe(3), "player.pos.1") > number(kept, "car.pos.1") - 2.5);
+        let loaded = antipode_tests::program::run(saves.path(), "load Kept\nwait 0.5\nprobe");
+        let loaded = loaded.probe(0);
+        for axis in 0..3 {
+            let at = format!("car.pos.{axis}");
+            assert!(
+                (number(loaded, &at) - number(kept, &at)).abs() < 0.1,
+                "{space}"
+            );
+        }
+        assert_eq!(field(loaded, "car.lights"), &Value::Bool(true));
+    }
+}
+
+/// Five minutes of somebody who does not look: mostly ahead, turns, backs off, and sets the car upright again and again.
+#[test]
+fn a_long_drive_round_a_small_world_is_never_stuck_and_never_under_the_ground() {
+    let saves = tempfile::tempdir().unwrap();
+    let mut script = beside_the_car(saves.path(), "spherical seed=7");
+    script += "tap KeyC\nwait 0.3\nprobe\ndown KeyW\n";
+    for round in 0..40 {
+        let turn = ["KeyA", "KeyD"][round / 2 % 2];
+        for second in 0..6 {
+            if round % 2 == 0 && second < 2 {
+                let _ = write!(script, "hold {turn} 0.5\nwait 0.5\nprobe\n");
+            } else {
+                script += "wait 1\nprobe\n";
+            }
+        }
+        let _ = write!(
+            script,
+            "tap KeyF\nup KeyW\ndown KeyS\nhold {turn} 1\nprobe\nup KeyS\ndown KeyW\n"
+        );
+    }
+    let (one, two) = (run(saves.path(), &script), run(saves.path(), &script));
+    let (mut crossings, mut rests) = (0, 0);
+    for n in 1..one.lines.len() {
+        let (before, now) = (one.probe(n - 1), one.probe(n));
+        assert_eq!(comparable(now), comparable(two.probe(n)), "second {n}");
+        assert!(in_car(now), "second {n}");
+        let side = |probe| field(probe, "car.hemisphere").clone();
+        crossings += usize::from(side(before) != side(now));
+        rests = if number(now, "car.speed").abs() < 0.3 {
+            rests + 1
+        } else {
+            0
+        };
+        assert!(rests <= 10, "stuck for {rests} s at second {n}");
+        let ground = number(now, "terrain.ground_height");
+        assert!(number(now, "car.pos.1") > ground - 1.2, "second {n}: {now}");
+    }
+    assert!(crossings >= 10, "{crossings}");
+}
