@@ -205,7 +205,7 @@ mod tests {
             view_distance: 2,
         };
         let frame = Scene::open(setup, None).unwrap().frame(1.2, 4.0 / 3.0, 1);
-        let mut take = |shaders| {
+        let take = |shaders| {
             let mut studio = Studio::with_shaders(&common, &settings, shaders)?;
             studio.draw(&frame)?;
             studio.shoot(&frame, &texts, |_| None)

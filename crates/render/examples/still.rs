@@ -122,6 +122,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
     let marker = on_ground(stand.pos.x + 10.0, stand.pos.z - 3.0);
     let reach_m = f64::from(VIEW_CHUNKS * CHUNK_CELLS);
     Frame {
+        hit_shapes: Vec::new(),
         eye,
         projection,
         sky: sky(time_of_day_s(&wanted.hour), space.as_ref(), &eye),

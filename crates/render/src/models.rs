@@ -325,7 +325,7 @@ mod tests {
             let place = ModelId::ALL.iter().position(|it| *it == id).unwrap();
             let (turn, height_m) = antipode_scene::drops::lying(item);
             let heights = all[place].shape.vertices.iter().map(|vertex| {
-                let at = glam::Vec3::from(vertex.position).as_dvec3();
+                let at = Vec3::from(vertex.position).as_dvec3();
                 (turn * at).y + height_m
             });
             let lowest = heights.fold(f64::INFINITY, f64::min);

@@ -225,6 +225,7 @@ fn full_hud() -> HudModel {
             from_rad: Some(2.0),
         }),
         struck: true,
+        wounds: Vec::new(),
     }
 }
 

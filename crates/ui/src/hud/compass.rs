@@ -67,7 +67,7 @@ pub(super) fn show(
     let (centre, width) = if even >= 0.6 * WIDTH.0 {
         (middle, even)
     } else {
-        ((from + to) / 2.0, to - from)
+        (f32::midpoint(from, to), to - from)
     };
     let width = width.min(WIDTH.0);
     if width < WIDTH.1 || screen.height() < 4.0 * HEIGHT || !model.heading_rad.is_finite() {
