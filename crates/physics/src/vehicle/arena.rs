@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use antipode_geometry::ChunkCoord;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
 use rapier3d::dynamics::{
     CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MassProperties,
@@ -287,15 +287,4 @@ fn controller(body: RigidBodyHandle, tuning: &VehicleTuning) -> DynamicRayCastVe
         );
     }
     controller
-}
-
-impl VehicleMotion {
-    /// Whether all of it are numbers.
-    pub(super) fn is_finite(&self) -> bool {
-        self.place.is_finite()
-            && self.turn.is_finite()
-            && self.velocity.is_finite()
-            && self.spin.is_finite()
-            && self.turn != DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0)
-    }
 }

@@ -7,6 +7,7 @@ mod arena;
 mod drive;
 mod hull;
 mod place;
+mod state;
 mod tuning;
 
 use glam::{DQuat, DVec3};
@@ -16,6 +17,7 @@ use rapier3d::dynamics::RigidBodyHandle;
 use crate::PhysicsWorld;
 use arena::Arena;
 use hull::Hull;
+pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;
 
 /// Ground within this of a vehicle's middle is taken in, in metres, and what it covers in the next steps besides.
@@ -27,68 +29,6 @@ const RESTS_RAD_S: f64 = 0.06;
 const SLEEPS_AFTER_S: f64 = 1.0;
 /// A sleeper wakes when another comes within this, in metres.
 const WAKES_WITHIN_M: f64 = 6.0;
-
-/// Where a vehicle is and how it moves, in physics space.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VehicleMotion {
-    /// The ground below its middle, when it stands on level ground (m).
-    pub place: DVec3,
-    /// How it is turned from looking along +x with its right-hand side at +z.
-    pub turn: DQuat,
-    /// Velocity of its centre of mass over the last step, m/s.
-    pub velocity: DVec3,
-    /// Angular velocity, rad/s.
-    pub spin: DVec3,
-}
-
-impl VehicleMotion {
-    /// Where it looks, a unit vector.
-    pub fn ahead(&self) -> DVec3 {
-        self.turn * DVec3::X
-    }
-
-    /// Its own upward direction, a unit vector.
-    pub fn up(&self) -> DVec3 {
-        self.turn * DVec3::Y
-    }
-
-    /// Speed ahead, m/s; backwards negative.
-    pub fn speed_m_s(&self) -> f64 {
-        self.velocity.dot(self.ahead())
-    }
-}
-
-/// What a driver wants of a vehicle for one step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VehicleInput {
-    /// Ahead, or backwards where negative, -1 to 1. Against the way it rolls it brakes first.
-    pub throttle: f64,
-    /// To the right, or to the left where negative, -1 to 1.
-    pub steer: f64,
-    /// Brake.
-    pub brake: bool,
-    /// Drive harder.
-    pub boost: bool,
-    /// Nobody drives: it is held by its brake, and may fall asleep.
-    pub parked: bool,
-}
-
-/// A wheel of a vehicle.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VehicleWheel {
-    /// Its hub, in the vehicle's axes (m).
-    pub hub: DVec3,
-    /// How far it is steered to the right, radians.
-    pub steer_rad: f64,
-    /// How far it has rolled ahead, radians within one turn.
-    pub roll_rad: f64,
-    /// Whether it is on the ground.
-    pub contact: bool,
-    /// How far its spring is pushed in (m); zero in the air.
-    pub compression_m: f64,
-    /// How fast the tyre slides sideways over the ground, m/s.
-    pub slide_m_s: f64,
-}
 
 /// A vehicle.
 pub struct Vehicle {
