@@ -244,6 +244,17 @@ def hold(t):
     return pose, 0.0
 
 
+def sit(t):
+    """At the wheel of the car: leaning back, knees up, hands on the rim; the origin is 0.40 m above the ground."""
+    a = TAU * t
+    pose = standing((0.0, 0.10, 0.0), hips=turn_z(17.0), spine=turn_z(-3.0), chest=turn_z(-4.0 + 0.5 * math.cos(a)))
+    pose["head"] = chain(turn_y(3.0 * math.sin(a)), turn_z(-9.0))
+    for side, sign in SIDES:
+        arm(pose, side, 58.0, 7.0, 28.0, 0.0, -14.0)
+        leg(pose, side, (0.53, 0.03, sign * 0.12), 28.0, 0.0, 6.0)
+    return pose, 0.0
+
+
 def _between(keys, t):
     """Poses at times, joined by easing; `keys` are (time, pose, feet or None)."""
     for (t0, p0), (t1, p1) in zip(keys, keys[1:]):
@@ -348,6 +359,7 @@ def clips():
         "hold": (*_loop(hold, 3.0, 12), dict(extras(0.0, True), layer="upper body")),
         "hit": (*_once(_hit_keys()), extras(0.0, False)),
         "die": (*_once(_die_keys()), extras(0.0, False)),
+        "sit": (*_loop(sit, 5.0, 10), extras(0.0, True)),
     }
 
 

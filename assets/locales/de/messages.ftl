@@ -15,6 +15,10 @@ hint-no-room = Mehr kannst du nicht tragen.
 hint-too-many-drops = Es liegt schon zu viel herum; hebe erst etwas auf.
 hint-died-of-fall = Du bist zu tief gefallen. Du stehst am Anfang wieder auf.
 hint-died-of-shot = Du wurdest erschossen. Du stehst am Anfang wieder auf.
+hint-died-of-crash = Der Aufprall hat dich getötet. Du stehst am Anfang wieder auf.
+hint-died-of-car = Ein Auto hat dich überfahren. Du stehst am Anfang wieder auf.
+hint-no-car-near = Es ist kein Auto innerhalb von vier Metern zu sehen.
+hint-no-way-out = Hier ist kein Platz zum Aussteigen.
 hint-back-again = Du bist wieder am Anfang. Was du getragen hast, ist noch bei dir.
 hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.
 

@@ -16,6 +16,10 @@ hint-no-room = You can carry no more.
 hint-too-many-drops = Too much lies about already; pick something up first.
 hint-died-of-fall = You fell too far. You will stand up again where you began.
 hint-died-of-shot = You were shot. You will stand up again where you began.
+hint-died-of-crash = The crash killed you. You will stand up again where you began.
+hint-died-of-car = A car ran you over. You will stand up again where you began.
+hint-no-car-near = There is no car in view within four metres.
+hint-no-way-out = There is no room to get out here.
 hint-back-again = You are back at the start. What you carried is still with you.
 hint-nobody-to-talk-to = There is nobody ahead to talk to.
 

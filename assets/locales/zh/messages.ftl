@@ -15,6 +15,10 @@ hint-no-room = 你拿不下更多东西了。
 hint-too-many-drops = 地上的东西太多了，请先捡起一些。
 hint-died-of-fall = 你摔得太重了。你会在起点重新站起来。
 hint-died-of-shot = 你被击中了。你会在起点重新站起来。
+hint-died-of-crash = 你在撞车中丧生。你会在起点重新站起来。
+hint-died-of-car = 你被车撞死了。你会在起点重新站起来。
+hint-no-car-near = 四米之内看不到车。
+hint-no-way-out = 这里没有下车的空间。
 hint-back-again = 你回到了起点，带着的东西都还在。
 hint-nobody-to-talk-to = 前面没有可以交谈的人。
 

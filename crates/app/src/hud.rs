@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
+use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
 use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, WoundModel};
 use glam::DVec3;
@@ -55,6 +56,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         figures,
         compass: None,
         map: None,
+        health: Some((scene.health() / FULL_HEALTH) as f32),
         harm: None,
         struck: false,
         wounds: wounds(scene),

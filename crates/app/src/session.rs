@@ -204,6 +204,7 @@ impl Worlds {
     ) -> Result<Session, Failure> {
         let mut scene = Scene::open(setup, store.clone())?;
         scene.set_quality(self.quality);
+        scene.give_first_car();
         scene.set_npcs(NpcMode::On);
         Ok(Session {
             scene,

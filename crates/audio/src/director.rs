@@ -152,6 +152,13 @@ impl Director {
             SoundEvent::Hurt => effect(Sample::Hurt, 0.6, self.waver()),
             SoundEvent::LampPlaced => effect(Sample::Lamp, 0.45, 1.0),
             SoundEvent::LampTaken => effect(Sample::Lamp, 0.4, 1.26),
+            SoundEvent::CarDoor => effect(Sample::Build2, 0.5, 0.8),
+            SoundEvent::Crashed { speed_m_s } => {
+                let gain = 0.3 + 0.6 * share(speed_m_s, 0.0, LANDING_M_S.0);
+                effect(Sample::LandHard, gain, 1.2 * self.waver())
+            }
+            SoundEvent::CarHit => effect(Sample::Struck, 0.5, 1.6 * self.waver()),
+            SoundEvent::Horn => effect(Sample::Bell, 0.7, 0.5),
             SoundEvent::PickedUp => effect(Sample::PickUp, 0.4, self.waver()),
         }
     }

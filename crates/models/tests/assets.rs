@@ -136,7 +136,9 @@ fn both_outfits_have_the_same_skeleton_and_clips() {
     let names: Vec<_> = white.clips.iter().map(|c| c.name.as_str()).collect();
     assert_eq!(
         names,
-        ["idle", "walk", "run", "jump", "fall", "hold", "hit", "die"]
+        [
+            "idle", "walk", "run", "jump", "fall", "hold", "hit", "die", "sit"
+        ]
     );
     assert_ne!(white.meshes, teal.meshes);
 }
@@ -156,7 +158,7 @@ fn loops_close_exactly() {
             clip.name
         );
     }
-    assert_eq!(model.clips.iter().filter(|c| c.loops).count(), 5);
+    assert_eq!(model.clips.iter().filter(|c| c.loops).count(), 6);
 }
 
 /// Every stretch of time in which a vertex of a boot is within 6 mm of the ground, it may drift over the

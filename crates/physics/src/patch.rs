@@ -92,6 +92,10 @@ impl Patch {
                 Triangle::new(corners)
             }));
         }
+        let solid = world.obstacles_in(min - skin, max + skin);
+        triangles.extend(
+            solid.filter_map(|corners| Triangle::new(corners.map(|corner| corner - anchor))),
+        );
         Self { triangles }
     }
 

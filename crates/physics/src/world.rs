@@ -7,6 +7,7 @@
 //! changes with every chunk and lends it to Rapier's query pipeline.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
 use glam::DVec3;
@@ -37,6 +38,34 @@ pub(crate) struct Ground {
     pub block: Block,
 }
 
+impl Ground {
+    /// Which block of its chunk it is.
+    pub fn number(&self) -> usize {
+        self.number
+    }
+}
+
+/// Something solid that moves and that characters cannot walk through. Rays and casts do not meet it.
+#[derive(Clone, Debug)]
+pub struct Obstacle {
+    /// Counter-clockwise seen from outside, in physics space (m).
+    triangles: Arc<[[DVec3; 3]]>,
+    min: DVec3,
+    max: DVec3,
+}
+
+impl Obstacle {
+    /// A closed body of triangles, counter-clockwise seen from outside, in physics space (m).
+    pub fn new(triangles: Arc<[[DVec3; 3]]>) -> Self {
+        let corners = || triangles.iter().flatten().copied();
+        Self {
+            min: corners().fold(DVec3::MAX, DVec3::min),
+            max: corners().fold(DVec3::MIN, DVec3::max),
+            triangles,
+        }
+    }
+}
+
 /// Rapier's names of a chunk's blocks.
 type Standing = [Option<ColliderHandle>; BLOCKS];
 
@@ -51,6 +80,7 @@ pub struct PhysicsWorld {
     tree: Bvh,
     chunks: HashMap<ChunkCoord, Standing>,
     grounds: HashMap<u32, Ground>,
+    obstacles: Vec<Obstacle>,
     origin: DVec3,
 }
 
@@ -80,6 +110,7 @@ impl PhysicsWorld {
             tree: Bvh::new(),
             chunks: HashMap::new(),
             grounds: HashMap::new(),
+            obstacles: Vec::new(),
             origin: DVec3::ZERO,
         }
     }
@@ -181,6 +212,23 @@ impl PhysicsWorld {
         self.origin
     }
 
+    /// Says what characters cannot walk through besides the terrain, in place of what was said before.
+    pub fn set_obstacles(&mut self, obstacles: Vec<Obstacle>) {
+        self.obstacles = obstacles;
+    }
+
+    /// The triangles of obstacles whose box touches a box of physics space.
+    pub(crate) fn obstacles_in(
+        &self,
+        min: DVec3,
+        max: DVec3,
+    ) -> impl Iterator<Item = &[DVec3; 3]> + '_ {
+        self.obstacles
+            .iter()
+            .filter(move |it| it.min.cmple(max).all() && it.max.cmpge(min).all())
+            .flat_map(|it| it.triangles.iter())
+    }
+
     pub(crate) fn queries(&self) -> QueryPipeline<'_> {
         QueryPipeline {
             dispatcher: &DefaultQueryDispatcher,
@@ -244,7 +292,8 @@ impl PhysicsWorld {
         ground.map(|ground| ground.block)
     }
 
-    /// Rapier notes what changed for its next step. Nothing steps yet, so the notes would only grow.
+    /// Rapier notes what changed for its next step. This set is never stepped, so the notes would only grow; what
+    /// moves is stepped among copies of the blocks near it.
     fn forget_changes(&mut self) {
         self.colliders.take_modified();
         self.colliders.take_removed();

@@ -57,7 +57,12 @@ const LONGEST_REASON: usize = 160;
 impl RenderError {
     /// The adapter will not take a shader: what its compiler says, in one short line.
     pub(crate) fn shader(said: &str) -> Self {
-        let words: Vec<_> = said.split_whitespace().collect();
+        // The lines that a compiler draws round the text are no words, and no font of the game has them.
+        let drawn = |c: char| ('\u{2500}'..='\u{257f}').contains(&c);
+        let words: Vec<_> = said
+            .split(|c: char| c.is_whitespace() || drawn(c))
+            .filter(|word| !word.is_empty())
+            .collect();
         let words = words.join(" ");
         let end = words.char_indices().nth(LONGEST_REASON).map(|(end, _)| end);
         Self::Shader(end.map_or_else(|| words.clone(), |end| format!("{}…", &words[..end])))

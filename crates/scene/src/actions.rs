@@ -9,9 +9,9 @@ pub struct Actions {
     pub forward: f64,
     /// Right minus left, -1 to 1.
     pub strafe: f64,
-    /// Sprint held.
+    /// Sprint held; drives harder.
     pub sprint: bool,
-    /// Jump held; rises in flight.
+    /// Jump held; rises in flight, brakes in a car.
     pub jump: bool,
     /// Sink held; only flight uses it.
     pub sink: bool,
@@ -35,8 +35,16 @@ pub struct Actions {
     pub turn_map: bool,
     /// Switch between first and third person.
     pub toggle_camera: bool,
-    /// Switch the flashlight.
+    /// Switch the flashlight, or the lights of the car that is driven.
     pub toggle_light: bool,
+    /// Get into the car that is near and in view.
+    pub enter_car: bool,
+    /// Get out of the car.
+    pub leave_car: bool,
+    /// Set the car on its wheels.
+    pub flip_car: bool,
+    /// Sound the car's horn.
+    pub horn: bool,
     /// Talk to who is ahead.
     pub talk: bool,
     /// Throw away one of what is in hand.

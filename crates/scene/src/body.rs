@@ -12,9 +12,10 @@ use crate::tuning::FARTHEST_M;
 const CLEARANCE_M: f64 = 0.15;
 
 impl Scene {
-    /// Moves the player's feet to a point and stops it; a point outside the world is brought to its border, and
+    /// Moves the player's feet to a point, out of a car, and stops it; a point outside the world is brought to its border, and
     /// one in rock leads to the free ground above as soon as that is loaded. Ground there is asked for at once.
     pub fn teleport(&mut self, point: ChartPoint) {
+        self.get_out();
         self.place_body(point, DVec3::ZERO, false);
         self.request_ground();
     }
@@ -46,7 +47,7 @@ impl Scene {
     /// middle is in rock at any time. To be called when the ground around the body is there.
     /// Returns whether the body was moved.
     pub(crate) fn free_body(&mut self) -> bool {
-        if self.flying || !(self.body_unchecked || self.is_buried()) {
+        if self.flying || self.is_driving() || !(self.body_unchecked || self.is_buried()) {
             return false;
         }
         self.body_unchecked = false;
@@ -64,7 +65,7 @@ impl Scene {
 
     /// Lifts the player out of ground that was built over it, as far as a lift reaches.
     pub(crate) fn lift_player_out(&mut self) -> bool {
-        if self.flying {
+        if self.flying || self.is_driving() {
             return false;
         }
         let hemisphere = self.feet().hemisphere;

@@ -125,7 +125,9 @@ impl Scene {
             .query::<(Entity, &Position, &Health)>()
             .iter()
             .filter(|(entity, _, health)| {
-                health.0 > 0.0 && !(*entity == self.player && self.flying)
+                // Who drives is met by what meets the car.
+                let is_there = *entity != self.player || !(self.flying || self.is_driving());
+                health.0 > 0.0 && is_there
             })
             .map(|(entity, position, _)| Standing {
                 entity,

@@ -36,6 +36,11 @@ impl Scene {
         self.straight_shots = straight;
     }
 
+    /// Whether bullets follow the space's geodesics.
+    pub fn straight_shots(&self) -> bool {
+        self.straight_shots
+    }
+
     /// Fires when the button goes down with the gun in hand, if there is a bullet.
     pub(crate) fn use_gun(&mut self, actions: &Actions) {
         self.gun_rests_s = (self.gun_rests_s - STEP_S).max(0.0);
@@ -87,9 +92,11 @@ impl Scene {
             pictured: &**self.lens.strategy(),
             physics: &self.physics,
             standing: &standing,
+            vehicles: self.cars.vehicles(),
         };
-        let strikes = self.projectiles.step(&air);
-        self.take_strikes(strikes);
+        let hits = self.projectiles.step(&air);
+        self.take_strikes(hits.strikes);
+        self.take_knocks(&hits.knocks);
     }
 
     /// What the crosshair covers, of the ground and of others, within `reach_m` metres beyond the head.

@@ -123,7 +123,7 @@ impl Scene {
     /// What the player sees in the own hand.
     pub(crate) fn hand_seen(&self) -> Option<Hand> {
         let held = self.inventory.held()?;
-        if self.camera != CameraMode::First || self.is_dead() || self.flying {
+        if self.camera != CameraMode::First || self.is_dead() || self.flying || self.is_driving() {
             return None;
         }
         let cycles = self

@@ -22,6 +22,10 @@ pub enum HarmKind {
     Fall,
     /// A bullet.
     Shot,
+    /// The car that one drives ran into something.
+    Crash,
+    /// A car.
+    RunOver,
 }
 
 /// Harm that the player took.
@@ -124,6 +128,8 @@ impl Scene {
             self.hints.push(match kind {
                 HarmKind::Fall => Hint::DiedOfFall,
                 HarmKind::Shot => Hint::DiedOfShot,
+                HarmKind::Crash => Hint::DiedOfCrash,
+                HarmKind::RunOver => Hint::DiedOfCar,
             });
         }
     }
@@ -170,16 +176,21 @@ impl Scene {
     }
 
     fn hurt_bot(&mut self, entity: Entity, by: Entity) {
+        self.hurt_bot_by(entity, BULLET_HARM, Some(by));
+    }
+
+    /// Takes health from a bot; `by` is who did it, if anybody.
+    pub(crate) fn hurt_bot_by(&mut self, entity: Entity, harm: f64, by: Option<Entity>) {
         let parts = self
             .ecs
             .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
         if let Ok((bot, health, appearance, position)) = parts {
             appearance.motion.strike();
-            health.0 = (health.0 - BULLET_HARM).max(0.0);
-            bot.struck_by = Some(by);
+            health.0 = (health.0 - harm).max(0.0);
+            bot.struck_by = by.or(bot.struck_by);
             bot.hit_s_ago = 0.0;
             let at = position.0;
-            let by_player = by == self.player;
+            let by_player = by == Some(self.player);
             self.npcs.events.push(Event::Hit {
                 victim: entity,
                 at,
@@ -191,7 +202,69 @@ impl Scene {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+    use antipode_geometry::Geometry;
+
     use super::*;
+    use crate::scene::WorldSetup;
+
+    fn scene(geometry: Geometry) -> Scene {
+        let setup = WorldSetup {
+            name: "Test".to_owned(),
+            seed: 3,
+            geometry,
+            radius_m: 32.0,
+            view_distance: 1,
+        };
+        Scene::open(setup, None).unwrap()
+    }
+
+    fn strike(scene: &mut Scene, way: DVec3) {
+        let (entity, by) = (scene.player, scene.player);
+        scene.take_strikes(vec![Strike { entity, by, way }]);
+    }
+
+    #[test]
+    fn harm_is_told_with_where_it_came_from_and_ages() {
+        let mut scene = scene(Geometry::Euclidean);
+        assert_eq!(scene.last_hurt(), None);
+        strike(&mut scene, DVec3::new(-30.0, -5.0, 0.0));
+        assert_eq!(
+            scene.last_hurt(),
+            Some((0.0, Some(0.0))),
+            "it flew along -x"
+        );
+        strike(&mut scene, DVec3::new(0.0, 2.0, 12.0));
+        assert_eq!(scene.last_hurt(), Some((0.0, Some(-FRAC_PI_2))));
+        for _ in 0..30 {
+            scene.heal();
+        }
+        assert!(
+            scene
+                .last_hurt()
+                .is_some_and(|(ago_s, _)| (ago_s - 0.5).abs() < 1e-9)
+        );
+        scene.hurt_player(2.0, HarmKind::Fall, None);
+        assert_eq!(scene.last_hurt(), Some((0.0, None)));
+        assert_eq!(scene.struck_s_ago(), None, "nobody else was struck");
+    }
+
+    #[test]
+    fn over_the_equator_harm_still_comes_from_where_it_came_from() {
+        let mut scene = scene(Geometry::Spherical);
+        let rim_m = scene.strategy.rim_m().unwrap();
+        scene.teleport(ChartPoint::a(DVec3::new(20.0, 20.0, rim_m - 10.0)));
+        let way = DVec3::new(9.0, 0.0, 31.0);
+        strike(&mut scene, way);
+        let over = scene.strategy.carry(scene.feet()).unwrap();
+        scene.teleport(over.point);
+        let from = -over.turn_vector(way);
+        let (_, told) = scene.last_hurt().unwrap();
+        let off = (told.unwrap() - from.z.atan2(from.x) + PI).rem_euclid(TAU) - PI;
+        assert!(off.abs() < 1e-9, "{off}");
+    }
 
     #[test]
     fn falls_hurt_from_eight_metres_by_one_for_each_metre() {

@@ -9,6 +9,7 @@ pub mod bearings;
 mod body;
 pub mod bot;
 pub mod camera;
+pub mod car;
 mod closed_day;
 pub mod day;
 mod detail;
@@ -50,6 +51,7 @@ mod viewing;
 
 pub use actions::Actions;
 pub use camera::CameraMode;
+pub use car::CarView;
 pub use inventory::{Inventory, Stack};
 pub use item::Item;
 pub use lens::{DialGoals, Lens};

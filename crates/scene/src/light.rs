@@ -1,4 +1,4 @@
-//! The light of lamps and of the flashlight.
+//! The light of lamps, of the flashlight and of cars.
 
 use antipode_geometry::{ChartPoint, Eye};
 
@@ -37,17 +37,19 @@ impl Scene {
             colour: LAMP_COLOUR,
             range_m: LAMP_RANGE_M,
         };
+        let (head_lights, tail_lights) = self.car_lights();
         Lights {
             lamps: self
                 .shot_light()
                 .into_iter()
+                .chain(tail_lights)
                 .chain(lamps.into_iter().map(lamp_light))
                 .take(MOST_LIT)
                 .collect(),
-            beams: self
-                .flashlight
+            beams: (self.flashlight && !self.is_driving())
                 .then(|| self.flash_beam())
                 .into_iter()
+                .chain(head_lights)
                 .collect(),
         }
     }

@@ -139,7 +139,7 @@ impl Motion {
         for (clip, moment) in Clip::ALL.into_iter().zip(&mut self.posture.moments) {
             *moment = match clip {
                 Clip::Walk | Clip::Run | Clip::Land => *moment,
-                Clip::Idle | Clip::Fall | Clip::Hold => (*moment + dt_s) % LONG_AGO_S,
+                Clip::Idle | Clip::Fall | Clip::Hold | Clip::Sit => (*moment + dt_s) % LONG_AGO_S,
                 Clip::Jump | Clip::Die | Clip::Hit => (*moment + dt_s).min(LONG_AGO_S),
             };
         }

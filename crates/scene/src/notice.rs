@@ -79,6 +79,18 @@ pub enum Hint {
     /// The player was shot dead.
     #[error("You were shot. You will stand up again where you began.")]
     DiedOfShot,
+    /// The car that the player drove ran into something too hard.
+    #[error("The crash killed you. You will stand up again where you began.")]
+    DiedOfCrash,
+    /// The player was run over.
+    #[error("A car ran you over. You will stand up again where you began.")]
+    DiedOfCar,
+    /// There is no car to get into.
+    #[error("There is no car in view within four metres.")]
+    NoCarNear,
+    /// There is no room beside the car.
+    #[error("There is no room to get out here.")]
+    NoWayOut,
     /// Nobody peaceful is close by and ahead.
     #[error("There is nobody ahead to talk to.")]
     NobodyToTalkTo,

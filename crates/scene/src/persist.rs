@@ -119,9 +119,11 @@ impl Scene {
                 .chain(self.carried_record())
                 .collect(),
             bots: self.bot_records(),
-            cars: Vec::new(),
-            driving: None,
-            car_given: false,
+            cars: self.car_records(),
+            driving: self
+                .driven_number()
+                .and_then(|number| u32::try_from(number).ok()),
+            car_given: self.cars.given,
         }
     }
 
@@ -165,6 +167,7 @@ impl Scene {
         }
         self.inventory.select(state.item_slot);
         self.restore_things(state);
+        self.restore_cars(&state.cars, state.driving, state.car_given);
         self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
         self.restore_lens(state);
         let (least, most, usual) = BRUSH_RADIUS_M;
@@ -223,7 +226,7 @@ impl Scene {
     }
 
     /// A saved place, if it is one of this world.
-    fn restored_point(&self, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
+    pub(crate) fn restored_point(&self, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
         let pos = DVec3::from_array(pos);
         let hemisphere = if hemisphere == 1 && self.strategy.rim_m().is_some() {
             Hemisphere::B

@@ -17,6 +17,8 @@ pub enum Clip {
     Land,
     /// Dies, and lies.
     Die,
+    /// Sits at the wheel of a car.
+    Sit,
     /// Is hit. Lies over the others from the belt up.
     Hit,
     /// Carries something in the right hand. Lies over the others, most of all over the right arm.
@@ -25,7 +27,7 @@ pub enum Clip {
 
 impl Clip {
     /// Every clip, by its number in a [`Posture`].
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -33,12 +35,13 @@ impl Clip {
         Self::Fall,
         Self::Land,
         Self::Die,
+        Self::Sit,
         Self::Hit,
         Self::Hold,
     ];
 
     /// Those that move the whole body; the rest lie over them.
-    pub const WHOLE: [Self; 7] = [
+    pub const WHOLE: [Self; 8] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -46,6 +49,7 @@ impl Clip {
         Self::Fall,
         Self::Land,
         Self::Die,
+        Self::Sit,
     ];
 
     /// The name that the clip has in a model's file.
@@ -57,6 +61,7 @@ impl Clip {
             Self::Jump | Self::Land => "jump",
             Self::Fall => "fall",
             Self::Die => "die",
+            Self::Sit => "sit",
             Self::Hit => "hit",
             Self::Hold => "hold",
         }

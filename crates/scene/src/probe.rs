@@ -39,6 +39,10 @@ pub struct Probe {
     pub marker: MarkerProbe,
     /// Whether the flashlight is on.
     pub flashlight: bool,
+    /// The car that the player drives, else the nearest; null in a world without cars.
+    pub car: Option<CarProbe>,
+    /// All cars, in the order in which they came.
+    pub cars: Vec<CarProbe>,
     /// Other figures, by their numbers.
     pub bots: Vec<BotProbe>,
     /// Bullets in flight, the oldest first.
@@ -72,7 +76,7 @@ pub struct PlayerProbe {
     pub hemisphere: char,
     /// Whether the player sits in a car.
     pub in_car: bool,
-    /// What the figure is doing: `idle`, `walk`, `run`, `jump`, `fly` or `die`.
+    /// What the figure is doing: `idle`, `walk`, `run`, `jump`, `fly`, `drive` or `die`.
     pub animation: &'static str,
 }
 
@@ -85,6 +89,40 @@ pub struct CameraProbe {
     pub mode: &'static str,
     /// The eye as a point of the space's model, in units of the radius.
     pub curved: [f64; 4],
+}
+
+/// A car in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CarProbe {
+    /// The ground below its middle, when it stands on level ground, metres.
+    pub pos: [f64; 3],
+    /// Velocity, metres per second.
+    pub vel: [f64; 3],
+    /// Heading, degrees.
+    pub yaw: f64,
+    /// How upright it is: 1 on its wheels, 0 on its side, -1 on its roof.
+    pub upright: f64,
+    /// Speed ahead, metres per second; backwards negative.
+    pub speed: f64,
+    /// How far the front wheels are turned to the right, degrees.
+    pub steer: f64,
+    /// Whether its lights are on.
+    pub lights: bool,
+    /// Whether its brake lights are.
+    pub brakes: bool,
+    /// Front left, front right, rear left, rear right.
+    pub wheels: [WheelProbe; 4],
+    /// `A` or `B`.
+    pub hemisphere: char,
+}
+
+/// A wheel of a car in a probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct WheelProbe {
+    /// Whether it is on the ground.
+    pub contact: bool,
+    /// How far its spring is pushed in, metres.
+    pub compression: f64,
 }
 
 /// One filled slot in a probe.

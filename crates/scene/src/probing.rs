@@ -1,12 +1,14 @@
 //! What the probe says of the scene at a moment.
 
 use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
+use glam::DVec3;
 
+use crate::car::CarView;
 use crate::item::Item;
 use crate::player::Health;
 use crate::probe::{
-    BotProbe, CameraProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe, Probe,
-    ProjectileProbe, SlotProbe, TerrainProbe,
+    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe,
+    Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
 };
 use crate::scene::Scene;
 use crate::tuning::FULL_HEALTH;
@@ -15,6 +17,24 @@ fn hemisphere(point: ChartPoint) -> char {
     match point.hemisphere {
         Hemisphere::A => 'A',
         Hemisphere::B => 'B',
+    }
+}
+
+fn car_probe(car: &CarView) -> CarProbe {
+    CarProbe {
+        pos: car.point.pos.to_array(),
+        vel: car.velocity.to_array(),
+        yaw: car.yaw().to_degrees(),
+        upright: (car.turn * DVec3::Y).y,
+        speed: car.speed_m_s,
+        steer: car.steer_rad.to_degrees(),
+        lights: car.lights,
+        brakes: car.brakes,
+        wheels: car.wheels.map(|wheel| WheelProbe {
+            contact: wheel.contact,
+            compression: wheel.compression_m,
+        }),
+        hemisphere: hemisphere(car.point),
     }
 }
 
@@ -52,6 +72,8 @@ impl Scene {
                 radius: self.brush_radius_m,
             },
             flashlight: self.flashlight,
+            car: self.near_car().map(|car| car_probe(&car)),
+            cars: self.cars().iter().map(car_probe).collect(),
             bots: self.bot_probes(),
             projectiles: self.projectile_probes(),
             lamps: self.lamp_probes(),
@@ -78,7 +100,7 @@ impl Scene {
             grounded: body.0.grounded,
             health: self.health(),
             hemisphere: hemisphere(position.0),
-            in_car: false,
+            in_car: self.is_driving(),
             animation: self.animation(),
         }
     }
@@ -98,6 +120,9 @@ impl Scene {
         if self.is_dead() {
             return "die";
         }
+        if self.is_driving() {
+            return "drive";
+        }
         match (self.flying, body.0.grounded) {
             (true, _) => "fly",
             (false, false) => "jump",
@@ -105,6 +130,17 @@ impl Scene {
             _ if speed > self.tuning.walk_speed_m_s * 1.2 => "run",
             _ => "walk",
         }
+    }
+
+    /// The car that is driven, else the nearest.
+    fn near_car(&self) -> Option<CarView> {
+        let (head, feet) = (self.head(), self.feet());
+        let distance_m = |car: &CarView| self.strategy.distance_m(feet, car.point, &head);
+        self.driven_car().or_else(|| {
+            self.cars()
+                .into_iter()
+                .min_by(|a, b| distance_m(a).total_cmp(&distance_m(b)))
+        })
     }
 
     fn bot_probes(&self) -> Vec<BotProbe> {

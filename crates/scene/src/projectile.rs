@@ -2,10 +2,11 @@
 //! gone after five seconds.
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
-use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch};
+use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, Vehicles};
 use glam::DVec3;
 use hecs::Entity;
 
+use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{BULLET, BULLET_LIFE_S, MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S};
 
@@ -62,6 +63,17 @@ pub(crate) struct Strike {
     pub way: DVec3,
 }
 
+/// A bullet has struck a car.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Knock {
+    /// The car's number.
+    pub car: usize,
+    /// Where, in physics space.
+    pub at: DVec3,
+    /// How fast the bullet was, m/s.
+    pub velocity: DVec3,
+}
+
 /// What bullets fly through.
 pub(crate) struct Air<'a> {
     pub strategy: &'a dyn Strategy,
@@ -69,6 +81,14 @@ pub(crate) struct Air<'a> {
     pub pictured: &'a dyn Strategy,
     pub physics: &'a PhysicsWorld,
     pub standing: &'a [Standing],
+    pub vehicles: &'a Vehicles,
+}
+
+/// What bullets did in a step.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Hits {
+    pub strikes: Vec<Strike>,
+    pub knocks: Vec<Knock>,
 }
 
 /// All bullets in flight, the oldest first.
@@ -128,20 +148,20 @@ impl Projectiles {
         self.next_id = self.next_id.wrapping_add(1);
     }
 
-    /// Moves every bullet by one step. Returns who was struck.
-    pub fn step(&mut self, air: &Air<'_>) -> Vec<Strike> {
-        let mut strikes = Vec::new();
+    /// Moves every bullet by one step. Returns who and what was struck.
+    pub fn step(&mut self, air: &Air<'_>) -> Hits {
+        let mut hits = Hits::default();
         self.flying.retain_mut(|bullet| {
             bullet.age_s += STEP_S;
-            bullet.age_s < BULLET_LIFE_S && bullet.fly(air, &mut strikes)
+            bullet.age_s < BULLET_LIFE_S && bullet.fly(air, &mut hits)
         });
-        strikes
+        hits
     }
 }
 
 impl Projectile {
     /// Moves it by one step; returns whether it is still in the world.
-    fn fly(&mut self, air: &Air<'_>, strikes: &mut Vec<Strike>) -> bool {
+    fn fly(&mut self, air: &Air<'_>, hits: &mut Hits) -> bool {
         let origin = air.strategy.chart_origin_m(self.point.hemisphere);
         let before = self.point.pos + origin;
         let (mut ball, goal) = self.start(air, before);
@@ -157,9 +177,25 @@ impl Projectile {
         let touch = air.physics.throw_ball(&mut ball, &tuning, STEP_S);
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
         for (from, to) in [(before, corner), (corner, ball.centre)] {
-            if let Some(entity) = self.meets(air, from, to) {
+            let someone = self.meets(air, from, to);
+            let car = air
+                .vehicles
+                .meets(from, to, BULLET.radius_m)
+                .filter(|(share, _)| someone.is_none_or(|(nearer, _)| *share < nearer));
+            if let Some((share, car)) = car {
+                hits.knocks.push(Knock {
+                    car,
+                    at: from.lerp(to, share),
+                    velocity: ball.velocity,
+                });
+                ball.centre = from;
+                ball.velocity *= -BULLET_BACK;
+                self.path = Path::Falls;
+                break;
+            }
+            if let Some((_, entity)) = someone {
                 self.struck = Some((entity, self.age_s));
-                strikes.push(Strike {
+                hits.strikes.push(Strike {
                     entity,
                     by: self.by,
                     way: self.velocity,
@@ -255,8 +291,8 @@ impl Projectile {
         }
     }
 
-    /// The first whom it meets between two points of physics space, if that one can be harmed by it now.
-    fn meets(&self, air: &Air<'_>, from: DVec3, to: DVec3) -> Option<Entity> {
+    /// The first whom it meets between two points of physics space, and the share of the way to there, if that one can be harmed by it now.
+    fn meets(&self, air: &Air<'_>, from: DVec3, to: DVec3) -> Option<(f64, Entity)> {
         let may_strike = |entity: Entity| {
             let just_fired = entity == self.by && self.age_s < SAME_BODY_HARMED_AFTER_S;
             let just_struck = self.struck.is_some_and(|(last, at_s)| {
@@ -279,7 +315,6 @@ impl Projectile {
             .filter(|it| may_strike(it.entity))
             .filter_map(|it| share(it).map(|share| (share, it.entity)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, entity)| entity)
     }
 }
 
@@ -301,13 +336,17 @@ mod tests {
         steps: usize,
     ) -> Vec<Strike> {
         let physics = PhysicsWorld::new();
+        let vehicles = Vehicles::default();
         let air = Air {
             strategy: space,
             pictured: space,
             physics: &physics,
             standing,
+            vehicles: &vehicles,
         };
-        (0..steps).flat_map(|_| bullets.step(&air)).collect()
+        (0..steps)
+            .flat_map(|_| bullets.step(&air).strikes)
+            .collect()
     }
 
     #[test]

@@ -12,6 +12,7 @@ use hecs::Entity;
 use thiserror::Error;
 
 use crate::camera::{self, CameraMode};
+use crate::car::Cars;
 use crate::day;
 use crate::detail::Sight;
 use crate::dip::HeadDip;
@@ -122,6 +123,7 @@ pub struct Scene {
     /// A camera that is elsewhere than the player: land is made around it.
     pub(crate) watched: Option<Eye>,
     pub(crate) condition: Condition,
+    pub(crate) cars: Cars,
     pub(crate) projectiles: Projectiles,
     /// Whether bullets follow the space's geodesics.
     pub(crate) straight_shots: bool,
@@ -217,6 +219,7 @@ impl Scene {
             sight: None,
             watched: None,
             condition: Condition::default(),
+            cars: Cars::default(),
             projectiles: Projectiles::default(),
             straight_shots: false,
             gun_rests_s: 0.0,
@@ -304,9 +307,12 @@ impl Scene {
         self.flying
     }
 
-    /// Lets the player fly as a spectator, through everything and without weight, or walk again. Whose flight
-    /// ends inside the ground is lifted out of it in the next step.
+    /// Lets the player fly as a spectator, out of a car, through everything and without weight, or walk again. Whose
+    /// flight ends inside the ground is lifted out of it in the next step.
     pub fn set_flying(&mut self, flying: bool) {
+        if flying {
+            self.get_out();
+        }
         self.body_unchecked |= self.flying && !flying;
         self.flying = flying;
         self.changed = true;
@@ -342,6 +348,9 @@ impl Scene {
             };
             look.turn(yaw_rad, pitch_rad);
         }
+        if let Some(driving) = &mut self.cars.driving {
+            driving.chase.aim(yaw_rad, pitch_rad);
+        }
         self.changed = true;
         self.update_marker();
     }
@@ -371,6 +380,9 @@ impl Scene {
 
     /// The eye in the player's head.
     pub fn head(&self) -> Eye {
+        if let Some(head) = self.driver_head() {
+            return head;
+        }
         let (position, look, ..) = self.player_parts();
         // Seen from behind, the body does not dip, and the camera would shake without a cause.
         let dip_m = match self.camera {
@@ -383,6 +395,9 @@ impl Scene {
 
     /// The eye the picture is taken from.
     pub fn eye(&self) -> Eye {
+        if let Some(eye) = self.driver_eye() {
+            return eye;
+        }
         camera::place(
             self.camera,
             &self.head(),

@@ -32,6 +32,7 @@ impl Scene {
             };
             if entity == self.player {
                 self.use_in_hand(&mut figure);
+                self.seat_figure(&mut figure);
             }
             if let Some(mind) = mind {
                 mind.show_shot(&mut figure);
@@ -39,6 +40,7 @@ impl Scene {
             seen.push(figure);
         }
         self.show_things(&mut seen);
+        self.show_cars(&mut seen);
         seen
     }
 

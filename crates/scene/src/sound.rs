@@ -48,6 +48,17 @@ pub enum SoundEvent {
     LampTaken,
     /// Something that lay about was picked up.
     PickedUp,
+    /// A car's door.
+    CarDoor,
+    /// The car that the player drives ran into something.
+    Crashed {
+        /// By how much its speed was changed, m/s.
+        speed_m_s: f64,
+    },
+    /// A bullet hit a car.
+    CarHit,
+    /// The horn of the player's car.
+    Horn,
 }
 
 /// What a player hears all the time depends on this.

@@ -38,9 +38,17 @@ impl Scene {
         } else {
             *actions
         };
-        if self.is_ground_ready() && !self.free_body() {
+        self.use_doors(actions);
+        if !self.is_driving() && self.is_ground_ready() && !self.free_body() {
             self.move_player(actions);
         }
+        self.step_cars(actions);
+        // Both hands are on the wheel.
+        let actions = &if self.is_driving() {
+            Actions::default()
+        } else {
+            *actions
+        };
         self.step_bots();
         self.heal();
         self.time_of_day_s = (self.time_of_day_s + STEP_S).rem_euclid(DAY_S);
@@ -77,7 +85,11 @@ impl Scene {
         if self.inventory.selected() != in_hand {
             self.sounds.push(SoundEvent::SlotChanged);
         }
-        if actions.toggle_light {
+        if actions.toggle_light
+            && let Some(number) = self.driven_number()
+        {
+            self.toggle_car_lights(number);
+        } else if actions.toggle_light {
             self.flashlight = !self.flashlight;
         }
         if actions.drop_one || actions.drop_all {
@@ -158,7 +170,8 @@ impl Scene {
 
     /// Points the marker along the geodesic through the crosshair; an empty hand has none.
     pub(crate) fn update_marker(&mut self) {
-        let digs = self.inventory.held().and_then(Item::brush_strength_per_s);
+        let held = self.inventory.held().filter(|_| !self.is_driving());
+        let digs = held.and_then(Item::brush_strength_per_s);
         self.marker = digs.map(|_| {
             let strategy = &**self.lens.strategy();
             let eye = self.eye();

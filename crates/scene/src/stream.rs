@@ -54,7 +54,9 @@ impl Scene {
     fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
         let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
         let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
-        reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
+        let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
+        let things = bullets.chain(cars);
+        reaches.extend(reach::of_others(things, OTHERS_MARGIN_M));
         let bots = self.bots();
         let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
         reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
@@ -244,6 +246,7 @@ impl Scene {
         if edited {
             self.lamps_unchecked = true;
             self.drops_unchecked = true;
+            self.wake_cars();
             self.npcs.events.push(Event::Ground);
             self.lift_player_out();
         }

@@ -169,3 +169,30 @@ fn every_target_under_the_crosshair_is_hit_on_a_sphere_and_over_its_equator() {
     let over = |n: usize| angle + (golden(n) / PI) * (FRAC_PI_2 * 0.55);
     assert_eq!(hits(&mut scene, before, over), (TARGETS, TARGETS));
 }
+
+#[test]
+fn a_hit_is_told_at_once_and_a_miss_is_not() {
+    let mut scene = scene(Geometry::Hyperbolic);
+    steps(&mut scene, 30, &Actions::default());
+    scene.aim(0.0, 1.2);
+    let miss = slot(GUN);
+    steps(&mut scene, 1, &miss);
+    let pull = Actions {
+        primary: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 1, &pull);
+    steps(&mut scene, 60, &Actions::default());
+    assert_eq!(scene.struck_s_ago(), None);
+    let at = scene.feet().moved(DVec3::new(3.0, 1.0, 0.0));
+    let id = scene.spawn_bot(at, 0.0, false);
+    steps(&mut scene, 60, &Actions::default());
+    let stands = |scene: &Scene| {
+        let bots = scene.bots();
+        bots.iter().find(|it| it.bot.id == id).unwrap().point
+    };
+    let middle = stands(&scene).moved(DVec3::Y * 0.9);
+    look_at(&mut scene, middle);
+    assert!(fire_hits(&mut scene, id));
+    assert!(scene.struck_s_ago().is_some_and(|ago_s| ago_s < 0.1));
+}

@@ -25,8 +25,16 @@ pub enum Action {
     BrushLarger,
     /// Smaller brush.
     BrushSmaller,
-    /// The flashlight on or off.
+    /// The flashlight on or off; in a car, its lights.
     Flashlight,
+    /// Get into a car.
+    EnterCar,
+    /// Get out of it.
+    LeaveCar,
+    /// Set a car on its wheels.
+    FlipCar,
+    /// Sound its horn.
+    Horn,
     /// Talk to who is ahead.
     Talk,
     /// Throw away one of what is in hand.
@@ -163,7 +171,7 @@ const fn line(
     }
 }
 
-static ACTIONS: [ActionInfo; 41] = {
+static ACTIONS: [ActionInfo; 45] = {
     use ActionGroup::{Game, Moving, Tools, View};
     [
         line(Action::Forward, "forward", Moving, &["KeyW"]),
@@ -178,6 +186,10 @@ static ACTIONS: [ActionInfo; 41] = {
         ),
         line(Action::Jump, "jump", Moving, &["Space", "pad-south"]),
         line(Action::Sink, "sink", Moving, &["ControlLeft", "pad-east"]),
+        line(Action::EnterCar, "enter-car", Moving, &["KeyC"]),
+        line(Action::LeaveCar, "leave-car", Moving, &["KeyL"]),
+        line(Action::FlipCar, "flip-car", Moving, &["KeyF"]),
+        line(Action::Horn, "horn", Moving, &["KeyG"]),
         line(Action::Use, "use", Tools, &["Mouse1", "pad-right-trigger"]),
         line(
             Action::SecondUse,

@@ -218,6 +218,7 @@ fn full_hud() -> HudModel {
             }),
         }),
         map: Some(map()),
+        health: Some(0.4),
         harm: Some(HarmModel {
             strength: 0.7,
             solid: false,
@@ -243,7 +244,7 @@ fn map() -> MapModel {
     let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
     MapModel {
         relief: Arc::new(Relief {
-            reach_m: 30.0,
+            reach_m: 43.0,
             nodes: nodes.map(node).collect(),
             patches: corners.map(|a| [a, a + 21, a + 1, a + 22]).collect(),
             contours: vec![[[0.0, 3.0], [3.0, 0.0]]],
@@ -395,7 +396,11 @@ fn the_display_neither_overlaps_nor_leaves_the_screen_in_any_language() {
         vec2(1280.0, 720.0),
         vec2(800.0, 600.0),
     ]) {
-        for model in [full_hud(), measured_hud()] {
+        let fair = HudModel {
+            cheated: false,
+            ..measured_hud()
+        };
+        for model in [full_hud(), measured_hud(), fair] {
             if model.figures.is_some() && size.y < 300.0 {
                 continue;
             }
@@ -477,6 +482,19 @@ fn the_compass_stands_between_the_plates_at_640_by_360() {
     assert!(says(&shown, "B · equator 402 m"));
 }
 
+#[test]
+fn health_is_shown_when_it_is_not_full() {
+    let rects = |health: Option<f32>| {
+        let model = HudModel {
+            health,
+            ..HudModel::default()
+        };
+        hud(model, vec2(1280.0, 720.0)).output().shapes.len()
+    };
+    assert_eq!(rects(Some(1.0)), rects(None));
+    assert!(rects(Some(0.6)) > rects(None));
+}
+
 /// The corners of all that is drawn in a colour like red.
 fn reds(harness: &Harness<'_, HudModel>) -> usize {
     let is_red = |shape: &Shape| match shape {
@@ -539,6 +557,7 @@ fn the_display_survives_any_size_and_any_number() {
             north_rad: f32::INFINITY,
             marks: Vec::new(),
         }),
+        health: Some(f32::NAN),
         harm: Some(HarmModel {
             strength: f32::NAN,
             solid: false,

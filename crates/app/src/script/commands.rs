@@ -22,7 +22,7 @@ pub enum Argument {
     Value,
     /// An item by its id.
     Item,
-    /// What can be put into the world: `bot`, `hostile` or `lamp`.
+    /// What can be put into the world: `bot`, `hostile`, `car` or `lamp`.
     Spawned,
     /// `A` or `B`.
     Hemisphere,
@@ -104,7 +104,7 @@ pub static COMMANDS: [CommandInfo; 25] = {
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, Hemisphere]),
         command(
             "spawn",
-            "bot|hostile|lamp X Y Z [A|B]",
+            "bot|hostile|car|lamp X Y Z [A|B]",
             &[Spawned, Free, Free, Free, Hemisphere],
         ),
         command("perf", "SECONDS", &[Free]),

@@ -177,6 +177,7 @@ fn spawn<H: Host + ?Sized>(
     check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
     match spawned {
         Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
+        Spawned::Car => possible(scene.spawn_car(point, 0.0), "there are too many cars")?,
         Spawned::Bot | Spawned::Hostile => {
             scene.spawn_bot(point, 0.0, spawned == Spawned::Hostile);
         }

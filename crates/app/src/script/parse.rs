@@ -83,6 +83,8 @@ pub enum Spawned {
     Bot,
     /// A figure that fights the player.
     Hostile,
+    /// A car.
+    Car,
     /// A lamp.
     Lamp,
 }
@@ -429,8 +431,14 @@ fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
     let spawned = match what {
         "bot" => Spawned::Bot,
         "hostile" => Spawned::Hostile,
+        "car" => Spawned::Car,
         "lamp" => Spawned::Lamp,
-        _ => return Err(format!("{} is neither bot, hostile nor lamp", quoted(what))),
+        _ => {
+            return Err(format!(
+                "{} is neither bot, hostile, car nor lamp",
+                quoted(what)
+            ));
+        }
     };
     let (at, hemisphere) = place(at, side)?;
     Ok(Order::Spawn(spawned, at, hemisphere))

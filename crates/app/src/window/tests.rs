@@ -12,6 +12,7 @@ mod newcomers;
 mod options;
 mod photo;
 mod standing;
+mod views;
 
 use std::fs;
 use std::path::{Path, PathBuf};

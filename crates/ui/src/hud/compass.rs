@@ -11,6 +11,10 @@ use crate::theme::{ACCENT, GRID, PLATE, TEXT, WEAK, small};
 /// Widest and narrowest strip, in points; where there is less room there is none.
 const WIDTH: (f32, f32) = (320.0, 84.0);
 const HEIGHT: f32 = 26.0;
+/// Room below it for the way to the equator.
+const CAPTION: f32 = 30.0;
+/// Where there is less room between the plates, the way to the equator is left out, in points.
+const CAPTION_WIDTH: f32 = 190.0;
 /// What the strip shows of the horizon from end to end, radians.
 const SHOWN_RAD: f64 = 0.75 * PI;
 /// Ticks of a full turn.
@@ -50,7 +54,9 @@ pub(super) fn show(
     } else {
         screen.min.x
     };
-    let to = if right.is_positive() && right.min.y < left.max.y {
+    let caption = model.equator.map_or(0.0, |_| CAPTION);
+    let low = screen.min.y + HEIGHT + caption;
+    let to = if right.is_positive() && right.min.y < low {
         right.min.x - GRID
     } else {
         screen.max.x
@@ -73,8 +79,10 @@ pub(super) fn show(
     quarters(painter, strip, texts, model.heading_rad);
     pointer(painter, strip);
     match model.equator {
-        Some(equator) => strip.union(way_to_equator(painter, screen, strip, texts, equator)),
-        None => strip,
+        Some(equator) if to - from >= CAPTION_WIDTH => {
+            strip.union(way_to_equator(painter, screen, strip, texts, equator))
+        }
+        _ => strip,
     }
 }
 

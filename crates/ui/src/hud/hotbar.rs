@@ -4,13 +4,17 @@ use egui::{Align2, Color32, FontId, Painter, Rect, Stroke, StrokeKind, pos2, vec
 
 use super::{HudModel, SlotView, plate::plate};
 use crate::icons;
-use crate::theme::{ACCENT, ACCENT_DIM, LINE, PLATE, TEXT, WEAK, small};
+use crate::theme::{ACCENT, ACCENT_DIM, BAD, LINE, PLATE, TEXT, WEAK, small};
 
 /// How many slots there are room for.
 const SLOTS: usize = 10;
 const GAP: f32 = 4.0;
 /// Largest and smallest side of a slot, in points.
 const SIDE: (f32, f32) = (48.0, 4.0);
+/// Height of the bar of health, in points.
+const HEALTH: f32 = 10.0;
+/// Height of the screen below which there is no room for it over the bar, in points.
+const SCARCE: f32 = 300.0;
 /// From this width on a slot has room for words beside its thing, in points.
 const WIDE: f32 = 18.0;
 
@@ -38,6 +42,22 @@ pub(super) fn show(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
             index == model.selected,
         );
     }
+    let above = match model.health.filter(|share| *share < 1.0) {
+        // Where height is scarce it lies in the gap over the slots.
+        Some(share) if screen.height() < SCARCE => {
+            let gap = bar.with_max_y(bar.min.y + GAP);
+            health(painter, gap.expand2(vec2(0.0, 1.0)), share);
+            bar.min.y
+        }
+        Some(share) => {
+            let over = bar.with_min_y(bar.min.y - GAP - HEALTH);
+            let over = over.with_max_y(bar.min.y - GAP);
+            health(painter, over, share);
+            over.min.y
+        }
+        None => bar.min.y,
+    };
+    bar.min.y = above;
     let label = model
         .slots
         .get(model.selected)
@@ -55,6 +75,20 @@ pub(super) fn show(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
         ));
     }
     bar
+}
+
+/// How much health is left.
+fn health(painter: &Painter, plate: Rect, share: f32) {
+    painter.rect_filled(plate, 4, PLATE);
+    let rail = plate.shrink(2.0);
+    let left = share.clamp(0.0, 1.0) * rail.width();
+    painter.rect_filled(rail.with_max_x(rail.min.x + left), 3, BAD);
+    // Where a quarter, half and three quarters are left.
+    for quarter in 1..4u8 {
+        let x = rail.min.x + 0.25 * f32::from(quarter) * rail.width();
+        let ends = [pos2(x, rail.min.y), pos2(x, rail.max.y)];
+        painter.line_segment(ends, Stroke::new(1.0, Color32::BLACK));
+    }
 }
 
 /// Draws one slot: its number among the ten, what lies in it and how many; `lit` if it is in hand.

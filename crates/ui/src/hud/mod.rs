@@ -121,6 +121,8 @@ pub struct HudModel {
     pub compass: Option<CompassModel>,
     /// The land about the player, unless it is switched off.
     pub map: Option<MapModel>,
+    /// The player's health as a share of all there can be; not shown where nothing is known of it or it is full.
+    pub health: Option<f32>,
     /// Harm that the player has just taken.
     pub harm: Option<HarmModel>,
     /// Health of others who are hurt.

@@ -1,0 +1,81 @@
+//! What the player can look at besides the world itself: hit boxes, compass and map, and how bullets fly, by settings.
+
+use antipode_settings::{Value, open, read};
+
+use super::*;
+
+fn set(game: &mut Game, id: &'static str, on: bool) {
+    let value = Value::Switch(on);
+    game.follow(Intent::Set { id, value });
+}
+
+#[test]
+fn hit_boxes_come_and_go_with_their_key() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let scene = &mut game.phase.session_mut().unwrap().scene;
+    let lamp = scene.feet().moved(glam::DVec3::X);
+    assert!(scene.spawn_lamp(lamp));
+    let shapes = |game: &mut Game| game.frame(1.5, 400).unwrap().hit_shapes.len();
+    assert_eq!(shapes(&mut game), 0);
+    game.input(Input::Key("F3"), true);
+    assert_eq!(shapes(&mut game), 1);
+    game.input(Input::Key("F3"), true);
+    assert_eq!(shapes(&mut game), 0);
+}
+
+/// Whether the land of the map is painted: there is no other shape of so many corners.
+fn shows_map(game: &mut Game) -> bool {
+    let context = egui::Context::default();
+    antipode_ui::apply_theme(&context);
+    let input = egui::RawInput {
+        screen_rect: Some(egui::Rect::from_min_size(
+            egui::Pos2::ZERO,
+            egui::vec2(1280.0, 720.0),
+        )),
+        ..Default::default()
+    };
+    let output = context.run_pass(input, |context| game.interface(context, None));
+    let many =
+        |shape: &egui::Shape| matches!(shape, egui::Shape::Mesh(mesh) if mesh.vertices.len() > 100);
+    output.shapes.iter().any(|clipped| many(&clipped.shape))
+}
+
+#[test]
+fn compass_and_map_are_there_until_they_are_switched_off() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    // A quarter of the horizon has at least one letter on the strip.
+    let letters = |game: &mut Game| {
+        let said = words(game);
+        let of = |letter: &str| said.lines().filter(|line| *line == letter).count();
+        ["N", "E", "S", "W"].map(of).iter().sum::<usize>()
+    };
+    assert!(letters(&mut game) >= 2, "one on the strip, one on the map");
+    assert!(shows_map(&mut game));
+    set(&mut game, "minimap", false);
+    assert!(!shows_map(&mut game) && letters(&mut game) >= 1);
+    set(&mut game, "compass", false);
+    assert_eq!(letters(&mut game), 0);
+    game.follow(Intent::ResetSetting("minimap"));
+    assert!(shows_map(&mut game));
+}
+
+#[test]
+fn straight_shots_reach_the_world_at_once_and_are_kept() {
+    let (dir, own) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let file = own.path().join("settings.ron");
+    let cli = Cli::try_parse_from(["antipode"]).unwrap();
+    let mut game = playing(&dir);
+    game.begin_with(open(Some(file.clone())), &cli.common);
+    let straight = |game: &Game| game.phase.session().unwrap().scene.straight_shots();
+    assert!(!straight(&game), "bullets fall unless asked");
+    set(&mut game, "straight-shots", true);
+    assert!(straight(&game));
+    game.follow(Intent::ResetSetting("straight-shots"));
+    assert!(!straight(&game));
+    set(&mut game, "straight-shots", true);
+    game.finish();
+    let kept = read(&fs::read(file).unwrap()).config;
+    assert!(kept.settings.straight_shots);
+}

@@ -1,0 +1,301 @@
+//! Where vehicles collide: Rapier's bodies and the few blocks of ground around them.
+//!
+//! The world's terrain is never stepped. Each step takes the blocks near a moving body into a small set of its own,
+//! which shares their meshes, so that a step costs the same however much land is loaded, and what Rapier notes of
+//! changes is read by the step that follows.
+
+use std::collections::BTreeMap;
+
+use antipode_geometry::ChunkCoord;
+use glam::{DQuat, DVec3};
+use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
+use rapier3d::dynamics::{
+    CCDSolver, ImpulseJointSet, IntegrationParameters, IslandManager, MassProperties,
+    MultibodyJointSet, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, RigidBodyType, SoftBodySet,
+};
+use rapier3d::geometry::{
+    BroadPhaseBvh, ColliderBuilder, ColliderHandle, ColliderSet, NarrowPhase,
+};
+use rapier3d::math::{Pose, Vector};
+use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
+
+use super::hull::Hull;
+use super::{VehicleMotion, VehicleTuning};
+use crate::PhysicsWorld;
+use crate::collider::Block;
+
+/// The frame moves when a vehicle is farther than this from its origin along an axis, in metres.
+const RECENTRE_BEYOND_M: f64 = 512.0;
+/// Its origin is a multiple of this, in metres, so that offsets of chunks stay whole numbers.
+const ORIGIN_STEP_M: f64 = 32.0;
+/// A wheel's ray leans by this share: the tree of boxes misses what a ray that is square to an axis meets.
+const RAY_LEANS: f32 = 1e-4;
+
+/// Which block of the ground: its chunk, and its number there.
+type BlockName = (ChunkCoord, usize);
+
+/// A block that was taken in.
+struct Taken {
+    origin: DVec3,
+    block: Block,
+    handle: ColliderHandle,
+}
+
+/// Bodies, ground and what Rapier needs to step them.
+pub(super) struct Arena {
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    soft_bodies: SoftBodySet,
+    islands: IslandManager,
+    joints: ImpulseJointSet,
+    multibody_joints: MultibodyJointSet,
+    broad_phase: BroadPhaseBvh,
+    narrow_phase: NarrowPhase,
+    ccd: CCDSolver,
+    pipeline: PhysicsPipeline,
+    ground: BTreeMap<BlockName, Taken>,
+    origin: DVec3,
+}
+
+impl Arena {
+    pub fn new() -> Self {
+        Self {
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            soft_bodies: SoftBodySet::new(),
+            islands: IslandManager::new(),
+            joints: ImpulseJointSet::new(),
+            multibody_joints: MultibodyJointSet::new(),
+            broad_phase: BroadPhaseBvh::new(),
+            narrow_phase: NarrowPhase::new(),
+            ccd: CCDSolver::new(),
+            pipeline: PhysicsPipeline::new(),
+            ground: BTreeMap::new(),
+            origin: DVec3::ZERO,
+        }
+    }
+
+    /// Puts a body in, with the controller of its wheels.
+    pub fn put_in(
+        &mut self,
+        hull: &Hull,
+        tuning: &VehicleTuning,
+        motion: &VehicleMotion,
+    ) -> (RigidBodyHandle, DynamicRayCastVehicleController) {
+        let size = tuning.inertia_box_m;
+        let about = |a: f64, b: f64| tuning.mass_kg / 12.0 * (a * a + b * b);
+        let inertia = DVec3::new(
+            about(size.y, size.z),
+            about(size.x, size.z),
+            about(size.x, size.y),
+        );
+        let mass = MassProperties::new(
+            tuning.mass_centre.as_vec3(),
+            tuning.mass_kg as f32,
+            inertia.as_vec3(),
+        );
+        let body = RigidBodyBuilder::dynamic()
+            .additional_mass_properties(mass)
+            .angular_damping(tuning.spin_damping_per_s as f32)
+            .can_sleep(false)
+            .ccd_enabled(true);
+        let handle = self.bodies.insert(body);
+        let collider = ColliderBuilder::new(hull.shape.clone())
+            .density(0.0)
+            .friction(tuning.body_friction as f32);
+        self.colliders
+            .insert_with_parent(collider, handle, &mut self.bodies);
+        self.set_motion(handle, motion);
+        (handle, controller(handle, tuning))
+    }
+
+    pub fn take_out(&mut self, body: RigidBodyHandle) {
+        self.bodies.remove(
+            body,
+            &mut self.islands,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            true,
+        );
+    }
+
+    pub fn set_motion(&mut self, body: RigidBodyHandle, motion: &VehicleMotion) {
+        let at = (motion.place - self.origin).as_vec3();
+        if let Some(body) = self.bodies.get_mut(body) {
+            body.set_position(Pose::from_parts(at, motion.turn.as_quat()), true);
+            body.set_linvel(motion.velocity.as_vec3(), true);
+            body.set_angvel(motion.spin.as_vec3(), true);
+        }
+    }
+
+    pub fn motion(&self, body: RigidBodyHandle) -> Option<VehicleMotion> {
+        let body = self.bodies.get(body)?;
+        let place = body.translation().as_dvec3() + self.origin;
+        let motion = VehicleMotion {
+            place,
+            turn: body.rotation().as_dquat().normalize(),
+            velocity: body.linvel().as_dvec3(),
+            spin: body.angvel().as_dvec3(),
+        };
+        motion.is_finite().then_some(motion)
+    }
+
+    /// Whether a body stands still whatever runs into it.
+    pub fn set_still(&mut self, body: RigidBodyHandle, still: bool) {
+        let kind = if still {
+            RigidBodyType::Fixed
+        } else {
+            RigidBodyType::Dynamic
+        };
+        if let Some(body) = self.bodies.get_mut(body)
+            && body.body_type() != kind
+        {
+            body.set_body_type(kind, true);
+        }
+    }
+
+    pub fn push(&mut self, body: RigidBodyHandle, at: DVec3, impulse: DVec3) {
+        let at = (at - self.origin).as_vec3();
+        if let Some(body) = self.bodies.get_mut(body) {
+            body.apply_impulse_at_point(impulse.as_vec3(), at, true);
+        }
+    }
+
+    /// Keeps the numbers small that Rapier computes with: its `f32` positions are near `focus`.
+    pub fn recentre(&mut self, focus: DVec3) {
+        if !focus.is_finite() || (focus - self.origin).abs().max_element() <= RECENTRE_BEYOND_M {
+            return;
+        }
+        let before = self.origin;
+        self.origin = (focus / ORIGIN_STEP_M).round() * ORIGIN_STEP_M;
+        let shift = (before - self.origin).as_vec3();
+        for (_, body) in self.bodies.iter_mut() {
+            let moved = body.translation() + shift;
+            body.set_translation(moved, false);
+        }
+        for taken in self.ground.values() {
+            if let Some(collider) = self.colliders.get_mut(taken.handle) {
+                collider.set_translation((taken.origin - self.origin).as_vec3());
+            }
+        }
+    }
+
+    /// Takes in the ground within the given boxes of physics space, and lets go of the rest.
+    pub fn take_ground(&mut self, world: &PhysicsWorld, boxes: &[(DVec3, DVec3)]) {
+        let mut wanted: BTreeMap<BlockName, (DVec3, &Block)> = BTreeMap::new();
+        for (min, max) in boxes {
+            for ground in world.grounds_in(*min, *max) {
+                let name = (ground.coord, ground.number());
+                wanted.insert(name, (ground.origin, &ground.block));
+            }
+        }
+        let gone: Vec<BlockName> = self
+            .ground
+            .iter()
+            .filter(|(name, taken)| {
+                !wanted
+                    .get(name)
+                    .is_some_and(|(origin, block)| *origin == taken.origin && taken.block.is(block))
+            })
+            .map(|(name, _)| *name)
+            .collect();
+        for name in gone {
+            if let Some(taken) = self.ground.remove(&name) {
+                self.colliders.remove(
+                    taken.handle,
+                    &mut self.islands,
+                    &mut self.bodies,
+                    &mut self.soft_bodies,
+                    true,
+                );
+            }
+        }
+        for (name, (origin, block)) in wanted {
+            if self.ground.contains_key(&name) {
+                continue;
+            }
+            let at = (origin - self.origin).as_vec3();
+            let collider = ColliderBuilder::new(block.shape.clone()).translation(at);
+            let taken = Taken {
+                origin,
+                block: block.clone(),
+                handle: self.colliders.insert(collider),
+            };
+            self.ground.insert(name, taken);
+        }
+    }
+
+    /// Advances all bodies by one step.
+    pub fn step(&mut self, gravity_m_s2: f64, dt_s: f64) {
+        let parameters = IntegrationParameters {
+            dt: dt_s as f32,
+            ..IntegrationParameters::default()
+        };
+        self.pipeline.step(
+            Vector::new(0.0, -gravity_m_s2 as f32, 0.0),
+            &parameters,
+            &mut self.islands,
+            &mut self.broad_phase,
+            &mut self.narrow_phase,
+            &mut self.bodies,
+            &mut self.colliders,
+            &mut self.joints,
+            &mut self.multibody_joints,
+            &mut self.soft_bodies,
+            &mut self.ccd,
+            &(),
+            &(),
+        );
+    }
+
+    /// Lets a vehicle's springs and tyres act on it. After a step, so that the ground that was taken in is found.
+    pub fn roll(&mut self, controller: &mut DynamicRayCastVehicleController, dt_s: f64) {
+        let filter = QueryFilter::default().exclude_rigid_body(controller.chassis);
+        let queries = self.broad_phase.as_query_pipeline_mut(
+            self.narrow_phase.query_dispatcher(),
+            &mut self.bodies,
+            &mut self.colliders,
+            filter,
+        );
+        controller.update_vehicle(dt_s as f32, queries);
+    }
+}
+
+/// A controller with four wheels.
+fn controller(body: RigidBodyHandle, tuning: &VehicleTuning) -> DynamicRayCastVehicleController {
+    let mut controller = DynamicRayCastVehicleController::new(body);
+    let spring = WheelTuning {
+        suspension_stiffness: tuning.stiffness() as f32,
+        suspension_compression: tuning.damping_per_s(tuning.damping.0) as f32,
+        suspension_damping: tuning.damping_per_s(tuning.damping.1) as f32,
+        max_suspension_travel: (tuning.droop_m + tuning.bump_m) as f32,
+        side_friction_stiffness: 1.0,
+        friction_slip: tuning.grip as f32,
+        max_suspension_force: tuning.spring_most_n as f32,
+    };
+    let down = Vector::new(RAY_LEANS, -1.0, RAY_LEANS);
+    for wheel in 0..tuning.hubs.len() {
+        controller.add_wheel(
+            tuning.mount(wheel).as_vec3(),
+            down,
+            Vector::Z,
+            tuning.spring_m() as f32,
+            tuning.wheel_radius_m as f32,
+            &spring,
+        );
+    }
+    controller
+}
+
+impl VehicleMotion {
+    /// Whether all of it are numbers.
+    pub(super) fn is_finite(&self) -> bool {
+        self.place.is_finite()
+            && self.turn.is_finite()
+            && self.velocity.is_finite()
+            && self.spin.is_finite()
+            && self.turn != DQuat::from_xyzw(0.0, 0.0, 0.0, 0.0)
+    }
+}

@@ -1,0 +1,441 @@
+//! Vehicles: what can be asked of them, and how they are stepped together.
+//!
+//! A vehicle's state is plain data in `f64`; a body of Rapier's stands for it while there is ground to stand on. Those
+//! that nobody drives and that have come to rest cost nothing until something comes near.
+
+mod arena;
+mod drive;
+mod hull;
+mod place;
+mod tuning;
+
+use glam::{DQuat, DVec3};
+use rapier3d::control::DynamicRayCastVehicleController;
+use rapier3d::dynamics::RigidBodyHandle;
+
+use crate::PhysicsWorld;
+use arena::Arena;
+use hull::Hull;
+pub use tuning::VehicleTuning;
+
+/// Ground within this of a vehicle's middle is taken in, in metres, and what it covers in the next steps besides.
+const GROUND_AROUND_M: f64 = 4.0;
+const STEPS_AHEAD: f64 = 3.0;
+/// Below these, in m/s and rad/s, a vehicle that nobody drives is at rest, and falls asleep after so many seconds.
+const RESTS_M_S: f64 = 0.06;
+const RESTS_RAD_S: f64 = 0.06;
+const SLEEPS_AFTER_S: f64 = 1.0;
+/// A sleeper wakes when another comes within this, in metres.
+const WAKES_WITHIN_M: f64 = 6.0;
+
+/// Where a vehicle is and how it moves, in physics space.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VehicleMotion {
+    /// The ground below its middle, when it stands on level ground (m).
+    pub place: DVec3,
+    /// How it is turned from looking along +x with its right-hand side at +z.
+    pub turn: DQuat,
+    /// Velocity of its centre of mass over the last step, m/s.
+    pub velocity: DVec3,
+    /// Angular velocity, rad/s.
+    pub spin: DVec3,
+}
+
+impl VehicleMotion {
+    /// Where it looks, a unit vector.
+    pub fn ahead(&self) -> DVec3 {
+        self.turn * DVec3::X
+    }
+
+    /// Its own upward direction, a unit vector.
+    pub fn up(&self) -> DVec3 {
+        self.turn * DVec3::Y
+    }
+
+    /// Speed ahead, m/s; backwards negative.
+    pub fn speed_m_s(&self) -> f64 {
+        self.velocity.dot(self.ahead())
+    }
+}
+
+/// What a driver wants of a vehicle for one step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VehicleInput {
+    /// Ahead, or backwards where negative, -1 to 1. Against the way it rolls it brakes first.
+    pub throttle: f64,
+    /// To the right, or to the left where negative, -1 to 1.
+    pub steer: f64,
+    /// Brake.
+    pub brake: bool,
+    /// Drive harder.
+    pub boost: bool,
+    /// Nobody drives: it is held by its brake, and may fall asleep.
+    pub parked: bool,
+}
+
+/// A wheel of a vehicle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct VehicleWheel {
+    /// Its hub, in the vehicle's axes (m).
+    pub hub: DVec3,
+    /// How far it is steered to the right, radians.
+    pub steer_rad: f64,
+    /// How far it has rolled ahead, radians within one turn.
+    pub roll_rad: f64,
+    /// Whether it is on the ground.
+    pub contact: bool,
+    /// How far its spring is pushed in (m); zero in the air.
+    pub compression_m: f64,
+    /// How fast the tyre slides sideways over the ground, m/s.
+    pub slide_m_s: f64,
+}
+
+/// A vehicle.
+pub struct Vehicle {
+    motion: VehicleMotion,
+    wheels: [VehicleWheel; 4],
+    steer_rad: f64,
+    brakes: bool,
+    jolt_m_s: f64,
+    /// Its body's velocity with what springs and tyres gave it after the last step, m/s.
+    rolled: DVec3,
+    rests_s: f64,
+    body: Option<(RigidBodyHandle, DynamicRayCastVehicleController)>,
+}
+
+impl Vehicle {
+    /// Where it is and how it moves.
+    pub fn motion(&self) -> VehicleMotion {
+        self.motion
+    }
+
+    /// Front left, front right, rear left, rear right.
+    pub fn wheels(&self) -> &[VehicleWheel; 4] {
+        &self.wheels
+    }
+
+    /// How far the front wheels are turned to the right, radians.
+    pub fn steer_rad(&self) -> f64 {
+        self.steer_rad
+    }
+
+    /// Whether its driver brakes.
+    pub fn brakes(&self) -> bool {
+        self.brakes
+    }
+
+    /// By how much its velocity was changed in the last step by what it ran into, m/s.
+    pub fn jolt_m_s(&self) -> f64 {
+        self.jolt_m_s
+    }
+
+    /// Whether it has come to rest and is not stepped.
+    pub fn is_asleep(&self) -> bool {
+        self.rests_s >= SLEEPS_AFTER_S
+    }
+}
+
+impl std::fmt::Debug for Vehicle {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Vehicle")
+            .field("motion", &self.motion)
+            .field("wheels", &self.wheels)
+            .finish_non_exhaustive()
+    }
+}
+
+/// All vehicles of a world.
+pub struct Vehicles {
+    tuning: VehicleTuning,
+    hull: Hull,
+    arena: Arena,
+    all: Vec<Vehicle>,
+}
+
+impl Default for Vehicles {
+    fn default() -> Self {
+        Self::new(VehicleTuning::default())
+    }
+}
+
+impl std::fmt::Debug for Vehicles {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Vehicles")
+            .field("all", &self.all)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Vehicles {
+    /// None yet.
+    pub fn new(tuning: VehicleTuning) -> Self {
+        Self {
+            tuning,
+            hull: Hull::new(),
+            arena: Arena::new(),
+            all: Vec::new(),
+        }
+    }
+
+    /// How all of them drive.
+    pub fn tuning(&self) -> &VehicleTuning {
+        &self.tuning
+    }
+
+    /// All, in the order in which they were added.
+    pub fn all(&self) -> &[Vehicle] {
+        &self.all
+    }
+
+    /// Adds a vehicle and returns its number. A motion that is not finite becomes one at rest at the origin.
+    pub fn add(&mut self, motion: VehicleMotion) -> usize {
+        let motion = if motion.is_finite() {
+            motion
+        } else {
+            VehicleMotion::default()
+        };
+        let wheel = |number: usize| VehicleWheel {
+            hub: self.tuning.hubs[number],
+            ..VehicleWheel::default()
+        };
+        self.all.push(Vehicle {
+            motion,
+            wheels: [0, 1, 2, 3].map(wheel),
+            steer_rad: 0.0,
+            brakes: false,
+            jolt_m_s: 0.0,
+            rolled: motion.velocity,
+            rests_s: 0.0,
+            body: None,
+        });
+        self.all.len() - 1
+    }
+
+    /// Puts a vehicle elsewhere, and wakes it. A motion that is not finite is ignored.
+    pub fn set_motion(&mut self, number: usize, motion: VehicleMotion) {
+        let Some(vehicle) = self.all.get_mut(number).filter(|_| motion.is_finite()) else {
+            return;
+        };
+        vehicle.motion = motion;
+        vehicle.rolled = motion.velocity;
+        vehicle.rests_s = 0.0;
+        if let Some((body, _)) = &vehicle.body {
+            self.arena.set_motion(*body, &motion);
+        }
+    }
+
+    /// Wakes a vehicle, as when the ground below it may have changed.
+    pub fn wake(&mut self, number: usize) {
+        if let Some(vehicle) = self.all.get_mut(number) {
+            vehicle.rests_s = 0.0;
+        }
+    }
+
+    /// Pushes a vehicle at a point of physics space (m) by an impulse (N s).
+    pub fn push(&mut self, number: usize, at: DVec3, impulse: DVec3) {
+        let Some(vehicle) = self.all.get_mut(number) else {
+            return;
+        };
+        vehicle.rests_s = 0.0;
+        if let Some((body, _)) = &vehicle.body
+            && at.is_finite()
+            && impulse.is_finite()
+        {
+            self.arena.set_still(*body, false);
+            self.arena.push(*body, at, impulse);
+            if let Some(motion) = self.arena.motion(*body) {
+                let pushed = motion.velocity - vehicle.rolled;
+                vehicle.motion.velocity += pushed;
+                vehicle.rolled = motion.velocity;
+            }
+        }
+    }
+
+    /// Takes a vehicle to another place of physics space (m) where everything is turned: how it stands, its velocity,
+    /// its spin, and what its springs are about to do.
+    pub fn carry(&mut self, number: usize, place: DVec3, turn: DQuat) {
+        let Some(vehicle) = self.all.get_mut(number) else {
+            return;
+        };
+        let turned = |motion: &VehicleMotion| VehicleMotion {
+            place,
+            turn: (turn * motion.turn).normalize(),
+            velocity: turn * motion.velocity,
+            spin: turn * motion.spin,
+        };
+        vehicle.motion = turned(&vehicle.motion);
+        vehicle.rolled = turn * vehicle.rolled;
+        if let Some((body, _)) = &vehicle.body
+            && let Some(motion) = self.arena.motion(*body)
+        {
+            self.arena.set_motion(*body, &turned(&motion));
+        }
+    }
+
+    /// Advances all by `dt_s` seconds. `inputs` has one for each; `None` holds a vehicle still where it is, as long as
+    /// the ground below it is not there.
+    pub fn step(&mut self, world: &PhysicsWorld, inputs: &[Option<VehicleInput>], dt_s: f64) {
+        if dt_s.is_nan() || dt_s <= 0.0 {
+            return;
+        }
+        self.wake_near();
+        self.admit(inputs);
+        let awake: Vec<usize> = (0..self.all.len())
+            .filter(|&number| self.all[number].is_moving())
+            .collect();
+        let Some(&first) = awake.first() else {
+            return;
+        };
+        self.arena.recentre(self.all[first].motion.place);
+        let boxes: Vec<(DVec3, DVec3)> = awake
+            .iter()
+            .map(|&number| ground_box(&self.all[number].motion, dt_s))
+            .collect();
+        self.arena.take_ground(world, &boxes);
+        self.arena.step(self.tuning.gravity_m_s2, dt_s);
+        for number in awake {
+            let input = inputs.get(number).copied().flatten().unwrap_or_default();
+            self.advance(number, &input, dt_s);
+        }
+    }
+
+    /// Wakes sleepers that another comes near to.
+    fn wake_near(&mut self) {
+        let moving: Vec<DVec3> = self
+            .all
+            .iter()
+            .filter(|it| it.is_moving())
+            .map(|it| it.motion.place)
+            .collect();
+        for sleeper in self.all.iter_mut().filter(|it| it.is_asleep()) {
+            let place = sleeper.motion.place;
+            if moving.iter().any(|at| at.distance(place) < WAKES_WITHIN_M) {
+                sleeper.rests_s = 0.0;
+            }
+        }
+    }
+
+    /// Gives bodies to those that have ground, and takes them from the others.
+    fn admit(&mut self, inputs: &[Option<VehicleInput>]) {
+        for (number, vehicle) in self.all.iter_mut().enumerate() {
+            let input = inputs.get(number).copied().flatten();
+            if input.is_some_and(|input| !input.parked) {
+                vehicle.rests_s = 0.0;
+            }
+            match (&vehicle.body, input) {
+                (None, Some(_)) => {
+                    let made = self.arena.put_in(&self.hull, &self.tuning, &vehicle.motion);
+                    vehicle.body = Some(made);
+                }
+                (Some((body, _)), None) => {
+                    self.arena.take_out(*body);
+                    vehicle.body = None;
+                }
+                _ => {}
+            }
+            if let Some((body, _)) = &vehicle.body {
+                self.arena.set_still(*body, vehicle.is_asleep());
+            }
+        }
+    }
+
+    /// Reads out what a step has made of a vehicle, and lets its wheels act.
+    fn advance(&mut self, number: usize, input: &VehicleInput, dt_s: f64) {
+        let tuning = &self.tuning;
+        let vehicle = &mut self.all[number];
+        let Some((body, controller)) = &mut vehicle.body else {
+            return;
+        };
+        let Some(mut motion) = self.arena.motion(*body) else {
+            // Rapier has lost it: it stays where it was.
+            self.arena.set_motion(
+                *body,
+                &VehicleMotion {
+                    velocity: DVec3::ZERO,
+                    spin: DVec3::ZERO,
+                    ..vehicle.motion
+                },
+            );
+            return;
+        };
+        let expected = vehicle.rolled - DVec3::Y * (tuning.gravity_m_s2 * dt_s);
+        vehicle.jolt_m_s = (motion.velocity - expected).length();
+        if motion.velocity.y < -tuning.terminal_speed_m_s {
+            motion.velocity.y = -tuning.terminal_speed_m_s;
+            self.arena.set_motion(*body, &motion);
+        }
+        let speed_m_s = motion.speed_m_s();
+        let effort = drive::effort(tuning, input, speed_m_s);
+        vehicle.steer_rad = drive::steer(tuning, vehicle.steer_rad, input, speed_m_s, dt_s);
+        vehicle.brakes = effort.brakes;
+        drive::apply(controller, tuning, &effort, vehicle.steer_rad, dt_s);
+        self.arena.roll(controller, dt_s);
+        vehicle.wheels = wheels(controller, tuning, &motion);
+        // Within a step springs and weight take turns, so the speed at its end is not that of the way made.
+        let way = tuning.mass_place(&motion) - tuning.mass_place(&vehicle.motion);
+        motion.velocity = way / dt_s;
+        vehicle.motion = motion;
+        vehicle.rolled = self
+            .arena
+            .motion(*body)
+            .map_or(motion.velocity, |rolled| rolled.velocity);
+        let still = motion.velocity.length() < RESTS_M_S && motion.spin.length() < RESTS_RAD_S;
+        vehicle.rests_s = if still && input.parked {
+            vehicle.rests_s + dt_s
+        } else {
+            0.0
+        };
+        if vehicle.rests_s >= SLEEPS_AFTER_S {
+            (vehicle.motion.velocity, vehicle.motion.spin) = (DVec3::ZERO, DVec3::ZERO);
+            self.arena.set_motion(*body, &vehicle.motion);
+        }
+    }
+}
+
+impl Vehicle {
+    fn is_moving(&self) -> bool {
+        self.body.is_some() && !self.is_asleep()
+    }
+}
+
+/// The box of physics space whose ground a vehicle may touch in the next steps.
+fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
+    let way = motion.velocity * (STEPS_AHEAD * dt_s);
+    let around = DVec3::splat(GROUND_AROUND_M);
+    let middle = Hull::box_middle(motion.place, motion.turn);
+    (
+        middle.min(middle + way) - around,
+        middle.max(middle + way) + around,
+    )
+}
+
+/// The wheels as the controller left them.
+fn wheels(
+    controller: &DynamicRayCastVehicleController,
+    tuning: &VehicleTuning,
+    motion: &VehicleMotion,
+) -> [VehicleWheel; 4] {
+    let one = |number: usize| {
+        let Some(wheel) = controller.wheels().get(number) else {
+            return VehicleWheel::default();
+        };
+        let info = wheel.raycast_info();
+        let length_m = f64::from(info.suspension_length).min(tuning.spring_m());
+        let axle = wheel.axle().as_dvec3();
+        let hub = tuning.mount(number) - DVec3::Y * length_m;
+        let slides = motion.velocity + motion.spin.cross(motion.turn * (hub - tuning.mass_centre));
+        VehicleWheel {
+            hub,
+            steer_rad: -f64::from(wheel.steering),
+            roll_rad: f64::from(wheel.rotation).rem_euclid(std::f64::consts::TAU),
+            contact: info.is_in_contact,
+            compression_m: tuning.spring_m() - length_m,
+            slide_m_s: if info.is_in_contact {
+                slides.dot(axle).abs()
+            } else {
+                0.0
+            },
+        }
+    };
+    [0, 1, 2, 3].map(one)
+}

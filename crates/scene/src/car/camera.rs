@@ -1,0 +1,198 @@
+//! From where a driver sees the world: behind the car on a spring, or from the bonnet.
+
+use antipode_geometry::{ChartPoint, Crossing, Eye, Strategy};
+use antipode_physics::PhysicsWorld;
+use glam::DVec3;
+
+use super::CarView;
+use super::tuning::{
+    BONNET_M, CHASE_BACK_M, CHASE_LOOKS_UP_M, CHASE_RATE_PER_S, CHASE_TURN_PER_S, CHASE_UP_M,
+    EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S, SEAT_M, STANDS_M_S,
+};
+use crate::camera::CameraMode;
+use crate::player::wrap_angle;
+use crate::scene::Scene;
+use crate::tuning::CAMERA_RADIUS_M;
+
+/// The camera's spring is stretched no farther than this, in metres.
+const SPRING_MOST_M: f64 = 1.5;
+/// A car that looks more steeply than this up or down, as the level share of where it looks, keeps the camera's heading.
+const LEVEL_LEAST: f64 = 0.3;
+/// The view from the bonnet is eased at this rate, per second.
+const BONNET_RATE_PER_S: f64 = 14.0;
+
+/// A camera that follows a car.
+#[derive(Clone, Debug)]
+pub(crate) struct Chase {
+    /// What it follows: the car's place, on a spring.
+    point: ChartPoint,
+    velocity: DVec3,
+    /// The heading behind which it is, radians.
+    yaw: f64,
+    /// Where the bonnet points, eased, radians.
+    bonnet: (f64, f64),
+    /// How far the player looks aside, radians to the right and up.
+    aside: (f64, f64),
+    since_look_s: f64,
+}
+
+impl Chase {
+    pub fn behind(car: &CarView) -> Self {
+        Self {
+            point: car.point,
+            velocity: car.velocity,
+            yaw: car.yaw(),
+            bonnet: pointing(car),
+            aside: (0.0, 0.0),
+            since_look_s: 0.0,
+        }
+    }
+
+    /// Looks that way from now on, radians.
+    pub fn aim(&mut self, yaw: f64, pitch: f64) {
+        let most = LOOK_MOST_RAD;
+        self.aside = (
+            wrap_angle(yaw - self.yaw),
+            (pitch - rest_pitch()).clamp(-most.0, most.1),
+        );
+        self.since_look_s = 0.0;
+    }
+
+    /// Follows the car for a step; `turned` is how far the player has turned the view in it, radians.
+    pub fn pass(&mut self, car: &CarView, turned: (f64, f64), dt_s: f64) {
+        let stretch = car.point.pos - self.point.pos;
+        // Critically damped against the car's own level speed, so that only what changes is felt.
+        let level = car.velocity.with_y(0.0);
+        let pull = stretch * (CHASE_RATE_PER_S * CHASE_RATE_PER_S)
+            + (level - self.velocity) * (2.0 * CHASE_RATE_PER_S);
+        self.velocity += pull * dt_s;
+        self.point.pos += self.velocity * dt_s;
+        let stretch = self.point.pos - car.point.pos;
+        if stretch.length() > SPRING_MOST_M {
+            self.point.pos = car.point.pos + stretch.clamp_length_max(SPRING_MOST_M);
+        }
+        let ahead = car.turn * DVec3::X;
+        if ahead.with_y(0.0).length() > LEVEL_LEAST {
+            let behind = wrap_angle(car.yaw() - self.yaw);
+            self.yaw = wrap_angle(self.yaw + behind * (CHASE_TURN_PER_S * dt_s).min(1.0));
+        }
+        let (yaw, pitch) = pointing(car);
+        let share = (BONNET_RATE_PER_S * dt_s).min(1.0);
+        self.bonnet.0 = wrap_angle(self.bonnet.0 + wrap_angle(yaw - self.bonnet.0) * share);
+        self.bonnet.1 += (pitch - self.bonnet.1) * share;
+        self.look_aside(turned, car.velocity.length(), dt_s);
+    }
+
+    fn look_aside(&mut self, turned: (f64, f64), speed_m_s: f64, dt_s: f64) {
+        self.since_look_s += dt_s;
+        if turned != (0.0, 0.0) {
+            self.since_look_s = 0.0;
+            let (down, up) = LOOK_MOST_RAD;
+            self.aside.0 = wrap_angle(self.aside.0 + turned.0);
+            self.aside.1 = (self.aside.1 + turned.1).clamp(-down, up);
+        }
+        if self.since_look_s > LOOK_STAYS_S && speed_m_s > STANDS_M_S {
+            let kept = (-LOOK_RETURNS_PER_S * dt_s).exp();
+            self.aside = (self.aside.0 * kept, self.aside.1 * kept);
+        }
+    }
+
+    /// Goes over the equator with the car: what it follows keeps its own place in the space.
+    pub fn carry(&mut self, strategy: &dyn Strategy, crossing: &Crossing) {
+        let over = strategy.carry(self.point).unwrap_or(*crossing);
+        self.point = over.point;
+        self.velocity = over.turn_vector(self.velocity);
+        self.yaw = wrap_angle(self.yaw - crossing.turn_rad);
+        self.bonnet.0 = wrap_angle(self.bonnet.0 - crossing.turn_rad);
+    }
+
+    /// Where it looks, radians: heading and elevation.
+    pub fn look(&self, mode: CameraMode) -> (f64, f64) {
+        match mode {
+            CameraMode::First => (self.bonnet.0 + self.aside.0, self.bonnet.1 + self.aside.1),
+            CameraMode::Third => (self.yaw + self.aside.0, rest_pitch() + self.aside.1),
+        }
+    }
+
+    /// The eye behind the car, as far back as a small sphere finds room.
+    fn eye(
+        &self,
+        car: &CarView,
+        head: &Eye,
+        strategy: &dyn Strategy,
+        physics: &PhysicsWorld,
+    ) -> Eye {
+        let (yaw, pitch) = self.look(CameraMode::Third);
+        let seen = Eye {
+            yaw,
+            pitch,
+            ..*head
+        };
+        let origin = strategy.chart_origin_m(car.point.hemisphere);
+        let from = car.place(SEAT_M + DVec3::Y * EYES_UP_M).pos + origin;
+        let looked_at = self.point.pos + origin + DVec3::Y * CHASE_LOOKS_UP_M;
+        let length_m = CHASE_BACK_M.hypot(CHASE_UP_M - CHASE_LOOKS_UP_M);
+        let way = looked_at - seen.front() * length_m - from;
+        let way_m = way.length();
+        let free = physics
+            .cast_sphere(from, way, CAMERA_RADIUS_M, way_m)
+            .map_or(1.0, |free_m| free_m / way_m);
+        let pos = from + way * free - origin;
+        Eye {
+            point: ChartPoint::new(car.point.hemisphere, pos),
+            lift_m: pos.y - car.point.pos.y,
+            ..seen
+        }
+    }
+}
+
+/// How far down the camera behind a car looks of itself, radians.
+fn rest_pitch() -> f64 {
+    -(CHASE_UP_M - CHASE_LOOKS_UP_M).atan2(CHASE_BACK_M)
+}
+
+/// Where a car's bonnet points: heading and elevation, radians.
+fn pointing(car: &CarView) -> (f64, f64) {
+    let ahead = car.turn * DVec3::X;
+    (car.yaw(), ahead.y.clamp(-1.0, 1.0).asin())
+}
+
+impl Scene {
+    /// The driver's own eyes.
+    pub(crate) fn driver_head(&self) -> Option<Eye> {
+        let car = self.driven_car()?;
+        let driving = self.cars.driving.as_ref()?;
+        let (yaw, pitch) = driving.chase.look(self.camera);
+        let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
+        Some(Eye {
+            point,
+            yaw,
+            pitch,
+            dial: self.lens.value(),
+            lift_m: point.pos.y - car.point.pos.y,
+        })
+    }
+
+    /// The eye that a driver's picture is taken from.
+    pub(crate) fn driver_eye(&self) -> Option<Eye> {
+        let head = self.driver_head()?;
+        let car = self.driven_car()?;
+        let driving = self.cars.driving.as_ref()?;
+        match self.camera {
+            CameraMode::First => {
+                let point = car.place(BONNET_M);
+                Some(Eye {
+                    point,
+                    lift_m: point.pos.y - car.point.pos.y,
+                    ..head
+                })
+            }
+            CameraMode::Third => Some(driving.chase.eye(
+                &car,
+                &head,
+                &*self.strategy,
+                &self.physics,
+            )),
+        }
+    }
+}

@@ -1,0 +1,186 @@
+//! Getting in and out of a car, setting it upright, its lights and its horn.
+
+use antipode_geometry::ChartPoint;
+use glam::{DQuat, DVec3};
+
+use super::camera::Chase;
+use super::tuning::{DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, IN_VIEW, REACH_M};
+use super::{CarView, Driving};
+use crate::actions::Actions;
+use crate::camera::CameraMode;
+use crate::notice::Hint;
+use crate::player::Look;
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+
+/// Height of a car's middle over the ground, in metres.
+const MIDDLE_UP_M: f64 = 0.8;
+/// Gap left below the feet of who gets out, in metres.
+const CLEARANCE_M: f64 = 0.02;
+
+impl Scene {
+    /// Does what was asked for with a car.
+    pub(crate) fn use_doors(&mut self, actions: &Actions) {
+        match self.driven_number() {
+            None if actions.enter_car => self.enter_car(),
+            Some(_) if actions.leave_car => self.leave_car(),
+            _ => {}
+        }
+        if actions.flip_car {
+            self.flip_car();
+        }
+        if actions.horn
+            && let Some(car) = self.driven_car()
+        {
+            self.sounds.push(SoundEvent::Horn);
+            self.scare(car.point, HORN_REACH_M);
+        }
+    }
+
+    /// Switches the lights of the car that the player drives.
+    pub(crate) fn toggle_car_lights(&mut self, number: usize) {
+        if let Some(state) = self.cars.states.get_mut(number) {
+            state.lights = !state.lights;
+        }
+    }
+
+    fn enter_car(&mut self) {
+        if self.flying {
+            return;
+        }
+        let Some(number) = self.car_in_reach(true) else {
+            self.hints.push(Hint::NoCarNear);
+            return;
+        };
+        let before = self.camera;
+        self.take_wheel(number);
+        self.camera = CameraMode::Third;
+        if let Some(driving) = &mut self.cars.driving {
+            driving.camera_before = before;
+        }
+        self.sounds.push(SoundEvent::CarDoor);
+        self.seat_driver(&Actions::default());
+    }
+
+    /// Puts the player at the wheel of a car.
+    pub(super) fn take_wheel(&mut self, number: usize) {
+        let Some(car) = self.car(number) else {
+            return;
+        };
+        self.cars.driving = Some(Driving {
+            car: number,
+            chase: Chase::behind(&car),
+            camera_before: CameraMode::First,
+            throttle: 0.0,
+        });
+        self.cars.vehicles.wake(number);
+    }
+
+    /// The nearest car that the player can reach; with `seen`, of those in view.
+    fn car_in_reach(&self, seen: bool) -> Option<usize> {
+        let head = self.head();
+        let feet = self.feet();
+        let pictured = &**self.lens.strategy();
+        let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
+        self.cars()
+            .iter()
+            .enumerate()
+            .filter(|(_, car)| !seen || is_in_view(pictured.view_point(&head, middle(car))))
+            .map(|(number, car)| (distance_m(car), number))
+            .filter(|(far_m, _)| *far_m <= REACH_M)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, number)| number)
+    }
+
+    fn leave_car(&mut self) {
+        let Some(car) = self.driven_car() else {
+            return;
+        };
+        let Some(spot) = self.free_spot(&car) else {
+            self.hints.push(Hint::NoWayOut);
+            return;
+        };
+        self.get_out();
+        self.place_body(spot, car.velocity, false);
+        self.sounds.push(SoundEvent::CarDoor);
+    }
+
+    /// The player sits in no car any more, wherever he is then put.
+    pub(crate) fn get_out(&mut self) {
+        let Some(driving) = self.cars.driving.take() else {
+            return;
+        };
+        let (yaw, _) = driving.chase.look(self.camera);
+        self.camera = driving.camera_before;
+        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+            *look = Look {
+                yaw: 0.0,
+                pitch: 0.0,
+            };
+            look.turn(yaw, 0.0);
+        }
+    }
+
+    /// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
+    fn free_spot(&self, car: &CarView) -> Option<ChartPoint> {
+        let hemisphere = car.point.hemisphere;
+        let origin = self.strategy.chart_origin_m(hemisphere);
+        let level = DQuat::from_rotation_y(-car.yaw());
+        let inside = middle(car).pos + origin;
+        let (height_m, radius_m) = (self.tuning.height_m, self.tuning.radius_m);
+        DOORS_M.into_iter().find_map(|door| {
+            let beside = car.point.pos + origin + level * door;
+            let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
+            let way = from - inside;
+            let shut = self.physics.cast_ray(inside, way, way.length()).is_some();
+            if shut || self.is_rock(from - origin, car) {
+                return None;
+            }
+            let most_m = DOOR_RISE_M + DOOR_DROP_M;
+            let down_m = self
+                .physics
+                .cast_sphere(from, DVec3::NEG_Y, radius_m, most_m)?;
+            // On the roof one stands on the car and not on the ground below it.
+            let down_m = if door.y > 0.0 {
+                down_m.min(DOOR_RISE_M)
+            } else {
+                down_m
+            };
+            let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
+            let is_free = !self.physics.overlaps_capsule(feet, height_m, radius_m)
+                && !self.is_rock(feet - origin + DVec3::Y * (0.5 * height_m), car);
+            is_free.then(|| self.within_world(ChartPoint::new(hemisphere, feet - origin)))
+        })
+    }
+
+    fn is_rock(&self, pos: DVec3, car: &CarView) -> bool {
+        self.ground
+            .is_solid(ChartPoint::new(car.point.hemisphere, pos))
+    }
+
+    /// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
+    fn flip_car(&mut self) {
+        let Some(number) = self.driven_number().or_else(|| self.car_in_reach(false)) else {
+            return;
+        };
+        let Some(car) = self.car(number) else {
+            return;
+        };
+        let origin = self.strategy.chart_origin_m(car.point.hemisphere);
+        let solid = |at: DVec3| self.is_rock(at - origin, &car);
+        let vehicles = &self.cars.vehicles;
+        if let Some(upright) = vehicles.upright(number, &self.physics, &solid) {
+            self.cars.vehicles.set_motion(number, upright);
+        }
+    }
+}
+
+fn middle(car: &CarView) -> ChartPoint {
+    car.place(DVec3::Y * MIDDLE_UP_M)
+}
+
+/// Whether a point in view coordinates is about in the picture.
+fn is_in_view(view: glam::DVec4) -> bool {
+    let (aside, up) = IN_VIEW;
+    view.z < 0.0 && view.x.abs() <= aside * -view.z && view.y.abs() <= up * -view.z
+}

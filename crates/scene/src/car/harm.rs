@@ -1,0 +1,117 @@
+//! Who a car meets: shoved aside when it is slow, thrown and hurt when it is fast. What bullets do to cars.
+
+use glam::DVec3;
+use hecs::Entity;
+
+use super::tuning::{
+    BODY_KG, BULLET_PUSH_KG, HARM_PER_M_S, HURTS_AGAIN_AFTER_S, SHOVES_BELOW_M_S, THROWN,
+    TOUCH_GAP_M,
+};
+use crate::harm::HarmKind;
+use crate::player::Body;
+use crate::projectile::{Knock, Standing};
+use crate::scene::Scene;
+use crate::sound::SoundEvent;
+use crate::tuning::STEP_S;
+
+/// A car farther than this from someone's feet cannot touch them, in metres.
+const FAR_M: f64 = 5.0;
+
+/// A car has met someone.
+struct Meeting {
+    car: usize,
+    who: Entity,
+    at: DVec3,
+    /// The level way from the car, a unit vector.
+    away: DVec3,
+    /// How fast the car comes that way, m/s.
+    closing_m_s: f64,
+}
+
+impl Scene {
+    /// Lets cars act on those who stand in their way.
+    pub(super) fn run_over(&mut self) {
+        self.cars
+            .hurt
+            .iter_mut()
+            .for_each(|(_, ago_s)| *ago_s += STEP_S);
+        self.cars
+            .hurt
+            .retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
+        for meeting in self.meetings() {
+            self.meet(&meeting);
+        }
+    }
+
+    fn meetings(&self) -> Vec<Meeting> {
+        let mut found = Vec::new();
+        let standing = self.standing();
+        for (number, vehicle) in self.cars.vehicles.all().iter().enumerate() {
+            let place = vehicle.motion().place;
+            let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
+            for it in standing.iter().filter(near) {
+                let touch = self.cars.vehicles.touches_capsule(
+                    number,
+                    it.feet,
+                    it.height_m,
+                    it.radius_m,
+                    TOUCH_GAP_M,
+                );
+                if let Some((away, velocity)) = touch {
+                    found.push(Meeting {
+                        car: number,
+                        who: it.entity,
+                        at: it.feet + DVec3::Y * (0.5 * it.height_m),
+                        away,
+                        closing_m_s: velocity.dot(away),
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    fn meet(&mut self, meeting: &Meeting) {
+        let Meeting {
+            who,
+            away,
+            closing_m_s,
+            ..
+        } = *meeting;
+        let is_fast = closing_m_s > SHOVES_BELOW_M_S;
+        if closing_m_s > 0.0
+            && let Ok(mut body) = self.ecs.get::<&mut Body>(who)
+        {
+            let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
+            let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(away);
+            body.0.velocity += away * missing.max(0.0);
+            if is_fast {
+                body.0.velocity.y = body.0.velocity.y.max(closing_m_s * up);
+                body.0.grounded = false;
+            }
+        }
+        if !is_fast || self.cars.hurt.iter().any(|(last, _)| *last == who) {
+            return;
+        }
+        self.cars.hurt.push((who, 0.0));
+        let push = away * (-BODY_KG * closing_m_s);
+        self.cars.vehicles.push(meeting.car, meeting.at, push);
+        self.sounds.push(SoundEvent::Struck);
+        let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
+        if who == self.player {
+            self.hurt_player(harm, HarmKind::RunOver, Some(-away));
+        } else {
+            let by = (self.driven_number() == Some(meeting.car)).then_some(self.player);
+            self.hurt_bot_by(who, harm, by);
+        }
+    }
+
+    /// Deals out what bullets did to cars in a step.
+    pub(crate) fn take_knocks(&mut self, knocks: &[Knock]) {
+        for knock in knocks {
+            let impulse = knock.velocity * BULLET_PUSH_KG;
+            self.cars.vehicles.push(knock.car, knock.at, impulse);
+            self.sounds.push(SoundEvent::CarHit);
+        }
+    }
+}

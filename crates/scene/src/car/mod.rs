@@ -1,0 +1,271 @@
+//! Cars: those of the world, where they stand, and what others may know of them.
+
+pub(crate) mod camera;
+mod doors;
+mod drive;
+mod harm;
+mod lights;
+pub mod tuning;
+
+use std::f64::consts::TAU;
+
+use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_physics::{VehicleMotion, VehicleWheel, Vehicles};
+use antipode_storage::CarRecord;
+use glam::{DQuat, DVec3};
+use hecs::Entity;
+
+use crate::scene::Scene;
+use crate::spawn::FIRST_YAW_RAD;
+use camera::Chase;
+use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
+
+/// Directions in which a place for a new world's car is looked for.
+const FIRST_CAR_TURNS: u32 = 12;
+/// Half of the rectangle that it stands on, in metres.
+const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
+
+/// What a car is besides its body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct CarState {
+    hemisphere: Hemisphere,
+    lights: bool,
+    /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
+    unplaced: bool,
+}
+
+/// Someone at the wheel.
+#[derive(Clone, Debug)]
+pub(crate) struct Driving {
+    pub car: usize,
+    pub chase: Chase,
+    /// From where the player saw the world before.
+    pub camera_before: crate::camera::CameraMode,
+    /// What the pedals ask for, -1 to 1; for the sound of the engine.
+    pub throttle: f64,
+}
+
+/// The cars of a world.
+#[derive(Debug, Default)]
+pub(crate) struct Cars {
+    vehicles: Vehicles,
+    states: Vec<CarState>,
+    pub driving: Option<Driving>,
+    /// Whether this world has been given its first car.
+    pub given: bool,
+    /// Whom cars have hurt lately, and how long ago, seconds.
+    hurt: Vec<(Entity, f64)>,
+}
+
+impl Cars {
+    /// Their bodies.
+    pub fn vehicles(&self) -> &Vehicles {
+        &self.vehicles
+    }
+}
+
+/// What others may know of a car.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CarView {
+    /// The ground below its middle, when it stands on level ground.
+    pub point: ChartPoint,
+    /// How it is turned from looking along +x with its right-hand side at +z, in the chart.
+    pub turn: DQuat,
+    /// Velocity in its chart, m/s.
+    pub velocity: DVec3,
+    /// Angular velocity in its chart, rad/s.
+    pub spin: DVec3,
+    /// Speed ahead, m/s; backwards negative.
+    pub speed_m_s: f64,
+    /// How far the front wheels are turned to the right, radians.
+    pub steer_rad: f64,
+    /// Whether its lights are on.
+    pub lights: bool,
+    /// Whether its driver brakes.
+    pub brakes: bool,
+    /// Whether the player drives it.
+    pub driven: bool,
+    /// Front left, front right, rear left, rear right.
+    pub wheels: [VehicleWheel; 4],
+}
+
+impl CarView {
+    /// Its heading, radians: 0 along +x, a quarter turn along +z.
+    pub fn yaw(&self) -> f64 {
+        let ahead = self.turn * DVec3::X;
+        ahead.z.atan2(ahead.x)
+    }
+
+    /// A place of the car's own axes (m) in the chart.
+    pub fn place(&self, own: DVec3) -> ChartPoint {
+        self.point.moved(self.turn * own)
+    }
+}
+
+impl Scene {
+    /// All cars, in the order in which they came.
+    pub fn cars(&self) -> Vec<CarView> {
+        (0..self.cars.states.len())
+            .filter_map(|number| self.car(number))
+            .collect()
+    }
+
+    /// One car by its number.
+    pub fn car(&self, number: usize) -> Option<CarView> {
+        let state = self.cars.states.get(number)?;
+        let vehicle = self.cars.vehicles.all().get(number)?;
+        let motion = vehicle.motion();
+        let origin = self.strategy.chart_origin_m(state.hemisphere);
+        Some(CarView {
+            point: ChartPoint::new(state.hemisphere, motion.place - origin),
+            turn: motion.turn,
+            velocity: motion.velocity,
+            spin: motion.spin,
+            speed_m_s: motion.speed_m_s(),
+            steer_rad: vehicle.steer_rad(),
+            lights: state.lights,
+            brakes: vehicle.brakes(),
+            driven: self.driven_number() == Some(number),
+            wheels: *vehicle.wheels(),
+        })
+    }
+
+    /// The car that the player drives.
+    pub fn driven_car(&self) -> Option<CarView> {
+        self.car(self.driven_number()?)
+    }
+
+    pub(crate) fn driven_number(&self) -> Option<usize> {
+        self.cars.driving.as_ref().map(|driving| driving.car)
+    }
+
+    /// Whether the player sits in a car.
+    pub fn is_driving(&self) -> bool {
+        self.cars.driving.is_some()
+    }
+
+    /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
+    /// ground is there. Returns whether there was room for one more.
+    pub fn spawn_car(&mut self, point: ChartPoint, yaw: f64) -> bool {
+        if self.cars.states.len() >= MOST_CARS {
+            return false;
+        }
+        let point = self.within_world(point);
+        let motion = VehicleMotion {
+            place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
+            turn: DQuat::from_rotation_y(-yaw),
+            ..VehicleMotion::default()
+        };
+        self.add_car(point.hemisphere, motion, false, true);
+        true
+    }
+
+    fn add_car(
+        &mut self,
+        hemisphere: Hemisphere,
+        motion: VehicleMotion,
+        lights: bool,
+        unplaced: bool,
+    ) {
+        self.cars.vehicles.add(motion);
+        self.cars.states.push(CarState {
+            hemisphere,
+            lights,
+            unplaced,
+        });
+        self.changed = true;
+    }
+
+    /// Gives the world its first car, near the start, if it has had none yet.
+    pub fn give_first_car(&mut self) {
+        if self.cars.given {
+            return;
+        }
+        self.cars.given = true;
+        let start = self.ground.spawn_point();
+        let heights = |at: DVec3| {
+            let (x, z) = FOOTPRINT_M;
+            [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {
+                let beside = at + DVec3::new(dx, 0.0, dz);
+                self.ground
+                    .untouched_height(ChartPoint::new(start.hemisphere, beside))
+            })
+        };
+        let mut best: Option<(f64, DVec3)> = None;
+        for ring_m in FIRST_CAR_RINGS_M {
+            for turn in 0..FIRST_CAR_TURNS {
+                // From a little to the right of where a new player looks, so that the car is seen at once.
+                let angle =
+                    FIRST_YAW_RAD + 0.35 + TAU * f64::from(turn) / f64::from(FIRST_CAR_TURNS);
+                let at = start.pos + DVec3::new(angle.cos(), 0.0, angle.sin()) * ring_m;
+                let heights = heights(at);
+                let high = heights.into_iter().fold(f64::MIN, f64::max);
+                let low = heights.into_iter().fold(f64::MAX, f64::min);
+                let steep = high - low + 0.3 * (high - start.pos.y).abs();
+                if best.is_none_or(|(least, _)| steep < least - 0.2) {
+                    best = Some((steep, at.with_y(high)));
+                }
+            }
+        }
+        if let Some((_, at)) = best {
+            self.spawn_car(ChartPoint::new(start.hemisphere, at), FIRST_YAW_RAD);
+        }
+    }
+
+    /// The records of all cars.
+    pub(crate) fn car_records(&self) -> Vec<CarRecord> {
+        self.cars()
+            .iter()
+            .map(|car| CarRecord {
+                hemisphere: u8::from(car.point.hemisphere == Hemisphere::B),
+                pos: car.point.pos.to_array(),
+                turn: car.turn.to_array(),
+                vel: car.velocity.to_array(),
+                spin: car.spin.to_array(),
+                lights: car.lights,
+            })
+            .collect()
+    }
+
+    /// Puts saved cars where they were. One whose numbers are not fit to be used is left out.
+    pub(crate) fn restore_cars(
+        &mut self,
+        records: &[CarRecord],
+        driving: Option<u32>,
+        given: bool,
+    ) {
+        self.cars.given = given;
+        let mut driven = None;
+        for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
+            let turn = DQuat::from_array(record.turn);
+            let velocity = DVec3::from_array(record.vel);
+            let spin = DVec3::from_array(record.spin);
+            let is_sound =
+                turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
+            let point = self.restored_point(record.hemisphere, record.pos);
+            let Some(point) = point.filter(|_| is_sound) else {
+                continue;
+            };
+            if driving == Some(number) {
+                driven = Some(self.cars.states.len());
+            }
+            let motion = VehicleMotion {
+                place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
+                turn: turn.normalize(),
+                velocity,
+                spin,
+            };
+            self.add_car(point.hemisphere, motion, record.lights, false);
+        }
+        if let Some(number) = driven {
+            self.take_wheel(number);
+        }
+    }
+
+    /// Ground may have changed: what rests on it is to fall.
+    pub(crate) fn wake_cars(&mut self) {
+        for number in 0..self.cars.states.len() {
+            self.cars.vehicles.wake(number);
+        }
+    }
+}

@@ -1,0 +1,346 @@
+//! What a player notices of the car: getting in and out, driving, its wheels, its lights, and the equator.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_scene::frame::ModelId;
+use antipode_scene::{Actions, CarView, Hint, Scene};
+use common::{LIMIT, scene, steps};
+use glam::{DQuat, DVec3};
+
+const GEOMETRIES: [Geometry; 3] = [
+    Geometry::Euclidean,
+    Geometry::Hyperbolic,
+    Geometry::Spherical,
+];
+
+fn still() -> Actions {
+    Actions::default()
+}
+
+fn ahead() -> Actions {
+    Actions {
+        forward: 1.0,
+        ..still()
+    }
+}
+
+fn enter() -> Actions {
+    Actions {
+        enter_car: true,
+        ..still()
+    }
+}
+
+/// A world with its first car, which has come to rest.
+fn with_car(geometry: Geometry) -> Scene {
+    let mut scene = scene(geometry);
+    scene.give_first_car();
+    steps(&mut scene, 150, &still());
+    scene
+}
+
+fn car(scene: &Scene) -> CarView {
+    scene.cars()[0]
+}
+
+/// Puts the player so many metres to the car's left, and looks at it.
+fn stand_beside(scene: &mut Scene, far_m: f64) {
+    let car = car(scene);
+    let left = (car.turn * DVec3::NEG_Z).with_y(0.0).normalize();
+    let at = car.point.moved(left * far_m + DVec3::Y * 0.3);
+    scene.teleport(at);
+    assert!(scene.wait_for_step(LIMIT));
+    steps(scene, 60, &still());
+    let feet = scene.feet();
+    let way = car.point.pos - feet.pos;
+    scene.aim(way.z.atan2(way.x), -0.2);
+}
+
+/// A player at the wheel of a car at rest.
+fn driving(geometry: Geometry) -> Scene {
+    let mut scene = with_car(geometry);
+    stand_beside(&mut scene, 2.0);
+    steps(&mut scene, 1, &enter());
+    assert!(scene.is_driving(), "{geometry:?} {:?}", scene.take_hints());
+    steps(&mut scene, 10, &still());
+    scene
+}
+
+#[test]
+fn a_new_world_has_one_car_near_the_start_on_its_wheels() {
+    for geometry in GEOMETRIES {
+        let mut scene = with_car(geometry);
+        scene.give_first_car();
+        assert_eq!(scene.cars().len(), 1);
+        let car = car(&scene);
+        let far = (car.point.pos - scene.feet().pos).with_y(0.0).length();
+        assert!((5.0..16.0).contains(&far), "{geometry:?} {far}");
+        assert!(car.wheels.iter().all(|wheel| wheel.contact), "{car:?}");
+        assert!((car.turn * DVec3::Y).y > 0.7);
+        assert!(scene.probe().car.is_some() && !scene.probe().player.in_car);
+    }
+}
+
+#[test]
+fn it_is_entered_within_four_metres_and_in_view_and_left_beside() {
+    for geometry in GEOMETRIES {
+        let mut scene = with_car(geometry);
+        stand_beside(&mut scene, 2.2);
+        let at = car(&scene).point.pos;
+        let feet = scene.feet().pos;
+        let yaw = (at.z - feet.z).atan2(at.x - feet.x);
+        scene.aim(yaw + 3.0, 0.0);
+        steps(&mut scene, 1, &enter());
+        assert!(!scene.is_driving(), "{geometry:?}: it is behind");
+        assert!(scene.take_hints().contains(&Hint::NoCarNear));
+        scene.aim(yaw, -0.2);
+        steps(&mut scene, 1, &enter());
+        assert!(scene.is_driving(), "{geometry:?}");
+        assert!(scene.probe().player.in_car);
+        steps(
+            &mut scene,
+            1,
+            &Actions {
+                leave_car: true,
+                ..still()
+            },
+        );
+        assert!(!scene.is_driving());
+        let (feet, car) = (scene.feet(), car(&scene));
+        let far = (feet.pos - car.point.pos).length();
+        assert!(far < 3.5, "{geometry:?} {far}");
+        steps(&mut scene, 60, &still());
+        let settled = scene.feet().pos;
+        assert!(
+            settled.y > feet.pos.y - 3.0 && settled.y < feet.pos.y + 0.5,
+            "{geometry:?}: not stuck in the ground or the car: {feet:?} {settled}"
+        );
+        assert!(scene.probe().player.grounded);
+        stand_beside(&mut scene, 6.0);
+        steps(&mut scene, 1, &enter());
+        assert!(!scene.is_driving(), "{geometry:?}: six metres are too far");
+    }
+}
+
+#[test]
+fn it_drives_where_it_points_with_the_player_and_two_runs_are_alike() {
+    let run = |geometry| {
+        let mut scene = driving(geometry);
+        let before = car(&scene);
+        steps(&mut scene, 90, &ahead());
+        let after = car(&scene);
+        (before, after, scene)
+    };
+    for geometry in GEOMETRIES {
+        let (before, after, scene) = run(geometry);
+        let way = after.point.pos - before.point.pos;
+        let forwards = way.dot((before.turn * DVec3::X).with_y(0.0).normalize());
+        assert!(forwards > 3.0, "{geometry:?} {way}");
+        let player = scene.feet();
+        assert!(player.pos.distance(after.point.pos) < 1.0);
+        assert_eq!(player.hemisphere, after.point.hemisphere);
+        let (_, again, _) = run(geometry);
+        assert_eq!(after, again, "{geometry:?}");
+    }
+}
+
+#[test]
+fn its_wheels_turn_and_steer_and_the_driver_is_seen() {
+    let mut scene = driving(Geometry::Euclidean);
+    steps(
+        &mut scene,
+        45,
+        &Actions {
+            strafe: 1.0,
+            ..ahead()
+        },
+    );
+    let view = car(&scene);
+    assert!(view.steer_rad > 0.05, "{view:?}");
+    assert!(view.wheels[0].steer_rad > 0.05 && view.wheels[2].steer_rad == 0.0);
+    let frame = scene.frame(1.2, 16.0 / 9.0, 1);
+    let count = |model| frame.figures.iter().filter(|it| it.model == model).count();
+    assert_eq!(count(ModelId::CarBody), 1);
+    assert_eq!(count(ModelId::CarWheelLeft), 2);
+    assert_eq!(count(ModelId::CarWheelRight), 2);
+    let driver = frame
+        .figures
+        .iter()
+        .find(|it| it.model == ModelId::Astronaut)
+        .expect("the driver is seen from behind the car");
+    assert!(driver.point.pos.distance(view.point.pos) < 0.8);
+    let roll = view.wheels[0].roll_rad;
+    steps(&mut scene, 3, &ahead());
+    assert!(car(&scene).wheels[0].roll_rad != roll);
+}
+
+#[test]
+fn its_lights_are_switched_and_braking_is_seen_behind() {
+    let mut scene = driving(Geometry::Euclidean);
+    let lit = |scene: &mut Scene| {
+        let lights = scene.frame(1.2, 16.0 / 9.0, 1).lights;
+        (lights.beams.len(), lights.lamps)
+    };
+    assert_eq!(lit(&mut scene).0, 0);
+    let switch = Actions {
+        toggle_light: true,
+        ..still()
+    };
+    steps(&mut scene, 1, &switch);
+    assert!(car(&scene).lights && !scene.flashlight());
+    let (beams, tails) = lit(&mut scene);
+    assert_eq!((beams, tails.len()), (2, 2));
+    steps(&mut scene, 60, &ahead());
+    let brake = Actions {
+        jump: true,
+        ..still()
+    };
+    steps(&mut scene, 1, &brake);
+    let (_, brakes) = lit(&mut scene);
+    assert!(brakes[0].colour[0] > 2.0 * tails[0].colour[0]);
+    steps(&mut scene, 180, &brake);
+    assert!(car(&scene).speed_m_s.abs() < 0.3, "{:?}", car(&scene));
+    steps(
+        &mut scene,
+        1,
+        &Actions {
+            leave_car: true,
+            ..still()
+        },
+    );
+    assert!(car(&scene).lights, "they stay as they were");
+    steps(&mut scene, 1, &switch);
+    assert!(scene.flashlight() && car(&scene).lights);
+}
+
+/// A car at the wheel of which the player drives towards the equator along that azimuth, turned aside by an angle.
+fn bound_for_the_equator(seed: u64, azimuth: f64, aside: f64) -> Scene {
+    let mut scene = {
+        let setup = antipode_scene::WorldSetup {
+            seed,
+            ..common::setup(Geometry::Spherical)
+        };
+        let mut scene = Scene::open(setup, None).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        scene
+    };
+    let rim_m = scene.strategy().rim_m().unwrap();
+    let from_m = rim_m - 24.0;
+    let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
+    let at = ChartPoint::new(Hemisphere::A, out * from_m + DVec3::Y * 12.0);
+    assert!(scene.spawn_car(at, azimuth + aside));
+    scene.teleport(at.moved(DVec3::Y * 6.0));
+    assert!(scene.wait_for_step(LIMIT));
+    steps(&mut scene, 120, &still());
+    stand_beside(&mut scene, 2.2);
+    steps(&mut scene, 1, &enter());
+    scene
+}
+
+/// Steps about a crossing: the last two in the old chart, the one that ended in the new chart, and the next two.
+struct Crossed {
+    before: [CarView; 2],
+    over: CarView,
+    after: [CarView; 2],
+    /// The way the chart turned.
+    turn_rad: f64,
+}
+
+/// Drives until the car has changed charts.
+fn cross(scene: &mut Scene, wish: Actions) -> Option<Crossed> {
+    let mut before = [car(scene); 2];
+    for _ in 0..600 {
+        steps(scene, 1, &wish);
+        let over = car(scene);
+        if over.point.hemisphere != before[1].point.hemisphere {
+            let turn_rad = scene.strategy().carry(before[1].point)?.turn_rad;
+            let next = |scene: &mut Scene| {
+                steps(scene, 1, &wish);
+                car(scene)
+            };
+            let after = [next(scene), next(scene)];
+            return Some(Crossed {
+                before,
+                over,
+                after,
+                turn_rad,
+            });
+        }
+        before = [before[1], over];
+    }
+    None
+}
+
+/// How much one thing changes from step to step, and how much that change changes.
+fn jerks(crossed: &Crossed) -> (f64, usize, f64) {
+    let level = |car: &CarView| car.velocity.length();
+    let speeds: Vec<f64> = crossed
+        .before
+        .iter()
+        .chain([&crossed.over])
+        .chain(&crossed.after)
+        .map(level)
+        .collect();
+    let changes: Vec<f64> = speeds.windows(2).map(|w| w[1] - w[0]).collect();
+    let jerk = changes
+        .windows(2)
+        .map(|w| (w[1] - w[0]).abs())
+        .fold(0.0, f64::max);
+    let lost = (0..4)
+        .filter(|&i| {
+            crossed.before[1].wheels[i].contact
+                && crossed.over.wheels[i].contact
+                && !crossed.after[0].wheels[i].contact
+        })
+        .count();
+    let spring = (0..4)
+        .map(|i| {
+            (crossed.after[0].wheels[i].compression_m - crossed.over.wheels[i].compression_m).abs()
+        })
+        .fold(0.0, f64::max);
+    (jerk / speeds[1], lost, spring)
+}
+
+/// Drives over the equator in many directions on the rough land as it is. Wheels jump there and the body bumps, so what
+/// happens in the step of the crossing is held against what happens in every other step.
+#[test]
+fn over_the_equator_nothing_jerks_that_would_not_jerk_elsewhere() {
+    let (mut crossings, mut lost, mut worse) = (0, 0, 0);
+    for (seed, azimuth, aside) in [
+        (3, 0.89, 0.6),
+        (3, 1.67, 0.0),
+        (4, 0.89, 0.6),
+        (5, 5.59, 0.6),
+        (6, 2.46, 0.6),
+        (6, 3.24, 0.6),
+        (6, 4.03, 0.0),
+        (6, 5.59, 0.0),
+        (7, 0.10, 0.6),
+        (7, 4.81, 0.0),
+        (8, 3.24, 0.0),
+        (9, 3.24, 0.0),
+    ] {
+        let mut scene = bound_for_the_equator(seed, azimuth, aside);
+        assert!(scene.is_driving(), "{seed} {azimuth}");
+        let crossed = cross(&mut scene, ahead()).expect("it gets there");
+        let (jerk, gone, _) = jerks(&crossed);
+        crossings += 1;
+        lost += gone;
+        worse += usize::from(jerk > 0.01);
+        let heading = |car: &CarView| car.turn * DVec3::X;
+        let kept = DQuat::from_rotation_y(crossed.turn_rad) * heading(&crossed.before[1]);
+        let turned = kept.dot(heading(&crossed.over)).clamp(-1.0, 1.0).acos();
+        assert!(turned < 0.04, "{seed} {azimuth}: {turned} rad in a step");
+        let player = scene.feet();
+        assert_eq!(player.hemisphere, crossed.over.point.hemisphere);
+    }
+    assert_eq!((crossings, lost), (12, 0));
+    assert!(worse <= 1, "{worse} of {crossings}");
+}
