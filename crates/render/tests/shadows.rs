@@ -8,6 +8,7 @@
 
 mod common;
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
@@ -332,4 +333,41 @@ fn land_far_below_a_figure_is_dark_under_it_alone() {
             "{geometry}, {above_m} m: {dark} of {seen} are dark"
         );
     }
+}
+
+#[test]
+fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
+    let frame = scene(Geometry::Spherical);
+    let space = &frame.strategy;
+    // Over the floor as the other chart would have it, far past its own end.
+    let over = ChartPoint::a(DVec3::new(14.0, FLOOR_M + 3.0, 14.0));
+    let wanted = space.curved(&frame.eye, over);
+    let length_m = PI * space.radius_m() - over.pos.length();
+    let seen = |at: DVec3| space.curved(&frame.eye, ChartPoint::new(Hemisphere::B, at));
+    let way = over.pos.normalize();
+    let past = [1.0, -1.0]
+        .iter()
+        .flat_map(|x| [1.0, -1.0].map(|z| DVec3::new(x * way.x, way.y, z * way.z) * length_m))
+        .min_by(|a, b| {
+            (seen(*a) - wanted)
+                .length()
+                .total_cmp(&(seen(*b) - wanted).length())
+        })
+        .unwrap();
+    assert!((seen(past) - wanted).length() < 1e-6);
+    let coord = ChunkCoord::containing(ChartPoint::new(Hemisphere::B, past));
+    let corner = coord.index.as_dvec3() * 32.0;
+    let mut mesh = ChunkMesh::default();
+    let at = Vec3::Y * (past.y - corner.y) as f32;
+    rectangle(&mut mesh, at, Vec3::Z * 32.0, Vec3::X * 32.0);
+    let phantom = ChunkChange::Put(coord, Arc::new(mesh));
+    let with = |more: Option<ChunkChange>| {
+        let mut frame = frame.clone();
+        frame.chunk_changes.extend(more);
+        studio(ShadowQuality::Low, SIZE).map(|mut it| it.picture(&frame))
+    };
+    let (Some(alone), Some(haunted)) = (with(None), with(Some(phantom))) else {
+        return;
+    };
+    assert_eq!(common::difference(&alone, &haunted).0, 0);
 }

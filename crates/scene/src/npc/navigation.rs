@@ -316,8 +316,7 @@ mod tests {
     fn land(height: impl Fn(f64, f64) -> f64) -> Ground {
         let space = strategy(Geometry::Euclidean, 0.0);
         let mut ground = Ground::new(Arc::new(Field::new(1, Arc::clone(&space))), space);
-        let samples =
-            Samples::from_fn(|p| (f64::from(p.y) - height(f64::from(p.x), f64::from(p.z))) as f32);
+        let samples = Samples::from_fn(|p| (p.y - height(p.x, p.z)) as f32);
         let chunk = Chunk {
             coord: ChunkCoord {
                 hemisphere: Hemisphere::A,

@@ -1,6 +1,8 @@
 //! Worlds for the tests of the scene.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+pub mod figures;
+
 use std::time::Duration;
 
 use antipode_geometry::Geometry;

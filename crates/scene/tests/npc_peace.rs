@@ -1,0 +1,308 @@
+//! What other figures do in peace, as a player would notice it: in every space, and over the equator.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+
+use antipode_geometry::{Eye, Geometry};
+use antipode_scene::tuning::FULL_HEALTH;
+use antipode_scene::{Actions, Hint, Line, NpcMode, Scene, State};
+use common::figures::{SECOND, away_m, beside, bot, look_at, pass, world};
+use common::steps;
+use glam::DVec3;
+
+#[test]
+fn peaceful_ones_walk_about_and_get_on_in_every_space_and_over_the_equator() {
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        let ids = [(12.0, 0.0), (-8.0, 9.0), (3.0, -14.0), (-6.0, -7.0)].map(|(x, z)| {
+            let place = beside(&scene, x, z);
+            scene.spawn_bot(place, 0.0, false)
+        });
+        let mut gone_m = [0.0; 4];
+        let mut at = ids.map(|id| bot(&scene, id).point);
+        let mut still_s = [0; 4];
+        let mut charts = std::collections::BTreeSet::new();
+        for _ in 0..60 {
+            pass(&mut scene, 1.0);
+            for (index, id) in ids.into_iter().enumerate() {
+                let view = bot(&scene, id);
+                charts.insert(format!("{:?}", view.point.hemisphere));
+                let eye = Eye {
+                    point: at[index],
+                    ..Eye::default()
+                };
+                let step_m = scene.strategy().distance_m(at[index], view.point, &eye);
+                gone_m[index] += step_m;
+                at[index] = view.point;
+                let waits = view.state == State::Wander && step_m < 0.3;
+                still_s[index] = if waits { still_s[index] + 1 } else { 0 };
+                assert!(
+                    still_s[index] < 5,
+                    "{geometry:?}: {id} is stuck at {view:?}"
+                );
+                assert!(!view.fights && scene.projectiles().is_empty());
+                let field =
+                    antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+                let middle = view.point.moved(DVec3::Y);
+                assert!(field.sample(middle) > 0.0, "{geometry:?}: {id} is in rock");
+            }
+        }
+        assert!(
+            gone_m.iter().all(|gone_m| *gone_m > 15.0),
+            "{geometry:?}: they went {gone_m:?} m in a minute"
+        );
+        if geometry == Geometry::Spherical {
+            assert_eq!(charts.len(), 2, "in both hemispheres");
+        }
+    }
+}
+
+#[test]
+fn the_same_world_and_the_same_play_give_the_same_figures() {
+    let play = || {
+        let mut scene = world(Geometry::Spherical);
+        for (x, z, hostile) in [(14.0, 2.0, true), (-9.0, 4.0, false), (5.0, 9.0, false)] {
+            let place = beside(&scene, x, z);
+            scene.spawn_bot(place, 1.0, hostile);
+        }
+        pass(&mut scene, 15.0);
+        (scene.bots(), scene.health().to_bits())
+    };
+    assert_eq!(play(), play());
+}
+
+#[test]
+fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
+    for geometry in Geometry::ALL {
+        let mut scene = Scene::open(
+            antipode_scene::WorldSetup {
+                view_distance: 3,
+                ..common::setup(geometry)
+            },
+            None,
+        )
+        .unwrap();
+        assert!(scene.wait_for_step(common::LIMIT));
+        scene.set_npcs(NpcMode::On);
+        let most = if geometry == Geometry::Spherical {
+            7
+        } else {
+            9
+        };
+        let mut known = std::collections::BTreeMap::new();
+        for second in 0..30 {
+            pass(&mut scene, 1.0);
+            scene.set_health(FULL_HEALTH);
+            let eye = scene.eye();
+            for view in scene.bots() {
+                let seen = scene
+                    .frame(1.3, 1.7, 1)
+                    .strategy
+                    .view_point(&eye, view.point);
+                let behind = -seen.z / seen.truncate().length() < 0.5;
+                if known.insert(view.bot.id, view.point).is_none() {
+                    let away_m = away_m(&scene, view.point);
+                    assert!(behind, "{geometry:?}: {view:?} comes in sight");
+                    assert!((30.0..60.0).contains(&away_m), "{geometry:?}: {away_m} m");
+                }
+            }
+            assert!(scene.bots().len() <= most, "{geometry:?} {second}");
+        }
+        let bots = scene.bots();
+        let hostile = bots.iter().filter(|view| view.bot.hostile).count();
+        assert!(bots.len() + 1 >= most, "{geometry:?}: {} live", bots.len());
+        assert!(
+            (2..=5).contains(&hostile),
+            "{geometry:?}: {hostile} hostile"
+        );
+        if geometry == Geometry::Spherical {
+            continue;
+        }
+        let far = beside(&scene, 300.0, 0.0);
+        scene.teleport(far);
+        pass(&mut scene, 2.0);
+        let left = scene.bots();
+        let stayed = left.iter().filter(|view| known.contains_key(&view.bot.id));
+        assert!(
+            stayed.count() <= 5,
+            "{geometry:?}: those not in view are gone"
+        );
+        assert!(!left.is_empty());
+    }
+}
+
+#[test]
+fn who_is_talked_to_says_what_is_true_of_the_place() {
+    let mut said = Vec::new();
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        let talk = Actions {
+            talk: true,
+            ..Actions::default()
+        };
+        scene.take_hints();
+        steps(&mut scene, 1, &talk);
+        assert_eq!(scene.take_hints(), [Hint::NobodyToTalkTo]);
+        let place = beside(&scene, 3.0, 0.0);
+        let id = scene.spawn_bot(place, 0.0, false);
+        let mut lines = Vec::new();
+        for _ in 0..3 {
+            let there = bot(&scene, id).point.moved(DVec3::Y * 1.3);
+            look_at(&mut scene, there);
+            steps(&mut scene, 1, &talk);
+            assert_eq!(
+                bot(&scene, id).state,
+                State::Watch,
+                "{geometry:?}: it listens"
+            );
+            for hint in scene.take_hints() {
+                let Hint::Said(line) = hint else {
+                    panic!("{geometry:?}: {hint}")
+                };
+                lines.push(line);
+            }
+            pass(&mut scene, 0.5);
+        }
+        assert_eq!(lines.len(), 3, "{geometry:?}");
+        for line in lines {
+            said.push(format!("{geometry:?}: {line}"));
+            match line {
+                Line::Triangle {
+                    sum_decidegrees, ..
+                } => {
+                    assert_eq!(
+                        sum_decidegrees.cmp(&1800),
+                        match geometry {
+                            Geometry::Euclidean => std::cmp::Ordering::Equal,
+                            Geometry::Hyperbolic => std::cmp::Ordering::Less,
+                            Geometry::Spherical => std::cmp::Ordering::Greater,
+                        }
+                    );
+                }
+                Line::Horizon {
+                    lower_decidegrees, ..
+                } => match geometry {
+                    Geometry::Euclidean => assert_eq!(lower_decidegrees, 0),
+                    Geometry::Hyperbolic => assert!(lower_decidegrees > 50),
+                    Geometry::Spherical => assert_ne!(lower_decidegrees, 0),
+                },
+                Line::Home { there_m, round_m } => {
+                    assert_eq!(round_m.is_some(), geometry == Geometry::Spherical);
+                    if let Some(round_m) = round_m {
+                        // The player stands four metres before the equator, the home is the pole; round the sphere
+                        // on ground that lies about 11 m high it is 2 pi 32 cos(11/32) m.
+                        assert!(
+                            (183..194).contains(&(there_m + round_m)),
+                            "{there_m} {round_m}"
+                        );
+                        assert!((40..46).contains(&there_m), "{there_m}");
+                    }
+                }
+            }
+        }
+    }
+    println!("{}", said.join("\n"));
+}
+
+#[test]
+fn at_dusk_they_sit_down_by_a_lamp_and_get_up_again() {
+    let mut scene = world(Geometry::Euclidean);
+    let lamp = beside(&scene, 8.0, 4.0);
+    assert!(scene.spawn_lamp(lamp));
+    let ids = [(12.0, 0.0), (3.0, 9.0)].map(|(x, z)| {
+        let place = beside(&scene, x, z);
+        scene.spawn_bot(place, 0.0, false)
+    });
+    pass(&mut scene, 15.0);
+    assert!(
+        ids.iter().all(|id| bot(&scene, *id).state != State::Sit),
+        "not by day"
+    );
+    scene.set_time_of_day_s(300.0);
+    pass(&mut scene, 40.0);
+    for id in ids {
+        let view = bot(&scene, id);
+        assert_eq!(view.state, State::Sit, "{:?}", view.point);
+        assert!((view.point.pos - lamp.pos).length() < 3.5);
+    }
+    scene.set_time_of_day_s(450.0);
+    pass(&mut scene, 2.0);
+    assert!(ids.iter().all(|id| bot(&scene, *id).state != State::Sit));
+}
+
+#[test]
+fn a_peaceful_one_looks_at_who_comes_and_makes_room() {
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        let place = beside(&scene, 7.0, 0.0);
+        let id = scene.spawn_bot(place, std::f64::consts::PI, false);
+        let mut states = std::collections::BTreeSet::new();
+        let mut nearest_m = f64::INFINITY;
+        for _ in 0..4 * SECOND {
+            let view = bot(&scene, id);
+            states.insert(view.state.name());
+            let there = view.point.moved(DVec3::Y * 1.5);
+            if away_m(&scene, view.point) > 2.5 {
+                look_at(&mut scene, there);
+            }
+            let walk = Actions {
+                forward: 1.0,
+                ..Actions::default()
+            };
+            steps(&mut scene, 1, &walk);
+            nearest_m = nearest_m.min(away_m(&scene, bot(&scene, id).point));
+        }
+        assert!(states.contains("watch"), "{geometry:?}: {states:?}");
+        assert!(states.contains("aside"), "{geometry:?}: {states:?}");
+        assert!(
+            nearest_m > 0.35,
+            "{geometry:?}: walked through, {nearest_m} m"
+        );
+    }
+}
+
+#[test]
+fn a_horn_scares_peaceful_ones_away() {
+    let mut scene = world(Geometry::Euclidean);
+    let place = beside(&scene, 7.0, 0.0);
+    let id = scene.spawn_bot(place, 0.0, false);
+    pass(&mut scene, 0.2);
+    let feet = scene.feet();
+    scene.scare(feet, 15.0);
+    pass(&mut scene, 3.0);
+    assert_eq!(bot(&scene, id).state, State::Flee);
+    assert!(away_m(&scene, bot(&scene, id).point) > 14.0);
+}
+
+#[test]
+fn who_was_built_over_comes_out_of_the_ground() {
+    let mut scene = world(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Still);
+    let place = beside(&scene, 7.0, 0.0);
+    let id = scene.spawn_bot(place, 0.0, false);
+    pass(&mut scene, 0.5);
+    let build = Actions {
+        slot: Some(3),
+        secondary: true,
+        ..Actions::default()
+    };
+    let foot = bot(&scene, id).point;
+    look_at(&mut scene, foot);
+    steps(&mut scene, 2 * SECOND, &build);
+    pass(&mut scene, 3.0);
+    let view = bot(&scene, id);
+    assert!(
+        view.point.pos.y > place.pos.y + 1.0,
+        "no hill was built: {:?}",
+        view.point
+    );
+    scene.set_npcs(NpcMode::Off);
+    pass(&mut scene, 15.0);
+    let gone_m = (bot(&scene, id).point.pos - view.point.pos).length();
+    assert!(gone_m > 1.0, "it is stuck there");
+}
