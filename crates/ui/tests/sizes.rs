@@ -442,8 +442,8 @@ fn map_rect(harness: &Harness<'_, HudModel>) -> Option<Rect> {
         Shape::Mesh(mesh) if mesh.vertices.len() > 100 => Some(mesh.calc_bounds()),
         _ => None,
     };
-    let shapes = harness.output().shapes.iter();
-    shapes.filter_map(|clipped| many(&clipped.shape)).next()
+    let mut shapes = harness.output().shapes.iter();
+    shapes.find_map(|clipped| many(&clipped.shape))
 }
 
 #[test]
