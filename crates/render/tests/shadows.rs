@@ -342,12 +342,12 @@ fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
     // Over the floor as the other chart would have it, far past its own end.
     let over = ChartPoint::a(DVec3::new(14.0, FLOOR_M + 3.0, 14.0));
     let wanted = space.curved(&frame.eye, over);
-    let length_m = PI * space.radius_m() - over.pos.length();
+    let level = over.pos.with_y(0.0);
+    let way = level.normalize() * (PI * space.radius_m() - level.length());
     let seen = |at: DVec3| space.curved(&frame.eye, ChartPoint::new(Hemisphere::B, at));
-    let way = over.pos.normalize();
     let past = [1.0, -1.0]
         .iter()
-        .flat_map(|x| [1.0, -1.0].map(|z| DVec3::new(x * way.x, way.y, z * way.z) * length_m))
+        .flat_map(|x| [1.0, -1.0].map(|z| DVec3::new(x * way.x, over.pos.y, z * way.z)))
         .min_by(|a, b| {
             (seen(*a) - wanted)
                 .length()
