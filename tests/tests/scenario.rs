@@ -277,7 +277,7 @@ fn curvature_glides_to_where_the_wheel_sets_it_and_slots_follow_elsewhere() {
         "gun",
         "one slot to the left of the pickaxes is the gun"
     );
-    assert_eq!(run.probe(2)["curvature"], serde_json::Value::Null);
+    assert_eq!(run.probe(2)["curvature"], Value::Null);
     assert_eq!(run.probe(2)["item"], "pickaxe-iron");
 }
 

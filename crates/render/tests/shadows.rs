@@ -369,5 +369,5 @@ fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
     let (Some(alone), Some(haunted)) = (with(None), with(Some(phantom))) else {
         return;
     };
-    assert_eq!(common::difference(&alone, &haunted).0, 0);
+    assert_eq!(difference(&alone, &haunted).0, 0);
 }

@@ -27,6 +27,10 @@ const V4: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v4/v4.antipode-world"
 );
+const V5: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v5/v5.antipode-world"
+);
 
 const FAR: ChunkKey = ChunkKey {
     hemisphere: 1,
@@ -77,6 +81,7 @@ fn v4_state() -> WorldState {
     };
     for bot in &mut state.bots {
         bot.provoked_s = 0.0;
+        bot.native = false;
     }
     state
 }
@@ -103,6 +108,14 @@ fn v1_state() -> WorldState {
     }
 }
 
+/// What version 5 was saved with.
+fn v5_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v5")
+    }
+}
+
 /// What version 4 was saved with.
 fn v4_meta() -> WorldMeta {
     WorldMeta {
@@ -125,18 +138,18 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v4_meta()).unwrap();
+    let (slug, world) = saves.create(&v5_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            state: Some(v4_state()),
+            state: Some(v5_state()),
             chunks,
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V4)).unwrap();
+    saves.export(&slug, Path::new(V5)).unwrap();
 }
 
 #[test]
@@ -145,6 +158,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V2, &meta("Żółw of v2"), &v2_state());
     opens(V3, &v3_meta(), &v2_state());
     opens(V4, &v4_meta(), &v4_state());
+    opens(V5, &v5_meta(), &v5_state());
 }
 
 fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {
