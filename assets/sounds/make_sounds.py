@@ -289,6 +289,52 @@ def bell(noise):
                  for partial, gain, decay_s in [(1.0, 1.0, 0.6), (2.0, 0.25, 0.45), (2.76, 0.3, 0.22), (5.4, 0.1, 0.09)]))
 
 
+def engine(noise):
+    """Loop of 2 s: four pulses a turn at 22 turns a second, no two alike, so that the half orders growl."""
+    count = samples(2.0, WIND_RATE)
+    partials = [(k, 1.0 / k**0.8, noise.between(0.0, TAU)) for k in range(1, 24)]
+    hiss = biquad(noise.take(count), "band", 900.0, 0.8, WIND_RATE, periodic=True)
+    out = []
+    for i in range(count):
+        t = i / WIND_RATE
+        # Whole numbers of hertz, so that the loop closes.
+        tone = sum(gain * math.sin(TAU * 22 * k * t + phase) * (1.0 if k % 4 == 0 else 0.32) for k, gain, phase in partials)
+        beat = 0.75 + 0.25 * math.sin(TAU * 44 * t)
+        out.append(tone * (0.9 + 0.1 * math.sin(TAU * 3 * t)) + 0.5 * beat * hiss[i])
+    return out
+
+
+def tyres(noise):
+    """Loop of 3 s: rubber that slides, a band of noise with a squeal in it that wanders."""
+    count = samples(3.0, BED_RATE)
+    white = noise.take(count)
+    scrape = biquad(white, "band", 620.0, 0.9, BED_RATE, periodic=True)
+    squeal = biquad(white, "band", 1150.0, 9.0, BED_RATE, periodic=True)
+    return [
+        scrape[i] + (0.9 + 0.4 * math.sin(TAU * 2 * i / count) + 0.3 * math.sin(TAU * 5 * i / count + 1.0)) * squeal[i]
+        for i in range(count)
+    ]
+
+
+def horn(noise):
+    """Two reeds a third apart, as friendly as a horn can be."""
+    seconds, parts = 0.6, []
+    for hz in (392.0, 494.0):
+        for partial, gain in [(1, 1.0), (2, 0.7), (3, 0.5), (4, 0.3), (5, 0.2), (6, 0.1)]:
+            parts.append((gain, sine(hz * partial, seconds)))
+    tone = mix(*parts)
+    ramp = samples(0.025)
+    return [x * min(1.0, i / ramp, (len(tone) - i) / ramp) for i, x in enumerate(tone)]
+
+
+def door(noise):
+    """A latch, and a light sheet that falls shut."""
+    latch = burst(noise, 0.05, "band", 2400.0, 4.0, 0.0005, 0.007)
+    sheet = burst(noise, 0.25, "band", 310.0, 1.6, 0.002, 0.04)
+    thud = fall(sine(120.0, 0.25, to_hz=70.0), 0.002, 0.05)
+    return mix((0.7, latch), (1.3, sheet, samples(0.03)), (0.9, thud, samples(0.03)))
+
+
 STEPS = {"rock": step_rock, "gravel": step_gravel, "sand": step_sand, "soil": step_soil, "grass": step_grass}
 
 # name: (what makes it, samples a second, loudest sample, whether it is a loop)
@@ -310,6 +356,10 @@ SOUNDS |= {
     "wind": (wind, WIND_RATE, 0.8, True),
     "day": (day, BED_RATE, 0.8, True),
     "night": (night, BED_RATE, 0.8, True),
+    "engine": (engine, WIND_RATE, 0.8, True),
+    "tyres": (tyres, BED_RATE, 0.8, True),
+    "horn": (horn, RATE, 0.7, False),
+    "door": (door, RATE, 0.7, False),
     "pad": (pad, RATE, 0.7, False),
     "bell": (bell, RATE, 0.7, False),
 }

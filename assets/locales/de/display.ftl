@@ -6,6 +6,7 @@ display-flat = flacher Raum: dasselbe
 display-loading = Das Land kommt: { $percent } %
 display-hemisphere = Halbkugel { $letter }
 display-brush = Pinsel { $radius } m
+display-speed = { $speed } km/h
 
 compass-north = N
 compass-east = O

@@ -7,6 +7,7 @@ display-flat = flat space: the same
 display-loading = The land is coming: { $percent } %
 display-hemisphere = Hemisphere { $letter }
 display-brush = Brush { $radius } m
+display-speed = { $speed } km/h
 
 # The compass: letters of the quarters of the horizon, and the way to the equator: the hemisphere, how far it is.
 compass-north = N

@@ -6,6 +6,7 @@ display-flat = espacio plano: lo mismo
 display-loading = La tierra está llegando: { $percent } %
 display-hemisphere = Hemisferio { $letter }
 display-brush = Pincel { $radius } m
+display-speed = { $speed } km/h
 
 compass-north = N
 compass-east = E

@@ -7,6 +7,7 @@ display-flat = przestrzeń płaska: to samo
 display-loading = Ląd się pojawia: { $percent }%
 display-hemisphere = Półkula { $letter }
 display-brush = Pędzel { $radius } m
+display-speed = { $speed } km/h
 
 compass-north = N
 compass-east = E

@@ -6,6 +6,7 @@ display-flat = 平直空间：相同
 display-loading = 大地正在出现：{ $percent }%
 display-hemisphere = 半球 { $letter }
 display-brush = 笔刷 { $radius } 米
+display-speed = { $speed } 公里/时
 
 compass-north = 北
 compass-east = 东

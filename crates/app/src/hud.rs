@@ -45,7 +45,9 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
             .inventory()
             .held()
             .and_then(Item::brush_strength_per_s)
+            .filter(|_| !scene.is_driving())
             .map(|_| scene.brush_radius_m()),
+        speed_km_h: scene.driven_car().map(|car| 3.6 * car.speed_m_s),
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,

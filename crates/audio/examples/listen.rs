@@ -56,6 +56,7 @@ fn happen(audio: &Audio, day: f64, events: &[SoundEvent]) {
             height_m: 10.0,
             relief_m: 30.0,
             speed_m_s: 0.0,
+            drive: None,
         }),
         events: events.to_vec(),
     });

@@ -69,6 +69,10 @@ samples! {
     Wind = "wind",
     Day = "day",
     Night = "night",
+    Engine = "engine",
+    Tyres = "tyres",
+    Horn = "horn",
+    Door = "door",
     Pad = "pad",
     Bell = "bell",
 }
@@ -106,7 +110,13 @@ mod tests {
             .unwrap_or_else(|error| panic!("{}: {error}", sample.name()))
     }
 
-    const LOOPS: [Sample; 3] = [Sample::Wind, Sample::Day, Sample::Night];
+    const LOOPS: [Sample; 5] = [
+        Sample::Wind,
+        Sample::Day,
+        Sample::Night,
+        Sample::Engine,
+        Sample::Tyres,
+    ];
 
     #[test]
     fn every_sound_can_be_read_is_heard_and_is_not_cut_off_at_full_level() {

@@ -2,12 +2,13 @@
 //!
 //! Nothing here is random or asks for the time: the same events and the same passing of time are heard the same.
 
+use antipode_scene::sound::Drive;
 use antipode_scene::{SoundEvent, Surroundings};
 use antipode_terrain::Cover;
 
 use crate::bank::Sample;
 use crate::music::Music;
-use crate::player::{Bed, Player, Voice};
+use crate::player::{BEDS, Bed, Player, Voice};
 use crate::studio::{Cue, Heard, Place};
 use crate::volumes::{Group, Volumes};
 
@@ -20,6 +21,14 @@ const WIND: (f32, f32, f32) = (0.06, 0.30, 0.55);
 /// Speeds in m/s at which one's own motion is first heard as wind, and is as loud as can be.
 const WIND_SPEED_M_S: (f64, f64) = (6.0, 40.0);
 const BED_GAIN: f32 = 0.2;
+/// An idle engine, and what the pedal and speed add to it at most, in amplitude.
+const ENGINE: (f32, f32, f32) = (0.14, 0.16, 0.12);
+/// How fast the engine's loop is played at rest and at the speed in m/s at which it is highest.
+const ENGINE_RATE: (f32, f32) = (0.7, 2.1);
+const ENGINE_TOP_M_S: f64 = 30.0;
+/// The loudest tyres, and the speeds over the ground in m/s from which and at which they slide so.
+const TYRES: f32 = 0.35;
+const SLIDE_M_S: (f64, f64) = (1.5, 9.0);
 /// What is left of the beds behind the pause menu.
 const PAUSED_SHARE: f32 = 0.35;
 /// Beds that changed by less are left as they are.
@@ -33,7 +42,7 @@ pub struct Director {
     volumes: Volumes,
     muted: bool,
     /// What the player was last told of each bed.
-    beds: [(f32, f32); 3],
+    beds: [(f32, f32); BEDS],
     music: Music,
     /// Sounds so far, to take variants in turn.
     count: u32,
@@ -47,7 +56,7 @@ impl Director {
             surroundings: Surroundings::default(),
             volumes,
             muted: false,
-            beds: [(0.0, 1.0); 3],
+            beds: [(0.0, 1.0); BEDS],
             music: Music::default(),
             count: 0,
         }
@@ -152,13 +161,13 @@ impl Director {
             SoundEvent::Hurt => effect(Sample::Hurt, 0.6, self.waver()),
             SoundEvent::LampPlaced => effect(Sample::Lamp, 0.45, 1.0),
             SoundEvent::LampTaken => effect(Sample::Lamp, 0.4, 1.26),
-            SoundEvent::CarDoor => effect(Sample::Build2, 0.5, 0.8),
+            SoundEvent::CarDoor => effect(Sample::Door, 0.5, self.waver()),
             SoundEvent::Crashed { speed_m_s } => {
                 let gain = 0.3 + 0.6 * share(speed_m_s, 0.0, LANDING_M_S.0);
                 effect(Sample::LandHard, gain, 1.2 * self.waver())
             }
             SoundEvent::CarHit => effect(Sample::Struck, 0.5, 1.6 * self.waver()),
-            SoundEvent::Horn => effect(Sample::Bell, 0.7, 0.5),
+            SoundEvent::Horn => effect(Sample::Horn, 0.6, 1.0),
             SoundEvent::PickedUp => effect(Sample::PickUp, 0.4, self.waver()),
         }
     }
@@ -186,9 +195,9 @@ impl Director {
     }
 
     /// Amplitude and rate of each bed.
-    fn levels(&self) -> [(f32, f32); 3] {
+    fn levels(&self) -> [(f32, f32); BEDS] {
         let present = match self.place {
-            Place::Menu => return [(0.0, 1.0); 3],
+            Place::Menu => return [(0.0, 1.0); BEDS],
             Place::Paused => PAUSED_SHARE,
             Place::World => 1.0,
         };
@@ -206,8 +215,34 @@ impl Director {
             (wind.min(1.0) * present, 0.85 + 0.25 * high + 0.35 * fast),
             (bed * day.sqrt(), 1.0),
             (bed * (1.0 - day).sqrt(), 1.0),
+            engine(air.drive, present),
+            tyres(air.drive, present),
         ]
     }
+}
+
+/// Amplitude and rate of the engine: it runs faster with the wheels, and harder with the pedal.
+fn engine(drive: Option<Drive>, present: f32) -> (f32, f32) {
+    let Some(drive) = drive else {
+        return (0.0, ENGINE_RATE.0);
+    };
+    let pedal = share(drive.throttle.abs(), 0.0, 1.0);
+    let fast = share(drive.speed_m_s.abs(), 0.0, ENGINE_TOP_M_S);
+    let (idle, works, runs) = ENGINE;
+    let (slow, quick) = ENGINE_RATE;
+    let gain = idle + works * pedal + runs * fast;
+    (
+        gain * present,
+        slow + (quick - slow) * (0.9 * fast + 0.1 * pedal),
+    )
+}
+
+/// Amplitude and rate of tyres that slide.
+fn tyres(drive: Option<Drive>, present: f32) -> (f32, f32) {
+    let slide_m_s = drive.map_or(0.0, |drive| drive.slide_m_s);
+    let (from_m_s, most_m_s) = SLIDE_M_S;
+    let slides = share(slide_m_s, from_m_s, most_m_s);
+    (TYRES * slides * present, 0.85 + 0.3 * slides)
 }
 
 fn interface(sample: Sample, gain: f32) -> Voice {

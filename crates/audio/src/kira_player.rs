@@ -61,7 +61,7 @@ impl<B: Backend<Error: ToString>> KiraPlayer<B> {
             let looped = sounds[&bed.sample()]
                 .loop_region(0.0..)
                 .volume(Decibels::SILENCE);
-            let handle = tracks[Group::Ambience as usize].play(looped);
+            let handle = tracks[bed.group() as usize].play(looped);
             beds.push(handle.map_err(|error| error.to_string())?);
         }
         Ok(Self {

@@ -3,6 +3,9 @@
 use crate::bank::Sample;
 use crate::volumes::Group;
 
+/// How many beds there are.
+pub const BEDS: usize = 5;
+
 /// A sound to be played once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Voice {
@@ -16,7 +19,7 @@ pub struct Voice {
     pub rate: f32,
 }
 
-/// A sound that goes on and on, of the group [`Group::Ambience`].
+/// A sound that goes on and on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bed {
     /// Wind.
@@ -25,11 +28,21 @@ pub enum Bed {
     Day,
     /// Crickets.
     Night,
+    /// The engine of the car that is driven.
+    Engine,
+    /// Its tyres, sliding.
+    Tyres,
 }
 
 impl Bed {
     /// Every bed.
-    pub const ALL: [Self; 3] = [Self::Wind, Self::Day, Self::Night];
+    pub const ALL: [Self; BEDS] = [
+        Self::Wind,
+        Self::Day,
+        Self::Night,
+        Self::Engine,
+        Self::Tyres,
+    ];
 
     /// The loop.
     pub fn sample(self) -> Sample {
@@ -37,6 +50,16 @@ impl Bed {
             Self::Wind => Sample::Wind,
             Self::Day => Sample::Day,
             Self::Night => Sample::Night,
+            Self::Engine => Sample::Engine,
+            Self::Tyres => Sample::Tyres,
+        }
+    }
+
+    /// Whose volume it goes by.
+    pub fn group(self) -> Group {
+        match self {
+            Self::Wind | Self::Day | Self::Night => Group::Ambience,
+            Self::Engine | Self::Tyres => Group::Effects,
         }
     }
 }
@@ -67,7 +90,7 @@ pub struct Recorder {
     /// Every sound, in order.
     pub voices: Vec<Voice>,
     /// The last amplitude and rate of each bed, in the order of [`Bed::ALL`].
-    pub beds: [(f32, f32); 3],
+    pub beds: [(f32, f32); BEDS],
     /// The last amplitude of each group, in the order of [`Group::ALL`].
     pub groups: [f32; 4],
     /// The last amplitude of everything.

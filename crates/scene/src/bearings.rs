@@ -83,6 +83,7 @@ fn on_sheet(point: ChartPoint) -> ChartPoint {
 }
 
 impl<'a> Locator<'a> {
+    /// A map about an eye's place.
     pub fn new(strategy: &'a dyn Strategy, eye: &'a Eye) -> Self {
         Self {
             strategy,

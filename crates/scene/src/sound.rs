@@ -72,12 +72,27 @@ pub struct Surroundings {
     pub relief_m: f64,
     /// Speed through the air, m/s.
     pub speed_m_s: f64,
+    /// The car that the player drives, if any.
+    pub drive: Option<Drive>,
+}
+
+/// What is heard of the car that the player drives.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Drive {
+    /// What the pedals ask for, -1 to 1.
+    pub throttle: f64,
+    /// Speed ahead, m/s; backwards negative.
+    pub speed_m_s: f64,
+    /// How fast its tyres slide over the ground, m/s; nothing in the air.
+    pub slide_m_s: f64,
 }
 
 /// Time between two sounds of a tool that is held down, in seconds.
 pub const STROKE_S: f64 = 0.27;
 /// Slower falls, in m/s, are steps: walking down a slope leaves the ground all the time.
 const LANDING_FROM_M_S: f64 = 2.5;
+/// Share of the speed at which braked tyres slide.
+const BRAKED_SHARE: f64 = 0.35;
 /// Events kept for who never asks, as scripts do not.
 const MOST_EVENTS: usize = 64;
 /// Distance over which the slope of the ground is felt, in metres.
@@ -125,7 +140,25 @@ impl Scene {
             height_m: position.0.pos.y - low_m,
             relief_m: high_m - low_m,
             speed_m_s: body.0.velocity.length(),
+            drive: self.drive_heard(),
         }
+    }
+
+    fn drive_heard(&self) -> Option<Drive> {
+        let throttle = self.cars.driving.as_ref()?.throttle;
+        let car = self.driven_car()?;
+        let down = car.wheels.iter().any(|wheel| wheel.contact);
+        let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
+        let braked_m_s = if car.brakes {
+            BRAKED_SHARE * car.speed_m_s.abs()
+        } else {
+            0.0
+        };
+        Some(Drive {
+            throttle,
+            speed_m_s: car.speed_m_s,
+            slide_m_s: if down { aside_m_s.max(braked_m_s) } else { 0.0 },
+        })
     }
 
     /// Tells what the player's own body did in a step; `foot_down`: whether a foot came down.

@@ -113,6 +113,11 @@ fn it_is_entered_within_four_metres_and_in_view_and_left_beside() {
             },
         );
         assert!(!scene.is_driving());
+        assert_eq!(
+            scene.surroundings().drive,
+            None,
+            "no engine is heard on foot"
+        );
         let (feet, car) = (scene.feet(), car(&scene));
         let far = (feet.pos - car.point.pos).length();
         assert!(far < 3.5, "{geometry:?} {far}");
@@ -141,6 +146,9 @@ fn it_drives_where_it_points_with_the_player_and_two_runs_are_alike() {
     for geometry in GEOMETRIES {
         let (before, after, scene) = run(geometry);
         let way = after.point.pos - before.point.pos;
+        let heard = scene.surroundings().drive.unwrap();
+        assert_eq!(heard.throttle, 1.0);
+        assert!((heard.speed_m_s - after.speed_m_s).abs() < 1e-9 && heard.slide_m_s.is_finite());
         let forwards = way.dot((before.turn * DVec3::X).with_y(0.0).normalize());
         assert!(forwards > 3.0, "{geometry:?} {way}");
         let player = scene.feet();

@@ -199,6 +199,7 @@ fn full_hud() -> HudModel {
         hemisphere: None,
         geometry: "hyperbolic".to_owned(),
         brush_radius_m: Some(5.0),
+        speed_km_h: None,
         show_crosshair: true,
         loading: Some(0.43),
         time_label: "12:40".to_owned(),
@@ -377,6 +378,19 @@ fn the_dial_says_what_it_turns() {
             ..full_hud()
         };
         assert!(says(&hud(model, vec2(640.0, 360.0)), words), "{words}");
+    }
+}
+
+#[test]
+fn in_a_car_the_display_tells_its_speed_in_the_place_of_the_brush() {
+    let model = HudModel {
+        speed_km_h: Some(-43.4),
+        ..full_hud()
+    };
+    for size in [vec2(1280.0, 720.0), vec2(640.0, 360.0)] {
+        let harness = hud(model.clone(), size);
+        assert!(says(&harness, "43 km/h"));
+        assert!(!says(&harness, "Brush"));
     }
 }
 
@@ -576,5 +590,15 @@ fn the_display_survives_any_size_and_any_number() {
         hud(full_hud(), size);
         hud(measured_hud(), size);
         hud(HudModel::default(), size);
+        for speed_km_h in [f64::NAN, f64::INFINITY, -1e300] {
+            let speed_km_h = Some(speed_km_h);
+            hud(
+                HudModel {
+                    speed_km_h,
+                    ..full_hud()
+                },
+                size,
+            );
+        }
     }
 }

@@ -63,19 +63,15 @@ pub trait Host {
 pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure> {
     match order {
         Order::Delete(name) => delete(host, name),
-        Order::Press(input, down) => {
-            if *down {
-                host.press(*input);
-            } else {
-                host.controls().input(*input, false);
-            }
+        Order::Press(input, true) => {
+            host.press(*input);
             Ok(())
         }
+        Order::Press(input, false) => release(host, *input),
         Order::Tap(input) => {
             host.press(*input);
             host.step()?;
-            host.controls().input(*input, false);
-            Ok(())
+            release(host, *input)
         }
         Order::Look(dx, dy) => {
             host.controls().motion(*dx, *dy);
@@ -119,6 +115,11 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
     if order.cheats() {
         host.scene()?.mark_cheated();
     }
+    Ok(())
+}
+
+fn release<H: Host + ?Sized>(host: &mut H, input: Input) -> Result<(), Failure> {
+    host.controls().input(input, false);
     Ok(())
 }
 

@@ -9,6 +9,7 @@ fn noon() -> Surroundings {
         height_m: 10.0,
         relief_m: 30.0,
         speed_m_s: 0.0,
+        drive: None,
     }
 }
 
@@ -26,7 +27,7 @@ fn voices(events: &[SoundEvent]) -> Vec<Voice> {
     player.voices
 }
 
-fn beds(place: Place, surroundings: Surroundings) -> [(f32, f32); 3] {
+fn beds(place: Place, surroundings: Surroundings) -> [(f32, f32); BEDS] {
     let (mut director, mut player) = (Director::new(Volumes::default()), Recorder::default());
     director.hear(&heard(place, surroundings, &[]), &mut player);
     player.beds
@@ -84,7 +85,7 @@ fn faster_steps_and_longer_falls_are_louder_and_a_hard_landing_sounds_so() {
 fn day_fades_over_into_night_at_the_same_power() {
     for tenth in 0..=10 {
         let day = f64::from(tenth) / 10.0;
-        let [_, (light, _), (dark, _)] = beds(Place::World, Surroundings { day, ..noon() });
+        let [_, (light, _), (dark, _), ..] = beds(Place::World, Surroundings { day, ..noon() });
         let power = light * light + dark * dark;
         // Changes too small to hear are not passed on.
         assert!(
@@ -111,6 +112,36 @@ fn wind_grows_with_height_and_with_speed() {
     assert!(wind(28.0, 0.0) > 2.0 * wind(3.0, 0.0));
     assert!(wind(3.0, 30.0) > 2.0 * wind(3.0, 4.0));
     assert!(wind(1e9, 1e9) <= 1.0);
+}
+
+#[test]
+fn an_engine_is_heard_in_a_car_alone_by_its_speed_and_pedal_and_tyres_where_they_slide() {
+    let at = |drive: Option<Drive>| {
+        let [.., engine, tyres] = beds(Place::World, Surroundings { drive, ..noon() });
+        (engine, tyres)
+    };
+    let car = |throttle, speed_m_s, slide_m_s| {
+        at(Some(Drive {
+            throttle,
+            speed_m_s,
+            slide_m_s,
+        }))
+    };
+    let (silent, still) = at(None);
+    assert_eq!((silent.0, still.0), (0.0, 0.0));
+    let (idle, quiet) = car(0.0, 0.0, 0.0);
+    let (fast, _) = car(1.0, 28.0, 0.0);
+    let (back, _) = car(-1.0, -9.0, 0.0);
+    assert!(idle.0 > 0.05 && quiet.0 == 0.0, "{idle:?} {quiet:?}");
+    assert!(
+        fast.0 > 2.0 * idle.0 && fast.1 > 2.0 * idle.1,
+        "{fast:?} {idle:?}"
+    );
+    assert!(back.1 > idle.1 && back.1 < fast.1, "{back:?}");
+    let (_, squeals) = car(0.0, 20.0, 8.0);
+    assert!(squeals.0 > 0.2, "{squeals:?}");
+    let (absurd, tyres) = car(f64::NAN, f64::INFINITY, 1e9);
+    assert!(absurd.0 <= 1.0 && absurd.1.is_finite() && tyres.0 <= 1.0);
 }
 
 #[test]

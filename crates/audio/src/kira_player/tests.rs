@@ -110,6 +110,7 @@ fn noon() -> Surroundings {
         height_m: 5.0,
         relief_m: 30.0,
         speed_m_s: 0.0,
+        drive: None,
     }
 }
 

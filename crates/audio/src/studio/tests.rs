@@ -81,6 +81,7 @@ fn step() -> Message {
             height_m: 5.0,
             relief_m: 30.0,
             speed_m_s: 4.0,
+            drive: None,
         }),
         events: vec![SoundEvent::Step {
             cover: Cover::Sand,

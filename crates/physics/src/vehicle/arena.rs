@@ -58,6 +58,7 @@ pub(super) struct Arena {
 }
 
 impl Arena {
+    /// Without bodies and ground, about the origin of physics space.
     pub fn new() -> Self {
         Self {
             bodies: RigidBodySet::new(),
@@ -109,6 +110,7 @@ impl Arena {
         (handle, controller(handle, tuning))
     }
 
+    /// Removes a body with its hull.
     pub fn take_out(&mut self, body: RigidBodyHandle) {
         self.bodies.remove(
             body,
@@ -121,6 +123,7 @@ impl Arena {
         );
     }
 
+    /// Puts a body somewhere, in physics space, and lets it move as it is told.
     pub fn set_motion(&mut self, body: RigidBodyHandle, motion: &VehicleMotion) {
         let at = (motion.place - self.origin).as_vec3();
         if let Some(body) = self.bodies.get_mut(body) {
@@ -130,6 +133,7 @@ impl Arena {
         }
     }
 
+    /// Where a body is and how it moves, in physics space; nothing where that is no longer a number.
     pub fn motion(&self, body: RigidBodyHandle) -> Option<VehicleMotion> {
         let body = self.bodies.get(body)?;
         let place = body.translation().as_dvec3() + self.origin;
@@ -156,6 +160,7 @@ impl Arena {
         }
     }
 
+    /// Strikes a body at a place of physics space with an impulse in N s.
     pub fn push(&mut self, body: RigidBodyHandle, at: DVec3, impulse: DVec3) {
         let at = (at - self.origin).as_vec3();
         if let Some(body) = self.bodies.get_mut(body) {

@@ -36,6 +36,7 @@ pub(super) struct Hull {
 }
 
 impl Hull {
+    /// Of a car.
     pub fn new() -> Self {
         let corners: Vec<Vec3> = CORNERS_M
             .into_iter()

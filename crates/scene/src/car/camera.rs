@@ -37,6 +37,7 @@ pub(crate) struct Chase {
 }
 
 impl Chase {
+    /// A camera that begins where its spring is at rest behind a car.
     pub fn behind(car: &CarView) -> Self {
         Self {
             point: car.point,

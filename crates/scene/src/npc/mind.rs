@@ -119,6 +119,7 @@ pub(crate) struct Mind {
 }
 
 impl Mind {
+    /// The mind of a figure that has just come, by its own dice.
     pub fn new(mut dice: Dice) -> Self {
         let lasts_s = dice.between((0.0, RESTS_S));
         let side = if dice.unit() < 0.5 { -1.0 } else { 1.0 };

@@ -67,6 +67,7 @@ pub(crate) struct Around<'a> {
 }
 
 impl Around<'_> {
+    /// The world's own.
     pub fn strategy(&self) -> &dyn Strategy {
         &*self.scene.strategy
     }

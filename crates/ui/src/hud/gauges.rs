@@ -10,6 +10,8 @@ use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
 
 /// Side of an instrument without its caption, in points.
 const SIDE: f32 = 56.0;
+/// Speed at the end of a car's dial, km/h.
+const MOST_KM_H: f64 = 120.0;
 /// Width an instrument needs beside the hotbar, its caption included.
 const WIDTH: f32 = 136.0;
 
@@ -38,18 +40,17 @@ pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, mo
         let words = texts.say_with("display-hemisphere", &[("letter", hemisphere.into())]);
         instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, ball);
     }
-    if let Some(radius_m) = model.brush_radius_m {
+    let left = pos2(screen.min.x, bottom);
+    if let Some(speed_km_h) = model.speed_km_h {
+        let shown = speed_km_h.abs().round();
+        let words = texts.say_with("display-speed", &[("speed", Value::decimals(shown, 0))]);
+        let dial = |centre| speed_dial(painter, centre, speed_km_h);
+        instrument(painter, screen, left, Align2::LEFT_BOTTOM, &words, dial);
+    } else if let Some(radius_m) = model.brush_radius_m {
         let values = [("radius", Value::decimals(radius_m, 1))];
         let words = texts.say_with("display-brush", &values);
         let ring = |centre| brush_ring(painter, centre, radius_m);
-        instrument(
-            painter,
-            screen,
-            pos2(screen.min.x, bottom),
-            Align2::LEFT_BOTTOM,
-            &words,
-            ring,
-        );
+        instrument(painter, screen, left, Align2::LEFT_BOTTOM, &words, ring);
     }
 }
 
@@ -104,10 +105,18 @@ fn tenths(view: CurvatureView) -> f64 {
     (view.value * 10.0).round_ties_even()
 }
 
-/// Three quarters of a turn from bottom left to bottom right, lit from zero to the value.
-fn curvature_dial(painter: &Painter, centre: Pos2, texts: &Texts, view: CurvatureView) {
-    let part = dial_part(view);
-    let zero = dial_part(CurvatureView { value: 0.0, ..view });
+/// How fast a car goes, forwards or backwards.
+fn speed_dial(painter: &Painter, centre: Pos2, speed_km_h: f64) {
+    let part = (speed_km_h.abs() / MOST_KM_H).clamp(0.0, 1.0) as f32;
+    let part = if part.is_finite() { part } else { 0.0 };
+    let needle = arc_dial(painter, centre, (0.0, part));
+    painter.line_segment([centre, needle], Stroke::new(2.0, TEXT));
+    painter.circle_filled(centre, 3.0, TEXT);
+}
+
+/// An arc of three quarters of a turn from bottom left to bottom right, lit between two parts of it; returns where the
+/// second is.
+fn arc_dial(painter: &Painter, centre: Pos2, (zero, part): (f32, f32)) -> Pos2 {
     let radius = 0.5 * SIDE - 6.0;
     let direction = |part: f32| {
         let angle = TAU * (0.375 + 0.75 * part);
@@ -120,7 +129,16 @@ fn curvature_dial(painter: &Painter, centre: Pos2, texts: &Texts, view: Curvatur
     };
     painter.add(Shape::line(arc(0.0, 1.0), Stroke::new(4.0, LINE)));
     painter.add(Shape::line(arc(zero, part), Stroke::new(4.0, ACCENT)));
-    painter.circle_filled(centre + radius * direction(part), 4.0, TEXT);
+    let needle = centre + radius * direction(part);
+    painter.circle_filled(needle, 4.0, TEXT);
+    needle
+}
+
+/// Lit from zero to the value.
+fn curvature_dial(painter: &Painter, centre: Pos2, texts: &Texts, view: CurvatureView) {
+    let part = dial_part(view);
+    let zero = dial_part(CurvatureView { value: 0.0, ..view });
+    arc_dial(painter, centre, (zero, part));
     painter.text(
         centre,
         Align2::CENTER_CENTER,

@@ -103,6 +103,8 @@ pub struct HudModel {
     pub geometry: String,
     /// Radius of the brush in metres, while a tool with one is in hand.
     pub brush_radius_m: Option<f64>,
+    /// Speed of the car that the player drives, km/h; in the brush's place.
+    pub speed_km_h: Option<f64>,
     /// Whether to mark the middle of the screen.
     pub show_crosshair: bool,
     /// Share of the land around that is there, 0 to 1, while some is missing.
