@@ -67,12 +67,11 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             host.press(*input);
             Ok(())
         }
-        Order::Press(input, false) => release(host, *input),
-        Order::Tap(input) => {
-            host.press(*input);
-            host.step()?;
-            release(host, *input)
+        Order::Press(input, false) => {
+            host.controls().input(*input, false);
+            Ok(())
         }
+        Order::Tap(input) => tap(host, *input),
         Order::Look(dx, dy) => {
             host.controls().motion(*dx, *dy);
             host.step()
@@ -118,7 +117,9 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
     Ok(())
 }
 
-fn release<H: Host + ?Sized>(host: &mut H, input: Input) -> Result<(), Failure> {
+fn tap<H: Host + ?Sized>(host: &mut H, input: Input) -> Result<(), Failure> {
+    host.press(input);
+    host.step()?;
     host.controls().input(input, false);
     Ok(())
 }
