@@ -55,11 +55,7 @@ mod tests {
             (1.0 / 4096.0, 1.0, 3.141_698_372_807_767),
         ] {
             let off: f64 = equilateral_angle_sum_rad(curvature, side_m) - sum;
-            // Angles as small as the cosine's rounding leaves, sqrt(2^-52), are told no better.
-            assert!(
-                off.abs() < 1e-8_f64.min(1e-12 / sum),
-                "{curvature} {side_m}: {off}"
-            );
+            assert!((off / sum).abs() < 1e-13, "{curvature} {side_m}: {off}");
         }
     }
 }
