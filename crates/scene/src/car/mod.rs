@@ -257,7 +257,7 @@ impl Scene {
             }
             let motion = VehicleMotion {
                 place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
-                turn: turn.normalize(),
+                turn: unit(turn),
                 velocity,
                 spin,
             };
@@ -277,5 +277,14 @@ impl Scene {
         for number in 0..self.cars.states.len() {
             self.cars.vehicles.wake(number);
         }
+    }
+}
+
+/// A turn of unit length; one that is so already keeps its bits, so that a world comes back as it was saved.
+fn unit(turn: DQuat) -> DQuat {
+    if (turn.length_squared() - 1.0).abs() < 1e-12 {
+        turn
+    } else {
+        turn.normalize()
     }
 }
