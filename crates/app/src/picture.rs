@@ -195,7 +195,7 @@ mod tests {
     #[test]
     fn a_picture_that_lacks_what_a_shader_was_to_draw_is_refused() {
         let common =
-            Cli::parse_from(["antipode", "--adapter", "software", "--size", "64x48"]).common;
+            Cli::parse_from(["antipode", "--adapter", "software", "--size", "96x72"]).common;
         let (settings, texts) = (Settings::default(), Texts::default());
         let setup = WorldSetup {
             name: "Picture".to_owned(),

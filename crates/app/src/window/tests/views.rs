@@ -76,6 +76,8 @@ fn straight_shots_reach_the_world_at_once_and_are_kept() {
     assert!(!straight(&game));
     set(&mut game, "straight-shots", true);
     game.finish();
+    // The file is written when the last word of it is said.
+    drop(game);
     let kept = read(&fs::read(file).unwrap()).config;
     assert!(kept.settings.straight_shots);
 }
