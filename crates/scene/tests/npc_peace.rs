@@ -94,7 +94,17 @@ fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
         } else {
             9
         };
-        let mut known = std::collections::BTreeMap::new();
+        // A new world is peaceful for five minutes.
+        pass(&mut scene, 20.0);
+        let first = scene.bots();
+        assert!((2..=most / 2).contains(&first.len()), "{geometry:?}");
+        pass(&mut scene, 280.0);
+        assert!(scene.bots().iter().all(|view| !view.bot.hostile));
+        let mut known: std::collections::BTreeMap<_, _> = scene
+            .bots()
+            .iter()
+            .map(|view| (view.bot.id, view.point))
+            .collect();
         for second in 0..30 {
             pass(&mut scene, 1.0);
             scene.set_health(FULL_HEALTH);

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::bearing::{ahead, apart_m, toward};
 use super::dice::Dice;
-use super::tuning::{APPEARS_M, GOES_M, MOST_LIVING, UNSEEN_RAD};
+use super::tuning::{APPEARS_M, GOES_M, MOST_LIVING, PEACE_S, UNSEEN_RAD};
 use crate::scene::Scene;
 
 /// Steps between two looks at who is there.
@@ -38,11 +38,14 @@ impl Scene {
         }
         let closed = self.strategy.rim_m().is_some();
         let most = if closed { MOST_LIVING.1 } else { MOST_LIVING.0 };
+        let peace = self.simulated_s < PEACE_S;
+        // The hostile ones' places are kept for them.
+        let most = if peace { most / 2 } else { most };
         if left.len() >= most {
             return;
         }
         let hostile = left.iter().filter(|other| other.fights).count();
-        self.let_one_come(feet, 2 * hostile < left.len());
+        self.let_one_come(feet, !peace && 2 * hostile < left.len());
     }
 
     fn let_one_come(&mut self, feet: ChartPoint, hostile: bool) {

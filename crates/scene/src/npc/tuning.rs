@@ -78,6 +78,8 @@ pub const TALKS_M: f64 = 4.0;
 pub const LEAVES_BULLETS: [(u32, u32); 2] = [(4, 8), (2, 4)];
 /// How many live in an open world, and in a closed one.
 pub const MOST_LIVING: (usize, usize) = (9, 7);
+/// How old a world is before the first hostile one comes, in seconds: time to learn the keys in.
+pub const PEACE_S: f64 = 300.0;
 /// How far away one appears at least and at most, in metres.
 pub const APPEARS_M: (f64, f64) = (38.0, 48.0);
 /// Beyond this distance one that is not seen goes, in metres.
