@@ -14,6 +14,7 @@ use crate::bot::Bot;
 use crate::frame::ModelId;
 use crate::ground::chunks_near;
 use crate::motion::Doing;
+use crate::pick::over;
 use crate::player::{self, Appearance, Body, Look, Position, wrap_angle};
 use crate::tuning::{BOT_HEALTH, STEP_S};
 
@@ -183,10 +184,7 @@ impl Npc {
         let others = around.others.iter().filter(|it| it.entity != self.entity);
         let mut push = DVec3::ZERO;
         for point in others.map(|it| it.point).chain(player) {
-            if point.hemisphere != self.point.hemisphere {
-                continue;
-            }
-            let away = self.point.pos - point.pos;
+            let away = self.point.pos - over(around.strategy(), self.point, point).pos;
             let level_m = away.with_y(0.0).length();
             if level_m < ROOM_M && away.y.abs() < 1.8 {
                 push += away.with_y(0.0).normalize_or(DVec3::X) * (0.6 * (1.0 - level_m / ROOM_M));
