@@ -255,6 +255,18 @@ def sit(t):
     return pose, 0.0
 
 
+def rest(t):
+    """On the ground: knees up, forearms on them, looking about; the feet stand still."""
+    a = TAU * t
+    pose = standing((-0.20, 0.21 + 0.004 * math.cos(2.0 * a), 0.0), hips=turn_z(24.0), spine=turn_z(-14.0),
+                    chest=turn_z(-16.0 + 0.8 * math.cos(2.0 * a)))
+    pose["head"] = chain(turn_y(16.0 * math.sin(a)), turn_z(4.0 + 3.0 * math.sin(2.0 * a)))
+    for side, sign in SIDES:
+        arm(pose, side, 62.0, 12.0, 22.0, 0.0, -20.0)
+        leg(pose, side, (0.24, ANKLE_M, sign * (HALF_HIPS_M + 0.03)), 0.0, 0.0, 6.0)
+    return pose, 0.0
+
+
 def _between(keys, t):
     """Poses at times, joined by easing; `keys` are (time, pose, feet or None)."""
     for (t0, p0), (t1, p1) in zip(keys, keys[1:]):
@@ -360,6 +372,7 @@ def clips():
         "hit": (*_once(_hit_keys()), extras(0.0, False)),
         "die": (*_once(_die_keys()), extras(0.0, False)),
         "sit": (*_loop(sit, 5.0, 10), extras(0.0, True)),
+        "rest": (*_loop(rest, 7.0, 14), extras(0.0, True)),
     }
 
 

@@ -293,18 +293,41 @@ impl Window {
         }
     }
 
-    /// Holds a key for a while.
-    pub fn hold_key(&self, name: &str, time: Duration) {
+    /// Holds a key until the picture is as wanted: a slow machine plays slowly, so no time would do for all.
+    ///
+    /// # Panics
+    /// When the picture does not become so.
+    pub fn hold_key_until(
+        &mut self,
+        name: &str,
+        what: &str,
+        wanted: impl Fn(&RgbImage) -> bool,
+    ) -> RgbImage {
         self.xdotool(&["keydown", name]);
-        sleep(time);
+        let picture = self.wait_until(what, wanted);
+        self.xdotool(&["keyup", name]);
+        picture
+    }
+
+    /// Holds a key until the program has written these words to standard error.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn hold_key_for(&mut self, name: &str, words: &str) {
+        self.xdotool(&["keydown", name]);
+        self.wait_for(words);
         self.xdotool(&["keyup", name]);
     }
 
-    /// Holds the left button for a while.
-    pub fn hold_left(&self, time: Duration) {
+    /// Holds the left button until the picture is as wanted.
+    ///
+    /// # Panics
+    /// When the picture does not become so.
+    pub fn hold_left_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
         self.xdotool(&["mousedown", "1"]);
-        sleep(time);
+        let picture = self.wait_until(what, wanted);
         self.xdotool(&["mouseup", "1"]);
+        picture
     }
 
     /// Moves the mouse by pixels.
@@ -429,11 +452,20 @@ impl Window {
     }
 
     fn tool(&self, name: &str, arguments: &[&str]) -> Output {
-        Command::new(name)
+        // `xdotool --sync` waits for ever for a window that never does what it was asked.
+        let output = Command::new("timeout")
+            .arg(PATIENCE.as_secs().to_string())
+            .arg(name)
             .args(arguments)
             .env("DISPLAY", &self.display)
             .output()
-            .unwrap_or_else(|e| panic!("{name} cannot be run: {e}"))
+            .unwrap_or_else(|e| panic!("{name} cannot be run: {e}"));
+        assert_ne!(
+            output.status.code(),
+            Some(124),
+            "{name} {arguments:?} did not end"
+        );
+        output
     }
 }
 

@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use antipode_tests::background::{Background, signal};
 use antipode_tests::program::{comparable, game, may_skip, number, run};
+use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display};
 use serde_json::Value;
 
@@ -140,6 +141,7 @@ fn asked_to_end_the_window_saves_everything_first() {
     };
     let saves = tempfile::tempdir().unwrap();
     made(saves.path());
+    let before = number(&found(saves.path()), "t");
     let options = [
         "--load",
         "Mortal",
@@ -151,7 +153,7 @@ fn asked_to_end_the_window_saves_everything_first() {
         "software",
     ];
     let mut game = Window::open(&display, saves.path(), &options);
-    game.wait_until("the world", |picture| {
+    let fresh = game.wait_until("the world", |picture| {
         // The menu's backdrop is dusk all over; a day has a bright sky.
         picture
             .get_pixel(320, 40)
@@ -159,17 +161,19 @@ fn asked_to_end_the_window_saves_everything_first() {
             .iter()
             .all(|channel| *channel > 90)
     });
-    game.hold_key("w", Duration::from_secs(1));
+    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
+    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
     // The pointer may be caught a moment late, so not all in one move.
     for _ in 0..4 {
         game.turn(0, 120);
     }
     game.key("4");
-    game.hold_left(Duration::from_secs(3));
+    let whole = game.look();
+    game.hold_left_until("a hole", |picture| changed(picture, &whole));
     signal("TERM", game.process());
     assert_eq!(game.ended(), Some(143));
     let kept = found(saves.path());
-    assert!(number(&kept, "t") > 2.0, "{kept}");
+    assert!(number(&kept, "t") > before, "{kept}");
     assert!(
         number(&kept, "chunks.edited") >= 1.0,
         "the hole is not in the save"

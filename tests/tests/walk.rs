@@ -112,6 +112,12 @@ fn pictures(place: &TempDir) -> Vec<(u32, u32)> {
     sizes.collect()
 }
 
+/// Whether another hint than that one is up.
+fn shows_hint_after(picture: &RgbImage, last: &RgbImage) -> bool {
+    let plate = |picture| image::imageops::crop_imm(picture, 350, 80, 100, 30).to_image();
+    shows_hint(picture) && compare(&plate(picture), &plate(last)).far_off > 0.02
+}
+
 /// Whether the dark plate with a hint is up, in the middle under the upper edge.
 fn shows_hint(picture: &RgbImage) -> bool {
     mean(picture, (440, 130), (120, 70))
@@ -247,8 +253,8 @@ fn walks_with_i(display: &str, place: &TempDir) {
     let saves = saves(place);
     let start = run(&saves, "new euclidean seed=7\nprobe");
     let mut game = open(display, place, &IN_A_WORLD);
-    game.wait_until("the world", shows_world);
-    game.hold_key("i", Duration::from_secs(1));
+    let fresh = game.wait_until("the world", shows_world);
+    game.hold_key_until("i", "a walk", |picture| compare(picture, &fresh).mean > 8.0);
     leave_world(&mut game);
     drop(game);
     let walked = run(&saves, "load Walk\nprobe");
@@ -281,12 +287,13 @@ fn a_world_survives_whatever_is_done_to_its_window() {
     };
     let mut game = open(&display, &place, &IN_A_WORLD);
     let fresh = game.wait_until("the world", shows_world);
-    game.hold_key("w", Duration::from_secs(1));
+    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
+    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
     game.turn(0, 100);
     game.turn(0, 100);
     game.key("4");
-    game.hold_left(Duration::from_secs(2));
-    game.wait_until("a hole", |picture| compare(picture, &fresh).mean > 5.0);
+    let whole = game.look();
+    game.hold_left_until("a hole", |picture| changed(picture, &whole));
 
     game.key("F11");
     game.wait_until("a full screen", |picture| {
@@ -392,24 +399,27 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     let text = text.replace("\"hints\": false", "\"hints\": true");
     fs::write(settings_file(&saves), text).unwrap();
     let mut game = open(&display, &place, &IN_A_WORLD);
-    game.wait_until("the first hint", |picture| {
+    let look = game.wait_until("the first hint", |picture| {
         shows_world(picture) && shows_hint(picture)
     });
     for _ in 0..3 {
         game.turn(150, 0);
     }
-    game.hold_key("w", Duration::from_millis(1500));
-    game.hold_key("space", Duration::from_millis(400));
-    game.hold_left(Duration::from_secs(1));
-    // What is left: building, the backpack, and the menu.
-    game.wait_until("the hint about building", shows_hint);
-    game.key("n");
-    let building = game.wait_until("the hint about the backpack", shows_hint);
-    game.key("n");
-    game.wait_until("the last hint", |picture| {
-        let plate = |picture| image::imageops::crop_imm(picture, 350, 80, 100, 30).to_image();
-        shows_hint(picture) && compare(&plate(picture), &plate(&building)).far_off > 0.02
+    let walk = game.wait_until("the hint about walking", |p| shows_hint_after(p, &look));
+    let jump = game.hold_key_until("w", "the hint about jumping", |p| {
+        shows_hint_after(p, &walk)
     });
+    let dig = game.hold_key_until("space", "the hint about digging", |p| {
+        shows_hint_after(p, &jump)
+    });
+    let build = game.hold_left_until("the hint about building", |p| shows_hint_after(p, &dig));
+    // What is left: the backpack, and the menu.
+    game.key("n");
+    let backpack = game.wait_until("the hint about the backpack", |p| {
+        shows_hint_after(p, &build)
+    });
+    game.key("n");
+    game.wait_until("the last hint", |p| shows_hint_after(p, &backpack));
     assert!(is_set(&saves, "hints", "true"), "not all was told yet");
     game.key("Escape");
     game.wait_while("no more hints on disk", || {

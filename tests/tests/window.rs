@@ -6,8 +6,6 @@
     reason = "tests fail by panicking"
 )]
 
-use std::time::Duration;
-
 use antipode_tests::program::{field, may_skip, number, run};
 use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display, settle_settings};
@@ -88,12 +86,13 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.click(SPHERICAL.0, SPHERICAL.1);
     game.click(CREATE.0, CREATE.1);
     let fresh = game.wait_until("the new world", shows_world);
-    game.hold_key("w", Duration::from_secs(1));
+    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
+    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
     game.turn(0, 200);
     game.turn(0, 150);
     game.key("4");
-    game.hold_left(Duration::from_secs(3));
-    let dug = game.wait_until("the hole", |picture| compare(picture, &fresh).mean > 5.0);
+    let whole = game.look();
+    let dug = game.hold_left_until("the hole", |picture| changed(picture, &whole));
     game.key("Escape");
     game.wait_until("the pause menu", |picture| {
         compare(picture, &dug).mean > 10.0

@@ -185,6 +185,8 @@ impl Scene {
         let left = self.inventory.give(drop.stack.item, drop.stack.count);
         if left < drop.stack.count {
             self.sounds.push(SoundEvent::PickedUp);
+            let taken = drop.stack.count - left;
+            tracing::debug!("picked up {taken} {}", drop.stack.item.id());
         }
         drop.stack.count = left;
         left == 0

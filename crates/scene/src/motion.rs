@@ -139,7 +139,9 @@ impl Motion {
         for (clip, moment) in Clip::ALL.into_iter().zip(&mut self.posture.moments) {
             *moment = match clip {
                 Clip::Walk | Clip::Run | Clip::Land => *moment,
-                Clip::Idle | Clip::Fall | Clip::Hold | Clip::Sit => (*moment + dt_s) % LONG_AGO_S,
+                Clip::Idle | Clip::Fall | Clip::Hold | Clip::Sit | Clip::Rest => {
+                    (*moment + dt_s) % LONG_AGO_S
+                }
                 Clip::Jump | Clip::Die | Clip::Hit => (*moment + dt_s).min(LONG_AGO_S),
             };
         }
@@ -198,7 +200,7 @@ impl Motion {
         }
         let speed_m_s = doing.way.length();
         if doing.sits && speed_m_s < STANDS_M_S {
-            return (Posture::of(Clip::Land, 0.0), SITS_FADE_S);
+            return (Posture::of(Clip::Rest, 0.0), SITS_FADE_S);
         }
         let run = run_share(speed_m_s) as f32;
         let walk = smooth((speed_m_s - STANDS_M_S) / (WALKS_M_S - STANDS_M_S)) as f32;

@@ -19,6 +19,8 @@ pub enum Clip {
     Die,
     /// Sits at the wheel of a car.
     Sit,
+    /// Sits on the ground, its arms on its knees.
+    Rest,
     /// Is hit. Lies over the others from the belt up.
     Hit,
     /// Carries something in the right hand. Lies over the others, most of all over the right arm.
@@ -27,7 +29,7 @@ pub enum Clip {
 
 impl Clip {
     /// Every clip, by its number in a [`Posture`].
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -36,12 +38,13 @@ impl Clip {
         Self::Land,
         Self::Die,
         Self::Sit,
+        Self::Rest,
         Self::Hit,
         Self::Hold,
     ];
 
     /// Those that move the whole body; the rest lie over them.
-    pub const WHOLE: [Self; 8] = [
+    pub const WHOLE: [Self; 9] = [
         Self::Idle,
         Self::Walk,
         Self::Run,
@@ -50,6 +53,7 @@ impl Clip {
         Self::Land,
         Self::Die,
         Self::Sit,
+        Self::Rest,
     ];
 
     /// The name that the clip has in a model's file.
@@ -62,6 +66,7 @@ impl Clip {
             Self::Fall => "fall",
             Self::Die => "die",
             Self::Sit => "sit",
+            Self::Rest => "rest",
             Self::Hit => "hit",
             Self::Hold => "hold",
         }

@@ -10,7 +10,7 @@ mod common;
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::frame::ModelId;
-use antipode_scene::{Actions, CarView, Hint, NpcMode, Scene};
+use antipode_scene::{Actions, CarView, Hint, NpcMode, Scene, State};
 use common::{LIMIT, scene, steps};
 use glam::{DQuat, DVec3};
 
@@ -431,6 +431,38 @@ fn who_is_run_over_is_hurt_and_the_car_goes_on() {
         scene.bots()
     );
     assert!(car(&scene).point.pos.distance(view.point.pos) > 9.0);
+}
+
+#[test]
+fn who_stands_in_its_way_runs_from_it_and_who_stands_by_a_parked_one_does_not() {
+    for geometry in GEOMETRIES {
+        let mut scene = driving(geometry);
+        scene.set_npcs(NpcMode::Off);
+        let view = car(&scene);
+        let way = (view.turn * DVec3::X).with_y(0.0).normalize();
+        let at = common::figures::beside(&scene, 24.0 * way.x, 24.0 * way.z);
+        let id = scene.spawn_bot(at, 0.0, false);
+        let bot = |scene: &Scene| common::figures::bot(scene, id);
+        let mut ran = false;
+        for _ in 0..240 {
+            steps(&mut scene, 1, &ahead());
+            ran |= bot(&scene).state == State::Aside;
+        }
+        assert!(ran, "{geometry:?}");
+        assert_eq!(
+            bot(&scene).health.to_bits(),
+            3.0_f64.to_bits(),
+            "{geometry:?}"
+        );
+    }
+    let mut scene = with_car(Geometry::Euclidean);
+    let view = car(&scene);
+    let at = view.point.moved((view.turn * DVec3::X).with_y(0.0) * 3.5);
+    let id = scene.spawn_bot(at, 0.0, false);
+    for _ in 0..60 {
+        steps(&mut scene, 1, &still());
+        assert_ne!(common::figures::bot(&scene, id).state, State::Aside);
+    }
 }
 
 #[test]

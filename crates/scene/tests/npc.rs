@@ -104,13 +104,44 @@ fn nobody_is_seen_or_shot_through_the_ground() {
         for _ in 0..20 * SECOND {
             steps(&mut scene, 1, &Actions::default());
             let view = bot(&scene, id);
-            if !scene.projectiles().is_empty() {
-                // It came to the brim and looks in.
-                assert!(away_m(&scene, view.point) < 14.0);
+            if away_m(&scene, view.point) < 14.0 {
+                // It came to the brim and may look in.
                 break;
             }
-            assert!(scene.health() >= health);
+            let knows = matches!(view.state, State::Chase | State::Fight | State::Search);
+            assert!(!knows, "{geometry:?}: {view:?} sees into the pit");
+            assert!(scene.projectiles().is_empty() && scene.health() >= health);
         }
+    }
+}
+
+#[test]
+fn they_do_not_shoot_through_one_another() {
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        // One behind the other, all with the player in sight over the shoulders before them.
+        let ids = [9.0, 11.0, 13.0, 15.0, 17.0].map(|x| {
+            let place = beside(&scene, x, 0.1 * x);
+            scene.spawn_bot(place, 3.0, true)
+        });
+        let (mut shots, mut hurt) = (std::collections::BTreeSet::new(), 0);
+        let mut health = [3.0; 5];
+        for _ in 0..25 * SECOND {
+            steps(&mut scene, 1, &Actions::default());
+            scene.set_health(FULL_HEALTH);
+            shots.extend(scene.projectiles().iter().map(|bullet| bullet.id));
+            for (id, last) in ids.iter().zip(&mut health) {
+                let now = bot(&scene, *id).health;
+                hurt += usize::from(now < *last);
+                *last = now;
+            }
+        }
+        println!("{geometry:?}: {hurt} of {} met a friend", shots.len());
+        assert!(
+            shots.len() > 20 && 20 * hurt < shots.len(),
+            "{geometry:?}: {hurt} of {}",
+            shots.len()
+        );
     }
 }
 

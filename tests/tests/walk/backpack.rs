@@ -1,7 +1,6 @@
 //! The backpack, by the mouse; what came of it is asked of the save.
 
 use std::path::Path;
-use std::time::Duration;
 
 use antipode_tests::program::{field, run};
 use image::RgbImage;
@@ -61,9 +60,9 @@ fn things_are_dragged_split_merged_and_thrown_in_the_backpack_and_are_all_there_
     drop(game);
     assert_eq!(lamps(&saves), (vec![(10, 8)], 2));
 
-    let mut game = open(&display, &place, &["--load", "Walk"]);
+    let mut game = open(&display, &place, &["--load", "Walk", "--log", "debug"]);
     game.wait_until("the world once more", shows_world);
-    game.hold_key("w", Duration::from_secs(3));
+    game.hold_key_for("w", "picked up 2 lamp");
     game.key("e");
     game.wait_until("the backpack once more", shows_backpack);
     game.drag(slot(10), slot(6));

@@ -1,4 +1,4 @@
-//! What a figure chooses to do: fear first, then the fight, then peace.
+//! What a figure chooses to do: out of the way of cars, then fear, then the fight, then peace.
 
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
@@ -129,6 +129,9 @@ impl Npc {
 
     /// Chooses what to do.
     pub fn choose(&mut self, around: &Around<'_>) {
+        if self.dodges(around) {
+            return;
+        }
         if let Some(from) = self.feared() {
             self.flee(around, from);
         } else if let (Some(known), Some(quarry)) = (self.mind.known, &around.quarry) {
@@ -368,7 +371,7 @@ fn strolling(point: ChartPoint) -> Goal {
 }
 
 /// A place to go to at a pace.
-fn at_pace(point: ChartPoint, pace: f64) -> Goal {
+pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
     Goal {
         point,
         within_m: THERE_M,

@@ -4,6 +4,7 @@
 mod bearing;
 mod choice;
 mod dice;
+mod dodge;
 mod figure;
 pub(crate) mod mind;
 mod navigation;
@@ -89,6 +90,8 @@ impl Scene {
         let events = std::mem::take(&mut self.npcs.events);
         let others = self.others();
         let quarry = self.quarry();
+        let cars = self.cars().into_iter();
+        let cars: Vec<_> = cars.filter_map(|car| Some((car, car.comes()?))).collect();
         for (id, entity) in self.figures_in_order() {
             let Some(mut npc) = self.take_npc(entity) else {
                 continue;
@@ -97,6 +100,7 @@ impl Scene {
                 scene: self,
                 quarry,
                 others: &others,
+                cars: &cars,
                 events: &events,
             };
             if npc.health <= 0.0 {

@@ -7,6 +7,7 @@ use hecs::Entity;
 
 use super::bearing::{apart_m, way};
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
+use crate::car::CarView;
 use crate::pick::segment_hit;
 use crate::player::Look;
 use crate::scene::Scene;
@@ -63,6 +64,8 @@ pub(crate) struct Around<'a> {
     /// The player, where there is one to be met: neither dead nor a spectator.
     pub quarry: Option<Quarry>,
     pub others: &'a [Other],
+    /// Cars that come, and the level way that each takes, m/s.
+    pub cars: &'a [(CarView, DVec3)],
     pub events: &'a [Event],
 }
 

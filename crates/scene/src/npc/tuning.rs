@@ -72,6 +72,10 @@ pub const SITS_M: f64 = 1.4;
 pub const DUSK_S: (f64, f64) = (285.0, 420.0);
 /// How fast one turns, in radians per second.
 pub const TURNS_RAD_S: f64 = 5.0;
+/// A car is run from when it would be here within so long, in seconds.
+pub const DODGES_S: f64 = 1.8;
+/// How far to the side of its way, in metres.
+pub const DODGES_BY_M: f64 = 3.5;
 /// How near one must be to be talked to, in metres.
 pub const TALKS_M: f64 = 4.0;
 /// Bullets that the dead leave: of those who fight, and of others, at least and at most.
