@@ -3,5 +3,6 @@
 pub mod background;
 pub mod processes;
 pub mod program;
+pub mod screen;
 pub mod seam;
 pub mod window;

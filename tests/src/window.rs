@@ -18,11 +18,14 @@ use image::RgbImage;
 
 use crate::processes::{arguments, started_with};
 use crate::program::game;
+use crate::screen::Screen;
 
 /// Longest wait for something to appear; a deadline for a hung program, not a measure of speed.
 const PATIENCE: Duration = Duration::from_mins(2);
 /// A program whose window is gone has ended within this.
 const GONE_WITHIN: Duration = Duration::from_secs(10);
+/// What has not changed for so long stands still; a text's cursor blinks every half second.
+const STILL: Duration = Duration::from_millis(300);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
@@ -36,10 +39,28 @@ pub struct Window {
     child: Option<Child>,
     process: u32,
     display: String,
+    screen: Screen,
     id: String,
     /// What it writes to standard error.
     words: PathBuf,
     _keyboard: MutexGuard<'static, ()>,
+}
+
+/// A key or button that is down until this is dropped. A test that fails lets go of it, too: a display keeps what is
+/// down for the next program.
+#[derive(Debug)]
+struct Held {
+    display: String,
+    up: [String; 2],
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        let _ = Command::new("xdotool")
+            .args(&self.up)
+            .env("DISPLAY", &self.display)
+            .status();
+    }
 }
 
 /// Settings under which pictures can be compared: a still menu, English, no hints; `more` is put behind them.
@@ -88,6 +109,7 @@ impl Window {
             process: child.id(),
             child: Some(child),
             display: display.to_owned(),
+            screen: Screen::connect(display),
             id: String::new(),
             words,
             _keyboard: keyboard,
@@ -120,6 +142,7 @@ impl Window {
             child: None,
             process,
             display: display.to_owned(),
+            screen: Screen::connect(display),
             id: String::new(),
             words: saves.join("stderr.txt"),
             _keyboard: keyboard,
@@ -238,16 +261,16 @@ impl Window {
     /// When it does not.
     pub fn stillness(&mut self) -> RgbImage {
         let began = Instant::now();
-        let mut last = self.look();
-        loop {
+        let (mut last, mut since) = (self.look(), Instant::now());
+        while since.elapsed() < STILL {
             sleep(GLANCE);
             let next = self.look();
-            if next == last {
-                return next;
+            if next != last {
+                (last, since) = (next, Instant::now());
             }
-            last = next;
             self.give_up_after(began, "the picture never stood still");
         }
+        last
     }
 
     /// Asks for another size, in pixels.
@@ -293,6 +316,15 @@ impl Window {
         }
     }
 
+    /// Presses a key or button and keeps it down.
+    fn hold(&self, what: &str, name: &str) -> Held {
+        self.xdotool(&[&format!("{what}down"), name]);
+        Held {
+            display: self.display.clone(),
+            up: [format!("{what}up"), name.to_owned()],
+        }
+    }
+
     /// Holds a key until the picture is as wanted: a slow machine plays slowly, so no time would do for all.
     ///
     /// # Panics
@@ -303,10 +335,8 @@ impl Window {
         what: &str,
         wanted: impl Fn(&RgbImage) -> bool,
     ) -> RgbImage {
-        self.xdotool(&["keydown", name]);
-        let picture = self.wait_until(what, wanted);
-        self.xdotool(&["keyup", name]);
-        picture
+        let _held = self.hold("key", name);
+        self.wait_until(what, wanted)
     }
 
     /// Holds a key until the program has written these words to standard error.
@@ -314,9 +344,8 @@ impl Window {
     /// # Panics
     /// When it does not.
     pub fn hold_key_for(&mut self, name: &str, words: &str) {
-        self.xdotool(&["keydown", name]);
+        let _held = self.hold("key", name);
         self.wait_for(words);
-        self.xdotool(&["keyup", name]);
     }
 
     /// Holds the left button until the picture is as wanted.
@@ -324,10 +353,17 @@ impl Window {
     /// # Panics
     /// When the picture does not become so.
     pub fn hold_left_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
-        self.xdotool(&["mousedown", "1"]);
-        let picture = self.wait_until(what, wanted);
-        self.xdotool(&["mouseup", "1"]);
-        picture
+        let _held = self.hold("mouse", "1");
+        self.wait_until(what, wanted)
+    }
+
+    /// Holds the left button until the program has written these words to standard error.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn hold_left_for(&mut self, words: &str) {
+        let _held = self.hold("mouse", "1");
+        self.wait_for(words);
     }
 
     /// Moves the mouse by pixels.
@@ -341,10 +377,16 @@ impl Window {
     /// # Panics
     /// When no picture can be taken.
     pub fn look(&self) -> RgbImage {
-        let shot = self.tool("import", &["-window", &self.id, "png:-"]);
-        image::load_from_memory(&shot.stdout)
-            .expect("a picture of the window")
-            .to_rgb8()
+        let window = self.id.parse().expect("xdotool tells numbers");
+        let began = Instant::now();
+        loop {
+            match self.screen.picture(window) {
+                Ok(picture) => return picture,
+                // A window that is just being made larger has no such pixels yet.
+                Err(_) if began.elapsed() < GONE_WITHIN => sleep(GLANCE),
+                Err(error) => panic!("no picture of the window: {error}"),
+            }
+        }
     }
 
     /// Looks until the picture is as wanted.
@@ -418,11 +460,16 @@ impl Window {
 
     fn give_up_after(&mut self, began: Instant, what: &str) {
         if began.elapsed() > PATIENCE {
-            let picture = std::env::temp_dir().join("antipode-window-test.png");
-            let path = picture.display().to_string();
-            if !self.id.is_empty() {
-                self.tool("import", &["-window", &self.id.clone(), &path]);
-            }
+            let path = std::env::temp_dir().join("antipode-window-test.png");
+            let seen = self
+                .id
+                .parse()
+                .ok()
+                .and_then(|id| self.screen.picture(id).ok());
+            let path = match seen.map(|picture| picture.save(&path)) {
+                Some(Ok(())) => path.display().to_string(),
+                _ => "none".to_owned(),
+            };
             self.kill();
             panic!("{what} (picture: {path})\n{}", self.said());
         }

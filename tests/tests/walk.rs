@@ -23,6 +23,8 @@ mod backpack;
 
 /// Small, so that software draws it quickly; the menu has both its columns.
 const SMALL: [&str; 4] = ["--size", "800x600", "--view-distance", "1"];
+/// Nor is it shaded: these tests are about what one can do, others about pictures.
+const PLAIN: &str = r#", "render-scale": "50", "msaa": "off", "shadows": "off""#;
 /// What the display of the tests shows, pixels.
 const SCREEN: (u32, u32) = (2560, 1440);
 /// Begins in a flat world by day.
@@ -37,7 +39,7 @@ fn ready(more: &str) -> Option<(String, TempDir)> {
     // A directory of its own for the worlds: pictures are kept beside it.
     let place = tempfile::tempdir().unwrap();
     fs::create_dir(saves(&place)).unwrap();
-    settle_settings(&saves(&place), more);
+    settle_settings(&saves(&place), &[PLAIN, more].concat());
     Some((display, place))
 }
 
@@ -112,12 +114,6 @@ fn pictures(place: &TempDir) -> Vec<(u32, u32)> {
     sizes.collect()
 }
 
-/// Whether another hint than that one is up.
-fn shows_hint_after(picture: &RgbImage, last: &RgbImage) -> bool {
-    let plate = |picture| image::imageops::crop_imm(picture, 350, 80, 100, 30).to_image();
-    shows_hint(picture) && compare(&plate(picture), &plate(last)).far_off > 0.02
-}
-
 /// Whether the dark plate with a hint is up, in the middle under the upper edge.
 fn shows_hint(picture: &RgbImage) -> bool {
     mean(picture, (440, 130), (120, 70))
@@ -127,7 +123,9 @@ fn shows_hint(picture: &RgbImage) -> bool {
 
 /// From a world through the pause menu to the main menu.
 fn leave_world(game: &mut Window) {
+    let world = game.look();
     game.key("Escape");
+    game.wait_until("the pause menu", |p| compare(p, &world).mean > 10.0);
     game.stillness();
     game.steps(&["Tab", "Tab"]);
     game.key("Return");
@@ -398,28 +396,29 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     let text = fs::read_to_string(settings_file(&saves)).unwrap();
     let text = text.replace("\"hints\": false", "\"hints\": true");
     fs::write(settings_file(&saves), text).unwrap();
-    let mut game = open(&display, &place, &IN_A_WORLD);
-    let look = game.wait_until("the first hint", |picture| {
+    let told = [&IN_A_WORLD[..], &["--log", "debug"]].concat();
+    let mut game = open(&display, &place, &told);
+    game.wait_until("the first hint", |picture| {
         shows_world(picture) && shows_hint(picture)
     });
     for _ in 0..3 {
         game.turn(150, 0);
     }
-    let walk = game.wait_until("the hint about walking", |p| shows_hint_after(p, &look));
-    let jump = game.hold_key_until("w", "the hint about jumping", |p| {
-        shows_hint_after(p, &walk)
-    });
-    let dig = game.hold_key_until("space", "the hint about digging", |p| {
-        shows_hint_after(p, &jump)
-    });
-    let build = game.hold_left_until("the hint about building", |p| shows_hint_after(p, &dig));
-    // What is left: the backpack, and the menu.
+    game.wait_for("learnt Look");
+    game.hold_key_for("w", "learnt Walk");
+    game.hold_key_for("space", "learnt Jump");
+    game.hold_left_for("learnt Dig");
+    // What is left: building, the backpack, and the menu.
+    game.wait_until("the hint about building", shows_hint);
     game.key("n");
-    let backpack = game.wait_until("the hint about the backpack", |p| {
-        shows_hint_after(p, &build)
-    });
+    game.wait_for("learnt Build");
+    let building = game.wait_until("the hint about the backpack", shows_hint);
     game.key("n");
-    game.wait_until("the last hint", |p| shows_hint_after(p, &backpack));
+    game.wait_for("learnt Backpack");
+    game.wait_until("the last hint", |picture| {
+        let plate = |picture| image::imageops::crop_imm(picture, 350, 80, 100, 30).to_image();
+        shows_hint(picture) && compare(&plate(picture), &plate(&building)).far_off > 0.02
+    });
     assert!(is_set(&saves, "hints", "true"), "not all was told yet");
     game.key("Escape");
     game.wait_while("no more hints on disk", || {

@@ -49,13 +49,13 @@ pub struct Drop {
 }
 
 impl Drop {
-    /// A stack that lies at rest.
+    /// A stack that lies at rest, and may be picked up at once.
     pub fn lying(stack: Stack, point: ChartPoint) -> Self {
         Self {
             stack,
             point,
             velocity: DVec3::ZERO,
-            age_s: 0.0,
+            age_s: PICK_UP_AFTER_S,
             rests: true,
             // Nothing is known of it; things side by side are not to lie alike.
             yaw_rad: TURN_RAD_PER_M * (point.pos.x + point.pos.z),
@@ -93,6 +93,7 @@ impl Scene {
         }
         let head = self.head();
         let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
+        drop.age_s = 0.0;
         drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
         drop.rests = false;
         self.drops.push(drop);

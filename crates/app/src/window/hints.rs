@@ -108,6 +108,7 @@ impl Hints {
             return;
         };
         if !std::mem::replace(done, true) {
+            tracing::debug!("learnt {lesson:?}");
             self.rest_s = REST_S;
         }
     }

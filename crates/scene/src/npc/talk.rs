@@ -22,6 +22,8 @@ const SIDE_M: (f64, f64) = (5.0, 20.0);
 const HORIZON_M: f64 = 20.0;
 /// Angle from the middle of the view within which one is talked to, in radians.
 const AHEAD_RAD: f64 = 40.0 * std::f64::consts::PI / 180.0;
+/// Nearer than this one is at home, in metres.
+const AT_HOME_M: f64 = 6.0;
 /// A step by which it is measured how long ways are at a height, in metres.
 const PACE_M: f64 = 0.1;
 
@@ -109,6 +111,8 @@ impl Scene {
         match (first + told) % 3 {
             0 => self.triangle(home.level_m),
             1 => self.horizon(feet),
+            // Who is at home need not be told the way.
+            2 if home.level_m < AT_HOME_M && self.strategy.rim_m().is_none() => self.horizon(feet),
             _ => self.way_home(feet, home),
         }
     }
