@@ -353,6 +353,56 @@ fn over_the_equator_nothing_jerks_that_would_not_jerk_elsewhere() {
     assert!(worse <= 1, "{worse} of {crossings}");
 }
 
+/// Whether a wheel lets go of the ground from one step to the next.
+fn let_go(before: &CarView, after: &CarView) -> bool {
+    let wheels = before.wheels.iter().zip(&after.wheels);
+    wheels
+        .into_iter()
+        .any(|(before, after)| before.contact && !after.contact)
+}
+
+/// On rough land wheels let go now and then. They do so no more often in the step over the equator than in others.
+#[test]
+#[ignore = "takes minutes; for who changes the crossing or the vehicle"]
+fn over_the_equator_wheels_let_go_no_more_often_than_elsewhere() {
+    let (mut over, mut over_lost, mut other, mut other_lost) = (0, 0, 0, 0);
+    for seed in 3..13 {
+        for turn in 0..16 {
+            let azimuth = 0.1 + 0.392_7 * f64::from(turn);
+            let aside = if turn % 2 == 0 { 0.0 } else { 0.6 };
+            let mut scene = bound_for_the_equator(seed, azimuth, aside);
+            if !scene.is_driving() {
+                continue;
+            }
+            let mut last = car(&scene);
+            let mut left = 600;
+            while left > 0 {
+                left -= 1;
+                steps(&mut scene, 1, &ahead());
+                let now = car(&scene);
+                let crosses = now.point.hemisphere != last.point.hemisphere;
+                if crosses {
+                    // In the step that ends beyond, the wheels still touched the old chart's land.
+                    let step = now;
+                    steps(&mut scene, 1, &ahead());
+                    over += 1;
+                    over_lost += usize::from(let_go(&step, &car(&scene)));
+                    left = left.min(60);
+                } else if now.velocity.length() > 4.0 {
+                    other += 1;
+                    other_lost += usize::from(let_go(&last, &now));
+                }
+                last = car(&scene);
+            }
+        }
+    }
+    let share = |lost: usize, all: usize| lost as f64 / all as f64;
+    let (there, elsewhere) = (share(over_lost, over), share(other_lost, other));
+    println!("{over_lost} of {over} steps over the equator, {other_lost} of {other} others");
+    assert!(over > 80, "{over}");
+    assert!(there < 1.5 * elsewhere, "{there} against {elsewhere}");
+}
+
 /// A careless driver: full force, and the wheel thrown about, until the car lies on its side or roof.
 fn roll_over(scene: &mut Scene) -> bool {
     for second in 0..400 {

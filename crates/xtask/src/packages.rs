@@ -92,7 +92,7 @@ const WAYLAND: [Package; 2] = [
     ),
 ];
 
-const TESTING: [Package; 5] = [
+const TESTING: [Package; 4] = [
     program("xvfb", "Xvfb", "a display in memory for the window tests"),
     program(
         "openbox",
@@ -105,14 +105,9 @@ const TESTING: [Package; 5] = [
         "presses keys and clicks in the window tests",
     ),
     program(
-        "imagemagick",
-        "import",
-        "takes the window tests' pictures of the screen",
-    ),
-    program(
         "x11-utils",
-        "xwininfo",
-        "finds the game's window in the window tests",
+        "xprop",
+        "asks the window manager whether it is ready for the window tests",
     ),
 ];
 
@@ -341,7 +336,7 @@ mod tests {
             }),
             &bare,
         ));
-        for tool in ["xvfb", "openbox", "xdotool", "imagemagick", "x11-utils"] {
+        for tool in ["xvfb", "openbox", "xdotool", "x11-utils"] {
             assert!(test.contains(&tool) && !play.contains(&tool), "{tool}");
         }
     }
