@@ -54,6 +54,7 @@ not-writable = { $path } kann nicht geschrieben werden: Es ist schreibgeschützt
 not-readable = { $path } kann nicht gelesen werden: die Rechte verbieten es, oder es gehört jemand anderem. Ändere die Rechte oder wähle mit --saves-dir einen anderen Ort.
 archive-refused = { $path } kann nicht importiert werden: es ist keine exportierte Welt, oder die Datei ist beschädigt. Im Protokoll steht mehr.
 unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
+impossible-radius = Die Welt „{ $world }“ gibt an, ihr Raum habe einen Radius von { $radius } m; den kann keine Welt haben. Ihre Datei blieb, wie sie ist.
 player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
 unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er wurde weggelassen.
 unknown-map = Der Spielstand nennt eine Karte, die diese Version nicht kennt („{ $map }“); eine andere wird gezeigt.

@@ -58,6 +58,7 @@ not-writable = { $path } cannot be written: it is read-only or belongs to someon
 not-readable = { $path } cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.
 archive-refused = { $path } cannot be imported: it is no exported world, or it is damaged. The log has the rest.
 unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
+impossible-radius = The world “{ $world }” says that its space has a radius of { $radius } m, and no world can have that. Its file was left as it is.
 player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
 unknown-item = The save holds an item this version does not know (“{ $item }”); it was left out.
 unknown-map = The save names a map this version does not know (“{ $map }”); another is shown.

@@ -54,6 +54,7 @@ not-writable = No se puede escribir { $path }: es de solo lectura o pertenece a 
 not-readable = No se puede leer { $path }: los permisos lo prohíben o pertenece a otra persona. Cambia los permisos o elige otro lugar con --saves-dir.
 archive-refused = No se puede importar { $path }: no es un mundo exportado o está dañado. El registro dice el resto.
 unknown-space = El mundo «{ $world }» está en un espacio que esta versión no conoce. Una versión más nueva del juego quizá lo abra.
+impossible-radius = El mundo «{ $world }» dice que su espacio tiene un radio de { $radius } m, y ningún mundo puede tenerlo. Su archivo quedó como está.
 player-damaged = El jugador de la partida estaba dañado; empiezas de nuevo desde el principio. Tu tierra está como estaba.
 unknown-item = La partida contiene un objeto que esta versión no conoce («{ $item }»); se ha omitido.
 unknown-map = La partida nombra un mapa que esta versión no conoce («{ $map }»); se muestra otro.

@@ -57,6 +57,7 @@ not-writable = Nie można zapisać { $path }: jest tylko do odczytu albo należy
 not-readable = Nie można odczytać { $path }: zabraniają tego uprawnienia albo plik należy do kogoś innego. Zmień uprawnienia albo wybierz inne miejsce przez --saves-dir.
 archive-refused = Nie można zaimportować { $path }: to nie jest wyeksportowany świat albo plik jest uszkodzony. Reszta jest w dzienniku.
 unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja nie zna. Nowsza wersja gry może go otworzyć.
+impossible-radius = Świat „{ $world }” podaje, że jego przestrzeń ma promień { $radius } m, a tego nie może mieć żaden świat. Jego plik pozostał nietknięty.
 player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
 unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); pominięto go.
 unknown-map = Zapis wymienia mapę, której ta wersja nie zna („{ $map }”); pokazana jest inna.

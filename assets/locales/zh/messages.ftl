@@ -54,6 +54,7 @@ not-writable = 无法写入 { $path }：它是只读的，或属于别人。请�
 not-readable = 无法读取 { $path }：权限不允许，或属于他人。请更改权限，或用 --saves-dir 另选位置。
 archive-refused = 无法导入 { $path }：它不是导出的世界，或已损坏。详情见日志。
 unknown-space = 世界“{ $world }”所在的空间是这个版本不认识的。更新版本的游戏也许能打开它。
+impossible-radius = 世界“{ $world }”称其空间的半径为 { $radius } 米，而任何世界都不可能如此。它的文件保持原样。
 player-damaged = 存档中的玩家数据已损坏；你从起点重新开始。你的大地保持原样。
 unknown-item = 存档中有这个版本不认识的物品（“{ $item }”）；已略去。
 unknown-map = 存档中有这个版本不认识的图（“{ $map }”）；改为显示另一种。

@@ -239,6 +239,13 @@ fn scene(texts: &Texts, error: &SceneError) -> String {
         SceneError::UnknownGeometry { name, .. } => {
             texts.say_with("unknown-space", &[("world", name.into())])
         }
+        SceneError::ImpossibleRadius { name, radius_m } => texts.say_with(
+            "impossible-radius",
+            &[
+                ("world", name.into()),
+                ("radius", radius_m.to_string().into()),
+            ],
+        ),
     }
 }
 

@@ -2,7 +2,9 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
+use antipode_geometry::{
+    ChartPoint, ChunkCoord, Geometry, Hemisphere, HyperbolicMap, SPHERE_RADIUS_RANGE_M,
+};
 use antipode_storage::{
     BotRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
@@ -22,6 +24,10 @@ use crate::player::{Health, Look};
 use crate::scene::{Scene, SceneError, WorldSetup};
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_DROPS, MOST_LAMPS};
 
+/// Radii of hyperbolic worlds that a save may name, in metres: wider than any that the game makes.
+const HYPERBOLIC_RADIUS_RANGE_M: std::ops::RangeInclusive<f64> = 1.0..=4096.0;
+/// More figures than this a world of ours never has, scripts included; each looks at every other.
+const MOST_RESTORED_BOTS: usize = 512;
 /// Depth below the player's head searched for ground, in metres.
 pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
 
@@ -29,7 +35,7 @@ impl WorldSetup {
     /// The setup a save describes, with the given view distance where the save has none of its own.
     ///
     /// # Errors
-    /// When the save names a geometry this version does not know.
+    /// When the save names a geometry this version does not know, or a radius that no world can have.
     pub fn from_meta(meta: &WorldMeta, view_distance: u32) -> Result<Self, SceneError> {
         let geometry = meta
             .geometry
@@ -38,6 +44,17 @@ impl WorldSetup {
                 name: meta.name.clone(),
                 geometry: meta.geometry.clone(),
             })?;
+        let possible = match geometry {
+            Geometry::Euclidean => true,
+            Geometry::Hyperbolic => HYPERBOLIC_RADIUS_RANGE_M.contains(&meta.radius_m),
+            Geometry::Spherical => SPHERE_RADIUS_RANGE_M.contains(&meta.radius_m),
+        };
+        if !possible {
+            return Err(SceneError::ImpossibleRadius {
+                name: meta.name.clone(),
+                radius_m: meta.radius_m,
+            });
+        }
         Ok(Self {
             name: meta.name.clone(),
             seed: meta.seed,
@@ -211,6 +228,7 @@ impl Scene {
         let bots: Vec<_> = state
             .bots
             .iter()
+            .take(MOST_RESTORED_BOTS)
             .filter(|it| it.yaw.is_finite())
             .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
             .collect();
@@ -322,7 +340,7 @@ fn drop_record(drop: &Drop) -> DropRecord {
     }
 }
 
-fn finite_or(value: f64, otherwise: f64) -> f64 {
+pub(crate) fn finite_or(value: f64, otherwise: f64) -> f64 {
     if value.is_finite() { value } else { otherwise }
 }
 

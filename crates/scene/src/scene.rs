@@ -26,6 +26,7 @@ use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::npc::Npcs;
+use crate::persist::finite_or;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::sound::Sounds;
@@ -54,6 +55,16 @@ pub enum SceneError {
         name: String,
         /// What the save says.
         geometry: String,
+    },
+    /// Its save names a radius that no world can have.
+    #[error(
+        "The world \"{name}\" says that its space has a radius of {radius_m} m, and no world can have that. Its file was left as it is."
+    )]
+    ImpossibleRadius {
+        /// The world's name.
+        name: String,
+        /// What the save says.
+        radius_m: f64,
     },
 }
 
@@ -187,7 +198,12 @@ impl Scene {
         };
         match saved {
             Some(state) => scene.restore(&state),
-            None => scene.look_at_ground(&field),
+            None => {
+                // Of a world whose state is damaged that much is known.
+                scene.simulated_s = finite_or(meta.played_s, 0.0).max(0.0);
+                scene.saved_at_s = scene.simulated_s;
+                scene.look_at_ground(&field);
+            }
         }
         scene.changed = false;
         scene.request_ground();
@@ -486,7 +502,14 @@ impl Scene {
 /// The state a store holds, and what is damaged in it. A damaged player must not lock a whole world.
 fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<Notice>), StorageError> {
     let state = match store.state() {
-        Err(StorageError::Damaged { .. }) => None,
+        Err(StorageError::Damaged { .. }) => {
+            // The next autosave writes over it.
+            match store.keep_copy() {
+                Ok(kept) => tracing::warn!("the damaged world is kept as {}", kept.display()),
+                Err(error) => tracing::error!("the damaged world could not be kept: {error}"),
+            }
+            None
+        }
         other => other?,
     };
     let problems = store.problems();

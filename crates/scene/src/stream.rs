@@ -55,8 +55,9 @@ impl Scene {
         let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
         let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
         let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
-        let things = bullets.chain(cars);
-        reaches.extend(reach::of_others(things, OTHERS_MARGIN_M));
+        // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
+        reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
+        reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
         let bots = self.bots();
         let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
         reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
@@ -208,13 +209,13 @@ impl Scene {
     }
 
     fn apply(&mut self, updates: Vec<Update>) {
-        let mut edited = false;
+        let mut edited = Vec::new();
         for update in updates {
             match update {
                 Update::Loaded(chunk) => self.put(chunk),
                 Update::Edited(chunks) => {
-                    edited = true;
                     for chunk in chunks {
+                        edited.push(chunk.coord);
                         self.put(chunk);
                     }
                 }
@@ -243,11 +244,14 @@ impl Scene {
                 Update::Problem(sentence) => self.notices.push(Notice::Land(sentence)),
             }
         }
-        if edited {
+        if !edited.is_empty() {
             self.lamps_unchecked = true;
             self.drops_unchecked = true;
-            self.wake_cars();
-            self.npcs.events.push(Event::Ground);
+            self.wake_cars(&edited);
+            let places = edited
+                .iter()
+                .map(|coord| ChartPoint::new(coord.hemisphere, coord.centre()));
+            self.npcs.events.extend(places.map(Event::Ground));
             self.lift_player_out();
         }
     }

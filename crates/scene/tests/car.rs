@@ -552,6 +552,15 @@ fn a_second_car_can_be_put_in_and_both_are_solid() {
     let cars = scene.cars();
     assert_eq!(cars.len(), 2);
     assert!(cars[1].wheels.iter().filter(|it| it.contact).count() >= 3);
+    // Both come to rest though one stood still before the other: who rests does not wake its neighbour.
+    let beside = first.point.moved(way * 4.5 + DVec3::Y);
+    assert!(scene.spawn_car(beside, 0.0));
+    steps(&mut scene, 600, &still());
+    assert!(
+        scene.cars().iter().all(|car| car.rests),
+        "{:?}",
+        scene.cars()
+    );
     // Who walks against a car stands in front of it.
     stand_beside(&mut scene, 3.0);
     steps(&mut scene, 120, &ahead());

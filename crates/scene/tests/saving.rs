@@ -174,8 +174,12 @@ fn a_damaged_player_costs_the_player_and_not_the_world() {
     let edited = scene.probe().chunks.edited;
     scene.close().unwrap();
     damage_state(&kept.here());
+    let damaged = fs::metadata(kept.here().join(WORLD_FILE)).unwrap().len();
     let mut again = kept.open();
     assert_eq!(again.probe().chunks.edited, edited);
+    let copy = kept.here().join(format!("{WORLD_FILE}.damaged-1"));
+    assert_eq!(fs::metadata(copy).unwrap().len(), damaged, "for a repair");
+    assert!(again.simulated_s() > 0.9, "what was played is known yet");
     let home_m = (again.feet().pos - start.pos).length();
     assert!(home_m < 12.0, "a fresh player, {home_m} m from the start");
     let notices = again.take_notices();
@@ -248,4 +252,23 @@ fn a_player_saved_in_rock_stands_on_it_after_loading() {
     assert!(again.feet().pos.y > deep.pos.y + 10.0);
     steps(&mut again, 60, &Actions::default());
     assert!(again.probe().player.grounded);
+}
+
+#[test]
+fn a_world_that_says_it_has_an_impossible_radius_is_refused_in_words() {
+    for (geometry, radius_m) in [
+        ("spherical", 1e9),
+        ("spherical", f64::NAN),
+        ("hyperbolic", 0.0),
+    ] {
+        let meta = antipode_storage::WorldMeta {
+            name: "Odd".into(),
+            geometry: geometry.into(),
+            radius_m,
+            ..antipode_storage::WorldMeta::default()
+        };
+        let refused = antipode_scene::WorldSetup::from_meta(&meta, 3).unwrap_err();
+        let words = refused.to_string();
+        assert!(words.contains("radius") && words.contains("Odd"), "{words}");
+    }
 }

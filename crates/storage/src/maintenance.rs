@@ -203,7 +203,7 @@ fn set_aside(path: &Path) -> Result<PathBuf, StorageError> {
 }
 
 /// The first name like `path` with `.damaged-N` that nothing has.
-fn free_beside(path: &Path) -> PathBuf {
+pub(crate) fn free_beside(path: &Path) -> PathBuf {
     let mut number = 1;
     loop {
         let mut name = path.as_os_str().to_owned();

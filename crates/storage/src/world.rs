@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
+use crate::maintenance::free_beside;
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
@@ -148,6 +149,18 @@ impl WorldStore {
             .map(|bytes| schema::read(&bytes, STATE_KEY.as_bytes()))
             .transpose()
             .map_err(|fault| fault_in(&name, "the player's state", fault))
+    }
+
+    /// Copies the file as it is now to a free name beside it, before something in it that cannot be read is written
+    /// over: a repair may still find an older whole one there. Returns where.
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn keep_copy(&self) -> Result<PathBuf, StorageError> {
+        let file = self.dir.join(WORLD_FILE);
+        let kept = free_beside(&file);
+        StorageError::at("Keeping", &kept, fs::copy(&file, &kept))?;
+        Ok(kept)
     }
 
     /// The edits of a chunk; `None` if it was never edited.

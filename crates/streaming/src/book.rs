@@ -91,9 +91,10 @@ impl Book {
 
     /// The edits that the padded block of a chunk needs; reads the store where it must.
     pub(crate) fn snapshot(&self, coord: ChunkCoord, problems: &mut Vec<String>) -> Snapshot {
-        self.fetch(around(coord, -1, 1), problems);
-        let pages = self.read();
-        let near = around(coord, -1, 1)
+        let near: Vec<_> = around(coord, -1, 1).collect();
+        let pages = self.read_with(&near, problems);
+        let near = near
+            .into_iter()
             .filter_map(|near| Some((near, self.turn_to(&pages, near)?)))
             .collect();
         Snapshot {
@@ -109,8 +110,7 @@ impl Book {
         coord: ChunkCoord,
         problems: &mut Vec<String>,
     ) -> Option<ChunkEdits> {
-        self.fetch(std::iter::once(coord), problems);
-        let pages = self.read();
+        let pages = self.read_with(&[coord], problems);
         let known = self
             .turn_to(&pages, coord)
             .map(|edits| ChunkEdits::clone(&edits));
@@ -208,15 +208,39 @@ impl Book {
         self.clock.fetch_add(1, Ordering::Relaxed)
     }
 
-    /// Reads those of the chunks that are stored and not read yet. One that cannot be had is told
+    /// The pages with those of the chunks among them that can be had. Between reading the store and taking the lock the
+    /// saver may have let go of one again; then it is read once more.
+    fn read_with(
+        &self,
+        coords: &[ChunkCoord],
+        problems: &mut Vec<String>,
+    ) -> RwLockReadGuard<'_, Pages> {
+        loop {
+            let unreadable = self.fetch(coords.iter().copied(), problems);
+            let pages = self.read();
+            let is_lost = |coord: &_| pages.on_disk.contains(coord) && !unreadable.contains(coord);
+            if self.vault().is_none() || !coords.iter().any(is_lost) {
+                return pages;
+            }
+        }
+    }
+
+    /// Reads those of the chunks that are stored and not read yet, and returns those that could not be reached. One that cannot be had is told
     /// once and the generated chunk used instead. A damaged record is left on disk until the player
     /// edits there; one that could not be reached is tried again whenever it is needed.
-    fn fetch(&self, coords: impl Iterator<Item = ChunkCoord>, problems: &mut Vec<String>) {
-        let Some(vault) = self.vault() else { return };
+    fn fetch(
+        &self,
+        coords: impl Iterator<Item = ChunkCoord>,
+        problems: &mut Vec<String>,
+    ) -> Vec<ChunkCoord> {
+        let mut unreadable = Vec::new();
+        let Some(vault) = self.vault() else {
+            return unreadable;
+        };
         let missing: Vec<_> = {
             let pages = self.read();
             if pages.on_disk.is_empty() {
-                return;
+                return unreadable;
             }
             coords
                 .filter(|coord| pages.on_disk.contains(coord))
@@ -236,6 +260,7 @@ impl Book {
                 Ok(None) => {}
                 Err(ReadFault::Damaged(why)) => problems.push(not_shown(coord, &*why)),
                 Err(ReadFault::Unreadable(why)) => {
+                    unreadable.push(coord);
                     pages.on_disk.insert(coord);
                     if pages.complained.insert(coord) {
                         problems.push(not_shown(coord, &*why));
@@ -243,6 +268,7 @@ impl Book {
                 }
             }
         }
+        unreadable
     }
 
     // A worker that panics here leaves no half-made page behind: every change is one insertion.
@@ -274,7 +300,8 @@ fn not_shown(coord: ChunkCoord, why: &(dyn Error + Send + Sync)) -> String {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use std::sync::Mutex;
+    use std::sync::atomic::AtomicBool;
+    use std::sync::{Mutex, OnceLock};
 
     use antipode_geometry::Hemisphere;
     use antipode_storage::{Batch, ChunkKey};
@@ -367,5 +394,57 @@ mod tests {
             (book.held(), bare.held()),
             (MOST_SAVED + 40, MOST_SAVED + 40)
         );
+    }
+
+    /// A disk on which something else happens while it is first read.
+    struct Busy {
+        disk: Arc<Disk>,
+        meanwhile: OnceLock<Box<dyn Fn() + Send + Sync>>,
+        read: AtomicBool,
+    }
+
+    impl Vault for Busy {
+        fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+            Ok(Vec::new())
+        }
+
+        fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+            if let Some(meanwhile) = self.meanwhile.get()
+                && !self.read.swap(true, Ordering::Relaxed)
+            {
+                meanwhile();
+            }
+            self.disk.chunk(key)
+        }
+
+        fn commit(&self, _: &Batch) -> Result<(), Failure> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn what_leaves_the_memory_while_its_neighbour_is_read_is_read_too() {
+        let disk = Arc::new(Disk::default());
+        let busy = Arc::new(Busy {
+            disk: Arc::clone(&disk),
+            meanwhile: OnceLock::new(),
+            read: AtomicBool::new(false),
+        });
+        let vault = Arc::clone(&busy) as Arc<dyn Vault>;
+        let book = Arc::new(Book::new(Some(vault), HashSet::new()));
+        // The first has left the memory, and the second is the next to go.
+        for x in 0..=MOST_SAVED as i32 {
+            enter(&book, x);
+            save(&book, &disk);
+        }
+        let other = Arc::clone(&book);
+        let saver = move || {
+            enter(&other, 1000);
+            save(&other, &disk);
+        };
+        assert!(busy.meanwhile.set(Box::new(saver)).is_ok());
+        let near = book.snapshot(chunk(0), &mut Vec::new()).near;
+        assert!(busy.read.load(Ordering::Relaxed), "the disk was read");
+        assert_eq!(near.len(), 2, "both have changes");
     }
 }

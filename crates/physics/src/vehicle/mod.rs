@@ -271,7 +271,8 @@ impl Vehicles {
         let moving: Vec<DVec3> = self
             .all
             .iter()
-            .filter(|it| it.is_moving())
+            // Who stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
+            .filter(|it| it.is_moving() && it.rests_s <= 0.0)
             .map(|it| it.motion.place)
             .collect();
         for sleeper in self.all.iter_mut().filter(|it| it.is_asleep()) {
@@ -297,6 +298,7 @@ impl Vehicles {
                 (Some((body, _)), None) => {
                     self.arena.take_out(*body);
                     vehicle.body = None;
+                    vehicle.settle();
                 }
                 _ => {}
             }
@@ -323,6 +325,7 @@ impl Vehicles {
                     ..vehicle.motion
                 },
             );
+            vehicle.settle();
             return;
         };
         let expected = vehicle.rolled - DVec3::Y * (tuning.gravity_m_s2 * dt_s);
@@ -360,6 +363,12 @@ impl Vehicles {
 }
 
 impl Vehicle {
+    /// Nothing happens to it in a step in which it is held: the jolt of the step before is not felt again.
+    fn settle(&mut self) {
+        self.jolt_m_s = 0.0;
+        self.rolled = self.motion.velocity;
+    }
+
     fn is_moving(&self) -> bool {
         self.body.is_some() && !self.is_asleep()
     }

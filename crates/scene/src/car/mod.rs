@@ -9,12 +9,13 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
 use antipode_physics::{VehicleMotion, VehicleWheel, Vehicles};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
+use crate::ground::chunks_near;
 use crate::scene::Scene;
 use crate::spawn::FIRST_YAW_RAD;
 use camera::Chase;
@@ -22,6 +23,11 @@ use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
 
 /// Directions in which a place for a new world's car is looked for.
 const FIRST_CAR_TURNS: u32 = 12;
+/// A saved car that is faster was not saved by the game: the ground that it would reach is not to be asked for.
+const FASTEST_RESTORED_M_S: f64 = 100.0;
+const FASTEST_RESTORED_RAD_S: f64 = 50.0;
+/// Ground within this of a car may be what it stands on, in metres.
+const STANDS_ON_M: f64 = 4.0;
 /// Half of the rectangle that it stands on, in metres.
 const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 
@@ -258,8 +264,8 @@ impl Scene {
             let motion = VehicleMotion {
                 place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
                 turn: unit(turn),
-                velocity,
-                spin,
+                velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
+                spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
             };
             self.add_car(point.hemisphere, motion, record.lights, false);
             let number = self.cars.states.len() - 1;
@@ -272,10 +278,13 @@ impl Scene {
         }
     }
 
-    /// Ground may have changed: what rests on it is to fall.
-    pub(crate) fn wake_cars(&mut self) {
-        for number in 0..self.cars.states.len() {
-            self.cars.vehicles.wake(number);
+    /// Ground has changed in these chunks: what rests on it is to fall.
+    pub(crate) fn wake_cars(&mut self, changed: &[ChunkCoord]) {
+        for (number, car) in self.cars().into_iter().enumerate() {
+            let under = chunks_near(&*self.strategy, car.point, STANDS_ON_M);
+            if under.iter().any(|coord| changed.contains(coord)) {
+                self.cars.vehicles.wake(number);
+            }
         }
     }
 }

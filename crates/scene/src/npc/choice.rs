@@ -55,7 +55,7 @@ impl Npc {
                         self.mind.fear = Some((at, SCARED_S));
                     }
                 }
-                Event::Shot(_) | Event::Ground => {}
+                Event::Shot(_) | Event::Ground(_) => {}
             }
         }
     }

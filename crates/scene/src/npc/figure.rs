@@ -24,6 +24,8 @@ const NEEDED_AROUND_M: f64 = 2.0;
 const STEP_THERE_M: f64 = 0.4;
 /// Plans are made anew after so long, in seconds: those that reached their goal, and those that did not.
 const PLANS_EVERY_S: (f64, f64) = (1.0, 2.0);
+/// A chunk whose middle is within this of one may have what a plan asks about: half a chunk's diagonal more, in metres.
+const CHANGED_M: f64 = ASKS_M + 28.0;
 /// Who has not got on by this, in metres, within this time, in seconds, is stuck.
 const GETS_ON_M: f64 = 0.35;
 const STUCK_AFTER_S: f64 = 1.2;
@@ -87,8 +89,14 @@ impl Npc {
         let changed = around
             .events
             .iter()
-            .any(|event| matches!(event, Event::Ground));
-        if self.mind.planned_s < stale_s && !changed || !self.body.0.grounded {
+            .any(|event| matches!(*event, Event::Ground(at) if around.apart_m(self.point, at) < CHANGED_M));
+        // While somebody digs the ground changes many times a second.
+        let stale_s = if changed {
+            PLANS_EVERY_S.0.min(0.25)
+        } else {
+            stale_s
+        };
+        if self.mind.planned_s < stale_s || !self.body.0.grounded {
             return;
         }
         // What a plan asks about must be there; else it would depend on how quickly it comes.

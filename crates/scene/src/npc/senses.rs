@@ -33,8 +33,8 @@ pub(crate) enum Event {
     },
     /// Something frightening is there, as far as it frightens, in metres.
     Scare(ChartPoint, f64),
-    /// The ground was changed.
-    Ground,
+    /// The ground of the chunk about there was changed.
+    Ground(ChartPoint),
 }
 
 /// The player as others may find it.
