@@ -196,14 +196,13 @@ impl Scene {
             cheated: meta.cheated,
             ..Self::fresh(setup, &field, strategy, streamer)
         };
-        match saved {
-            Some(state) => scene.restore(&state),
-            None => {
-                // Of a world whose state is damaged that much is known.
-                scene.simulated_s = finite_or(meta.played_s, 0.0).max(0.0);
-                scene.saved_at_s = scene.simulated_s;
-                scene.look_at_ground(&field);
-            }
+        if let Some(state) = saved {
+            scene.restore(&state);
+        } else {
+            // Of a world whose state is damaged that much is known.
+            scene.simulated_s = finite_or(meta.played_s, 0.0).max(0.0);
+            scene.saved_at_s = scene.simulated_s;
+            scene.look_at_ground(&field);
         }
         scene.changed = false;
         scene.request_ground();

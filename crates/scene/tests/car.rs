@@ -368,7 +368,7 @@ fn over_the_equator_wheels_let_go_no_more_often_than_elsewhere() {
     let (mut over, mut over_lost, mut other, mut other_lost) = (0, 0, 0, 0);
     for seed in 3..13 {
         for turn in 0..16 {
-            let azimuth = 0.1 + 0.392_7 * f64::from(turn);
+            let azimuth = 0.1 + std::f64::consts::FRAC_PI_8 * f64::from(turn);
             let aside = if turn % 2 == 0 { 0.0 } else { 0.6 };
             let mut scene = bound_for_the_equator(seed, azimuth, aside);
             if !scene.is_driving() {
