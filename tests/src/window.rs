@@ -26,6 +26,8 @@ const PATIENCE: Duration = Duration::from_mins(2);
 const GONE_WITHIN: Duration = Duration::from_secs(10);
 /// What has not changed for so long stands still; a text's cursor blinks every half second.
 const STILL: Duration = Duration::from_millis(300);
+/// Longer than a frame takes on a slow and busy machine.
+const SLOW_FRAME: Duration = Duration::from_millis(900);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
@@ -207,7 +209,10 @@ impl Window {
         self.xdotool(&["mousedown", button]);
         sleep(GLANCE);
         if from != to {
+            // What comes within one frame of a slow machine is a click and no drag.
+            sleep(SLOW_FRAME);
             self.move_to(to);
+            sleep(SLOW_FRAME);
         }
         self.xdotool(&["mouseup", button]);
         sleep(GLANCE);
