@@ -1,4 +1,4 @@
-//! The game in a real window under a virtual display, driven by real clicks and keys.
+//! The game in a real window under a virtual display: how it is opened, asked and ended.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -7,14 +7,15 @@
     reason = "a helper of tests fails by panicking"
 )]
 
+mod eyes;
+mod hands;
+
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-
-use image::RgbImage;
 
 use crate::processes::{arguments, started_with};
 use crate::program::game;
@@ -24,10 +25,6 @@ use crate::screen::Screen;
 const PATIENCE: Duration = Duration::from_mins(2);
 /// A program whose window is gone has ended within this.
 const GONE_WITHIN: Duration = Duration::from_secs(10);
-/// What has not changed for so long stands still; a text's cursor blinks every half second.
-const STILL: Duration = Duration::from_millis(300);
-/// Longer than a frame takes on a slow and busy machine.
-const SLOW_FRAME: Duration = Duration::from_millis(900);
 /// Pause between looks at the screen.
 const GLANCE: Duration = Duration::from_millis(150);
 
@@ -46,23 +43,6 @@ pub struct Window {
     /// What it writes to standard error.
     words: PathBuf,
     _keyboard: MutexGuard<'static, ()>,
-}
-
-/// A key or button that is down until this is dropped. A test that fails lets go of it, too: a display keeps what is
-/// down for the next program.
-#[derive(Debug)]
-struct Held {
-    display: String,
-    up: [String; 2],
-}
-
-impl Drop for Held {
-    fn drop(&mut self) {
-        let _ = Command::new("xdotool")
-            .args(&self.up)
-            .env("DISPLAY", &self.display)
-            .status();
-    }
 }
 
 /// Settings under which pictures can be compared: a still menu, English, no hints; `more` is put behind them.
@@ -189,95 +169,6 @@ impl Window {
         }
     }
 
-    /// Clicks a button at a place of the window, in pixels.
-    pub fn click(&self, x: u32, y: u32) {
-        self.drag((x, y), (x, y));
-    }
-
-    /// Clicks with the right button at a place of the window, in pixels.
-    pub fn click_right(&self, x: u32, y: u32) {
-        self.press_between("3", (x, y), (x, y));
-    }
-
-    /// Presses the left button at a place of the window and lets go of it at another, in pixels.
-    pub fn drag(&self, from: (u32, u32), to: (u32, u32)) {
-        self.press_between("1", from, to);
-    }
-
-    fn press_between(&self, button: &str, from: (u32, u32), to: (u32, u32)) {
-        self.move_to(from);
-        self.xdotool(&["mousedown", button]);
-        sleep(GLANCE);
-        if from != to {
-            // What comes within one frame of a slow machine is a click and no drag.
-            sleep(SLOW_FRAME);
-            self.move_to(to);
-            sleep(SLOW_FRAME);
-        }
-        self.xdotool(&["mouseup", button]);
-        sleep(GLANCE);
-    }
-
-    fn move_to(&self, (x, y): (u32, u32)) {
-        let (x, y) = (x.to_string(), y.to_string());
-        self.xdotool(&["mousemove", "--window", &self.id, &x, &y]);
-        sleep(GLANCE);
-    }
-
-    /// Types a text.
-    pub fn write(&self, text: &str) {
-        self.xdotool(&["type", "--delay", "60", text]);
-        sleep(GLANCE);
-    }
-
-    /// Presses and lets go of a key, by its X name.
-    pub fn key(&self, name: &str) {
-        self.xdotool(&["keydown", name]);
-        sleep(GLANCE);
-        self.xdotool(&["keyup", name]);
-        sleep(GLANCE);
-    }
-
-    /// Presses a key in a menu and waits until that has changed the picture and it stands still again.
-    ///
-    /// # Panics
-    /// When nothing changes.
-    pub fn step(&mut self, name: &str) -> RgbImage {
-        let before = self.look();
-        self.key(name);
-        let what = format!("what {name} changes");
-        self.wait_until(&what, |picture| *picture != before);
-        self.stillness()
-    }
-
-    /// Presses keys in a menu, one after another.
-    ///
-    /// # Panics
-    /// When one of them changes nothing.
-    pub fn steps(&mut self, names: &[&str]) {
-        for name in names {
-            self.step(name);
-        }
-    }
-
-    /// Looks until the picture stands still.
-    ///
-    /// # Panics
-    /// When it does not.
-    pub fn stillness(&mut self) -> RgbImage {
-        let began = Instant::now();
-        let (mut last, mut since) = (self.look(), Instant::now());
-        while since.elapsed() < STILL {
-            sleep(GLANCE);
-            let next = self.look();
-            if next != last {
-                (last, since) = (next, Instant::now());
-            }
-            self.give_up_after(began, "the picture never stood still");
-        }
-        last
-    }
-
     /// Asks for another size, in pixels.
     pub fn resize(&self, width: u32, height: u32) {
         let (width, height) = (width.to_string(), height.to_string());
@@ -318,95 +209,6 @@ impl Window {
                 ended.expect("the program can be asked").is_none()
             }
             None => arguments(self.process).is_some(),
-        }
-    }
-
-    /// Presses a key or button and keeps it down.
-    fn hold(&self, what: &str, name: &str) -> Held {
-        self.xdotool(&[&format!("{what}down"), name]);
-        Held {
-            display: self.display.clone(),
-            up: [format!("{what}up"), name.to_owned()],
-        }
-    }
-
-    /// Holds a key until the picture is as wanted: a slow machine plays slowly, so no time would do for all.
-    ///
-    /// # Panics
-    /// When the picture does not become so.
-    pub fn hold_key_until(
-        &mut self,
-        name: &str,
-        what: &str,
-        wanted: impl Fn(&RgbImage) -> bool,
-    ) -> RgbImage {
-        let _held = self.hold("key", name);
-        self.wait_until(what, wanted)
-    }
-
-    /// Holds a key until the program has written these words to standard error.
-    ///
-    /// # Panics
-    /// When it does not.
-    pub fn hold_key_for(&mut self, name: &str, words: &str) {
-        let _held = self.hold("key", name);
-        self.wait_for(words);
-    }
-
-    /// Holds the left button until the picture is as wanted.
-    ///
-    /// # Panics
-    /// When the picture does not become so.
-    pub fn hold_left_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
-        let _held = self.hold("mouse", "1");
-        self.wait_until(what, wanted)
-    }
-
-    /// Holds the left button until the program has written these words to standard error.
-    ///
-    /// # Panics
-    /// When it does not.
-    pub fn hold_left_for(&mut self, words: &str) {
-        let _held = self.hold("mouse", "1");
-        self.wait_for(words);
-    }
-
-    /// Moves the mouse by pixels.
-    pub fn turn(&self, dx: i32, dy: i32) {
-        self.xdotool(&["mousemove_relative", "--", &dx.to_string(), &dy.to_string()]);
-        sleep(GLANCE);
-    }
-
-    /// What the window shows.
-    ///
-    /// # Panics
-    /// When no picture can be taken.
-    pub fn look(&self) -> RgbImage {
-        let window = self.id.parse().expect("xdotool tells numbers");
-        let began = Instant::now();
-        loop {
-            match self.screen.picture(window) {
-                Ok(picture) => return picture,
-                // A window that is just being made larger has no such pixels yet.
-                Err(_) if began.elapsed() < GONE_WITHIN => sleep(GLANCE),
-                Err(error) => panic!("no picture of the window: {error}"),
-            }
-        }
-    }
-
-    /// Looks until the picture is as wanted.
-    ///
-    /// # Panics
-    /// When it does not become so.
-    pub fn wait_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
-        let began = Instant::now();
-        loop {
-            let picture = self.look();
-            if wanted(&picture) {
-                return picture;
-            }
-            self.give_up_after(began, what);
-            sleep(GLANCE);
         }
     }
 
