@@ -56,7 +56,7 @@ archive-refused = { $path } kann nicht importiert werden: es ist keine exportier
 unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version nicht kennt. Eine neuere Version des Spiels kann sie vielleicht öffnen.
 impossible-radius = Die Welt „{ $world }“ gibt an, ihr Raum habe einen Radius von { $radius } m; den kann keine Welt haben. Ihre Datei blieb, wie sie ist.
 player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
-unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er wurde weggelassen.
+unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er ist nicht zu sehen, bleibt aber im Spielstand.
 unknown-map = Der Spielstand nennt eine Karte, die diese Version nicht kennt („{ $map }“); eine andere wird gezeigt.
 more-damaged = { $count ->
     [one] Eine weitere Stelle dieser Welt ist beschädigt; „antipode saves verify“ nennt sie.

@@ -60,7 +60,7 @@ archive-refused = { $path } cannot be imported: it is no exported world, or it i
 unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
 impossible-radius = The world “{ $world }” says that its space has a radius of { $radius } m, and no world can have that. Its file was left as it is.
 player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
-unknown-item = The save holds an item this version does not know (“{ $item }”); it was left out.
+unknown-item = The save holds an item this version does not know (“{ $item }”); it is not shown, but stays in the save.
 unknown-map = The save names a map this version does not know (“{ $map }”); another is shown.
 more-damaged = { $count ->
     [one] One more place in this world is damaged; “antipode saves verify” lists it.

@@ -59,7 +59,7 @@ archive-refused = Nie można zaimportować { $path }: to nie jest wyeksportowany
 unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja nie zna. Nowsza wersja gry może go otworzyć.
 impossible-radius = Świat „{ $world }” podaje, że jego przestrzeń ma promień { $radius } m, a tego nie może mieć żaden świat. Jego plik pozostał nietknięty.
 player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
-unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); pominięto go.
+unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); nie widać go, ale w zapisie pozostaje.
 unknown-map = Zapis wymienia mapę, której ta wersja nie zna („{ $map }”); pokazana jest inna.
 more-damaged = { $count ->
     [one] Uszkodzone jest jeszcze jedno miejsce w tym świecie; „antipode saves verify” je poda.

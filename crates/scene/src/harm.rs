@@ -208,7 +208,7 @@ mod tests {
     use antipode_geometry::Geometry;
 
     use super::*;
-    use crate::scene::WorldSetup;
+    use crate::setup::WorldSetup;
 
     fn scene(geometry: Geometry) -> Scene {
         let setup = WorldSetup {

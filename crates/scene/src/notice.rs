@@ -14,7 +14,9 @@ pub enum Notice {
     #[error("The save's player was damaged; you begin at the start again. Your land is as it was.")]
     PlayerDamaged,
     /// The save holds an item that this version does not know.
-    #[error("The save holds an item this version does not know (\"{0}\"); it was left out.")]
+    #[error(
+        "The save holds an item this version does not know (\"{0}\"); it is not shown, but stays in the save."
+    )]
     UnknownItem(String),
     /// The save names a map that this version does not know.
     #[error("The save names a map this version does not know (\"{0}\"); another is shown.")]

@@ -1,14 +1,9 @@
 //! Between the scene and its save: everything the player could change goes out and comes back.
 
-use std::time::{SystemTime, UNIX_EPOCH};
-
-use antipode_geometry::{
-    ChartPoint, ChunkCoord, Geometry, Hemisphere, HyperbolicMap, SPHERE_RADIUS_RANGE_M,
-};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
 use antipode_storage::{
     BotRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
-use antipode_terrain::Biome;
 use glam::DVec3;
 
 use crate::camera::CameraMode;
@@ -21,65 +16,20 @@ use crate::lens::DialGoals;
 use crate::notice::Notice;
 use crate::npc::tuning::ANGRY_S;
 use crate::player::{Health, Look};
-use crate::scene::{Scene, SceneError, WorldSetup};
+use crate::scene::Scene;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_DROPS, MOST_LAMPS};
 
-/// Radii of hyperbolic worlds that a save may name, in metres: wider than any that the game makes.
-const HYPERBOLIC_RADIUS_RANGE_M: std::ops::RangeInclusive<f64> = 1.0..=4096.0;
 /// More figures than this a world of ours never has, scripts included; each looks at every other.
 const MOST_RESTORED_BOTS: usize = 512;
+/// Things in the save that this version does not know, as a newer one would: they go back as they came.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Unknown {
+    slots: Vec<SlotRecord>,
+    drops: Vec<DropRecord>,
+}
+
 /// Depth below the player's head searched for ground, in metres.
 pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
-
-impl WorldSetup {
-    /// The setup a save describes, with the given view distance where the save has none of its own.
-    ///
-    /// # Errors
-    /// When the save names a geometry this version does not know, or a radius that no world can have.
-    pub fn from_meta(meta: &WorldMeta, view_distance: u32) -> Result<Self, SceneError> {
-        let geometry = meta
-            .geometry
-            .parse()
-            .map_err(|_| SceneError::UnknownGeometry {
-                name: meta.name.clone(),
-                geometry: meta.geometry.clone(),
-            })?;
-        let possible = match geometry {
-            Geometry::Euclidean => true,
-            Geometry::Hyperbolic => HYPERBOLIC_RADIUS_RANGE_M.contains(&meta.radius_m),
-            Geometry::Spherical => SPHERE_RADIUS_RANGE_M.contains(&meta.radius_m),
-        };
-        if !possible {
-            return Err(SceneError::ImpossibleRadius {
-                name: meta.name.clone(),
-                radius_m: meta.radius_m,
-            });
-        }
-        Ok(Self {
-            name: meta.name.clone(),
-            seed: meta.seed,
-            geometry,
-            radius_m: meta.radius_m,
-            view_distance,
-        })
-    }
-
-    /// The record of a world made now.
-    pub fn to_meta(&self) -> WorldMeta {
-        let now = unix_now_s();
-        WorldMeta {
-            name: self.name.clone(),
-            seed: self.seed,
-            geometry: self.geometry.to_string(),
-            radius_m: self.radius_m,
-            biome: Biome::from_seed(self.seed).name().to_owned(),
-            created_unix_s: now,
-            last_played_unix_s: now,
-            played_s: 0.0,
-            cheated: false,
-        }
-    }
-}
 
 impl Scene {
     /// The records to commit.
@@ -103,6 +53,7 @@ impl Scene {
                     count: s.count,
                 })
             })
+            .chain(self.unknown.slots.iter().cloned())
             .collect();
         WorldState {
             player: PlayerRecord {
@@ -134,6 +85,7 @@ impl Scene {
                 .iter()
                 .map(drop_record)
                 .chain(self.carried_record())
+                .chain(self.unknown.drops.iter().cloned())
                 .collect(),
             bots: self.bot_records(),
             cars: self.car_records(),
@@ -169,6 +121,7 @@ impl Scene {
     /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
     pub(crate) fn restore(&mut self, state: &WorldState) {
         self.restore_player(&state.player);
+        self.unknown = Unknown::default();
         self.inventory = Inventory::empty();
         for record in &state.inventory {
             match Item::from_id(&record.item) {
@@ -179,7 +132,10 @@ impl Scene {
                         count: record.count.max(1),
                     },
                 ),
-                None => self.notices.push(Notice::UnknownItem(record.item.clone())),
+                None => {
+                    self.notices.push(Notice::UnknownItem(record.item.clone()));
+                    self.unknown.slots.push(record.clone());
+                }
             }
         }
         self.inventory.select(state.item_slot);
@@ -221,7 +177,7 @@ impl Scene {
                     let count = record.count.max(1);
                     drops.push(Drop::lying(Stack { item, count }, at));
                 }
-                (None, _) => unknown.push(Notice::UnknownItem(record.item.clone())),
+                (None, _) => unknown.push(record.clone()),
                 (Some(_), None) => {}
             }
         }
@@ -234,7 +190,9 @@ impl Scene {
             .collect();
         self.lamps = lamps;
         self.drops = drops;
-        self.notices.extend(unknown);
+        let told = unknown.iter().map(|it| it.item.clone());
+        self.notices.extend(told.map(Notice::UnknownItem));
+        self.unknown.drops = unknown;
         for (record, at) in bots {
             let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
             let id = self.restore_bot(at, record.yaw, record.hostile, health);
@@ -342,10 +300,4 @@ fn drop_record(drop: &Drop) -> DropRecord {
 
 pub(crate) fn finite_or(value: f64, otherwise: f64) -> f64 {
     if value.is_finite() { value } else { otherwise }
-}
-
-fn unix_now_s() -> u64 {
-    SystemTime::now()
-        .duration_since(UNIX_EPOCH)
-        .map_or(0, |since| since.as_secs())
 }

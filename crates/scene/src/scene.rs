@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
+use antipode_geometry::{ChartPoint, Eye, Projection, Strategy, strategy};
 use antipode_physics::{CharacterTuning, PhysicsWorld};
 use antipode_storage::{StorageError, WorldState, WorldStore};
-use antipode_streaming::{Config, Streamer, StreamingError};
+use antipode_streaming::{Config, Streamer};
 use antipode_terrain::{Biome, Field};
 use glam::DVec3;
 use hecs::Entity;
-use thiserror::Error;
 
 use crate::camera::{self, CameraMode};
 use crate::car::Cars;
@@ -26,9 +25,10 @@ use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::npc::Npcs;
-use crate::persist::finite_or;
+use crate::persist::{Unknown, finite_or};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
+use crate::setup::{SceneError, WorldSetup};
 use crate::sound::Sounds;
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
 use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, PICTURE_HEIGHT_PX, VIEW_DISTANCE_CHUNKS};
@@ -36,63 +36,6 @@ use crate::viewing::Viewing;
 
 /// How many damaged places of a save are told one by one.
 const MOST_PROBLEMS_TOLD: usize = 3;
-
-/// Why a world could not be opened.
-#[derive(Debug, Error)]
-pub enum SceneError {
-    /// Its save could not be read.
-    #[error(transparent)]
-    Storage(#[from] StorageError),
-    /// Its chunk workers could not be started.
-    #[error(transparent)]
-    Streaming(#[from] StreamingError),
-    /// Its save names a geometry this program does not know.
-    #[error(
-        "The world \"{name}\" is in a space this version does not know (\"{geometry}\"). A newer version of the game may open it."
-    )]
-    UnknownGeometry {
-        /// The world's name.
-        name: String,
-        /// What the save says.
-        geometry: String,
-    },
-    /// Its save names a radius that no world can have.
-    #[error(
-        "The world \"{name}\" says that its space has a radius of {radius_m} m, and no world can have that. Its file was left as it is."
-    )]
-    ImpossibleRadius {
-        /// The world's name.
-        name: String,
-        /// What the save says.
-        radius_m: f64,
-    },
-}
-
-/// What makes a world the one it is.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WorldSetup {
-    /// Its name.
-    pub name: String,
-    /// Seed of its terrain.
-    pub seed: u64,
-    /// Its geometry.
-    pub geometry: Geometry,
-    /// Radius of curvature in metres; ignored where space is flat.
-    pub radius_m: f64,
-    /// How far chunks are loaded, in chunks.
-    pub view_distance: u32,
-}
-
-impl WorldSetup {
-    /// The same, with a view distance that can be had.
-    fn within_range(self) -> Self {
-        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
-        Self {
-            view_distance: self.view_distance.clamp(least, most),
-            ..self
-        }
-    }
-}
 
 /// One world being played.
 pub struct Scene {
@@ -157,6 +100,7 @@ pub struct Scene {
     pub(crate) npcs: Npcs,
     /// What could be heard since somebody last listened.
     pub(crate) sounds: Sounds,
+    pub(crate) unknown: Unknown,
 }
 
 impl std::fmt::Debug for Scene {
@@ -216,12 +160,7 @@ impl Scene {
         strategy: Arc<dyn Strategy>,
         streamer: Streamer,
     ) -> Self {
-        let mut ecs = hecs::World::new();
-        let look = Look {
-            yaw: FIRST_YAW_RAD,
-            pitch: 0.0,
-        };
-        let player = ecs.spawn(player::components(spawn_point(field), look));
+        let (ecs, player) = newcomer(field);
         Self {
             lens: Lens::new(setup.geometry, setup.radius_m),
             setup: setup.within_range(),
@@ -270,6 +209,7 @@ impl Scene {
             next_bot: 0,
             npcs: Npcs::default(),
             sounds: Sounds::default(),
+            unknown: Unknown::default(),
         }
     }
 
@@ -516,4 +456,15 @@ fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<Notice>), 
     let told = problems.into_iter().take(MOST_PROBLEMS_TOLD);
     let more = (more > 0).then_some(Notice::MoreDamaged(more));
     Ok((state, told.map(Notice::Damaged).chain(more).collect()))
+}
+
+/// A player who has just come.
+fn newcomer(field: &Field) -> (hecs::World, Entity) {
+    let mut ecs = hecs::World::new();
+    let look = Look {
+        yaw: FIRST_YAW_RAD,
+        pitch: 0.0,
+    };
+    let player = ecs.spawn(player::components(spawn_point(field), look));
+    (ecs, player)
 }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
-use antipode_storage::{Batch, WORLD_FILE, WorldState, WorldStore};
+use antipode_storage::{Batch, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore};
 use common::{LIMIT, setup, steps};
 use tempfile::TempDir;
 
@@ -271,4 +271,46 @@ fn a_world_that_says_it_has_an_impossible_radius_is_refused_in_words() {
         let words = refused.to_string();
         assert!(words.contains("radius") && words.contains("Odd"), "{words}");
     }
+}
+
+#[test]
+fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let mut state = store.state().unwrap().unwrap();
+    state.inventory.push(SlotRecord {
+        slot: 20,
+        item: "warp-core".to_owned(),
+        count: 3,
+    });
+    state.drops.push(DropRecord {
+        hemisphere: 0,
+        pos: [1.0, 2.0, 3.0],
+        item: "portal".to_owned(),
+        count: 2,
+    });
+    let batch = Batch {
+        state: Some(state.clone()),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    for _ in 0..2 {
+        let mut again = kept.open();
+        let notices = again.take_notices();
+        for item in ["warp-core", "portal"] {
+            let told = notices.iter().filter(|it| it.to_string().contains(item));
+            assert_eq!(told.count(), 1, "{notices:?}");
+        }
+        steps(&mut again, 2, &build());
+        again.close().unwrap();
+    }
+    let kept = WorldStore::open(&kept.here())
+        .unwrap()
+        .state()
+        .unwrap()
+        .unwrap();
+    assert_eq!(kept.inventory, state.inventory);
+    assert_eq!(kept.drops, state.drops);
 }

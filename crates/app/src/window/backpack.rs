@@ -94,6 +94,7 @@ impl Game {
 
 /// Moves what is carried as the player asked.
 fn follow(scene: &mut Scene, wish: BackpackWish) {
+    tracing::debug!("in the backpack: {wish:?}");
     let inventory = scene.inventory_mut();
     let thrown = match wish {
         BackpackWish::Click(slot) => {

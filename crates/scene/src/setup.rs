@@ -1,0 +1,125 @@
+//! What makes a world the one it is, and between that and what its save says of it.
+
+use std::time::{SystemTime, UNIX_EPOCH};
+
+use antipode_geometry::{Geometry, SPHERE_RADIUS_RANGE_M};
+use antipode_storage::{StorageError, WorldMeta};
+use antipode_streaming::StreamingError;
+use antipode_terrain::Biome;
+use thiserror::Error;
+
+use crate::tuning::VIEW_DISTANCE_CHUNKS;
+
+/// Radii of hyperbolic worlds that a save may name, in metres: wider than any that the game makes.
+const HYPERBOLIC_RADIUS_RANGE_M: std::ops::RangeInclusive<f64> = 1.0..=4096.0;
+
+/// Why a world could not be opened.
+#[derive(Debug, Error)]
+pub enum SceneError {
+    /// Its save could not be read.
+    #[error(transparent)]
+    Storage(#[from] StorageError),
+    /// Its chunk workers could not be started.
+    #[error(transparent)]
+    Streaming(#[from] StreamingError),
+    /// Its save names a geometry this program does not know.
+    #[error(
+        "The world \"{name}\" is in a space this version does not know (\"{geometry}\"). A newer version of the game may open it."
+    )]
+    UnknownGeometry {
+        /// The world's name.
+        name: String,
+        /// What the save says.
+        geometry: String,
+    },
+    /// Its save names a radius that no world can have.
+    #[error(
+        "The world \"{name}\" says that its space has a radius of {radius_m} m, and no world can have that. Its file was left as it is."
+    )]
+    ImpossibleRadius {
+        /// The world's name.
+        name: String,
+        /// What the save says.
+        radius_m: f64,
+    },
+}
+
+/// What makes a world the one it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WorldSetup {
+    /// Its name.
+    pub name: String,
+    /// Seed of its terrain.
+    pub seed: u64,
+    /// Its geometry.
+    pub geometry: Geometry,
+    /// Radius of curvature in metres; ignored where space is flat.
+    pub radius_m: f64,
+    /// How far chunks are loaded, in chunks.
+    pub view_distance: u32,
+}
+
+impl WorldSetup {
+    /// The same, with a view distance that can be had.
+    pub(crate) fn within_range(self) -> Self {
+        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
+        Self {
+            view_distance: self.view_distance.clamp(least, most),
+            ..self
+        }
+    }
+
+    /// The setup a save describes, with the given view distance where the save has none of its own.
+    ///
+    /// # Errors
+    /// When the save names a geometry this version does not know, or a radius that no world can have.
+    pub fn from_meta(meta: &WorldMeta, view_distance: u32) -> Result<Self, SceneError> {
+        let geometry = meta
+            .geometry
+            .parse()
+            .map_err(|_| SceneError::UnknownGeometry {
+                name: meta.name.clone(),
+                geometry: meta.geometry.clone(),
+            })?;
+        let possible = match geometry {
+            Geometry::Euclidean => true,
+            Geometry::Hyperbolic => HYPERBOLIC_RADIUS_RANGE_M.contains(&meta.radius_m),
+            Geometry::Spherical => SPHERE_RADIUS_RANGE_M.contains(&meta.radius_m),
+        };
+        if !possible {
+            return Err(SceneError::ImpossibleRadius {
+                name: meta.name.clone(),
+                radius_m: meta.radius_m,
+            });
+        }
+        Ok(Self {
+            name: meta.name.clone(),
+            seed: meta.seed,
+            geometry,
+            radius_m: meta.radius_m,
+            view_distance,
+        })
+    }
+
+    /// The record of a world made now.
+    pub fn to_meta(&self) -> WorldMeta {
+        let now = unix_now_s();
+        WorldMeta {
+            name: self.name.clone(),
+            seed: self.seed,
+            geometry: self.geometry.to_string(),
+            radius_m: self.radius_m,
+            biome: Biome::from_seed(self.seed).name().to_owned(),
+            created_unix_s: now,
+            last_played_unix_s: now,
+            played_s: 0.0,
+            cheated: false,
+        }
+    }
+}
+
+fn unix_now_s() -> u64 {
+    SystemTime::now()
+        .duration_since(UNIX_EPOCH)
+        .map_or(0, |since| since.as_secs())
+}
