@@ -100,6 +100,13 @@ enum Look {
     Lamp,
     /// Something with a skeleton.
     Bent,
+    /// A car's body.
+    Car {
+        /// Whether its head and tail lights are on.
+        lights: bool,
+        /// Whether its brake lights are on.
+        brakes: bool,
+    },
     /// Anything else.
     Thing,
 }
@@ -107,10 +114,12 @@ enum Look {
 impl Look {
     /// Share of the brightest glow that a material which shines with full strength has: small lights are to be seen
     /// as lights, and keep their colour.
-    fn glow(self) -> f32 {
-        match self {
-            Self::Lamp => 0.7,
-            Self::Bent | Self::Thing => 0.28,
+    fn glow(self, material: &str) -> f32 {
+        match (self, material) {
+            (Self::Lamp, _) => 0.7,
+            (Self::Car { brakes: true, .. }, "glow.tail") => 0.6,
+            (Self::Car { lights: false, .. }, _) => 0.0,
+            (Self::Bent | Self::Thing | Self::Car { .. }, _) => 0.28,
         }
     }
 }
@@ -143,9 +152,12 @@ pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
             ModelId::PickaxeDiamond => {
                 Ok(whole(&read(antipode_models::DIAMOND_PICKAXE)?, Look::Thing))
             }
-            ModelId::CarBody => part(&car, "body"),
-            ModelId::CarWheelLeft => part(&car, "wheel.FL"),
-            ModelId::CarWheelRight => part(&car, "wheel.FR"),
+            ModelId::CarBody => car_body(&car, false, false),
+            ModelId::CarBodyLit => car_body(&car, true, false),
+            ModelId::CarBodyBraking => car_body(&car, false, true),
+            ModelId::CarBodyLitBraking => car_body(&car, true, true),
+            ModelId::CarWheelLeft => part(&car, "wheel.FL", Look::Thing),
+            ModelId::CarWheelRight => part(&car, "wheel.FR", Look::Thing),
             ModelId::Flash => Ok(Loaded {
                 shape: flash::shape(),
                 rig: None,
@@ -173,14 +185,18 @@ fn whole(model: &Model, look: Look) -> Loaded {
     Loaded { shape, rig: None }
 }
 
+fn car_body(car: &Model, lights: bool, brakes: bool) -> Result<Loaded, RenderError> {
+    part(car, "body", Look::Car { lights, brakes })
+}
+
 /// What hangs from one node, about that node.
-fn part(model: &Model, name: &str) -> Result<Loaded, RenderError> {
+fn part(model: &Model, name: &str, look: Look) -> Result<Loaded, RenderError> {
     let missing = || RenderError::Model(format!("there is no part {name}"));
     let node = model.skeleton.find(name).ok_or_else(missing)?;
     let part = model.parts.iter().find(|part| part.node == node);
     let mut shape = Shape::default();
     let mesh = &model.meshes[part.ok_or_else(missing)?.mesh];
-    shape.add(mesh, &model.materials, Mat4::IDENTITY, Look::Thing);
+    shape.add(mesh, &model.materials, Mat4::IDENTITY, look);
     Ok(Loaded { shape, rig: None })
 }
 
@@ -222,7 +238,7 @@ fn model_vertex(
             snorm(normal.x),
             snorm(normal.y),
             snorm(normal.z),
-            snorm(look.glow() * material.emission.max_element().min(1.0)),
+            snorm(look.glow(&material.name) * material.emission.max_element().min(1.0)),
         ],
         colour: [
             unorm(srgb(colour.x)),
@@ -314,6 +330,28 @@ mod tests {
         let (low, high) = of(ModelId::CarBody).limits();
         assert!(high.x - low.x > 3.0 && high.z - low.z < 1.6, "{low} {high}");
         assert!(!of(ModelId::Lamp).clear.is_empty() && !of(ModelId::CarBody).clear.is_empty());
+    }
+
+    #[test]
+    fn the_lamps_of_a_car_glow_as_they_are_switched() {
+        let all = load_all().unwrap();
+        // Brightest glow of what is ahead of the middle, and of what is behind it.
+        let glow = |lights, brakes| {
+            let id = ModelId::car_body(lights, brakes);
+            let place = ModelId::ALL.iter().position(|it| *it == id).unwrap();
+            let most = |ahead: bool| {
+                let vertices = all[place].shape.vertices.iter();
+                let there = vertices.filter(|it| (it.position[0] > 0.0) == ahead);
+                there.map(|it| it.normal[3]).max().unwrap()
+            };
+            (most(true), most(false))
+        };
+        let (dark, lit) = (glow(false, false), glow(true, false));
+        assert_eq!(dark, (0, 0));
+        assert!(lit.0 > 0 && lit.1 > 0, "{lit:?}");
+        let braking = glow(false, true);
+        assert!(braking.0 == 0 && braking.1 > 3 * lit.1 / 2, "{braking:?}");
+        assert_eq!(glow(true, true), (lit.0, braking.1));
     }
 
     /// What the scene says of how things lie must fit the models: their lowest corner touches the ground.

@@ -161,8 +161,14 @@ pub enum ModelId {
     PickaxeIron,
     /// The strong pickaxe.
     PickaxeDiamond,
-    /// The car without its wheels, about the ground below its middle.
+    /// The car without its wheels, about the ground below its middle, its lamps dark.
     CarBody,
+    /// The same with its lamps on.
+    CarBodyLit,
+    /// The same with its brake lights on alone.
+    CarBodyBraking,
+    /// The same with both.
+    CarBodyLitBraking,
     /// A wheel of the car's left side, about its hub.
     CarWheelLeft,
     /// A wheel of the car's right side, about its hub.
@@ -173,7 +179,7 @@ pub enum ModelId {
 
 impl ModelId {
     /// Every model.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::Astronaut,
         Self::AstronautTeal,
         Self::Lamp,
@@ -183,6 +189,9 @@ impl ModelId {
         Self::PickaxeIron,
         Self::PickaxeDiamond,
         Self::CarBody,
+        Self::CarBodyLit,
+        Self::CarBodyBraking,
+        Self::CarBodyLitBraking,
         Self::CarWheelLeft,
         Self::CarWheelRight,
         Self::Flash,
@@ -190,7 +199,25 @@ impl ModelId {
 
     /// Whether it is large enough to have a shade below it.
     pub fn casts_shade(self) -> bool {
-        matches!(self, Self::Astronaut | Self::AstronautTeal | Self::CarBody)
+        matches!(self, Self::Astronaut | Self::AstronautTeal) || self.is_car_body()
+    }
+
+    /// The car's body with these lights.
+    pub fn car_body(lights: bool, brakes: bool) -> Self {
+        match (lights, brakes) {
+            (false, false) => Self::CarBody,
+            (true, false) => Self::CarBodyLit,
+            (false, true) => Self::CarBodyBraking,
+            (true, true) => Self::CarBodyLitBraking,
+        }
+    }
+
+    /// Whether it is the body of a car, whatever its lights.
+    pub fn is_car_body(self) -> bool {
+        matches!(
+            self,
+            Self::CarBody | Self::CarBodyLit | Self::CarBodyBraking | Self::CarBodyLitBraking
+        )
     }
 }
 

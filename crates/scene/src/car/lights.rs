@@ -34,7 +34,8 @@ impl Scene {
                 turn,
                 ..Figure::standing(model, car.place(own), 0.0)
             };
-            seen.push(figure(ModelId::CarBody, DVec3::ZERO, car.turn));
+            let body = ModelId::car_body(car.lights, car.brakes);
+            seen.push(figure(body, DVec3::ZERO, car.turn));
             for (number, wheel) in car.wheels.iter().enumerate() {
                 let model = if number % 2 == 0 {
                     ModelId::CarWheelLeft
