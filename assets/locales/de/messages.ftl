@@ -21,6 +21,8 @@ hint-no-car-near = Es ist kein Auto innerhalb von vier Metern zu sehen.
 hint-no-way-out = Hier ist kein Platz zum Aussteigen.
 hint-back-again = Du bist wieder am Anfang. Was du getragen hast, ist noch bei dir.
 hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.
+hint-too-far-to-talk = Sie sind zu weit weg, um zu reden. Geh näher heran.
+hint-in-the-way = Du stehst dem im Weg, was du baust, unter einer Decke. Geh zurück oder nimm einen kleineren Pinsel.
 
 talk-triangle-less = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, nicht 180.
 talk-triangle-flat = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, wie in jedem Schulbuch.

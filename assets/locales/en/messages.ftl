@@ -22,6 +22,8 @@ hint-no-car-near = There is no car in view within four metres.
 hint-no-way-out = There is no room to get out here.
 hint-back-again = You are back at the start. What you carried is still with you.
 hint-nobody-to-talk-to = There is nobody ahead to talk to.
+hint-too-far-to-talk = They are too far away to talk to. Go closer.
+hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.
 talk-triangle-less = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, not 180.

@@ -21,6 +21,8 @@ hint-no-car-near = No hay ningún coche a la vista a menos de cuatro metros.
 hint-no-way-out = Aquí no hay sitio para bajar.
 hint-back-again = Has vuelto al principio. Lo que llevabas sigue contigo.
 hint-nobody-to-talk-to = Delante no hay nadie con quien hablar.
+hint-too-far-to-talk = Están demasiado lejos para hablar. Acércate.
+hint-in-the-way = Estás en medio de lo que construyes, bajo un techo. Retrocede o usa un pincel más pequeño.
 
 talk-triangle-less = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, no 180.
 talk-triangle-flat = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, como en los libros.

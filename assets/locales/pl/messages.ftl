@@ -22,6 +22,8 @@ hint-no-car-near = W promieniu czterech metrów nie widać samochodu.
 hint-no-way-out = Nie ma tu miejsca, żeby wysiąść.
 hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
 hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
+hint-too-far-to-talk = Są za daleko, żeby rozmawiać. Podejdź bliżej.
+hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
 
 talk-triangle-less = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, a nie 180.
 talk-triangle-flat = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, jak w podręczniku.

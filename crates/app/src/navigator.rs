@@ -9,11 +9,14 @@ use antipode_scene::bearings::{Bearings, LandmarkKind};
 use antipode_scene::survey::{Plan, Survey};
 use antipode_settings::Settings;
 use antipode_ui::{
-    CompassModel, EquatorView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode,
+    CompassModel, EquatorView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief,
+    ReliefNode, tints_of,
 };
 
-/// Columns of land that the map takes in for each frame: a small part of a frame's time.
-pub const COLUMNS_A_FRAME: usize = 3;
+/// Columns of land that the map takes in for each second: three in a frame of a sixtieth, a small part of its time.
+const COLUMNS_PER_S: f64 = 180.0;
+/// No frame takes in more.
+const MOST_COLUMNS: f64 = 60.0;
 /// For a single picture, which shows all of the map.
 pub const WHOLE_MAP: usize = usize::MAX;
 /// How long harm is told of, seconds; with reduced motion it fades more slowly, from a weaker beginning.
@@ -22,6 +25,12 @@ const CALM_HARM_S: f64 = 2.5;
 const CALM_STRENGTH: f64 = 0.6;
 /// How long a strike is told of, seconds.
 const STRUCK_S: f64 = 0.25;
+
+/// How many columns of land the map takes in for a frame after so many seconds: a slow machine's map must keep up
+/// with those who run, too.
+pub fn columns_for(frame_s: f64) -> usize {
+    (COLUMNS_PER_S * frame_s).clamp(1.0, MOST_COLUMNS).round() as usize
+}
 
 /// What the map keeps from one frame to the next.
 #[derive(Debug, Default)]
@@ -104,6 +113,7 @@ fn relief(plan: &Plan) -> Relief {
         light: node.light,
     };
     Relief {
+        tints: tints_of(plan.colours),
         reach_m: plan.reach_m as f32,
         nodes: plan.nodes.iter().map(node).collect(),
         patches: plan.patches.clone(),

@@ -146,6 +146,8 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),
         Hint::NobodyToTalkTo => texts.say("hint-nobody-to-talk-to"),
+        Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
+        Hint::InTheWay => texts.say("hint-in-the-way"),
         Hint::Said(line) => said(texts, line),
     }
 }

@@ -2,15 +2,18 @@
 
 use std::f32::consts::FRAC_PI_2;
 
+use antipode_geometry::ChartPoint;
 use antipode_scene::frame::{Frame, Hand, ModelId};
 use glam::{Quat, Vec3};
 
-use crate::lamps::lights_near;
+use crate::lamps::{BEAMS, LAMPS, lights_near};
 use crate::uniforms::FigureInstance;
 
 /// The gun's muzzle from its grip, metres.
 pub const MUZZLE_M: Vec3 = Vec3::new(0.275, 0.085, 0.0);
 
+/// Lights within this of the eye are carried beside what is held, metres.
+const CARRIED_M: f64 = 0.8;
 /// Out of the picture, what is held is lower by this, metres, and turned down by this, radians.
 const LOWERED_M: f32 = 0.35;
 const LOWERED_RAD: f32 = 0.9;
@@ -51,6 +54,21 @@ fn grip(model: ModelId) -> Grip {
     Grip { place, turn }
 }
 
+/// The lights that reach the hand, but those that are carried beside it: so near, they would bleach it.
+fn lights_beyond(frame: &Frame, carried_m: f64) -> [u32; 3] {
+    let eye = frame.eye.point;
+    let is_carried =
+        |at: ChartPoint| at.hemisphere == eye.hemisphere && at.pos.distance(eye.pos) < carried_m;
+    let mut mask = lights_near(frame, eye.hemisphere, eye.pos, eye.pos);
+    for (i, lamp) in frame.lights.lamps.iter().take(LAMPS).enumerate() {
+        mask[i / 32] &= !(u32::from(is_carried(lamp.point)) << (i % 32));
+    }
+    for (i, beam) in frame.lights.beams.iter().take(BEAMS).enumerate() {
+        mask[2] &= !(u32::from(is_carried(beam.point)) << i);
+    }
+    mask
+}
+
 /// What is drawn of the hand: the model, and its instance in the eye's axes.
 pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
     let Grip { place, turn } = grip(hand.model);
@@ -69,8 +87,7 @@ pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
     // From there to the eye's: x to the right, y up, z back.
     let turn = Quat::from_rotation_y(FRAC_PI_2) * held;
     let origin = Vec3::new(place.x, place.y, -place.z) - turn * grip_m(hand.model);
-    let point = frame.eye.point;
-    let lights = lights_near(frame, point.hemisphere, point.pos, point.pos);
+    let lights = lights_beyond(frame, CARRIED_M);
     let instance = |at: Vec3| FigureInstance {
         offset: at.into(),
         flags: 0,

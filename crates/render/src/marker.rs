@@ -16,7 +16,7 @@ const AT_WORK: [f32; 3] = [1.25, 0.52, 0.12];
 const SAFE_AT_REST: [f32; 3] = [1.6, 1.6, 1.6];
 const SAFE_AT_WORK: [f32; 3] = [0.01, 0.01, 0.01];
 /// Opacity of the ball, face on and edge on; then of the shell.
-const BALL_OPACITY: (f32, f32) = (0.34, 0.95);
+const BALL_OPACITY: (f32, f32) = (0.16, 0.9);
 const SHELL_OPACITY: (f32, f32) = (0.0, 0.34);
 /// The same where lightness alone must tell: less of the land shines through.
 const SAFE_BALL_OPACITY: (f32, f32) = (0.7, 1.0);

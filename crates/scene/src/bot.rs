@@ -10,7 +10,7 @@ use crate::npc::mind::Mind;
 use crate::player::{Appearance, Body, Health, Look, Position};
 use crate::projectile::Standing;
 use crate::scene::Scene;
-use crate::tuning::BOT_HEALTH;
+use crate::tuning::{BOT_HEALTH, MOST_BOTS};
 
 /// A figure that nobody plays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,6 +52,11 @@ impl Scene {
     /// Puts a bot with its feet at a point; returns its number.
     pub fn spawn_bot(&mut self, point: ChartPoint, yaw: f64, hostile: bool) -> u32 {
         self.restore_bot(point, yaw, hostile, BOT_HEALTH)
+    }
+
+    /// Whether the world can have one more figure.
+    pub fn has_room_for_bot(&self) -> bool {
+        self.bots().len() < MOST_BOTS
     }
 
     pub(crate) fn restore_bot(

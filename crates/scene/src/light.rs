@@ -3,6 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye};
 
 use crate::frame::{BeamLight, LampLight, Lights};
+use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::scene::Scene;
 
@@ -20,6 +21,9 @@ const FLASH_RANGE_M: f64 = 40.0;
 const FLASH_CONE_RAD: (f64, f64) = (0.26, 0.52);
 /// The flashlight is held this far below the eye and beside it, metres, so that what it lights has relief.
 const FLASH_BESIDE_M: (f64, f64) = (0.22, -0.25);
+
+/// Where a lamp in the hand shines, from the eye: right, up and ahead, metres.
+const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 
 impl Scene {
     /// The light on what an eye sees: the nearest lamps, and the flashlight.
@@ -42,6 +46,7 @@ impl Scene {
             lamps: self
                 .shot_light()
                 .into_iter()
+                .chain(self.lamp_in_hand())
                 .chain(tail_lights)
                 .chain(lamps.into_iter().map(lamp_light))
                 .take(MOST_LIT)
@@ -52,6 +57,19 @@ impl Scene {
                 .chain(head_lights)
                 .collect(),
         }
+    }
+
+    /// The light of a lamp that the player holds.
+    fn lamp_in_hand(&self) -> Option<LampLight> {
+        let holds = self.inventory.held() == Some(Item::Lamp) && !self.is_driving();
+        let head = self.head();
+        let (right_m, up_m, front_m) = HELD_LAMP_M;
+        let off = head.right() * right_m + head.up() * up_m + head.front() * front_m;
+        holds.then(|| LampLight {
+            point: head.point.moved(off),
+            colour: LAMP_COLOUR,
+            range_m: LAMP_RANGE_M,
+        })
     }
 
     fn flash_beam(&self) -> BeamLight {

@@ -96,6 +96,14 @@ pub enum Hint {
     /// Nobody peaceful is close by and ahead.
     #[error("There is nobody ahead to talk to.")]
     NobodyToTalkTo,
+    /// Somebody peaceful is ahead, but not close by.
+    #[error("They are too far away to talk to. Go closer.")]
+    TooFarToTalk,
+    /// What would be built would fill the place of a player who cannot be lifted out of it.
+    #[error(
+        "You stand in the way of what you build, under a roof. Step back, or take a smaller brush."
+    )]
+    InTheWay,
     /// Somebody says a line about the space.
     #[error("{0}")]
     Said(Line),

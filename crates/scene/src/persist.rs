@@ -17,10 +17,14 @@ use crate::notice::Notice;
 use crate::npc::tuning::ANGRY_S;
 use crate::player::{Health, Look};
 use crate::scene::Scene;
-use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_DROPS, MOST_LAMPS};
+use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
 
-/// More figures than this a world of ours never has, scripts included; each looks at every other.
-const MOST_RESTORED_BOTS: usize = 512;
+/// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
+pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
+/// Longer than this, in seconds, nobody plays: three hundred years. A step still counts there.
+pub(crate) const LONGEST_PLAYED_S: f64 = 1e10;
+/// A driver who is farther from the car in the save, in metres, does not sit in it.
+const SEATED_WITHIN_M: f64 = 8.0;
 /// Things in the save that this version does not know, as a newer one would: they go back as they came.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Unknown {
@@ -140,12 +144,21 @@ impl Scene {
         }
         self.inventory.select(state.item_slot);
         self.restore_things(state);
-        self.restore_cars(&state.cars, state.driving, state.car_given);
+        let seated = |number: &u32| {
+            let car = usize::try_from(*number)
+                .ok()
+                .and_then(|number| state.cars.get(number));
+            let car = car.and_then(|car| self.restored_point(car.hemisphere, car.pos));
+            let away_m = |car| self.strategy.distance_m(self.feet(), car, &self.head());
+            car.is_some_and(|car| away_m(car) <= SEATED_WITHIN_M)
+        };
+        let driving = state.driving.filter(seated);
+        self.restore_cars(&state.cars, driving, state.car_given);
         self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
         self.restore_lens(state);
         let (least, most, usual) = BRUSH_RADIUS_M;
         self.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
-        self.simulated_s = finite_or(state.simulated_s, 0.0).max(0.0);
+        self.simulated_s = finite_or(state.simulated_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
         self.saved_at_s = self.simulated_s;
     }
 
@@ -184,7 +197,7 @@ impl Scene {
         let bots: Vec<_> = state
             .bots
             .iter()
-            .take(MOST_RESTORED_BOTS)
+            .take(MOST_BOTS)
             .filter(|it| it.yaw.is_finite())
             .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
             .collect();
@@ -242,7 +255,7 @@ impl Scene {
             Hemisphere::A
         };
         let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
-        let velocity = DVec3::from_array(record.vel);
+        let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
         self.place_body(point, velocity, record.grounded);
         if let Ok((look, health)) = self
             .ecs

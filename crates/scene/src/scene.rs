@@ -25,7 +25,7 @@ use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::npc::Npcs;
-use crate::persist::{Unknown, finite_or};
+use crate::persist::{LONGEST_PLAYED_S, Unknown, finite_or};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
 use crate::setup::{SceneError, WorldSetup};
@@ -144,7 +144,7 @@ impl Scene {
             scene.restore(&state);
         } else {
             // Of a world whose state is damaged that much is known.
-            scene.simulated_s = finite_or(meta.played_s, 0.0).max(0.0);
+            scene.simulated_s = finite_or(meta.played_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
             scene.saved_at_s = scene.simulated_s;
             scene.look_at_ground(&field);
         }

@@ -1,7 +1,9 @@
 //! One fixed step of the simulation.
 
+use antipode_geometry::ChartPoint;
 use antipode_physics::{Character, CharacterInput};
 use antipode_terrain::Stroke;
+use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::camera::CameraMode;
@@ -10,6 +12,7 @@ use crate::ground::chunks_near;
 use crate::harm::{HarmKind, fall_harm};
 use crate::item::Item;
 use crate::motion::Doing;
+use crate::notice::Hint;
 use crate::pick::{self, pick};
 use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
@@ -18,6 +21,11 @@ use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S};
 
 /// Ground within this distance of a body must be there with its collider before the body moves, in metres.
 const NEEDED_AROUND_M: f64 = 4.0;
+
+/// What is built may not come nearer to the player's body than this below a roof, in metres.
+const BODY_SLACK_M: f64 = 0.5;
+/// Apart from each other, places above the head at which a roof is looked for, in metres.
+const ROOF_STEP_M: f64 = 0.5;
 
 impl Scene {
     /// Advances the world by one step of [`STEP_S`] seconds.
@@ -202,12 +210,39 @@ impl Scene {
             return;
         }
         marker.active = true;
+        let centre = marker.point;
+        if sign < 0.0 && self.would_immure(centre) {
+            if !self.secondary_before {
+                self.hints.push(Hint::InTheWay);
+            }
+            return;
+        }
         let amount = sign * strength * STEP_S as f32;
         let stroke = Stroke {
-            centre: marker.point,
+            centre,
             radius_m: self.brush_radius_m,
             amount,
         };
         self.streamer.edit(stroke);
+    }
+
+    /// Whether building there would fill the place of the player's body under a roof. In the open it is lifted by what
+    /// is built; here the nearest free place is on top of the hill.
+    fn would_immure(&self, centre: ChartPoint) -> bool {
+        if self.flying || self.is_driving() {
+            return false;
+        }
+        let tuning = &self.tuning;
+        let middle = self.feet().moved(DVec3::Y * (0.5 * tuning.height_m));
+        let reach_m = self.brush_radius_m + 0.5 * tuning.height_m + BODY_SLACK_M;
+        if self.strategy.distance_m(middle, centre, &self.head()) > reach_m {
+            return false;
+        }
+        let steps = (self.brush_radius_m / ROOF_STEP_M).ceil() as u32;
+        let above = |step| tuning.height_m + f64::from(step) * ROOF_STEP_M;
+        (0..=steps).any(|step| {
+            self.ground
+                .is_solid(self.feet().moved(DVec3::Y * above(step)))
+        })
     }
 }

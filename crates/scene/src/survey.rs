@@ -7,7 +7,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
-use glam::{DVec2, DVec3};
+use antipode_terrain::Biome;
+use glam::{DVec2, DVec3, Vec2};
 
 use crate::bearings::{Locator, map_eye};
 use crate::scene::Scene;
@@ -34,6 +35,8 @@ const MOST_KEPT: usize = 20_000;
 /// Where the light of the map comes from, in its own axes, and how strongly slopes take it.
 const LIGHT: DVec2 = DVec2::new(-0.8, 0.6);
 const RELIEF: f32 = 1.4;
+/// A patch that is smaller on the map tells no slope, square metres: it is held at the edge.
+const LEAST_PATCH_M2: f32 = 1.0;
 
 /// A column of the chart, by whole multiples of [`NODE_M`].
 type Node = (Hemisphere, i32, i32);
@@ -60,6 +63,8 @@ pub struct Plan {
     pub patches: Vec<[u32; 4]>,
     /// Lines of equal height, each from one place to another.
     pub contours: Vec<[[f32; 2]; 2]>,
+    /// Colours of low, middle and high ground, sRGB.
+    pub colours: [[u8; 3]; 3],
 }
 
 /// The columns of a map about a place.
@@ -294,6 +299,7 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
         nodes,
         patches,
         contours,
+        colours: Biome::from_seed(scene.setup().seed).ground_colours(),
     }
 }
 
@@ -301,9 +307,20 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
 fn shade(nodes: &mut [PlanNode], patches: &[[u32; 4]], height: impl Fn(u32) -> f32) {
     let mut sums = vec![(0.0, 0.0); nodes.len()];
     for patch in patches {
+        // Both charts of a closed world lie on one map, the other as in a mirror: slopes are told in the map's axes.
+        let place = |corner: usize| Vec2::from(nodes[patch[corner] as usize].at);
         let [a, b, c, d] = patch.map(&height);
-        let along = [b - a + d - c, c - a + d - b].map(|rise| rise / (2.0 * NODE_M as f32));
-        let light = -(along[0] * LIGHT.x as f32 + along[1] * LIGHT.y as f32) * RELIEF;
+        let (across, down) = (place(1) - place(0), place(2) - place(0));
+        let area = across.perp_dot(down);
+        if area.abs() < LEAST_PATCH_M2 {
+            continue;
+        }
+        let rises = [b - a + d - c, c - a + d - b].map(|rise| 0.5 * rise);
+        let slope = Vec2::new(
+            rises[0] * down.y - rises[1] * across.y,
+            rises[1] * across.x - rises[0] * down.x,
+        ) / area;
+        let light = -slope.dot(LIGHT.as_vec2()) * RELIEF;
         for node in patch {
             let sum = &mut sums[*node as usize];
             *sum = (sum.0 + light, sum.1 + 1.0);

@@ -15,7 +15,9 @@ use std::sync::Arc;
 
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
-use antipode_storage::{Batch, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore};
+use antipode_storage::{
+    Batch, CarRecord, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore,
+};
 use common::{LIMIT, setup, steps};
 use tempfile::TempDir;
 
@@ -313,4 +315,57 @@ fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
         .unwrap();
     assert_eq!(kept.inventory, state.inventory);
     assert_eq!(kept.drops, state.drops);
+}
+
+/// A world opened with a state that somebody has changed.
+fn altered(alter: impl FnOnce(&mut WorldState)) -> (Kept, Scene) {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let mut state = store.state().unwrap().unwrap();
+    alter(&mut state);
+    let batch = Batch {
+        state: Some(state),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let again = kept.open();
+    (kept, again)
+}
+
+#[test]
+fn no_speed_in_a_save_is_more_than_ground_can_be_made_for() {
+    let (_kept, mut scene) = altered(|state| {
+        state.player.vel = [1e300, 0.0, -1e300];
+        state.player.flying = true;
+    });
+    let from = scene.feet().pos;
+    steps(&mut scene, 60, &Actions::default());
+    assert!(scene.feet().pos.distance(from) < 150.0);
+}
+
+#[test]
+fn a_world_as_old_as_the_sun_is_still_saved_by_itself() {
+    let (_kept, mut scene) = altered(|state| state.simulated_s = 1e17);
+    let before_s = scene.simulated_s();
+    steps(&mut scene, 60, &Actions::default());
+    assert!((scene.simulated_s() - before_s - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn who_is_far_from_the_car_in_a_save_does_not_drive_it() {
+    let car = |pos| CarRecord {
+        pos,
+        turn: [0.0, 0.0, 0.0, 1.0],
+        ..CarRecord::default()
+    };
+    for (away_m, drives) in [(1.0, true), (500.0, false)] {
+        let (_kept, scene) = altered(|state| {
+            let [x, y, z] = state.player.pos;
+            state.cars = vec![car([x + away_m, y, z])];
+            state.driving = Some(0);
+        });
+        assert_eq!(scene.is_driving(), drives, "{away_m} m away");
+    }
 }

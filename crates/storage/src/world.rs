@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use std::time::Duration;
 
@@ -52,6 +53,8 @@ pub struct WorldStore {
     /// Number of the last commit; held during one. Apart from `known`, so that
     /// reading never waits for the disk.
     sequence: Mutex<u64>,
+    /// Whether the damaged file has been kept beside this one.
+    kept: AtomicBool,
 }
 
 impl std::fmt::Debug for WorldStore {
@@ -81,6 +84,7 @@ impl WorldStore {
                 problems: Vec::new(),
             }),
             sequence: Mutex::new(0),
+            kept: AtomicBool::new(false),
         };
         world.commit(&Batch {
             meta: Some(meta.clone()),
@@ -111,6 +115,7 @@ impl WorldStore {
             store: RwLock::new(Some(store)),
             known: Mutex::new(known),
             sequence: Mutex::new(sequence),
+            kept: AtomicBool::new(false),
         })
     }
 
@@ -160,6 +165,7 @@ impl WorldStore {
         let file = self.dir.join(WORLD_FILE);
         let kept = free_beside(&file);
         StorageError::at("Keeping", &kept, fs::copy(&file, &kept))?;
+        self.kept.store(true, Ordering::Relaxed);
         Ok(kept)
     }
 
@@ -240,6 +246,7 @@ impl WorldStore {
             ))
         });
         let chunks: Vec<_> = chunks.collect::<Result<_, StorageError>>()?;
+        self.keep_damaged(batch)?;
         if let Err(error) = self.with_store(|store| store.write(&values, &chunks)) {
             // After a failed write the store refuses everything until it is opened again.
             *self.store.write().unwrap_or_else(PoisonError::into_inner) = None;
@@ -251,6 +258,20 @@ impl WorldStore {
         self.check_place()?;
         if batch.meta.is_some() {
             summary::write(&self.dir, &values[0].1);
+        }
+        Ok(())
+    }
+
+    /// Keeps the file as it is before a record in it that cannot be believed is written over.
+    fn keep_damaged(&self, batch: &Batch) -> Result<(), StorageError> {
+        let overwrites = |damaged: &BTreeMap<ChunkKey, String>| {
+            batch
+                .chunks
+                .iter()
+                .any(|(key, _)| damaged.contains_key(key))
+        };
+        if overwrites(&self.known().damaged) && !self.kept.load(Ordering::Relaxed) {
+            self.keep_copy()?;
         }
         Ok(())
     }

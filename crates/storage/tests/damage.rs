@@ -170,13 +170,26 @@ fn a_damaged_chunk_is_told_and_the_rest_goes_on() {
     assert_eq!(world.chunk(&key(5)).unwrap(), Some(samples(5, 2)));
     assert_eq!(world.edited_chunks().unwrap().len(), CHUNKS as usize);
     // Editing it again makes it whole.
-    let edit = antipode_storage::Batch {
-        chunks: vec![(key(4), samples(4, 9))],
+    let edit = |n| antipode_storage::Batch {
+        chunks: vec![(key(n), samples(n, 9))],
         ..Default::default()
     };
-    world.commit(&edit).unwrap();
+    let kept = world.dir().join("world.redb.damaged-1");
+    world.commit(&edit(5)).unwrap();
+    assert!(!kept.exists());
+    world.commit(&edit(4)).unwrap();
     assert_eq!(world.chunk(&key(4)).unwrap(), Some(samples(4, 9)));
     assert!(world.problems().is_empty());
+    // What was there before is not lost: its record is in the file that was kept.
+    let (_dir, before) = planted(&fs::read(&kept).unwrap());
+    let report = before.repair("victim").unwrap();
+    assert_eq!(report.chunks, CHUNKS as usize - 1);
+    assert!(
+        report.losses[0].contains("chunk A (4, -1, 3)"),
+        "{report:?}"
+    );
+    world.commit(&edit(4)).unwrap();
+    assert!(!world.dir().join("world.redb.damaged-2").exists());
 }
 
 #[test]

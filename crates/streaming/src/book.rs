@@ -69,6 +69,8 @@ struct Pages {
     complained: HashSet<ChunkCoord>,
     dirty: HashSet<ChunkCoord>,
     revision: u64,
+    /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
+    evictions: u64,
 }
 
 impl Book {
@@ -179,6 +181,7 @@ impl Book {
             return;
         };
         uses.select_nth_unstable(count - 1);
+        pages.evictions += 1;
         for &(_, coord) in &uses[..count] {
             pages.chunks.remove(&coord);
             pages.on_disk.insert(coord);
@@ -237,20 +240,20 @@ impl Book {
         let Some(vault) = self.vault() else {
             return unreadable;
         };
-        let missing: Vec<_> = {
+        let (missing, evictions): (Vec<_>, _) = {
             let pages = self.read();
             if pages.on_disk.is_empty() {
                 return unreadable;
             }
-            coords
-                .filter(|coord| pages.on_disk.contains(coord))
-                .collect()
+            let missing = coords.filter(|coord| pages.on_disk.contains(coord));
+            (missing.collect(), pages.evictions)
         };
         for coord in missing {
             let found = read_record(vault, coord);
             let mut pages = self.write();
-            // Another worker may have read it meanwhile, or a batch replaced it.
-            if !pages.on_disk.remove(&coord) {
+            // Another worker may have read it meanwhile, or a batch replaced it; or it was replaced, saved and let go
+            // of, and what was found is what it had been.
+            if pages.evictions != evictions || !pages.on_disk.remove(&coord) {
                 continue;
             }
             match found {

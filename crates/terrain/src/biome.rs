@@ -128,6 +128,17 @@ impl Biome {
         &BIOMES[(seed % BIOMES.len() as u64) as usize]
     }
 
+    /// Colours of low, middle and high ground, sRGB.
+    pub fn ground_colours(&self) -> [[u8; 3]; 3] {
+        let Palette {
+            bottom,
+            middle,
+            top,
+            ..
+        } = self.palette;
+        [bottom, middle, top]
+    }
+
     /// The biome's lower-case English name.
     pub fn name(&self) -> &'static str {
         self.name

@@ -14,7 +14,7 @@ use antipode_language::{Language, Texts};
 use antipode_ui::{
     CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
     HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, Screen, SlotIcon, SlotView,
-    ToastKind, apply_theme, show_hud,
+    ToastKind, apply_theme, show_hud, tints_of,
 };
 use common::{Game, painted, world};
 use egui::{Pos2, Rect, Shape, Vec2, vec2};
@@ -251,6 +251,7 @@ fn map() -> MapModel {
     let mark = |(kind, x): (MarkKind, f32)| MapMark { kind, at: [x, 9.0] };
     MapModel {
         relief: Arc::new(Relief {
+            tints: tints_of([[108, 88, 66], [78, 104, 66], [56, 108, 74]]),
             reach_m: 43.0,
             nodes: nodes.map(node).collect(),
             patches: corners.map(|a| [a, a + 21, a + 1, a + 22]).collect(),

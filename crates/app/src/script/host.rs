@@ -181,6 +181,7 @@ fn spawn<H: Host + ?Sized>(
         Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
         Spawned::Car => possible(scene.spawn_car(point, 0.0), "there are too many cars")?,
         Spawned::Bot | Spawned::Hostile => {
+            possible(scene.has_room_for_bot(), "there are too many figures")?;
             scene.spawn_bot(point, 0.0, spawned == Spawned::Hostile);
         }
     }

@@ -20,7 +20,7 @@ const TURN_RAD: f64 = 0.7;
 /// How long one has to walk in all, seconds.
 const WALK_S: f64 = 0.8;
 /// How long the ground has to be worked on, seconds.
-const WORK_S: f64 = 0.3;
+const WORK_S: f64 = 0.8;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
 /// How long the last hint is shown to somebody who does not do what it says, seconds: who has read it knows it, and
@@ -190,16 +190,14 @@ impl Game {
             self.keep_learnt();
             return;
         }
-        let has_dial = match &self.phase {
-            Phase::Playing(_) => self.has_dial(),
+        match &self.phase {
+            Phase::Playing(_) => {}
             // Whoever is here has found the menu.
-            Phase::Paused(_) => {
-                self.hints.finish(Lesson::Menu);
-                self.has_dial()
-            }
+            Phase::Paused(_) => self.hints.finish(Lesson::Menu),
             _ => return,
-        };
-        if self.hints.current(has_dial).is_none() {
+        }
+        // Of what this world lacks, such as a dial, the next one that has it tells.
+        if self.hints.learnt().len() == Lesson::ALL.len() {
             self.hints.begin_anew();
             self.set_option("hints", Value::Switch(false));
         }

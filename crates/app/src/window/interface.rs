@@ -7,7 +7,7 @@ use super::game::Game;
 use super::phase::{Next, Phase, Request};
 use crate::drawn::Drawn;
 use crate::hud;
-use crate::navigator::COLUMNS_A_FRAME;
+use crate::navigator::columns_for;
 use crate::session::NewWorld;
 
 impl Game {
@@ -98,7 +98,8 @@ impl Game {
                 });
                 let mut model = hud::model(&self.texts, &session.scene, fps, figures);
                 let settings = &self.config.settings;
-                let surveyed = (self.worlds_opened, COLUMNS_A_FRAME);
+                let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
+                let surveyed = (self.worlds_opened, columns);
                 self.navigator
                     .add_to(&mut model, &session.scene, settings, surveyed);
                 Some(HudModel {

@@ -16,6 +16,7 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::ground::chunks_near;
+use crate::persist::FASTEST_RESTORED_M_S;
 use crate::scene::Scene;
 use crate::spawn::FIRST_YAW_RAD;
 use camera::Chase;
@@ -23,8 +24,7 @@ use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
 
 /// Directions in which a place for a new world's car is looked for.
 const FIRST_CAR_TURNS: u32 = 12;
-/// A saved car that is faster was not saved by the game: the ground that it would reach is not to be asked for.
-const FASTEST_RESTORED_M_S: f64 = 100.0;
+/// A saved car that turns faster was not saved by the game.
 const FASTEST_RESTORED_RAD_S: f64 = 50.0;
 /// Ground within this of a car may be what it stands on, in metres.
 const STANDS_ON_M: f64 = 4.0;

@@ -22,6 +22,8 @@ const SIDE_M: (f64, f64) = (5.0, 20.0);
 const HORIZON_M: f64 = 20.0;
 /// Angle from the middle of the view within which one is talked to, in radians.
 const AHEAD_RAD: f64 = 40.0 * std::f64::consts::PI / 180.0;
+/// Who is farther than this is not meant, in metres.
+const CALLS_M: f64 = 60.0;
 /// Nearer than this one is at home, in metres.
 const AT_HOME_M: f64 = 6.0;
 /// A step by which it is measured how long ways are at a height, in metres.
@@ -56,8 +58,12 @@ pub enum Line {
 impl Scene {
     /// Talks to the peaceful one ahead, if there is one close by.
     pub(crate) fn talk(&mut self) {
-        let Some((entity, id)) = self.listener() else {
-            self.hints.push(Hint::NobodyToTalkTo);
+        let Some((entity, id)) = self.listener(TALKS_M) else {
+            let hint = match self.listener(CALLS_M) {
+                Some(_) => Hint::TooFarToTalk,
+                None => Hint::NobodyToTalkTo,
+            };
+            self.hints.push(hint);
             return;
         };
         let head = self.head().point;
@@ -73,8 +79,8 @@ impl Scene {
         self.hints.push(Hint::Said(line));
     }
 
-    /// The nearest living peaceful one that is ahead, near and in sight.
-    fn listener(&self) -> Option<(Entity, u32)> {
+    /// The nearest living peaceful one that is ahead, within a reach and in sight.
+    fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
         let eye = self.head();
         let pictured = &**self.lens.strategy();
         let is_ahead = |point: ChartPoint| {
@@ -95,7 +101,7 @@ impl Scene {
                 (away_m, bot.id, entity, breast)
             })
             .filter(|(away_m, .., breast)| {
-                *away_m < TALKS_M
+                *away_m < reach_m
                     && is_ahead(*breast)
                     && sees(pictured, &self.physics, &eye, *breast)
             })

@@ -19,14 +19,35 @@ const RING: f32 = 7.0;
 const COVER: u8 = 225;
 /// Height over the lower half's beginning, the middle of the screen: there hints end.
 const BELOW_MIDDLE: f32 = 2.0;
-/// Colours of the land by its height, from the lowest: greens, then earth, then stone.
-const TINTS: [[f32; 3]; 5] = [
-    [22.0, 52.0, 60.0],
-    [38.0, 84.0, 66.0],
-    [96.0, 118.0, 70.0],
-    [164.0, 150.0, 106.0],
-    [226.0, 222.0, 208.0],
-];
+/// How light the land is by its height, from the lowest, 0 to 255.
+const LIGHTNESS: [f32; 5] = [48.0, 76.0, 110.0, 150.0, 214.0];
+/// Which of a land's three colours each of these has, from 0 for low ground to 2 for high.
+const HUES: [f32; 5] = [0.0, 0.0, 1.0, 1.5, 2.0];
+/// How much of a colour the map keeps: on so small a picture full ones would drown the marks.
+const SATURATION: f32 = 0.75;
+
+/// Colours of a land by its height, from the lowest, 0 to 255.
+pub type Tints = [[f32; 3]; 5];
+
+/// The colours in which a map shows a land whose low, middle and high ground has these, sRGB: their hues, lighter the
+/// higher it is.
+pub fn tints_of(ground: [[u8; 3]; 3]) -> Tints {
+    std::array::from_fn(|stop| {
+        let below = (HUES[stop] as usize).min(1);
+        let part = HUES[stop] - below as f32;
+        let colour = [0, 1, 2].map(|channel| {
+            let [low, high] = [below, below + 1].map(|which| f32::from(ground[which][channel]));
+            low + (high - low) * part
+        });
+        let grey = lightness(colour).max(1.0);
+        colour.map(|channel| (grey + (channel - grey) * SATURATION) * LIGHTNESS[stop] / grey)
+    })
+}
+
+/// Luma by the weights of BT.709.
+fn lightness([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
 
 /// A column of the land.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +63,8 @@ pub struct ReliefNode {
 /// The land as it is known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Relief {
+    /// Its colours.
+    pub tints: Tints,
     /// How far it reaches, metres.
     pub reach_m: f32,
     /// Columns.
@@ -141,7 +164,10 @@ pub(super) fn show(painter: &Painter, screen: Rect, bottom: f32, texts: &Texts, 
 fn land(relief: &Relief, projection: &Projection) -> Shape {
     let mut mesh = Mesh::default();
     for node in &relief.nodes {
-        mesh.colored_vertex(projection.at(node.at), tint(node.share, node.light));
+        mesh.colored_vertex(
+            projection.at(node.at),
+            tint(&relief.tints, node.share, node.light),
+        );
     }
     let count = relief.nodes.len() as u32;
     for [a, b, c, d] in &relief.patches {
@@ -153,17 +179,17 @@ fn land(relief: &Relief, projection: &Projection) -> Shape {
     Shape::mesh(mesh)
 }
 
-fn tint(share: f32, light: f32) -> Color32 {
+fn tint(tints: &Tints, share: f32, light: f32) -> Color32 {
     if !share.is_finite() {
         return Color32::TRANSPARENT;
     }
-    let last = TINTS.len() - 1;
+    let last = tints.len() - 1;
     let place = share.clamp(0.0, 1.0) * last as f32;
     let below = (place as usize).min(last - 1);
     let part = place - below as f32;
     let lit = 1.0 + 0.45 * light.clamp(-1.0, 1.0);
     let [r, g, b] = [0, 1, 2].map(|channel| {
-        let (low, high) = (TINTS[below][channel], TINTS[below + 1][channel]);
+        let (low, high) = (tints[below][channel], tints[below + 1][channel]);
         ((low + (high - low) * part) * lit).clamp(0.0, 255.0) as u8
     });
     Color32::from_rgba_unmultiplied(r, g, b, COVER)
@@ -248,11 +274,34 @@ mod tests {
         let luminance = |colour: Color32| {
             u32::from(colour.r()) * 2 + u32::from(colour.g()) * 7 + u32::from(colour.b())
         };
+        let tints = tints_of([[206, 92, 48], [96, 74, 78], [132, 120, 130]]);
         let heights: Vec<u32> = (0..=20)
-            .map(|step| luminance(tint(step as f32 / 20.0, 0.0)))
+            .map(|step| luminance(tint(&tints, step as f32 / 20.0, 0.0)))
             .collect();
         assert!(heights.is_sorted(), "{heights:?}");
-        assert!(luminance(tint(0.5, 0.8)) > luminance(tint(0.5, -0.8)));
-        assert_eq!(tint(f32::NAN, 0.0), Color32::TRANSPARENT);
+        assert!(luminance(tint(&tints, 0.5, 0.8)) > luminance(tint(&tints, 0.5, -0.8)));
+        assert_eq!(tint(&tints, f32::NAN, 0.0), Color32::TRANSPARENT);
+    }
+
+    #[test]
+    fn a_desert_is_not_green_on_the_map_and_a_jungle_is() {
+        let mostly = |ground| {
+            let [r, g, b] = tints_of(ground)[2];
+            if g > r && g > b {
+                "green"
+            } else if r > g && g > b {
+                "sand"
+            } else {
+                "else"
+            }
+        };
+        assert_eq!(
+            mostly([[166, 96, 66], [220, 164, 102], [244, 214, 156]]),
+            "sand"
+        );
+        assert_eq!(
+            mostly([[108, 88, 66], [78, 104, 66], [56, 108, 74]]),
+            "green"
+        );
     }
 }

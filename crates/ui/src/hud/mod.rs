@@ -22,7 +22,7 @@ pub use compass::{CompassModel, EquatorView};
 pub use figures::FigureModel;
 pub use harm::HarmModel;
 pub use hint::HintModel;
-pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode};
+pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode, Tints, tints_of};
 pub use wounds::WoundModel;
 
 /// What a slot of the hotbar shows.
