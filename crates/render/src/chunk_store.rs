@@ -42,6 +42,8 @@ pub struct GpuChunk {
     pub land: ChunkLand,
     /// Its refinement, where it is near enough to need one.
     pub refined: Option<Refinement>,
+    /// The next one, until those of its neighbours have come as well.
+    pub coming: Option<Refinement>,
     /// Whether it had a refinement before it changed, and so needs another at once.
     pub is_urgent: bool,
     /// The mesh of another level that it follows, for a moment.
@@ -75,8 +77,8 @@ impl GpuChunk {
 
     fn give_back(self, pages: &mut Pages) {
         self.mesh.give_back(pages);
-        if let Some(mesh) = self.refined.and_then(|refined| refined.mesh) {
-            mesh.give_back(pages);
+        for refinement in [self.refined, self.coming].into_iter().flatten() {
+            refinement.give_back(pages);
         }
         if let Some(fading) = self.fading {
             fading.mesh.give_back(pages);
@@ -165,6 +167,7 @@ impl ChunkStore {
         self.book = None;
         self.waiting.clear();
         self.pages.clear();
+        self.refinements.forget();
         self.clock = BlendClock::default();
     }
 
@@ -208,6 +211,7 @@ impl ChunkStore {
             source: Arc::clone(mesh),
             land: ChunkLand::of(coord, mesh),
             refined: None,
+            coming: None,
             is_urgent: false,
             fading: None,
         };

@@ -11,7 +11,7 @@ use glam::Vec3;
 use crate::plan::{Halver, RefineRules, Refined};
 
 /// Meshes under way at most: what is asked for early is out of date when it comes.
-const MOST_UNDER_WAY: usize = 2;
+const MOST_UNDER_WAY: usize = 3;
 
 /// A mesh to be refined.
 #[derive(Clone, Debug)]

@@ -232,3 +232,49 @@ fn one_call_draws_many_chunks_and_where_it_cannot_one_call_draws_one() {
         studio = fresh;
     }
 }
+
+/// A floor of a chunk, 2 m above its lowest.
+fn floor() -> ChunkMesh {
+    let at = |x: f32, z: f32| Vec3::new(x, 2.0, z);
+    Arc::unwrap_or_clone(plates(&[[
+        at(0.0, 0.0),
+        at(0.0, 32.0),
+        at(32.0, 32.0),
+        at(32.0, 0.0),
+    ]]))
+}
+
+#[test]
+fn no_crack_opens_between_two_chunks_while_one_walks() {
+    for geometry in [Geometry::Hyperbolic, Geometry::Spherical] {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let space = space(geometry);
+        let beside = ChunkCoord {
+            index: IVec3::NEG_Z,
+            ..HOME
+        };
+        for step in 0..40u32 {
+            let way_m = 0.45 * f64::from(step);
+            let eye = DVec3::new(3.0 + way_m, 3.7, 0.4 * way_m.sin());
+            let mut frame = frame(&space, ChartPoint::a(eye), ASPECT);
+            frame.eye.pitch = -0.6;
+            if step == 0 {
+                frame.chunk_changes = vec![put(HOME, floor()), put(beside, floor())];
+                studio.draw(&frame);
+                continue;
+            }
+            let (picture, stats) = studio.draw_in_motion(&frame);
+            assert!(
+                stats.plan.chunks_refined > 0,
+                "{geometry}: nothing is refined"
+            );
+            let (width, height) = SIZE;
+            for (x, y) in (height / 2..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
+                let [r, g, ..] = picture.get_pixel(x, y).0;
+                assert!(r > g, "{geometry}, step {step}: a hole at {x}, {y}");
+            }
+        }
+    }
+}
