@@ -128,18 +128,12 @@ impl Scene {
         self.unknown = Unknown::default();
         self.inventory = Inventory::empty();
         for record in &state.inventory {
-            match Item::from_id(&record.item) {
-                Some(item) => self.restore_slot(
-                    record.slot,
-                    Stack {
-                        item,
-                        count: record.count.max(1),
-                    },
-                ),
-                None => {
-                    self.notices.push(Notice::UnknownItem(record.item.clone()));
-                    self.unknown.slots.push(record.clone());
-                }
+            if let Some(item) = Item::from_id(&record.item) {
+                let count = record.count.max(1);
+                self.restore_slot(record.slot, Stack { item, count });
+            } else {
+                self.notices.push(Notice::UnknownItem(record.item.clone()));
+                self.unknown.slots.push(record.clone());
             }
         }
         self.inventory.select(state.item_slot);

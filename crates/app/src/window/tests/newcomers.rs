@@ -34,7 +34,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         seed: Some(7),
         radius_m: None,
     })));
-    tick_until(&mut game, |game| told(game).contains("curvature"));
+    tick_until(&mut game, |game| told(game).starts_with("Change how space"));
     game.input(KEY_N, true);
     game.tick(Instant::now());
     assert!(!game.config.settings.hints && told(&game).is_empty());
