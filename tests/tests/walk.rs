@@ -27,6 +27,8 @@ const SMALL: [&str; 4] = ["--size", "800x600", "--view-distance", "1"];
 const PLAIN: &str = r#", "render-scale": "50", "msaa": "off", "shadows": "off""#;
 /// What the display of the tests shows, pixels.
 const SCREEN: (u32, u32) = (2560, 1440);
+/// Most of a core that a game may use while nobody sees it.
+const MOST_UNSEEN: f64 = 0.05;
 /// Begins in a flat world by day.
 const IN_A_WORLD: [&str; 6] = ["--geometry", "euclidean", "--seed", "7", "--name", "Walk"];
 
@@ -326,13 +328,14 @@ fn a_world_survives_whatever_is_done_to_its_window() {
     sleep(Duration::from_secs(1));
     // What it had begun it may end first, which takes a busy machine longer.
     let window_s = 5.0;
-    let shares = (0..6).map(|_| {
+    let mut shares = Vec::new();
+    while shares.len() < 6 && shares.last().is_none_or(|share| *share >= MOST_UNSEEN) {
         let used_s = processor_s(game.process());
         sleep(Duration::from_secs_f64(window_s));
-        (processor_s(game.process()) - used_s) / window_s
-    });
-    let share = shares.into_iter().find(|share| *share < 0.2);
-    assert!(share.is_some(), "much of a core while nobody sees it");
+        shares.push((processor_s(game.process()) - used_s) / window_s);
+    }
+    let least = shares.iter().copied().fold(f64::INFINITY, f64::min);
+    assert!(least < MOST_UNSEEN, "shares of a core unseen: {shares:?}");
     assert!(game.is_alive());
     game.restore();
     game.wait_until("the window", |picture| {
@@ -433,8 +436,11 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     });
     assert!(is_set(&saves, "hints", "true"), "not all was told yet");
     game.key("Escape");
-    game.wait_while("no more hints on disk", || {
-        !is_set(&saves, "hints", "false")
+    // The one about curvature waits for a world that has a dial, so hints stay on.
+    game.wait_while("the last lesson on disk", || {
+        !fs::read_to_string(settings_file(&saves))
+            .unwrap()
+            .contains("\"menu\"")
     });
     game.stillness();
     game.key("Escape");

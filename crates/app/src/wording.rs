@@ -119,12 +119,12 @@ pub fn notice(texts: &Texts, notice: &Notice) -> String {
 
 /// The answer to what the player did.
 pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
+    let input = |action| antipode_ui::first_input_label(texts, profiles, action);
     match hint {
         Hint::NoOtherMap => texts.say("hint-no-other-map"),
         Hint::Map(HyperbolicMap::Raised) => texts.say("hint-map-raised"),
         Hint::Map(HyperbolicMap::Horizon) => texts.say("hint-map-horizon"),
         Hint::Bent => {
-            let input = |action| antipode_ui::first_input_label(texts, profiles, action);
             let values = [
                 ("up", input(Action::DialUp).into()),
                 ("down", input(Action::DialDown).into()),
@@ -142,6 +142,15 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::DiedOfShot => texts.say("hint-died-of-shot"),
         Hint::DiedOfCrash => texts.say("hint-died-of-crash"),
         Hint::DiedOfCar => texts.say("hint-died-of-car"),
+        Hint::AtTheWheel => {
+            let values = [
+                ("brake", input(Action::Jump).into()),
+                ("camera", input(Action::Camera).into()),
+                ("horn", input(Action::Horn).into()),
+                ("leave", input(Action::LeaveCar).into()),
+            ];
+            texts.say_with("hint-at-the-wheel", &values)
+        }
         Hint::NoCarNear => texts.say("hint-no-car-near"),
         Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),

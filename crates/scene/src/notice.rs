@@ -90,6 +90,9 @@ pub enum Hint {
     /// There is no car to get into.
     #[error("There is no car in view within four metres.")]
     NoCarNear,
+    /// The player has got into a car.
+    #[error("You are at the wheel.")]
+    AtTheWheel,
     /// There is no room beside the car.
     #[error("There is no room to get out here.")]
     NoWayOut,

@@ -9,7 +9,7 @@
 mod common;
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
-use antipode_scene::{Actions, Scene, WorldSetup};
+use antipode_scene::{Actions, Hint, Scene, WorldSetup};
 use common::{LIMIT, scene, steps};
 use glam::DVec3;
 
@@ -156,4 +156,42 @@ fn far_out_the_ground_carries_as_it_does_at_home() {
     scene.teleport(ChartPoint::a(DVec3::new(1e6, 60.0, -1e6)));
     steps(&mut scene, 300, &Actions::default());
     assert_stands(&scene, "a thousand kilometres out");
+}
+
+#[test]
+fn who_builds_in_a_tunnel_is_not_lifted_through_the_hill() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let top = scene.feet().pos.y;
+        let dig = Actions {
+            slot: Some(3),
+            primary: true,
+            ..Actions::default()
+        };
+        scene.aim(0.3, -1.5);
+        steps(&mut scene, 300, &dig);
+        scene.aim(0.3, -0.4);
+        let onwards = Actions {
+            forward: 0.5,
+            ..dig
+        };
+        steps(&mut scene, 300, &onwards);
+        steps(&mut scene, 60, &Actions::default());
+        let before = scene.feet().pos;
+        assert!(before.y < top - 6.0, "{geometry:?}: {before} below {top}");
+        scene.take_hints();
+        let build = Actions {
+            secondary: true,
+            ..Actions::default()
+        };
+        scene.aim(0.3, -0.2);
+        steps(&mut scene, 180, &build);
+        steps(&mut scene, 60, &Actions::default());
+        let after = scene.feet().pos;
+        assert!(
+            after.y < before.y + 1.5,
+            "{geometry:?}: {before} to {after}"
+        );
+        assert!(scene.take_hints().contains(&Hint::InTheWay), "{geometry:?}");
+    }
 }

@@ -59,6 +59,7 @@ impl Scene {
             driving.camera_before = before;
         }
         self.sounds.push(SoundEvent::CarDoor);
+        self.hints.push(Hint::AtTheWheel);
         self.seat_driver(&Actions::default());
     }
 

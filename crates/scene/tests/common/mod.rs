@@ -1,6 +1,7 @@
 //! Worlds for the tests of the scene.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+pub mod cars;
 pub mod figures;
 
 use std::time::Duration;

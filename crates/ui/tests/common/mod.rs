@@ -7,7 +7,7 @@
     reason = "tests fail by panicking; no test file uses all of this"
 )]
 
-use antipode_language::Texts;
+use antipode_language::{Language, Texts};
 use antipode_settings::Config;
 use antipode_ui::{
     AboutModel, Backdrop, Intent, MenuModel, Shell, WorldFiles, WorldRow, WorldsIntent, apply_theme,
@@ -15,6 +15,31 @@ use antipode_ui::{
 use egui::{Key, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
+
+/// Sizes of windows, in points.
+pub const SIZES: [Vec2; 6] = [
+    vec2(640.0, 360.0),
+    vec2(427.0, 240.0),
+    vec2(320.0, 200.0),
+    vec2(1280.0, 720.0),
+    vec2(3840.0, 2160.0),
+    vec2(700.0, 1400.0),
+];
+/// Smaller than anybody could use.
+pub const SMALLEST: [Vec2; 4] = [
+    vec2(1.0, 1.0),
+    vec2(1.0, 400.0),
+    vec2(900.0, 2.0),
+    vec2(40.0, 30.0),
+];
+
+/// Every language with every one of these sizes.
+pub fn everywhere(sizes: &[Vec2]) -> Vec<(Language, Vec2)> {
+    let languages = Language::ALL.into_iter();
+    languages
+        .flat_map(|language| sizes.iter().map(move |size| (language, *size)))
+        .collect()
+}
 
 /// What the game round the menus knows, and every intent they returned.
 pub struct Game {
