@@ -21,7 +21,7 @@ const STILL: Duration = Duration::from_millis(300);
 const CALM: Duration = Duration::from_millis(1800);
 /// So far a picture of a world changes while nothing moves but sun and clouds: mean over pixels and channels, in steps
 /// of 1/255.
-const CALM_CHANGE: f64 = 0.5;
+const CALM_CHANGE: f64 = 2.0;
 
 impl Window {
     /// What the window shows.
