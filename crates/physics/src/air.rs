@@ -26,7 +26,7 @@ pub(crate) struct Flown {
     pub feet: DVec3,
     pub velocity: DVec3,
     pub landed: bool,
-    /// Speed of the fall that the landing ended (m/s).
+    /// Speed of the fall that the landing, or a slope too steep to stand on, took (m/s).
     pub impact_m_s: f64,
 }
 
@@ -107,6 +107,8 @@ impl Mover<'_> {
                 continue;
             }
             slides.note(&contact);
+            let taken_m_s = fall_taken(flown.velocity, contact.normal);
+            flown.impact_m_s = flown.impact_m_s.max(taken_m_s);
             flown.feet += contact.normal * contact.depth;
             flown.velocity = slide(flown.velocity, contact.normal);
             *way = slide(*way, contact.normal);
@@ -130,6 +132,13 @@ impl Mover<'_> {
         }
         flown
     }
+}
+
+/// Speed of a fall that a slope takes, m/s: what goes into it, `-v.n`, so that sliding on along it costs nothing, but no
+/// more than the fall alone has of that, so that running into it costs nothing either.
+fn fall_taken(velocity: DVec3, normal: DVec3) -> f64 {
+    let into = -velocity.dot(normal);
+    into.min((-velocity.y).max(0.0) * normal.y).max(0.0)
 }
 
 /// What is left of a motion along a contact that does not carry. A run against a steep slope is
@@ -168,6 +177,21 @@ mod tests {
         assert!(
             after.dot(normal).abs() < 1e-12 && after.y < -1.0 && after.x < -1.0,
             "{after}"
+        );
+    }
+
+    #[test]
+    fn a_steep_slope_takes_the_part_of_a_fall_that_goes_into_it() {
+        let normal = DVec3::new(-0.8, 0.6, 0.0);
+        let fall = DVec3::new(0.0, -20.0, 0.0);
+        assert!((fall_taken(fall, normal) - 12.0).abs() < 1e-12);
+        let slid = slide(fall, normal);
+        assert!(fall_taken(slid, normal) < 1e-12, "the slide is free");
+        let run = DVec3::new(8.0, -0.5, 0.0);
+        assert!((fall_taken(run, normal) - 0.3).abs() < 1e-12);
+        assert!(
+            fall_taken(DVec3::new(3.0, 4.0, 0.0), DVec3::NEG_Y) < 1e-12,
+            "a ceiling"
         );
     }
 

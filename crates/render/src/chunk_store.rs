@@ -14,11 +14,11 @@ use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
-use crate::pipelines::TerrainPipelines;
 use crate::plan::{ChunkChoice, ChunkLand, FramePlan, LandBook, Port, Tolerance};
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
 use crate::shadow::{Caster, Shadows};
+use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::uniforms::{ChunkInstance, shades_on, whole_reference};
 
 /// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
@@ -321,7 +321,7 @@ impl ChunkStore {
             return 0;
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
-        list.add(instance, 0, chunk.mesh.pieces(seams));
+        list.add(instance, chunk.mesh.pieces(seams).map(|piece| (0, piece)));
         chunk.land.triangles
     }
 
@@ -347,9 +347,9 @@ impl ChunkStore {
             };
             let shades = shades_on(frame, &chunk.land);
             let lights = lights_near(frame, coord.hemisphere, chunk.land.min, chunk.land.max);
-            let by_figures = shadows.figures_shade(frame, &Caster::of(&chunk.land));
+            let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = instance(frame, coord, choice)
-                .shaded(shades, by_figures)
+                .shaded(shades, reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
@@ -358,25 +358,35 @@ impl ChunkStore {
                 .as_ref()
                 .and_then(|fading| Some((fading, self.clock.progress(fading.began_s)?)));
             let Some((old, progress)) = blend else {
-                let number = TerrainPipelines::number(choice, false);
-                let is_seen = |block: &Block| {
+                let numbered = |reach| TerrainPipelines::number(choice, false, reach);
+                let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
                     let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
                     let cell = || frustum.cell_seen(space, eye, coord.hemisphere, min, max);
-                    !hides || cell().is_some()
+                    if hides && cell().is_none() {
+                        return None;
+                    }
+                    let hemisphere = coord.hemisphere;
+                    let of = Caster {
+                        hemisphere,
+                        min,
+                        max,
+                    };
+                    Some(numbered(shadows.reach_within(frame, reach, &of)))
                 };
-                let (pieces, left_out) = mesh.pieces_seen(seams, is_seen);
+                let whole = numbered(shadows.told_apart(reach));
+                let (pieces, left_out) = mesh.pieces_seen(seams, whole, seen);
                 plan.stats.triangles_outside += left_out;
-                list.add(instance, number, pieces.into_iter());
+                list.add(instance, pieces.into_iter());
                 continue;
             };
             plan.stats.chunks_blending += 1;
-            let number = TerrainPipelines::number(choice, true);
+            let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
             let comes = instance.blending(progress);
-            list.add(comes, number, mesh.pieces(seams));
+            list.add(comes, mesh.pieces(seams).map(|piece| (number, piece)));
             let seams = self.seams(coord, old.level, &old.mesh);
             let goes = instance.blending(-progress);
-            list.add(goes, number, old.mesh.pieces(seams));
+            list.add(goes, old.mesh.pieces(seams).map(|piece| (number, piece)));
         }
     }
 

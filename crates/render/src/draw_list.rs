@@ -55,16 +55,12 @@ impl DrawList {
         self.draws.clear();
     }
 
-    /// Adds the pieces of a mesh that stands at `instance`. Meshes are to be added nearest first.
-    pub fn add(
-        &mut self,
-        instance: ChunkInstance,
-        pipeline: u8,
-        pieces: impl Iterator<Item = Piece>,
-    ) {
+    /// Adds the pieces of a mesh that stands at `instance`, each with its pipeline's number. Meshes are to be added
+    /// nearest first.
+    pub fn add(&mut self, instance: ChunkInstance, pieces: impl Iterator<Item = (u8, Piece)>) {
         let first_instance = self.instances.len() as u32;
         self.instances.push(instance);
-        self.draws.extend(pieces.map(|piece| Draw {
+        self.draws.extend(pieces.map(|(pipeline, piece)| Draw {
             pipeline,
             page: piece.page,
             args: DrawIndexedIndirectArgs {
@@ -251,7 +247,7 @@ mod tests {
             let instance = ChunkInstance::new(DVec3::ZERO, Hemisphere::A, DVec3::ZERO);
             let (pipeline, page) = of(i);
             let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
-            list.add(instance, pipeline, pieces.into_iter());
+            list.add(instance, pieces.map(|piece| (pipeline, piece)).into_iter());
         }
         list.sort();
         list

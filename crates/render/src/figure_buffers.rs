@@ -10,6 +10,7 @@ use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, IndexFormat, RenderPass, ShaderStages,
 };
 
+use crate::coarse::coarse;
 use crate::models::{Loaded, ModelVertex, Shape, SkinVertex};
 use crate::rig::{JOINTS, JointRows};
 use crate::uniforms::FigureInstance;
@@ -21,6 +22,10 @@ pub const BATCH: usize = 16;
 pub const ROWS_BYTES: usize = size_of::<JointRows>();
 const BATCH_BYTES: u64 = (BATCH * JOINTS * ROWS_BYTES) as u64;
 
+/// Side of the cells that a coarse shadow's vertices are brought together in, metres: a texel of the figures' map at low
+/// quality.
+const COARSE_M: f32 = 0.05;
+
 /// Where a model lies in the buffers.
 #[derive(Clone, Debug)]
 pub struct Place {
@@ -30,6 +35,8 @@ pub struct Place {
     pub solid: Range<u32>,
     /// Indices of what lets light through.
     pub clear: Range<u32>,
+    /// Indices of coarser triangles of what hides things, for its shadow in large texels.
+    pub coarse: Range<u32>,
     /// Lowest and highest corner of its box in the bind pose, metres.
     pub limits: (Vec3, Vec3),
 }
@@ -54,16 +61,20 @@ impl Statics {
             .map(|Loaded { shape, .. }| {
                 let start = whole.solid.len() as u32;
                 let middle = start + shape.solid.len() as u32;
+                let end = middle + shape.clear.len() as u32;
+                let coarse = coarse(&shape.vertices, &shape.skin, &shape.solid, COARSE_M);
                 let place = Place {
                     base_vertex: whole.vertices.len() as i32,
                     solid: start..middle,
-                    clear: middle..middle + shape.clear.len() as u32,
+                    clear: middle..end,
+                    coarse: end..end + coarse.len() as u32,
                     limits: shape.limits(),
                 };
                 whole.vertices.extend(&shape.vertices);
                 whole.skin.extend(&shape.skin);
                 whole.solid.extend(&shape.solid);
                 whole.solid.extend(&shape.clear);
+                whole.solid.extend(&coarse);
                 place
             })
             .collect();

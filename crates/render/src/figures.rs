@@ -13,6 +13,7 @@ use crate::models::Loaded;
 use crate::pipelines::{FigurePipelines, Pipelines};
 use crate::plan::{Affine, FramePlan, Tolerance};
 use crate::rig::{JOINTS, JointRows, Posed};
+use crate::shadow::Caster;
 use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
 
 /// How figures are carried into the picture.
@@ -44,6 +45,8 @@ struct Seen {
     way: Way,
     instance: FigureInstance,
     joints: Option<Vec<JointRows>>,
+    /// The box of the chart that it takes; none of what is in the player's hand.
+    room: Option<Caster>,
 }
 
 /// The models on the adapter and this frame's figures.
@@ -57,6 +60,8 @@ pub struct Figures {
     joints_bound: BindGroup,
     joints_room: usize,
     runs: Vec<Run>,
+    /// Boxes of the chart that hold each figure, and what it holds.
+    rooms: Vec<Caster>,
 }
 
 /// The number of a model in the buffers.
@@ -82,6 +87,7 @@ impl Figures {
             joints_bound,
             joints_room,
             runs: Vec::new(),
+            rooms: Vec::new(),
         })
     }
 
@@ -102,9 +108,12 @@ impl Figures {
             way: Way::Hand,
             instance,
             joints: None,
+            room: None,
         }));
         // A stable sort: figures of a kind keep their order, and so the picture its bits.
         seen.sort_by_key(|it| (it.way, it.model));
+        self.rooms.clear();
+        self.rooms.extend(seen.iter().filter_map(|it| it.room));
         let rows = self.run_up(&mut seen);
         self.send(device, queue, &seen, &rows);
     }
@@ -194,6 +203,11 @@ impl Figures {
         queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
     }
 
+    /// Boxes of the chart that hold this frame's figures.
+    pub fn rooms(&self) -> &[Caster] {
+        &self.rooms
+    }
+
     /// Draws what hides things behind it; returns triangles and draw calls.
     pub fn draw(&self, pass: &mut RenderPass<'_>, pipelines: &Pipelines) -> (usize, usize) {
         self.draw_parts(pass, &pipelines.figures, |place| &place.solid, false)
@@ -204,12 +218,18 @@ impl Figures {
         self.draw_parts(pass, &pipelines.figures, |place| &place.clear, true)
     }
 
-    /// Draws what is solid of them into a shadow map; returns triangles.
-    pub fn draw_shadows(&self, pass: &mut RenderPass<'_>, pipelines: &FigurePipelines) -> usize {
+    /// Draws what is solid of them into a shadow map, finely or coarsely; returns triangles.
+    pub fn draw_shadows(
+        &self,
+        pass: &mut RenderPass<'_>,
+        pipelines: &FigurePipelines,
+        coarse: bool,
+    ) -> usize {
         let mut triangles = 0;
         for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
             let place = &self.statics.places[run.model];
-            if place.solid.is_empty() {
+            let indices = if coarse { &place.coarse } else { &place.solid };
+            if indices.is_empty() {
                 continue;
             }
             pass.set_pipeline(match run.joints {
@@ -222,8 +242,8 @@ impl Figures {
             }
             let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
             pass.set_vertex_buffer(1, self.instances.slice(start..));
-            triangles += place.solid.len() / 3 * run.count as usize;
-            pass.draw_indexed(place.solid.clone(), place.base_vertex, 0..run.count);
+            triangles += indices.len() / 3 * run.count as usize;
+            pass.draw_indexed(indices.clone(), place.base_vertex, 0..run.count);
         }
         triangles
     }
@@ -303,6 +323,11 @@ fn put(
         way,
         instance,
         joints: None,
+        room: Some(Caster {
+            hemisphere,
+            min,
+            max,
+        }),
     });
 }
 

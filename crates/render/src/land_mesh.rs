@@ -81,21 +81,23 @@ impl LandMesh {
         self.parts.iter().flat_map(part)
     }
 
-    /// The pieces of those blocks of its surface that are seen, and of the chosen seams; and how many triangles are
-    /// left out.
-    pub fn pieces_seen(
+    /// The pieces of those blocks of its surface that are seen, each with how `seen` has it drawn, and of the chosen
+    /// seams and of what is not in blocks, drawn as `whole` says; and how many triangles are left out.
+    pub fn pieces_seen<T: Copy + PartialEq>(
         &self,
         seams: SeamMask,
-        is_seen: impl Fn(&Block) -> bool,
-    ) -> (Vec<Piece>, usize) {
+        whole: T,
+        seen: impl Fn(&Block) -> Option<T>,
+    ) -> (Vec<(T, Piece)>, usize) {
         let (mut pieces, mut left_out) = (Vec::new(), 0);
         for part in &self.parts {
+            let mut chosen = u32::from(seams) << 1;
             if part.blocks.is_empty() {
-                pieces.extend(part.pieces(1 | u32::from(seams) << 1));
+                chosen |= 1;
             } else {
-                left_out += part.push_blocks(&mut pieces, &is_seen);
-                pieces.extend(part.pieces(u32::from(seams) << 1));
+                left_out += part.push_blocks(&mut pieces, &seen);
             }
+            pieces.extend(part.pieces(chosen).map(|piece| (whole, piece)));
         }
         (pieces, left_out)
     }
@@ -118,24 +120,33 @@ impl PlacedPart {
         })
     }
 
-    /// Adds the blocks that are seen, and tells how many triangles the others have. Blocks that lie side by side are
-    /// one piece.
-    fn push_blocks(&self, pieces: &mut Vec<Piece>, is_seen: impl Fn(&Block) -> bool) -> usize {
+    /// Adds the blocks that are seen, and tells how many triangles the others have. Blocks that lie side by side and are
+    /// drawn alike are one piece.
+    fn push_blocks<T: Copy + PartialEq>(
+        &self,
+        pieces: &mut Vec<(T, Piece)>,
+        seen: impl Fn(&Block) -> Option<T>,
+    ) -> usize {
         let first = self.sections[0].start;
-        let mut run: Option<Range<u32>> = None;
+        let mut run: Option<(T, Range<u32>)> = None;
         let mut left_out = 0;
         for block in &self.blocks {
-            if !is_seen(block) {
+            let Some(drawn) = seen(block) else {
                 left_out += block.indices.len() / 3;
                 continue;
-            }
+            };
             let indices = block.indices.start + first..block.indices.end + first;
             match &mut run {
-                Some(run) if run.end == indices.start => run.end = indices.end,
-                _ => pieces.extend(run.replace(indices).map(|run| self.piece(run))),
+                Some((way, run)) if *way == drawn && run.end == indices.start => {
+                    run.end = indices.end;
+                }
+                _ => pieces.extend(
+                    run.replace((drawn, indices))
+                        .map(|(way, run)| (way, self.piece(run))),
+                ),
             }
         }
-        pieces.extend(run.map(|run| self.piece(run)));
+        pieces.extend(run.map(|(way, run)| (way, self.piece(run))));
         left_out
     }
 
@@ -206,11 +217,11 @@ mod tests {
             parts: vec![PlacedPart { blocks, ..part() }],
         };
         let drawn = |seams, seen: [f32; 2]| -> (Vec<_>, usize) {
-            let is_seen = |b: &Block| (seen[0]..=seen[1]).contains(&b.max.x);
-            let (pieces, left_out) = mesh.pieces_seen(seams, is_seen);
+            let is_seen = |b: &Block| (seen[0]..=seen[1]).contains(&b.max.x).then_some(());
+            let (pieces, left_out) = mesh.pieces_seen(seams, (), is_seen);
             let args = pieces
                 .iter()
-                .map(|p| (p.args.first_index, p.args.index_count));
+                .map(|((), p)| (p.args.first_index, p.args.index_count));
             (args.collect(), left_out)
         };
         assert_eq!(drawn(0, [0.0, 9.0]), (vec![(12, 9)], 0));

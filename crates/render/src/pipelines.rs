@@ -11,12 +11,12 @@ use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
 use crate::heavens::Heavens;
 use crate::outlines;
-use crate::plan::{ChunkChoice, DepthMethod, Port};
 use crate::shaders::{
     CELESTIAL, FIGURE, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted,
 };
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
+use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance, OutlineInstance};
 
 /// Everything the scene is drawn with.
@@ -76,8 +76,6 @@ impl Pipelines {
             layout(position[0].format.size(), VertexStepMode::Vertex, &position),
             instances::<MarkerInstance>(&MarkerInstance::ATTRIBUTES),
         ];
-        let solid = |module, entries, buffers| maker.make(module, entries, buffers, SOLID);
-        let terrain = |vertex, fragment| solid(&land, [vertex, fragment], &land_buffers);
         let glass = |fragment, compare| {
             maker.make(
                 &marker,
@@ -88,16 +86,7 @@ impl Pipelines {
         };
         let [outlines, outlines_hidden] = maker.outlines();
         Self {
-            terrain: TerrainPipelines {
-                plain: terrain("vertex", "fragment"),
-                rim: terrain("vertex", "fragment_rim"),
-                deep: terrain("vertex", "fragment_deep"),
-                deep_rim: terrain("vertex", "fragment_deep_rim"),
-                framed: terrain("vertex_framed", "fragment"),
-                blending: terrain("vertex", "fragment_blending"),
-                deep_blending: terrain("vertex", "fragment_deep_blending"),
-                framed_blending: terrain("vertex_framed", "fragment_blending"),
-            },
+            terrain: TerrainPipelines::made_by(maker, &land, &land_buffers),
             figures: FigurePipelines::made_by(maker),
             sky: maker.make(
                 &sky,
@@ -174,62 +163,9 @@ impl FigurePipelines {
     }
 }
 
-/// The ways of drawing land.
-#[derive(Debug)]
-pub struct TerrainPipelines {
-    /// Ported by vertex.
-    plain: RenderPipeline,
-    /// The same, trimmed at the edge of its chart.
-    rim: RenderPipeline,
-    /// Each fragment with its own depth.
-    deep: RenderPipeline,
-    /// The same, trimmed.
-    deep_rim: RenderPipeline,
-    /// Ported as a whole.
-    framed: RenderPipeline,
-    /// Some of the pixels of a mesh ported by vertex, trimmed.
-    blending: RenderPipeline,
-    /// The same, each fragment with its own depth.
-    deep_blending: RenderPipeline,
-    /// Some of the pixels of a mesh ported as a whole.
-    framed_blending: RenderPipeline,
-}
-
-impl TerrainPipelines {
-    /// The number of the pipeline of a choice, where `blends` says that only some of the pixels are drawn. What is
-    /// mostly nearer has lower numbers.
-    pub fn number(choice: &ChunkChoice, blends: bool) -> u8 {
-        let deep = choice.depth == DepthMethod::Fragment;
-        match (&choice.port, deep, choice.trimmed, blends) {
-            (Port::Vertex, false, false, false) => 0,
-            (Port::Vertex, false, true, false) => 1,
-            (Port::Vertex, true, false, false) => 2,
-            (Port::Vertex, true, true, false) => 3,
-            (Port::Frame(_), .., false) => 4,
-            (Port::Vertex, false, _, true) => 5,
-            (Port::Vertex, true, _, true) => 6,
-            (Port::Frame(_), .., true) => 7,
-        }
-    }
-
-    /// The pipeline of a number.
-    pub fn numbered(&self, number: u8) -> &RenderPipeline {
-        match number {
-            0 => &self.plain,
-            1 => &self.rim,
-            2 => &self.deep,
-            3 => &self.deep_rim,
-            4 => &self.framed,
-            5 => &self.blending,
-            6 => &self.deep_blending,
-            _ => &self.framed_blending,
-        }
-    }
-}
-
 /// How something meets what is drawn already.
 #[derive(Clone, Copy)]
-struct Way {
+pub(crate) struct Way {
     compare: CompareFunction,
     writes_depth: bool,
     blend: Option<BlendState>,
@@ -238,7 +174,8 @@ struct Way {
     bends: bool,
 }
 
-const SOLID: Way = Way {
+/// What hides what lies behind it.
+pub(crate) const SOLID: Way = Way {
     compare: CompareFunction::Greater,
     writes_depth: true,
     blend: None,
@@ -280,7 +217,8 @@ const ADDED: BlendComponent = BlendComponent {
 };
 
 /// What all pipelines of the scene pass have in common.
-struct Maker<'a> {
+#[derive(Clone)]
+pub(crate) struct Maker<'a> {
     device: &'a Device,
     shaders: Shaders,
     layout: PipelineLayout,
@@ -289,7 +227,8 @@ struct Maker<'a> {
     bent_caster_layout: PipelineLayout,
     kind: f64,
     samples: u32,
-    shadows: ShadowQuality,
+    pub(crate) shadows: ShadowQuality,
+    by_figures: bool,
 }
 
 impl<'a> Maker<'a> {
@@ -323,6 +262,19 @@ impl<'a> Maker<'a> {
             kind: f64::from(kind),
             samples,
             shadows: ShadowQuality::Off,
+            by_figures: true,
+        }
+    }
+
+    /// One that makes the same for what only some shadows reach.
+    pub(crate) fn reached(&self, reach: ShadowReach) -> Self {
+        Self {
+            shadows: match reach {
+                ShadowReach::Nothing => ShadowQuality::Off,
+                ShadowReach::All | ShadowReach::Land => self.shadows,
+            },
+            by_figures: reach == ShadowReach::All,
+            ..self.clone()
         }
     }
 
@@ -402,7 +354,7 @@ impl<'a> Maker<'a> {
             })
     }
 
-    fn make(
+    pub(crate) fn make(
         &self,
         module: &ShaderModule,
         [vertex, fragment]: [&str; 2],
@@ -411,7 +363,8 @@ impl<'a> Maker<'a> {
     ) -> RenderPipeline {
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
         let shadows = ("SHADOWS", f64::from(self.shadows.number()));
-        let constants = [("GEO_KIND", self.kind), shadows];
+        let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
+        let constants = [("GEO_KIND", self.kind), shadows, by_figures];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

@@ -289,14 +289,14 @@ impl Renderer {
         self.chunks.apply(frame);
         self.marker.prepare(&self.queue, frame);
         self.outlines.prepare(&self.device, &self.queue, frame);
-        self.prepare_shadows(frame, drawn);
         let book = self.chunks.land();
         let land = book.land();
         let mut plan = self.planner.plan(frame, height_px, &book);
         self.chunks.refine(frame, land, &mut plan);
-        self.chunks.end_rush();
         self.figures
             .prepare(&self.device, &self.queue, frame, &mut plan);
+        self.prepare_shadows(frame, drawn);
+        self.chunks.end_rush();
         self.chunks
             .list(frame, land, &mut plan, &self.shadows, &mut self.list);
         self.land.send(&self.queue, &mut self.list);

@@ -227,6 +227,36 @@ mod tests {
     }
 
     #[test]
+    fn falls_hurt_figures_but_for_the_one_they_came_by() {
+        let mut scene = scene(Geometry::Euclidean);
+        assert!(scene.settle(std::time::Duration::from_mins(2)));
+        let from = |height_m: f64| scene.feet().moved(DVec3::new(5.0, height_m, 0.0));
+        let [high, low] = [from(16.0), from(0.0)];
+        let id = scene.spawn_bot(high, 0.0, false);
+        let stand = |scene: &mut Scene| {
+            for _ in 0..200 {
+                scene.step(&crate::Actions::default());
+            }
+            let bots = scene.bots();
+            let view = bots.iter().find(|view| view.bot.id == id);
+            view.map(|view| (view.point, view.health)).unwrap()
+        };
+        let (ground, whole) = stand(&mut scene);
+        assert!((whole - crate::tuning::BOT_HEALTH).abs() < 1e-9);
+        assert!(ground.pos.y < low.pos.y + 5.0);
+        for (height_m, harm) in [(7.0, 0.0), (8.5, 1.5)] {
+            let found = scene.ecs.query_mut::<(&Bot, &mut Position, &mut Health)>();
+            for (_, position, health) in found {
+                position.0.pos.y = ground.pos.y + height_m;
+                health.0 = crate::tuning::BOT_HEALTH;
+            }
+            let (_, left) = stand(&mut scene);
+            let lost = crate::tuning::BOT_HEALTH - left;
+            assert!((lost - harm).abs() < 0.3, "{height_m} m: {lost}");
+        }
+    }
+
+    #[test]
     fn harm_is_told_with_where_it_came_from_and_ages() {
         let mut scene = scene(Geometry::Euclidean);
         assert_eq!(scene.last_hurt(), None);

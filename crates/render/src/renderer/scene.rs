@@ -12,7 +12,8 @@ use crate::uniforms::SceneUniform;
 impl Renderer {
     /// Plans the passes into the shadow maps, and tells the shaders of the frame.
     pub(super) fn prepare_shadows(&mut self, frame: &Frame, drawn: (u32, u32)) {
-        if self.shadows.prepare(frame, &mut self.chunks) {
+        let rooms = self.figures.rooms();
+        if self.shadows.prepare(frame, &mut self.chunks, rooms) {
             let layout = scene_layout(&self.device);
             let extras = (&self.heavens, &self.shadows);
             self.scene_bindings = bind_scene(&self.device, &layout, &self.uniform, extras);

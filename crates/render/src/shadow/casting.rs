@@ -1,47 +1,61 @@
 //! The map of figures: what is on it, and on which land it may matter.
 
-use antipode_scene::frame::{Figure, Frame};
-use glam::{DVec3, DVec4};
+use antipode_geometry::ChartPoint;
+use antipode_scene::frame::Frame;
+use glam::DVec4;
 
-use super::Shadows;
 use super::levels::{Shot, near_crop};
 use super::light::{Caster, Crop, Light};
 use super::maps::PASSES;
 use super::uniform::CasterUniform;
+use super::{ShadowQuality, Shadows};
+use crate::terrain_pipelines::ShadowReach;
 
-/// How far from the eye figures throw shadows, metres, and how far over their feet they reach.
+/// How far from the eye figures throw shadows, metres.
 const FIGURES_M: f64 = 24.0;
-const FIGURE_HEIGHT_M: f64 = 2.5;
-/// How far to each side of its feet a figure reaches, metres.
-const FIGURE_REACH_M: f64 = 2.5;
+/// How far beyond a figure its soft shadow reaches, and edges of land that were halved stray, metres.
+const EDGE_M: f64 = 0.25;
+
 impl Shadows {
-    /// Takes this frame's figures, as far as any of them is near.
-    pub(super) fn prepare_figures(&mut self, frame: &Frame, light: &Light) {
-        let near = |figure: &&Figure| {
-            frame
-                .strategy
-                .distance_m(frame.eye.point, figure.point, &frame.eye)
-                < 2.0 * FIGURES_M
+    /// Takes this frame's figures by the boxes that hold them, as far as any of them is near.
+    pub(super) fn prepare_figures(&mut self, frame: &Frame, light: &Light, figures: &[Caster]) {
+        let strategy = &*frame.strategy;
+        let own = Shot {
+            light: *light,
+            crop: near_crop(frame, light, FIGURES_M, 1, self.maps.texels),
+            heights: [0.0, 1.0],
         };
-        let crop = near_crop(frame, light, FIGURES_M, 1, self.maps.texels);
+        let shot = if self.merges() {
+            self.levels[0].shot
+        } else {
+            Some(own)
+        };
+        let Some(Shot { light, crop, .. }) = shot else {
+            return;
+        };
         let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
-        for figure in frame.figures.iter().filter(near) {
-            if let Some([low, high]) = light.heights(&*frame.strategy, &crop, &room_of(figure)) {
+        for room in figures {
+            let middle = ChartPoint::new(room.hemisphere, room.middle());
+            let away_m = strategy.distance_m(frame.eye.point, middle, &frame.eye);
+            if away_m < 2.0 * FIGURES_M
+                && let Some([low, high]) = light.heights(strategy, &crop, room)
+            {
                 heights = [heights[0].min(low), heights[1].max(high)];
+                self.rooms.push(*room);
             }
         }
         if heights[0] > heights[1] {
             return;
         }
         let shot = Shot {
-            light: *light,
+            light,
             crop,
             heights,
         };
         let eye = &frame.eye;
         let reference = frame.strategy.reference(eye, eye.point.hemisphere);
         let from = match light {
-            Light::Far { anchor, .. } => (reference - *anchor).extend(1.0),
+            Light::Far { anchor, .. } => (reference - anchor).extend(1.0),
             Light::Star { .. } => DVec4::W,
         };
         self.maps
@@ -49,35 +63,56 @@ impl Shadows {
         self.figures = Some(shot);
     }
 
+    /// What may throw a shadow on a box of land.
+    pub fn reach(&self, frame: &Frame, of: &Caster) -> ShadowReach {
+        if !self.merges() && self.figures_shade(frame, of) {
+            return ShadowReach::All;
+        }
+        let strategy = &*frame.strategy;
+        let mut shots = self.levels.iter().filter_map(|level| level.shot.as_ref());
+        if shots.any(|shot| shot.light.heights(strategy, &shot.crop, of).is_some()) {
+            ShadowReach::Land
+        } else {
+            ShadowReach::Nothing
+        }
+    }
+
+    /// What may throw a shadow on a part of a box that `whole` holds for, as far as that makes a difference to how the
+    /// part is drawn.
+    pub fn reach_within(&self, frame: &Frame, whole: ShadowReach, part: &Caster) -> ShadowReach {
+        if self.quality == ShadowQuality::Low && whole != ShadowReach::Nothing {
+            self.reach(frame, part)
+        } else {
+            self.told_apart(whole)
+        }
+    }
+
+    /// What is drawn as what: where branches cost nothing, land that no figure's shadow falls on is drawn as all is.
+    pub fn told_apart(&self, reach: ShadowReach) -> ShadowReach {
+        if self.quality == ShadowQuality::Low {
+            reach
+        } else {
+            ShadowReach::All
+        }
+    }
+
     /// Whether the shadow of a figure may fall on a box of land.
-    pub fn figures_shade(&self, frame: &Frame, of: &Caster) -> bool {
+    fn figures_shade(&self, frame: &Frame, of: &Caster) -> bool {
         let Some(shot) = &self.figures else {
             return false;
         };
         let (strategy, light) = (&*frame.strategy, &shot.light);
-        let shades = |figure: &Figure| {
-            let room = room_of(figure);
-            let Some([_, high]) = light.heights(strategy, &shot.crop, &room) else {
+        let shades = |room: &Caster| {
+            let Some([_, high]) = light.heights(strategy, &shot.crop, room) else {
                 return false;
             };
-            let middle = figure.point.moved(DVec3::Y * (0.5 * FIGURE_HEIGHT_M));
-            let base = light.base(strategy, middle);
+            let base = light.base(strategy, ChartPoint::new(room.hemisphere, room.middle()));
             let (face, centre) = light.seen(base);
-            let half = light.length_on_plane(base, FIGURE_REACH_M);
+            let half = light.length_on_plane(base, room.reach().length() + EDGE_M);
             let around = Crop { face, centre, half };
             let below = |[low, _]: [f64; 2]| matches!(light, Light::Star { .. }) || low < high;
             light.heights(strategy, &around, of).is_some_and(below)
         };
-        frame.figures.iter().any(shades)
-    }
-}
-
-/// The room that a figure takes.
-fn room_of(figure: &Figure) -> Caster {
-    let side = DVec3::new(FIGURE_REACH_M, 0.0, FIGURE_REACH_M);
-    Caster {
-        hemisphere: figure.point.hemisphere,
-        min: figure.point.pos - side,
-        max: figure.point.pos + side + DVec3::Y * FIGURE_HEIGHT_M,
+        self.rooms.iter().any(shades)
     }
 }

@@ -214,6 +214,16 @@ pub struct Caster {
 }
 
 impl Caster {
+    /// Its middle, metres.
+    pub fn middle(&self) -> DVec3 {
+        0.5 * (self.min + self.max)
+    }
+
+    /// How far it reaches from there along each axis, metres.
+    pub fn reach(&self) -> DVec3 {
+        0.5 * (self.max - self.min)
+    }
+
     /// All of a chunk's land.
     pub fn of(land: &ChunkLand) -> Self {
         Self {
@@ -228,8 +238,8 @@ impl Light {
     /// The heights towards the light between which a box lies, if any of it falls on a crop. A star's maps hold all
     /// distances.
     pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
-        let middle = ChartPoint::new(of.hemisphere, 0.5 * (of.min + of.max));
-        let reach = 0.5 * (of.max - of.min);
+        let middle = ChartPoint::new(of.hemisphere, of.middle());
+        let reach = of.reach();
         let base = self.base(strategy, middle);
         match self {
             Self::Far { toward, across, .. } => {
@@ -243,9 +253,44 @@ impl Light {
             Self::Star { radius_m, .. } => {
                 // Ways of the space are no longer than those of the chart.
                 let size = (reach.length() / radius_m).min(1.5).sin();
-                self.is_in_sight(crop, base, size).then_some([0.0, 1.0])
+                let is_seen = self.is_in_sight(crop, base, size)
+                    && self.corners_meet(strategy, crop, of, *radius_m);
+                is_seen.then_some([0.0, 1.0])
             }
         }
+    }
+
+    /// Whether the square about a box's corners meets a crop, seen from a star; `true` where a corner lies behind.
+    ///
+    /// Between its corners the box bulges by no more than the sagitta of its diagonal, d^2 / 8R.
+    fn corners_meet(
+        &self,
+        strategy: &dyn Strategy,
+        crop: &Crop,
+        of: &Caster,
+        radius_m: f64,
+    ) -> bool {
+        let bulge_m = (of.max - of.min).length_squared() / (8.0 * radius_m);
+        let [mut low, mut high] = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        for corner in 0..8_u32 {
+            let choose = |axis: usize| {
+                let ends = [of.min[axis], of.max[axis]];
+                ends[(corner >> axis & 1) as usize]
+            };
+            let pos = DVec3::new(choose(0), choose(1), choose(2));
+            let base = self.base(strategy, ChartPoint::new(of.hemisphere, pos));
+            let own = self.rows().map(|row| row.dot(base));
+            let away = DVec3::new(own[0], own[1], own[2]).length();
+            if ahead(own, crop.face) < 0.2 * away {
+                return true;
+            }
+            let at = self.on_plane(crop.face, base);
+            let spread = self.length_on_plane(base, bulge_m);
+            low = low.min(at - spread);
+            high = high.max(at + spread);
+        }
+        let [from, to] = [crop.centre - crop.half, crop.centre + crop.half];
+        low.cmple(to).all() && high.cmpge(from).all()
     }
 
     /// Whether a ball about a point, given by the sine of its radius over the space's, falls on a crop. The cone of

@@ -3,10 +3,10 @@
 use wgpu::{
     BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor,
     BindGroupLayoutEntry, BindingType, Buffer, BufferBinding, BufferUsages, CommandEncoder, Device,
-    Extent3d, LoadOp, Operations, Queue, RenderPass, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, Sampler, SamplerBindingType, ShaderStages, StoreOp, TextureDescriptor,
-    TextureDimension, TextureSampleType, TextureUsages, TextureView, TextureViewDescriptor,
-    TextureViewDimension,
+    Extent3d, LoadOp, Operations, Origin3d, Queue, RenderPass, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, Sampler, SamplerBindingType, ShaderStages, StoreOp, TexelCopyTextureInfo,
+    Texture, TextureAspect, TextureDescriptor, TextureDimension, TextureSampleType, TextureUsages,
+    TextureView, TextureViewDescriptor, TextureViewDimension,
 };
 
 use super::uniform::CasterUniform;
@@ -26,6 +26,7 @@ pub struct Maps {
     /// How they are read.
     pub sampler: Sampler,
     layers: Vec<TextureView>,
+    texture: Texture,
     /// Texels of a side.
     pub texels: u32,
     uniforms: Buffer,
@@ -84,7 +85,10 @@ impl Maps {
             sample_count: 1,
             dimension: TextureDimension::D2,
             format: DEPTH_FORMAT,
-            usage: TextureUsages::RENDER_ATTACHMENT | TextureUsages::TEXTURE_BINDING,
+            usage: TextureUsages::RENDER_ATTACHMENT
+                | TextureUsages::TEXTURE_BINDING
+                | TextureUsages::COPY_SRC
+                | TextureUsages::COPY_DST,
             view_formats: &[],
         });
         let view = |first: u32, count: u32, dimension| {
@@ -122,6 +126,7 @@ impl Maps {
             layers: (0..layers)
                 .map(|layer| view(layer, 1, TextureViewDimension::D2))
                 .collect(),
+            texture,
             texels,
             uniforms,
             bindings,
@@ -132,6 +137,26 @@ impl Maps {
     pub fn write(&self, queue: &Queue, pass: usize, uniform: &CasterUniform) {
         let at = STRIDE * (pass % PASSES) as u64;
         queue.write_buffer(&self.uniforms, at, bytemuck::bytes_of(uniform));
+    }
+
+    /// Copies a layer into another.
+    pub fn copy(&self, encoder: &mut CommandEncoder, from: u32, to: u32) {
+        let place = |layer| TexelCopyTextureInfo {
+            texture: &self.texture,
+            mip_level: 0,
+            origin: Origin3d {
+                x: 0,
+                y: 0,
+                z: layer,
+            },
+            aspect: TextureAspect::All,
+        };
+        let size = Extent3d {
+            width: self.texels,
+            height: self.texels,
+            depth_or_array_layers: 1,
+        };
+        encoder.copy_texture_to_texture(place(from), place(to), size);
     }
 
     /// Begins the pass of that number into a layer, over what is there or over nothing.

@@ -13,7 +13,7 @@ mod uniform;
 use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::Frame;
 use glam::{DVec3, DVec4};
-use wgpu::{CommandEncoder, Device, Queue};
+use wgpu::{Backend, CommandEncoder, Device, Queue};
 
 use levels::{Level, Shot, count, wanted};
 pub use light::Caster;
@@ -108,6 +108,8 @@ pub struct Shadows {
     device: Device,
     queue: Queue,
     quality: ShadowQuality,
+    /// Whether the adapter copies depth: what wgpu has for OpenGL does not.
+    copies: bool,
     maps: Maps,
     levels: Vec<Level>,
     /// What is in the making, and the layer that it is drawn into: of the finest map, which shows at once what is
@@ -117,6 +119,8 @@ pub struct Shadows {
     passes: Vec<Pass>,
     lists: Vec<(DrawList, LandDraws)>,
     figures: Option<Shot>,
+    /// Boxes of the figures that are on their map.
+    rooms: Vec<Caster>,
     /// The world that is on the maps.
     world: Option<u64>,
     busy: bool,
@@ -138,6 +142,7 @@ impl Shadows {
             device: gpu.device.clone(),
             queue: gpu.queue.clone(),
             quality,
+            copies: gpu.adapter.get_info().backend != Backend::Gl,
             maps: Maps::new(&gpu.device, 1, 1),
             levels: Vec::new(),
             jobs: [const { None }; SLOTS],
@@ -147,6 +152,7 @@ impl Shadows {
                 .map(|_| (DrawList::default(), LandDraws::new(gpu)))
                 .collect(),
             figures: None,
+            rooms: Vec::new(),
             world: None,
             busy: false,
         }
@@ -192,9 +198,9 @@ impl Shadows {
         ]
     }
 
-    /// Plans this frame's passes; `true` where what [`Shadows::bind`] gives is other than before. In a rush all maps are
+    /// Plans this frame's passes over land and over figures, of which the boxes are told; `true` where what [`Shadows::bind`] gives is other than before. In a rush all maps are
     /// brought to just what the frame wants.
-    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore) -> bool {
+    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore, figures: &[Caster]) -> bool {
         let touched = chunks.take_touched();
         if self.world.replace(frame.loaded_world) != Some(frame.loaded_world) {
             self.jobs = [const { None }; SLOTS];
@@ -202,6 +208,7 @@ impl Shadows {
         }
         self.passes.clear();
         self.figures = None;
+        self.rooms.clear();
         if self.quality == ShadowQuality::Off {
             return self.fit(0);
         }
@@ -231,8 +238,19 @@ impl Shadows {
             }
         }
         self.busy = left == 0 || self.jobs.iter().any(Option::is_some);
-        self.prepare_figures(frame, &light);
+        self.prepare_figures(frame, &light, figures);
         is_new
+    }
+
+    /// Whether figures are drawn over a copy of the only map of land, so that one is read and not two: in a closed world
+    /// in software, where reading is most of what shadows cost.
+    fn merges(&self) -> bool {
+        self.copies && self.levels.len() == 1
+    }
+
+    /// The layer that figures are drawn into.
+    fn figures_layer(&self) -> u32 {
+        (self.levels.len() + SLOTS) as u32
     }
 
     /// Has so many maps of land, or none.
@@ -377,8 +395,12 @@ impl Shadows {
             }
         }
         if let Some(shot) = &self.figures {
-            let layer = (self.levels.len() + SLOTS) as u32;
-            uniform.maps[FIGURES] = MapUniform::new(frame, shot, layer, texels, 1.0);
+            let layer = self.figures_layer();
+            if self.merges() {
+                uniform.maps[0].lie_in(layer);
+            } else {
+                uniform.maps[FIGURES] = MapUniform::new(frame, shot, layer, texels, 1.0);
+            }
         }
         uniform
     }
@@ -406,12 +428,16 @@ impl Shadows {
             }
         }
         if self.figures.is_some() {
-            let layer = (self.levels.len() + SLOTS) as u32;
-            let begun = self
-                .maps
-                .begin(encoder, (PASSES - 1, layer), true, timing.take());
+            let layer = self.figures_layer();
+            let merges = self.merges();
+            if merges {
+                self.maps.copy(encoder, self.levels[0].layer, layer);
+            }
+            let place = (PASSES - 1, layer);
+            let begun = self.maps.begin(encoder, place, !merges, timing.take());
             if let Some(mut pass) = begun {
-                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figures);
+                let coarse = self.quality == ShadowQuality::Low;
+                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figures, coarse);
             }
         }
         (stats, stamps && timing.is_none())

@@ -89,4 +89,9 @@ impl MapUniform {
             padding: 0.0,
         }
     }
+
+    /// Has it lie in another layer.
+    pub fn lie_in(&mut self, layer: u32) {
+        self.layer = layer as f32;
+    }
 }

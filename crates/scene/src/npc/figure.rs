@@ -13,6 +13,7 @@ use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::Bot;
 use crate::frame::ModelId;
 use crate::ground::chunks_near;
+use crate::harm::fall_harm;
 use crate::motion::Doing;
 use crate::pick::over;
 use crate::player::{self, Appearance, Body, Look, Position, wrap_angle};
@@ -254,9 +255,25 @@ impl Npc {
         };
         self.appearance.motion.pass(&doing, STEP_S);
         self.settle(around, input);
+        self.bear_fall(around);
         let mut position = Position(self.point);
         player::cross(strategy, &mut position, &mut self.look, &mut self.body);
         self.point = position.0;
+    }
+
+    /// Falls hurt it as they hurt the player, but for the one it came by: who sets a figure down need not know the ground.
+    fn bear_fall(&mut self, around: &Around<'_>) {
+        let body = &self.body.0;
+        if !self.mind.has_landed {
+            self.mind.has_landed = body.grounded;
+            return;
+        }
+        let harm = fall_harm(body.impact_m_s, around.scene.tuning.gravity_m_s2);
+        if harm > 0.0 && self.health > 0.0 {
+            self.health = (self.health - harm).max(0.0);
+            self.bot.hit_s_ago = 0.0;
+            self.appearance.motion.strike();
+        }
     }
 
     /// Whether its middle is in rock, as when ground was built over it.

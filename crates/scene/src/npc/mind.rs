@@ -112,6 +112,8 @@ pub(crate) struct Mind {
     pub stuck: u32,
     /// Places that turned out to be no way, and for how long that is remembered, in seconds.
     pub blocked: Vec<(ChartPoint, f64)>,
+    /// Whether it has stood on ground since it came.
+    pub has_landed: bool,
     /// How often it was talked to.
     pub told: u32,
     /// Which way it goes round the player, 1 or -1.
@@ -142,6 +144,7 @@ impl Mind {
             stuck_s: 0.0,
             stuck: 0,
             blocked: Vec::new(),
+            has_landed: false,
             told: 0,
             side,
         }
