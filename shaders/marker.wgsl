@@ -36,7 +36,7 @@ fn vertex(in: VertexIn) -> VertexOut {
 fn shade(in: VertexOut, share: f32) -> vec4<f32> {
     let facing = abs(dot(normalize(in.outward), normalize(in.toward_eye)));
     let edge = 1.0 - facing;
-    let opacity = mix(in.colour.a, in.edge, edge * edge) * share;
+    let opacity = mix(in.colour.a, in.edge, edge * edge * edge) * share;
     return vec4<f32>(in.colour.rgb * opacity, opacity);
 }
 

@@ -16,13 +16,15 @@ const AT_WORK: [f32; 3] = [1.25, 0.52, 0.12];
 const SAFE_AT_REST: [f32; 3] = [1.6, 1.6, 1.6];
 const SAFE_AT_WORK: [f32; 3] = [0.01, 0.01, 0.01];
 /// Opacity of the ball, face on and edge on; then of the shell.
-const BALL_OPACITY: (f32, f32) = (0.16, 0.9);
-const SHELL_OPACITY: (f32, f32) = (0.0, 0.34);
+const BALL_OPACITY: (f32, f32) = (0.08, 0.9);
+const SHELL_OPACITY: (f32, f32) = (0.0, 0.30);
 /// The same where lightness alone must tell: less of the land shines through.
 const SAFE_BALL_OPACITY: (f32, f32) = (0.7, 1.0);
 const SAFE_SHELL_OPACITY: (f32, f32) = (0.0, 0.7);
 /// Rate of the glow while at work, radians per second.
 const PULSE_RAD_S: f32 = 9.0;
+/// Least light of the marker, so that it is seen in the darkest night.
+const LEAST_LIGHT: f32 = 0.3;
 const RINGS: u16 = 20;
 const SIDES: u16 = 32;
 
@@ -92,6 +94,13 @@ impl MarkerBalls {
     }
 }
 
+/// How bright the marker is for the light of the moment: as bright as by day it would be a lamp at night.
+fn light_of(frame: &Frame) -> f32 {
+    let sky = &frame.sky;
+    let [ambient, key] = [sky.ambient_sky, sky.key_colour].map(|c| c.iter().sum::<f32>() / 3.0);
+    (1.3 * ambient + 0.5 * key).clamp(LEAST_LIGHT, 1.0)
+}
+
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
     let glow = if marker.active && !marker.still {
         1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin()
@@ -104,7 +113,12 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
         (true, false) => SAFE_AT_REST,
         (true, true) => SAFE_AT_WORK,
     };
-    let [r, g, b] = colour.map(|channel| channel * glow);
+    let light = if marker.by_lightness {
+        1.0
+    } else {
+        light_of(frame)
+    };
+    let [r, g, b] = colour.map(|channel| channel * glow * light);
     let (shell, core) = if marker.by_lightness {
         (SAFE_SHELL_OPACITY, SAFE_BALL_OPACITY)
     } else {

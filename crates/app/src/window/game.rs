@@ -209,7 +209,7 @@ impl Game {
         let fov_y_rad = session.scene.viewing().fov_y_rad;
         let mut frame = session.scene.frame(fov_y_rad, aspect, id);
         if self.display_hidden {
-            frame.hand = None;
+            (frame.hand, frame.marker) = (None, None);
         }
         if self.hit_shapes_shown {
             frame.hit_shapes = session.scene.hit_shapes();

@@ -18,8 +18,8 @@ const HEAD_CONE_RAD: (f64, f64) = (0.24, 0.55);
 const HEAD_DOWN: f64 = 0.10;
 const HEAD_OUT: f64 = 0.06;
 /// Colour times strength of the tail lights, and of the brake lights.
-const TAIL_COLOUR: [f32; 3] = [0.35, 0.02, 0.012];
-const BRAKE_COLOUR: [f32; 3] = [1.6, 0.08, 0.05];
+const TAIL_COLOUR: [f32; 3] = [0.16, 0.009, 0.006];
+const BRAKE_COLOUR: [f32; 3] = [0.85, 0.043, 0.027];
 /// Where they have faded away, in metres.
 const TAIL_RANGE_M: f64 = 3.0;
 const BRAKE_RANGE_M: f64 = 5.0;
