@@ -66,13 +66,20 @@ fn it_is_driven_by_keys_in_every_space_and_is_saved_where_it_stands() {
     }
 }
 
+/// Rounds of seven seconds of the long drive; as many as `ANTIPODE_TEST_DRIVE_ROUNDS` says.
+fn rounds() -> usize {
+    let asked = std::env::var("ANTIPODE_TEST_DRIVE_ROUNDS").ok();
+    asked.and_then(|text| text.parse().ok()).unwrap_or(40)
+}
+
 /// Five minutes of somebody who does not look: mostly ahead, turns, backs off, and sets the car upright again and again.
 #[test]
 fn a_long_drive_round_a_small_world_is_never_stuck_and_never_under_the_ground() {
     let saves = tempfile::tempdir().unwrap();
     let mut script = beside_the_car(saves.path(), "spherical seed=7");
     script += "tap KeyC\nwait 0.3\nprobe\ndown KeyW\n";
-    for round in 0..40 {
+    let rounds = rounds();
+    for round in 0..rounds {
         let turn = ["KeyA", "KeyD"][round / 2 % 2];
         for second in 0..6 {
             if round % 2 == 0 && second < 2 {
@@ -103,5 +110,6 @@ fn a_long_drive_round_a_small_world_is_never_stuck_and_never_under_the_ground() 
         let ground = number(now, "terrain.ground_height");
         assert!(number(now, "car.pos.1") > ground - 1.2, "second {n}: {now}");
     }
-    assert!(crossings >= 10, "{crossings}");
+    eprintln!("{crossings} crossings in {} s", one.lines.len());
+    assert!(crossings >= rounds / 4, "{crossings}");
 }
