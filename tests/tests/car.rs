@@ -66,6 +66,52 @@ fn it_is_driven_by_keys_in_every_space_and_is_saved_where_it_stands() {
     }
 }
 
+#[test]
+fn each_of_its_keys_does_what_the_readme_says_in_every_space() {
+    for space in SPACES {
+        let saves = tempfile::tempdir().unwrap();
+        let begin = beside_the_car(saves.path(), &format!("{space} seed=7\nset npcs off"));
+        let seated = format!("{begin}tap KeyC\nwait 0.3\n");
+        let there = run(saves.path(), &format!("{seated}probe"));
+        let at = [0, 1, 2].map(|axis| number(there.probe(0), &format!("car.pos.{axis}")));
+        let beside = format!("{} {} {} A", at[0] + 5.0, at[1] + 4.0, at[2] + 4.0);
+        let horn = format!("{seated}spawn bot {beside}\nwait 2\nprobe\ntap KeyG\nwait 0.5\nprobe");
+        let horn = run(saves.path(), &horn);
+        assert_ne!(field(horn.probe(0), "bots.0.state"), "flee", "{space}");
+        assert_eq!(field(horn.probe(1), "bots.0.state"), "flee", "{space}");
+        let drive = format!(
+            "{seated}hold KeyW 1.2\nprobe\ndown Space\nwait 0.2\nprobe\nwait 2.5\nup Space\nprobe\nhold KeyS 1.2\n\
+             probe\nhold Space 1.5\nprobe\ntap Tab\nwait 0.3\nprobe\ntap Tab\nwait 0.3\nprobe"
+        );
+        let drive = run(saves.path(), &drive);
+        let speed = |n| number(drive.probe(n), "car.speed");
+        assert_eq!(field(drive.probe(0), "car.brakes"), &Value::Bool(false));
+        assert_eq!(field(drive.probe(1), "car.brakes"), &Value::Bool(true));
+        assert!(
+            speed(2).abs() < 0.5 && speed(3) < -0.8,
+            "{space}: {}, {}",
+            speed(2),
+            speed(3)
+        );
+        let mode = |n| field(drive.probe(n), "camera.mode").clone();
+        assert!(
+            mode(4) != mode(5) && mode(4) == mode(6),
+            "{space}: {}, {}",
+            mode(4),
+            mode(5)
+        );
+        let sprint = run(
+            saves.path(),
+            &format!("{seated}down ShiftLeft\nhold KeyW 1.2\nprobe"),
+        );
+        let faster = number(sprint.probe(0), "car.speed") / speed(0);
+        assert!(
+            faster > 1.2,
+            "{space}: {faster} times as fast by twice the force"
+        );
+    }
+}
+
 /// Rounds of seven seconds of the long drive; as many as `ANTIPODE_TEST_DRIVE_ROUNDS` says.
 fn rounds() -> usize {
     let asked = std::env::var("ANTIPODE_TEST_DRIVE_ROUNDS").ok();
