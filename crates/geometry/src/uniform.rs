@@ -30,7 +30,8 @@ pub struct SpaceUniform {
 impl SpaceUniform {
     pub(crate) const FLAT: u32 = 0;
     pub(crate) const RAISED: u32 = 1;
-    pub(crate) const SPHERE: u32 = 2;
+    /// `kind[0]` of a closed world.
+    pub const SPHERE: u32 = 2;
     /// The number of the horizon map in `kind`.
     pub const HORIZON: u32 = 3;
 

@@ -1,5 +1,6 @@
 //! The pipelines of the scene pass: one for each way of drawing something.
 
+use antipode_geometry::SpaceUniform;
 use wgpu::{
     BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
     Device, PipelineLayout, RenderPipeline, ShaderModule, ShaderStages, VertexAttribute,
@@ -264,6 +265,11 @@ impl<'a> Maker<'a> {
             shadows: ShadowQuality::Off,
             by_figures: true,
         }
+    }
+
+    /// Whether it makes what closed worlds are drawn by.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.kind == f64::from(SpaceUniform::SPHERE)
     }
 
     /// One that makes the same for what only some shadows reach.

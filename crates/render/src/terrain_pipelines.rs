@@ -18,18 +18,24 @@ pub enum ShadowReach {
     Nothing,
 }
 
-impl ShadowReach {
-    const ALL: [Self; 3] = [Self::All, Self::Land, Self::Nothing];
-}
-
-/// The ways of drawing land: a set for each reach of shadows where the adapter pays for branches that it does not
-/// take, else one for all.
+/// The ways of drawing land: all of them for what any shadow may reach and, where the adapter pays for branches that it
+/// does not take, those that most of a picture is drawn by for the rest. Each takes a software adapter a tenth of a
+/// second and some megabytes, so there are no more.
 #[derive(Debug)]
 pub struct TerrainPipelines {
-    sets: Vec<Set>,
+    all: Set,
+    land: Few,
+    nothing: Few,
 }
 
-/// The ways of drawing land with one reach of shadows.
+/// Some of the ways, with less than all shadows.
+#[derive(Debug, Default)]
+struct Few {
+    plain: Option<RenderPipeline>,
+    rim: Option<RenderPipeline>,
+}
+
+/// The ways of drawing land.
 #[derive(Debug)]
 struct Set {
     /// Ported by vertex.
@@ -50,8 +56,9 @@ struct Set {
     framed_blending: RenderPipeline,
 }
 
-/// Ways of a set.
+/// All ways, and those of [`Few`], which come first.
 const WAYS: u8 = 8;
+const FEW: u8 = 2;
 
 impl TerrainPipelines {
     pub(crate) fn made_by(
@@ -59,14 +66,28 @@ impl TerrainPipelines {
         module: &ShaderModule,
         buffers: &[VertexBufferLayout<'_>],
     ) -> Self {
-        let sets = if maker.shadows == ShadowQuality::Low {
-            &ShadowReach::ALL[..]
-        } else {
-            &ShadowReach::ALL[..1]
+        let few = |reach, with_rim: bool| {
+            let maker = maker.reached(reach);
+            let terrain = |fragment| maker.make(module, ["vertex", fragment], buffers, SOLID);
+            Few {
+                plain: Some(terrain("fragment")),
+                rim: with_rim.then(|| terrain("fragment_rim")),
+            }
         };
-        let set = |reach: &ShadowReach| Set::made_by(&maker.reached(*reach), module, buffers);
+        let is_low = maker.shadows == ShadowQuality::Low;
         Self {
-            sets: sets.iter().map(set).collect(),
+            all: Set::made_by(maker, module, buffers),
+            // Only closed worlds have much land that no map shows, and an equator at hand.
+            land: if is_low {
+                few(ShadowReach::Land, maker.is_closed())
+            } else {
+                Few::default()
+            },
+            nothing: if is_low && maker.is_closed() {
+                few(ShadowReach::Nothing, true)
+            } else {
+                Few::default()
+            },
         }
     }
 
@@ -84,23 +105,35 @@ impl TerrainPipelines {
             (Port::Vertex, true, _, true) => 6,
             (Port::Frame(_), .., true) => 7,
         };
-        WAYS * reach as u8 + way
+        if way < FEW {
+            WAYS * reach as u8 + way
+        } else {
+            way
+        }
     }
 
     /// The pipeline of a number; that for all shadows where there is none of its own.
     pub fn numbered(&self, number: u8) -> &RenderPipeline {
-        let set = self.sets.get(usize::from(number / WAYS));
-        let set = set.unwrap_or(&self.sets[0]);
-        match number % WAYS {
-            0 => &set.plain,
-            1 => &set.rim,
-            2 => &set.deep,
-            3 => &set.deep_rim,
-            4 => &set.framed,
-            5 => &set.blending,
-            6 => &set.deep_blending,
-            _ => &set.framed_blending,
-        }
+        let few = match number / WAYS {
+            1 => Some(&self.land),
+            2 => Some(&self.nothing),
+            _ => None,
+        };
+        let (all, way) = (&self.all, number % WAYS);
+        let own = few.and_then(|few| match way {
+            0 => few.plain.as_ref(),
+            _ => few.rim.as_ref(),
+        });
+        own.unwrap_or(match way {
+            0 => &all.plain,
+            1 => &all.rim,
+            2 => &all.deep,
+            3 => &all.deep_rim,
+            4 => &all.framed,
+            5 => &all.blending,
+            6 => &all.deep_blending,
+            _ => &all.framed_blending,
+        })
     }
 }
 
