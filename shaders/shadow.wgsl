@@ -40,60 +40,24 @@ fn caster_clip(p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
     return caster.clip * vec4<f32>(p, 1.0);
 }
 
-// Where a point is on a map, from -1 to 1 and in depth, and how that changes to the next pixel on the right and below;
-// w: one over the fourth clip coordinate.
-struct OnMap {
-    at: vec4<f32>,
-    x: vec3<f32>,
-    y: vec3<f32>,
-}
-
-// What a fragment knows of its place, and how that changes to the next pixels.
+// What a fragment knows of its place, and how that changes to the next pixel on the right and below.
 struct Shaded {
     at: vec4<f32>,
     x: vec4<f32>,
     y: vec4<f32>,
-    near: OnMap,    // of the maps that every pixel of a closed world reads in software
-    figures: OnMap,
 }
 
-// Differences between pixels on a map itself: the three points lie on the triangle's plane, which is a plane on the
-// map too, so they tell its slope exactly, and for a third of what turning both differences of places costs.
-fn on_map_by_pixels(at: vec4<f32>, number: u32) -> OnMap {
-    let c = scene.shadows.maps[number].clip * at;
-    // A map that is not there yet is all zero, and trusted by nothing.
-    let inverse = 1.0 / select(c.w, 1e-6, abs(c.w) < 1e-6);
-    let s = c.xyz * inverse;
-    return OnMap(vec4<f32>(s, inverse), dpdx(s), dpdy(s));
-}
-
-// To be called before a fragment may be discarded.
+// To be called before a fragment may be discarded. Places are told apart here and not on a map, which would save two
+// products of three: near the eye a pixel is a hundredth of a texel there, and what rounding leaves of the difference
+// is noise.
 fn shaded_at(place: vec3<f32>, view: vec4<f32>) -> Shaded {
-    var point: Shaded;
     if SHADOWS == 0u {
-        return point;
+        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0));
     }
-    if GEO_KIND != GEO_SPHERE {
-        point.at = vec4<f32>(place, 1.0);
-        point.x = vec4<f32>(dpdx(place), 0.0);
-        point.y = vec4<f32>(dpdy(place), 0.0);
-        return point;
+    if GEO_KIND == GEO_SPHERE {
+        return Shaded(view, dpdx(view), dpdy(view));
     }
-    point.at = view;
-    if SHADOWS == 2u {
-        point.x = dpdx(view);
-        point.y = dpdy(view);
-        return point;
-    }
-    point.near = on_map_by_pixels(view, 0u);
-    if FIGURE_SHADOWS {
-        point.figures = on_map_by_pixels(view, SHADOW_FIGURES);
-    }
-    return point;
-}
-
-fn away_on(at: vec4<f32>) -> f32 {
-    return select(2.0, max(abs(at.x), abs(at.y)), at.w > 0.0);
+    return Shaded(vec4<f32>(place, 1.0), vec4<f32>(dpdx(place), 0.0), vec4<f32>(dpdy(place), 0.0));
 }
 
 // How far from a map's middle a point falls on it: 1 at its edge.
@@ -131,31 +95,33 @@ struct Placed {
     slope: vec2<f32>,
 }
 
-fn on_map(point: Shaded, map: ShadowMap) -> OnMap {
+fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let c = map.clip * point.at;
     let cx = map.clip * point.x;
     let cy = map.clip * point.y;
-    if GEO_KIND != GEO_SPHERE {
-        return OnMap(vec4<f32>(c.xyz, 1.0), cx.xyz, cy.xyz);
+    var s = c.xyz;
+    var dx = cx.xyz;
+    var dy = cy.xyz;
+    var texel = map.info.y;
+    if GEO_KIND == GEO_SPHERE {
+        // A map that is not there yet is all zero, and trusted by nothing.
+        let inverse = 1.0 / select(c.w, 1e-6, abs(c.w) < 1e-6);
+        s = c.xyz * inverse;
+        dx = (cx.xyz - s * cx.w) * inverse;
+        dy = (cy.xyz - s * cy.w) * inverse;
+        texel = map.info.y * inverse;
     }
-    let inverse = 1.0 / select(c.w, 1e-6, abs(c.w) < 1e-6);
-    let s = c.xyz * inverse;
-    return OnMap(vec4<f32>(s, inverse), (cx.xyz - s * cx.w) * inverse, (cy.xyz - s * cy.w) * inverse);
-}
-
-fn placed_on(on: OnMap, map: ShadowMap) -> Placed {
-    let texel = map.info.y * on.at.w;
     let size = scene.shadows.key.y;
     let to_texels = vec2<f32>(0.5, -0.5) * size;
-    let ax = on.x.xy * to_texels;
-    let ay = on.y.xy * to_texels;
+    let ax = dx.xy * to_texels;
+    let ay = dy.xy * to_texels;
     let area = ax.x * ay.y - ax.y * ay.x;
-    let slope = vec2<f32>(ay.y * on.x.z - ax.y * on.y.z, ax.x * on.y.z - ay.x * on.x.z);
+    let slope = vec2<f32>(ay.y * dx.z - ax.y * dy.z, ax.x * dy.z - ay.x * dx.z);
     let steepest = SHADOW_STEEPEST * texel;
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
     let bias = SHADOW_BIAS * length(vec3<f32>(g, texel));
-    return Placed(on.at.xy * to_texels + 0.5 * size, on.at.z + bias, g);
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g);
 }
 
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
@@ -169,8 +135,8 @@ fn gathered(corner: vec2<f32>, layer: f32, own: f32, slope: vec2<f32>) -> vec4<f
 
 // Share of the light that a map lets through to a point: each texel is compared with the plane of the point's own
 // surface where the texel's middle is, and counts by its share of a square round the point.
-fn shadow_read_at(on: OnMap, map: ShadowMap) -> f32 {
-    let placed = placed_on(on, map);
+fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
+    let placed = placed_on(point, map);
     let base = floor(placed.texel - 0.5);
     let part = placed.texel - 0.5 - base;
     // Low: two texels along each side; high: six, of which the inner ones count whole.
@@ -189,10 +155,6 @@ fn shadow_read_at(on: OnMap, map: ShadowMap) -> f32 {
     }
     let width = f32(2u * gathers - 1u);
     return mix(1.0, lit / (width * width), map.info.z);
-}
-
-fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
-    return shadow_read_at(on_map(point, map), map);
 }
 
 // The face of a star's light on which a point lies.
@@ -228,11 +190,6 @@ fn either(point: Shaded, near: ShadowMap, next: ShadowMap, end: f32) -> f32 {
 
 // Share of the key light that land lets through to a point.
 fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
-    if GEO_KIND == GEO_SPHERE && SHADOWS == 1u {
-        // Looking up one of seven maps in each pixel doubles a frame in software: there is only the nearest.
-        let read = shadow_read_at(point.near, scene.shadows.maps[0]);
-        return mix(read, 1.0, shadow_end(away_on(point.near.at)));
-    }
     let near_end = shadow_end(shadow_away(point, 0u));
     if SHADOWS == 2u {
         if GEO_KIND == GEO_SPHERE {
@@ -243,6 +200,10 @@ fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
         let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
         return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
     }
+    if GEO_KIND == GEO_SPHERE {
+        // Looking up one of seven maps in each pixel doubles a frame in software: there is only the nearest.
+        return mix(shadow_read(point, scene.shadows.maps[0]), 1.0, near_end);
+    }
     let noise = shadow_noise(pixel);
     let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
     let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
@@ -251,10 +212,6 @@ fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
 
 // Share of the key light that figures let through to a point.
 fn figure_shadow(point: Shaded) -> f32 {
-    if GEO_KIND == GEO_SPHERE && SHADOWS == 1u {
-        let read = shadow_read_at(point.figures, scene.shadows.maps[SHADOW_FIGURES]);
-        return mix(read, 1.0, shadow_end(away_on(point.figures.at)));
-    }
     let away = shadow_away(point, SHADOW_FIGURES);
     if away >= 1.0 {
         return 1.0;

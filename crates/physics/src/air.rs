@@ -26,8 +26,10 @@ pub(crate) struct Flown {
     pub feet: DVec3,
     pub velocity: DVec3,
     pub landed: bool,
-    /// Speed of the fall that the landing, or a slope too steep to stand on, took (m/s).
+    /// Speed of the fall that the landing ended (m/s).
     pub impact_m_s: f64,
+    /// The most that slopes too steep to stand on took of it at once (m/s).
+    pub scrape_m_s: f64,
 }
 
 /// What steep contacts a flight has slid along.
@@ -65,6 +67,7 @@ impl Mover<'_> {
             velocity: velocity.with_y(end_y),
             landed: false,
             impact_m_s: 0.0,
+            scrape_m_s: 0.0,
         };
         let (parts, wanted_drop) = (self.parts(way), -way.y);
         let mut slides = Slides::default();
@@ -108,7 +111,7 @@ impl Mover<'_> {
             }
             slides.note(&contact);
             let taken_m_s = fall_taken(flown.velocity, contact.normal);
-            flown.impact_m_s = flown.impact_m_s.max(taken_m_s);
+            flown.scrape_m_s = flown.scrape_m_s.max(taken_m_s);
             flown.feet += contact.normal * contact.depth;
             flown.velocity = slide(flown.velocity, contact.normal);
             *way = slide(*way, contact.normal);

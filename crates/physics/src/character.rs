@@ -27,6 +27,9 @@ pub struct Character {
     pub grounded: bool,
     /// Speed (m/s) of the fall that ended in the last move, zero when none did.
     pub impact_m_s: f64,
+    /// The most (m/s) that slopes too steep to stand on took of a fall at once in the last move; sliding on along one
+    /// takes nothing.
+    pub scrape_m_s: f64,
     /// By how much (m) a stair set the feet up (or down, negative) at once in the last move; a
     /// camera may ease over it.
     pub stair_m: f64,
@@ -66,6 +69,11 @@ impl CharacterInput {
 }
 
 impl Character {
+    /// The hardest that the last move ended a fall or a part of it, m/s.
+    pub fn hardest_m_s(&self) -> f64 {
+        self.impact_m_s.max(self.scrape_m_s)
+    }
+
     /// A character at rest with its feet at `feet` (m), not yet on the ground.
     pub fn at(feet: DVec3) -> Self {
         Self {
@@ -151,7 +159,8 @@ impl PhysicsWorld {
             return;
         }
         let dt_s = dt_s.min(LONGEST_MOVE_S);
-        (character.impact_m_s, character.stair_m) = (0.0, 0.0);
+        character.impact_m_s = 0.0;
+        (character.scrape_m_s, character.stair_m) = (0.0, 0.0);
         character.keep_time(tuning, input, dt_s);
         if input.fly {
             character.fly(tuning, input, dt_s);
@@ -204,6 +213,7 @@ fn travel(character: &mut Character, mover: &Mover<'_>, dt_s: f64) {
     character.velocity = flown.velocity;
     character.grounded = flown.landed;
     character.impact_m_s = flown.impact_m_s;
+    character.scrape_m_s = flown.scrape_m_s;
 }
 
 /// The part of a walk's rise that no walkable slope explains.

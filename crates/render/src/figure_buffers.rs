@@ -25,6 +25,8 @@ const BATCH_BYTES: u64 = (BATCH * JOINTS * ROWS_BYTES) as u64;
 /// Side of the cells that a coarse shadow's vertices are brought together in, metres: a texel of the figures' map at low
 /// quality.
 const COARSE_M: f32 = 0.05;
+/// What is thinner anywhere throws the shadow of all its triangles, metres: cells would fold it flat.
+const COARSE_FROM_M: f32 = 0.4;
 
 /// Where a model lies in the buffers.
 #[derive(Clone, Debug)]
@@ -62,7 +64,12 @@ impl Statics {
                 let start = whole.solid.len() as u32;
                 let middle = start + shape.solid.len() as u32;
                 let end = middle + shape.clear.len() as u32;
-                let coarse = coarse(&shape.vertices, &shape.skin, &shape.solid, COARSE_M);
+                let (low, high) = shape.limits();
+                let coarse = if (high - low).min_element() < COARSE_FROM_M {
+                    shape.solid.clone()
+                } else {
+                    coarse(&shape.vertices, &shape.skin, &shape.solid, COARSE_M)
+                };
                 let place = Place {
                     base_vertex: whole.vertices.len() as i32,
                     solid: start..middle,

@@ -56,9 +56,9 @@ struct Set {
     framed_blending: RenderPipeline,
 }
 
-/// All ways, and those of [`Few`], which come first.
-const WAYS: u8 = 8;
+/// Ways of [`Few`], which come first, and the reaches that they come in.
 const FEW: u8 = 2;
+const REACHES: u8 = 3;
 
 impl TerrainPipelines {
     pub(crate) fn made_by(
@@ -105,35 +105,32 @@ impl TerrainPipelines {
             (Port::Vertex, true, _, true) => 6,
             (Port::Frame(_), .., true) => 7,
         };
+        // What comes in several reaches has its numbers side by side, before all others.
         if way < FEW {
-            WAYS * reach as u8 + way
+            REACHES * way + reach as u8
         } else {
-            way
+            REACHES * FEW + way - FEW
         }
     }
 
     /// The pipeline of a number; that for all shadows where there is none of its own.
     pub fn numbered(&self, number: u8) -> &RenderPipeline {
-        let few = match number / WAYS {
-            1 => Some(&self.land),
-            2 => Some(&self.nothing),
-            _ => None,
+        let all = &self.all;
+        let (own, whole) = match number {
+            0 => (None, &all.plain),
+            1 => (self.land.plain.as_ref(), &all.plain),
+            2 => (self.nothing.plain.as_ref(), &all.plain),
+            3 => (None, &all.rim),
+            4 => (self.land.rim.as_ref(), &all.rim),
+            5 => (self.nothing.rim.as_ref(), &all.rim),
+            6 => (None, &all.deep),
+            7 => (None, &all.deep_rim),
+            8 => (None, &all.framed),
+            9 => (None, &all.blending),
+            10 => (None, &all.deep_blending),
+            _ => (None, &all.framed_blending),
         };
-        let (all, way) = (&self.all, number % WAYS);
-        let own = few.and_then(|few| match way {
-            0 => few.plain.as_ref(),
-            _ => few.rim.as_ref(),
-        });
-        own.unwrap_or(match way {
-            0 => &all.plain,
-            1 => &all.rim,
-            2 => &all.deep,
-            3 => &all.deep_rim,
-            4 => &all.framed,
-            5 => &all.blending,
-            6 => &all.deep_blending,
-            _ => &all.framed_blending,
-        })
+        own.unwrap_or(whole)
     }
 }
 

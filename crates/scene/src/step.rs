@@ -156,7 +156,7 @@ impl Scene {
             }
         }
         player::cross(&*strategy, position, look, body);
-        let harm = fall_harm(body.0.impact_m_s, self.tuning.gravity_m_s2);
+        let harm = fall_harm(body.0.hardest_m_s(), self.tuning.gravity_m_s2);
         if self.viewing.dips() {
             self.dip.land(body.0.impact_m_s);
         }

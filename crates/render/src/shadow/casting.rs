@@ -33,18 +33,24 @@ impl Shadows {
         let Some(Shot { light, crop, .. }) = shot else {
             return;
         };
-        let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut heights, mut is_near) = ([f64::INFINITY, f64::NEG_INFINITY], false);
         for room in figures {
+            let Some([low, high]) = light.heights(strategy, &crop, room) else {
+                continue;
+            };
+            heights = [heights[0].min(low), heights[1].max(high)];
             let middle = ChartPoint::new(room.hemisphere, room.middle());
-            let away_m = strategy.distance_m(frame.eye.point, middle, &frame.eye);
-            if away_m < 2.0 * FIGURES_M
-                && let Some([low, high]) = light.heights(strategy, &crop, room)
-            {
-                heights = [heights[0].min(low), heights[1].max(high)];
-                self.rooms.push(*room);
+            is_near |= strategy.distance_m(frame.eye.point, middle, &frame.eye) < 2.0 * FIGURES_M;
+            if self.merges() {
+                continue;
             }
+            let base = light.base(strategy, middle);
+            let (face, centre) = light.seen(base);
+            let half = light.length_on_plane(base, room.reach().length() + EDGE_M);
+            self.rooms.push((Crop { face, centre, half }, high));
         }
-        if heights[0] > heights[1] {
+        if !is_near {
+            self.rooms.clear();
             return;
         }
         let shot = Shot {
@@ -63,14 +69,18 @@ impl Shadows {
         self.figures = Some(shot);
     }
 
-    /// What may throw a shadow on a box of land.
+    /// What may throw a shadow on a box of land, as far as that makes a difference to how it is drawn.
     pub fn reach(&self, frame: &Frame, of: &Caster) -> ShadowReach {
-        if !self.merges() && self.figures_shade(frame, of) {
+        if self.figures_shade(frame, of) {
             return ShadowReach::All;
         }
+        // Under a sky nearly all land is on some map; where there are faces, all is.
+        let [level] = &self.levels[..] else {
+            return ShadowReach::Land;
+        };
         let strategy = &*frame.strategy;
-        let mut shots = self.levels.iter().filter_map(|level| level.shot.as_ref());
-        if shots.any(|shot| shot.light.heights(strategy, &shot.crop, of).is_some()) {
+        let is_on = |shot: &Shot| shot.light.heights(strategy, &shot.crop, of).is_some();
+        if level.shot.as_ref().is_some_and(is_on) {
             ShadowReach::Land
         } else {
             ShadowReach::Nothing
@@ -102,17 +112,11 @@ impl Shadows {
             return false;
         };
         let (strategy, light) = (&*frame.strategy, &shot.light);
-        let shades = |room: &Caster| {
-            let Some([_, high]) = light.heights(strategy, &shot.crop, room) else {
-                return false;
-            };
-            let base = light.base(strategy, ChartPoint::new(room.hemisphere, room.middle()));
-            let (face, centre) = light.seen(base);
-            let half = light.length_on_plane(base, room.reach().length() + EDGE_M);
-            let around = Crop { face, centre, half };
-            let below = |[low, _]: [f64; 2]| matches!(light, Light::Star { .. }) || low < high;
-            light.heights(strategy, &around, of).is_some_and(below)
-        };
-        self.rooms.iter().any(shades)
+        let below =
+            |[low, _]: [f64; 2], high: f64| matches!(light, Light::Star { .. }) || low < high;
+        self.rooms.iter().any(|(around, high)| {
+            let heights = light.heights(strategy, around, of);
+            heights.is_some_and(|heights| below(heights, *high))
+        })
     }
 }

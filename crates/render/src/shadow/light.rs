@@ -272,6 +272,7 @@ impl Light {
     ) -> bool {
         let bulge_m = (of.max - of.min).length_squared() / (8.0 * radius_m);
         let [mut low, mut high] = [DVec2::INFINITY, DVec2::NEG_INFINITY];
+        let rows = self.rows();
         for corner in 0..8_u32 {
             let choose = |axis: usize| {
                 let ends = [of.min[axis], of.max[axis]];
@@ -279,13 +280,18 @@ impl Light {
             };
             let pos = DVec3::new(choose(0), choose(1), choose(2));
             let base = self.base(strategy, ChartPoint::new(of.hemisphere, pos));
-            let own = self.rows().map(|row| row.dot(base));
+            let own = rows.map(|row| row.dot(base));
             let away = DVec3::new(own[0], own[1], own[2]).length();
-            if ahead(own, crop.face) < 0.2 * away {
+            let depth = ahead(own, crop.face);
+            if depth < 0.2 * away {
                 return true;
             }
-            let at = self.on_plane(crop.face, base);
-            let spread = self.length_on_plane(base, bulge_m);
+            let [a, b] = beside(crop.face).map(|axis| own[axis]);
+            let at = DVec2::new(a, b) / depth;
+            // As in `length_on_plane`: a plane is stretched away from its middle.
+            let stretch = 1.0 + at.length_squared();
+            let spread = stretch * (bulge_m / radius_m).min(1.5).sin() / away.max(1e-3 * radius_m)
+                * radius_m;
             low = low.min(at - spread);
             high = high.max(at + spread);
         }

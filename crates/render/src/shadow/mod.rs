@@ -17,7 +17,7 @@ use wgpu::{Backend, CommandEncoder, Device, Queue};
 
 use levels::{Level, Shot, count, wanted};
 pub use light::Caster;
-use light::Light;
+use light::{Crop, Light};
 use maps::{Maps, PASSES};
 pub use maps::{caster_layout, scene_entries};
 pub use uniform::ShadowUniform;
@@ -119,8 +119,9 @@ pub struct Shadows {
     passes: Vec<Pass>,
     lists: Vec<(DrawList, LandDraws)>,
     figures: Option<Shot>,
-    /// Boxes of the figures that are on their map.
-    rooms: Vec<Caster>,
+    /// What of the map each figure on it may shade, and the height towards the light up to which it does, where they
+    /// have a map of their own.
+    rooms: Vec<(Crop, f64)>,
     /// The world that is on the maps.
     world: Option<u64>,
     busy: bool,

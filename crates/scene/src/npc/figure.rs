@@ -268,7 +268,7 @@ impl Npc {
             self.mind.has_landed = body.grounded;
             return;
         }
-        let harm = fall_harm(body.impact_m_s, around.scene.tuning.gravity_m_s2);
+        let harm = fall_harm(body.hardest_m_s(), around.scene.tuning.gravity_m_s2);
         if harm > 0.0 && self.health > 0.0 {
             self.health = (self.health - harm).max(0.0);
             self.bot.hit_s_ago = 0.0;
@@ -289,6 +289,8 @@ impl Npc {
         let streamer = &around.scene.streamer;
         let near = chunks_near(strategy, self.point, NEEDED_AROUND_M);
         if !near.into_iter().all(|coord| streamer.is_ready(coord)) {
+            // It waits, and what ended its last move does not end another one.
+            (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;
         }
         let origin = strategy.chart_origin_m(self.point.hemisphere);
