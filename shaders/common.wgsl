@@ -124,6 +124,10 @@ fn haze_before(space: Space, view: vec4<f32>) -> vec3<f32> {
     return haze(direction_of(view.xyz));
 }
 
+// Cosine of the angle to the key from which on what is lit counts as such for what is bounced about: what turns away is
+// as dark as what lies in a shadow, so that in one no edge is seen where land turns to the light.
+const FACING: f32 = 0.2;
+
 // Warm key and cool ambient from above, bounce from below: nothing is black.
 // `share` of the key reaches the place; in a shadow less of it is bounced about, too.
 fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
@@ -131,7 +135,7 @@ fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
     let key = max(facing, 0.0);
     let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
     let sky = 0.5 + 0.5 * normal.y;
-    let bounced = wrap * (0.4 + 0.6 * share);
+    let bounced = wrap * (0.4 + 0.6 * share * smoothstep(0.0, FACING, facing));
     return scene.key_colour.rgb * (0.78 * key * share + bounced) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
 }
 

@@ -59,11 +59,20 @@ fn diffuse_of(lit: Lit, toward: vec4<f32>, at: Away) -> f32 {
     return max(0.9 * model_dot(lit, lit.normal, toward) + 0.1 * at.sine, 0.0);
 }
 
-// Specular light, also times the sine: the way back to the eye is minus the view's own direction; Blinn's half way
-// between the two.
+// Specular light, also times the sine: by the cosine between the normal n and Blinn's half way between the unit ways a
+// to the lamp and b to the eye, (<n, a> + <n, b>) / sqrt(2 + 2 <a, b>). With the chords A and B to both, which leave the
+// space at v where a and b do not, <a, b> is (<A, B> - s k^2 A^2/2 B^2/2) over both sines, as <A, v> = -A^2/2. Far off in
+// an open space the numbers of a vector are huge, so that nothing may be told by their first three alone.
 fn shine_of(lit: Lit, toward: vec4<f32>, at: Away) -> f32 {
-    let half_way = normalize(toward.xyz / at.sine - normalize(lit.view.xyz));
-    return at.sine * pow(max(dot(lit.normal.xyz, half_way), 0.0), 32.0);
+    let eye_w = select(0.0, 1.0 / max(lit.k, 1.0e-4), lit.k > 0.0);
+    let back = vec4<f32>(0.0, 0.0, 0.0, eye_w) - lit.view;
+    let to_eye = away(lit, back);
+    let sines = at.sine * to_eye.sine;
+    let bend = lit.sign * lit.k * lit.k * 0.25 * at.chord2 * to_eye.chord2;
+    let between = clamp((model_dot(lit, toward, back) - bend) / sines, -0.999, 1.0);
+    let both = model_dot(lit, lit.normal, toward) / at.sine + model_dot(lit, lit.normal, back) / to_eye.sine;
+    let half_way = clamp(both * inverseSqrt(2.0 + 2.0 * between), 0.0, 1.0);
+    return at.sine * pow(half_way, 32.0);
 }
 
 // The number of a bit that stands alone, by the exponent of its value: where vectors of integers are counted one by
@@ -149,7 +158,10 @@ fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
         let at = away(lit, toward);
         let along = -model_dot(lit, beam.axis, toward) / at.sine;
         let inside = smoothstep(beam.cone.y, beam.cone.x, along);
-        let light = diffuse_of(lit, toward, at) + gloss * shine_of(lit, toward, at);
+        var light = diffuse_of(lit, toward, at);
+        if gloss > 0.0 {
+            light += gloss * shine_of(lit, toward, at);
+        }
         sum += beam.colour.rgb * (inside * through(at, beam.colour.w) * light);
     }
     return sum;
@@ -170,7 +182,8 @@ fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32
     let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
     let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.key.w);
     let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
-    let key = 0.78 * max(facing, vec2<f32>(0.0)) * reaches + bounced * (0.4 + 0.6 * reaches);
+    let about = reaches * smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
+    let key = 0.78 * max(facing, vec2<f32>(0.0)) * reaches + bounced * (0.4 + 0.6 * about);
     let day = smoothstep(NIGHT, DAY, near.x);
     // Low light has come a long way through haze: red.
     let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));
