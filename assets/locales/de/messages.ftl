@@ -19,6 +19,7 @@ hint-died-of-crash = Der Aufprall hat dich getötet. Du stehst am Anfang wieder 
 hint-died-of-car = Ein Auto hat dich überfahren. Du stehst am Anfang wieder auf.
 hint-no-car-near = Es ist kein Auto innerhalb von vier Metern zu sehen.
 hint-at-the-wheel = Am Steuer. Bremse: { $brake } · Kamera: { $camera } · Hupe: { $horn } · Aussteigen: { $leave }
+hint-fallen-over = Das Auto ist umgekippt. { $flip } stellt es auf die Räder.
 hint-no-way-out = Hier ist kein Platz zum Aussteigen.
 hint-back-again = Du bist wieder am Anfang. Was du getragen hast, ist noch bei dir.
 hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.

@@ -20,6 +20,7 @@ hint-died-of-crash = The crash killed you. You will stand up again where you beg
 hint-died-of-car = A car ran you over. You will stand up again where you began.
 hint-no-car-near = There is no car in view within four metres.
 hint-at-the-wheel = At the wheel. Brake: { $brake } · Camera: { $camera } · Horn: { $horn } · Get out: { $leave }
+hint-fallen-over = The car has fallen over. { $flip } sets it on its wheels.
 hint-no-way-out = There is no room to get out here.
 hint-back-again = You are back at the start. What you carried is still with you.
 hint-nobody-to-talk-to = There is nobody ahead to talk to.

@@ -19,6 +19,7 @@ hint-died-of-crash = El choque te ha matado. Te levantarás donde empezaste.
 hint-died-of-car = Te ha atropellado un coche. Te levantarás donde empezaste.
 hint-no-car-near = No hay ningún coche a la vista a menos de cuatro metros.
 hint-at-the-wheel = Al volante. Freno: { $brake } · Cámara: { $camera } · Bocina: { $horn } · Bajar: { $leave }
+hint-fallen-over = El coche ha volcado. { $flip } lo pone sobre sus ruedas.
 hint-no-way-out = Aquí no hay sitio para bajar.
 hint-back-again = Has vuelto al principio. Lo que llevabas sigue contigo.
 hint-nobody-to-talk-to = Delante no hay nadie con quien hablar.

@@ -20,6 +20,7 @@ hint-died-of-crash = Zginąłeś w zderzeniu. Wstaniesz tam, gdzie zaczynasz.
 hint-died-of-car = Przejechał cię samochód. Wstaniesz tam, gdzie zaczynasz.
 hint-no-car-near = W promieniu czterech metrów nie widać samochodu.
 hint-at-the-wheel = Za kierownicą. Hamulec: { $brake } · Kamera: { $camera } · Klakson: { $horn } · Wysiadanie: { $leave }
+hint-fallen-over = Samochód się przewrócił. { $flip } stawia go na koła.
 hint-no-way-out = Nie ma tu miejsca, żeby wysiąść.
 hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
 hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.

@@ -19,6 +19,7 @@ hint-died-of-crash = 你在撞车中丧生。你会在起点重新站起来。
 hint-died-of-car = 你被车撞死了。你会在起点重新站起来。
 hint-no-car-near = 四米之内看不到车。
 hint-at-the-wheel = 你正在驾驶。刹车：{ $brake } · 镜头：{ $camera } · 喇叭：{ $horn } · 下车：{ $leave }
+hint-fallen-over = 车翻了。{ $flip } 将它扶正。
 hint-no-way-out = 这里没有下车的空间。
 hint-back-again = 你回到了起点，带着的东西都还在。
 hint-nobody-to-talk-to = 前面没有可以交谈的人。

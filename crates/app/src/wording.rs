@@ -151,6 +151,10 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
             ];
             texts.say_with("hint-at-the-wheel", &values)
         }
+        Hint::FallenOver => {
+            let values = [("flip", input(Action::FlipCar).into())];
+            texts.say_with("hint-fallen-over", &values)
+        }
         Hint::NoCarNear => texts.say("hint-no-car-near"),
         Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),

@@ -56,6 +56,7 @@ impl Scene {
         }
         self.sounds.push(SoundEvent::Shot);
         self.npcs.events.push(Event::Shot(self.feet()));
+        self.condition.spared_s = 0.0;
         self.hand.fire();
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();

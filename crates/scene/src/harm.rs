@@ -15,6 +15,9 @@ use crate::tuning::{
     BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S,
 };
 
+/// How long nobody fights a player who has stood up again from death, seconds: who killed may have come along.
+const SPARED_S: f64 = 8.0;
+
 /// What has hurt someone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HarmKind {
@@ -50,11 +53,14 @@ pub(crate) struct Condition {
     pub struck_s_ago: Option<f64>,
     /// How long the player will still lie dead, seconds.
     pub dead_left_s: Option<f64>,
+    /// How long nobody fights a player who has just stood up again, seconds.
+    pub spared_s: f64,
 }
 
 impl Condition {
     fn pass(&mut self, dt_s: f64) {
         self.unhurt_s += dt_s;
+        self.spared_s = (self.spared_s - dt_s).max(0.0);
         if let Some(hurt) = &mut self.hurt {
             hurt.ago_s += dt_s;
         }
@@ -154,7 +160,10 @@ impl Scene {
     /// Puts the player back to the start with full health; what was carried stays.
     fn respawn(&mut self) {
         self.set_health(FULL_HEALTH);
-        self.condition = Condition::default();
+        self.condition = Condition {
+            spared_s: SPARED_S,
+            ..Condition::default()
+        };
         let start = self.ground.spawn_point();
         self.teleport(start);
         self.hints.push(Hint::BackAgain);

@@ -93,6 +93,9 @@ pub enum Hint {
     /// The player has got into a car.
     #[error("You are at the wheel.")]
     AtTheWheel,
+    /// The car that the player drives lies on its side or roof.
+    #[error("The car has fallen over.")]
+    FallenOver,
     /// There is no room beside the car.
     #[error("There is no room to get out here.")]
     NoWayOut,

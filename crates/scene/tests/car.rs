@@ -211,6 +211,9 @@ fn it_can_roll_over_and_is_set_upright_with_its_heading_and_lights_kept() {
         },
     );
     assert!(roll_over(&mut scene), "{:?}", car(&scene));
+    steps(&mut scene, 90, &still());
+    let told = scene.take_hints();
+    assert!(told.contains(&Hint::FallenOver), "{told:?}");
     let lies = car(&scene);
     let flip = Actions {
         flip_car: true,

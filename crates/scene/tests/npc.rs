@@ -282,3 +282,38 @@ fn the_dead_leave_bullets_that_can_be_picked_up() {
     assert!(scene.drops().is_empty(), "picked up");
     assert_eq!(bullets(&scene), before + left);
 }
+
+#[test]
+fn who_stands_up_again_is_spared_for_some_seconds_unless_he_shoots() {
+    for shoots in [false, true] {
+        let mut scene = world(Geometry::Euclidean);
+        let place = beside(&scene, 10.0, 0.0);
+        let id = scene.spawn_bot(place, 3.0, true);
+        scene.set_health(1.0);
+        for _ in 0..60 {
+            pass(&mut scene, 0.5);
+            if scene.is_dead() {
+                break;
+            }
+        }
+        assert!(scene.is_dead(), "nobody shot");
+        while scene.is_dead() {
+            pass(&mut scene, 0.1);
+        }
+        pass(&mut scene, 0.5);
+        let fights = |scene: &Scene| matches!(bot(scene, id).state, State::Chase | State::Fight);
+        if shoots {
+            shoot(&mut scene, id);
+            pass(&mut scene, 3.0);
+            assert!(fights(&scene), "{:?}", bot(&scene, id).state);
+        } else {
+            for _ in 0..12 {
+                pass(&mut scene, 0.5);
+                assert!(!fights(&scene));
+            }
+            assert!(scene.health() >= FULL_HEALTH);
+            pass(&mut scene, 10.0);
+            assert!(fights(&scene), "never again: {:?}", bot(&scene, id).state);
+        }
+    }
+}

@@ -12,11 +12,17 @@ use crate::notice::Hint;
 use crate::player::Look;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
+use crate::tuning::STEP_S;
 
 /// Height of a car's middle over the ground, in metres.
 const MIDDLE_UP_M: f64 = 0.8;
 /// Gap left below the feet of who gets out, in metres.
 const CLEARANCE_M: f64 = 0.02;
+
+/// A car lies whose own upward way has less than this of the world's, slower than this in m/s, for so long in seconds.
+const LIES_BELOW: f64 = 0.5;
+const LIES_M_S: f64 = 1.0;
+const LIES_S: f64 = 1.2;
 
 impl Scene {
     /// Does what was asked for with a car.
@@ -34,6 +40,21 @@ impl Scene {
         {
             self.sounds.push(SoundEvent::Horn);
             self.scare(car.point, HORN_REACH_M);
+        }
+        self.tell_of_fallen_car();
+    }
+
+    /// Tells a driver whose car has come to lie on its side or roof.
+    fn tell_of_fallen_car(&mut self) {
+        let lies = self.driven_car().is_some_and(|car| {
+            (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
+        });
+        if let Some(driving) = &mut self.cars.driving {
+            let before_s = driving.lies_s;
+            driving.lies_s = if lies { before_s + STEP_S } else { 0.0 };
+            if before_s < LIES_S && driving.lies_s >= LIES_S {
+                self.hints.push(Hint::FallenOver);
+            }
         }
     }
 
@@ -73,6 +94,7 @@ impl Scene {
             chase: Chase::behind(&car),
             camera_before: CameraMode::First,
             throttle: 0.0,
+            lies_s: 0.0,
         });
         self.cars.vehicles.wake(number);
     }

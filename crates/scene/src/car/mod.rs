@@ -49,6 +49,8 @@ pub(crate) struct Driving {
     pub camera_before: crate::camera::CameraMode,
     /// What the pedals ask for, -1 to 1; for the sound of the engine.
     pub throttle: f64,
+    /// For how long the car has lain on its side or roof, seconds.
+    pub lies_s: f64,
 }
 
 /// The cars of a world.

@@ -164,10 +164,11 @@ impl Scene {
         all
     }
 
-    /// The player, unless dead or a spectator.
+    /// The player, unless dead, spared or a spectator.
     fn quarry(&self) -> Option<Quarry> {
         let (position, _, body, _) = self.player_parts();
-        (!self.flying && !self.is_dead()).then(|| Quarry {
+        let is_fair = !self.flying && !self.is_dead() && self.condition.spared_s <= 0.0;
+        is_fair.then(|| Quarry {
             head: self.head(),
             feet: position.0,
             velocity: body.0.velocity,
