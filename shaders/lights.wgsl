@@ -85,7 +85,7 @@ fn number_of(bit: u32) -> u32 {
 const LONGEST_EDGE: f32 = 1.75;
 // Light of lamps farther off than this changes little over such an edge and is worked out at the corners of triangles;
 // nearer than the first it is worked out at each point, and between the two partly so. Metres.
-const SMOOTH_FROM: vec2<f32> = vec2<f32>(3.0, 6.0);
+const SMOOTH_FROM: vec2<f32> = vec2<f32>(2.5, 5.0);
 
 // The share of a lamp's light that is worked out at each point.
 fn point_share(at: Away) -> f32 {

@@ -67,7 +67,7 @@ impl ShadowQuality {
     fn triangles_a_frame(self) -> usize {
         match self {
             Self::Off => 0,
-            Self::Low => 4_000,
+            Self::Low => 2_000,
             Self::High => 400_000,
         }
     }
