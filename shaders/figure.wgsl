@@ -10,7 +10,7 @@ struct VertexIn {
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // lowest bit: hemisphere; the rest: the figure's place in its batch
+    @location(4) flags: u32,            // bits: 0 hemisphere, 1 hostile; the rest: the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
@@ -68,7 +68,18 @@ fn plain(in: VertexIn) -> Stance {
 }
 
 fn bent(in: VertexIn, skin: SkinIn) -> Stance {
-    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 1u), in);
+    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 2u), in);
+}
+
+// The share of its least channel that green and blue of a hostile one's suit have.
+const HOSTILE: vec2<f32> = vec2<f32>(0.16, 0.12);
+
+// Light and dark stay what they are, so that the figure keeps its parts; every hue becomes red.
+fn suit_colour(in: VertexIn) -> vec3<f32> {
+    let colour = to_linear(in.colour.rgb);
+    let most = max(colour.r, max(colour.g, colour.b));
+    let least = min(colour.r, min(colour.g, colour.b));
+    return select(colour, vec3<f32>(most, least * HOSTILE), (in.flags & 2u) != 0u);
 }
 
 fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
@@ -80,7 +91,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
     out.normal = port_normal(space, p, normalize(stance.normal), hemisphere);
-    out.albedo = vec4<f32>(to_linear(in.colour.rgb), in.colour.a);
+    out.albedo = vec4<f32>(suit_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(space, view) * fog, 1.0 - fog);
     out.glow = in.normal.w;

@@ -179,7 +179,7 @@ impl Figures {
             }
             if let Some(joints) = it.joints.take() {
                 let place = self.runs.last().map_or(0, |run| run.count - 1);
-                it.instance.flags |= place << 1;
+                it.instance.flags |= place << 2;
                 let end = rows.len() + JOINTS;
                 rows.extend(joints);
                 rows.resize(end, JointRows::default());
@@ -306,7 +306,7 @@ fn put(
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
         offset: offset_of(frame, figure.point),
-        flags: hemisphere_index(hemisphere),
+        flags: hemisphere_index(hemisphere) | u32::from(figure.hostile) << 1,
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: lights_near(frame, hemisphere, min, max),

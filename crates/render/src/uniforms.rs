@@ -260,7 +260,8 @@ fn wrap_m(x: f64) -> f64 {
 pub struct FigureInstance {
     /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// The hemisphere's number in the lowest bit, and above it the figure's place in its batch of joints.
+    /// The hemisphere's number in the lowest bit, whether it is red in the next, and above them the figure's place in its
+    /// batch of joints.
     pub flags: u32,
     /// How it is turned in the chart: a quaternion, its real part last.
     pub turn: [f32; 4],

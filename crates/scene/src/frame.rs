@@ -249,6 +249,8 @@ pub struct Figure {
     pub held: Option<ModelId>,
     /// Whether what is held flashes.
     pub flashes: bool,
+    /// Whether its suit is red: who fights the player is known from afar.
+    pub hostile: bool,
 }
 
 impl Figure {
@@ -261,6 +263,7 @@ impl Figure {
             posture: Posture::default(),
             held: None,
             flashes: false,
+            hostile: false,
         }
     }
 }

@@ -1,14 +1,17 @@
 //! Pictures taken from elsewhere than the player's eye, through another lens and at another hour, while the world
 //! stands still. Nothing of the world changes with them, so nothing has to be put back.
 
-use antipode_geometry::{Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::DVec3;
 
 use crate::frame::Frame;
 use crate::lens::Lens;
 use crate::player::wrap_angle;
 use crate::scene::Scene;
-use crate::tuning::PITCH_LIMIT_RAD;
+use crate::tuning::{CAMERA_RADIUS_M, PITCH_LIMIT_RAD};
+
+/// A camera stops so far before it touches the ground, metres: what touches from the start is not told from what is in it.
+const OFF_GROUND_M: f64 = 0.02;
 
 /// From where, through what and when a picture is taken.
 #[derive(Clone, Debug)]
@@ -48,8 +51,15 @@ impl Viewpoint {
     /// Moves the camera by metres of the chart to its right, straight up and the way it looks; through everything,
     /// over the equator of a closed world too, and between the heights that such a world has.
     pub fn fly(&mut self, strategy: &dyn Strategy, by: DVec3) {
+        self.go(strategy, self.way(by));
+    }
+
+    fn way(&self, by: DVec3) -> DVec3 {
+        self.eye.right() * by.x + DVec3::Y * by.y + self.eye.front() * by.z
+    }
+
+    fn go(&mut self, strategy: &dyn Strategy, way: DVec3) {
         let eye = &mut self.eye;
-        let way = eye.right() * by.x + DVec3::Y * by.y + eye.front() * by.z;
         eye.point = eye.point.moved(way);
         if let Some(limits) = strategy.limits() {
             let y = &mut eye.point.pos.y;
@@ -73,6 +83,31 @@ impl Viewpoint {
 }
 
 impl Scene {
+    /// Moves a camera as [`Viewpoint::fly`] does, but along the ground and not into it. One that is in it, since land came
+    /// where it was, gets out.
+    pub fn fly_view(&self, view: &mut Viewpoint, by: DVec3) {
+        let way = view.way(by);
+        for leg in [way.with_y(0.0), DVec3::Y * way.y] {
+            let free = self.free_leg(view.eye.point, leg);
+            view.go(&*self.strategy, free);
+        }
+    }
+
+    /// As much of a leg as keeps a camera off the ground.
+    fn free_leg(&self, from: ChartPoint, leg: DVec3) -> DVec3 {
+        let (length_m, way) = (leg.length(), leg.normalize_or_zero());
+        let at = from.pos + self.strategy.chart_origin_m(from.hemisphere);
+        let reach_m = length_m + OFF_GROUND_M;
+        match self.physics.cast_sphere(at, way, CAMERA_RADIUS_M, reach_m) {
+            None => leg,
+            Some(free_m) if free_m > 0.0 => way * (free_m - OFF_GROUND_M).clamp(0.0, length_m),
+            Some(_) => {
+                let into = self.ground.is_solid(from.moved(leg)) && !self.ground.is_solid(from);
+                if into { DVec3::ZERO } else { leg }
+            }
+        }
+    }
+
     /// The snapshot to draw from a viewpoint. Terrain changes are handed over once, as by [`Scene::frame`].
     pub fn frame_from(
         &mut self,
@@ -104,5 +139,51 @@ impl Scene {
     /// Has land made around a camera that is elsewhere than the player, or around the player again.
     pub fn watch_from(&mut self, eye: Option<Eye>) {
         self.watched = eye;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use antipode_geometry::Geometry;
+
+    use super::*;
+    use crate::setup::WorldSetup;
+
+    fn world(geometry: Geometry) -> Scene {
+        let setup = WorldSetup {
+            name: "Test".to_owned(),
+            seed: 3,
+            geometry,
+            radius_m: 32.0,
+            view_distance: 2,
+        };
+        let mut scene = Scene::open(setup, None).expect("a world that is not kept");
+        assert!(scene.settle(Duration::from_mins(2)));
+        scene
+    }
+
+    #[test]
+    fn the_camera_of_pictures_flies_along_the_ground_and_not_into_it() {
+        for geometry in Geometry::ALL {
+            let scene = world(geometry);
+            let mut view = Viewpoint::of(&scene);
+            view.turn(0.0, -0.9);
+            let (start, mut nearest) = (view.eye.point, f32::INFINITY);
+            for _ in 0..400 {
+                scene.fly_view(&mut view, DVec3::Z * 0.05);
+                nearest = nearest.min(scene.ground.density(view.eye.point));
+            }
+            assert!(nearest > 0.0, "{geometry:?}: {nearest} in the ground");
+            assert!(nearest < 0.5, "{geometry:?}: {nearest}, never at the ground");
+            assert!(view.eye.point.pos.distance(start.pos) > 1.0);
+            let low_m = view.eye.point.pos.y;
+            for _ in 0..20 {
+                scene.fly_view(&mut view, DVec3::Y * 0.05);
+            }
+            let risen_m = view.eye.point.pos.y - low_m;
+            assert!((risen_m - 1.0).abs() < 1e-9, "{geometry:?}: stuck, {risen_m} m");
+        }
     }
 }

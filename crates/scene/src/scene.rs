@@ -55,6 +55,8 @@ pub struct Scene {
     pub(crate) flying: bool,
     pub(crate) time_of_day_s: f64,
     pub(crate) simulated_s: f64,
+    /// No hostile figure comes before that time.
+    pub(crate) peace_until_s: f64,
     pub(crate) saved_at_s: f64,
     pub(crate) viewing: Viewing,
     pub(crate) dip: HeadDip,
@@ -178,6 +180,7 @@ impl Scene {
             flying: false,
             time_of_day_s: DAY_START_S,
             simulated_s: 0.0,
+            peace_until_s: crate::npc::tuning::PEACE_S,
             saved_at_s: 0.0,
             viewing: Viewing::default(),
             dip: HeadDip::default(),

@@ -36,6 +36,7 @@ impl Scene {
             }
             if let Some(mind) = mind {
                 mind.show_shot(&mut figure);
+                figure.hostile = figure.held.is_some();
             }
             seen.push(figure);
         }

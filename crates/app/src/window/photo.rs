@@ -178,7 +178,7 @@ impl Game {
             let up = f64::from(i8::from(actions.jump) - i8::from(actions.sink));
             let way = DVec3::new(actions.strafe, up, actions.forward).clamp_length_max(1.0);
             let by = way * speed * passed.as_secs_f64().min(LONGEST_S);
-            photo.view.fly(&**session.scene.strategy(), by);
+            session.scene.fly_view(&mut photo.view, by);
             session.scene.watch_from(Some(photo.view.eye));
             // While tiles are drawn the land stays as it is, so that they fit together.
             session.scene.pump(CHUNK_BUDGET);

@@ -20,6 +20,8 @@ const MORNING_S: f64 = 75.0;
 const STEP: (f64, f64) = (1.0 / 30.0, 4.5 / 30.0);
 /// Frames before those that are timed: pipelines are made, and the maps are on their way.
 const WARM: usize = 30;
+/// How often it is walked.
+const WALKS: usize = 3;
 /// How high over where a new player's eye is the walk goes, so that it comes through no hill, metres.
 const LIFT_M: f64 = 2.0;
 
@@ -62,9 +64,24 @@ fn hundredth(values: &mut [f64]) -> f64 {
     values.get(at).copied().unwrap_or(f64::INFINITY)
 }
 
-/// Costs of the walk without and with shadows.
+/// Costs of the walk's steps without and with shadows. The walk is the same each time, so what a step costs is the
+/// least of several: a step that is dear is dear in all of them, what else a machine does strikes now one, now another.
+fn walks(gpu: &Gpu, frame: &Frame, effort: Effort) -> Result<[Vec<f64>; 2], LabError> {
+    let mut least = walk(gpu, frame, effort)?;
+    for _ in 1..WALKS {
+        let again = walk(gpu, frame, effort)?;
+        for (costs, again) in least.iter_mut().zip(&again) {
+            for (cost, again) in costs.iter_mut().zip(again) {
+                *cost = cost.min(*again);
+            }
+        }
+    }
+    Ok(least)
+}
+
+/// Costs of one walk.
 fn walk(gpu: &Gpu, frame: &Frame, effort: Effort) -> Result<[Vec<f64>; 2], LabError> {
-    let steps = WARM + if effort.quick { 100 } else { 300 };
+    let steps = WARM + if effort.quick { 100 } else { 200 };
     let shadows = quality(gpu);
     let mut stages = [
         Stage::shadowed(gpu, SIZE, ShadowQuality::Off)?,
@@ -106,7 +123,7 @@ fn quality(gpu: &Gpu) -> ShadowQuality {
 pub fn table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabError> {
     let mut rows = Vec::new();
     for (geometry, frame) in Geometry::ALL.into_iter().zip(frames) {
-        rows.push(row(geometry, walk(gpu, frame, effort)?));
+        rows.push(row(geometry, walks(gpu, frame, effort)?));
     }
     let columns = [
         "space",

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::bearing::{ahead, apart_m, toward};
 use super::dice::Dice;
-use super::tuning::{APPEARS_M, GOES_M, MOST_LIVING, PEACE_S, UNSEEN_RAD};
+use super::tuning::{APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, UNSEEN_RAD};
 use crate::scene::Scene;
 
 /// Steps between two looks at who is there.
@@ -38,17 +38,22 @@ impl Scene {
         }
         let closed = self.strategy.rim_m().is_some();
         let most = if closed { MOST_LIVING.1 } else { MOST_LIVING.0 };
-        let peace = self.simulated_s < PEACE_S;
-        // The hostile ones' places are kept for them.
-        let most = if peace { most / 2 } else { most };
         if left.len() >= most {
             return;
         }
         let hostile = left.iter().filter(|other| other.fights).count();
-        self.let_one_come(feet, !peace && 2 * hostile < left.len());
+        // The hostile ones' places are kept for them.
+        if left.len() - hostile < most - MOST_HOSTILE {
+            self.let_one_come(feet, false);
+        } else if hostile < MOST_HOSTILE && self.simulated_s >= self.peace_until_s {
+            if self.let_one_come(feet, true) {
+                self.peace_until_s = self.simulated_s + HOSTILE_EVERY_S;
+            }
+        }
     }
 
-    fn let_one_come(&mut self, feet: ChartPoint, hostile: bool) {
+    /// Tells whether one came.
+    fn let_one_come(&mut self, feet: ChartPoint, hostile: bool) -> bool {
         let seeds = [self.setup.seed, self.simulated_s.to_bits(), 0x9e3d];
         let mut dice = Dice::new(&seeds);
         let loaded_m = f64::from(self.setup.view_distance) * 32.0 - LOADED_SLACK_M;
@@ -63,9 +68,10 @@ impl Scene {
             if there && !self.may_see(point) {
                 let id = self.spawn_bot(point, dice.heading(), hostile);
                 self.restore_mind(id, 0.0, true);
-                return;
+                return true;
             }
         }
+        false
     }
 
     /// Whether a place may be in the picture, whatever is before it.

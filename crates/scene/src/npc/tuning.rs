@@ -82,6 +82,10 @@ pub const TALKS_M: f64 = 4.0;
 pub const LEAVES_BULLETS: [(u32, u32); 2] = [(4, 8), (2, 4)];
 /// How many live in an open world, and in a closed one.
 pub const MOST_LIVING: (usize, usize) = (9, 7);
+/// How many of them are hostile by nature: as many as one can face at once.
+pub const MOST_HOSTILE: usize = 3;
+/// A hostile one comes so long after the one before at the earliest, in seconds: who has won a fight has a rest.
+pub const HOSTILE_EVERY_S: f64 = 30.0;
 /// How old a world is before the first hostile one comes, in seconds: time to learn the keys in.
 pub const PEACE_S: f64 = 300.0;
 /// How far away one appears at least and at most, in metres.
