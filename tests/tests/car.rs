@@ -112,6 +112,38 @@ fn each_of_its_keys_does_what_the_readme_says_in_every_space() {
     }
 }
 
+/// Rough land in each space, by the seed, where a car that goes over easily does.
+const ROUGH: [(&str, u64); 6] = [
+    ("euclidean", 16),
+    ("euclidean", 2),
+    ("hyperbolic", 1),
+    ("hyperbolic", 26),
+    ("spherical", 13),
+    ("spherical", 18),
+];
+
+#[test]
+fn at_a_sprint_a_second_of_full_steering_each_way_does_not_turn_it_over() {
+    for (space, seed) in ROUGH {
+        let saves = tempfile::tempdir().unwrap();
+        let mut script = beside_the_car(saves.path(), &format!("{space} seed={seed}"));
+        script += "set npcs off\ntap KeyC\nwait 0.3\ndown ShiftLeft\ndown KeyW\nwait 2\nprobe\n";
+        for turn in ["KeyD", "KeyA"] {
+            let _ = write!(script, "set health 20\ndown {turn}\nwait 1\nup {turn}\n");
+            script += &"wait 0.25\nprobe\n".repeat(12);
+        }
+        let run = run(saves.path(), &script);
+        let mut lies = 0;
+        for n in 0..run.lines.len() {
+            let now = run.probe(n);
+            assert!(in_car(now), "{space} {seed}: {now}");
+            let is_over = number(now, "car.upright") < 0.3;
+            lies = if is_over { lies + 1 } else { 0 };
+            assert!(lies <= 4, "{space} {seed}: on its side at probe {n}: {now}");
+        }
+    }
+}
+
 /// Rounds of seven seconds of the long drive; as many as `ANTIPODE_TEST_DRIVE_ROUNDS` says.
 fn rounds() -> usize {
     let asked = std::env::var("ANTIPODE_TEST_DRIVE_ROUNDS").ok();

@@ -93,6 +93,22 @@ fn the_left_button_puts_a_lamp_down_and_the_right_one_picks_it_up() {
     }
 }
 
+/// In the numbers with which one stood half in the rock: at the next digging near it, it came up through twelve metres.
+#[test]
+fn a_lamp_on_a_dug_wall_hangs_there_until_the_wall_is_dug_away() {
+    let saves = tempfile::tempdir().unwrap();
+    let run = run(
+        saves.path(),
+        "new euclidean seed=21\nset npcs off\nsettle\naim 180 -38\nwait 0.2\ntap Digit4\nhold LEFT 2.5\nhold KeyW 1.2\n\
+         aim 180 -10\nhold LEFT 2.5\nwait 1\ntap Digit6\naim 180 5\nwait 0.1\nclick LEFT\nwait 0.5\nprobe\n\
+         tap Digit4\naim 60 -10\nhold LEFT 1\nwait 1\nprobe\naim 180 5\nhold LEFT 3\nwait 2\nprobe",
+    );
+    let height = |n: usize| number(run.probe(n), "lamps.0.pos.1");
+    assert!(height(0) > number(run.probe(0), "player.pos.1") + 1.0);
+    assert!((height(1) - height(0)).abs() < 1e-6, "{} m", height(1));
+    assert!(height(2) < height(0) - 1.0, "{} m", height(2));
+}
+
 #[test]
 fn the_flashlight_goes_on_and_off_by_its_key() {
     for space in SPACES {

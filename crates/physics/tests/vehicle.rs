@@ -211,12 +211,12 @@ fn on_its_roof_it_lies_and_is_set_upright_with_its_heading() {
     assert!((stands.place - lies.place).with_y(0.0).length() < 1.0);
 }
 
-#[test]
-fn a_ramp_under_one_side_at_speed_rolls_it_over() {
+/// How upright it is at worst over a ramp of that height under its right-hand wheels, at a sprint.
+fn least_up_over_a_ramp(height_m: f32) -> f64 {
     let mut soup = Soup::default();
     soup.field(-64, 64, |x, z| {
         if z > 0.0 {
-            (0.7 * x).clamp(0.0, 2.5)
+            (0.7 * x).clamp(0.0, height_m)
         } else {
             0.0
         }
@@ -230,7 +230,13 @@ fn a_ramp_under_one_side_at_speed_rolls_it_over() {
         });
         least_up = least_up.min(driver.motion().up().y);
     }
-    assert!(least_up < 0.0, "{least_up} {:?}", driver.motion());
+    least_up
+}
+
+#[test]
+fn a_ramp_under_one_side_at_speed_rolls_it_over() {
+    let least_up = [1.5, 2.0, 2.5, 3.0, 3.5].map(least_up_over_a_ramp);
+    assert!(least_up.iter().any(|up| *up < -0.5), "{least_up:?}");
 }
 
 #[test]

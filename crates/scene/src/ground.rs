@@ -16,6 +16,9 @@ const SEARCH_STEP_M: f64 = 0.5;
 /// Halvings of the last step, to end within a micrometre.
 const SEARCH_HALVINGS: u32 = 20;
 
+/// Distance over which the slope of the ground is felt, in metres.
+const SLOPE_REACH_M: f64 = 0.4;
+
 /// What is kept of a resident chunk that has a surface.
 #[derive(Debug)]
 struct Resident {
@@ -129,6 +132,14 @@ impl Ground {
     /// Whether a point lies inside the ground.
     pub fn is_solid(&self, point: ChartPoint) -> bool {
         self.density(point) < 0.0
+    }
+
+    /// The unit normal of the ground at a point: the way in which the field rises fastest.
+    pub fn normal(&self, point: ChartPoint) -> Vec3 {
+        let density = |offset: DVec3| self.density(point.moved(offset));
+        let rise = |axis: DVec3| density(axis * SLOPE_REACH_M) - density(-axis * SLOPE_REACH_M);
+        let gradient = Vec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
+        gradient.try_normalize().unwrap_or(Vec3::Y)
     }
 
     /// The field at a point as it was before any edit.

@@ -22,6 +22,14 @@ const DUG_OUT_STEP_M: f64 = 0.25;
 /// How far down a lamp can fall at once, in metres.
 const FALLS_M: f64 = 128.0;
 
+/// How far from the ground a lamp's glowing middle is kept, in metres. In the ground it would leave dark what it hangs
+/// on; so its globe, 0.14 m in radius, just clears it.
+const CLEAR_M: f64 = 0.22;
+/// A wall or a ceiling that is no farther than this from the glowing middle holds a lamp, in metres.
+const HOLDS_M: f64 = 0.34;
+/// Ground with less than this upright in its unit normal is a wall or a ceiling.
+const WALL_UP: f32 = 0.6;
+
 /// A lamp that was put down.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lamp {
@@ -111,7 +119,9 @@ impl Scene {
             return;
         }
         if self.inventory.spend(Item::Lamp) {
-            self.lamps.push(Lamp::standing(spot.point));
+            let normal = self.ground_normal(spot.point).as_dvec3();
+            self.lamps
+                .push(Lamp::standing(clear_foot(spot.point, normal)));
             self.sounds.push(SoundEvent::LampPlaced);
         }
     }
@@ -174,8 +184,27 @@ impl Scene {
     }
 }
 
-/// The height at which a lamp comes to rest: on the first ground below it, or above what was built over it.
+/// Where the foot of a lamp stands that is put on ground with this unit normal: there if it is level enough, and out from
+/// a wall or down from a ceiling.
+fn clear_foot(point: ChartPoint, normal: DVec3) -> ChartPoint {
+    point.moved(normal * (CLEAR_M - LAMP_HEIGHT_M * normal.y).max(0.0))
+}
+
+/// Whether a lamp hangs on a wall or a ceiling.
+fn hangs(ground: &Ground, lamp: &Lamp) -> bool {
+    let glow = lamp.glow();
+    let normal = ground.normal(glow);
+    normal.y < WALL_UP
+        && !ground.is_solid(glow)
+        && ground.is_solid(glow.moved(normal.as_dvec3() * -HOLDS_M))
+}
+
+/// The height at which a lamp comes to rest: where it hangs, on the first ground below it, or above what was built over
+/// it.
 fn rest(ground: &Ground, lamp: &Lamp) -> f64 {
+    if hangs(ground, lamp) {
+        return lamp.point.pos.y;
+    }
     let glow = lamp.glow();
     let is_solid = |point: ChartPoint| ground.is_solid(point);
     let steps = (DUG_OUT_M / DUG_OUT_STEP_M) as u32;
@@ -211,5 +240,20 @@ mod tests {
         lamp.rests_m = 7.0;
         lamp.fall(20.0);
         assert_eq!(lamp.point.pos.y.to_bits(), 7.0f64.to_bits());
+    }
+
+    #[test]
+    fn a_lamp_stands_on_level_ground_and_its_light_keeps_clear_of_walls_and_ceilings() {
+        let spot = ChartPoint::a(DVec3::new(3.0, 10.0, 4.0));
+        assert_eq!(clear_foot(spot, DVec3::new(0.6, 0.8, 0.0)), spot);
+        for degrees in [0.0, 45.0, 70.0, 90.0, 120.0, 180.0_f64] {
+            let (sine, cosine) = degrees.to_radians().sin_cos();
+            let normal = DVec3::new(sine, cosine, 0.0);
+            let lamp = Lamp::standing(clear_foot(spot, normal));
+            let clear = (lamp.glow().pos - spot.pos).dot(normal);
+            assert!(clear > CLEAR_M - 1e-9, "{degrees}: {clear} m");
+            let off = lamp.point.pos.distance(spot.pos);
+            assert!(off < CLEAR_M + LAMP_HEIGHT_M + 1e-9, "{degrees}: {off} m");
+        }
     }
 }

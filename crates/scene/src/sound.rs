@@ -95,8 +95,6 @@ const LANDING_FROM_M_S: f64 = 2.5;
 const BRAKED_SHARE: f64 = 0.35;
 /// Events kept for who never asks, as scripts do not.
 const MOST_EVENTS: usize = 64;
-/// Distance over which the slope of the ground is felt, in metres.
-const SLOPE_REACH_M: f64 = 0.4;
 
 /// The events since they were last taken, and what is needed to tell the next.
 #[derive(Debug, Default)]
@@ -205,13 +203,7 @@ impl Scene {
 
     /// The unit normal of the ground at a point: the way in which the field rises fastest.
     pub(crate) fn ground_normal(&self, point: ChartPoint) -> Vec3 {
-        let density = |offset: DVec3| {
-            let at = ChartPoint::new(point.hemisphere, point.pos + offset);
-            self.ground.density(at)
-        };
-        let rise = |axis: DVec3| density(axis * SLOPE_REACH_M) - density(-axis * SLOPE_REACH_M);
-        let gradient = Vec3::new(rise(DVec3::X), rise(DVec3::Y), rise(DVec3::Z));
-        gradient.try_normalize().unwrap_or(Vec3::Y)
+        self.ground.normal(point)
     }
 }
 

@@ -24,7 +24,8 @@ const MOTTLE_FREQUENCY: f64 = 3.1;
 const MOTTLE_SHARE: f32 = 0.10;
 /// `1 - normal.y` where rock begins to show and where it is all there is: 46 and 67 degrees.
 const STEEP: (f32, f32) = (0.30, 0.60);
-/// Strata, radians per metre of height: a bed every 2.6 m.
+/// Strata, radians per metre of height: a bed every 2.6 m. Closer beds would fall between vertices, which are a metre
+/// apart, and show as patches.
 const STRATA_RAD_PER_M: f32 = 2.4;
 /// How far wandering bends the strata, radians.
 const STRATA_BEND_RAD: f32 = 2.0;
@@ -56,6 +57,8 @@ pub(crate) struct Painter<'a> {
     /// A height becomes `(y - offset_m) * scale` in the biome's own heights.
     offset_m: f64,
     scale: f64,
+    /// Strata, radians per metre of the biome's own heights.
+    strata_rad_per_m: f32,
     /// Neighbouring vertices need nearly the same.
     memo: RefCell<(Places, Waves)>,
 }
@@ -87,6 +90,7 @@ impl<'a> Painter<'a> {
         } = biome.palette;
         let (lowest, highest) = field.ground_range_m();
         let waves = Waves::new([WANDER_FREQUENCY, MOTTLE_FREQUENCY]);
+        let scale = 2.0 * biome.max_amplitude_m() / (highest - lowest);
         Self {
             field,
             low: linear(bottom),
@@ -96,7 +100,8 @@ impl<'a> Painter<'a> {
             strata: linear(strata),
             borders_m: [biome.middle_m() as f32, biome.top_m() as f32],
             offset_m: lowest,
-            scale: 2.0 * biome.max_amplitude_m() / (highest - lowest),
+            scale,
+            strata_rad_per_m: STRATA_RAD_PER_M / scale as f32,
             memo: RefCell::new((Places::new(field), waves)),
         }
     }
@@ -111,7 +116,7 @@ impl<'a> Painter<'a> {
             .lerp(self.middle, at.middle)
             .lerp(self.high, at.high);
         let colour = if at.rock > 0.0 {
-            let wave = sine(at.height * STRATA_RAD_PER_M + at.wander * STRATA_BEND_RAD);
+            let wave = sine(at.height * self.strata_rad_per_m + at.wander * STRATA_BEND_RAD);
             let rock = self.rock.lerp(self.strata, rises(-0.2, 1.0, wave));
             ground.lerp(rock, at.rock)
         } else {
@@ -269,7 +274,8 @@ mod tests {
         let ground = linear(palette.bottom)
             .lerp(linear(palette.middle), above(biome.middle_m()))
             .lerp(linear(palette.top), above(biome.top_m()));
-        let beds = smooth(-0.2, 0.8, (height * 2.4 + wander * 2.0).sin());
+        let above_lowest_m = (point.pos.y - lowest) as f32;
+        let beds = smooth(-0.2, 0.8, (above_lowest_m * 2.4 + wander * 2.0).sin());
         let rock = linear(palette.rock).lerp(linear(palette.strata), beds);
         let steep = smooth(0.30, 0.60, 1.0 - normal.y + 0.1 * mottle);
         let light = ground.lerp(rock, steep) * (1.0 + 0.1 * mottle);
@@ -307,6 +313,33 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    #[test]
+    fn beds_of_rock_are_no_thinner_where_a_closed_world_squeezes_its_heights() {
+        for (geometry, radius_m) in [
+            (Geometry::Euclidean, 20.0),
+            (Geometry::Spherical, 16.0),
+            (Geometry::Spherical, 32.0),
+            (Geometry::Spherical, 256.0),
+        ] {
+            let field = Field::new(1, strategy(geometry, radius_m));
+            let painter = Painter::new(&field);
+            let (low, high) = field.ground_range_m();
+            let is_bed = |n: u32| {
+                let pos = DVec3::new(3.0, low + 0.05 * f64::from(n), -8.0);
+                let [_, green, ..] = painter.paint(ChartPoint::a(pos), Vec3::X);
+                green > 120
+            };
+            let steps = ((high - low) / 0.05) as u32;
+            let beds = (1..steps).filter(|n| is_bed(*n) && !is_bed(n - 1)).count();
+            let expected = (high - low) / 2.6;
+            let off = beds as f64 - expected;
+            assert!(
+                off.abs() < 2.5,
+                "{geometry:?} {radius_m}: {beds}, not {expected}"
+            );
         }
     }
 }

@@ -255,6 +255,14 @@ impl Arena {
         );
     }
 
+    /// Adds to a body's angular velocity, rad/s.
+    pub fn spin_by(&mut self, body: RigidBodyHandle, by: DVec3) {
+        if let Some(body) = self.bodies.get_mut(body) {
+            let spin = body.angvel() + by.as_vec3();
+            body.set_angvel(spin, true);
+        }
+    }
+
     /// Lets a vehicle's springs and tyres act on it. After a step, so that the ground that was taken in is found.
     pub fn roll(&mut self, controller: &mut DynamicRayCastVehicleController, dt_s: f64) {
         let filter = QueryFilter::default().exclude_rigid_body(controller.chassis);

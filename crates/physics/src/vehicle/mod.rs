@@ -8,6 +8,7 @@ mod drive;
 mod hull;
 mod place;
 mod state;
+mod steady;
 mod tuning;
 
 use glam::{DQuat, DVec3};
@@ -340,6 +341,10 @@ impl Vehicles {
         vehicle.brakes = effort.brakes;
         drive::apply(controller, tuning, &effort, vehicle.steer_rad, dt_s);
         self.arena.roll(controller, dt_s);
+        // What nobody drives lies and leans as it fell, so that it comes to rest.
+        if !input.parked {
+            steady::steady(&mut self.arena, *body, controller, tuning, dt_s);
+        }
         vehicle.wheels = wheels(controller, tuning, &motion);
         // Within a step springs and weight take turns, so the speed at its end is not that of the way made.
         let way = tuning.mass_place(&motion) - tuning.mass_place(&vehicle.motion);

@@ -58,14 +58,23 @@ pub struct VehicleTuning {
     pub terminal_speed_m_s: f64,
     /// Share of its spin that it loses per second.
     pub spin_damping_per_s: f64,
+    /// What turns it back upright: angular acceleration about its length for the sine of its lean, 1/s^2.
+    pub righting_per_s2: f64,
+    /// Share of its roll that this takes away per second.
+    pub righting_damping_per_s: f64,
+    /// Greatest angular acceleration of both together about its length.
+    pub righting_most_rad_s2: f64,
+    /// Leaning farther than this it goes over and lies.
+    pub righting_up_to_rad: f64,
 }
 
 impl Default for VehicleTuning {
     fn default() -> Self {
         Self {
             mass_kg: 900.0,
-            mass_centre: DVec3::new(0.0, 0.46, 0.0),
-            inertia_box_m: DVec3::new(3.2, 1.2, 1.5),
+            // Lower than in a real car and spread wider: on land as rough as this it would lie on its side every minute.
+            mass_centre: DVec3::new(0.0, 0.30, 0.0),
+            inertia_box_m: DVec3::new(3.2, 1.6, 2.0),
             hubs: [
                 DVec3::new(1.0, 0.36, -0.61),
                 DVec3::new(1.0, 0.36, 0.61),
@@ -92,6 +101,12 @@ impl Default for VehicleTuning {
             gravity_m_s2: 9.81,
             terminal_speed_m_s: 60.0,
             spin_damping_per_s: 0.6,
+            righting_per_s2: 20.0,
+            righting_damping_per_s: 4.0,
+            // Its own weight turns it about the wheels of one side by 11 rad/s^2; a hard enough knock beats this.
+            righting_most_rad_s2: 10.0,
+            // On its side it lies at 109 degrees on level ground.
+            righting_up_to_rad: 86f64.to_radians(),
         }
     }
 }

@@ -32,7 +32,10 @@ pub fn enter() -> Actions {
 
 /// A world with its first car, which has come to rest.
 pub fn with_car(geometry: Geometry) -> Scene {
-    let mut scene = scene(geometry);
+    rested(scene(geometry))
+}
+
+fn rested(mut scene: Scene) -> Scene {
     scene.give_first_car();
     steps(&mut scene, 150, &still());
     scene
@@ -57,7 +60,13 @@ pub fn stand_beside(scene: &mut Scene, far_m: f64) {
 
 /// A player at the wheel of a car at rest.
 pub fn driving(geometry: Geometry) -> Scene {
-    let mut scene = with_car(geometry);
+    at_the_wheel(scene(geometry))
+}
+
+/// A player at the wheel of the first car of a world that is just made.
+pub fn at_the_wheel(scene: Scene) -> Scene {
+    let geometry = scene.strategy().geometry();
+    let mut scene = rested(scene);
     stand_beside(&mut scene, 2.0);
     steps(&mut scene, 1, &enter());
     assert!(scene.is_driving(), "{geometry:?} {:?}", scene.take_hints());
