@@ -83,14 +83,24 @@ impl Viewpoint {
 }
 
 impl Scene {
-    /// Moves a camera as [`Viewpoint::fly`] does, but along the ground and not into it. One that is in it, since land came
-    /// where it was, gets out.
+    /// Moves a camera as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. One that is in
+    /// it, since land came where it was, gets out.
     pub fn fly_view(&self, view: &mut Viewpoint, by: DVec3) {
         let way = view.way(by);
-        for leg in [way.with_y(0.0), DVec3::Y * way.y] {
-            let free = self.free_leg(view.eye.point, leg);
-            view.go(&*self.strategy, free);
+        let level = way.with_y(0.0);
+        let left = level - self.go_freely(view, level);
+        if left != DVec3::ZERO {
+            self.go_freely(view, DVec3::Y * left.length());
+            self.go_freely(view, left);
         }
+        self.go_freely(view, DVec3::Y * way.y);
+    }
+
+    /// Moves a camera as far along a leg as is free, and tells how far that is. Over the equator legs turn with it.
+    fn go_freely(&self, view: &mut Viewpoint, leg: DVec3) -> DVec3 {
+        let free = self.free_leg(view.eye.point, leg);
+        view.go(&*self.strategy, free);
+        free
     }
 
     /// As much of a leg as keeps a camera off the ground.
@@ -176,14 +186,20 @@ mod tests {
                 nearest = nearest.min(scene.ground.density(view.eye.point));
             }
             assert!(nearest > 0.0, "{geometry:?}: {nearest} in the ground");
-            assert!(nearest < 0.5, "{geometry:?}: {nearest}, never at the ground");
+            assert!(
+                nearest < 0.5,
+                "{geometry:?}: {nearest}, never at the ground"
+            );
             assert!(view.eye.point.pos.distance(start.pos) > 1.0);
             let low_m = view.eye.point.pos.y;
             for _ in 0..20 {
                 scene.fly_view(&mut view, DVec3::Y * 0.05);
             }
             let risen_m = view.eye.point.pos.y - low_m;
-            assert!((risen_m - 1.0).abs() < 1e-9, "{geometry:?}: stuck, {risen_m} m");
+            assert!(
+                (risen_m - 1.0).abs() < 1e-9,
+                "{geometry:?}: stuck, {risen_m} m"
+            );
         }
     }
 }
