@@ -154,6 +154,7 @@ impl Scene {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use std::time::Duration;
 
     use antipode_geometry::Geometry;
@@ -169,7 +170,7 @@ mod tests {
             radius_m: 32.0,
             view_distance: 2,
         };
-        let mut scene = Scene::open(setup, None).expect("a world that is not kept");
+        let mut scene = Scene::open(setup, None).unwrap();
         assert!(scene.settle(Duration::from_mins(2)));
         scene
     }

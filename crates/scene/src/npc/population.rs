@@ -45,10 +45,11 @@ impl Scene {
         // The hostile ones' places are kept for them.
         if left.len() - hostile < most - MOST_HOSTILE {
             self.let_one_come(feet, false);
-        } else if hostile < MOST_HOSTILE && self.simulated_s >= self.peace_until_s {
-            if self.let_one_come(feet, true) {
-                self.peace_until_s = self.simulated_s + HOSTILE_EVERY_S;
-            }
+        } else if hostile < MOST_HOSTILE
+            && self.simulated_s >= self.peace_until_s
+            && self.let_one_come(feet, true)
+        {
+            self.peace_until_s = self.simulated_s + HOSTILE_EVERY_S;
         }
     }
 
