@@ -144,6 +144,37 @@ fn at_a_sprint_a_second_of_full_steering_each_way_does_not_turn_it_over() {
     }
 }
 
+#[test]
+fn behind_a_car_that_goes_back_up_a_slope_the_camera_rises_with_it() {
+    for new in [
+        "euclidean seed=5",
+        "euclidean seed=7",
+        "spherical radius=48 seed=21",
+    ] {
+        let saves = tempfile::tempdir().unwrap();
+        let mut script = beside_the_car(saves.path(), new);
+        script += "set npcs off\ntap KeyC\nwait 0.5\n";
+        for _ in 0..6 {
+            script += "set health 20\nhold KeyW 3\nset health 20\ndown KeyS\ndown KeyD\n";
+            script += &"wait 0.1\nprobe\n".repeat(45);
+            script += "up KeyS\nup KeyD\ntap KeyF\n";
+        }
+        let run = run(saves.path(), &script);
+        let mut near = 0;
+        for n in 0..run.lines.len() {
+            let now = run.probe(n);
+            assert!(in_car(now) && number(now, "camera.pos.0").is_finite());
+            let apart = |axis: usize| {
+                number(now, &format!("camera.pos.{axis}")) - number(now, &format!("car.pos.{axis}"))
+            };
+            let apart_m = apart(0).hypot(apart(1)).hypot(apart(2));
+            near += usize::from(apart_m < 4.0);
+        }
+        let share = near as f64 / run.lines.len() as f64;
+        assert!(share < 0.05, "{new}: too near {share} of the time");
+    }
+}
+
 /// Rounds of seven seconds of the long drive; as many as `ANTIPODE_TEST_DRIVE_ROUNDS` says.
 fn rounds() -> usize {
     let asked = std::env::var("ANTIPODE_TEST_DRIVE_ROUNDS").ok();

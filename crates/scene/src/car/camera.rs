@@ -6,8 +6,9 @@ use glam::DVec3;
 
 use super::CarView;
 use super::tuning::{
-    BONNET_M, CHASE_BACK_M, CHASE_LOOKS_UP_M, CHASE_RATE_PER_S, CHASE_TURN_PER_S, CHASE_UP_M,
-    EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S, SEAT_M, STANDS_M_S,
+    BONNET_M, CHASE_BACK_M, CHASE_LOOKS_UP_M, CHASE_OVER_GROUND_M, CHASE_RATE_PER_S, CHASE_RISES_M,
+    CHASE_TURN_PER_S, CHASE_UP_M, EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S,
+    SEAT_M, STANDS_M_S,
 };
 use crate::camera::CameraMode;
 use crate::player::wrap_angle;
@@ -133,18 +134,37 @@ impl Chase {
         let from = car.place(SEAT_M + DVec3::Y * EYES_UP_M).pos + origin;
         let looked_at = self.point.pos + origin + DVec3::Y * CHASE_LOOKS_UP_M;
         let length_m = CHASE_BACK_M.hypot(CHASE_UP_M - CHASE_LOOKS_UP_M);
-        let way = looked_at - seen.front() * length_m - from;
-        let way_m = way.length();
-        let free = physics
-            .cast_sphere(from, way, CAMERA_RADIUS_M, way_m)
-            .map_or(1.0, |free_m| free_m / way_m);
-        let pos = from + way * free - origin;
+        let rests = looked_at - seen.front() * length_m;
+        let room = |to: DVec3| {
+            let way = to - from;
+            let way_m = way.length();
+            let free_m = physics
+                .cast_sphere(from, way, CAMERA_RADIUS_M, way_m)
+                .unwrap_or(way_m);
+            (free_m, from + way.normalize_or_zero() * free_m)
+        };
+        // Under a roof what lies over the camera is no ground to rise above.
+        let (straight, risen) = (room(rests), room(rests + over_ground(physics, rests)));
+        let (_, pos) = if risen.0 < straight.0 {
+            straight
+        } else {
+            risen
+        };
+        let pos = pos - origin;
         Eye {
             point: ChartPoint::new(car.point.hemisphere, pos),
             lift_m: pos.y - car.point.pos.y,
             ..seen
         }
     }
+}
+
+/// How far up a place is to be moved to be well over the ground.
+fn over_ground(physics: &PhysicsWorld, place: DVec3) -> DVec3 {
+    let top = place + DVec3::Y * CHASE_RISES_M;
+    let reach_m = CHASE_RISES_M + CHASE_OVER_GROUND_M;
+    let hit = physics.cast_ray(top, DVec3::NEG_Y, reach_m);
+    DVec3::Y * hit.map_or(0.0, |hit| reach_m - hit.distance_m)
 }
 
 /// How far down the camera behind a car looks of itself, radians.

@@ -25,6 +25,10 @@ pub const CHASE_BACK_M: f64 = 5.4;
 pub const CHASE_UP_M: f64 = 2.3;
 /// It looks at a point so far above the ground the car stands on, in metres.
 pub const CHASE_LOOKS_UP_M: f64 = 1.3;
+/// It rises with a slope behind the car so as to be so far over the ground, in metres.
+pub const CHASE_OVER_GROUND_M: f64 = 0.9;
+/// But no higher than this over where it would be, in metres.
+pub const CHASE_RISES_M: f64 = 3.5;
 /// Rate of the spring that it hangs on, per second.
 pub const CHASE_RATE_PER_S: f64 = 7.0;
 /// How fast it swings round behind the car, per second.

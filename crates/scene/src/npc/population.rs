@@ -5,7 +5,9 @@ use glam::DVec3;
 
 use super::bearing::{ahead, apart_m, toward};
 use super::dice::Dice;
-use super::tuning::{APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, UNSEEN_RAD};
+use super::tuning::{
+    APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, PEACE_S, UNSEEN_RAD,
+};
 use crate::scene::Scene;
 
 /// Steps between two looks at who is there.
@@ -42,8 +44,13 @@ impl Scene {
             return;
         }
         let hostile = left.iter().filter(|other| other.fights).count();
-        // The hostile ones' places are kept for them.
-        if left.len() - hostile < most - MOST_HOSTILE {
+        let peaceful = if self.simulated_s < PEACE_S {
+            most / 2
+        } else {
+            // The hostile ones' places are kept for them.
+            most - MOST_HOSTILE
+        };
+        if left.len() - hostile < peaceful {
             self.let_one_come(feet, false);
         } else if hostile < MOST_HOSTILE
             && self.simulated_s >= self.peace_until_s
