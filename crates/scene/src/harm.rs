@@ -166,6 +166,7 @@ impl Scene {
         };
         let start = self.ground.spawn_point();
         self.teleport(start);
+        self.send_hostile_away();
         self.hints.push(Hint::BackAgain);
     }
 
@@ -233,6 +234,27 @@ mod tests {
     fn strike(scene: &mut Scene, way: DVec3) {
         let (entity, by) = (scene.player, scene.player);
         scene.take_strikes(vec![Strike { entity, by, way }]);
+    }
+
+    #[test]
+    fn who_stands_up_again_finds_none_of_those_who_came_to_fight_and_all_others() {
+        let mut scene = scene(Geometry::Euclidean);
+        assert!(scene.settle(std::time::Duration::from_mins(2)));
+        scene.set_npcs(crate::NpcMode::Still);
+        let near = scene.feet().moved(DVec3::new(9.0, 1.0, 0.0));
+        let [fighter, peaceful, put_there] =
+            [true, false, true].map(|hostile| scene.spawn_bot(near, 0.0, hostile));
+        for id in [fighter, peaceful] {
+            scene.restore_mind(id, 0.0, true);
+        }
+        scene.hurt_player(2.0 * FULL_HEALTH, HarmKind::Shot, None);
+        assert!(scene.is_dead() && scene.bots().len() == 3);
+        for _ in 0..(DEAD_S / STEP_S).ceil() as usize + 1 {
+            scene.heal();
+        }
+        assert!(!scene.is_dead());
+        let left: Vec<_> = scene.bots().iter().map(|view| view.bot.id).collect();
+        assert_eq!(left, [peaceful, put_there]);
     }
 
     #[test]

@@ -221,6 +221,42 @@ fn roll_over(scene: &mut Scene) -> bool {
     false
 }
 
+/// How deep who stands there is in the box of the car's body, as it lies: none below 0, in metres.
+fn depth_m(scene: &Scene) -> f64 {
+    let car = car(scene);
+    let (low, high) = (DVec3::new(-1.52, 0.3, -0.7), DVec3::new(1.52, 1.49, 0.7));
+    let depths = (3..=15).map(|tenths| {
+        let place = scene.feet().pos + DVec3::Y * 0.1 * f64::from(tenths);
+        let own = car.turn.inverse() * (place - car.point.pos);
+        (own - low).min(high - own).min_element()
+    });
+    depths.fold(f64::NEG_INFINITY, f64::max)
+}
+
+#[test]
+fn who_gets_out_of_a_fallen_car_or_sets_one_upright_stands_beside_it() {
+    let mut scene = rolled_over();
+    steps(&mut scene, 120, &still());
+    let leave = Actions {
+        leave_car: true,
+        ..still()
+    };
+    steps(&mut scene, 1, &leave);
+    assert!(!scene.is_driving());
+    assert!(depth_m(&scene) < 0.0, "{} m in it", depth_m(&scene));
+    // Where it will stand, and on both sides of it.
+    let place = car(&scene).point;
+    for aside in [-0.8, 0.0, 0.8] {
+        scene.teleport(place.moved(DVec3::new(aside, 0.3, aside)));
+        let flip = Actions {
+            flip_car: true,
+            ..still()
+        };
+        steps(&mut scene, 1, &flip);
+        assert!(depth_m(&scene) < 0.0, "{} m in it", depth_m(&scene));
+    }
+}
+
 #[test]
 fn it_can_roll_over_and_is_set_upright_with_its_heading_and_lights_kept() {
     let mut scene = rolled_over();

@@ -16,6 +16,8 @@ use crate::tuning::STEP_S;
 
 /// Height of a car's middle over the ground, in metres.
 const MIDDLE_UP_M: f64 = 0.8;
+/// The box that holds a car's body, in its axes, in metres.
+const BODY_BOX_M: (DVec3, DVec3) = (DVec3::new(-1.52, 0.30, -0.70), DVec3::new(1.52, 1.49, 0.70));
 /// Gap left below the feet of who gets out, in metres.
 const CLEARANCE_M: f64 = 0.02;
 
@@ -164,13 +166,15 @@ impl Scene {
                 .physics
                 .cast_sphere(from, DVec3::NEG_Y, radius_m, most_m)?;
             // On the roof one stands on the car and not on the ground below it.
-            let down_m = if door.y > 0.0 {
+            let on_roof = door.y > 0.0;
+            let down_m = if on_roof {
                 down_m.min(DOOR_RISE_M)
             } else {
                 down_m
             };
             let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
-            let is_free = !self.physics.overlaps_capsule(feet, height_m, radius_m)
+            let is_free = (on_roof || !self.is_within(car, feet - origin))
+                && !self.physics.overlaps_capsule(feet, height_m, radius_m)
                 && !self.is_rock(feet - origin + DVec3::Y * (0.5 * height_m), car);
             is_free.then(|| self.within_world(ChartPoint::new(hemisphere, feet - origin)))
         })
@@ -194,7 +198,34 @@ impl Scene {
         let vehicles = &self.cars.vehicles;
         if let Some(upright) = vehicles.upright(number, &self.physics, &solid) {
             self.cars.vehicles.set_motion(number, upright);
+            self.make_way(number);
         }
+    }
+
+    /// Puts a player on foot beside a car that was set upright about him.
+    fn make_way(&mut self, number: usize) {
+        let feet = self.feet();
+        let Some(car) = self.car(number) else { return };
+        let is_caught = !self.is_driving()
+            && feet.hemisphere == car.point.hemisphere
+            && self.is_within(&car, feet.pos);
+        if let Some(spot) = self.free_spot(&car).filter(|_| is_caught) {
+            self.place_body(spot, DVec3::ZERO, false);
+        }
+    }
+
+    /// Whether who stands with the feet at a place of a car's chart would be in the car, however it lies.
+    fn is_within(&self, car: &CarView, feet: DVec3) -> bool {
+        let (low_m, high_m) = (
+            self.tuning.radius_m,
+            self.tuning.height_m - self.tuning.radius_m,
+        );
+        (0..=4).any(|part| {
+            let up_m = low_m + (high_m - low_m) * f64::from(part) / 4.0;
+            let own = car.turn.inverse() * (feet + DVec3::Y * up_m - car.point.pos);
+            let (low, high) = BODY_BOX_M;
+            own.distance(own.clamp(low, high)) < self.tuning.radius_m
+        })
     }
 }
 

@@ -60,6 +60,18 @@ impl Scene {
         }
     }
 
+    /// Hostile ones that came by themselves are gone when the player stands up again, and others wait.
+    pub(crate) fn send_hostile_away(&mut self) {
+        let others = self.others();
+        for other in others.iter().filter(|other| other.native && other.fights) {
+            // It was there a moment ago.
+            let _ = self.ecs.despawn(other.entity);
+            self.changed = true;
+        }
+        let rest_s = self.simulated_s + HOSTILE_EVERY_S;
+        self.peace_until_s = self.peace_until_s.max(rest_s);
+    }
+
     /// Tells whether one came.
     fn let_one_come(&mut self, feet: ChartPoint, hostile: bool) -> bool {
         let seeds = [self.setup.seed, self.simulated_s.to_bits(), 0x9e3d];
