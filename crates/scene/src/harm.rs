@@ -249,7 +249,7 @@ mod tests {
         }
         scene.hurt_player(2.0 * FULL_HEALTH, HarmKind::Shot, None);
         assert!(scene.is_dead() && scene.bots().len() == 3);
-        for _ in 0..(DEAD_S / STEP_S).ceil() as usize + 1 {
+        for _ in 0..=(DEAD_S / STEP_S).ceil() as usize {
             scene.heal();
         }
         assert!(!scene.is_dead());
