@@ -99,6 +99,20 @@ fn limbs_move_with_the_gait_and_the_second_outfit_is_another() {
 }
 
 #[test]
+fn who_fights_is_red_and_nobody_else() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let mut frame = alone(astronaut(Posture::default(), FRAC_PI_2));
+    frame.figures[0].model = ModelId::AstronautTeal;
+    let red = |picture: &RgbaImage| count(picture, |[r, g, b]| r > 90 && r / 2 > g.max(b));
+    let peaceful = red(&studio.picture(&frame));
+    frame.figures[0].hostile = true;
+    let hostile = red(&studio.picture(&frame));
+    assert!(hostile > 500 && peaceful < 20, "{hostile} {peaceful}");
+}
+
+#[test]
 fn the_dead_lie_on_the_ground() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
