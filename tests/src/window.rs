@@ -222,8 +222,17 @@ impl Window {
     /// # Panics
     /// When it does not.
     pub fn wait_for(&mut self, words: &str) {
+        self.wait_for_after(0, words);
+    }
+
+    /// Waits until the program has written these words behind the first `heard` bytes of what it said.
+    fn wait_for_after(&mut self, heard: usize, words: &str) {
         let began = Instant::now();
-        while !self.said().contains(words) {
+        while !self
+            .said()
+            .get(heard..)
+            .is_some_and(|new| new.contains(words))
+        {
             self.give_up_after(began, words);
             sleep(GLANCE);
         }

@@ -25,6 +25,8 @@ mod backpack;
 const SMALL: [&str; 4] = ["--size", "800x600", "--view-distance", "1"];
 /// Nor is it shaded: these tests are about what one can do, others about pictures.
 const PLAIN: &str = r#", "render-scale": "50", "msaa": "off", "shadows": "off""#;
+/// What the game says of what is done in its menus, too.
+const TOLD: [&str; 2] = ["--log", "debug"];
 /// What the display of the tests shows, pixels.
 const SCREEN: (u32, u32) = (2560, 1440);
 /// Most of a core that a game may use while nobody sees it.
@@ -135,12 +137,6 @@ fn leave_world(game: &mut Window) {
     game.stillness();
 }
 
-/// Types over what a line of text holds.
-fn overwrite(game: &mut Window, text: &str) {
-    game.key("ctrl+a");
-    game.write(text);
-}
-
 #[test]
 fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     let Some((display, place)) = ready("") else {
@@ -148,46 +144,72 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     };
     let saves = saves(&place);
     let archive = place.path().join("kept.antipode");
-    let mut game = open(&display, &place, &[]);
+    let mut game = open(&display, &place, &TOLD);
     game.wait_until("the main menu", shows_main_menu);
-    game.step("Return");
-    game.write("Alpha");
-    game.steps(&["Tab", "Tab", "Tab", "Tab"]);
-    game.write("12");
+    game.told_steps(&[("Return", "pressed: New Game")]);
+    game.overwrite("Alpha");
+    let to_the_seed = ["focus: Hyperbolic", "focus: Euclidean", "focus: Spherical"];
+    game.told_steps(&to_the_seed.map(|words| ("Tab", words)));
+    game.told_steps(&[("Tab", "focus: blank")]);
+    game.overwrite("12");
     game.key("Return");
     game.wait_until("the new world", shows_world);
     leave_world(&mut game);
 
-    // The list, the button beside the world, its page, the second button there.
-    game.steps(&["Tab", "Return", "Tab", "Return", "Tab", "Return"]);
-    overwrite(&mut game, "Beta");
+    game.told_steps(&[
+        ("Tab", "focus: Load"),
+        ("Return", "pressed: Load"),
+        ("Tab", "focus: Manage “Alpha”"),
+        ("Return", "pressed: Manage “Alpha”"),
+        ("Tab", "focus: Rename"),
+        ("Return", "pressed: Rename"),
+    ]);
+    game.overwrite("Beta");
     game.key("Return");
     game.wait_while("the new name", || !listed(&saves)[0].starts_with("Beta "));
     assert_eq!(listed(&saves).len(), 1, "it has another name only");
     game.stillness();
-    game.steps(&["Tab", "Tab", "Return"]);
+    game.told_steps(&[
+        ("Tab", "focus: Rename"),
+        ("Tab", "focus: Duplicate"),
+        ("Return", "pressed: Duplicate"),
+    ]);
     game.wait_while("the copy", || listed(&saves).len() != 2);
     game.stillness();
-    game.steps(&["Tab", "Return"]);
-    overwrite(&mut game, archive.to_str().unwrap());
+    game.told_steps(&[("Tab", "focus: Export"), ("Return", "pressed: Export")]);
+    game.overwrite(archive.to_str().unwrap());
     game.key("Return");
     game.wait_while("the file", || !archive.exists());
     game.stillness();
     game.steps(&["Escape", "Escape"]);
 
     // Keep has the focus, so deleting takes a step aside.
-    game.steps(&["Tab", "Tab", "Return", "Return"]);
-    game.step("Return");
+    game.told_steps(&[
+        ("Tab", "focus: Load"),
+        ("Tab", "focus: Delete"),
+        ("Return", "pressed: Delete"),
+        ("Return", "pressed: Delete “Beta"),
+        ("Return", "pressed: Keep"),
+    ]);
     assert_eq!(listed(&saves).len(), 2, "the world is kept");
-    game.step("Return");
-    game.step("shift+Tab");
-    game.key("Return");
+    game.told_steps(&[("Return", "pressed: Delete “Beta")]);
+    game.told_steps(&[
+        ("shift+Tab", "focus: Delete"),
+        ("Return", "pressed: Delete"),
+    ]);
     game.wait_while("the end of a world", || listed(&saves).len() != 1);
     game.stillness();
     game.step("Escape");
 
-    game.steps(&["Tab", "Return", "Tab", "Tab", "Tab", "Return"]);
-    overwrite(&mut game, archive.to_str().unwrap());
+    game.told_steps(&[
+        ("Tab", "focus: Load"),
+        ("Return", "pressed: Load"),
+        ("Tab", "focus: Manage “Beta"),
+        ("Tab", "focus: Back"),
+        ("Tab", "focus: Import"),
+        ("Return", "pressed: Import"),
+    ]);
+    game.overwrite(archive.to_str().unwrap());
     game.key("Return");
     game.wait_while("the world from the file", || listed(&saves).len() != 2);
     game.stillness();

@@ -5,7 +5,7 @@ use std::io::IsTerminal;
 use clap::ValueEnum;
 use tracing_appender::non_blocking::{NonBlocking, WorkerGuard};
 use tracing_subscriber::Layer;
-use tracing_subscriber::filter::LevelFilter;
+use tracing_subscriber::filter::{LevelFilter, Targets};
 use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
@@ -38,6 +38,13 @@ impl LogLevel {
     }
 }
 
+/// All of that level, but of the window system what goes wrong: its lines hold the window's icon, a megabyte each.
+fn spoken(level: LevelFilter) -> Targets {
+    Targets::new()
+        .with_default(level)
+        .with_target("winit", level.min(LevelFilter::WARN))
+}
+
 /// What is to be kept while the log runs: dropped, it writes what still waits.
 #[must_use]
 #[derive(Debug, Default)]
@@ -56,7 +63,7 @@ pub fn start(level: LogLevel, to_files: bool) -> LogGuard {
         Some(Ok(file)) => {
             let (writer, guard) = tracing_appender::non_blocking(file);
             // What went wrong is of use later even when nobody asked for it now.
-            let filter = level.filter().max(LevelFilter::INFO);
+            let filter = spoken(level.filter().max(LevelFilter::INFO));
             (
                 Some(file_layer(writer).with_filter(filter)),
                 Some(guard),
@@ -72,7 +79,7 @@ pub fn start(level: LogLevel, to_files: bool) -> LogGuard {
         // A full disk behind standard error would otherwise end the program from inside the log.
         .log_internal_errors(false)
         .with_target(false)
-        .with_filter(level.filter());
+        .with_filter(spoken(level.filter()));
     let log = tracing_subscriber::registry().with(terminal).with(files);
     if log.try_init().is_err() {
         tracing::debug!("a log is already running");

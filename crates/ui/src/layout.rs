@@ -123,6 +123,14 @@ impl Stops {
     }
 }
 
+/// A part of a screen whose widgets keep the focus whatever comes up or goes before it: egui counts widgets to tell
+/// them apart, so that one line more above would make every button below another one. `name` is unlike any other on the
+/// same level.
+pub(crate) fn steady<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let id = ui.scope_id().with(egui::IdSalt::new(name));
+    ui.scope_builder(UiBuilder::new().scope_id(id), add).inner
+}
+
 /// A panel filling `rect`: title, a body that scrolls, and a footer that always
 /// stays in view.
 pub(crate) fn pane<R>(

@@ -346,3 +346,41 @@ fn assert_whole(harness: &Harness<'_, Game>, size: Vec2, place: &str) {
         );
     }
 }
+
+/// Whoever goes by keys stays where he is while lines and rows come up and go above him.
+#[test]
+fn the_focus_stays_where_it_is_while_something_is_done_with_the_saves() {
+    let working = || Some("Copying “World 1”".to_owned());
+    let mut harness = page();
+    press(&mut harness, Key::Tab);
+    press(&mut harness, Key::Tab);
+    for work in [None, working(), None] {
+        harness.state_mut().files.work = work;
+        harness.run();
+        assert_eq!(focused(&harness), "Duplicate");
+    }
+
+    let mut harness = window(with_worlds(3));
+    press(&mut harness, Key::ArrowDown);
+    for work in [None, working(), None] {
+        harness.state_mut().files.work = work;
+        harness.run();
+        assert_eq!(focused(&harness), "Load “World 1”");
+    }
+    harness.state_mut().worlds.insert(0, world(7));
+    harness.run();
+    assert_eq!(focused(&harness), "Load “World 1”");
+
+    let mut harness = window(with_worlds(3));
+    click(&mut harness, "Import");
+    press(&mut harness, Key::Tab);
+    let before = focused(&harness);
+    let found = ArchiveRow {
+        file: "/home/me/a.antipode".to_owned(),
+        name: "a.antipode".to_owned(),
+        size: "1 MB".to_owned(),
+    };
+    harness.state_mut().files.archives.insert(0, found);
+    harness.run();
+    assert_eq!(focused(&harness), before);
+}

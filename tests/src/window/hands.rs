@@ -107,6 +107,31 @@ impl Window {
         }
     }
 
+    /// Presses keys in a menu, each with what the program is to say of it then, such as "focus: Back"; it says so at
+    /// the log level debug. Unlike [`Self::steps`] it does not take a blinking cursor for an answer.
+    ///
+    /// # Panics
+    /// When it says something else.
+    pub fn told_steps(&mut self, steps: &[(&str, &str)]) {
+        for (name, words) in steps {
+            let before = self.said().len();
+            self.key(name);
+            self.wait_for_after(before, words);
+            self.stillness();
+        }
+    }
+
+    /// Types over what a line of text holds, and waits until the program says at the log level debug that it has it.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn overwrite(&mut self, text: &str) {
+        let before = self.said().len();
+        self.key("ctrl+a");
+        self.write(text);
+        self.wait_for_after(before, &format!("changed: {text}: "));
+    }
+
     /// Presses a key or button and keeps it down.
     fn hold(&self, what: &str, name: &str) -> Held {
         self.xdotool(&[&format!("{what}down"), name]);

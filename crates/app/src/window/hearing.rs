@@ -67,6 +67,9 @@ impl Ears {
 
     /// Lets the interface be heard: at most one sound for a frame.
     pub fn interface(&self, events: &[OutputEvent]) {
+        for event in events {
+            note(event);
+        }
         if let Some(cue) = cue(events) {
             self.audio.cue(cue);
         }
@@ -81,6 +84,17 @@ fn trouble(status: &Status) -> Option<&'static str> {
         Status::Lost => Some("sound-lost"),
         Status::LeftOut => Some("sound-left-out"),
     }
+}
+
+/// What a screen reader would say of it goes to the log.
+fn note(event: &OutputEvent) {
+    let what = match event {
+        OutputEvent::FocusGained(_) => "focus",
+        OutputEvent::Clicked(_) => "pressed",
+        OutputEvent::ValueChanged(_) => "changed",
+        _ => return,
+    };
+    tracing::debug!("{what}: {}", event.widget_info().description());
 }
 
 fn cue(events: &[OutputEvent]) -> Option<Cue> {

@@ -5,7 +5,7 @@ use antipode_settings::{Action, Conflict, Input, MAX_INPUTS, Profile};
 use egui::{Button, Label, Response, RichText, Role, TextWrapMode, Ui, Widget as _, WidgetInfo};
 
 use super::{Wish, action_label, input_label};
-use crate::layout::Stops;
+use crate::layout::{Stops, steady};
 use crate::shell::Pass;
 use crate::theme::{BAD, WEAK, small};
 use crate::widgets::focus_ring;
@@ -24,7 +24,7 @@ pub(super) fn show(
 ) -> Option<Wish> {
     let texts = pass.model.texts;
     let label = action_label(texts, action);
-    ui.push_id(action.info().id, |ui| {
+    steady(ui, action.info().id, |ui| {
         let whole = ui.available_width();
         let share = NAME_SHARES.iter().find(|(from, _)| whole >= *from);
         let name = whole * share.map_or(0.5, |(_, share)| *share);
@@ -43,7 +43,6 @@ pub(super) fn show(
         })
         .inner
     })
-    .inner
 }
 
 fn inputs(

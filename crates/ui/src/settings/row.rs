@@ -4,7 +4,7 @@ use antipode_settings::{Field, Kind, Value};
 use egui::{Button, Label, Response, RichText, Role, Ui, Widget as _, WidgetInfo, vec2};
 
 use super::control;
-use crate::layout::Stops;
+use crate::layout::{Stops, steady};
 use crate::model::Intent;
 use crate::shell::Pass;
 use crate::theme::{GRID, WEAK, small};
@@ -27,7 +27,7 @@ pub(super) fn show(
     let about = texts.say(&format!("setting-{id}-about"));
     let value = pass.model.config.settings.get(field);
     let mut chosen = None;
-    ui.push_id(id, |ui| {
+    steady(ui, id, |ui| {
         // Close together what belongs together.
         ui.spacing_mut().item_spacing.y = 2.0;
         let whole = ui.available_width();

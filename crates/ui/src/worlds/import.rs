@@ -4,7 +4,7 @@ use egui::{RichText, Ui};
 
 use super::WorldsIntent;
 use super::field::{line, note};
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, pane, steady};
 use crate::model::Intent;
 use crate::shell::Pass;
 use crate::theme::{WEAK, small};
@@ -43,9 +43,9 @@ impl Form {
                     ("size", archive.size.as_str().into()),
                 ];
                 let label = texts.say_with("worlds-import-named", &values);
-                let response = ui.push_id(&archive.file, |ui| column_button(ui, &label, false));
-                stops.add(&response.inner);
-                if response.inner.clicked() {
+                let response = steady(ui, &archive.file, |ui| column_button(ui, &label, false));
+                stops.add(&response);
+                if response.clicked() {
                     wanted = Some(archive.file.clone());
                 }
             }

@@ -3,7 +3,7 @@
 use egui::{FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use super::{edits, facts, picture};
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, pane, steady};
 use crate::model::{Screen, WorldRow};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, BAD, GRID, TEXT, WEAK, small};
@@ -49,8 +49,8 @@ pub(super) fn show<'a>(ui: &mut Ui, pass: &mut Pass<'a>, purpose: Purpose) -> Op
             ui.label(model.texts.say("worlds-none"));
         }
         for row in model.worlds {
-            let choice = ui.push_id(&row.slug, |ui| self::row(ui, pass, stops, row, purpose));
-            chosen = choice.inner.or(chosen.take());
+            let choice = steady(ui, &row.slug, |ui| self::row(ui, pass, stops, row, purpose));
+            chosen = choice.or(chosen.take());
         }
     };
     let title = model.texts.say(match purpose {

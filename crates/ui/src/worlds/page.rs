@@ -4,7 +4,7 @@ use egui::{Label, Response, RichText, Sense, Ui};
 
 use super::field::{line, note};
 use super::{WorldsIntent, edits, enter, facts, picture};
-use crate::layout::{Stops, pane};
+use crate::layout::{Stops, pane, steady};
 use crate::model::{Intent, WorldRow};
 use crate::shell::Pass;
 use crate::theme::{BAD, GOOD, GRID, WEAK, small};
@@ -141,7 +141,7 @@ impl Page {
                 picture::paint(ui.painter(), rect, row);
             }
             particulars(ui, pass, row);
-            pressed = actions(ui, pass, stops, row);
+            pressed = steady(ui, "actions", |ui| actions(ui, pass, stops, row));
         };
         let mut back = false;
         pane(ui, regions.pane, &row.name, body, |ui| {
