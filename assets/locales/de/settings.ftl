@@ -95,7 +95,7 @@ setting-high-contrast-about = Menüs und Anzeige in Weiß und Gelb auf Schwarz, 
 setting-safe-marker = Marke für Farbenblinde
 setting-safe-marker-about = Die Pinselmarke ist in Ruhe weiß und bei der Arbeit schwarz: Die Helligkeit spricht, nicht die Farbe.
 setting-reduced-motion = Weniger Bewegung
-setting-reduced-motion-about = Die Krümmung springt, statt zu gleiten, die Marke pulsiert nicht, Menüs blenden nicht, der Kopf federt nicht, und hinter dem Menü zieht keine Welt vorbei.
+setting-reduced-motion-about = Die Krümmung springt, statt zu gleiten, die Marke pulsiert nicht, Menüs blenden nicht, der Kopf federt nicht, der Blick über die Haube neigt sich nicht, und hinter dem Menü zieht keine Welt vorbei.
 setting-head-dip = Federn bei der Landung
 setting-head-dip-about = Der Blick sinkt ein wenig, wenn du nach einem Sprung oder Sturz landest.
 

@@ -95,7 +95,7 @@ setting-high-contrast-about = Menús e indicadores en blanco y amarillo sobre ne
 setting-safe-marker = Marca para daltónicos
 setting-safe-marker-about = La marca del pincel es blanca en reposo y negra al trabajar: lo dice la claridad y no el color.
 setting-reduced-motion = Menos movimiento
-setting-reduced-motion-about = La curvatura salta en vez de deslizarse, la marca no late, los menús no se desvanecen, la cabeza no se hunde y ningún mundo pasa tras el menú.
+setting-reduced-motion-about = La curvatura salta en vez de deslizarse, la marca no late, los menús no se desvanecen, la cabeza no se hunde, la vista desde el capó no se inclina y ningún mundo pasa tras el menú.
 setting-head-dip = Hundirse al caer
 setting-head-dip-about = La vista baja un poco cuando caes de un salto o de lo alto.
 

@@ -95,7 +95,7 @@ setting-high-contrast-about = Menu i wskaźniki bielą i żółcią na czerni, b
 setting-safe-marker = Znacznik dla daltonistów
 setting-safe-marker-about = Znacznik pędzla jest biały w spoczynku i czarny przy pracy: mówi jasność, a nie kolor.
 setting-reduced-motion = Mniej ruchu
-setting-reduced-motion-about = Krzywizna przeskakuje zamiast płynąć, znacznik nie pulsuje, menu nie zanikają, głowa się nie ugina, a za menu nie płynie żaden świat.
+setting-reduced-motion-about = Krzywizna przeskakuje zamiast płynąć, znacznik nie pulsuje, menu nie zanikają, głowa się nie ugina, widok znad maski się nie przechyla, a za menu nie płynie żaden świat.
 setting-head-dip = Ugięcie przy lądowaniu
 setting-head-dip-about = Widok opada lekko, gdy lądujesz po skoku lub upadku.
 

@@ -15,6 +15,7 @@ fn scene(geometry: Geometry) -> (std::sync::Arc<dyn Strategy>, Eye, Vec<ChartPoi
         point: ChartPoint::a(DVec3::new(3.0, 9.0, -2.0)),
         yaw: 0.7,
         pitch: -0.3,
+        roll: 0.0,
         dial: 10.0,
         lift_m: 1.62,
     };

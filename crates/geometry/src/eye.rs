@@ -13,6 +13,8 @@ pub struct Eye {
     pub yaw: f64,
     /// Elevation in radians, positive upwards, within a right angle of level.
     pub pitch: f64,
+    /// How far the picture leans, radians, as a head does: positive with the right side down.
+    pub roll: f64,
     /// The curvature under the player's wheel: of the raised map the offset c in metres, 0 to 20;
     /// of the horizon map eighty times the curvature in 1/m. Other spaces ignore it.
     pub dial: f64,
@@ -28,10 +30,15 @@ impl Eye {
         DVec3::new(cos_yaw * cos_pitch, sin_pitch, sin_yaw * cos_pitch)
     }
 
-    /// The unit chart direction to the camera's right; always level.
+    /// The unit chart direction to the picture's right; level without a roll.
     pub fn right(&self) -> DVec3 {
         let (sin_yaw, cos_yaw) = self.yaw.sin_cos();
-        DVec3::new(-sin_yaw, 0.0, cos_yaw)
+        let level = DVec3::new(-sin_yaw, 0.0, cos_yaw);
+        if self.roll == 0.0 {
+            return level;
+        }
+        let (sin_roll, cos_roll) = self.roll.sin_cos();
+        level * cos_roll - level.cross(self.front()) * sin_roll
     }
 
     /// The unit chart direction of the picture's up.
@@ -64,12 +71,15 @@ mod tests {
             let eye = Eye {
                 yaw: f64::from(i) * 0.7 - 9.0,
                 pitch: f64::from(i % 9) * 0.35 - 1.4,
+                roll: f64::from(i % 5) * 0.3 - 0.6,
                 ..Eye::default()
             };
             let (right, up, back) = (eye.right(), eye.up(), -eye.front());
             assert!((right.cross(up) - back).length() < 1e-15);
             assert!((up.length() - 1.0).abs() < 1e-15);
             assert!(up.y >= 0.0);
+            let down = -(eye.pitch.cos() * eye.roll.sin());
+            assert!((right.y - down).abs() < 1e-15, "the right side goes down");
             let v = DVec3::new(0.3, -2.0, 1.1);
             assert!((eye.to_chart(eye.to_view(v)) - v).length() < 1e-14);
         }

@@ -173,6 +173,7 @@ fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
         ),
         yaw,
         pitch: 0.0,
+        roll: 0.0,
         dial: 0.0,
         lift_m: 0.0,
     };

@@ -114,6 +114,7 @@ mod tests {
             point: ChartPoint::new(hemisphere, pos),
             yaw: 0.4,
             pitch: 0.1,
+            roll: 0.0,
             dial: 0.0,
             lift_m: 0.0,
         }

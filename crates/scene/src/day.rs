@@ -216,6 +216,7 @@ mod tests {
             point: ChartPoint::a(DVec3::ZERO),
             yaw: 0.0,
             pitch: 0.0,
+            roll: 0.0,
             dial: 0.0,
             lift_m: 0.0,
         };

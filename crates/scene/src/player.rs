@@ -108,6 +108,7 @@ pub fn eye(position: &Position, look: &Look, dial: f64, height_m: f64) -> Eye {
         point,
         yaw: look.yaw,
         pitch: look.pitch,
+        roll: 0.0,
         dial,
         lift_m: height_m,
     }

@@ -69,6 +69,7 @@ fn eye(value: &Value) -> Eye {
         point: chart_point(value),
         yaw: number("yaw"),
         pitch: number("pitch"),
+        roll: 0.0,
         dial: number("dial"),
         lift_m: number("lift"),
     }
@@ -155,6 +156,7 @@ impl Numbers {
             point: ChartPoint::a(pos),
             yaw: self.between(-3.0, 3.0),
             pitch: self.between(-1.5, 1.5),
+            roll: 0.0,
             dial: self.between(0.0, 20.0),
             lift_m: 1.62,
         }

@@ -123,6 +123,7 @@ fn order(
         point: ChartPoint::a(DVec3::new(3.0, 0.5 * RADIUS_M, 1.0)),
         yaw: 0.4,
         pitch: -0.1,
+        roll: 0.0,
         dial: setting.dial,
         lift_m: LIFT_M,
     };

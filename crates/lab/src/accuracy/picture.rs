@@ -58,6 +58,7 @@ pub fn standing(rng: &mut Numbers, setting: &Setting) -> Eye {
         point: ChartPoint::a(DVec3::new(level.x, height, level.y)),
         yaw: rng.between(-3.2, 3.2),
         pitch: rng.between(-1.2, 0.6),
+        roll: 0.0,
         dial: setting.dial,
         lift_m: LIFT_M,
     }

@@ -69,6 +69,7 @@ fn camera(rng: &mut Numbers, (low, high): (f64, f64)) -> Eye {
         point: ChartPoint::a(DVec3::new(level.x, rng.between(-200.0, 200.0), level.y)),
         yaw: rng.between(-3.2, 3.2),
         pitch: rng.between(-1.4, 1.4),
+        roll: 0.0,
         dial: 10.0,
         lift_m: LIFT_M,
     }

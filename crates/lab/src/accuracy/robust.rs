@@ -88,6 +88,7 @@ fn thrown(rng: &mut Numbers, setting: &Setting) -> (Thrown, cases::Case) {
         point: ChartPoint::a(DVec3::Y * 0.3 * space.radius_m().min(20.0)),
         yaw: rng.between(-3.2, 3.2),
         pitch: rng.between(-1.5, 1.5),
+        roll: 0.0,
         dial: setting.dial,
         lift_m: LIFT_M,
     };
@@ -189,6 +190,7 @@ fn repeated(bench: &Bench, found: &mut Findings) -> Result<(), LabError> {
             point: ChartPoint::a(DVec3::new(1.0, 9.0, 2.0)),
             yaw: 0.7,
             pitch: -0.3,
+            roll: 0.0,
             dial: setting.dial,
             lift_m: LIFT_M,
         };

@@ -48,6 +48,7 @@ fn cases(space: &Arc<dyn Strategy>, dial: f64, count: usize) -> Vec<Case> {
             point: ChartPoint::a(DVec3::new(level.x, ground_m + 3.0, level.y)),
             yaw: numbers.between(-3.1, 3.1),
             pitch: numbers.between(-0.6, 0.4),
+            roll: 0.0,
             dial,
             lift_m: 1.65,
         };

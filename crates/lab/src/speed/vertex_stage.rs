@@ -98,6 +98,7 @@ fn eye(dial: f64) -> Eye {
         point: ChartPoint::a(DVec3::new(0.0, SPHERE_EYE_M, 0.0)),
         yaw: 0.4,
         pitch: -0.2,
+        roll: 0.0,
         dial,
         lift_m: LIFT_M,
     }

@@ -156,6 +156,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         point,
         yaw: 0.0,
         pitch: 0.0,
+        roll: 0.0,
         dial: 10.0,
         lift_m: 1.62,
     };

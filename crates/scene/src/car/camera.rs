@@ -21,6 +21,8 @@ const SPRING_MOST_M: f64 = 1.5;
 const LEVEL_LEAST: f64 = 0.3;
 /// The view from the bonnet is eased at this rate, per second.
 const BONNET_RATE_PER_S: f64 = 14.0;
+/// The view from the bonnet leans no farther with the car, radians: nobody drives by a picture on its side.
+const LEAN_MOST_RAD: f64 = 0.6;
 
 /// A camera that follows a car.
 #[derive(Clone, Debug)]
@@ -30,11 +32,40 @@ pub(crate) struct Chase {
     velocity: DVec3,
     /// The heading behind which it is, radians.
     yaw: f64,
-    /// Where the bonnet points, eased, radians.
-    bonnet: (f64, f64),
+    /// How the bonnet lies, eased.
+    bonnet: Bonnet,
     /// How far the player looks aside, radians to the right and up.
     aside: (f64, f64),
     since_look_s: f64,
+}
+
+/// How a car's bonnet lies, radians.
+#[derive(Clone, Copy, Debug)]
+struct Bonnet {
+    yaw: f64,
+    pitch: f64,
+    /// Positive with the right side down; of a car on its roof 0, as of a level one.
+    roll: f64,
+}
+
+impl Bonnet {
+    fn of(car: &CarView) -> Self {
+        let (ahead, right) = (car.turn * DVec3::X, car.turn * DVec3::Z);
+        // Pitched by p and rolled by r, what was level to the right has -cos(p) sin(r) of height.
+        let level = ahead.with_y(0.0).length().max(LEVEL_LEAST);
+        Self {
+            yaw: car.yaw(),
+            pitch: ahead.y.clamp(-1.0, 1.0).asin(),
+            roll: -(right.y / level).clamp(-1.0, 1.0).asin(),
+        }
+    }
+
+    /// Goes a share of the way to another one.
+    fn ease(&mut self, to: Self, share: f64) {
+        self.yaw = wrap_angle(self.yaw + wrap_angle(to.yaw - self.yaw) * share);
+        self.pitch += (to.pitch - self.pitch) * share;
+        self.roll += (to.roll - self.roll) * share;
+    }
 }
 
 impl Chase {
@@ -44,7 +75,7 @@ impl Chase {
             point: car.point,
             velocity: car.velocity,
             yaw: car.yaw(),
-            bonnet: pointing(car),
+            bonnet: Bonnet::of(car),
             aside: (0.0, 0.0),
             since_look_s: 0.0,
         }
@@ -78,10 +109,8 @@ impl Chase {
             let behind = wrap_angle(car.yaw() - self.yaw);
             self.yaw = wrap_angle(self.yaw + behind * (CHASE_TURN_PER_S * dt_s).min(1.0));
         }
-        let (yaw, pitch) = pointing(car);
         let share = (BONNET_RATE_PER_S * dt_s).min(1.0);
-        self.bonnet.0 = wrap_angle(self.bonnet.0 + wrap_angle(yaw - self.bonnet.0) * share);
-        self.bonnet.1 += (pitch - self.bonnet.1) * share;
+        self.bonnet.ease(Bonnet::of(car), share);
         self.look_aside(turned, car.velocity.length(), dt_s);
     }
 
@@ -105,15 +134,24 @@ impl Chase {
         self.point = over.point;
         self.velocity = over.turn_vector(self.velocity);
         self.yaw = wrap_angle(self.yaw - crossing.turn_rad);
-        self.bonnet.0 = wrap_angle(self.bonnet.0 - crossing.turn_rad);
+        self.bonnet.yaw = wrap_angle(self.bonnet.yaw - crossing.turn_rad);
     }
 
     /// Where it looks, radians: heading and elevation.
     pub fn look(&self, mode: CameraMode) -> (f64, f64) {
         match mode {
-            CameraMode::First => (self.bonnet.0 + self.aside.0, self.bonnet.1 + self.aside.1),
+            CameraMode::First => (
+                self.bonnet.yaw + self.aside.0,
+                self.bonnet.pitch + self.aside.1,
+            ),
             CameraMode::Third => (self.yaw + self.aside.0, rest_pitch() + self.aside.1),
         }
+    }
+
+    /// How far the view from the bonnet leans with the car, radians: less the farther the player looks aside, where
+    /// the same lean is a slope ahead.
+    fn lean(&self) -> f64 {
+        self.bonnet.roll.clamp(-LEAN_MOST_RAD, LEAN_MOST_RAD) * self.aside.0.cos()
     }
 
     /// The eye behind the car, as far back as a small sphere finds room.
@@ -172,12 +210,6 @@ fn rest_pitch() -> f64 {
     -(CHASE_UP_M - CHASE_LOOKS_UP_M).atan2(CHASE_BACK_M)
 }
 
-/// Where a car's bonnet points: heading and elevation, radians.
-fn pointing(car: &CarView) -> (f64, f64) {
-    let ahead = car.turn * DVec3::X;
-    (car.yaw(), ahead.y.clamp(-1.0, 1.0).asin())
-}
-
 impl Scene {
     /// The driver's own eyes.
     pub(crate) fn driver_head(&self) -> Option<Eye> {
@@ -189,6 +221,7 @@ impl Scene {
             point,
             yaw,
             pitch,
+            roll: 0.0,
             dial: self.lens.value(),
             lift_m: point.pos.y - car.point.pos.y,
         })
@@ -202,8 +235,10 @@ impl Scene {
         match self.camera {
             CameraMode::First => {
                 let point = car.place(BONNET_M);
+                let levels = self.viewing.reduced_motion;
                 Some(Eye {
                     point,
+                    roll: if levels { 0.0 } else { driving.chase.lean() },
                     lift_m: point.pos.y - car.point.pos.y,
                     ..head
                 })
