@@ -4,7 +4,9 @@ use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
-use antipode_ui::{CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, WoundModel};
+use antipode_ui::{
+    CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, SpeechModel, WoundModel,
+};
 use glam::DVec3;
 
 use crate::wording;
@@ -62,6 +64,12 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         harm: None,
         struck: false,
         wounds: wounds(scene),
+        speech: scene
+            .speech(scene.viewing().fov_y_rad)
+            .map(|speech| SpeechModel {
+                text: wording::said(texts, speech.line),
+                at: speech.at.map(|at| [at.x as f32, at.y as f32]),
+            }),
     }
 }
 

@@ -166,7 +166,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
 }
 
 /// What somebody says about the space.
-fn said(texts: &Texts, line: Line) -> String {
+pub fn said(texts: &Texts, line: Line) -> String {
     let tenths = |tenths: i32| Value::decimals(f64::from(tenths) / 10.0, 1);
     match line {
         Line::Triangle {

@@ -99,6 +99,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         point: eye_point,
         yaw: -0.35,
         pitch: -0.08,
+        roll: 0.0,
         dial: 10.0,
         lift_m: 1.65,
     };

@@ -57,7 +57,7 @@ pub use inventory::{Inventory, Stack};
 pub use item::Item;
 pub use lens::{DialGoals, Lens};
 pub use notice::{Hint, Notice};
-pub use npc::{Line, NpcMode, State, Wound};
+pub use npc::{Line, NpcMode, Speech, State, Wound};
 pub use photo::Viewpoint;
 pub use posture::{Clip, Posture};
 pub use probe::Probe;

@@ -175,10 +175,24 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                     panic!("{geometry:?}: {hint}")
                 };
                 lines.push(line);
+                let speech = scene.speech(1.3).expect("it is seen to speak");
+                assert_eq!(speech.line, line, "{geometry:?}");
+                let at = speech.at.expect("it is in the picture");
+                let is_over = at.x.abs() < 0.2 && (0.05..0.8).contains(&at.y);
+                assert!(is_over, "{geometry:?}: over its head, at {at}");
             }
             pass(&mut scene, 0.5);
         }
         assert_eq!(lines.len(), 3, "{geometry:?}");
+        let away = scene
+            .head()
+            .point
+            .moved(beside(&scene, -9.0, 0.0).pos - bot(&scene, id).point.pos);
+        look_at(&mut scene, away);
+        let speech = scene.speech(1.3).expect("it goes on behind one's back");
+        assert_eq!(speech.at, None, "{geometry:?}");
+        pass(&mut scene, 10.0);
+        assert_eq!(scene.speech(1.3), None, "{geometry:?}: it is over");
         for line in lines {
             said.push(format!("{geometry:?}: {line}"));
             match line {

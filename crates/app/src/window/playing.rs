@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use antipode_scene::Hint;
 use antipode_scene::tuning::{AUTOSAVE_S, STEP_S};
 use antipode_ui::{Screen, ToastKind};
 
@@ -108,6 +109,10 @@ impl Game {
             self.shell.toast(words, ToastKind::Problem);
         }
         for hint in session.scene.take_hints() {
+            // Who speaks is seen to do so, but with the display hidden.
+            if matches!(hint, Hint::Said(_)) && !self.display_hidden {
+                continue;
+            }
             let words = wording::hint(&self.texts, &self.config.profiles, hint);
             self.shell.toast(words, ToastKind::State);
         }

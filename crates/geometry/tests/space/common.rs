@@ -58,18 +58,20 @@ pub fn chart_point(range_m: f64) -> impl Generator<Value = ChartPoint> {
     })
 }
 
-/// An eye at any chart point, heading, pitch and dial.
+/// An eye at any chart point, heading, pitch, roll and dial.
 pub fn eye(range_m: f64) -> impl Generator<Value = Eye> {
     (
         chart_point(range_m),
         -9.0..9.0_f64,
         -1.57..1.57_f64,
+        -0.7..0.7_f64,
         0.0..20.0_f64,
     )
-        .prop_map(|(point, yaw, pitch, dial)| Eye {
+        .prop_map(|(point, yaw, pitch, roll, dial)| Eye {
             point,
             yaw,
             pitch,
+            roll,
             dial,
             lift_m: 1.62,
         })

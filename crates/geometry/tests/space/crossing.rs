@@ -140,6 +140,7 @@ fn an_f_reads_as_an_f_in_either_hemisphere() {
                     point: ChartPoint::new(hemisphere, pos),
                     yaw,
                     pitch: 0.0,
+                    roll: 0.0,
                     dial: 10.0,
                     lift_m: 1.62,
                 };

@@ -166,6 +166,7 @@ fn culling_is_worth_its_while() {
                 point: ChartPoint::a(DVec3::new(5.0, 9.0, 3.0)),
                 yaw: f64::from(heading) * 0.8,
                 pitch: -0.2,
+                roll: 0.0,
                 dial: 10.0,
                 lift_m: 1.62,
             };
@@ -197,6 +198,7 @@ fn culling_is_worth_its_while() {
 fn far_hyperbolic_chunks_are_not_drawn() {
     let space = Raised::new(20.0);
     let eye = Eye {
+        roll: 0.0,
         dial: 10.0,
         ..Eye::default()
     };

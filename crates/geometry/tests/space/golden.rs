@@ -68,6 +68,7 @@ impl EyeRow {
             point: ChartPoint::new(self.hemisphere, self.pos),
             yaw: self.yaw,
             pitch: self.pitch,
+            roll: 0.0,
             dial: self.dial,
             lift_m: self.lift,
         }

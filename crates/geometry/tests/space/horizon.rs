@@ -16,6 +16,7 @@ fn eye(dial: f64) -> Eye {
         point: ChartPoint::a(DVec3::new(40.0, 13.0, -7.0)),
         yaw: 0.4,
         pitch: -0.2,
+        roll: 0.0,
         dial,
         lift_m: LIFT_M,
     }

@@ -11,6 +11,7 @@ fn looking(pos: DVec3) -> Eye {
         point: ChartPoint::a(pos),
         yaw: 0.4,
         pitch: -0.2,
+        roll: 0.0,
         dial: 10.0,
         lift_m: 1.62,
     }
@@ -61,6 +62,7 @@ fn a_sweep_of_the_dial_to_zero_has_no_step() {
     let mut last: Option<DVec2> = None;
     for i in (0..=20_000).rev() {
         let eye = Eye {
+            roll: 0.0,
             dial: f64::from(i) * 1e-3,
             ..looking(DVec3::ZERO)
         };
@@ -117,6 +119,7 @@ fn a_useless_dial_is_taken_into_range() {
     let at = |dial| {
         space.view_point(
             &Eye {
+                roll: 0.0,
                 dial,
                 ..looking(DVec3::ZERO)
             },
@@ -133,6 +136,7 @@ fn raised_is_exact_at_the_eye() {
     let space = Raised::new(20.0);
     for dial in [0.0, 1e-9, 10.0, 20.0] {
         let eye = Eye {
+            roll: 0.0,
             dial,
             ..looking(DVec3::new(1e6, 3.0, 0.5))
         };

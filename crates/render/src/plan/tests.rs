@@ -135,6 +135,7 @@ fn pose(numbers: &mut Numbers, frame: &mut Frame, dials: [f64; 2]) {
         point: frame.eye.point,
         yaw: numbers.between(-3.2, 3.2),
         pitch: numbers.between(-1.5, 1.5) * numbers.between(0.0, 1.0),
+        roll: 0.0,
         dial: numbers.between(dials[0], dials[1]),
         lift_m: 1.62,
     };

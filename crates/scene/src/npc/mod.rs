@@ -11,6 +11,7 @@ mod navigation;
 mod population;
 mod senses;
 mod shooting;
+mod speech;
 mod talk;
 pub(crate) mod tuning;
 mod wounds;
@@ -36,6 +37,7 @@ pub use mind::State;
 pub(crate) use navigation::ASKS_M;
 pub(crate) use senses::Event;
 use senses::{Around, Other, Quarry};
+pub use speech::Speech;
 pub use talk::Line;
 use tuning::{LEAVES_BULLETS, THINKS_EVERY_STEPS};
 pub use wounds::Wound;
@@ -52,6 +54,8 @@ pub(crate) struct Npcs {
     steps: u64,
     /// Whether they come by themselves, and have a mind.
     pub mode: NpcMode,
+    /// What was said last.
+    said: Option<speech::Said>,
 }
 
 /// What other figures may do in a scene; no part of the world, so nothing of it is saved.

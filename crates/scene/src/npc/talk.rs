@@ -10,6 +10,7 @@ use super::bearing::{Way, ahead, apart_m, way};
 use super::dice::Dice;
 use super::mind::{Mind, State};
 use super::senses::sees;
+use super::speech::Said;
 use super::tuning::TALKS_M;
 use crate::bot::Bot;
 use crate::notice::Hint;
@@ -76,6 +77,11 @@ impl Scene {
         let told = mind.told;
         mind.told += 1;
         let line = self.line_of(id, told);
+        self.npcs.said = Some(Said {
+            speaker: id,
+            line,
+            at_s: self.simulated_s,
+        });
         self.hints.push(Hint::Said(line));
     }
 

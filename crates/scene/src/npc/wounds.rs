@@ -1,6 +1,6 @@
 //! Where in the picture the health of those who are hurt is shown.
 
-use antipode_geometry::{Eye, Projection};
+use antipode_geometry::{ChartPoint, Eye, Projection};
 use glam::{DVec2, DVec3};
 
 use super::senses::sees;
@@ -38,9 +38,9 @@ impl Scene {
             let pictured = &**self.lens.strategy();
             let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
             let shown = away_m < SHOWN_M && sees(pictured, &self.physics, &eye, head);
-            let at = self.pictured_at(&eye, over.pos, view.point.hemisphere, fov_y_rad);
-            let side = over.pos + eye.right() * HALF_WIDTH_M;
-            let end = self.pictured_at(&eye, side, view.point.hemisphere, fov_y_rad);
+            let at = self.pictured_at(&eye, over, fov_y_rad);
+            let side = over.moved(eye.right() * HALF_WIDTH_M);
+            let end = self.pictured_at(&eye, side, fov_y_rad);
             let (at, end) = at.zip(end).filter(|_| shown)?;
             Some(Wound {
                 at,
@@ -51,16 +51,16 @@ impl Scene {
         .collect()
     }
 
-    fn pictured_at(
+    /// Where a place is in the picture, from its middle to the right and up, in halves of its height; none behind the
+    /// eye.
+    pub(super) fn pictured_at(
         &self,
         eye: &Eye,
-        pos: DVec3,
-        hemisphere: antipode_geometry::Hemisphere,
+        place: ChartPoint,
         fov_y_rad: f64,
     ) -> Option<DVec2> {
         let pictured = self.lens.strategy();
-        let point = antipode_geometry::ChartPoint::new(hemisphere, pos);
-        let view = pictured.view_point(eye, point);
+        let view = pictured.view_point(eye, place);
         // With an aspect of one both axes count in halves of the height.
         let projection = Projection::new(fov_y_rad, 1.0, NEAR_M);
         Projection::screen(pictured.clip_from_view(eye, &projection, view))

@@ -8,6 +8,7 @@ mod hint;
 pub(crate) mod hotbar;
 mod minimap;
 mod plate;
+mod speech;
 mod wounds;
 
 use antipode_language::Texts;
@@ -23,6 +24,7 @@ pub use figures::FigureModel;
 pub use harm::HarmModel;
 pub use hint::HintModel;
 pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode, Tints, tints_of};
+pub use speech::SpeechModel;
 pub use wounds::WoundModel;
 
 /// What a slot of the hotbar shows.
@@ -129,6 +131,8 @@ pub struct HudModel {
     pub harm: Option<HarmModel>,
     /// Health of others who are hurt.
     pub wounds: Vec<WoundModel>,
+    /// What somebody says to the player.
+    pub speech: Option<SpeechModel>,
     /// Whether a shot of the player's has just struck someone.
     pub struck: bool,
 }
@@ -155,6 +159,10 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     let top = position.max.y.max(figures.max.y).max(strip.max.y) + GRID;
     notices(&painter, screen, top, texts, model);
     let bar = hotbar::show(&painter, screen, model);
+    if let Some(speech) = &model.speech {
+        let room = screen.with_min_y(top).with_max_y(bar.min.y - GRID);
+        speech::show(&painter, ctx.content_rect(), room, speech);
+    }
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {
         figures.max.y

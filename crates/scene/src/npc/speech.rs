@@ -1,0 +1,56 @@
+//! What somebody says just now, and where in the picture that is.
+
+use glam::{DVec2, DVec3};
+
+use super::bearing::apart_m;
+use super::talk::Line;
+use crate::scene::Scene;
+
+/// How long words stay, in seconds.
+const STAY_S: f64 = 8.0;
+/// From farther off they are not heard, in metres.
+const HEARD_M: f64 = 15.0;
+/// How high over the crown they stand, in metres: over a bar of health, too.
+const OVER_M: f64 = 0.35;
+
+/// Words that were said.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Said {
+    pub speaker: u32,
+    pub line: Line,
+    /// When, in the world's own time.
+    pub at_s: f64,
+}
+
+/// Words in the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speech {
+    /// What is said.
+    pub line: Line,
+    /// Over the speaker's head, from the picture's middle to the right and up, in halves of its height; none while he
+    /// is behind the player.
+    pub at: Option<DVec2>,
+}
+
+impl Scene {
+    /// What is being said, in a picture of that vertical field of view in radians.
+    pub fn speech(&self, fov_y_rad: f64) -> Option<Speech> {
+        let said = self.npcs.said?;
+        if self.simulated_s - said.at_s > STAY_S {
+            return None;
+        }
+        let bots = self.bots();
+        let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
+        let is_heard =
+            speaker.health > 0.0 && apart_m(&*self.strategy, self.feet(), speaker.point) < HEARD_M;
+        is_heard.then(|| {
+            let over = speaker
+                .point
+                .moved(DVec3::Y * (self.tuning.height_m + OVER_M));
+            Speech {
+                line: said.line,
+                at: self.pictured_at(&self.eye(), over, fov_y_rad),
+            }
+        })
+    }
+}
