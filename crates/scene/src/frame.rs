@@ -34,7 +34,7 @@ pub struct Frame {
     pub hand: Option<Hand>,
     /// Lamps and beams.
     pub lights: Lights,
-    /// The brush marker, when a tool is held and points at something.
+    /// The brush marker, when a tool is held, and where a lamp in hand would hang.
     pub marker: Option<Marker>,
     /// Shapes of bodies and things, where their outlines are to be drawn.
     pub hit_shapes: Vec<HitShape>,

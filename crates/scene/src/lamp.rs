@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::camera::CameraMode;
+use crate::frame::Marker;
 use crate::ground::{Ground, height_below};
 use crate::item::Item;
 use crate::notice::Hint;
@@ -29,6 +30,9 @@ const CLEAR_M: f64 = 0.22;
 const HOLDS_M: f64 = 0.34;
 /// Ground with less than this upright in its unit normal is a wall or a ceiling.
 const WALL_UP: f32 = 0.6;
+
+/// Radius of the ball that shows where a lamp would hang, in metres: a little more than its globe.
+const LAMP_MARKER_M: f64 = 0.2;
 
 /// A lamp that was put down.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,20 +112,39 @@ impl Scene {
         }
     }
 
-    fn put_lamp_down(&mut self) {
+    /// Where the lamp in hand would be put down: its foot, if there is ground in reach.
+    fn lamp_place(&self) -> Option<ChartPoint> {
         let spot = self.covered(LAMP_REACH_M);
-        if !spot.hit {
+        let normal = || self.ground_normal(spot.point).as_dvec3();
+        spot.hit.then(|| clear_foot(spot.point, normal()))
+    }
+
+    /// Shows where the lamp in hand would be put down.
+    pub(crate) fn lamp_marker(&self) -> Option<Marker> {
+        let held = self.inventory.held().filter(|_| !self.is_driving());
+        let place = held
+            .filter(|item| *item == Item::Lamp)
+            .and_then(|_| self.lamp_place())?;
+        Some(Marker {
+            point: place.moved(DVec3::Y * LAMP_HEIGHT_M),
+            radius_m: LAMP_MARKER_M,
+            active: false,
+            by_lightness: self.viewing.safe_marker,
+            still: self.viewing.reduced_motion,
+        })
+    }
+
+    fn put_lamp_down(&mut self) {
+        let Some(place) = self.lamp_place() else {
             self.hints.push(Hint::NoPlaceForLamp);
             return;
-        }
+        };
         if self.lamps.len() >= MOST_LAMPS {
             self.hints.push(Hint::TooManyLamps);
             return;
         }
         if self.inventory.spend(Item::Lamp) {
-            let normal = self.ground_normal(spot.point).as_dvec3();
-            self.lamps
-                .push(Lamp::standing(clear_foot(spot.point, normal)));
+            self.lamps.push(Lamp::standing(place));
             self.sounds.push(SoundEvent::LampPlaced);
         }
     }

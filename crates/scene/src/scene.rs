@@ -420,7 +420,7 @@ impl Scene {
             figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
             hand: self.hand_seen(),
             lights: self.lights(&eye),
-            marker: self.marker,
+            marker: self.marker.or_else(|| self.lamp_marker()),
             hit_shapes: Vec::new(),
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
             contour_bands: self.viewing.contour_bands,

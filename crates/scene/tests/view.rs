@@ -10,7 +10,7 @@ mod common;
 
 use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry};
 use antipode_scene::frame::ChunkChange;
-use antipode_scene::{Actions, CameraMode};
+use antipode_scene::{Actions, CameraMode, Item, Scene};
 use common::{LIMIT, scene, steps};
 use glam::DVec3;
 
@@ -143,5 +143,35 @@ fn the_fog_is_complete_before_a_bent_picture_ends() {
             fog_m <= limit_m * 1.000_001 && fog_m < 60.0,
             "bend {bend}: {fog_m} of {limit_m}"
         );
+    }
+}
+
+#[test]
+fn a_lamp_in_hand_is_shown_where_it_comes_to_hang() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let lamps = Actions {
+            slot: Some(5),
+            ..Actions::default()
+        };
+        steps(&mut scene, 1, &lamps);
+        assert_eq!(scene.inventory().held(), Some(Item::Lamp));
+        let marked = |scene: &mut Scene| scene.frame(1.0, 1.5, 1).marker;
+        scene.aim(0.3, 1.2);
+        steps(&mut scene, 1, &Actions::default());
+        assert_eq!(marked(&mut scene), None, "{geometry:?}: no lamp in the sky");
+        scene.aim(0.3, -0.6);
+        steps(&mut scene, 1, &Actions::default());
+        let shown = marked(&mut scene).expect("there is ground ahead");
+        assert_eq!(scene.marker(), None, "a lamp is no brush");
+        let put = Actions {
+            primary: true,
+            ..Actions::default()
+        };
+        steps(&mut scene, 1, &put);
+        let lamp = scene.lamps()[0].glow();
+        assert_eq!(lamp.hemisphere, shown.point.hemisphere);
+        let off_m = lamp.pos.distance(shown.point.pos);
+        assert!(off_m < 0.02, "{geometry:?}: {off_m} m off");
     }
 }
