@@ -155,8 +155,9 @@ fn dome(time_of_day_s: f64) -> Sky {
     } else {
         (moon, moon_colour)
     };
-    let ambient_sky = now.top * 0.55 + now.horizon * 0.35 + Vec3::new(0.034, 0.040, 0.064);
-    let ambient_ground = now.horizon * 0.22 + Vec3::new(0.026, 0.024, 0.027);
+    let ring = all_round(now.horizon);
+    let ambient_sky = now.top * 0.55 + ring * 0.35 + Vec3::new(0.034, 0.040, 0.064);
+    let ambient_ground = ring * 0.22 + Vec3::new(0.026, 0.024, 0.027);
     Sky {
         top: now.top.into(),
         horizon: now.horizon.into(),
@@ -175,6 +176,13 @@ fn dome(time_of_day_s: f64) -> Sky {
         drift: (time_s / DAY_S) as f32,
         orbs: None,
     }
+}
+
+/// The mean of the sky's edge all round, given its colour towards the sun: a low sun reddens its own side alone, and
+/// land that is lit by all of the sky is not red.
+fn all_round(horizon: Vec3) -> Vec3 {
+    let warmth = (horizon.x - horizon.z).max(0.0);
+    horizon + warmth * Vec3::new(-0.10, 0.26, 0.42)
 }
 
 /// Clouds gather in the afternoon and are fewest before sunrise.

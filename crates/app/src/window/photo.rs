@@ -229,13 +229,17 @@ impl Game {
         if lens_dial(view) != Some(values.dial) {
             view.set_dial(values.dial);
         }
-        // A drag takes the picture along: across its height by the field of view.
+        // The view follows the mouse as it does in play: across the picture's height by the field of view.
         let per_point =
             values.field_of_view_deg / 180.0 * PI / f64::from(context.content_rect().height());
-        let look = wishes.look * -1.0;
+        let [right, up] = [wishes.look.x, -wishes.look.y].map(|way| f64::from(way) * per_point);
         view.turn(
-            f64::from(look.x) * per_point,
-            f64::from(-look.y) * per_point,
+            right,
+            if self.config.settings.invert_look {
+                -up
+            } else {
+                up
+            },
         );
         if wishes.save {
             self.begin_photo();
