@@ -130,13 +130,14 @@ fn panel(
     let texts = model.texts;
     let free = model.saving.is_none();
     let body = |ui: &mut Ui, stops: &mut Stops| {
+        // First, since in a low window the rest scrolls.
+        let hint = texts.say_with("photo-fly", &[("keys", model.keys.as_str().into())]);
+        ui.add(Label::new(RichText::new(hint).font(small()).color(WEAK)).wrap());
         ui.add_enabled_ui(free, |ui| {
             sliders(ui, stops, model, values, fresh);
             ticks(ui, stops, texts, values);
             sizes(ui, stops, model, values);
         });
-        let hint = texts.say_with("photo-fly", &[("keys", model.keys.as_str().into())]);
-        ui.add(Label::new(RichText::new(hint).font(small()).color(WEAK)).wrap());
     };
     pane(ui, rect, &texts.say("photo-title"), body, |ui| {
         match model.saving {
