@@ -13,7 +13,9 @@ use antipode_geometry::{
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
-use antipode_scene::frame::{ChunkChange, Clip, Figure, Frame, Marker, ModelId, Posture, Quality};
+use antipode_scene::frame::{
+    ChunkChange, Clip, Figure, Frame, Lights, Marker, ModelId, Posture, Quality,
+};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec3, IVec3};
 
@@ -103,11 +105,8 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         dial: 10.0,
         lift_m: 1.65,
     };
-    let projection = Projection::new(
-        75f64.to_radians(),
-        f64::from(SIZE.0) / f64::from(SIZE.1),
-        0.02,
-    );
+    let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
+    let projection = Projection::new(75f64.to_radians(), aspect, 0.02);
     let figure = |ahead: f64, aside: f64, yaw: f64, cycle: f32| {
         let at = stand.pos + eye.front() * ahead + eye.right() * aside;
         Figure {
@@ -130,7 +129,7 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         chunk_changes: land(&field, space.as_ref(), eye_point),
         figures,
         hand: None,
-        lights: antipode_scene::frame::Lights::default(),
+        lights: Lights::default(),
         marker: Some(Marker {
             point: marker,
             radius_m: 3.0,

@@ -325,6 +325,12 @@ impl ChunkStore {
         chunk.land.triangles
     }
 
+    /// What a chunk's mesh takes over from, and how far it has; none where that is done with.
+    fn blend<'a>(&self, chunk: &'a GpuChunk) -> Option<(&'a Fading, f32)> {
+        let fading = chunk.fading.as_ref()?;
+        Some((fading, self.clock.progress(fading.began_s)?))
+    }
+
     /// Lists the chosen chunks in order, with the seams that are needed beside what is finer.
     pub fn list(
         &self,
@@ -353,11 +359,7 @@ impl ChunkStore {
                 .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
             let seams = self.seams(coord, chunk.land.level, mesh);
-            let blend = chunk
-                .fading
-                .as_ref()
-                .and_then(|fading| Some((fading, self.clock.progress(fading.began_s)?)));
-            let Some((old, progress)) = blend else {
+            let Some((old, progress)) = self.blend(chunk) else {
                 let numbered = |reach| TerrainPipelines::number(choice, false, reach);
                 let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());

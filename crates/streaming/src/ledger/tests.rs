@@ -5,12 +5,15 @@
     reason = "tests fail by panicking"
 )]
 
+mod views;
+
 use super::*;
 use crate::api::{Detail, Reach, Wish};
 use crate::ledger::wishing::{LEAST_SETTLED, SETTLED_SHARE};
 use crate::levels::faces;
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
 use glam::{DVec3, IVec3};
+use views::{Rings, Vanishing};
 
 fn ledger(edited: &[ChunkCoord]) -> Ledger {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
@@ -127,30 +130,6 @@ fn a_stored_edit_gives_a_chunk_without_a_surface_a_mesh() {
     assert!(!built.is_resident(sky));
     // Its own cells, and those of the seven chunks whose last layer uses its first samples.
     assert_eq!(take_all(&mut built).len(), 8);
-}
-
-/// A picture in which a chunk's size goes by its distance from a place along x alone.
-#[derive(Debug)]
-struct Rings {
-    x: i32,
-    /// Chunks to a ring of one level.
-    width: i32,
-}
-
-impl Detail for Rings {
-    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
-        let ring = (coord.index.x - self.x).abs() / self.width;
-        // One pixel is let pass; the levels' errors are a few decimetres.
-        [1e3, 1.6, 0.9, 0.1][ring.min(3) as usize]
-    }
-
-    fn span_px(&self, _: ChunkCoord) -> f64 {
-        100.0
-    }
-
-    fn tolerance_px(&self) -> f64 {
-        1.0
-    }
 }
 
 fn wish_with_rings(x: i32, width: i32) -> Wish {
@@ -408,27 +387,6 @@ fn walking_to_and_fro_over_a_border_makes_nothing_again() {
     for wished in [&there, &beyond, &there, &beyond] {
         assert!(wish(&mut ledger, wished).is_empty());
         assert_eq!(make_all(&mut ledger, 5).0, 0);
-    }
-}
-
-/// [`Rings`] in which chunks up to `gone` along x are too small to be seen.
-#[derive(Debug)]
-struct Vanishing {
-    rings: Rings,
-    gone: i32,
-}
-
-impl Detail for Vanishing {
-    fn pixels_per_metre(&self, coord: ChunkCoord) -> f64 {
-        self.rings.pixels_per_metre(coord)
-    }
-
-    fn span_px(&self, coord: ChunkCoord) -> f64 {
-        f64::from(u8::from(coord.index.x > self.gone)) * 100.0
-    }
-
-    fn tolerance_px(&self) -> f64 {
-        self.rings.tolerance_px()
     }
 }
 

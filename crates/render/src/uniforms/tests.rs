@@ -1,0 +1,155 @@
+//! What the shaders read is laid out as it is written.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+use std::mem::{offset_of, size_of};
+
+use naga::{Binding, Module, TypeInner};
+
+use super::*;
+use crate::shaders::tests::parse;
+use crate::shaders::{FIGURE, MARKER, OUTLINES, TERRAIN};
+
+fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
+    let (_, ty) = module
+        .types
+        .iter()
+        .find(|(_, t)| t.name.as_deref() == Some(name))
+        .unwrap();
+    let TypeInner::Struct { members, span } = &ty.inner else {
+        panic!("{name} is no struct")
+    };
+    (
+        members
+            .iter()
+            .map(|m| (m.name.clone().unwrap(), m.offset as usize))
+            .collect(),
+        *span as usize,
+    )
+}
+
+#[test]
+fn the_scene_is_laid_out_as_the_shaders_read_it() {
+    let (found, span) = members(&parse(TERRAIN), "Scene");
+    let ours = [
+        ("space", offset_of!(SceneUniform, space)),
+        ("right", offset_of!(SceneUniform, right)),
+        ("up", offset_of!(SceneUniform, up)),
+        ("front", offset_of!(SceneUniform, front)),
+        ("top", offset_of!(SceneUniform, top)),
+        ("horizon", offset_of!(SceneUniform, horizon)),
+        ("glare", offset_of!(SceneUniform, glare)),
+        ("sun", offset_of!(SceneUniform, sun)),
+        ("moon", offset_of!(SceneUniform, moon)),
+        ("key_direction", offset_of!(SceneUniform, key_direction)),
+        ("key_colour", offset_of!(SceneUniform, key_colour)),
+        ("ambient_sky", offset_of!(SceneUniform, ambient_sky)),
+        ("ambient_ground", offset_of!(SceneUniform, ambient_ground)),
+        ("moon_colour", offset_of!(SceneUniform, moon_colour)),
+        ("sun_place", offset_of!(SceneUniform, sun_place)),
+        ("moon_place", offset_of!(SceneUniform, moon_place)),
+        ("orb", offset_of!(SceneUniform, orb)),
+        ("fraction", offset_of!(SceneUniform, fraction)),
+        ("shades", offset_of!(SceneUniform, shades)),
+        ("lamps", offset_of!(SceneUniform, lamps)),
+        ("beams", offset_of!(SceneUniform, beams)),
+        ("shadows", offset_of!(SceneUniform, shadows)),
+    ];
+    assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
+    assert_eq!(span, size_of::<SceneUniform>());
+}
+
+#[test]
+fn the_space_is_laid_out_as_the_shaders_read_it() {
+    let (found, span) = members(&parse(TERRAIN), "Space");
+    let ours = [
+        ("view", offset_of!(SpaceUniform, view)),
+        ("project", offset_of!(SpaceUniform, project)),
+        ("curve", offset_of!(SpaceUniform, curve)),
+        ("edge", offset_of!(SpaceUniform, edge)),
+        ("kind", offset_of!(SpaceUniform, kind)),
+    ];
+    assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
+    assert_eq!(span, size_of::<SpaceUniform>());
+}
+
+/// Locations and widths (in bytes) that a vertex stage reads.
+fn inputs(module: &Module) -> Vec<(u32, u64)> {
+    let (_, ty) = module
+        .types
+        .iter()
+        .find(|(_, t)| t.name.as_deref() == Some("VertexIn"))
+        .unwrap();
+    let TypeInner::Struct { members, .. } = &ty.inner else {
+        panic!("VertexIn is no struct")
+    };
+    members
+        .iter()
+        .filter_map(|m| match m.binding {
+            Some(Binding::Location { location, .. }) => Some((
+                location,
+                u64::from(module.types[m.ty].inner.size(module.to_ctx())),
+            )),
+            _ => None,
+        })
+        .collect()
+}
+
+/// Instance attributes are full-width, so the buffer and the shader must agree byte for byte.
+#[test]
+fn instances_are_laid_out_as_the_shaders_read_them() {
+    let cases = [
+        (
+            inputs(&parse(TERRAIN)),
+            ChunkInstance::ATTRIBUTES.to_vec(),
+            size_of::<ChunkInstance>(),
+        ),
+        (
+            inputs(&parse(FIGURE)),
+            FigureInstance::ATTRIBUTES.to_vec(),
+            size_of::<FigureInstance>(),
+        ),
+        (
+            inputs(&parse(MARKER)),
+            MarkerInstance::ATTRIBUTES.to_vec(),
+            size_of::<MarkerInstance>(),
+        ),
+        (
+            inputs(&parse(OUTLINES)),
+            OutlineInstance::ATTRIBUTES.to_vec(),
+            size_of::<OutlineInstance>(),
+        ),
+    ];
+    for (read, attributes, size) in cases {
+        let first = attributes[0].shader_location;
+        let ours: Vec<_> = attributes
+            .iter()
+            .map(|a| (a.shader_location, a.format.size()))
+            .collect();
+        assert_eq!(
+            read.into_iter()
+                .filter(|(at, _)| *at >= first)
+                .collect::<Vec<_>>(),
+            ours
+        );
+        assert_eq!(
+            attributes.iter().map(|a| a.format.size()).sum::<u64>() as usize,
+            size
+        );
+    }
+}
+
+#[test]
+fn chunks_far_away_keep_their_place_and_grain() {
+    let origin = DVec3::new(1_000_000.0 * 32.0, -32.0, 96.0);
+    let instance = ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
+    assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
+    assert_eq!(instance.flags, 1);
+    assert_eq!(instance.shaded(8, false).flags, 0b10_0001);
+    assert_eq!(instance.shaded(8, true).flags, 0b10_0011);
+    assert_eq!(instance.world, [0.0, -32.0, 96.0]);
+    assert_eq!(wrap_m(128.0), -128.0);
+}
