@@ -144,13 +144,19 @@ fn at_a_sprint_a_second_of_full_steering_each_way_does_not_turn_it_over() {
     }
 }
 
+/// Land where this drive backs up slopes: with a camera that does not rise it is too near for a tenth of the time or
+/// more. In a pit whose walls are higher than the camera may rise, as under seed 5, it is near whatever it does.
+const SLOPES: [&str; 5] = [
+    "euclidean seed=4",
+    "euclidean seed=7",
+    "euclidean seed=14",
+    "spherical radius=48 seed=21",
+    "spherical radius=48 seed=22",
+];
+
 #[test]
 fn behind_a_car_that_goes_back_up_a_slope_the_camera_rises_with_it() {
-    for new in [
-        "euclidean seed=5",
-        "euclidean seed=7",
-        "spherical radius=48 seed=21",
-    ] {
+    for new in SLOPES {
         let saves = tempfile::tempdir().unwrap();
         let mut script = beside_the_car(saves.path(), new);
         script += "set npcs off\ntap KeyC\nwait 0.5\n";

@@ -161,24 +161,74 @@ fn it_turns_to_the_side_that_is_steered_to_and_stays_on_its_wheels() {
     }
 }
 
-#[test]
-fn parked_on_a_slope_it_stays_and_sleeps() {
-    let mut soup = Soup::default();
-    soup.field(-32, 32, |x, _| 0.4 * x);
-    let mut driver = Driver::at(soup.world(), DVec3::Y * 0.6);
-    let parked = VehicleInput {
+fn parked() -> VehicleInput {
+    VehicleInput {
         parked: true,
         ..VehicleInput::default()
-    };
-    driver.steps(120, parked);
-    let before = driver.motion().place;
-    driver.steps(600, parked);
-    assert!(
-        driver.motion().place.distance(before) < 0.15,
-        "{:?}",
-        driver.motion()
-    );
-    assert!(driver.vehicles.all()[0].is_asleep());
+    }
+}
+
+/// On ground that rises by so much for each metre along x, turned by so many degrees, held by its brake for 3 s.
+fn held_on_a_slope(rise: f32, degrees: f64, input: VehicleInput) -> Driver {
+    let mut soup = Soup::default();
+    soup.field(-32, 32, |x, _| rise * x);
+    let mut driver = Driver::at(soup.world(), DVec3::Y * 0.6);
+    let turn = DQuat::from_rotation_y(degrees.to_radians());
+    let motion = driver.motion();
+    driver
+        .vehicles
+        .set_motion(0, VehicleMotion { turn, ..motion });
+    driver.steps(180, input);
+    driver
+}
+
+#[test]
+fn parked_on_a_slope_it_stays_and_sleeps() {
+    for (rise, degrees) in [(0.0, 0.0), (0.4, 0.0), (0.4, 90.0), (0.7, 0.0), (0.7, 60.0)] {
+        let driver = held_on_a_slope(rise, degrees, parked());
+        assert!(
+            driver.vehicles.all()[0].is_asleep(),
+            "{rise} {degrees}: {:?}",
+            driver.motion()
+        );
+    }
+}
+
+#[test]
+fn who_sits_in_it_on_a_slope_without_a_foot_on_a_pedal_does_not_creep_down() {
+    for degrees in [0.0, 45.0, 90.0, 180.0] {
+        let mut driver = held_on_a_slope(0.4, degrees, VehicleInput::default());
+        let before = driver.motion().place;
+        driver.steps(1200, VehicleInput::default());
+        let way_m = driver.motion().place.distance(before);
+        assert!(way_m < 0.005, "{degrees}: {way_m} m in 20 s");
+        assert!(!driver.vehicles.all()[0].brakes());
+    }
+}
+
+#[test]
+fn two_parked_ones_that_touch_on_a_slope_or_lie_on_one_another_come_to_rest() {
+    for rise in [0.0f32, 0.3, 0.6] {
+        for up_m in [0.6, 1.9] {
+            let mut driver = held_on_a_slope(rise, 90.0, parked());
+            let beside = DVec3::new(1.5, 1.5 * f64::from(rise) + up_m, 0.6);
+            let place = driver.motion().place + beside;
+            driver.vehicles.add(VehicleMotion {
+                place,
+                ..VehicleMotion::default()
+            });
+            for _ in 0..600 {
+                driver
+                    .vehicles
+                    .step(&driver.world, &[Some(parked()); 2], STEP_S);
+            }
+            let all = driver.vehicles.all();
+            assert!(
+                all.iter().all(antipode_physics::Vehicle::is_asleep),
+                "{rise} {up_m}: {all:?}"
+            );
+        }
+    }
 }
 
 #[test]
@@ -211,12 +261,12 @@ fn on_its_roof_it_lies_and_is_set_upright_with_its_heading() {
     assert!((stands.place - lies.place).with_y(0.0).length() < 1.0);
 }
 
-/// How upright it is at worst over a ramp of that height under its right-hand wheels, at a sprint.
-fn least_up_over_a_ramp(height_m: f32) -> f64 {
+/// How upright it is at worst over a ramp under its right-hand wheels, as high and as steep (rise for each metre).
+fn least_up_over_a_ramp(height_m: f32, steep: f32, boost: bool) -> f64 {
     let mut soup = Soup::default();
     soup.field(-64, 64, |x, z| {
         if z > 0.0 {
-            (0.7 * x).clamp(0.0, height_m)
+            (steep * x).clamp(0.0, height_m)
         } else {
             0.0
         }
@@ -224,19 +274,50 @@ fn least_up_over_a_ramp(height_m: f32) -> f64 {
     let mut driver = Driver::at(soup.world(), DVec3::new(-40.0, 0.3, 0.0));
     let mut least_up = 1.0f64;
     for _ in 0..360 {
-        driver.step(VehicleInput {
-            boost: true,
-            ..ahead()
-        });
+        driver.step(VehicleInput { boost, ..ahead() });
         least_up = least_up.min(driver.motion().up().y);
     }
     least_up
 }
 
 #[test]
-fn a_ramp_under_one_side_at_speed_rolls_it_over() {
-    let least_up = [1.5, 2.0, 2.5, 3.0, 3.5].map(least_up_over_a_ramp);
-    assert!(least_up.iter().any(|up| *up < -0.5), "{least_up:?}");
+fn a_ramp_under_one_side_rolls_it_over_at_a_sprint_and_not_at_its_usual_speed() {
+    for steep in [0.35, 0.7] {
+        for height_m in [1.0, 1.5, 2.0, 2.5, 3.0, 3.5] {
+            let hurried = least_up_over_a_ramp(height_m, steep, true);
+            assert!(hurried < 0.0, "{height_m} m, {steep}: {hurried}");
+            let usual = least_up_over_a_ramp(height_m, steep, false);
+            assert!(usual > 0.4, "{height_m} m, {steep}: {usual}");
+        }
+        let kerb = least_up_over_a_ramp(0.25, steep, true);
+        assert!(kerb > 0.9, "{kerb}");
+    }
+}
+
+/// How far from upright it is 5 s after it was let go at that lean on a plain with somebody in it, in degrees.
+fn ends_leaning_deg(lean_deg: f64) -> f64 {
+    let lean = lean_deg.to_radians();
+    let mut driver = Driver::at(plain().world(), DVec3::Y);
+    let motion = VehicleMotion {
+        place: DVec3::Y * (0.75 * lean.sin() + 0.02),
+        turn: DQuat::from_rotation_x(lean),
+        ..VehicleMotion::default()
+    };
+    driver.vehicles.set_motion(0, motion);
+    driver.steps(300, VehicleInput::default());
+    driver.motion().up().y.acos().to_degrees()
+}
+
+#[test]
+fn what_leans_falls_back_on_its_wheels_and_what_lies_on_its_side_does_not_get_up() {
+    for lean_deg in [30.0, 45.0, 60.0] {
+        let ends = ends_leaning_deg(lean_deg);
+        assert!(ends < 2.0, "{lean_deg}: {ends}");
+    }
+    for lean_deg in [75.0, 82.0, 90.0] {
+        let ends = ends_leaning_deg(lean_deg);
+        assert!(ends > 60.0, "{lean_deg}: {ends}");
+    }
 }
 
 #[test]
@@ -315,18 +396,14 @@ fn without_ground_it_is_held_where_it_is() {
 
 #[test]
 fn a_push_moves_a_sleeper_and_one_vehicle_pushes_another() {
-    let parked = VehicleInput {
-        parked: true,
-        ..VehicleInput::default()
-    };
     let mut driver = Driver::rested();
-    driver.steps(180, parked);
+    driver.steps(180, parked());
     assert!(driver.vehicles.all()[0].is_asleep());
     driver
         .vehicles
         .push(0, DVec3::new(0.0, 0.8, -0.7), DVec3::Z * 2700.0);
     assert!(driver.motion().velocity.z > 1.0, "{:?}", driver.motion());
-    driver.steps(240, parked);
+    driver.steps(240, parked());
     let at = driver.motion().place;
     let other = driver.vehicles.add(VehicleMotion {
         place: at + DVec3::new(8.0, 0.3, 0.0),
@@ -336,7 +413,7 @@ fn a_push_moves_a_sleeper_and_one_vehicle_pushes_another() {
     for _ in 0..240 {
         driver
             .vehicles
-            .step(world, &[Some(ahead()), Some(parked)], STEP_S);
+            .step(world, &[Some(ahead()), Some(parked())], STEP_S);
     }
     let pushed = driver.vehicles.all()[other].motion().place - at;
     assert!(pushed.x > 8.5, "{pushed}");

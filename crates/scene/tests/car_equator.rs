@@ -9,6 +9,7 @@
 mod common;
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_physics::VehicleWheel;
 use antipode_scene::{Actions, CarView, Scene};
 use common::cars::{ahead, car, enter, stand_beside, still};
 use common::{LIMIT, steps};
@@ -72,6 +73,12 @@ fn cross(scene: &mut Scene, wish: Actions) -> Option<Crossed> {
     None
 }
 
+/// Whether a wheel's spring comes out so fast that it is about to hang in the air, as over any bump.
+fn is_leaving(before: &VehicleWheel, now: &VehicleWheel) -> bool {
+    const AIRBORNE_BELOW_M: f64 = 0.02;
+    2.0 * now.compression_m - before.compression_m < AIRBORNE_BELOW_M
+}
+
 /// How much one thing changes from step to step, and how much that change changes.
 fn jerks(crossed: &Crossed) -> (f64, usize, f64) {
     let level = |car: &CarView| car.velocity.length();
@@ -92,6 +99,7 @@ fn jerks(crossed: &Crossed) -> (f64, usize, f64) {
             crossed.before[1].wheels[i].contact
                 && crossed.over.wheels[i].contact
                 && !crossed.after[0].wheels[i].contact
+                && !is_leaving(&crossed.before[1].wheels[i], &crossed.over.wheels[i])
         })
         .count();
     let spring = (0..4)

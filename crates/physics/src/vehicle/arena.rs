@@ -263,8 +263,16 @@ impl Arena {
         }
     }
 
-    /// Lets a vehicle's springs and tyres act on it. After a step, so that the ground that was taken in is found.
-    pub fn roll(&mut self, controller: &mut DynamicRayCastVehicleController, dt_s: f64) {
+    /// Lets a vehicle's springs and tyres act on it. After a step, so that the ground that was taken in is found. Tyres
+    /// meet the ground as if it moved by the opposite of `pull`, in m/s.
+    pub fn roll(
+        &mut self,
+        controller: &mut DynamicRayCastVehicleController,
+        pull: DVec3,
+        dt_s: f64,
+    ) {
+        let chassis = controller.chassis;
+        self.drift(chassis, pull);
         let filter = QueryFilter::default().exclude_rigid_body(controller.chassis);
         let queries = self.broad_phase.as_query_pipeline_mut(
             self.narrow_phase.query_dispatcher(),
@@ -273,6 +281,17 @@ impl Arena {
             filter,
         );
         controller.update_vehicle(dt_s as f32, queries);
+        self.drift(chassis, -pull);
+    }
+
+    /// Adds to a body's velocity, m/s.
+    fn drift(&mut self, body: RigidBodyHandle, by: DVec3) {
+        if by != DVec3::ZERO
+            && let Some(body) = self.bodies.get_mut(body)
+        {
+            let velocity = body.linvel() + by.as_vec3();
+            body.set_linvel(velocity, true);
+        }
     }
 }
 

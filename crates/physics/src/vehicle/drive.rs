@@ -18,6 +18,8 @@ pub(super) struct Effort {
     pub brake_m_s2: f64,
     /// Whether the driver brakes, as the lights behind show.
     pub brakes: bool,
+    /// Whether the brakes keep it where it is.
+    pub holds: bool,
 }
 
 /// What to do at a speed ahead, in m/s.
@@ -26,6 +28,7 @@ pub(super) fn effort(tuning: &VehicleTuning, input: &VehicleInput, speed_m_s: f6
         drive_m_s2: 0.0,
         brake_m_s2: tuning.brake_m_s2,
         brakes,
+        holds: speed_m_s.abs() < tuning.holds_below_m_s,
     };
     let throttle = input.throttle.clamp(-1.0, 1.0);
     if input.brake {
@@ -40,6 +43,7 @@ pub(super) fn effort(tuning: &VehicleTuning, input: &VehicleInput, speed_m_s: f6
                 drive_m_s2: 0.0,
                 brake_m_s2: tuning.rolling_m_s2,
                 brakes: false,
+                holds: false,
             }
         };
     }
@@ -66,12 +70,14 @@ pub(super) fn effort(tuning: &VehicleTuning, input: &VehicleInput, speed_m_s: f6
             drive_m_s2: 0.0,
             brake_m_s2: ENGINE_BRAKE_M_S2,
             brakes: false,
+            holds: false,
         };
     }
     Effort {
         drive_m_s2: throttle * force * left.min(1.0),
         brake_m_s2: 0.0,
         brakes: false,
+        holds: false,
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod arena;
 mod drive;
+mod hold;
 mod hull;
 mod place;
 mod state;
@@ -17,6 +18,7 @@ use rapier3d::dynamics::RigidBodyHandle;
 
 use crate::PhysicsWorld;
 use arena::Arena;
+use hold::Hold;
 use hull::Hull;
 pub use state::{VehicleInput, VehicleMotion, VehicleWheel};
 pub use tuning::VehicleTuning;
@@ -41,6 +43,7 @@ pub struct Vehicle {
     /// Its body's velocity with what springs and tyres gave it after the last step, m/s.
     rolled: DVec3,
     rests_s: f64,
+    hold: Hold,
     body: Option<(RigidBodyHandle, DynamicRayCastVehicleController)>,
 }
 
@@ -147,6 +150,7 @@ impl Vehicles {
             jolt_m_s: 0.0,
             rolled: motion.velocity,
             rests_s: 0.0,
+            hold: Hold::default(),
             body: None,
         });
         self.all.len() - 1
@@ -187,6 +191,7 @@ impl Vehicles {
         vehicle.motion = motion;
         vehicle.rolled = motion.velocity;
         vehicle.rests_s = 0.0;
+        vehicle.hold.let_go();
         if let Some((body, _)) = &vehicle.body {
             self.arena.set_motion(*body, &motion);
         }
@@ -233,6 +238,7 @@ impl Vehicles {
         };
         vehicle.motion = turned(&vehicle.motion);
         vehicle.rolled = turn * vehicle.rolled;
+        vehicle.hold.let_go();
         if let Some((body, _)) = &vehicle.body
             && let Some(motion) = self.arena.motion(*body)
         {
@@ -340,10 +346,12 @@ impl Vehicles {
         vehicle.steer_rad = drive::steer(tuning, vehicle.steer_rad, input, speed_m_s, dt_s);
         vehicle.brakes = effort.brakes;
         drive::apply(controller, tuning, &effort, vehicle.steer_rad, dt_s);
-        self.arena.roll(controller, dt_s);
+        let stood_on = normals(controller);
+        let pull = vehicle.hold.pull(motion.place, &stood_on, effort.holds);
+        self.arena.roll(controller, pull, dt_s);
         // What nobody drives lies and leans as it fell, so that it comes to rest.
         if !input.parked {
-            steady::steady(&mut self.arena, *body, controller, tuning, dt_s);
+            steady::steady(&mut self.arena, *body, &normals(controller), tuning, dt_s);
         }
         vehicle.wheels = wheels(controller, tuning, &motion);
         // Within a step springs and weight take turns, so the speed at its end is not that of the way made.
@@ -372,6 +380,7 @@ impl Vehicle {
     fn settle(&mut self) {
         self.jolt_m_s = 0.0;
         self.rolled = self.motion.velocity;
+        self.hold.let_go();
     }
 
     fn is_moving(&self) -> bool {
@@ -388,6 +397,18 @@ fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
         middle.min(middle + way) - around,
         middle.max(middle + way) + around,
     )
+}
+
+/// Upward from the ground below each wheel that touched it when the controller last looked.
+fn normals(controller: &DynamicRayCastVehicleController) -> Vec<DVec3> {
+    let infos = controller
+        .wheels()
+        .iter()
+        .map(rapier3d::control::Wheel::raycast_info);
+    infos
+        .filter(|info| info.is_in_contact)
+        .map(|info| info.contact_normal_ws.as_dvec3())
+        .collect()
 }
 
 /// The wheels as the controller left them.

@@ -1,22 +1,21 @@
 //! What keeps a vehicle from turning over too easily, and lets it when it is thrown hard enough.
 
 use glam::DVec3;
-use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
 
 use super::arena::Arena;
 use super::{VehicleMotion, VehicleTuning};
 
-/// Lets what keeps a vehicle upright act on its body for a step.
+/// Lets what keeps a vehicle upright act on its body for a step, its wheels on ground with these normals.
 pub(super) fn steady(
     arena: &mut Arena,
     body: RigidBodyHandle,
-    controller: &DynamicRayCastVehicleController,
+    normals: &[DVec3],
     tuning: &VehicleTuning,
     dt_s: f64,
 ) {
     if let Some(motion) = arena.motion(body) {
-        arena.spin_by(body, spin_change(tuning, &motion, controller, dt_s));
+        arena.spin_by(body, spin_change(tuning, &motion, normals, dt_s));
     }
 }
 
@@ -25,18 +24,13 @@ pub(super) fn steady(
 fn spin_change(
     tuning: &VehicleTuning,
     motion: &VehicleMotion,
-    controller: &DynamicRayCastVehicleController,
+    normals: &[DVec3],
     dt_s: f64,
 ) -> DVec3 {
-    let normals: Vec<DVec3> = controller
-        .wheels()
-        .iter()
-        .map(rapier3d::control::Wheel::raycast_info)
-        .filter(|info| info.is_in_contact)
-        .map(|info| info.contact_normal_ws.as_dvec3())
-        .collect();
-    let (up, stands) = (motion.up(), upright(&normals));
-    if up.dot(stands) < tuning.righting_up_to_rad.cos() {
+    let (up, stands) = (motion.up(), upright(normals));
+    let (all_at, none_at) = tuning.righting_lean_rad;
+    let share = (none_at - up.angle_between(stands)) / (none_at - all_at);
+    if share <= 0.0 {
         return DVec3::ZERO;
     }
     let about = |axis: DVec3| {
@@ -44,7 +38,7 @@ fn spin_change(
             - tuning.righting_damping_per_s * motion.spin.dot(axis)
     };
     let (length, axle) = (motion.ahead(), motion.turn * DVec3::Z);
-    let most = tuning.righting_most_rad_s2;
+    let most = tuning.righting_most_rad_s2 * share.min(1.0);
     let roll = length * about(length).clamp(-most, most);
     let pitch = if normals.is_empty() {
         axle * about(axle)
@@ -70,13 +64,12 @@ mod tests {
     use glam::DQuat;
 
     fn turned(turn: DQuat, spin: DVec3) -> DVec3 {
-        let flying = DynamicRayCastVehicleController::new(RigidBodyHandle::invalid());
         let motion = VehicleMotion {
             turn,
             spin,
             ..VehicleMotion::default()
         };
-        spin_change(&VehicleTuning::default(), &motion, &flying, 1.0)
+        spin_change(&VehicleTuning::default(), &motion, &[], 1.0)
     }
 
     #[test]
@@ -84,8 +77,10 @@ mod tests {
         let most = VehicleTuning::default().righting_most_rad_s2;
         let leans = |rad: f64| turned(DQuat::from_rotation_x(rad), DVec3::ZERO).x;
         assert!(leans(0.2) < -1.0 && leans(-0.2) > 1.0);
-        assert!((leans(1.2) + most).abs() < 1e-9, "{}", leans(1.2));
-        assert_eq!(leans(1.57), 0.0);
+        assert!((leans(0.6) + most).abs() < 1e-9, "{}", leans(0.6));
+        let fading = -leans(55f64.to_radians()) / most;
+        assert!((fading - 0.5).abs() < 1e-9, "{fading}");
+        assert_eq!(leans(75f64.to_radians()), 0.0);
         assert!(turned(DQuat::IDENTITY, DVec3::Z).z < -1.0);
     }
 

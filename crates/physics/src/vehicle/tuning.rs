@@ -64,8 +64,8 @@ pub struct VehicleTuning {
     pub righting_damping_per_s: f64,
     /// Greatest angular acceleration of both together about its length.
     pub righting_most_rad_s2: f64,
-    /// Leaning farther than this it goes over and lies.
-    pub righting_up_to_rad: f64,
+    /// Leaning as far as the first of these it has all of that, at the second nothing: it goes over and lies.
+    pub righting_lean_rad: (f64, f64),
 }
 
 impl Default for VehicleTuning {
@@ -105,8 +105,8 @@ impl Default for VehicleTuning {
             righting_damping_per_s: 4.0,
             // Its own weight turns it about the wheels of one side by 11 rad/s^2; a hard enough knock beats this.
             righting_most_rad_s2: 10.0,
-            // On its side it lies at 109 degrees on level ground.
-            righting_up_to_rad: 86f64.to_radians(),
+            // Its weight alone brings it back from 64 degrees. On its side it lies at 82: nothing unseen lifts it there.
+            righting_lean_rad: (40f64.to_radians(), 70f64.to_radians()),
         }
     }
 }
