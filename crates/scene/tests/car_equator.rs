@@ -157,7 +157,6 @@ fn let_go(before: &CarView, after: &CarView) -> bool {
 
 /// On rough land wheels let go now and then. They do so no more often in the step over the equator than in others.
 #[test]
-#[ignore = "takes minutes; for who changes the crossing or the vehicle"]
 fn over_the_equator_wheels_let_go_no_more_often_than_elsewhere() {
     let (mut over, mut over_lost, mut other, mut other_lost) = (0, 0, 0, 0);
     for seed in 3..13 {
