@@ -18,7 +18,7 @@ use crate::random::Numbers;
 /// How the suite measures and how to read it, in paragraphs.
 pub const METHOD: &[&str] = &[
     "A translation takes the origin to a point of the space. The textbook builds it with 1/(1 + w), which has no answer at the antipode; ours is made of half angles, in f32 and in f64 rounded once.",
-    "A camera is moved step by step by small turns and translations, composed in f32. The textbook multiplies on; with Gram-Schmidt under the model's inner product after each step, in f32 or in f64 rounded once, the error stays where it was. The game does neither: it keeps the camera as a chart point and two angles, and makes the matrix anew for each frame.",
+    "A camera is moved step by step by small turns and translations, composed in f32. The textbook multiplies on; with Gram-Schmidt under the model's inner product after each step, in f32 or in f64 rounded once, the error stays where it was. The game does neither: it keeps the camera as a chart point and three angles, and makes the matrix anew for each frame.",
     "Out and back: the camera walks away in a thousand steps and returns by their inverses; what is left is the distance from where it began.",
 ];
 
