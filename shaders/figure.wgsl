@@ -174,14 +174,27 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     return out;
 }
 
+// The normal as one sees it, to be compared with directions at the eye. On a sphere the chart's frame at a figure is
+// another than at the eye, mirrored beyond the equator: there it is carried to the eye e along the geodesic, which takes
+// n to n - <n, e> (x + e) / (1 + <x, e>).
+fn seen_normal(in: VertexOut, normal: vec3<f32>) -> vec3<f32> {
+    if geo_kind(scene.space) != GEO_SPHERE {
+        return normal;
+    }
+    let place = model_of(scene.space, in.view);
+    let n = in.frame_normal.xyz - place.xyz * (in.frame_normal.w / max(1.0 + place.w, 1.0e-3));
+    return normalize(scene.right.xyz * n.x + scene.up.xyz * n.y - scene.front.xyz * n.z);
+}
+
 // Light that comes off a surface of that gloss.
 fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let normal = normalize(in.normal);
+    let seen = seen_normal(in, normal);
     let toward_eye = normalize(in.toward_eye);
-    let edge = 1.0 - max(dot(normal, toward_eye), 0.0);
+    let edge = 1.0 - max(dot(seen, toward_eye), 0.0);
     let edge2 = edge * edge;
     let halfway = normalize(scene.key_direction.xyz + toward_eye);
-    let shine = pow(max(dot(normal, halfway), 0.0), 48.0);
+    let shine = pow(max(dot(seen, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view), in.clip.xy, unlit, true);

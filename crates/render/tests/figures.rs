@@ -112,6 +112,46 @@ fn who_fights_is_red_and_nobody_else() {
     assert!(hostile > 500 && peaceful < 20, "{hostile} {peaceful}");
 }
 
+/// Mean colour of a figure three metres ahead of an eye that looks along z, on a sphere by night.
+fn colour_ahead(studio: &mut Studio, eye_z: f64, figure: ChartPoint, yaw: f64) -> [f64; 3] {
+    let space = space(Geometry::Spherical);
+    let eye = ChartPoint::a(DVec3::new(0.0, 1.0, eye_z));
+    let mut frame = frame(&space, eye, ASPECT);
+    frame.eye.yaw = FRAC_PI_2;
+    // The sun stands over the middle of B, the moon over that of A.
+    frame.sky = antipode_scene::day::sky(450.0, &*space, &frame.eye);
+    let without = studio.picture(&frame);
+    frame.figures = vec![Figure {
+        hostile: true,
+        ..Figure::standing(ModelId::AstronautTeal, figure, yaw)
+    }];
+    let picture = studio.picture(&frame);
+    let places = changed(&without, &picture);
+    assert!(places.len() > 500, "{} of it", places.len());
+    let sum = |c: usize| {
+        let channel = |(x, y): &(u32, u32)| f64::from(picture.get_pixel(*x, *y).0[c]);
+        places.iter().map(channel).sum::<f64>()
+    };
+    [0, 1, 2].map(|c| sum(c) / places.len() as f64)
+}
+
+/// Compared with directions of this chart, the normals of the other one would show everyone there as a pale cut-out.
+#[test]
+fn beyond_the_equator_a_figure_is_lit_as_on_this_side() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let rim_m = space(Geometry::Spherical).rim_m().unwrap();
+    let at = |hemisphere, z: f64| ChartPoint::new(hemisphere, DVec3::new(0.0, 0.0, z));
+    let (near, far) = (rim_m - 4.5, rim_m - 1.5);
+    let here = colour_ahead(&mut studio, near, at(Hemisphere::A, far), 0.3);
+    // Here the other chart is turned by half a turn.
+    let there = colour_ahead(&mut studio, far, at(Hemisphere::B, far), 0.3 + PI);
+    for (here, there) in here.into_iter().zip(there) {
+        assert!((here - there).abs() < 6.0, "{here} {there}");
+    }
+}
+
 #[test]
 fn the_dead_lie_on_the_ground() {
     let Some(mut studio) = Studio::new(SIZE) else {
