@@ -129,7 +129,8 @@ impl Scene {
             point: place.moved(DVec3::Y * LAMP_HEIGHT_M),
             radius_m: LAMP_MARKER_M,
             active: false,
-            by_lightness: self.viewing.safe_marker,
+            // Small, and wanted most where it is dark.
+            by_lightness: true,
             still: self.viewing.reduced_motion,
         })
     }

@@ -48,6 +48,14 @@ fn words_stand_over_who_says_them_and_never_outside_of_the_picture() {
         words.max.y < head.y && words.max.y > head.y - 24.0,
         "{words}"
     );
+    for x in [-0.3, 0.3] {
+        let words = words_at(Some([x, 0.85]), size);
+        let head_x = 640.0 + 360.0 * x;
+        assert!(
+            !(words.min.x - 40.0..words.max.x + 40.0).contains(&head_x),
+            "without room over a head they are beside it: {words}"
+        );
+    }
     let aside = words_at(None, size);
     assert!((aside.center().x - 640.0).abs() < 1.0 && aside.center().y > 400.0);
     for at in [

@@ -25,6 +25,12 @@ pub(super) fn plate(
     rect
 }
 
+/// How high the plate of a text is on a screen, in points.
+pub(super) fn height_of(painter: &Painter, screen: Rect, text: &str, font: FontId) -> f32 {
+    let galley = painter.layout(text.to_owned(), font, PLATE, wrap_width(screen));
+    galley.size().y + 2.0 * PADDING.y
+}
+
 /// Lines of a name and what there is to say of it, laid out; the latter begin one below another, whatever the
 /// script. A line without a name takes the whole width.
 pub(super) struct Lines {
