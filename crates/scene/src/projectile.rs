@@ -8,7 +8,9 @@ use hecs::Entity;
 
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
-use crate::tuning::{BULLET, BULLET_LIFE_S, MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S};
+use crate::tuning::{
+    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIFE_S, MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S,
+};
 
 /// What keeps a bullet on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -291,8 +293,12 @@ impl Projectile {
         }
     }
 
-    /// The first whom it meets between two points of physics space, and the share of the way to there, if that one can be harmed by it now.
+    /// The first whom it meets between two points of physics space, and the share of the way to there, if that one can
+    /// be harmed by it now.
     fn meets(&self, air: &Air<'_>, from: DVec3, to: DVec3) -> Option<(f64, Entity)> {
+        if self.velocity.length() < BULLET_HARMS_FROM_M_S {
+            return None;
+        }
         let may_strike = |entity: Entity| {
             let just_fired = entity == self.by && self.age_s < SAME_BODY_HARMED_AFTER_S;
             let just_struck = self.struck.is_some_and(|(last, at_s)| {
@@ -450,5 +456,26 @@ mod tests {
             "{strikes:?}"
         );
         assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
+    }
+
+    #[test]
+    fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
+        let space = strategy(Geometry::Euclidean, 0.0);
+        let mut ecs = hecs::World::new();
+        let (by, other) = (entity(&mut ecs), entity(&mut ecs));
+        let stands = |entity, x: f64| Standing {
+            entity,
+            feet: DVec3::new(x, 99.0, 0.0),
+            height_m: 1.8,
+            radius_m: 0.35,
+        };
+        let near = [stands(by, -0.7), stands(other, 2.3)];
+        let mut bullets = Projectiles::default();
+        for height_m in [99.6, 100.0, 100.4] {
+            bullets.fire(ChartPoint::a(DVec3::Y * height_m), DVec3::X * 40.0, by);
+        }
+        let strikes = fly(&*space, &mut bullets, &near, 200);
+        assert_eq!(strikes.len(), 3, "{strikes:?}");
+        assert!(strikes.iter().all(|strike| strike.entity == other));
     }
 }
