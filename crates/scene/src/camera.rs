@@ -26,6 +26,26 @@ impl CameraMode {
     }
 }
 
+/// How the head of a player who has died goes down: it lies so far above the feet, metres, on its side by so much,
+/// radians, after so long, seconds.
+const LIES_M: f64 = 0.35;
+const LIES_RAD: f64 = 0.9;
+const GOES_DOWN_S: f64 = 0.7;
+
+/// The eye in the head of somebody who died that long ago.
+pub fn fallen(head: &Eye, dead_s: f64) -> Eye {
+    let share = (dead_s / GOES_DOWN_S).clamp(0.0, 1.0);
+    // As what falls does: slowly at first.
+    let share = share * share;
+    let down_m = share * (head.lift_m - LIES_M).max(0.0);
+    Eye {
+        point: head.point.moved(DVec3::NEG_Y * down_m),
+        lift_m: head.lift_m - down_m,
+        roll: share * LIES_RAD,
+        ..*head
+    }
+}
+
 /// The eye a picture is taken from, given the eye in the player's head.
 pub fn place(mode: CameraMode, head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
     match mode {

@@ -88,6 +88,11 @@ impl Scene {
         self.condition.dead_left_s.is_some()
     }
 
+    /// How long the player has been dead, seconds.
+    pub(crate) fn dead_s(&self) -> Option<f64> {
+        self.condition.dead_left_s.map(|left_s| DEAD_S - left_s)
+    }
+
     /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
     /// radians, if from one.
     pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {

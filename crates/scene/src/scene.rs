@@ -370,12 +370,12 @@ impl Scene {
         if let Some(eye) = self.driver_eye() {
             return eye;
         }
-        camera::place(
-            self.camera,
-            &self.head(),
-            &**self.lens.strategy(),
-            &self.physics,
-        )
+        let mut head = self.head();
+        if let Some(dead_s) = self.dead_s().filter(|_| self.camera == CameraMode::First) {
+            let lies = self.viewing.reduced_motion;
+            head = camera::fallen(&head, if lies { f64::INFINITY } else { dead_s });
+        }
+        camera::place(self.camera, &head, &**self.lens.strategy(), &self.physics)
     }
 
     /// From where the player sees the world.

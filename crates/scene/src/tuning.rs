@@ -83,7 +83,7 @@ pub const MOST_BULLETS: usize = 500;
 pub const SAME_BODY_HARMED_AFTER_S: f64 = 0.5;
 /// A bullet slower than this, in m/s, harms nobody: one that someone has stopped falls back at a tenth of its speed, and
 /// others lie about.
-pub const BULLET_HARMS_FROM_M_S: f64 = 15.0;
+pub const BULLET_HARMS_FROM_M_S: f64 = 8.0;
 /// Health that a bullet takes.
 pub const BULLET_HARM: f64 = 1.0;
 /// A shot goes through what the crosshair covers within this distance, in metres.

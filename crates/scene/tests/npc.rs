@@ -61,15 +61,23 @@ fn who_runs_across_is_led_and_hit() {
         pass(&mut scene, 3.5);
         let (mut hits, mut health) = (0, scene.health());
         let mut shots = std::collections::BTreeSet::new();
-        for step in 0..20 * SECOND {
-            // To and fro across its line of sight, a second and a half each way.
+        for step in 0..60 * SECOND {
+            // To and fro across its line of sight, three seconds each way: nobody can lead a turn.
             let there = bot(&scene, id).point;
             look_at(&mut scene, there);
-            let side = if (step / 90) % 2 == 0 { 1.0 } else { -1.0 };
+            let side = if (step / (3 * SECOND)) % 2 == 0 {
+                1.0
+            } else {
+                -1.0
+            };
             let walk = Actions {
                 strafe: side,
                 ..Actions::default()
             };
+            if step % SECOND == 0 {
+                scene.set_health(FULL_HEALTH);
+                health = FULL_HEALTH;
+            }
             steps(&mut scene, 1, &walk);
             shots.extend(scene.projectiles().iter().map(|bullet| bullet.id));
             hits += usize::from(scene.health() < health);
@@ -77,7 +85,7 @@ fn who_runs_across_is_led_and_hit() {
         }
         println!("{geometry:?}: {hits} of {}", shots.len());
         assert!(
-            shots.len() > 5 && 3 * hits > shots.len(),
+            shots.len() > 15 && 3 * hits > shots.len(),
             "{geometry:?}: {hits} of {}",
             shots.len()
         );

@@ -175,3 +175,23 @@ fn a_lamp_in_hand_is_shown_where_it_comes_to_hang() {
         assert!(off_m < 0.02, "{geometry:?}: {off_m} m off");
     }
 }
+
+#[test]
+fn who_dies_sees_it_from_the_ground_and_stands_up_again() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let high = scene.feet().moved(DVec3::Y * 40.0);
+        scene.teleport(high);
+        while !scene.is_dead() {
+            steps(&mut scene, 1, &Actions::default());
+        }
+        steps(&mut scene, 60, &Actions::default());
+        let over_m = scene.eye().point.pos.y - scene.feet().pos.y;
+        assert!((0.2..0.5).contains(&over_m), "{geometry:?}: {over_m} m");
+        assert!(scene.eye().roll > 0.5, "{geometry:?}: it lies on its side");
+        steps(&mut scene, 200, &Actions::default());
+        assert!(!scene.is_dead());
+        let over_m = scene.eye().point.pos.y - scene.feet().pos.y;
+        assert!(over_m > 1.4 && scene.eye().roll == 0.0, "{geometry:?}");
+    }
+}
