@@ -27,12 +27,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         chart: feet.pos.to_array(),
         curved: curved.to_array(),
         curved_is_flat: !pictured.radius_at_m(&origin).is_finite(),
-        slots: scene
-            .inventory()
-            .hotbar()
-            .iter()
-            .map(|stack| slot(texts, *stack))
-            .collect(),
+        slots: slots(texts, scene),
         selected: usize::from(scene.inventory().selected()),
         curvature: dial(scene.lens()),
         hemisphere: scene.strategy().rim_m().map(|_| {
@@ -71,6 +66,15 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
                 at: speech.at.map(|at| [at.x as f32, at.y as f32]),
             }),
     }
+}
+
+/// The hotbar; none at the wheel, where nothing of it can be used and the bonnet is to be seen.
+fn slots(texts: &Texts, scene: &Scene) -> Vec<SlotView> {
+    if scene.is_driving() {
+        return Vec::new();
+    }
+    let stacks = scene.inventory().hotbar().iter();
+    stacks.map(|stack| slot(texts, *stack)).collect()
 }
 
 /// The health of others who are hurt.

@@ -156,6 +156,8 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
             texts.say_with("hint-fallen-over", &values)
         }
         Hint::NoCarNear => texts.say("hint-no-car-near"),
+        Hint::LookAtCar => texts.say("hint-look-at-car"),
+        Hint::CarTooFar => texts.say("hint-car-too-far"),
         Hint::NoWayOut => texts.say("hint-no-way-out"),
         Hint::BackAgain => texts.say("hint-back-again"),
         Hint::NobodyToTalkTo => texts.say("hint-nobody-to-talk-to"),

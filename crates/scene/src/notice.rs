@@ -90,6 +90,12 @@ pub enum Hint {
     /// There is no car to get into.
     #[error("There is no car in view within four metres.")]
     NoCarNear,
+    /// A car is close by, but not in view.
+    #[error("The car is beside you. Look at it to get in.")]
+    LookAtCar,
+    /// A car is in view, but not close by.
+    #[error("The car is too far away to get in. Go closer.")]
+    CarTooFar,
     /// The player has got into a car.
     #[error("You are at the wheel.")]
     AtTheWheel,
@@ -97,7 +103,7 @@ pub enum Hint {
     #[error("The car has fallen over.")]
     FallenOver,
     /// There is no room beside the car.
-    #[error("There is no room to get out here.")]
+    #[error("There is no free ground beside the car to get out on.")]
     NoWayOut,
     /// Nobody peaceful is close by and ahead.
     #[error("There is nobody ahead to talk to.")]

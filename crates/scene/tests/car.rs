@@ -47,7 +47,7 @@ fn it_is_entered_within_four_metres_and_in_view_and_left_beside() {
         scene.aim(yaw + 3.0, 0.0);
         steps(&mut scene, 1, &enter());
         assert!(!scene.is_driving(), "{geometry:?}: it is behind");
-        assert!(scene.take_hints().contains(&Hint::NoCarNear));
+        assert!(scene.take_hints().contains(&Hint::LookAtCar));
         scene.aim(yaw, -0.2);
         steps(&mut scene, 1, &enter());
         assert!(scene.is_driving(), "{geometry:?}");

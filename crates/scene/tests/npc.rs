@@ -65,7 +65,7 @@ fn who_runs_across_is_led_and_hit() {
             // To and fro across its line of sight, three seconds each way: nobody can lead a turn.
             let there = bot(&scene, id).point;
             look_at(&mut scene, there);
-            let side = if (step / (3 * SECOND)) % 2 == 0 {
+            let side = if (step / (3 * SECOND)).is_multiple_of(2) {
                 1.0
             } else {
                 -1.0

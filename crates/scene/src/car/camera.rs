@@ -60,9 +60,12 @@ impl Bonnet {
         }
     }
 
-    /// Goes a share of the way to another one.
+    /// Goes a share of the way to another one; its heading at once, which bumps do not shake and a turn would leave
+    /// behind.
     fn ease(&mut self, to: Self, share: f64) {
-        self.yaw = wrap_angle(self.yaw + wrap_angle(to.yaw - self.yaw) * share);
+        if to.pitch.cos() > LEVEL_LEAST {
+            self.yaw = to.yaw;
+        }
         self.pitch += (to.pitch - self.pitch) * share;
         self.roll += (to.roll - self.roll) * share;
     }
@@ -182,15 +185,20 @@ impl Chase {
             (free_m, from + way.normalize_or_zero() * free_m)
         };
         // Under a roof what lies over the camera is no ground to rise above.
-        let (straight, risen) = (room(rests), room(rests + over_ground(physics, rests)));
-        let (_, pos) = if risen.0 < straight.0 {
-            straight
+        let rise = over_ground(physics, rests);
+        let (straight, risen) = (room(rests), room(rests + rise));
+        let (pos, pitch) = if risen.0 < straight.0 {
+            (straight.1, pitch)
         } else {
-            risen
+            // From higher up it looks down on what it looked at before.
+            let down = looked_at - (rests + rise);
+            let down_rad = down.y.atan2(down.with_y(0.0).length());
+            (risen.1, if rise.y > 0.0 { down_rad } else { pitch })
         };
         let pos = pos - origin;
         Eye {
             point: ChartPoint::new(car.point.hemisphere, pos),
+            pitch,
             lift_m: pos.y - car.point.pos.y,
             ..seen
         }

@@ -26,6 +26,9 @@ const LIES_BELOW: f64 = 0.5;
 const LIES_M_S: f64 = 1.0;
 const LIES_S: f64 = 1.2;
 
+/// A car in view that is no farther than this is meant by who wants to get in, in metres.
+const CALLS_M: f64 = 25.0;
+
 impl Scene {
     /// Does what was asked for with a car.
     pub(crate) fn use_doors(&mut self, actions: &Actions) {
@@ -72,7 +75,7 @@ impl Scene {
             return;
         }
         let Some(number) = self.car_in_reach(true) else {
-            self.hints.push(Hint::NoCarNear);
+            self.hints.push(self.why_no_car());
             return;
         };
         let before = self.camera;
@@ -103,6 +106,21 @@ impl Scene {
 
     /// The nearest car that the player can reach; with `seen`, of those in view.
     fn car_in_reach(&self, seen: bool) -> Option<usize> {
+        self.car_within(REACH_M, seen)
+    }
+
+    /// What keeps the player from getting into a car.
+    fn why_no_car(&self) -> Hint {
+        if self.car_in_reach(false).is_some() {
+            Hint::LookAtCar
+        } else if self.car_within(CALLS_M, true).is_some() {
+            Hint::CarTooFar
+        } else {
+            Hint::NoCarNear
+        }
+    }
+
+    fn car_within(&self, reach_m: f64, seen: bool) -> Option<usize> {
         let head = self.head();
         let feet = self.feet();
         let pictured = &**self.lens.strategy();
@@ -112,7 +130,7 @@ impl Scene {
             .enumerate()
             .filter(|(_, car)| !seen || is_in_view(pictured.view_point(&head, middle(car))))
             .map(|(number, car)| (distance_m(car), number))
-            .filter(|(far_m, _)| *far_m <= REACH_M)
+            .filter(|(far_m, _)| *far_m <= reach_m)
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, number)| number)
     }

@@ -40,6 +40,9 @@ pub struct EquatorView {
     pub bearing_rad: f64,
 }
 
+/// What is beside it is taken to be so many points wide, or a multiple of that.
+const STEP: f32 = 16.0;
+
 /// Draws it between `left` and `right`, two rectangles at the top of the screen; returns what it covers, nothing where
 /// it has no room.
 pub(super) fn show(
@@ -50,7 +53,8 @@ pub(super) fn show(
     model: &CompassModel,
 ) -> Rect {
     let from = if left.is_positive() {
-        left.max.x + GRID
+        // In steps, so that it does not jump about with every digit of what stands beside it.
+        (left.max.x / STEP).ceil() * STEP + GRID
     } else {
         screen.min.x
     };

@@ -30,8 +30,13 @@ pub(super) fn show(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
         pos2(screen.center().x - 0.5 * size.x, screen.max.y - size.y),
         size,
     );
-    painter.rect_filled(bar, 8, PLATE);
-    for index in 0..SLOTS {
+    let is_shown = !model.slots.is_empty();
+    if is_shown {
+        painter.rect_filled(bar, 8, PLATE);
+    } else {
+        bar.min.y = bar.max.y;
+    }
+    for index in (0..SLOTS).filter(|_| is_shown) {
         let corner = bar.min + vec2(GAP + index as f32 * (side + GAP), GAP);
         let rect = Rect::from_min_size(corner, vec2(side, side));
         slot(

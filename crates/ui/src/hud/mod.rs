@@ -93,7 +93,7 @@ pub struct HudModel {
     pub curved: [f64; 4],
     /// Whether space is flat, so that the curved coordinates say nothing new.
     pub curved_is_flat: bool,
-    /// The hotbar: ten slots, keys 1 to 9 and 0.
+    /// The hotbar: ten slots, keys 1 to 9 and 0; none where it is not to be seen.
     pub slots: Vec<SlotView>,
     /// Index of the slot in hand, from 0.
     pub selected: usize,
