@@ -219,6 +219,34 @@ fn who_is_run_over_is_hurt_and_the_car_goes_on() {
     assert!(car(&scene).point.pos.distance(view.point.pos) > 9.0);
 }
 
+/// What it costs of health to get out of a car as soon as it is as fast as that, in m/s.
+fn harm_of_leaving_at(speed_m_s: f64) -> f64 {
+    let mut scene = driving(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Off);
+    let wish = Actions {
+        sprint: true,
+        ..ahead()
+    };
+    for _ in 0..1200 {
+        let is_due = car(&scene).velocity.length() >= speed_m_s;
+        let leave_car = is_due && scene.is_driving();
+        let asked = Actions { leave_car, ..wish };
+        let before = scene.health();
+        steps(&mut scene, 1, &asked);
+        if !scene.is_driving() {
+            return before - scene.health();
+        }
+    }
+    panic!("it never is so fast, or there is never room");
+}
+
+#[test]
+fn who_gets_out_of_a_fast_car_is_hurt() {
+    assert_eq!(harm_of_leaving_at(12.0), 0.0);
+    let harm = harm_of_leaving_at(20.0);
+    assert!((5.0..10.0).contains(&harm), "{harm}");
+}
+
 #[test]
 fn who_stands_in_its_way_runs_from_it_and_who_stands_by_a_parked_one_does_not() {
     for geometry in GEOMETRIES {

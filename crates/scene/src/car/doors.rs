@@ -4,10 +4,13 @@ use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3};
 
 use super::camera::Chase;
-use super::tuning::{DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, IN_VIEW, REACH_M};
+use super::tuning::{
+    DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, IN_VIEW, JUMPED_OFF_SHARE, REACH_M,
+};
 use super::{CarView, Driving};
 use crate::actions::Actions;
 use crate::camera::CameraMode;
+use crate::harm::{HarmKind, fall_harm};
 use crate::notice::Hint;
 use crate::player::Look;
 use crate::scene::Scene;
@@ -146,6 +149,11 @@ impl Scene {
         self.get_out();
         self.place_body(spot, car.velocity, false);
         self.sounds.push(SoundEvent::CarDoor);
+        let harm = fall_harm(
+            car.velocity.length() * JUMPED_OFF_SHARE,
+            self.tuning.gravity_m_s2,
+        );
+        self.hurt_player(harm, HarmKind::Fall, None);
     }
 
     /// The player sits in no car any more, wherever he is then put.

@@ -77,6 +77,9 @@ pub const BULLET_BACK: f64 = 0.2;
 pub const CRASH_FROM_M_S: f64 = 3.0;
 /// Share of a crash's speed that the driver feels: as much as the end of a fall that fast.
 pub const CRASH_SHARE: f64 = 0.65;
+/// Share of a car's speed that who gets out of it feels, as the end of a fall that fast: without the double force no car
+/// on level ground is fast enough to hurt.
+pub const JUMPED_OFF_SHARE: f64 = 0.8;
 /// The horn scatters who is within this, in metres of the space.
 pub const HORN_REACH_M: f64 = 30.0;
 /// Where the head lights and the tail lights are, in the car's axes, in metres; the others are their mirror images.
