@@ -26,6 +26,7 @@ hint-no-way-out = Neben dem Auto ist kein freier Boden zum Aussteigen.
 hint-back-again = Du bist wieder am Anfang. Was du getragen hast, ist noch bei dir.
 hint-nobody-to-talk-to = Vor dir ist niemand, mit dem du reden könntest.
 hint-too-far-to-talk = Sie sind zu weit weg, um zu reden. Geh näher heran.
+hint-waits-to-talk = Sie haben dich gehört und warten. Geh näher heran, um zu reden.
 hint-in-the-way = Du stehst dem im Weg, was du baust, unter einer Decke. Geh zurück oder nimm einen kleineren Pinsel.
 
 talk-triangle-less = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, nicht 180.

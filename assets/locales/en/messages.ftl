@@ -27,6 +27,7 @@ hint-no-way-out = There is no free ground beside the car to get out on.
 hint-back-again = You are back at the start. What you carried is still with you.
 hint-nobody-to-talk-to = There is nobody ahead to talk to.
 hint-too-far-to-talk = They are too far away to talk to. Go closer.
+hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.

@@ -26,6 +26,7 @@ hint-no-way-out = Junto al coche no hay suelo libre donde bajar.
 hint-back-again = Has vuelto al principio. Lo que llevabas sigue contigo.
 hint-nobody-to-talk-to = Delante no hay nadie con quien hablar.
 hint-too-far-to-talk = Están demasiado lejos para hablar. Acércate.
+hint-waits-to-talk = Te han oído y esperan. Acércate para hablar.
 hint-in-the-way = Estás en medio de lo que construyes, bajo un techo. Retrocede o usa un pincel más pequeño.
 
 talk-triangle-less = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, no 180.

@@ -27,6 +27,7 @@ hint-no-way-out = Obok samochodu nie ma wolnego gruntu, żeby wysiąść.
 hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
 hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
 hint-too-far-to-talk = Są za daleko, żeby rozmawiać. Podejdź bliżej.
+hint-waits-to-talk = Usłyszeli cię i czekają. Podejdź bliżej, żeby porozmawiać.
 hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
 
 talk-triangle-less = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, a nie 180.

@@ -26,6 +26,7 @@ hint-no-way-out = 车旁没有可以下车的空地。
 hint-back-again = 你回到了起点，带着的东西都还在。
 hint-nobody-to-talk-to = 前面没有可以交谈的人。
 hint-too-far-to-talk = 他们离得太远，无法交谈。请走近些。
+hint-waits-to-talk = 他们听见了，正在等你。请走近些交谈。
 hint-in-the-way = 你站在顶壁之下，挡住了要建造的地方。请后退，或换用更小的笔刷。
 
 talk-triangle-less = 我走过一个三边都是 { $side } 米的三角形，内角和是 { $sum }°，不是 180°。

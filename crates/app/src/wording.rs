@@ -162,6 +162,7 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::BackAgain => texts.say("hint-back-again"),
         Hint::NobodyToTalkTo => texts.say("hint-nobody-to-talk-to"),
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
+        Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
         Hint::Said(line) => said(texts, line),
     }

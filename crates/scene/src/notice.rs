@@ -111,6 +111,9 @@ pub enum Hint {
     /// Somebody peaceful is ahead, but not close by.
     #[error("They are too far away to talk to. Go closer.")]
     TooFarToTalk,
+    /// Whoever was called is too far away to talk to, and has stopped.
+    #[error("They have heard you and wait. Go closer to talk.")]
+    WaitsToTalk,
     /// What would be built would fill the place of a player who cannot be lifted out of it.
     #[error(
         "You stand in the way of what you build, under a roof. Step back, or take a smaller brush."

@@ -234,6 +234,33 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
 }
 
 #[test]
+fn who_is_called_from_afar_turns_round_and_waits() {
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        let place = beside(&scene, 7.0, 0.0);
+        // It looks away.
+        let id = scene.spawn_bot(place, 0.0, false);
+        pass(&mut scene, 0.5);
+        let there = bot(&scene, id).point.moved(DVec3::Y * 1.3);
+        look_at(&mut scene, there);
+        scene.take_hints();
+        let talk = Actions {
+            talk: true,
+            ..Actions::default()
+        };
+        steps(&mut scene, 1, &talk);
+        assert_eq!(scene.take_hints(), [Hint::WaitsToTalk], "{geometry:?}");
+        let from = bot(&scene, id).point;
+        pass(&mut scene, 5.0);
+        let view = bot(&scene, id);
+        assert_eq!(view.state, State::Watch, "{geometry:?}");
+        assert!((view.point.pos - from.pos).with_y(0.0).length() < 0.3);
+        pass(&mut scene, 12.0);
+        assert_ne!(bot(&scene, id).state, State::Watch, "{geometry:?}");
+    }
+}
+
+#[test]
 fn at_dusk_they_sit_down_by_a_lamp_and_get_up_again() {
     let mut scene = world(Geometry::Euclidean);
     let lamp = beside(&scene, 8.0, 4.0);

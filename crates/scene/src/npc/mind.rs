@@ -4,7 +4,7 @@ use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
 use super::dice::Dice;
-use super::tuning::{FIRST_SHOT_S, RESTS_S, WATCHES_AGAIN_S, WATCHES_S};
+use super::tuning::{FIRST_SHOT_S, LISTENS_S, RESTS_S, WATCHES_AGAIN_S, WATCHES_S};
 use crate::frame::Figure;
 use crate::tuning::{FLASH_S, KICK_S, STEP_S};
 
@@ -209,6 +209,12 @@ impl Mind {
         self.face = Some(place);
         self.lasts_s = self.dice.between(WATCHES_S);
         self.bored_s = WATCHES_AGAIN_S;
+    }
+
+    /// Stops for who speaks, there, and listens.
+    pub fn listen(&mut self, place: ChartPoint) {
+        self.watch(place);
+        self.lasts_s = LISTENS_S;
     }
 
     /// Lets a step's time pass.

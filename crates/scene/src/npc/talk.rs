@@ -11,7 +11,7 @@ use super::dice::Dice;
 use super::mind::{Mind, State};
 use super::senses::sees;
 use super::speech::Said;
-use super::tuning::TALKS_M;
+use super::tuning::{HAILS_M, TALKS_M};
 use crate::bot::Bot;
 use crate::notice::Hint;
 use crate::player::{Health, Position};
@@ -57,23 +57,15 @@ pub enum Line {
 }
 
 impl Scene {
-    /// Talks to the peaceful one ahead, if there is one close by.
+    /// Talks to the peaceful one ahead, if there is one close by; one that is farther off waits.
     pub(crate) fn talk(&mut self) {
         let Some((entity, id)) = self.listener(TALKS_M) else {
-            let hint = match self.listener(CALLS_M) {
-                Some(_) => Hint::TooFarToTalk,
-                None => Hint::NobodyToTalkTo,
-            };
-            self.hints.push(hint);
+            self.hail();
             return;
         };
-        let head = self.head().point;
-        let Ok(mind) = self.ecs.query_one_mut::<&mut Mind>(entity) else {
+        let Some(mind) = self.heed(entity) else {
             return;
         };
-        if mind.state != State::Sit {
-            mind.watch(head);
-        }
         let told = mind.told;
         mind.told += 1;
         let line = self.line_of(id, told);
@@ -83,6 +75,29 @@ impl Scene {
             at_s: self.simulated_s,
         });
         self.hints.push(Hint::Said(line));
+    }
+
+    /// Calls to the peaceful one ahead, who waits if that is heard.
+    fn hail(&mut self) {
+        let hint = if let Some((entity, _)) = self.listener(HAILS_M) {
+            self.heed(entity);
+            Hint::WaitsToTalk
+        } else if self.listener(CALLS_M).is_some() {
+            Hint::TooFarToTalk
+        } else {
+            Hint::NobodyToTalkTo
+        };
+        self.hints.push(hint);
+    }
+
+    /// Has somebody heed the player, sitting where he sits.
+    fn heed(&mut self, entity: Entity) -> Option<&mut Mind> {
+        let head = self.head().point;
+        let mind = self.ecs.query_one_mut::<&mut Mind>(entity).ok()?;
+        if mind.state != State::Sit {
+            mind.listen(head);
+        }
+        Some(mind)
     }
 
     /// The nearest living peaceful one that is ahead, within a reach and in sight.

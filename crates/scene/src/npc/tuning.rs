@@ -78,6 +78,10 @@ pub const DODGES_S: f64 = 1.8;
 pub const DODGES_BY_M: f64 = 3.5;
 /// How near one must be to be talked to, in metres.
 pub const TALKS_M: f64 = 4.0;
+/// How near one must be to be heard by who then turns round and waits, in metres.
+pub const HAILS_M: f64 = 25.0;
+/// Who is spoken to stands still for so long, in seconds: time to come, or to read what is said.
+pub const LISTENS_S: f64 = 6.0;
 /// Bullets that the dead leave: of those who fight, and of others, at least and at most.
 pub const LEAVES_BULLETS: [(u32, u32); 2] = [(4, 8), (2, 4)];
 /// How many live in an open world, and in a closed one.
