@@ -31,12 +31,12 @@ hint-in-the-way = Du stehst dem im Weg, was du baust, unter einer Decke. Geh zur
 
 talk-triangle-less = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, nicht 180.
 talk-triangle-flat = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, wie in jedem Schulbuch.
-talk-triangle-more = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, mehr als 180.
-talk-horizon-lower = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Du schaust { $angle }° tiefer als im flachen Raum.
-talk-horizon-flat = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Er liegt genau da, wo ein flaches Bild ihn zeigt.
-talk-horizon-higher = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Du schaust { $angle }° höher als im flachen Raum.
-talk-home-round = Nach Hause sind es { $there } m. Dreh ihm den Rücken zu und geh geradeaus: Nach { $round } m bist du auch zu Hause.
-talk-home-straight = Nach Hause sind es { $there } m, und kein Weg führt herum: Wer ihm den Rücken zukehrt, kommt nie heim.
+talk-triangle-more = Ich habe ein Dreieck mit drei Seiten von { $side } m abgeschritten. Seine Winkel: zusammen { $sum }°, mehr als 180.
+talk-horizon-lower = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Du schaust { $angle }° tiefer als im flachen Raum.
+talk-horizon-flat = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Er liegt genau da, wo ein flaches Bild ihn zeigt.
+talk-horizon-higher = Siehst du den Boden { $away } m entfernt, so hoch wie hier? Du schaust { $angle }° höher als im flachen Raum.
+talk-home-round = Nach Hause sind es { $there } m. Dreh ihm den Rücken zu und geh geradeaus: Nach { $round } m bist du auch zu Hause.
+talk-home-straight = Nach Hause sind es { $there } m, und kein Weg führt herum: Wer ihm den Rücken zukehrt, kommt nie heim.
 
 open-failed = Die Welt konnte nicht geöffnet werden
 open-died = Beim Lesen ist etwas fehlgeschlagen; das Protokoll weiß mehr.

@@ -31,14 +31,14 @@ hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.
-talk-triangle-less = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, not 180.
-talk-triangle-flat = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, as in every schoolbook.
-talk-triangle-more = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, more than 180.
-talk-horizon-lower = See the ground { $away } m off, as high as this? You look { $angle }° lower than in flat space to see it.
-talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
-talk-horizon-higher = See the ground { $away } m off, as high as this? You look { $angle }° higher than in flat space to see it.
-talk-home-round = Home is { $there } m from here. Turn your back on it and go straight: after { $round } m you are home too.
-talk-home-straight = Home is { $there } m from here, and no way leads round: who turns his back on it never comes home.
+talk-triangle-less = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, not 180.
+talk-triangle-flat = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, as in every schoolbook.
+talk-triangle-more = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, more than 180.
+talk-horizon-lower = See the ground { $away } m off, as high as this? You look { $angle }° lower than in flat space to see it.
+talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
+talk-horizon-higher = See the ground { $away } m off, as high as this? You look { $angle }° higher than in flat space to see it.
+talk-home-round = Home is { $there } m from here. Turn your back on it and go straight: after { $round } m you are home too.
+talk-home-straight = Home is { $there } m from here, and no way leads round: who turns his back on it never comes home.
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened

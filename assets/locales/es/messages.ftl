@@ -31,12 +31,12 @@ hint-in-the-way = Estás en medio de lo que construyes, bajo un techo. Retrocede
 
 talk-triangle-less = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, no 180.
 talk-triangle-flat = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, como en los libros.
-talk-triangle-more = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, más de 180.
-talk-horizon-lower = ¿Ves el suelo a { $away } m, tan alto como este? Miras { $angle }° más abajo que en el espacio plano.
-talk-horizon-flat = ¿Ves el suelo a { $away } m, tan alto como este? Está justo donde lo muestra una imagen plana.
-talk-horizon-higher = ¿Ves el suelo a { $away } m, tan alto como este? Miras { $angle }° más arriba que en el espacio plano.
-talk-home-round = A casa hay { $there } m. Dale la espalda y ve recto: a los { $round } m también estarás en casa.
-talk-home-straight = A casa hay { $there } m y ningún camino da la vuelta: quien le da la espalda nunca vuelve.
+talk-triangle-more = He medido a pasos un triángulo de tres lados de { $side } m. Sus ángulos suman { $sum }°, más de 180.
+talk-horizon-lower = ¿Ves el suelo a { $away } m, tan alto como este? Miras { $angle }° más abajo que en el espacio plano.
+talk-horizon-flat = ¿Ves el suelo a { $away } m, tan alto como este? Está justo donde lo muestra una imagen plana.
+talk-horizon-higher = ¿Ves el suelo a { $away } m, tan alto como este? Miras { $angle }° más arriba que en el espacio plano.
+talk-home-round = A casa hay { $there } m. Dale la espalda y ve recto: a los { $round } m también estarás en casa.
+talk-home-straight = A casa hay { $there } m y ningún camino da la vuelta: quien le da la espalda nunca vuelve.
 
 open-failed = No se pudo abrir el mundo
 open-died = Algo falló durante la lectura; el registro dice el resto.

@@ -31,13 +31,13 @@ hint-waits-to-talk = Usłyszeli cię i czekają. Podejdź bliżej, żeby porozma
 hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
 
 talk-triangle-less = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, a nie 180.
-talk-triangle-flat = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, jak w podręczniku.
-talk-triangle-more = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, więcej niż 180.
-talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° niżej niż w płaskiej przestrzeni.
-talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
-talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° wyżej niż w płaskiej przestrzeni.
-talk-home-round = Do domu jest { $there } m. Odwróć się do niego plecami i idź prosto: po { $round } m też będziesz w domu.
-talk-home-straight = Do domu jest { $there } m i żadna droga nie prowadzi dookoła: kto odwróci się plecami, nigdy nie wróci.
+talk-triangle-flat = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, jak w podręczniku.
+talk-triangle-more = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, więcej niż 180.
+talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° niżej niż w płaskiej przestrzeni.
+talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
+talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° wyżej niż w płaskiej przestrzeni.
+talk-home-round = Do domu jest { $there } m. Odwróć się do niego plecami i idź prosto: po { $round } m też będziesz w domu.
+talk-home-straight = Do domu jest { $there } m i żadna droga nie prowadzi dookoła: kto odwróci się plecami, nigdy nie wróci.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
 open-failed = Nie udało się otworzyć świata

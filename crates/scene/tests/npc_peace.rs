@@ -11,7 +11,7 @@ mod common;
 use antipode_geometry::{Eye, Geometry};
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Hint, Line, NpcMode, Scene, State};
-use common::figures::{SECOND, away_m, beside, bot, look_at, pass, world};
+use common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
 use common::steps;
 use glam::DVec3;
 
@@ -231,6 +231,25 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
         }
     }
     println!("{}", said.join("\n"));
+}
+
+#[test]
+fn who_is_shot_while_he_speaks_says_no_more() {
+    let mut scene = world(Geometry::Euclidean);
+    let place = beside(&scene, 3.0, 0.0);
+    let id = scene.spawn_bot(place, 0.0, false);
+    let there = bot(&scene, id).point.moved(DVec3::Y * 1.3);
+    look_at(&mut scene, there);
+    let talk = Actions {
+        talk: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 1, &talk);
+    assert!(scene.speech(1.3).is_some());
+    shoot(&mut scene, id);
+    pass(&mut scene, 0.5);
+    assert!(bot(&scene, id).fights);
+    assert_eq!(scene.speech(1.3), None);
 }
 
 #[test]

@@ -41,7 +41,7 @@ pub use hud::{
     Tints, WoundModel, show_hud, tints_of,
 };
 pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
-pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, show_photo};
+pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;
 pub use theme::apply_theme;

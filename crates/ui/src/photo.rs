@@ -67,6 +67,13 @@ pub struct PhotoWishes {
     pub look: Vec2,
 }
 
+/// What the panel covers of a screen.
+pub fn photo_panel(screen: Rect) -> Rect {
+    let width = WIDTH.min(screen.width() * 0.6);
+    let rect = inset(screen, GRID);
+    rect.with_min_x(rect.max.x - width)
+}
+
 /// Draws panel and lines, and takes over what was changed. `fresh`: the mode has just been entered.
 pub fn show_photo(
     ctx: &Context,
@@ -79,9 +86,7 @@ pub fn show_photo(
         thirds(&ctx.layer_painter(LayerId::background()), screen);
     }
     let mut wishes = PhotoWishes::default();
-    let width = WIDTH.min(screen.width() * 0.6);
-    let mut rect = inset(screen, GRID);
-    rect.min.x = rect.max.x - width;
+    let rect = photo_panel(screen);
     let area = Area::new(Id::unique("antipode-photo"))
         .order(Order::Middle)
         .fixed_pos(rect.min)

@@ -31,6 +31,8 @@ pub struct Shell {
     settings: SettingsScreen,
     controls: ControlsScreen,
     toasts: Toasts,
+    /// Where the room for toasts ends at the right, if not with the screen, in points.
+    toasts_end_x: Option<f32>,
     /// The next widget that is first on its screen takes the focus.
     focus_first: bool,
     /// Whether the player last used keys rather than the pointer.
@@ -78,6 +80,7 @@ impl Shell {
             settings: SettingsScreen::default(),
             controls: ControlsScreen::default(),
             toasts: Toasts::default(),
+            toasts_end_x: None,
             focus_first: true,
             by_keyboard: true,
             queued: Vec::new(),
@@ -170,6 +173,11 @@ impl Shell {
         self.toasts.push(text.into(), kind);
     }
 
+    /// Keeps such lines left of a place, in points, as beside a panel; `None` for none.
+    pub fn keep_toasts_left_of(&mut self, x: Option<f32>) {
+        self.toasts_end_x = x;
+    }
+
     /// Draws what is up and returns what the player asked for, in order.
     pub fn show(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
         let mut intents = std::mem::take(&mut self.queued);
@@ -179,7 +187,7 @@ impl Shell {
             intents.append(&mut asked);
             dialog = covered;
         }
-        self.toasts.show(ctx, dialog);
+        self.toasts.show(ctx, dialog, self.toasts_end_x);
         intents
     }
 

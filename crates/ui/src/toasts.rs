@@ -42,19 +42,23 @@ impl Toasts {
     }
 
     /// Draws them at the right, from the middle of the screen upwards, but never on a `dialog`: those that would lie
-    /// on it stand above it, and wait where there is no room.
-    pub(crate) fn show(&mut self, ctx: &Context, dialog: Option<Rect>) {
+    /// on it stand above it, and wait where there is no room. `end_x`: where their room ends, if not with the screen.
+    pub(crate) fn show(&mut self, ctx: &Context, dialog: Option<Rect>, end_x: Option<f32>) {
         let now_s = ctx.input(|input| input.time);
         self.up
             .retain(|toast| toast.until_s.is_none_or(|until| now_s < until));
         let screen = ctx.content_rect();
+        let end_x = end_x.unwrap_or(screen.max.x);
         // Right of the crosshair and above the dial, however small the screen is.
-        let width = WIDTH.min(0.5 * screen.width() - 4.0 * GRID).max(1.0);
+        let width = WIDTH
+            .min(0.5 * screen.width() - 4.0 * GRID)
+            .min(end_x - screen.min.x - 2.0 * GRID)
+            .max(1.0);
         let mut bottom = screen.center().y;
         for (index, toast) in self.up.iter_mut().enumerate().rev() {
             let size = size_of(ctx, &toast.text, width);
             let place = |bottom: f32| {
-                let corner = pos2(screen.max.x - GRID - size.x, bottom - size.y);
+                let corner = pos2(end_x - GRID - size.x, bottom - size.y);
                 Rect::from_min_size(corner, size)
             };
             let mut rect = place(bottom);

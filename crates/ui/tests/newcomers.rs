@@ -11,7 +11,7 @@ mod common;
 use antipode_language::{Language, Texts};
 use antipode_settings::Value;
 use antipode_ui::{
-    Backdrop, HintModel, HudModel, Intent, Screen, ToastKind, apply_theme, show_hud,
+    Backdrop, HintModel, HudModel, Intent, Screen, ToastKind, apply_theme, photo_panel, show_hud,
 };
 use common::{Game, Painted, click, focused, intents, painted, press, window, world};
 use egui::{Key, Pos2, Rect, Shape, Vec2, vec2};
@@ -178,6 +178,27 @@ fn a_toast_never_lies_on_a_dialog() {
                 assert!(whole.contains_rect(toast.rect), "{} at {size}", toast.text);
             }
         }
+    }
+}
+
+#[test]
+fn a_toast_never_lies_on_the_panel_of_the_photo_mode() {
+    for size in [vec2(960.0, 540.0), vec2(640.0, 360.0), vec2(427.0, 240.0)] {
+        let panel = photo_panel(Rect::from_min_size(Pos2::ZERO, size));
+        let mut game = Game::new();
+        game.shell.open(Screen::Hidden);
+        game.running = Some("World 0".to_owned());
+        game.shell.keep_toasts_left_of(Some(panel.min.x));
+        let words = "Toast 0: something that takes a whole line to say.";
+        game.shell.toast(words, ToastKind::Info);
+        let mut harness = common::harness(game, size);
+        harness.run_steps(2);
+        let (toasts, _) = apart(&harness);
+        let rect = toasts[0].rect;
+        assert!(
+            rect.min.x >= 0.0 && rect.max.x <= panel.min.x,
+            "{rect} at {size}"
+        );
     }
 }
 

@@ -28,6 +28,10 @@ impl Game {
             self.show_console(context);
             self.show_photo_panel(context);
         }
+        let panel = self.is_photographing() && !self.shell.is_open();
+        self.shell.keep_toasts_left_of(
+            panel.then(|| antipode_ui::photo_panel(context.content_rect()).min.x),
+        );
         let running = self.running();
         self.list.show_pictures(context);
         let (rows, files) = if self.shell.is_open() {

@@ -41,8 +41,10 @@ impl Scene {
         }
         let bots = self.bots();
         let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
-        let is_heard =
-            speaker.health > 0.0 && apart_m(&*self.strategy, self.feet(), speaker.point) < HEARD_M;
+        // Who is shot at stops talking.
+        let is_heard = speaker.health > 0.0
+            && !speaker.fights
+            && apart_m(&*self.strategy, self.feet(), speaker.point) < HEARD_M;
         is_heard.then(|| {
             let over = speaker
                 .point
