@@ -84,6 +84,31 @@ fn it_is_entered_within_four_metres_and_in_view_and_left_beside() {
 }
 
 #[test]
+fn a_far_car_is_spoken_of_while_it_is_seen_and_not_behind_a_hill() {
+    let mut scene = with_car(Geometry::Euclidean);
+    scene.set_npcs(NpcMode::Off);
+    stand_beside(&mut scene, 14.0);
+    let (at, feet) = (car(&scene).point.pos, scene.feet().pos);
+    let yaw = (at.z - feet.z).atan2(at.x - feet.x);
+    scene.aim(yaw, 0.0);
+    scene.take_hints();
+    steps(&mut scene, 1, &enter());
+    assert_eq!(scene.take_hints(), [Hint::CarTooFar]);
+    let build = Actions {
+        slot: Some(3),
+        secondary: true,
+        ..still()
+    };
+    scene.aim(yaw, -0.25);
+    steps(&mut scene, 180, &build);
+    scene.aim(yaw, 0.0);
+    steps(&mut scene, 30, &still());
+    scene.take_hints();
+    steps(&mut scene, 1, &enter());
+    assert_eq!(scene.take_hints(), [Hint::NoCarNear]);
+}
+
+#[test]
 fn it_drives_where_it_points_with_the_player_and_two_runs_are_alike() {
     let run = |geometry| {
         let mut scene = driving(geometry);

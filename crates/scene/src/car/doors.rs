@@ -12,6 +12,7 @@ use crate::actions::Actions;
 use crate::camera::CameraMode;
 use crate::harm::{HarmKind, fall_harm};
 use crate::notice::Hint;
+use crate::npc::sees;
 use crate::player::Look;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
@@ -19,6 +20,8 @@ use crate::tuning::STEP_S;
 
 /// Height of a car's middle over the ground, in metres.
 const MIDDLE_UP_M: f64 = 0.8;
+/// Height just over its roof, in metres: a way to the roof itself would end at the body.
+const ROOF_UP_M: f64 = 1.7;
 /// The box that holds a car's body, in its axes, in metres.
 const BODY_BOX_M: (DVec3, DVec3) = (DVec3::new(-1.52, 0.30, -0.70), DVec3::new(1.52, 1.49, 0.70));
 /// Gap left below the feet of who gets out, in metres.
@@ -116,11 +119,23 @@ impl Scene {
     fn why_no_car(&self) -> Hint {
         if self.car_in_reach(false).is_some() {
             Hint::LookAtCar
-        } else if self.car_within(CALLS_M, true).is_some() {
+        } else if self
+            .car_within(CALLS_M, true)
+            .is_some_and(|it| self.sees_car(it))
+        {
             Hint::CarTooFar
         } else {
             Hint::NoCarNear
         }
+    }
+
+    /// Whether nothing hides a car's roof.
+    fn sees_car(&self, number: usize) -> bool {
+        let pictured = &**self.lens.strategy();
+        self.car(number).is_some_and(|car| {
+            let over_roof = car.place(DVec3::Y * ROOF_UP_M);
+            sees(pictured, &self.physics, &self.head(), over_roof)
+        })
     }
 
     fn car_within(&self, reach_m: f64, seen: bool) -> Option<usize> {

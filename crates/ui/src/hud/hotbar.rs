@@ -21,32 +21,7 @@ const WIDE: f32 = 18.0;
 /// Draws it at the bottom and returns what it covers, the name of the item in
 /// hand above it included.
 pub(super) fn show(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
-    let gaps = (SLOTS - 1) as f32 * GAP + 2.0 * GAP;
-    let side = ((screen.width() - gaps) / SLOTS as f32)
-        .clamp(SIDE.1, SIDE.0)
-        .floor();
-    let size = vec2(SLOTS as f32 * side + gaps, side + 2.0 * GAP);
-    let mut bar = Rect::from_min_size(
-        pos2(screen.center().x - 0.5 * size.x, screen.max.y - size.y),
-        size,
-    );
-    let is_shown = !model.slots.is_empty();
-    if is_shown {
-        painter.rect_filled(bar, 8, PLATE);
-    } else {
-        bar.min.y = bar.max.y;
-    }
-    for index in (0..SLOTS).filter(|_| is_shown) {
-        let corner = bar.min + vec2(GAP + index as f32 * (side + GAP), GAP);
-        let rect = Rect::from_min_size(corner, vec2(side, side));
-        slot(
-            painter,
-            rect,
-            index,
-            model.slots.get(index),
-            index == model.selected,
-        );
-    }
+    let mut bar = row(painter, screen, model);
     let above = match model.health.filter(|share| *share < 1.0) {
         // Where height is scarce it lies in the gap over the slots.
         Some(share) if screen.height() < SCARCE => {
@@ -78,6 +53,35 @@ pub(super) fn show(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
             small(),
             TEXT,
         ));
+    }
+    bar
+}
+
+/// Draws the slots, if the model has any, and returns what they cover: with none the line that they would stand on.
+fn row(painter: &Painter, screen: Rect, model: &HudModel) -> Rect {
+    let gaps = (SLOTS - 1) as f32 * GAP + 2.0 * GAP;
+    let side = ((screen.width() - gaps) / SLOTS as f32)
+        .clamp(SIDE.1, SIDE.0)
+        .floor();
+    let size = vec2(SLOTS as f32 * side + gaps, side + 2.0 * GAP);
+    let bar = Rect::from_min_size(
+        pos2(screen.center().x - 0.5 * size.x, screen.max.y - size.y),
+        size,
+    );
+    if model.slots.is_empty() {
+        return bar.with_min_y(bar.max.y);
+    }
+    painter.rect_filled(bar, 8, PLATE);
+    for index in 0..SLOTS {
+        let corner = bar.min + vec2(GAP + index as f32 * (side + GAP), GAP);
+        let rect = Rect::from_min_size(corner, vec2(side, side));
+        slot(
+            painter,
+            rect,
+            index,
+            model.slots.get(index),
+            index == model.selected,
+        );
     }
     bar
 }
