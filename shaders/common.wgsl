@@ -28,7 +28,7 @@ struct Beam {
 // A map of depth as the key light sees it.
 struct ShadowMap {
     clip: mat4x4<f32>,  // to its clip coordinates, from metres from the reference; in a closed world from view coordinates
-    info: vec4<f32>,    // its layer, depth of a texel's length where w is 1, how far it is to be trusted, room
+    info: vec4<f32>,    // its layer, depth of a texel's length where w is 1, how far it is to be trusted, -1 for a mirrored picture
 }
 
 struct Shadows {
@@ -55,6 +55,9 @@ struct Scene {
     moon_place: vec4<f32>,     // of its moon
     orb: vec4<f32>,            // x: radius of both, radii
     fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
+    ring_centre: vec4<f32>,    // view coordinates of the middle of the ring about what is dug or built
+    ring: vec4<f32>,           // rgb: its light; w: its radius, m, or 0 for none
+    ring_shape: vec4<f32>,     // x: what a square of w adds to one of a distance, m2; y: how dark its edges are
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
@@ -132,10 +135,13 @@ const FACING: f32 = 0.2;
 // `share` of the key reaches the place; in a shadow less of it is bounced about, too.
 fn light_on(normal: vec3<f32>, share: f32) -> vec3<f32> {
     let facing = dot(normal, scene.key_direction.xyz);
-    let key = max(facing, 0.0);
+    // Land is flat between its vertices and its normals are not: triangles turn away one by one before they do. Light
+    // that has all but gone by then shows no edges of theirs.
+    let turned = smoothstep(0.0, FACING, facing);
+    let key = max(facing, 0.0) * turned;
     let wrap = 0.06 * (1.0 - abs(facing)) + 0.05;
     let sky = 0.5 + 0.5 * normal.y;
-    let bounced = wrap * (0.4 + 0.6 * share * smoothstep(0.0, FACING, facing));
+    let bounced = wrap * (0.4 + 0.6 * share * turned);
     return scene.key_colour.rgb * (0.78 * key * share + bounced) + mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, sky);
 }
 

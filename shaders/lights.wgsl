@@ -182,8 +182,9 @@ fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32
     let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
     let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.key.w);
     let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
-    let about = reaches * smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
-    let key = 0.78 * max(facing, vec2<f32>(0.0)) * reaches + bounced * (0.4 + 0.6 * about);
+    let turned = smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
+    let about = reaches * turned;
+    let key = 0.78 * max(facing, vec2<f32>(0.0)) * turned * reaches + bounced * (0.4 + 0.6 * about);
     let day = smoothstep(NIGHT, DAY, near.x);
     // Low light has come a long way through haze: red.
     let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));

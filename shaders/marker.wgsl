@@ -1,4 +1,4 @@
-// The brush marker: a translucent ball at the point aimed at, and the faint shell of all that the brush reaches.
+// Where the lamp in hand would hang: a small ball in a faint shell.
 
 struct VertexIn {
     @location(0) position: vec3<f32>,   // on the unit sphere
@@ -48,5 +48,5 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
 // What lies behind the land still shows, faintly.
 @fragment
 fn fragment_hidden(in: VertexOut) -> @location(0) vec4<f32> {
-    return shade(in, 0.28);
+    return shade(in, 0.05);
 }

@@ -93,6 +93,7 @@ struct Placed {
     texel: vec2<f32>,
     depth: f32,
     slope: vec2<f32>,
+    turned: bool,  // whether its surface turns away from the light
 }
 
 fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
@@ -121,7 +122,9 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
     let bias = SHADOW_BIAS * length(vec3<f32>(g, texel));
-    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g);
+    // Surfaces are seen from their front: one that the light sees the other way round shades itself. Compared with
+    // its own depth it would be striped, since that is then the far side of what the map holds.
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, area * map.info.w < 0.0);
 }
 
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
@@ -154,7 +157,7 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
         }
     }
     let width = f32(2u * gathers - 1u);
-    return mix(1.0, lit / (width * width), map.info.z);
+    return mix(1.0, select(lit / (width * width), 0.0, placed.turned), map.info.z);
 }
 
 // The face of a star's light on which a point lies.
@@ -229,8 +232,8 @@ fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool
     return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, view), body) <= NIGHT;
 }
 
-// Share of the key light that reaches a point; one that is unlit is left as it is.
-fn key_share(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> f32 {
+// Share of the key light that the maps let through to a point; one that is unlit is left as it is.
+fn key_through(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> f32 {
     if SHADOWS == 0u || unlit {
         return 1.0;
     }
@@ -238,5 +241,10 @@ fn key_share(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> 
     if FIGURE_SHADOWS && by_figures {
         lit = min(lit, figure_shadow(point));
     }
-    return 1.0 - scene.shadows.key.x * (1.0 - lit);
+    return lit;
+}
+
+// Share of the key light that reaches a point.
+fn key_share(point: Shaded, pixel: vec2<f32>, unlit: bool, by_figures: bool) -> f32 {
+    return 1.0 - scene.shadows.key.x * (1.0 - key_through(point, pixel, unlit, by_figures));
 }

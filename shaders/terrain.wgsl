@@ -162,19 +162,49 @@ fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
     return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p)), in.flags & 1u);
 }
 
+// Nothing, over all of a map: what was there is gone.
+@vertex
+fn vertex_hole(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32> {
+    let corner = vec2<f32>(f32((index << 1u) & 2u), f32(index & 2u));
+    return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
+}
+
+// Whether land turns away from the light that throws shadows, or lies where that does not reach.
+fn is_turned(in: VertexOut) -> bool {
+    if geo_kind(scene.space) == GEO_SPHERE {
+        return all(in.facing - in.dark <= 0.002 * in.facing);
+    }
+    return is_unlit(in.view, normalize(in.facing), in.frame_normal);
+}
+
 // The land's colour in all light but that of lamps and beams.
 fn daylit(in: VertexOut, point: Shaded) -> vec3<f32> {
-    let by_figures = in.feet.w > 0.5 * SHADED;
-    if geo_kind(scene.space) == GEO_SPHERE {
-        if SHADOWS == 0u {
-            return in.facing;
-        }
-        let unlit = all(in.facing - in.dark <= 0.002 * in.facing);
-        return mix(in.dark, in.facing, key_share(point, in.clip.xy, unlit, by_figures));
+    if geo_kind(scene.space) == GEO_SPHERE && SHADOWS == 0u {
+        return in.facing;
     }
-    let normal = normalize(in.facing);
-    let unlit = is_unlit(in.view, normal, in.frame_normal);
-    return in.albedo * light_on(normal, key_share(point, in.clip.xy, unlit, by_figures));
+    let share = key_share(point, in.clip.xy, is_turned(in), in.feet.w > 0.5 * SHADED);
+    if geo_kind(scene.space) == GEO_SPHERE {
+        return mix(in.dark, in.facing, share);
+    }
+    return in.albedo * light_on(normalize(in.facing), share);
+}
+
+// The thin ring about what is dug or built: all land as far from its middle as the brush reaches, a pixel or two wide
+// however steeply it is seen. Gives the shares of the ring and of its dark edges. To be called before a fragment may be
+// discarded.
+fn ring_at(view: vec4<f32>) -> vec2<f32> {
+    let away = view - scene.ring_centre;
+    let square = dot(away.xyz, away.xyz) + scene.ring_shape.x * away.w * away.w;
+    let from_middle = sqrt(max(square, 0.0));
+    let pixels = abs(from_middle - scene.ring.w) / max(fwidth(from_middle), 1e-6);
+    let is_there = select(0.0, 1.0, scene.ring.w > 0.0);
+    let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
+    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_shape.y);
+}
+
+fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
+    let edged = land.rgb * (1.0 - ring.y);
+    return vec4<f32>(mix(edged, scene.ring.rgb, ring.x), land.a);
 }
 
 fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
@@ -209,7 +239,8 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
-    return land_colour(in, point);
+    let ring = ring_at(in.view);
+    return ringed(land_colour(in, point), ring);
 }
 
 // Beyond what the chart draws, by more than 5 cm: over the equator, where the other chart draws it, or past what a
@@ -221,10 +252,11 @@ fn is_trimmed(in: VertexOut) -> bool {
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
+    let ring = ring_at(in.view);
     if is_trimmed(in) {
         discard;
     }
-    return land_colour(in, point);
+    return ringed(land_colour(in, point), ring);
 }
 
 struct DeepOut {
@@ -242,16 +274,18 @@ fn own_depth(in: VertexOut) -> f32 {
 @fragment
 fn fragment_deep(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
-    return DeepOut(land_colour(in, point), own_depth(in));
+    let ring = ring_at(in.view);
+    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }
 
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
+    let ring = ring_at(in.view);
     if is_trimmed(in) {
         discard;
     }
-    return DeepOut(land_colour(in, point), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }
 
 // Which pixels show what comes at a share from 0 to 1: a 4 x 4 ordered dither (Bayer, 1973).
@@ -271,17 +305,19 @@ fn is_left_out(in: VertexOut) -> bool {
 @fragment
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
+    let ring = ring_at(in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }
-    return land_colour(in, point);
+    return ringed(land_colour(in, point), ring);
 }
 
 @fragment
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
+    let ring = ring_at(in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }
-    return DeepOut(land_colour(in, point), own_depth(in));
+    return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }

@@ -12,7 +12,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use antipode_tests::background::signal;
+use antipode_tests::background::{Background, signal};
 use antipode_tests::program::{game, may_skip, number, run};
 use antipode_tests::seam::{colours, compare};
 use antipode_tests::window::{Window, display, settle_settings};
@@ -261,4 +261,44 @@ fn without_a_driver_the_window_says_what_to_install() {
         .output()
         .unwrap();
     says_what_to_install(&output);
+}
+
+#[test]
+fn without_a_folder_for_wayland_the_drivers_say_nothing() {
+    let saves = tempfile::tempdir().unwrap();
+    let picture = saves.path().join("x.png");
+    let mut command = game(saves.path());
+    command.env("ANTIPODE_CONFIG", saves.path());
+    for variable in [
+        "XDG_RUNTIME_DIR",
+        "WAYLAND_DISPLAY",
+        "WAYLAND_SOCKET",
+        "DRI_PRIME",
+        "MESA_VK_DEVICE_SELECT",
+    ] {
+        command.env_remove(variable);
+    }
+    command.args([
+        "--adapter",
+        "software",
+        "--size",
+        "64x64",
+        "--view-distance",
+        "1",
+        "script",
+        "-",
+    ]);
+    let script = format!("new euclidean seed=8\nshot \"{}\"", picture.display());
+    let ended = Background::begin_as(command, &script).ended();
+    if !picture.exists() {
+        assert!(ended.stderr.contains("adapter"), "{}", ended.stderr);
+        may_skip("a software adapter");
+        return;
+    }
+    assert_eq!(ended.status, Some(0), "{}", ended.stderr);
+    assert!(
+        !ended.stderr.contains("XDG_RUNTIME_DIR"),
+        "{}",
+        ended.stderr
+    );
 }

@@ -41,11 +41,12 @@ fn exported(dir: &TempDir) -> PathBuf {
     file
 }
 
-/// Everything in a directory, hidden or not.
+/// Everything in a directory, hidden or not, but the lock that stays among worlds.
 fn entries(dir: &Path) -> Vec<String> {
     let entries = fs::read_dir(dir).unwrap();
     let mut names: Vec<_> = entries
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name != ".antipode.lock")
         .collect();
     names.sort();
     names
@@ -135,4 +136,91 @@ fn a_world_in_play_is_not_exported() {
     assert_eq!(status, Some(1));
     assert!(mistake.contains("\"Kept\" is in use"), "{mistake}");
     assert_eq!(entries(dir.path()), ["kept"]);
+}
+
+#[test]
+fn hidden_folders_of_others_are_left_alone_beside_an_export_and_among_the_worlds() {
+    let dir = dug();
+    let documents = tempfile::tempdir().unwrap();
+    let strangers = [
+        ".copy-2024-thesis",
+        ".new-1-0",
+        ".trash-4294967295-0",
+        ".antipode-new-1-0",
+        ".antipode-export-1-0",
+    ];
+    for place in [dir.path(), documents.path()] {
+        for name in strangers {
+            let folder = place.join(name);
+            fs::create_dir(&folder).unwrap();
+            fs::write(folder.join("chapter"), b"x").unwrap();
+            // Somebody's own lock beside it, as older games had theirs.
+            fs::write(place.join(format!("{name}.lock")), b"").unwrap();
+            let past = std::time::UNIX_EPOCH;
+            let open = fs::File::open(&folder).unwrap();
+            open.set_modified(past).unwrap();
+        }
+    }
+    // With the game's own mark, but in a folder that is not the game's.
+    let marked = documents.path().join(".antipode-export-1-1");
+    fs::create_dir(&marked).unwrap();
+    fs::write(marked.join("antipode-scratch.lock"), b"").unwrap();
+    let before = [dir.path(), documents.path()].map(entries);
+
+    let file = documents.path().join("o.antipode-world");
+    for arguments in [
+        &["list"][..],
+        &["export", "Kept", file.to_str().unwrap()],
+        &["info", "Kept"],
+        &["repair", "Kept"],
+        &["verify", "Kept"],
+    ] {
+        let (status, _, mistake) = saves(dir.path(), arguments);
+        assert_eq!(status, Some(0), "{arguments:?}: {mistake}");
+    }
+    fs::remove_file(file).unwrap();
+    assert_eq!([dir.path(), documents.path()].map(entries), before);
+    for place in [dir.path(), documents.path()] {
+        for name in strangers {
+            assert!(place.join(name).join("chapter").exists(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_damaged_world_is_repaired_and_a_forged_file_refused_by_a_process_of_its_own() {
+    let dir = dug();
+    let file = exported(&dir);
+    let store = dir.path().join("kept").join("world.redb");
+    let mut bytes = fs::read(&store).unwrap();
+    // The header, without which nothing leads anywhere.
+    bytes[..4096].fill(0xff);
+    fs::write(&store, &bytes).unwrap();
+    let (status, said, _) = saves(dir.path(), &["verify", "Kept"]);
+    assert_eq!(status, Some(1), "{said}");
+    let (status, said, mistake) = saves(dir.path(), &["repair", "Kept"]);
+    assert_eq!(status, Some(0), "{mistake}");
+    assert!(
+        said.contains("changed chunks rescued") && said.contains("world.redb.damaged-1"),
+        "{said}"
+    );
+    let (status, ..) = saves(dir.path(), &["verify", "Kept"]);
+    assert_eq!(status, Some(0));
+
+    let mut archive = fs::read(&file).unwrap();
+    let middle = archive.len() / 2;
+    archive[middle] ^= 1;
+    let forged = dir.path().join("forged.antipode-world");
+    fs::write(&forged, archive).unwrap();
+    let (status, said, mistake) = saves(dir.path(), &["import", forged.to_str().unwrap()]);
+    assert_eq!((status, said.as_str()), (Some(1), ""));
+    assert!(
+        mistake.contains("forged.antipode-world cannot be imported"),
+        "{mistake}"
+    );
+    let hidden = entries(dir.path())
+        .iter()
+        .filter(|name| name.starts_with('.') && *name != ".antipode.lock")
+        .count();
+    assert_eq!(hidden, 0);
 }

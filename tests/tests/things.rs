@@ -120,12 +120,12 @@ fn the_flashlight_goes_on_and_off_by_its_key() {
 }
 
 #[test]
-fn a_shot_takes_a_bullet_which_flies_for_five_seconds() {
+fn a_shot_takes_a_bullet_which_flies_until_it_lands_and_lies_for_five_seconds() {
     for space in SPACES {
         let run = play(
             space,
             &format!(
-                "{}\naim 40 25\nprobe\nclick LEFT\nwait 0.1\nprobe\nwait 4.7\nprobe\nwait 0.4\nprobe",
+                "{}\naim 40 25\nprobe\nclick LEFT\nwait 0.1\nprobe\nwait 4.7\nprobe\nwait 20\nprobe",
                 key("Digit1")
             ),
         );

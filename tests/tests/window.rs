@@ -79,6 +79,7 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.click(NEW_GAME.0, NEW_GAME.1);
     game.wait_until("the New Game form", shows_new_game);
     game.click(NAME.0, NAME.1);
+    game.key("ctrl+a");
     game.write("Digs");
     game.wait_until("a free name", shows_free_name);
     game.click(SEED.0, SEED.1);
@@ -89,6 +90,7 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
     game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
     game.turn(0, 200);
+    game.turn(0, 150);
     game.turn(0, 150);
     game.key("4");
     // A slow machine may still be turning.

@@ -3,6 +3,14 @@
 hints-look = Umsehen: { $key }
 hints-walk = Gehen: { $key }
 hints-jump = Springen: { $key }
+hints-overhead = Schau nach oben: Das Land über deinem Kopf ist die andere Seite dieser Welt.
+hints-talk = Mit jemandem vor dir reden: { $key }
+hints-car = In ein Auto einsteigen, aus der Nähe: { $key }
+hints-map = Das andere Bild dieses Raums: { $key }
+hints-camera = Dich von hinten sehen, und zurück: { $key }
+hints-light = Taschenlampe: { $key }
+hints-photo = Bilder machen: { $key }
+hints-home = Geh immer geradeaus, bis du zu Hause bist: Diese Welt führt zum Anfang zurück.
 hints-dig = Graben, gedrückt halten: { $key }
 hints-build = Bauen, gedrückt halten: { $key }
 hints-curve = Den Raum anders abbilden: { $up } und { $down }

@@ -92,10 +92,10 @@ setting-ui-scale = Größe von Texten und Knöpfen
 setting-ui-scale-about = Wie groß Menüs und Anzeige gezeichnet werden.
 setting-high-contrast = Hoher Kontrast
 setting-high-contrast-about = Menüs und Anzeige in Weiß und Gelb auf Schwarz, nichts scheint durch.
-setting-safe-marker = Marke für Farbenblinde
-setting-safe-marker-about = Die Pinselmarke ist in Ruhe weiß und bei der Arbeit schwarz: Die Helligkeit spricht, nicht die Farbe.
+setting-safe-marker = Ring für Farbenblinde
+setting-safe-marker-about = Der Ring um das, was du gräbst oder baust, ist weiß mit schwarzen Rändern: Die Helligkeit spricht, nicht die Farbe.
 setting-reduced-motion = Weniger Bewegung
-setting-reduced-motion-about = Die Krümmung springt, statt zu gleiten, die Marke pulsiert nicht, Menüs blenden nicht, der Kopf federt nicht, der Blick über die Haube neigt sich nicht, und hinter dem Menü zieht keine Welt vorbei.
+setting-reduced-motion-about = Die Krümmung springt, statt zu gleiten, Menüs blenden nicht, der Kopf federt nicht, der Blick über die Haube neigt sich nicht, und hinter dem Menü zieht keine Welt vorbei.
 setting-head-dip = Federn bei der Landung
 setting-head-dip-about = Der Blick sinkt ein wenig, wenn du nach einem Sprung oder Sturz landest.
 

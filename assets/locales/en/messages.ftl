@@ -25,20 +25,22 @@ hint-at-the-wheel = At the wheel. Brake: { $brake } · Camera: { $camera } · Ho
 hint-fallen-over = The car has fallen over. { $flip } sets it on its wheels.
 hint-no-way-out = There is no free ground beside the car to get out on.
 hint-back-again = You are back at the start. What you carried is still with you.
+hint-been-round = You have come all the way round the world, { $metres } m, and are back where you were.
 hint-nobody-to-talk-to = There is nobody ahead to talk to.
 hint-too-far-to-talk = They are too far away to talk to. Go closer.
 hint-waits-to-talk = They have heard you and wait. Go closer to talk.
 hint-in-the-way = You stand in the way of what you build, under a roof. Step back, or take a smaller brush.
 
 # What others say about their space. { $side }, { $away }, { $there } and { $round } are metres, { $sum } and { $angle } degrees.
-talk-triangle-less = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, not 180.
-talk-triangle-flat = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, as in every schoolbook.
-talk-triangle-more = I paced out a triangle with three sides of { $side } m. Its angles: { $sum }° together, more than 180.
-talk-horizon-lower = See the ground { $away } m off, as high as this? You look { $angle }° lower than in flat space to see it.
-talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
-talk-horizon-higher = See the ground { $away } m off, as high as this? You look { $angle }° higher than in flat space to see it.
-talk-home-round = Home is { $there } m from here. Turn your back on it and go straight: after { $round } m you are home too.
-talk-home-straight = Home is { $there } m from here, and no way leads round: who turns his back on it never comes home.
+talk-triangle-flat = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together, as at school.
+talk-triangle-pictured = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together: the land is flat, and only its picture is bent.
+talk-hello = Hello! { $words }
+talk-triangle-more = I put up three lamps, each { $side } m from the other two. Seen from one another they make { $sum }° together, more than 180.
+talk-horizon-lower = See the ground { $away } m off, as high as this? It looks { $angle }° lower than it would in a flat picture.
+talk-horizon-flat = See the ground { $away } m off, as high as this? It is just where a flat picture shows it.
+talk-horizon-higher = See the ground { $away } m off, as high as this? It looks { $angle }° higher than it would in a flat picture.
+talk-home-round = Home is { $there } m from here, or { $round } m the other way, right round the world.
+talk-home-straight = Home is { $there } m from here. This land has no end, so there is no way round.
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened
@@ -58,6 +60,7 @@ save-unreadable = The save { $path } is damaged and cannot be read. “antipode 
 save-file-missing = The file { $path } of this world is missing. If you have a copy of it, put it back; otherwise “antipode saves repair” makes the world anew where it can.
 save-vanished = The save { $path } is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again.
 save-not-found = There is no world “{ $world }” any more.
+saves-busy = Another game is making, renaming or importing a world in { $path } and does not come to an end. Try again in a moment, or close the other game.
 saves-not-a-folder = { $path } is a file, so there can be no worlds in it. Choose a folder with --saves-dir.
 file-exists = { $path } exists already and is not overwritten. Choose another name or move it away.
 disk-full = There is no space left to write { $path }. Free some space and save again; what was saved before is safe.

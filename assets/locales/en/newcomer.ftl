@@ -3,6 +3,14 @@
 hints-look = Look around: { $key }
 hints-walk = Walk: { $key }
 hints-jump = Jump: { $key }
+hints-overhead = Look up: the land over your head is the other side of this world.
+hints-talk = Talk to somebody ahead: { $key }
+hints-car = Get into a car, close by: { $key }
+hints-map = Change to the other picture of this space: { $key }
+hints-camera = See yourself from behind, and back: { $key }
+hints-light = Flashlight: { $key }
+hints-photo = Take pictures: { $key }
+hints-home = Walk straight on until you are home: this world leads back to where you began.
 hints-dig = Dig, held down: { $key }
 hints-build = Build, held down: { $key }
 hints-curve = Change how space is pictured: { $up } and { $down }

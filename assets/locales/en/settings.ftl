@@ -92,10 +92,10 @@ setting-ui-scale = Size of texts and buttons
 setting-ui-scale-about = How large menus and display are drawn.
 setting-high-contrast = High contrast
 setting-high-contrast-about = Menus and display in white and yellow on black, nothing shining through.
-setting-safe-marker = Marker for colour blindness
-setting-safe-marker-about = The brush marker is white at rest and black at work, told by lightness and not by colour.
+setting-safe-marker = Ring for colour blindness
+setting-safe-marker-about = The ring about what you dig or build is white with black edges, told by lightness and not by colour.
 setting-reduced-motion = Less motion
-setting-reduced-motion-about = The curvature jumps instead of gliding, the marker does not pulse, menus do not fade, the head does not dip, the view from the bonnet does not lean, and no world flies by behind the menu.
+setting-reduced-motion-about = The curvature jumps instead of gliding, menus do not fade, the head does not dip, the view from the bonnet does not lean, and no world flies by behind the menu.
 setting-head-dip = Head dips on landing
 setting-head-dip-about = The view sinks a little when you land from a jump or a fall.
 

@@ -3,6 +3,14 @@
 hints-look = Mira a tu alrededor: { $key }
 hints-walk = Caminar: { $key }
 hints-jump = Saltar: { $key }
+hints-overhead = Mira arriba: la tierra sobre tu cabeza es el otro lado de este mundo.
+hints-talk = Hablar con quien está delante: { $key }
+hints-car = Subir a un coche, de cerca: { $key }
+hints-map = La otra imagen de este espacio: { $key }
+hints-camera = Verte por detrás, y volver: { $key }
+hints-light = Linterna: { $key }
+hints-photo = Hacer fotos: { $key }
+hints-home = Camina siempre recto hasta llegar a casa: este mundo vuelve a donde empezaste.
 hints-dig = Cavar, sin soltar: { $key }
 hints-build = Construir, sin soltar: { $key }
 hints-curve = Cambiar la imagen del espacio: { $up } y { $down }

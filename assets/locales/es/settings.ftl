@@ -92,10 +92,10 @@ setting-ui-scale = Tamaño de textos y botones
 setting-ui-scale-about = Lo grandes que se dibujan los menús y los indicadores.
 setting-high-contrast = Contraste alto
 setting-high-contrast-about = Menús e indicadores en blanco y amarillo sobre negro, sin transparencias.
-setting-safe-marker = Marca para daltónicos
-setting-safe-marker-about = La marca del pincel es blanca en reposo y negra al trabajar: lo dice la claridad y no el color.
+setting-safe-marker = Anillo para daltónicos
+setting-safe-marker-about = El anillo en torno a lo que cavas o construyes es blanco con bordes negros: lo dice la claridad y no el color.
 setting-reduced-motion = Menos movimiento
-setting-reduced-motion-about = La curvatura salta en vez de deslizarse, la marca no late, los menús no se desvanecen, la cabeza no se hunde, la vista desde el capó no se inclina y ningún mundo pasa tras el menú.
+setting-reduced-motion-about = La curvatura salta en vez de deslizarse, los menús no se desvanecen, la cabeza no se hunde, la vista desde el capó no se inclina y ningún mundo pasa tras el menú.
 setting-head-dip = Hundirse al caer
 setting-head-dip-about = La vista baja un poco cuando caes de un salto o de lo alto.
 

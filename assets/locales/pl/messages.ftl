@@ -25,19 +25,21 @@ hint-at-the-wheel = Za kierownicą. Hamulec: { $brake } · Kamera: { $camera } �
 hint-fallen-over = Samochód się przewrócił. { $flip } stawia go na koła.
 hint-no-way-out = Obok samochodu nie ma wolnego gruntu, żeby wysiąść.
 hint-back-again = Wracasz na początek. Wszystko, co masz, nadal jest z tobą.
+hint-been-round = Świat został okrążony: po { $metres } m jesteś znów tam, gdzie wcześniej.
 hint-nobody-to-talk-to = Przed tobą nie ma z kim rozmawiać.
 hint-too-far-to-talk = Są za daleko, żeby rozmawiać. Podejdź bliżej.
 hint-waits-to-talk = Usłyszeli cię i czekają. Podejdź bliżej, żeby porozmawiać.
 hint-in-the-way = Stoisz na drodze tego, co budujesz, pod sklepieniem. Cofnij się albo weź mniejszy pędzel.
 
-talk-triangle-less = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, a nie 180.
-talk-triangle-flat = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, jak w podręczniku.
-talk-triangle-more = Odmierzyłem krokami trójkąt o trzech bokach po { $side } m. Jego kąty mają razem { $sum }°, więcej niż 180.
-talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° niżej niż w płaskiej przestrzeni.
-talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
-talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Patrzysz o { $angle }° wyżej niż w płaskiej przestrzeni.
-talk-home-round = Do domu jest { $there } m. Odwróć się do niego plecami i idź prosto: po { $round } m też będziesz w domu.
-talk-home-straight = Do domu jest { $there } m i żadna droga nie prowadzi dookoła: kto odwróci się plecami, nigdy nie wróci.
+talk-triangle-flat = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°, jak w szkole.
+talk-triangle-pictured = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°: ląd jest płaski, zakrzywiony jest tylko jego obraz.
+talk-hello = Cześć! { $words }
+talk-triangle-more = Ustawiłem trzy lampy, każdą { $side } m od dwóch pozostałych. Kąty, pod którymi widać je od siebie nawzajem, mają razem { $sum }°, więcej niż 180.
+talk-horizon-lower = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Wygląda o { $angle }° niżej niż na płaskim obrazie.
+talk-horizon-flat = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Leży dokładnie tam, gdzie pokazuje go płaski obraz.
+talk-horizon-higher = Widzisz grunt { $away } m stąd, tak wysoki jak tutaj? Wygląda o { $angle }° wyżej niż na płaskim obrazie.
+talk-home-round = Do domu jest stąd { $there } m, a w drugą stronę, dookoła świata, { $round } m.
+talk-home-straight = Do domu jest stąd { $there } m. Ten ląd nie ma końca, więc nie da się go obejść.
 
 # Tytuły tego, co się nie udało, i zdania, gdy nic więcej nie wiadomo.
 open-failed = Nie udało się otworzyć świata
@@ -57,6 +59,7 @@ save-unreadable = Zapis { $path } jest uszkodzony i nie można go odczytać. „
 save-file-missing = Brakuje pliku { $path } tego świata. Jeśli masz jego kopię, odłóż ją na miejsce; w przeciwnym razie „antipode saves repair” odtworzy świat, jeśli to możliwe.
 save-vanished = Zapis { $path } zniknął: jego folder przeniesiono, usunięto albo zastąpiono, gdy świat był otwarty, więc nie można w nim nic zapisać. Przenieś folder z powrotem i zapisz ponownie.
 save-not-found = Nie ma już świata „{ $world }”.
+saves-busy = Inna gra tworzy, przemianowuje albo importuje świat w { $path } i nie może skończyć. Spróbuj ponownie za chwilę albo zamknij tę drugą grę.
 saves-not-a-folder = { $path } to plik, więc nie może w nim być światów. Wybierz folder za pomocą --saves-dir.
 file-exists = { $path } już istnieje i nie zostanie nadpisane. Wybierz inną nazwę albo przenieś to gdzie indziej.
 disk-full = Brak miejsca, aby zapisać { $path }. Zwolnij trochę miejsca i zapisz ponownie; to, co zapisano wcześniej, jest bezpieczne.

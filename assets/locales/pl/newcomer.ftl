@@ -3,6 +3,14 @@
 hints-look = Rozejrzyj się: { $key }
 hints-walk = Chodzenie: { $key }
 hints-jump = Skok: { $key }
+hints-overhead = Spójrz w górę: ląd nad głową to druga strona tego świata.
+hints-talk = Rozmowa z kimś przed tobą: { $key }
+hints-car = Wsiadanie do auta, z bliska: { $key }
+hints-map = Drugi obraz tej przestrzeni: { $key }
+hints-camera = Widok zza pleców i z powrotem: { $key }
+hints-light = Latarka: { $key }
+hints-photo = Robienie zdjęć: { $key }
+hints-home = Idź wciąż prosto, aż będziesz w domu: ten świat prowadzi z powrotem do początku.
 hints-dig = Kopanie, z przytrzymaniem: { $key }
 hints-build = Budowanie, z przytrzymaniem: { $key }
 hints-curve = Inny obraz przestrzeni: { $up } i { $down }

@@ -92,10 +92,10 @@ setting-ui-scale = Wielkość tekstów i przycisków
 setting-ui-scale-about = Jak duże są menu i wskaźniki.
 setting-high-contrast = Wysoki kontrast
 setting-high-contrast-about = Menu i wskaźniki bielą i żółcią na czerni, bez przezroczystości.
-setting-safe-marker = Znacznik dla daltonistów
-setting-safe-marker-about = Znacznik pędzla jest biały w spoczynku i czarny przy pracy: mówi jasność, a nie kolor.
+setting-safe-marker = Pierścień dla daltonistów
+setting-safe-marker-about = Pierścień wokół kopanego lub budowanego miejsca jest biały z czarnymi brzegami: mówi jasność, a nie kolor.
 setting-reduced-motion = Mniej ruchu
-setting-reduced-motion-about = Krzywizna przeskakuje zamiast płynąć, znacznik nie pulsuje, menu nie zanikają, głowa się nie ugina, widok znad maski się nie przechyla, a za menu nie płynie żaden świat.
+setting-reduced-motion-about = Krzywizna przeskakuje zamiast płynąć, menu nie zanikają, głowa się nie ugina, widok znad maski się nie przechyla, a za menu nie płynie żaden świat.
 setting-head-dip = Ugięcie przy lądowaniu
 setting-head-dip-about = Widok opada lekko, gdy lądujesz po skoku lub upadku.
 

@@ -3,6 +3,14 @@
 hints-look = 环顾四周：{ $key }
 hints-walk = 行走：{ $key }
 hints-jump = 跳跃：{ $key }
+hints-overhead = 抬头看：头顶上的大地是这个世界的另一面。
+hints-talk = 和前面的人说话：{ $key }
+hints-car = 走近后上车：{ $key }
+hints-map = 切换到这个空间的另一幅画面：{ $key }
+hints-camera = 从背后看自己，再切回：{ $key }
+hints-light = 手电筒：{ $key }
+hints-photo = 拍照：{ $key }
+hints-home = 一直往前走，直到回家：这个世界会把你带回起点。
 hints-dig = 按住挖掘：{ $key }
 hints-build = 按住建造：{ $key }
 hints-curve = 改变空间的画面：{ $up }和{ $down }

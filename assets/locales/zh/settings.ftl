@@ -92,10 +92,10 @@ setting-ui-scale = 文字与按钮的大小
 setting-ui-scale-about = 菜单和显示画得多大。
 setting-high-contrast = 高对比度
 setting-high-contrast-about = 菜单和显示以黑底上的白色与黄色绘制，毫不透明。
-setting-safe-marker = 色盲适用的标记
-setting-safe-marker-about = 笔刷标记静止时为白色，工作时为黑色：以明暗而非颜色区分。
+setting-safe-marker = 色盲适用的圆环
+setting-safe-marker-about = 挖掘或建造处的圆环为白色带黑边：以明暗而非颜色区分。
 setting-reduced-motion = 减少动态
-setting-reduced-motion-about = 曲率直接跳变而不滑动，标记不闪动，菜单不渐变，头部不下沉，引擎盖视角不倾斜，菜单背后也没有世界飞过。
+setting-reduced-motion-about = 曲率直接跳变而不滑动，菜单不渐变，头部不下沉，引擎盖视角不倾斜，菜单背后也没有世界飞过。
 setting-head-dip = 落地时下沉
 setting-head-dip-about = 跳跃或坠落着地时视线稍稍下沉。
 

@@ -11,7 +11,7 @@ use crate::failure::Failure;
 use crate::log::LogLevel;
 use crate::script::Shooting;
 use crate::trouble::Trouble;
-use crate::{crash, log_file, session};
+use crate::{confined, crash, log_file, session};
 use crate::{lab_command, saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
@@ -23,7 +23,7 @@ const LONGEST_MISTAKE: usize = 240;
 
 /// A voxel-terrain game in curved space.
 #[derive(Debug, Parser)]
-#[command(name = "antipode", version, about)]
+#[command(name = "antipode", bin_name = "antipode", version, about)]
 pub struct Cli {
     /// What to do; without it the game opens in a window.
     #[command(subcommand)]
@@ -192,6 +192,13 @@ pub enum SavesAction {
     Import {
         /// The file to read.
         file: PathBuf,
+    },
+    /// Work that the game gives to a process of its own.
+    #[command(hide = true)]
+    Confined {
+        /// What to do.
+        #[command(subcommand)]
+        task: confined::Task,
     },
 }
 

@@ -17,7 +17,7 @@ pub struct Controls {
     curvature_step: f64,
     held: HashSet<Input>,
     /// What went down since the last step: a press shorter than a step still acts in one.
-    pressed: HashSet<Action>,
+    pressed: Vec<Action>,
     events: Actions,
     /// Whether the picture has a dial now.
     has_dial: bool,
@@ -36,7 +36,7 @@ impl Default for Controls {
             look_up: 1.0,
             curvature_step: 1.0,
             held: HashSet::new(),
-            pressed: HashSet::new(),
+            pressed: Vec::new(),
             events: Actions::default(),
             has_dial: false,
             notches: 0.0,
@@ -137,8 +137,14 @@ impl Controls {
 
     /// The actions of the next step; what is an event happens once.
     pub fn take(&mut self) -> Actions {
-        let pressed = std::mem::take(&mut self.pressed);
-        let held = |action| self.is_held(action) || pressed.contains(&action);
+        let mut pressed = std::mem::take(&mut self.pressed);
+        let waits = waiting(&pressed);
+        if let Some(action) = waits {
+            pressed.retain(|other| *other != action);
+            self.pressed.push(action);
+        }
+        let held =
+            |action| waits != Some(action) && (self.is_held(action) || pressed.contains(&action));
         let axis = |plus, minus| f64::from(i8::from(held(plus)) - i8::from(held(minus)));
         let actions = Actions {
             forward: axis(Action::Forward, Action::Backward),
@@ -175,7 +181,9 @@ impl Controls {
 
     /// Does once what an action does once.
     fn act(&mut self, action: Action) -> Option<Action> {
-        self.pressed.insert(action);
+        if !self.pressed.contains(&action) {
+            self.pressed.push(action);
+        }
         match action {
             Action::Slot(slot) => self.events.slot = Some(slot),
             Action::PreviousSlot => self.events.slot_step -= 1,
@@ -211,6 +219,13 @@ fn is_slot_step(action: Action) -> bool {
     matches!(action, Action::PreviousSlot | Action::NextSlot)
 }
 
+/// Of both uses of what is in hand, pressed since the last step, the later: one step begins one of them only.
+fn waiting(pressed: &[Action]) -> Option<Action> {
+    let is_use = |action: &&Action| matches!(action, Action::Use | Action::SecondUse);
+    let mut uses = pressed.iter().filter(is_use);
+    uses.next().and_then(|_| uses.next()).copied()
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
@@ -220,6 +235,7 @@ mod tests {
     use super::*;
 
     const LEFT: Input = Input::Mouse(MouseButton::Left);
+    const RIGHT: Input = Input::Mouse(MouseButton::Right);
 
     fn key(controls: &mut Controls, name: &str, pressed: bool) -> Option<Action> {
         controls.input(Input::key(name).unwrap(), pressed)
@@ -273,6 +289,28 @@ mod tests {
         key(&mut c, "Space", false);
         c.release_all();
         assert!(!c.take().jump);
+    }
+
+    #[test]
+    fn both_buttons_pressed_in_one_slow_frame_act_one_after_the_other() {
+        for (first, second) in [(LEFT, RIGHT), (RIGHT, LEFT)] {
+            let mut c = Controls::default();
+            for button in [first, second] {
+                c.input(button, true);
+                c.input(button, false);
+            }
+            let steps = [c.take(), c.take(), c.take()].map(|it| (it.primary, it.secondary));
+            let left_first = [(true, false), (false, true), (false, false)];
+            let right_first = [(false, true), (true, false), (false, false)];
+            assert_eq!(
+                steps,
+                if first == LEFT {
+                    left_first
+                } else {
+                    right_first
+                }
+            );
+        }
     }
 
     #[test]

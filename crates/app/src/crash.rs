@@ -10,6 +10,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::failure::Failure;
+use crate::output::escaped_lines;
 use crate::trouble::Trouble;
 
 /// The option that a game is started with after another has crashed: it shows the report's place.
@@ -72,8 +73,8 @@ fn install(folder: Option<PathBuf>, report: Report) {
             && let Some(folder) = &folder
         {
             let path = folder.join(format!("crash-{}.txt", seconds_now()));
-            let written =
-                std::fs::create_dir_all(folder).and_then(|()| std::fs::write(&path, text(panic)));
+            let written = std::fs::create_dir_all(folder)
+                .and_then(|()| std::fs::write(&path, escaped_lines(&text(panic))));
             match written {
                 Ok(()) => *report.lock().unwrap_or_else(PoisonError::into_inner) = Some(path),
                 Err(e) => tracing::error!("no report could be written to {}: {e}", path.display()),

@@ -14,6 +14,18 @@ const SIGNALS: [i32; 3] = [SIGTERM, SIGINT, signal_hook::consts::SIGHUP];
 #[cfg(not(unix))]
 const SIGNALS: [i32; 2] = [SIGTERM, SIGINT];
 
+/// A file that grows past the system's limit is a failed write, told as such, and not the end of the program, which
+/// is what the system makes of it unless somebody listens to its signal.
+pub fn outlive_file_limits() {
+    #[cfg(unix)]
+    {
+        let heard = Arc::new(AtomicBool::new(false));
+        if let Err(error) = flag::register(signal_hook::consts::SIGXFSZ, heard) {
+            tracing::warn!("a limit on the size of files will end the program: {error}");
+        }
+    }
+}
+
 /// Whether the program was asked to end.
 #[derive(Clone, Debug, Default)]
 pub struct Ending {

@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
+use antipode_scene::day::hour;
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
 use antipode_ui::{
@@ -48,7 +49,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,
-        time_label: clock(scene.time_of_day_s()),
+        time_label: clock(scene.local_time_s()),
         notice: None,
         hint: None,
         cheated: scene.cheated(),
@@ -62,7 +63,7 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         speech: scene
             .speech(scene.viewing().fov_y_rad)
             .map(|speech| SpeechModel {
-                text: wording::said(texts, speech.line),
+                text: wording::said(texts, speech.greets, speech.line),
                 at: speech.at.map(|at| [at.x as f32, at.y as f32]),
             }),
     }
@@ -126,10 +127,12 @@ pub fn slot(texts: &Texts, held: Option<Stack>) -> SlotView {
     }
 }
 
-/// Time of day as a clock of 24 hours; the day begins with sunrise at six.
-pub fn clock(time_of_day_s: f64) -> String {
-    let minutes =
-        (time_of_day_s / antipode_scene::tuning::DAY_S * 1440.0 + 360.0).rem_euclid(1440.0) as u32;
+/// Time of day as a clock of 24 hours, or a dash where there is none.
+pub fn clock(time_of_day_s: Option<f64>) -> String {
+    let Some(time_s) = time_of_day_s else {
+        return "–".to_owned();
+    };
+    let minutes = (hour(time_s) * 60.0) as u32;
     format!("{:02}:{:02}", minutes / 60, minutes % 60)
 }
 
@@ -139,9 +142,10 @@ mod tests {
 
     #[test]
     fn noon_is_when_the_sun_stands_highest_and_midnight_wraps() {
-        assert_eq!(clock(0.0), "06:00");
-        assert_eq!(clock(150.0), "12:00");
-        assert_eq!(clock(450.0), "00:00");
-        assert_eq!(clock(599.9), "05:59");
+        assert_eq!(clock(Some(0.0)), "06:00");
+        assert_eq!(clock(Some(150.0)), "12:00");
+        assert_eq!(clock(Some(450.0)), "00:00");
+        assert_eq!(clock(Some(599.9)), "05:59");
+        assert_eq!(clock(None), "–");
     }
 }

@@ -13,7 +13,7 @@ use clap::{Args, Subcommand};
 
 use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
-use crate::output::line;
+use crate::output::{line, lines};
 
 /// Most failed rows that are named on standard error; the tables have them all.
 const MOST_NAMED: usize = 4;
@@ -197,7 +197,7 @@ fn measured(
     }
     let mut take = |section: Section| {
         line("")?;
-        line(text::section(&section).trim_end())?;
+        lines(text::section(&section).trim_end())?;
         report.sections.push(section);
         Ok::<(), Failure>(())
     };

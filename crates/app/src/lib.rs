@@ -2,6 +2,7 @@
 
 pub mod bindings;
 pub mod cli;
+pub mod confined;
 pub mod console;
 pub mod controls;
 pub mod crash;
@@ -25,6 +26,7 @@ pub mod saves_command;
 pub mod screenshots;
 pub mod script;
 pub mod session;
+pub mod surroundings;
 pub mod tour;
 pub mod trouble;
 pub mod window;

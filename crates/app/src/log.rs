@@ -1,7 +1,5 @@
 //! The log: one line an event on standard error, at the level asked for, and the game's in files as well.
 
-use std::io::IsTerminal;
-
 use clap::ValueEnum;
 use tracing_appender::non_blocking::{NonBlocking, WorkerGuard};
 use tracing_subscriber::Layer;
@@ -10,6 +8,7 @@ use tracing_subscriber::layer::SubscriberExt;
 use tracing_subscriber::util::SubscriberInitExt;
 
 use crate::log_file::{self, RotatingFile};
+use crate::output::{self, Escaping};
 
 /// How much the log says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -74,8 +73,8 @@ pub fn start(level: LogLevel, to_files: bool) -> LogGuard {
         None => (None, None, None),
     };
     let terminal = tracing_subscriber::fmt::layer()
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal())
+        .with_writer(output::log_to_terminal())
+        .with_ansi(false)
         // A full disk behind standard error would otherwise end the program from inside the log.
         .log_internal_errors(false)
         .with_target(false)
@@ -95,7 +94,7 @@ where
     S: tracing::Subscriber + for<'a> tracing_subscriber::registry::LookupSpan<'a>,
 {
     tracing_subscriber::fmt::layer()
-        .with_writer(writer)
+        .with_writer(Escaping(writer))
         .with_ansi(false)
         .log_internal_errors(false)
 }

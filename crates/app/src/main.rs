@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use antipode::cli::{self, Cli};
-use antipode::output;
+use antipode::{ending, output, surroundings};
 use clap::Parser;
 
 /// Workers make what the main thread frees, and the other way round. The system's allocator keeps such memory under the
@@ -13,6 +13,18 @@ use clap::Parser;
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
+    for (name, value) in surroundings::amended(|name| std::env::var_os(name)) {
+        #[expect(
+            unsafe_code,
+            reason = "libraries take such wishes by the environment alone"
+        )]
+        // SAFETY: no other thread has been started yet that could read the environment.
+        unsafe {
+            std::env::set_var(name, value);
+        }
+    }
+    std::panic::set_hook(Box::new(output::complain_of_panic));
+    ending::outlive_file_limits();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(mistake) if mistake.use_stderr() => {
@@ -21,7 +33,7 @@ fn main() -> ExitCode {
         }
         // Help and version are answers, not mistakes.
         Err(answer) => {
-            return match answer.print() {
+            return match output::lines(&answer.render().to_string()) {
                 Ok(()) => ExitCode::SUCCESS,
                 Err(_) => ExitCode::from(cli::EXIT_FAILED),
             };

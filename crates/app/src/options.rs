@@ -12,6 +12,7 @@ use antipode_scene::{Scene, Viewing};
 use antipode_settings::{Config, Map, Settings, Shadows, config_path};
 
 use crate::failure::Failure;
+use crate::script::read_short;
 
 /// Longest a cap can be overrun so that a screen of the same rate is never missed by a hair, as a share.
 const SLACK: f64 = 0.996;
@@ -35,7 +36,8 @@ pub fn for_script(file: Option<&Path>) -> Result<Config, Failure> {
     if !data.is_file() {
         return Err(refused("it is not a file".to_owned()));
     }
-    let bytes = fs::read(file).map_err(|error| refused(error.to_string()))?;
+    let bytes = fs::File::open(file).and_then(read_short);
+    let bytes = bytes.map_err(|error| refused(error.to_string()))?;
     let reading = antipode_settings::read(&bytes);
     if reading.condition == antipode_settings::Condition::Damaged {
         return Err(refused("it is damaged".to_owned()));

@@ -4,6 +4,7 @@ use antipode_geometry::Geometry;
 use antipode_storage::{RepairReport, VerifyReport, WorldSummary};
 
 use crate::cli::{Common, SavesAction};
+use crate::confined;
 use crate::failure::Failure;
 use crate::output::line;
 use crate::session::Worlds;
@@ -21,9 +22,11 @@ pub fn run(action: &SavesAction, common: &Common) -> Result<(), Failure> {
             .list()?
             .iter()
             .try_for_each(|world| line(&row(world))),
-        SavesAction::Info { name } => line(&particulars(&saves.find(name)?)),
+        SavesAction::Info { name } => particulars(&saves.find(name)?)
+            .iter()
+            .try_for_each(|it| line(it)),
         SavesAction::Verify { name } => verified(name, &saves.verify(&slug(name)?)?),
-        SavesAction::Repair { name } => repaired(&saves.repair(&slug(name)?)?),
+        SavesAction::Repair { name } => repaired(&confined::repair(saves, &slug(name)?)?),
         SavesAction::Delete { name } => {
             saves.delete(&slug(name)?)?;
             line(&format!("\"{name}\" is deleted"))
@@ -33,9 +36,10 @@ pub fn run(action: &SavesAction, common: &Common) -> Result<(), Failure> {
             line(&format!("\"{name}\" is written to {}", file.display()))
         }
         SavesAction::Import { file } => {
-            let slug = saves.import(file)?;
+            let slug = confined::import(saves, file)?;
             line(&format!("The world is in {slug}"))
         }
+        SavesAction::Confined { task } => confined::obey(saves, task),
     }
 }
 
@@ -94,7 +98,7 @@ fn row(world: &WorldSummary) -> String {
     )
 }
 
-fn particulars(world: &WorldSummary) -> String {
+fn particulars(world: &WorldSummary) -> Vec<String> {
     let mut lines = vec![
         format!("name      {}", world.name()),
         format!("directory {}", world.slug),
@@ -116,5 +120,5 @@ fn particulars(world: &WorldSummary) -> String {
     if let Some(problem) = &world.problem {
         lines.push(format!("problem   {problem}"));
     }
-    lines.join("\n")
+    lines
 }

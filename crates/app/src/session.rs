@@ -31,6 +31,17 @@ pub struct NewWorld {
     pub seed: Option<u64>,
     /// Radius of a spherical world in metres.
     pub radius_m: Option<f64>,
+    /// Where it begins.
+    pub start: Beginning,
+}
+
+/// Where a new world begins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Beginning {
+    /// At its middle, as scripts rely on.
+    Middle,
+    /// On high ground, with a car and somebody in the first picture: for players.
+    View,
 }
 
 /// An open world.
@@ -165,6 +176,10 @@ impl Worlds {
         };
         // Other spaces have no map to choose.
         let _ = session.scene.set_map(self.map);
+        if wanted.start == Beginning::View {
+            session.scene.begin_with_a_view();
+        }
+        session.scene.give_first_car();
         Ok(session)
     }
 
@@ -185,7 +200,9 @@ impl Worlds {
             .or(saved_distance)
             .unwrap_or(VIEW_DISTANCE_CHUNKS.2);
         let setup = WorldSetup::from_meta(&store.meta(), distance)?;
-        self.open(setup, Some(Arc::new(store)), summary.slug)
+        let mut session = self.open(setup, Some(Arc::new(store)), summary.slug)?;
+        session.scene.give_first_car();
+        Ok(session)
     }
 
     /// A name nobody has taken yet.
@@ -204,7 +221,6 @@ impl Worlds {
     ) -> Result<Session, Failure> {
         let mut scene = Scene::open(setup, store.clone())?;
         scene.set_quality(self.quality);
-        scene.give_first_car();
         scene.set_npcs(NpcMode::On);
         Ok(Session {
             scene,
@@ -287,6 +303,7 @@ mod tests {
             name: name.map(str::to_owned),
             seed: Some(3),
             radius_m,
+            start: Beginning::Middle,
         }
     }
 
@@ -347,6 +364,33 @@ mod tests {
         unclosed.session.close().unwrap();
         assert!(worlds.list().unwrap()[0].thumbnail.is_some());
         worlds.load("x").unwrap().close().unwrap();
+    }
+
+    #[test]
+    fn a_world_remembers_where_it_began_and_a_script_begins_at_the_middle() {
+        let dir = tempfile::tempdir().unwrap();
+        let worlds = worlds(dir.path());
+        for (name, start) in [("view", Beginning::View), ("middle", Beginning::Middle)] {
+            let wanted = NewWorld {
+                start,
+                ..wanted(Geometry::Spherical, Some(name), Some(100.0))
+            };
+            let made = worlds.create(&wanted).unwrap();
+            assert_eq!(made.scene.cars().len(), 1, "{name}");
+            let viewed = start == Beginning::View;
+            assert_eq!(made.scene.bots().len(), usize::from(viewed), "{name}");
+            let feet = made.scene.feet().pos;
+            assert_eq!(feet.x.hypot(feet.z) > 1.0, viewed, "{name}");
+            made.close().unwrap();
+            for _ in 0..2 {
+                let again = worlds.load(name).unwrap();
+                assert_eq!(again.scene.cars().len(), 1, "{name}");
+                let state = again.store.as_ref().unwrap().state().unwrap().unwrap();
+                let kept = state.start.map(|place| place.pos);
+                assert_eq!(kept, viewed.then(|| feet.to_array()), "{name}");
+                again.close().unwrap();
+            }
+        }
     }
 
     #[test]

@@ -1,8 +1,6 @@
 //! From errors, notices and kinds of things to sentences in the player's language. What is rare keeps its details
 //! in English after a sentence of the player's language; logs and the command line are English throughout.
 
-use std::cmp::Ordering;
-
 use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
@@ -10,6 +8,7 @@ use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
+use antipode_ui::legible;
 
 use crate::failure::Failure;
 use crate::trouble::Trouble;
@@ -34,9 +33,12 @@ pub fn failure(texts: &Texts, failure: &Failure) -> String {
 pub fn storage(texts: &Texts, error: &StorageError) -> String {
     let path = |path: &std::path::Path| path.display().to_string();
     match error {
-        StorageError::InUse { world } => texts.say_with("save-in-use", &[("world", world.into())]),
+        StorageError::InUse { world } => {
+            texts.say_with("save-in-use", &[("world", legible(world).into())])
+        }
+        StorageError::Busy { dir } => texts.say_with("saves-busy", &[("path", path(dir).into())]),
         StorageError::Newer { world, .. } => {
-            texts.say_with("save-newer", &[("world", world.into())])
+            texts.say_with("save-newer", &[("world", legible(world).into())])
         }
         StorageError::Damaged { .. } => texts.say("save-part-damaged"),
         StorageError::Unreadable { path: file, .. } => {
@@ -52,15 +54,13 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
             texts.say_with("saves-not-a-folder", &[("path", path(file).into())])
         }
         StorageError::NotFound { world, .. } => {
-            texts.say_with("save-not-found", &[("world", world.into())])
+            texts.say_with("save-not-found", &[("world", legible(world).into())])
         }
         StorageError::Name(error) => name(texts, error),
         StorageError::Exists { path: file } => {
             texts.say_with("file-exists", &[("path", path(file).into())])
         }
-        StorageError::DiskFull { path: file } => {
-            texts.say_with("disk-full", &[("path", path(file).into())])
-        }
+        StorageError::DiskFull { what } => texts.say_with("disk-full", &[("path", what.into())]),
         StorageError::NotWritable { path: file } => {
             texts.say_with("not-writable", &[("path", path(file).into())])
         }
@@ -97,7 +97,9 @@ pub fn name(texts: &Texts, error: &NameError) -> String {
             let code = letter.escape_unicode().to_string();
             texts.say_with("name-unprintable", &[("code", code.into())])
         }
-        NameError::Taken { existing } => texts.say_with("name-taken", &[("name", existing.into())]),
+        NameError::Taken { existing } => {
+            texts.say_with("name-taken", &[("name", legible(existing).into())])
+        }
     }
 }
 
@@ -164,22 +166,35 @@ pub fn hint(texts: &Texts, profiles: &Profiles, hint: Hint) -> String {
         Hint::TooFarToTalk => texts.say("hint-too-far-to-talk"),
         Hint::WaitsToTalk => texts.say("hint-waits-to-talk"),
         Hint::InTheWay => texts.say("hint-in-the-way"),
-        Hint::Said(line) => said(texts, line),
+        Hint::Said { greets, line } => said(texts, greets, line),
+        Hint::BeenRound(metres) => texts.say_with("hint-been-round", &[("metres", metres.into())]),
     }
 }
 
 /// What somebody says about the space.
-pub fn said(texts: &Texts, line: Line) -> String {
+pub fn said(texts: &Texts, greets: bool, line: Line) -> String {
+    let words = line_words(texts, line);
+    if greets {
+        texts.say_with("talk-hello", &[("words", words.into())])
+    } else {
+        words
+    }
+}
+
+fn line_words(texts: &Texts, line: Line) -> String {
     let tenths = |tenths: i32| Value::decimals(f64::from(tenths) / 10.0, 1);
     match line {
         Line::Triangle {
             side_m,
             sum_decidegrees,
+            pictured,
         } => {
-            let key = match sum_decidegrees.cmp(&1800) {
-                Ordering::Less => "talk-triangle-less",
-                Ordering::Equal => "talk-triangle-flat",
-                Ordering::Greater => "talk-triangle-more",
+            let key = if pictured {
+                "talk-triangle-pictured"
+            } else if sum_decidegrees > 1800 {
+                "talk-triangle-more"
+            } else {
+                "talk-triangle-flat"
             };
             let values = [("side", side_m.into()), ("sum", tenths(sum_decidegrees))];
             texts.say_with(key, &values)
@@ -255,13 +270,13 @@ fn scene(texts: &Texts, error: &SceneError) -> String {
         SceneError::Storage(error) => storage(texts, error),
         SceneError::Streaming(error) => streaming(texts, error),
         SceneError::UnknownGeometry { name, .. } => {
-            texts.say_with("unknown-space", &[("world", name.into())])
+            texts.say_with("unknown-space", &[("world", legible(name).into())])
         }
         SceneError::ImpossibleRadius { name, radius_m } => texts.say_with(
             "impossible-radius",
             &[
-                ("world", name.into()),
-                ("radius", radius_m.to_string().into()),
+                ("world", legible(name).into()),
+                ("radius", texts.marked(&radius_m.to_string()).into()),
             ],
         ),
     }
@@ -347,12 +362,15 @@ mod tests {
             StorageError::InUse {
                 world: world.clone(),
             },
+            StorageError::Busy { dir: path.clone() },
             StorageError::Newer { world, found: 99 },
             StorageError::Unreadable {
                 path: path.clone(),
                 reason: "an English reason".to_owned(),
             },
-            StorageError::DiskFull { path: path.clone() },
+            StorageError::DiskFull {
+                what: "saves/x".to_owned(),
+            },
             StorageError::NotWritable { path: path.clone() },
             StorageError::Archive {
                 path: path.clone(),

@@ -3,7 +3,7 @@
 //! Naming the binary here also makes `cargo test --workspace` build it, which the workspace's own tests need.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 fn antipode(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_antipode"))
@@ -70,4 +70,129 @@ fn the_particulars_of_a_world_are_those_that_its_space_has() {
         said.contains("radius    40 m") && said.contains("cheats    used"),
         "{said}"
     );
+}
+
+/// Everything that a run printed.
+fn printed(output: &Output) -> String {
+    [&output.stdout, &output.stderr]
+        .map(|bytes| String::from_utf8(bytes.clone()).unwrap())
+        .concat()
+}
+
+fn assert_tame(what: &str, said: &str) {
+    let wild = |c: char| c != '\n' && antipode_storage::is_unprintable(c);
+    assert!(!said.contains(wild), "{what}: {said:?}");
+}
+
+#[test]
+fn nothing_that_a_terminal_obeys_is_printed() {
+    let evil = "\u{1b}]0;x\u{7}\u{9b}2J\u{202e}\u{2028}\rX\u{7f}";
+    let dir = tempfile::tempdir().unwrap();
+    let saves = dir.path().join("saves");
+    // A copied folder whose store says what no form would take.
+    let meta = antipode_storage::WorldMeta {
+        name: format!("{evil}\nW"),
+        geometry: evil.to_owned(),
+        biome: evil.to_owned(),
+        ..antipode_storage::WorldMeta::default()
+    };
+    drop(antipode_storage::WorldStore::create(&saves.join("w"), &meta).unwrap());
+    let script = dir.path().join("script");
+    let run = |arguments: &[&str]| {
+        let at = ["--saves-dir", saves.to_str().unwrap(), "--adapter", "none"];
+        antipode(&[&at[..], arguments].concat())
+    };
+    for arguments in [
+        &["saves", "list"][..],
+        &["saves", "info", "w"],
+        &["saves", "verify", "w"],
+        &["saves", "repair", "w"],
+        &["saves", "verify", evil],
+        &["saves", "export", "w", &format!("/nowhere/{evil}")],
+        &["saves", "import", &format!("/nowhere/{evil}")],
+        &["script", &format!("/nowhere/{evil}")],
+        &["--load", evil, "--config", evil, "script", "-"],
+        &["--geometry", evil],
+        &["--log", "debug", "script", evil],
+        &["--config", evil, "script", "/dev/null"],
+        &[evil],
+    ] {
+        let output = run(arguments);
+        assert_tame(&format!("{arguments:?}"), &printed(&output));
+    }
+    let listed = printed(&run(&["saves", "list"]));
+    assert_eq!(listed.lines().count(), 1, "{listed}");
+    for order in [
+        "list".to_owned(),
+        "load w".to_owned(),
+        format!("{evil} 1"),
+        format!("set {evil} 1"),
+        format!("load \"{evil}\""),
+        format!("new {evil}"),
+        format!("new euclidean {evil}=1"),
+        format!("hold {evil} 1"),
+        format!("new euclidean\nshot /nowhere/{evil}.png"),
+    ] {
+        std::fs::write(&script, &order).unwrap();
+        let said = printed(&run(&[
+            "script",
+            script.to_str().unwrap(),
+            "--log",
+            "debug",
+        ]));
+        assert_tame(&order, &said);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_script_or_settings_without_an_end_are_refused_in_words() {
+    for arguments in [
+        &["script", "/dev/zero"][..],
+        &["--config", "/dev/zero", "script", "/dev/null"],
+    ] {
+        let output = antipode(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let said = String::from_utf8(output.stderr).unwrap();
+        let why = said.contains("longer than 1 MB") || said.contains("not a file");
+        assert!(why && said.lines().count() == 1, "{said}");
+    }
+    let zeros = std::fs::File::open("/dev/zero").unwrap();
+    let piped = Command::new(env!("CARGO_BIN_EXE_antipode"))
+        .args(["script", "-"])
+        .stdin(Stdio::from(zeros))
+        .output()
+        .unwrap();
+    assert_eq!(piped.status.code(), Some(2));
+    assert!(printed(&piped).contains("longer than 1 MB"));
+    let dir = tempfile::tempdir().unwrap();
+    let long = dir.path().join("long.ron");
+    std::fs::write(&long, vec![b' '; (1 << 20) + 1]).unwrap();
+    let output = antipode(&["--config", long.to_str().unwrap(), "script", "/dev/null"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(printed(&output).contains("longer than 1 MB"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_limit_on_the_size_of_files_is_told_and_does_not_kill() {
+    let dir = tempfile::tempdir().unwrap();
+    let script = dir.path().join("script");
+    std::fs::write(&script, "new euclidean name=W\nsave").unwrap();
+    let output = Command::new("sh")
+        .args(["-c", "ulimit -f 8; exec \"$0\" \"$@\""])
+        .arg(env!("CARGO_BIN_EXE_antipode"))
+        .args(["--adapter", "none", "--saves-dir"])
+        .arg(dir.path())
+        .arg("script")
+        .arg(&script)
+        .output()
+        .unwrap();
+    let said = printed(&output);
+    assert_eq!(output.status.code(), Some(1), "{:?} {said}", output.status);
+    assert!(
+        said.contains("no space left") && said.contains("\"W\""),
+        "{said}"
+    );
+    assert!(!said.contains(".antipode"), "{said}");
 }

@@ -104,6 +104,19 @@ impl Texts {
     pub fn number(&self, number: f64, digits: usize) -> String {
         Value::decimals(number, digits).write(mark(self.0.language))
     }
+
+    /// A number that was written with a decimal point, with the language's own mark.
+    pub fn marked(&self, number: &str) -> String {
+        number.replace('.', mark(self.0.language).encode_utf8(&mut [0; 4]))
+    }
+
+    /// What stands between numbers in a row: a comma, unless that is in the numbers already.
+    pub fn between_numbers(&self) -> &'static str {
+        match mark(self.0.language) {
+            ',' => "; ",
+            _ => ", ",
+        }
+    }
 }
 
 /// What stands between whole and part of a number.
@@ -237,6 +250,8 @@ mod tests {
         assert_eq!(say(Language::Chinese, -0.04, 1), "0.0 m");
         assert_eq!(Texts::new(Language::German).number(0.125, 2), "0,12");
         assert_eq!(Texts::default().number(f64::NAN, 2), "NaN");
+        assert_eq!(Texts::new(Language::Polish).marked("-3.20e43"), "-3,20e43");
+        assert_eq!(Texts::default().marked("1.00e5"), "1.00e5");
     }
 
     #[test]

@@ -172,6 +172,37 @@ impl PhysicsWorld {
         travel(character, &Mover::new(patch, tuning), dt_s);
     }
 
+    /// Sets a character that hangs no more than `most_m` over ground it can stand on down there. Returns whether it
+    /// stands now.
+    pub fn set_down(
+        &self,
+        character: &mut Character,
+        tuning: &CharacterTuning,
+        most_m: f64,
+    ) -> bool {
+        if !character.feet.is_finite() {
+            return false;
+        }
+        let capsule = Capsule::new(tuning.height_m, tuning.radius_m);
+        let (min, max) = capsule.bounds(character.feet);
+        let reach = DVec3::splat(REACH_M);
+        let patch = Patch::gather(
+            self,
+            character.feet,
+            min - reach - DVec3::Y * most_m,
+            max + reach,
+        );
+        let mover = Mover::new(patch, tuning);
+        let floor = mover.floor(DVec3::ZERO, 0.0, 0.0, most_m);
+        let Some(y) = floor.filter(|&y| mover.overlap(DVec3::Y * y).is_none()) else {
+            return false;
+        };
+        character.feet.y += y;
+        character.velocity = DVec3::ZERO;
+        character.grounded = true;
+        true
+    }
+
     /// The terrain that a move can meet, relative to the feet.
     fn patch_around(&self, character: &Character, tuning: &CharacterTuning, dt_s: f64) -> Patch {
         let way = character.velocity * dt_s;

@@ -149,6 +149,25 @@ fn the_brake_stops_it_and_the_other_pedal_reverses() {
 }
 
 #[test]
+fn let_go_on_the_level_it_slows_down_by_itself_without_brake_lights() {
+    let mut driver = Driver::rested();
+    let rolling = VehicleMotion {
+        velocity: DVec3::X * 14.0,
+        ..driver.motion()
+    };
+    driver.vehicles.set_motion(0, rolling);
+    for _ in 0..300 {
+        driver.step(VehicleInput::default());
+        assert!(!driver.vehicles.all()[0].brakes());
+    }
+    let motion = driver.motion();
+    assert!(
+        motion.speed_m_s() < 2.0 && motion.up().y > 0.995,
+        "{motion:?}"
+    );
+}
+
+#[test]
 fn it_turns_to_the_side_that_is_steered_to_and_stays_on_its_wheels() {
     for (steer, side) in [(1.0, 1.0), (-1.0, -1.0)] {
         let mut driver = Driver::rested();

@@ -14,7 +14,7 @@ use antipode_geometry::{
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
 use antipode_scene::frame::{
-    ChunkChange, Clip, Figure, Frame, Lights, Marker, ModelId, Posture, Quality,
+    ChunkChange, Clip, Figure, Frame, Lights, Marker, MarkerShape, ModelId, Posture, Quality,
 };
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec3, IVec3};
@@ -133,9 +133,8 @@ fn frame(wanted: &Wanted, geometry: Geometry) -> Frame {
         marker: Some(Marker {
             point: marker,
             radius_m: 3.0,
-            active: false,
-            by_lightness: false,
-            still: false,
+            active: true,
+            shape: MarkerShape::Ring,
         }),
         fog_distance_m: space.rim_m().map_or(reach_m - 8.0, |rim_m| rim_m * 3.0) as f32,
         contour_bands: true,

@@ -19,6 +19,7 @@ use crate::refinements::{Refinement, Refinements};
 use crate::seams;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
+use crate::touched::Touched;
 use crate::uniforms::{ChunkInstance, shades_on, whole_reference};
 
 /// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
@@ -100,7 +101,7 @@ pub struct ChunkStore {
     clock: BlendClock,
     world: Option<u64>,
     /// Land that came, changed or went since somebody asked.
-    touched: Vec<Caster>,
+    touched: Vec<Touched>,
     /// Whether the next frame is to be complete, however long that takes.
     pub(crate) rush: bool,
 }
@@ -136,32 +137,39 @@ impl ChunkStore {
             self.clock.stop();
         }
         self.end_blends();
-        let at_once = self.rush || frame.chunk_changes.iter().any(|c| self.is_edit(c));
+        let is_edited = frame.chunk_changes.iter().any(|c| self.is_edit(c));
         for change in &frame.chunk_changes {
             match change {
                 ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
                     self.waiting.remove(coord);
-                    if at_once {
-                        self.show(*coord, mesh);
+                    if self.rush || is_edited {
+                        self.show(*coord, mesh, is_edited);
                     } else {
                         self.waiting.insert(*coord, Arc::clone(mesh));
                     }
                 }
-                ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
-                    self.waiting.remove(coord);
-                    if let Some(gone) = self.chunks.remove(coord) {
-                        self.touched.push(Caster::of(&gone.land));
-                        self.book = None;
-                        gone.give_back(&mut self.pages);
-                    }
-                }
+                ChunkChange::Put(coord, _) => self.take_away(*coord, is_edited),
+                ChunkChange::Remove(coord) => self.take_away(*coord, false),
             }
         }
         self.show_waiting(frame);
     }
 
+    fn take_away(&mut self, coord: ChunkCoord, is_edited: bool) {
+        self.waiting.remove(&coord);
+        if let Some(gone) = self.chunks.remove(&coord) {
+            let of = Caster::of(&gone.land);
+            self.touched.push(Touched { of, is_edited });
+            self.book = None;
+            gone.give_back(&mut self.pages);
+        }
+    }
+
     fn clear(&mut self) {
-        let gone = self.chunks.values().map(|chunk| Caster::of(&chunk.land));
+        let gone = self.chunks.values().map(|chunk| Touched {
+            of: Caster::of(&chunk.land),
+            is_edited: false,
+        });
         self.touched.extend(gone);
         self.chunks.clear();
         self.book = None;
@@ -198,13 +206,13 @@ impl ChunkStore {
             }
             if let Some(mesh) = self.waiting.remove(&coord) {
                 left = left.saturating_sub(bytes(&mesh));
-                self.show(coord, &mesh);
+                self.show(coord, &mesh, false);
             }
         }
     }
 
-    /// Shows a mesh from this frame on.
-    fn show(&mut self, coord: ChunkCoord, mesh: &Arc<ChunkMesh>) {
+    /// Shows a mesh from this frame on; it comes with an edit, or not.
+    fn show(&mut self, coord: ChunkCoord, mesh: &Arc<ChunkMesh>, is_edited: bool) {
         let parts = parts(&mesh.vertices, sections(mesh), &[]);
         let chunk = GpuChunk {
             mesh: LandMesh::put(&mut self.pages, parts),
@@ -216,11 +224,22 @@ impl ChunkStore {
             fading: None,
         };
         self.book = None;
-        self.touched.push(Caster::of(&chunk.land));
+        let of = Caster::of(&chunk.land);
         let Some(mut old) = self.chunks.insert(coord, chunk) else {
+            self.touched.push(Touched { of, is_edited });
             return;
         };
-        self.touched.push(Caster::of(&old.land));
+        if old.land.level == mesh.level {
+            self.touched
+                .extend(Touched::between(coord, &old.source, mesh));
+        } else {
+            let both = [of, Caster::of(&old.land)];
+            let whole = |of| Touched {
+                of,
+                is_edited: false,
+            };
+            self.touched.extend(both.map(whole));
+        }
         if let Some(new) = self.chunks.get_mut(&coord) {
             new.is_urgent = old.refined.is_some();
             if old.land.level == mesh.level {
@@ -266,11 +285,11 @@ impl ChunkStore {
         self.world = other.world;
         for (coord, chunk) in &other.chunks {
             let mesh = other.waiting.get(coord).unwrap_or(&chunk.source);
-            self.show(*coord, mesh);
+            self.show(*coord, mesh, false);
         }
         let new = other.waiting.iter();
         for (coord, mesh) in new.filter(|(coord, _)| !other.chunks.contains_key(coord)) {
-            self.show(*coord, mesh);
+            self.show(*coord, mesh, false);
         }
     }
 
@@ -300,7 +319,7 @@ impl ChunkStore {
     }
 
     /// Land that came, changed or went since this was last asked.
-    pub fn take_touched(&mut self) -> Vec<Caster> {
+    pub fn take_touched(&mut self) -> Vec<Touched> {
         std::mem::take(&mut self.touched)
     }
 
@@ -417,39 +436,4 @@ fn bytes(mesh: &ChunkMesh) -> usize {
 }
 
 #[cfg(test)]
-mod tests {
-    use std::mem::offset_of;
-
-    use glam::Vec3;
-
-    use super::*;
-
-    #[test]
-    fn terrain_vertices_are_laid_out_as_the_pipeline_reads_them() {
-        let ours = [
-            offset_of!(Vertex, units),
-            offset_of!(Vertex, octahedral),
-            offset_of!(Vertex, colour),
-        ];
-        assert_eq!(VERTEX_ATTRIBUTES.map(|a| a.offset as usize), ours);
-        assert_eq!(VERTEX_BYTES, 16);
-    }
-
-    /// Vertices lie on the edges of the grid, so that one coordinate is rounded, and the others are whole metres.
-    #[test]
-    fn rounded_positions_are_off_by_less_than_a_tenth_of_a_pixel_where_the_eye_can_be() {
-        let focal_px = 360.0 / (0.5 * antipode_scene::tuning::FOV_Y_RAD).tan();
-        let mut worst_m: f64 = 0.0;
-        for i in 0..20_000 {
-            let exact = 7.0 + f64::from(i) * 1e-4 / 2.0;
-            let vertex = Vertex::new(Vec3::new(3.0, exact as f32, 31.0), Vec3::Y, [0; 3]);
-            let drawn = vertex.position().as_dvec3();
-            assert_eq!((drawn.x, drawn.z), (3.0, 31.0));
-            worst_m = worst_m.max((drawn.y - exact).abs());
-        }
-        assert!(worst_m > 1e-5, "{worst_m}");
-        // As near as the camera gets to ground; and where a standing player's eye is over level ground.
-        assert!(worst_m / 0.18 * focal_px < 0.1);
-        assert!(worst_m / 1.62 * focal_px < 0.01);
-    }
-}
+mod tests;

@@ -40,6 +40,7 @@ mod terrain_pipelines;
 mod tile;
 mod timing;
 mod tonemap;
+mod touched;
 mod uniforms;
 mod workshop;
 

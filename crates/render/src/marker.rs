@@ -1,34 +1,31 @@
-//! The brush marker: a small ball at the point aimed at and the faint shell of the brush's reach.
+//! What shows where tools work: a thin ring on the land about what is dug or built, and a small ball where the lamp in
+//! hand would hang.
 
-use antipode_scene::frame::{Frame, Marker};
+use antipode_geometry::Geometry;
+use antipode_scene::frame::{Frame, Marker, MarkerShape};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
 use crate::ball::ball;
 use crate::uniforms::{MarkerInstance, hemisphere_index, offset_of};
 
-/// The ball's radius as a share of the brush's.
+/// The inner ball's radius as a share of the outer's.
 const BALL_SHARE: f64 = 0.2;
-/// Linear light of the marker at rest, and while it digs or builds.
-const AT_REST: [f32; 3] = [0.55, 0.85, 1.0];
-const AT_WORK: [f32; 3] = [1.25, 0.52, 0.12];
-/// The same for eyes that see few colours: white, and black.
-const SAFE_AT_REST: [f32; 3] = [1.6, 1.6, 1.6];
-const SAFE_AT_WORK: [f32; 3] = [0.01, 0.01, 0.01];
-/// Opacity of the ball, face on and edge on; then of the shell.
-const BALL_OPACITY: (f32, f32) = (0.08, 0.9);
-const SHELL_OPACITY: (f32, f32) = (0.0, 0.30);
-/// The same where lightness alone must tell: less of the land shines through.
-const SAFE_BALL_OPACITY: (f32, f32) = (0.7, 1.0);
-const SAFE_SHELL_OPACITY: (f32, f32) = (0.0, 0.7);
-/// Rate of the glow while at work, radians per second.
-const PULSE_RAD_S: f32 = 9.0;
-/// Least light of the marker, so that it is seen in the darkest night.
+/// Linear light of the ball.
+const BALL: [f32; 3] = [1.6, 1.6, 1.6];
+/// Opacity of the inner ball, face on and edge on; then of the outer.
+const BALL_OPACITY: (f32, f32) = (0.7, 1.0);
+const SHELL_OPACITY: (f32, f32) = (0.0, 0.7);
+/// Linear light of the ring by day, and how dark its edges are.
+const RING: ([f32; 3], f32) = ([1.25, 0.52, 0.12], 0.0);
+/// The same for eyes that see few colours: white between black edges.
+const SAFE_RING: ([f32; 3], f32) = ([1.6, 1.6, 1.6], 0.97);
+/// Least light of the ring, so that it is seen in the darkest night.
 const LEAST_LIGHT: f32 = 0.3;
 const RINGS: u16 = 20;
 const SIDES: u16 = 32;
 
-/// A unit sphere on the adapter and this frame's marker.
+/// A unit sphere on the adapter and this frame's ball.
 #[derive(Debug)]
 pub struct MarkerBalls {
     vertices: Buffer,
@@ -67,10 +64,12 @@ impl MarkerBalls {
         }
     }
 
-    /// Takes this frame's marker.
+    /// Takes this frame's ball.
     pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
-        self.shown = frame.marker.is_some();
-        if let Some(marker) = &frame.marker {
+        let marker = frame.marker.as_ref();
+        let ball = marker.filter(|marker| marker.shape == MarkerShape::Ball);
+        self.shown = ball.is_some();
+        if let Some(marker) = ball {
             queue.write_buffer(
                 &self.instances,
                 0,
@@ -79,7 +78,7 @@ impl MarkerBalls {
         }
     }
 
-    /// Whether there is a marker to draw.
+    /// Whether there is a ball to draw.
     pub fn shown(&self) -> bool {
         self.shown
     }
@@ -94,36 +93,43 @@ impl MarkerBalls {
     }
 }
 
-/// How bright the marker is for the light of the moment: as bright as by day it would be a lamp at night.
+/// How bright the ring is for the light of the moment: as bright as by day it would be a lamp at night.
 fn light_of(frame: &Frame) -> f32 {
     let sky = &frame.sky;
     let [ambient, key] = [sky.ambient_sky, sky.key_colour].map(|c| c.iter().sum::<f32>() / 3.0);
     (1.3 * ambient + 0.5 * key).clamp(LEAST_LIGHT, 1.0)
 }
 
+/// The ring as the shaders are told of it: view coordinates of its middle, its light and radius, and its shape; all zero
+/// where there is none.
+pub fn ring_of(frame: &Frame) -> [[f32; 4]; 3] {
+    let marker = frame.marker.as_ref();
+    let Some(marker) = marker.filter(|marker| marker.shape != MarkerShape::Ball) else {
+        return [[0.0; 4]; 3];
+    };
+    let safe = marker.shape == MarkerShape::SafeRing;
+    let ((colour, edges), light) = if safe {
+        (SAFE_RING, 1.0)
+    } else {
+        (RING, light_of(frame))
+    };
+    let [r, g, b] = colour.map(|channel| channel * light);
+    let middle = frame.strategy.view_point(&frame.eye, marker.point);
+    // The chord's square counts w by the sign of the curvature; a hyperbolic one near the eye hardly differs from the
+    // length that is seen, and has lost its digits.
+    let metric = match frame.strategy.geometry() {
+        Geometry::Spherical => frame.strategy.radius_m().powi(2) as f32,
+        Geometry::Hyperbolic | Geometry::Euclidean => 0.0,
+    };
+    [
+        middle.as_vec4().into(),
+        [r, g, b, marker.radius_m as f32],
+        [metric, edges, 0.0, 0.0],
+    ]
+}
+
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
-    let glow = if marker.active && !marker.still {
-        1.0 + 0.25 * (frame.time_s * PULSE_RAD_S).sin()
-    } else {
-        1.0
-    };
-    let colour = match (marker.by_lightness, marker.active) {
-        (false, false) => AT_REST,
-        (false, true) => AT_WORK,
-        (true, false) => SAFE_AT_REST,
-        (true, true) => SAFE_AT_WORK,
-    };
-    let light = if marker.by_lightness {
-        1.0
-    } else {
-        light_of(frame)
-    };
-    let [r, g, b] = colour.map(|channel| channel * glow * light);
-    let (shell, core) = if marker.by_lightness {
-        (SAFE_SHELL_OPACITY, SAFE_BALL_OPACITY)
-    } else {
-        (SHELL_OPACITY, BALL_OPACITY)
-    };
+    let [r, g, b] = BALL;
     let of_radius = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
         offset: offset_of(frame, marker.point),
         hemisphere: hemisphere_index(marker.point.hemisphere),
@@ -131,8 +137,8 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };
     [
-        of_radius(marker.radius_m, shell),
-        of_radius(marker.radius_m * BALL_SHARE, core),
+        of_radius(marker.radius_m, SHELL_OPACITY),
+        of_radius(marker.radius_m * BALL_SHARE, BALL_OPACITY),
     ]
 }
 
@@ -140,23 +146,11 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
 mod tests {
     use super::*;
 
-    /// Relative luminance by the weights of BT.709.
-    fn luminance([r, g, b]: [f32; 3]) -> f32 {
-        0.2126 * r + 0.7152 * g + 0.0722 * b
-    }
-
     #[test]
-    fn without_colours_rest_and_work_differ_as_black_from_white() {
-        for colour in [SAFE_AT_REST, SAFE_AT_WORK] {
-            assert!(
-                colour[0] == colour[1] && colour[1] == colour[2],
-                "{colour:?} has a hue"
-            );
-        }
-        let (rest, work) = (luminance(SAFE_AT_REST), luminance(SAFE_AT_WORK));
-        // The contrast of the Web Content Accessibility Guidelines, 7 being their highest demand.
-        assert!((rest + 0.05) / (work + 0.05) > 7.0);
-        let usual = (luminance(AT_REST) + 0.05) / (luminance(AT_WORK) + 0.05);
-        assert!(usual < 7.0, "told by hue: {usual}");
+    fn without_colours_the_ring_is_white_between_edges_that_are_black() {
+        let ([r, g, b], edges) = SAFE_RING;
+        assert!(r == g && g == b && r > 1.0 && edges > 0.9);
+        let ([r, g, b], edges) = RING;
+        assert!(r > g && g > b && edges == 0.0);
     }
 }

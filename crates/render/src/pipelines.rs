@@ -45,6 +45,8 @@ pub struct Pipelines {
     pub outlines_hidden: RenderPipeline,
     /// Land into a shadow map.
     pub caster: RenderPipeline,
+    /// Nothing into a part of one, whatever was there.
+    pub hole: RenderPipeline,
 }
 
 impl Pipelines {
@@ -106,6 +108,7 @@ impl Pipelines {
             outlines,
             outlines_hidden,
             caster: maker.caster(&land, "vertex_caster", &land_buffers),
+            hole: maker.caster(&land, "vertex_hole", &[]),
         }
     }
 }
@@ -331,6 +334,10 @@ impl<'a> Maker<'a> {
             "vertex_caster_bent" => &self.bent_caster_layout,
             _ => &self.caster_layout,
         };
+        let compare = match entry {
+            "vertex_hole" => CompareFunction::Always,
+            _ => CompareFunction::Greater,
+        };
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
         self.device
             .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -349,7 +356,7 @@ impl<'a> Maker<'a> {
                 depth_stencil: Some(wgpu::DepthStencilState {
                     format: DEPTH_FORMAT,
                     depth_write_enabled: Some(true),
-                    depth_compare: Some(CompareFunction::Greater),
+                    depth_compare: Some(compare),
                     stencil: wgpu::StencilState::default(),
                     bias: wgpu::DepthBiasState::default(),
                 }),

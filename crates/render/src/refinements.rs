@@ -1,15 +1,21 @@
 //! Which chunks have their edges halved, and how far off what is drawn of them is.
 //!
 //! A thread makes the refinements, the nearest chunk's first. Two chunks agree on the edge they share if both were
-//! refined for the same eye, so those of one eye are shown together, when the last of them has come; until then those
-//! of the eye before are drawn, or the meshes as they are, and the error that is told is theirs. A chunk that was
-//! refined and then changes would be seen to lose its refinement for some frames, so the nearest such chunk is refined
-//! on the spot, for the eye that its neighbours were refined for.
+//! refined for the same eyes, so those of one set are shown together, when the last of them has come; until then those
+//! before are drawn, or the meshes as they are, and the error that is told is theirs.
+//!
+//! An eye that moves has left the place that it was seen at before a set for that place is made. So a set is made for
+//! all of the way that the eye will have gone until the next one can be there ([`Lead`]). Where the thread does not keep
+//! up even so, the frame refines all that it shows itself: late is better than wrong.
+//!
+//! A chunk that was refined and then changes would be seen to lose its refinement for some frames, so the nearest such
+//! chunk is refined on the spot, for the eyes that its neighbours were refined for.
 
 use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::Frame;
+use glam::DVec3;
 
 use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::land_mesh::LandMesh;
@@ -18,13 +24,21 @@ use crate::plan::{
     Bounds, ChunkLand, FramePlan, Halver, RefineKey, RefineRules, Refined, unhalved_error_px,
 };
 use crate::refinery::{Refinery, Task};
+use lead::Lead;
+
+mod lead;
 
 /// Chunks that a frame refines on the spot: changed ones, and others where no thread does it.
 const ON_THE_SPOT: usize = 1;
-/// Refinements that the thread made and a frame takes over: each is a megabyte to be sent.
-const TAKEN_PER_FRAME: usize = 2;
-/// A refinement made for an eye farther away than this is let go, metres.
+/// A refinement made for eyes farther away than this is let go, metres.
 const OF_NO_USE_M: f64 = 16.0;
+/// An eye farther than this from those that the land is refined for does not wait for the thread, metres.
+const LEFT_BEHIND_M: f64 = 3.0;
+/// Where the eye is nearer than this to the box of a chunk's land, or in it, the land itself is looked at, metres.
+const LOOKED_AT_WITHIN_M: f64 = 4.0;
+/// What is out of the picture is refined too where it would otherwise stray by more than this when one turns round,
+/// pixels.
+const TURNED_TO_PX: f64 = 1.5;
 
 /// A mesh with edges halved near the eye.
 #[derive(Debug)]
@@ -53,24 +67,25 @@ impl Refinement {
     }
 }
 
-/// Chunks that are refined for one eye, to be shown together.
+/// Chunks that are refined for the same eyes, to be shown together.
 #[derive(Debug)]
 struct Set {
     rules: Arc<RefineRules>,
-    /// The nearest first.
+    /// Those in the picture first, and the nearest of them before the others.
     coords: Vec<ChunkCoord>,
+    /// What the thread has not begun when this is dropped it need not do.
+    wanted: Arc<()>,
 }
 
 /// What makes refinements.
 #[derive(Debug, Default)]
 pub struct Refinements {
-    /// Of the last frame.
-    rules: Option<Arc<RefineRules>>,
     /// Of what is shown.
     shown: Option<Arc<RefineRules>>,
     /// What is being made.
     coming: Option<Set>,
     refinery: Refinery,
+    lead: Lead,
     /// For what is refined on the spot.
     halver: Halver,
 }
@@ -87,12 +102,33 @@ impl Refinements {
         self.coming = None;
     }
 
-    /// The rules of a frame; the last frame's, where they are the same.
-    fn rules(&mut self, frame: &Frame, bounds: &Bounds) -> Arc<RefineRules> {
-        let key = RefineKey::of(frame, bounds);
-        match &self.rules {
-            Some(rules) if rules.key == key => Arc::clone(rules),
-            _ => Arc::clone(self.rules.insert(Arc::new(RefineRules::new(frame, bounds)))),
+    /// Whether the eye is past what the land is refined for, and the thread will not make that good in time.
+    fn is_left_behind(&self, frame: &Frame) -> bool {
+        let away_m = |rules: &Arc<RefineRules>| rules.key.way.away_m(&frame.eye.point);
+        self.shown.as_ref().and_then(away_m) > Some(LEFT_BEHIND_M)
+    }
+
+    /// The rules of what is shown, if they hold for a frame and until others can be made.
+    fn lasting(&self, frame: &Frame, bounds: &Bounds) -> Option<&Arc<RefineRules>> {
+        let holds = |rules: &&Arc<RefineRules>| {
+            let key = &rules.key;
+            key.holds(frame, bounds, &frame.eye.point)
+                && key.way.covers(&self.lead.when_made(&frame.eye.point))
+                // Whoever stands does not need what was made for who walks.
+                && (!self.lead.rests() || key.way.is_place())
+        };
+        self.shown.as_ref().filter(holds)
+    }
+
+    /// The rules to refine by now.
+    fn rules(&self, frame: &Frame, bounds: &Bounds, rush: bool) -> Arc<RefineRules> {
+        // A single picture is the same whatever was shown before.
+        let step = if rush { DVec3::ZERO } else { self.lead.way() };
+        let key = RefineKey::of(frame, bounds, step);
+        match (self.lasting(frame, bounds).filter(|_| !rush), &self.shown) {
+            (Some(lasting), _) => Arc::clone(lasting),
+            (None, Some(shown)) if shown.key == key => Arc::clone(shown),
+            _ => Arc::new(RefineRules::new(frame, bounds, step)),
         }
     }
 }
@@ -142,14 +178,36 @@ impl GpuChunk {
     }
 
     /// The most that its edges stray in a frame as it is drawn, pixels.
-    fn error_px(&self, frame: &Frame, bounds: &Bounds, key: &RefineKey) -> f64 {
+    fn error_px(&self, frame: &Frame, bounds: &Bounds) -> f64 {
         match &self.refined {
             None => unhalved_error_px(frame, bounds, &self.land),
-            Some(refined) if refined.rules.key == *key => refined.error_px,
+            Some(refined) if refined.rules.key.holds(frame, bounds, &frame.eye.point) => {
+                refined.error_px
+            }
             Some(Refinement {
                 rules, error_px, ..
-            }) => rules.stale_error_px(*error_px, frame, bounds, &self.land),
+            }) => {
+                let near_m = self.nearest_m(frame);
+                rules.stale_error_px(*error_px, frame, bounds, &self.land, near_m)
+            }
         }
+    }
+
+    /// No place of its land is nearer to the eye than this, metres along the chart.
+    fn nearest_m(&self, frame: &Frame) -> f64 {
+        let boxed_m = Bounds::nearest_chart_m(frame, &self.land);
+        let coord = self.land.coord;
+        if boxed_m > LOOKED_AT_WITHIN_M || frame.eye.point.hemisphere != coord.hemisphere {
+            return boxed_m;
+        }
+        let eye = (frame.eye.point.pos - coord.origin()).as_vec3();
+        let vertices = self.source.vertices.iter();
+        let square = vertices.map(|vertex| vertex.position().distance_squared(eye));
+        let square = f64::from(square.fold(f32::INFINITY, f32::min));
+        // The corner nearest to a place of a triangle is no farther from it than this, and at right angles to the way
+        // to the eye where that place is the nearest.
+        let corner_square = self.land.longest_edge_m().powi(2) / 3.0;
+        boxed_m.max((square - corner_square).max(0.0).sqrt())
     }
 }
 
@@ -160,21 +218,22 @@ impl ChunkStore {
         self.drop_useless(frame);
         let chosen = plan.chunks.iter().filter(|choice| choice.refine);
         let chosen: Vec<_> = chosen.map(|choice| land[choice.place].coord).collect();
+        self.refinements.lead.frame(&frame.eye.point);
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }
-        let rules = self.refinements.rules(frame, &plan.bounds);
+        let at_once = self.rush || self.refinements.is_left_behind(frame);
         self.refine_changed(frame, &chosen);
-        self.begin_set(&chosen, &rules);
+        self.begin_set(frame, &plan.bounds, (land, &chosen), at_once);
         self.take_done();
-        if self.is_set_complete(frame) {
+        if self.is_set_complete(frame, at_once) {
             self.show_set();
         }
         for coord in &chosen {
             let Some(chunk) = self.chunks.get(coord) else {
                 continue;
             };
-            let error_px = chunk.error_px(frame, &plan.bounds, &rules.key);
+            let error_px = chunk.error_px(frame, &plan.bounds);
             plan.stats.error_at_least(error_px);
             if let Some(mesh) = chunk.refined.as_ref().and_then(|r| r.mesh.as_ref()) {
                 plan.stats.chunks_refined += 1;
@@ -192,34 +251,56 @@ impl ChunkStore {
         let urgent: Vec<_> = chosen.iter().filter(is_urgent).take(ON_THE_SPOT).collect();
         for coord in urgent {
             if let Some(chunk) = self.chunks.get_mut(coord)
-                && let Some(eye) = rules.eye_from(frame, &chunk.land)
+                && let eyes = rules.eyes_from(frame, &chunk.land)
+                && !eyes.is_empty()
             {
-                let refined = self.refinements.halver.refine(&rules, eye, &chunk.source);
+                let refined = self.refinements.halver.refine(&rules, &eyes, &chunk.source);
                 let refinement = Refinement::put(&mut self.pages, Arc::clone(&rules), refined);
                 chunk.set_refined(&mut self.pages, refinement);
             }
         }
     }
 
-    /// Begins refinements for the eye of now where some are missing and none are being made. A frame that is to be
-    /// complete begins anew.
-    fn begin_set(&mut self, chosen: &[ChunkCoord], rules: &Arc<RefineRules>) {
+    /// Begins refinements for the eye of now, and those that it will be, where some are missing and none are being made.
+    /// What is to be there at once begins anew.
+    fn begin_set(
+        &mut self,
+        frame: &Frame,
+        bounds: &Bounds,
+        (land, chosen): (&[ChunkLand], &[ChunkCoord]),
+        at_once: bool,
+    ) {
+        if self.refinements.coming.is_some() && !at_once {
+            return;
+        }
+        let rules = self.refinements.rules(frame, bounds, self.rush);
         let chunk = |coord: &ChunkCoord| self.chunks.get(coord);
         let is_missing = |coord| chunk(coord).is_some_and(|c| !c.is_refined_for(&rules.key));
-        if (self.rush || self.refinements.coming.is_none()) && chosen.iter().any(is_missing) {
-            self.refinements.coming = Some(Set {
-                rules: Arc::clone(rules),
-                coords: chosen.to_vec(),
-            });
+        if !chosen.iter().any(is_missing) {
+            return;
         }
+        let mut coords = chosen.to_vec();
+        if !at_once {
+            let is_near = |chunk: &&ChunkLand| {
+                let strays_m = bounds
+                    .bend
+                    .strays_within_m(chunk.longest_edge_m(), TURNED_TO_PX);
+                Bounds::nearest_chart_m(frame, chunk) < strays_m
+            };
+            let near = land.iter().filter(is_near).map(|chunk| chunk.coord);
+            coords.extend(near.filter(|coord| !chosen.contains(coord)));
+        }
+        self.refinements.coming = Some(Set {
+            rules,
+            coords,
+            wanted: Arc::new(()),
+        });
+        self.refinements.lead.begin();
     }
 
     /// Takes over what the thread has finished, if its mesh is still the one that is shown.
     fn take_done(&mut self) {
-        for _ in 0..TAKEN_PER_FRAME {
-            let Some((task, refined)) = self.refinements.refinery.take() else {
-                return;
-            };
+        while let Some((task, refined)) = self.refinements.refinery.take() {
             let set = self.refinements.coming.as_ref();
             if set.is_some_and(|set| set.rules.key == task.rules.key)
                 && let Some(chunk) = self.chunks.get_mut(&task.coord)
@@ -232,9 +313,14 @@ impl ChunkStore {
     }
 
     /// Goes on with what is being made; whether nothing of it is missing.
-    fn is_set_complete(&mut self, frame: &Frame) -> bool {
+    fn is_set_complete(&mut self, frame: &Frame, at_once: bool) -> bool {
         let Refinements {
-            coming: Some(Set { rules, coords }),
+            coming:
+                Some(Set {
+                    rules,
+                    coords,
+                    wanted,
+                }),
             refinery,
             halver,
             ..
@@ -242,7 +328,7 @@ impl ChunkStore {
         else {
             return false;
         };
-        let mut on_the_spot = match (self.rush, refinery.has_failed()) {
+        let mut on_the_spot = match (at_once, refinery.has_failed()) {
             (true, _) => usize::MAX,
             (false, true) => ON_THE_SPOT,
             (false, false) => 0,
@@ -252,35 +338,36 @@ impl ChunkStore {
             let Some(chunk) = self.chunks.get_mut(coord) else {
                 continue;
             };
-            let Some(eye) = rules
-                .eye_from(frame, &chunk.land)
-                .filter(|_| !chunk.is_ready_for(&rules.key))
-            else {
+            if chunk.is_ready_for(&rules.key) {
                 continue;
-            };
+            }
+            let eyes = rules.eyes_from(frame, &chunk.land);
+            if eyes.is_empty() {
+                continue;
+            }
             if on_the_spot > 0 {
                 on_the_spot -= 1;
-                let refined = halver.refine(rules, eye, &chunk.source);
+                let refined = halver.refine(rules, &eyes, &chunk.source);
                 let refinement = Refinement::put(&mut self.pages, Arc::clone(rules), refined);
                 chunk.set_coming(&mut self.pages, refinement);
                 continue;
             }
             is_complete = false;
-            if refinery.has_room() {
-                refinery.start(Task {
-                    coord: *coord,
-                    source: Arc::clone(&chunk.source),
-                    rules: Arc::clone(rules),
-                    eye,
-                });
-            }
+            refinery.start(Task {
+                coord: *coord,
+                source: Arc::clone(&chunk.source),
+                rules: Arc::clone(rules),
+                eyes,
+                wanted: Arc::downgrade(wanted),
+            });
         }
         is_complete
     }
 
-    /// Shows what was made for one eye, all at once.
+    /// Shows what was made for the same eyes, all at once.
     fn show_set(&mut self) {
         if let Some(set) = self.refinements.coming.take() {
+            self.refinements.lead.end();
             for chunk in self.chunks.values_mut() {
                 chunk.turn_to(&mut self.pages, &set.rules.key);
             }
@@ -290,7 +377,10 @@ impl ChunkStore {
 
     /// Lets go of refinements that were left behind.
     fn drop_useless(&mut self, frame: &Frame) {
-        let is_useless = |rules: &RefineRules| rules.key.away_m(&frame.eye.point) > OF_NO_USE_M;
+        let is_useless = |rules: &RefineRules| {
+            let away_m = rules.key.way.away_m(&frame.eye.point);
+            away_m.is_some_and(|away_m| away_m > OF_NO_USE_M)
+        };
         self.refinements
             .coming
             .take_if(|set| is_useless(&set.rules));
@@ -309,3 +399,6 @@ impl ChunkStore {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

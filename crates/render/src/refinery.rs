@@ -1,7 +1,8 @@
 //! A thread that halves the edges of one mesh after another, so that no frame waits for it.
 
-use std::sync::Arc;
+use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::sync::{Arc, Weak};
 use std::thread::{Builder, JoinHandle};
 
 use antipode_geometry::ChunkCoord;
@@ -9,9 +10,6 @@ use antipode_terrain::ChunkMesh;
 use glam::Vec3;
 
 use crate::plan::{Halver, RefineRules, Refined};
-
-/// Meshes under way at most: what is asked for early is out of date when it comes.
-const MOST_UNDER_WAY: usize = 3;
 
 /// A mesh to be refined.
 #[derive(Clone, Debug)]
@@ -22,22 +20,27 @@ pub struct Task {
     pub source: Arc<ChunkMesh>,
     /// What edges are halved.
     pub rules: Arc<RefineRules>,
-    /// The eye from the chunk's corner, metres.
-    pub eye: Vec3,
+    /// The eyes from the chunk's corner, metres.
+    pub eyes: Vec<Vec3>,
+    /// Whether anybody waits for it still.
+    pub wanted: Weak<()>,
 }
 
 /// The thread and what it is at.
 #[derive(Debug, Default)]
 pub struct Refinery {
     thread: Option<Worker>,
-    under_way: Vec<Task>,
+    under_way: VecDeque<Task>,
     failed: bool,
+    /// Whether the thread seems to be at its work still, whatever it has done.
+    #[cfg(test)]
+    pub held: bool,
 }
 
 #[derive(Debug)]
 struct Worker {
     tasks: Sender<Task>,
-    done: Receiver<(Task, Refined)>,
+    done: Receiver<(Task, Option<Refined>)>,
     handle: JoinHandle<()>,
 }
 
@@ -48,7 +51,9 @@ impl Worker {
         let work = move || {
             let mut halver = Halver::default();
             while let Ok(task) = orders.recv() {
-                let refined = halver.refine(&task.rules, task.eye, &task.source);
+                let is_wanted = task.wanted.strong_count() > 0;
+                let refined =
+                    is_wanted.then(|| halver.refine(&task.rules, &task.eyes, &task.source));
                 if results.send((task, refined)).is_err() {
                     return;
                 }
@@ -66,11 +71,6 @@ impl Worker {
 }
 
 impl Refinery {
-    /// Whether there is a thread to be had, and it has room for another mesh.
-    pub fn has_room(&self) -> bool {
-        !self.failed && self.under_way.len() < MOST_UNDER_WAY
-    }
-
     /// Whether meshes are under way.
     pub fn is_busy(&self) -> bool {
         !self.under_way.is_empty()
@@ -81,10 +81,14 @@ impl Refinery {
         self.failed
     }
 
-    /// Hands a mesh over, unless the same is under way already.
+    /// Hands a mesh over, unless the same is under way already. What it was to be made for may be dropped meanwhile;
+    /// then it is not made.
     pub fn start(&mut self, task: Task) {
+        if self.failed {
+            return;
+        }
         let same = |other: &Task| {
-            Arc::ptr_eq(&other.source, &task.source) && Arc::ptr_eq(&other.rules, &task.rules)
+            Arc::ptr_eq(&other.source, &task.source) && other.wanted.ptr_eq(&task.wanted)
         };
         if self.under_way.iter().any(same) {
             return;
@@ -98,24 +102,43 @@ impl Refinery {
         if let Some(worker) = &self.thread
             && worker.tasks.send(task.clone()).is_ok()
         {
-            self.under_way.push(task);
+            self.under_way.push_back(task);
         }
     }
 
     /// One mesh that is finished, if there is any. Never waits.
     pub fn take(&mut self) -> Option<(Task, Refined)> {
-        match self.thread.as_ref()?.done.try_recv() {
-            Ok((task, refined)) => {
-                // In the order in which they were handed over.
-                self.under_way.remove(0);
-                Some((task, refined))
-            }
-            Err(TryRecvError::Empty) => None,
-            Err(TryRecvError::Disconnected) => {
-                self.fail("it broke off");
-                None
+        loop {
+            match self.next()? {
+                Ok((task, refined)) => {
+                    // In the order in which they were handed over.
+                    self.under_way.pop_front();
+                    if let Some(refined) = refined {
+                        return Some((task, refined));
+                    }
+                }
+                Err(TryRecvError::Empty) => return None,
+                Err(TryRecvError::Disconnected) => {
+                    self.fail("it broke off");
+                    return None;
+                }
             }
         }
+    }
+
+    #[cfg(not(test))]
+    fn next(&self) -> Option<Result<(Task, Option<Refined>), TryRecvError>> {
+        Some(self.thread.as_ref()?.done.try_recv())
+    }
+
+    /// As the test says, so that it does not depend on the machine: everything that is under way, or nothing.
+    #[cfg(test)]
+    fn next(&self) -> Option<Result<(Task, Option<Refined>), TryRecvError>> {
+        if self.held || self.under_way.is_empty() {
+            return None;
+        }
+        let done = self.thread.as_ref()?.done.recv();
+        Some(done.map_err(|_| TryRecvError::Disconnected))
     }
 
     fn fail(&mut self, why: &str) {

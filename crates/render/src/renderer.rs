@@ -249,7 +249,12 @@ impl Renderer {
     /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
     /// are being refined.
     pub fn is_busy(&self) -> bool {
-        self.chunks.is_busy() || self.shadows.is_busy()
+        self.is_land_coming() || self.shadows.is_busy()
+    }
+
+    /// Whether land that frames have brought is not shown yet, or not as fine as it is to be.
+    pub fn is_land_coming(&self) -> bool {
+        self.chunks.is_busy()
     }
 
     /// Takes over the land that another renderer shows, whose adapter may be lost: every mesh is sent anew, at once.

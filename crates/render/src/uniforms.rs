@@ -41,6 +41,9 @@ pub struct SceneUniform {
     moon_place: [f32; 4],
     orb: [f32; 4],
     fraction: [f32; 4],
+    ring_centre: [f32; 4],
+    ring: [f32; 4],
+    ring_shape: [f32; 4],
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
     beams: [BeamUniform; BEAMS],
@@ -57,6 +60,7 @@ impl SceneUniform {
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let shades = shades(frame);
         let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
+        let [ring_centre, ring, ring_shape] = crate::marker::ring_of(frame);
         Self {
             space: frame.strategy.uniform(eye, &frame.projection),
             right: with(eye.right().as_vec3(), frame.time_s),
@@ -90,6 +94,9 @@ impl SceneUniform {
                 0.0,
             ],
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
+            ring_centre,
+            ring,
+            ring_shape,
             shades,
             lamps: lamps(frame),
             beams: beams(frame),

@@ -12,7 +12,7 @@ mod common;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
-use antipode_scene::frame::{ChunkChange, Frame, Marker};
+use antipode_scene::frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_terrain::ChunkMesh;
 use common::{
     GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
@@ -44,9 +44,8 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
                 marker: Some(Marker {
                     point,
                     radius_m: 0.8,
-                    active: true,
-                    by_lightness: false,
-                    still: false,
+                    active: false,
+                    shape: MarkerShape::Ball,
                 }),
                 ..frame.clone()
             };
@@ -283,9 +282,8 @@ fn a_marker_behind_land_still_shows_but_faintly() {
             marker: Some(Marker {
                 point,
                 radius_m: 4.0,
-                active: true,
-                by_lightness: false,
-                still: false,
+                active: false,
+                shape: MarkerShape::Ball,
             }),
             ..frame.clone()
         };
@@ -297,4 +295,54 @@ fn a_marker_behind_land_still_shows_but_faintly() {
     };
     let (before, behind) = (change(15.0), change(25.0));
     assert!(before > 2 * behind && behind > 2, "{before} {behind}");
+}
+
+#[test]
+fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let space = space(Geometry::Euclidean);
+    let wall = plates(&[[
+        [20.0, 0.0, 0.0],
+        [20.0, 0.0, 20.0],
+        [20.0, 20.0, 20.0],
+        [20.0, 20.0, 0.0],
+    ]
+    .map(Vec3::from)]);
+    let mut frame = reading(&space, Hemisphere::A, wall);
+    let plain = studio.picture(&frame);
+    frame.chunk_changes.clear();
+    let middle = ChartPoint::a(DVec3::new(20.0, 6.0, 8.5));
+    let radius_m = 4.0;
+    let mut shares = Vec::new();
+    for shape in [MarkerShape::Ring, MarkerShape::SafeRing] {
+        let marker = Some(Marker {
+            point: middle,
+            radius_m,
+            active: true,
+            shape,
+        });
+        let marked = Frame {
+            marker,
+            ..frame.clone()
+        };
+        let picture = studio.picture(&marked);
+        let (x, y) = seen_at(&marked, middle, SIZE);
+        let (at_rim, _) = seen_at(&marked, middle.moved(DVec3::Z * radius_m), SIZE);
+        let radius = (at_rim - x).abs();
+        let mut changed = 0.0;
+        for (p, q, pixel) in picture.enumerate_pixels() {
+            if pixel == plain.get_pixel(p, q) {
+                continue;
+            }
+            changed += 1.0;
+            let away = (f64::from(p) + 0.5 - x).hypot(f64::from(q) + 0.5 - y);
+            assert!((away - radius).abs() < 6.0, "{away} of {radius} px");
+        }
+        shares.push(changed / (std::f64::consts::TAU * radius));
+    }
+    // Widths in pixels, edges included.
+    assert!(shares[0] > 1.0 && shares[0] < 5.0, "{shares:?}");
+    assert!(shares[1] > shares[0] && shares[1] < 8.0, "{shares:?}");
 }

@@ -8,6 +8,8 @@ use crate::player::{Body, Position};
 use crate::scene::Scene;
 use crate::tuning::FARTHEST_M;
 
+/// Who is put somewhere at rest, no higher than this over ground to stand on, stands there at once, in metres.
+const SET_DOWN_M: f64 = 0.75;
 /// Gap left below the feet of a body that is put on the surface, in metres.
 const CLEARANCE_M: f64 = 0.15;
 
@@ -54,7 +56,28 @@ impl Scene {
         let lifted = self.lift_player_out() || self.raise_to_surface();
         // The way up may have ended in ground that was not there yet.
         self.body_unchecked = lifted;
+        if !lifted {
+            self.set_down();
+        }
         lifted
+    }
+
+    /// Stands a body on the ground that it was put over.
+    fn set_down(&mut self) {
+        let origin = self.strategy.chart_origin_m(self.feet().hemisphere);
+        let parts = self
+            .ecs
+            .query_one_mut::<(&mut Position, &mut Body)>(self.player);
+        let Ok((position, body)) = parts else {
+            return;
+        };
+        if body.0.grounded || body.0.velocity != DVec3::ZERO {
+            return;
+        }
+        body.0.feet = position.0.pos + origin;
+        if self.physics.set_down(&mut body.0, &self.tuning, SET_DOWN_M) {
+            position.0.pos = body.0.feet - origin;
+        }
     }
 
     fn is_buried(&self) -> bool {

@@ -4,7 +4,9 @@ use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 
-use crate::tuning::{CAMERA_RADIUS_M, THIRD_PERSON_BACK_M, THIRD_PERSON_UP_M};
+use crate::tuning::{
+    CAMERA_RADIUS_M, THIRD_PERSON_BACK_M, THIRD_PERSON_RISES_M, THIRD_PERSON_UP_M,
+};
 
 /// From where the player sees the world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -31,6 +33,11 @@ impl CameraMode {
 const LIES_M: f64 = 0.35;
 const LIES_RAD: f64 = 0.9;
 const GOES_DOWN_S: f64 = 0.7;
+
+/// What of the legs the camera behind is to see, metres above the feet.
+const SHINS_M: f64 = 0.3;
+/// Halvings of the rise that shows them, to end within a centimetre.
+const RISE_HALVINGS: u32 = 7;
 
 /// The eye in the head of somebody who died that long ago.
 pub fn fallen(head: &Eye, dead_s: f64) -> Eye {
@@ -64,12 +71,37 @@ fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
         THIRD_PERSON_UP_M,
     );
     let back = leg(physics, above, -head.front(), THIRD_PERSON_BACK_M);
+    let shins = head.point.pos + origin - DVec3::Y * (head.lift_m - SHINS_M);
+    let back = over_ground(physics, back, shins);
     let point = ChartPoint::new(head.point.hemisphere, back - origin);
     Eye {
         lift_m: head.lift_m + point.pos.y - head.point.pos.y,
         point,
         ..*head
     }
+}
+
+/// A place for a camera, or one above it from where a point is seen: the lowest, or as high as the camera may rise.
+fn over_ground(physics: &PhysicsWorld, from: DVec3, seen: DVec3) -> DVec3 {
+    let at = |rise_m: f64| from + DVec3::Y * rise_m;
+    let hides = |rise_m: f64| {
+        let way = seen - at(rise_m);
+        let hit = physics.cast_ray(at(rise_m), way, way.length());
+        hit.is_some()
+    };
+    if !hides(0.0) {
+        return from;
+    }
+    let (mut low_m, mut high_m) = (0.0, THIRD_PERSON_RISES_M);
+    for _ in 0..RISE_HALVINGS {
+        let middle_m = f64::midpoint(low_m, high_m);
+        if hides(middle_m) {
+            low_m = middle_m;
+        } else {
+            high_m = middle_m;
+        }
+    }
+    leg(physics, from, DVec3::Y, high_m)
 }
 
 fn leg(physics: &PhysicsWorld, from: DVec3, way: DVec3, length_m: f64) -> DVec3 {

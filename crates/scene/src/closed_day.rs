@@ -7,7 +7,7 @@
 //! light arrives: on the far side light would come together again, as everything does at an antipode, and there would
 //! be no night; so it is taken to fade in the haze on its way.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use glam::{DVec3, Vec3};
@@ -28,6 +28,8 @@ const NIGHT_AND_DAY: [f32; 2] = [-0.08, 0.48];
 const DAY_HAZE: Vec3 = Vec3::new(0.50, 0.62, 0.74);
 /// As `closed_haze` of common.wgsl.
 const NIGHT_HAZE: Vec3 = Vec3::new(0.055, 0.065, 0.10);
+/// So near to a pole of the sun's way, in radians, no moment is noon: the sun goes round at one height.
+const TIMELESS: f64 = 0.05;
 const SUN_COLOUR: Vec3 = Vec3::new(1.21, 1.13, 1.02);
 const MOON_COLOUR: Vec3 = Vec3::new(0.17, 0.22, 0.34);
 
@@ -69,6 +71,25 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
         drift: 0.0,
         orbs: Some(orbs),
     }
+}
+
+/// The time of day at a place, by how far round the poles of its way the sun is from there; none at those poles, where
+/// +x and -x meet the equator.
+///
+/// A body that has turned by t since it was over the equator at -z has its feet at `(0, -cos t, sin t)` of the great
+/// sphere y = 0, of which the axes are x, z and the centre of A.
+pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoint) -> Option<f64> {
+    let (x, z) = (point.pos.x, point.pos.z);
+    let away_m = x.hypot(z);
+    let (sin, cos) = (away_m / strategy.radius_m()).sin_cos();
+    let along_z = if away_m > 0.0 { sin * z / away_m } else { 0.0 };
+    let to_a = match point.hemisphere {
+        Hemisphere::A => cos,
+        Hemisphere::B => -cos,
+    };
+    let noon = to_a.atan2(-along_z);
+    let local_s = time_of_day_s + (0.25 - noon / TAU) * DAY_S;
+    (to_a.hypot(along_z) >= TIMELESS.sin()).then(|| local_s.rem_euclid(DAY_S))
 }
 
 /// Where a body at a height in radii stands after a turn in radians from sunrise, when it is over the equator at -z as
@@ -168,5 +189,69 @@ mod tests {
         };
         assert_ne!(other.point.hemisphere, rim.point.hemisphere);
         assert!((day_at(260.0, &rim) - day_at(260.0, &other)).abs() < 1e-6);
+    }
+    /// The point of the ground at an angle from the centre of A and at a heading from +x there.
+    fn place(from_centre: f64, heading: f64) -> Eye {
+        let (hemisphere, away, mirrored) = if from_centre > FRAC_PI_2 {
+            (Hemisphere::B, PI - from_centre, -1.0)
+        } else {
+            (Hemisphere::A, from_centre, 1.0)
+        };
+        let away_m = away * RADIUS_M;
+        eye(
+            hemisphere,
+            mirrored * away_m * heading.cos(),
+            away_m * heading.sin(),
+        )
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn at_the_clocks_noon_the_light_is_highest_and_its_day_hours_are_lit(
+            from_centre in 0.0..PI, heading in 0.0..TAU, time_s in 0.0..DAY_S,
+        ) {
+            let space = strategy(Geometry::Spherical, RADIUS_M);
+            let here = place(from_centre, heading);
+            // What the light goes by, and does not stop at full day as it does.
+            let sun_away_m = |time_s: f64| {
+                let sun = over_land(time_s / DAY_S * TAU, SUN_HEIGHT, RADIUS_M);
+                space.distance_m(here.point, sun, &here)
+            };
+            let Some(local_s) = local_time_s(time_s, &*space, here.point) else {
+                let [noon, night] = [0.0, 150.0].map(sun_away_m);
+                proptest::prop_assert!((noon - night).abs() < 0.1 * RADIUS_M);
+                return Ok(());
+            };
+            let at = |clock_s: f64| (time_s + clock_s - local_s).rem_euclid(DAY_S);
+            let highest_m = sun_away_m(at(150.0));
+            for tick in 0..60 {
+                let clock_s = f64::from(tick) * 10.0;
+                proptest::prop_assert!(sun_away_m(at(clock_s)) > highest_m - 1e-6);
+                let light = day_at(at(clock_s), &here);
+                let dawn = day_at(at(0.0), &here);
+                let lighter = if clock_s <= 300.0 {
+                    light - dawn
+                } else {
+                    dawn - light
+                };
+                proptest::prop_assert!(lighter > -1e-4, "{} {}", clock_s, light);
+                // Where one can see it: between nine and three.
+                let is_bright = (75.0..=225.0).contains(&clock_s) && sun_away_m(at(450.0)) > 1.3 * highest_m;
+                proptest::prop_assert!(!is_bright || light > 0.5, "{} {}", clock_s, light);
+            }
+        }
+    }
+
+    #[test]
+    fn the_poles_of_the_suns_way_have_no_hour() {
+        let space = strategy(Geometry::Spherical, RADIUS_M);
+        let at = |x: f64| local_time_s(77.0, &*space, eye(Hemisphere::A, x, 0.0).point);
+        let rim_m = FRAC_PI_2 * RADIUS_M;
+        assert_eq!((at(rim_m), at(-rim_m)), (None, None));
+        assert!(at(rim_m - 4.0).is_some() && at(4.0 - rim_m).is_some());
+        let middle = local_time_s(77.0, &*space, eye(Hemisphere::A, 0.0, 0.0).point);
+        assert!(middle.is_some_and(|local_s| (local_s - 77.0).abs() < 1e-9));
+        let other = local_time_s(77.0, &*space, eye(Hemisphere::B, 0.0, 0.0).point);
+        assert!(other.is_some_and(|local_s| (local_s - 377.0).abs() < 1e-9));
     }
 }

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::{Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::Vec3;
 
 use crate::closed_day;
@@ -135,6 +135,21 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
     } else {
         closed_day::sky(time_of_day_s, strategy, eye)
     }
+}
+
+/// The time of day at a place: as everywhere under one sky, and by where the sun is in a closed world. 0 is sunrise
+/// there, a quarter of a day noon, when the sun stands highest; none where that is always as high.
+pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoint) -> Option<f64> {
+    if strategy.has_sky() {
+        Some(time_of_day_s.rem_euclid(DAY_S))
+    } else {
+        closed_day::local_time_s(time_of_day_s, strategy, point)
+    }
+}
+
+/// What a clock of 24 hours shows at a time of day: six at sunrise.
+pub fn hour(time_of_day_s: f64) -> f64 {
+    (time_of_day_s / DAY_S * 24.0 + 6.0).rem_euclid(24.0)
 }
 
 fn dome(time_of_day_s: f64) -> Sky {

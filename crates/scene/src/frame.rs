@@ -34,7 +34,7 @@ pub struct Frame {
     pub hand: Option<Hand>,
     /// Lamps and beams.
     pub lights: Lights,
-    /// The brush marker, when a tool is held, and where a lamp in hand would hang.
+    /// Where a tool digs or builds, or where a lamp in hand would hang.
     pub marker: Option<Marker>,
     /// Shapes of bodies and things, where their outlines are to be drawn.
     pub hit_shapes: Vec<HitShape>,
@@ -285,19 +285,28 @@ pub struct Hand {
     pub flashes: bool,
 }
 
-/// The brush marker.
+/// How a marker is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MarkerShape {
+    /// A thin ring on the land, told by its colour.
+    Ring,
+    /// The same, white between black edges, for eyes that see few colours.
+    SafeRing,
+    /// A small ball.
+    Ball,
+}
+
+/// Where something is to happen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Marker {
-    /// Centre of the brush.
+    /// Its middle; of a ring, that of the brush.
     pub point: ChartPoint,
-    /// Radius of the brush in metres.
+    /// Its radius in metres; of a ring, that of the brush.
     pub radius_m: f64,
-    /// Whether it is digging or building at the moment.
+    /// Whether it is at work at the moment: a brush is marked only while it digs or builds.
     pub active: bool,
-    /// Whether rest and work are told apart by lightness, for eyes that see few colours.
-    pub by_lightness: bool,
-    /// Whether it does not pulse.
-    pub still: bool,
+    /// How it is drawn.
+    pub shape: MarkerShape,
 }
 
 /// How much exactness a picture trades for speed: each is a measured point between the two.

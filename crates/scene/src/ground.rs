@@ -152,6 +152,11 @@ impl Ground {
         self.field.cover(point, normal)
     }
 
+    /// The land as it was before any edit.
+    pub fn field(&self) -> &Field {
+        &self.field
+    }
+
     /// Where a new player stands, on untouched ground.
     pub fn spawn_point(&self) -> ChartPoint {
         crate::spawn::spawn_point(&self.field)

@@ -1,7 +1,6 @@
 //! The gun: from the muzzle to what the crosshair covers.
 
-use antipode_geometry::{ChartPoint, Eye};
-
+use antipode_geometry::{ChartPoint, ChunkCoord, Eye};
 use glam::DVec3;
 
 use crate::actions::Actions;
@@ -18,6 +17,8 @@ use crate::tuning::{AIM_REACH_M, BULLET, BULLET_SPEED_M_S, MUZZLE_M, SHOT_EVERY_
 
 /// The share of the way to the muzzle that is left when a wall is nearer.
 const SHORT_OF_WALL: f64 = 0.9;
+/// A bullet so far below the lowest ground, in metres, has missed what was solid and is gone.
+const DEEPEST_HOLE_M: f64 = 256.0;
 
 impl Scene {
     /// Bullets in flight, the oldest first.
@@ -88,12 +89,18 @@ impl Scene {
             return;
         }
         let standing = self.standing();
+        let lowest_m = self.ground.height_range_m().0 - DEEPEST_HOLE_M;
+        let in_far_ground = |point: ChartPoint| {
+            let is_far = !self.streamer.is_wanted(ChunkCoord::containing(point));
+            point.pos.y < lowest_m || is_far && self.ground.untouched_density(point) < 0.0
+        };
         let air = Air {
             strategy: &*self.strategy,
             pictured: &**self.lens.strategy(),
             physics: &self.physics,
             standing: &standing,
             vehicles: self.cars.vehicles(),
+            in_far_ground: &in_far_ground,
         };
         let hits = self.projectiles.step(&air);
         self.take_strikes(hits.strikes);

@@ -169,7 +169,7 @@ impl Scene {
             spared_s: SPARED_S,
             ..Condition::default()
         };
-        let start = self.ground.spawn_point();
+        let start = self.start();
         self.teleport(start);
         self.send_hostile_away();
         self.hints.push(Hint::BackAgain);
@@ -242,24 +242,25 @@ mod tests {
     }
 
     #[test]
-    fn who_stands_up_again_finds_none_of_those_who_came_to_fight_and_all_others() {
+    fn who_stands_up_again_finds_none_of_those_who_fight_however_they_came_and_all_others() {
         let mut scene = scene(Geometry::Euclidean);
         assert!(scene.settle(std::time::Duration::from_mins(2)));
         scene.set_npcs(crate::NpcMode::Still);
         let near = scene.feet().moved(DVec3::new(9.0, 1.0, 0.0));
-        let [fighter, peaceful, put_there] =
-            [true, false, true].map(|hostile| scene.spawn_bot(near, 0.0, hostile));
+        let [fighter, peaceful, put_there, angry, put_there_in_peace] =
+            [true, false, true, false, false].map(|hostile| scene.spawn_bot(near, 0.0, hostile));
         for id in [fighter, peaceful] {
             scene.restore_mind(id, 0.0, true);
         }
+        scene.restore_mind(angry, 30.0, false);
         scene.hurt_player(2.0 * FULL_HEALTH, HarmKind::Shot, None);
-        assert!(scene.is_dead() && scene.bots().len() == 3);
+        assert!(scene.is_dead() && scene.bots().len() == 5);
         for _ in 0..=(DEAD_S / STEP_S).ceil() as usize {
             scene.heal();
         }
         assert!(!scene.is_dead());
         let left: Vec<_> = scene.bots().iter().map(|view| view.bot.id).collect();
-        assert_eq!(left, [peaceful, put_there]);
+        assert_eq!(left, [peaceful, put_there_in_peace], "{put_there}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::camera::CameraMode;
-use crate::frame::Marker;
+use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
 use crate::item::Item;
 use crate::notice::Hint;
@@ -129,9 +129,7 @@ impl Scene {
             point: place.moved(DVec3::Y * LAMP_HEIGHT_M),
             radius_m: LAMP_MARKER_M,
             active: false,
-            // Small, and wanted most where it is dark.
-            by_lightness: true,
-            still: self.viewing.reduced_motion,
+            shape: MarkerShape::Ball,
         })
     }
 

@@ -1,6 +1,7 @@
 //! The light of lamps, of the flashlight and of cars.
 
-use antipode_geometry::{ChartPoint, Eye};
+use antipode_geometry::{ChartPoint, Eye, Strategy};
+use glam::{DMat3, DVec3, DVec4};
 
 use crate::frame::{BeamLight, LampLight, Lights};
 use crate::item::Item;
@@ -21,6 +22,9 @@ const FLASH_RANGE_M: f64 = 40.0;
 const FLASH_CONE_RAD: (f64, f64) = (0.26, 0.52);
 /// The flashlight is held this far below the eye and beside it, metres, so that what it lights has relief.
 const FLASH_BESIDE_M: (f64, f64) = (0.22, -0.25);
+
+/// Step of the derivative that tells how a way of the chart is seen, metres.
+const STEP_M: f64 = 1e-3;
 
 /// Where a lamp in the hand shines, from the eye: right, up and ahead, metres.
 const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
@@ -72,15 +76,40 @@ impl Scene {
         })
     }
 
+    /// The flashlight lights what the crosshair covers, from wherever the picture is taken.
     fn flash_beam(&self) -> BeamLight {
         let head = self.head();
         let (right_m, up_m) = FLASH_BESIDE_M;
+        let point = head.point.moved(head.right() * right_m + head.up() * up_m);
+        let spot = self.covered(FLASH_RANGE_M).point;
+        let way = way_toward(&**self.lens.strategy(), &self.eye(), point, spot);
         BeamLight {
-            point: head.point.moved(head.right() * right_m + head.up() * up_m),
-            direction: head.front(),
+            point,
+            direction: way.unwrap_or(head.front()),
             colour: FLASH_COLOUR,
             range_m: FLASH_RANGE_M,
             cone_rad: FLASH_CONE_RAD,
         }
     }
+}
+
+/// The way at `from`, a unit vector of its chart, in which the geodesic of an eye's picture to `to` sets out.
+///
+/// Geodesics are straight in `xyz / w` of view coordinates. With P for `from` and T for `to`, the one that passes through
+/// both leaves P along `P.w T.xyz - T.w P.xyz`; so do the chart's axes there, with their derivatives for T.
+fn way_toward(
+    strategy: &dyn Strategy,
+    eye: &Eye,
+    from: ChartPoint,
+    to: ChartPoint,
+) -> Option<DVec3> {
+    let at = strategy.view_point(eye, from);
+    let seen = |toward: DVec4| at.w * toward.truncate() - toward.w * at.truncate();
+    let axis = |axis: DVec3| {
+        let beyond = |step_m: f64| strategy.view_point(eye, from.moved(axis * step_m));
+        seen(beyond(STEP_M) - beyond(-STEP_M))
+    };
+    let axes = DMat3::from_cols(axis(DVec3::X), axis(DVec3::Y), axis(DVec3::Z));
+    let way = axes.inverse() * seen(strategy.view_point(eye, to));
+    way.try_normalize()
 }

@@ -120,8 +120,16 @@ pub enum Hint {
     )]
     InTheWay,
     /// Somebody says a line about the space.
-    #[error("{0}")]
-    Said(Line),
+    #[error("{}{line}", if *greets { "Hello! " } else { "" })]
+    Said {
+        /// Whether it is the first that this one says.
+        greets: bool,
+        /// The line.
+        line: Line,
+    },
+    /// The player has gone once round the world.
+    #[error("You have come all the way round the world, {0} m, and are back where you were.")]
+    BeenRound(u32),
     /// The player stands up again.
     #[error("You are back at the start. What you carried is still with you.")]
     BackAgain,

@@ -2,7 +2,7 @@
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
 use antipode_storage::{
-    BotRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
+    BotRecord, DropRecord, LampRecord, PlaceRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 use glam::DVec3;
 
@@ -97,6 +97,11 @@ impl Scene {
                 .driven_number()
                 .and_then(|number| u32::try_from(number).ok()),
             car_given: self.cars.given,
+            start: self.start.map(|start| PlaceRecord {
+                hemisphere: hemisphere_record(start),
+                pos: start.pos.to_array(),
+            }),
+            been_round: self.round.been,
         }
     }
 
@@ -125,6 +130,9 @@ impl Scene {
     /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
     pub(crate) fn restore(&mut self, state: &WorldState) {
         self.restore_player(&state.player);
+        let start = state.start.as_ref();
+        self.start = start.and_then(|it| self.restored_point(it.hemisphere, it.pos));
+        self.round.been = state.been_round;
         self.unknown = Unknown::default();
         self.inventory = Inventory::empty();
         for record in &state.inventory {

@@ -27,6 +27,8 @@ pub struct Probe {
     pub quality: &'static str,
     /// Time of day in seconds, 0 to 600.
     pub time_of_day: f64,
+    /// What the clock shows where the player is, hours from 0 to 24; null at the poles of a closed world's day.
+    pub hour: Option<f64>,
     /// The player.
     pub player: PlayerProbe,
     /// The camera.

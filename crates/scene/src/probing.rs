@@ -4,6 +4,7 @@ use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
 use glam::DVec3;
 
 use crate::car::CarView;
+use crate::day;
 use crate::item::Item;
 use crate::player::Health;
 use crate::probe::{
@@ -60,6 +61,7 @@ impl Scene {
             bend: self.lens.bend(),
             quality: self.quality.name(),
             time_of_day: self.time_of_day_s,
+            hour: self.local_time_s().map(day::hour),
             player: self.player_probe(),
             camera: self.camera_probe(),
             item: self.inventory.held().map(Item::id),

@@ -1,5 +1,6 @@
 //! Bullets in flight: they fall or follow the space's geodesics, bounce off the ground, harm whom they strike and are
-//! gone after five seconds.
+//! gone some time after they have met something. What falls meets ground sooner or later, even where none is loaded; what
+//! follows a geodesic is gone after some way.
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, Vehicles};
@@ -9,7 +10,8 @@ use hecs::Entity;
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{
-    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIFE_S, MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S,
+    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M, MOST_BULLETS,
+    SAME_BODY_HARMED_AFTER_S, STEP_S,
 };
 
 /// What keeps a bullet on its way.
@@ -39,8 +41,10 @@ pub struct Projectile {
     pub point: ChartPoint,
     /// Its velocity in its chart, m/s.
     pub velocity: DVec3,
-    /// How long it has been flying, seconds.
+    /// How long ago it was fired, seconds.
     pub age_s: f64,
+    /// How old it was when it first met something.
+    met_at_s: Option<f64>,
     path: Path,
     /// Who fired it.
     by: Entity,
@@ -84,6 +88,8 @@ pub(crate) struct Air<'a> {
     pub physics: &'a PhysicsWorld,
     pub standing: &'a [Standing],
     pub vehicles: &'a Vehicles,
+    /// Whether a point is in ground that is not there to be touched: too far off to be loaded, or below all ground.
+    pub in_far_ground: &'a dyn Fn(ChartPoint) -> bool,
 }
 
 /// What bullets did in a step.
@@ -143,6 +149,7 @@ impl Projectiles {
             point,
             velocity,
             age_s: 0.0,
+            met_at_s: None,
             path,
             by,
             struck: None,
@@ -155,7 +162,7 @@ impl Projectiles {
         let mut hits = Hits::default();
         self.flying.retain_mut(|bullet| {
             bullet.age_s += STEP_S;
-            bullet.age_s < BULLET_LIFE_S && bullet.fly(air, &mut hits)
+            !bullet.has_lain() && bullet.fly(air, &mut hits)
         });
         hits
     }
@@ -177,6 +184,9 @@ impl Projectile {
             ..BULLET
         };
         let touch = air.physics.throw_ball(&mut ball, &tuning, STEP_S);
+        if touch.is_some() {
+            self.meet();
+        }
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
         for (from, to) in [(before, corner), (corner, ball.centre)] {
             let someone = self.meets(air, from, to);
@@ -185,6 +195,7 @@ impl Projectile {
                 .meets(from, to, BULLET.radius_m)
                 .filter(|(share, _)| someone.is_none_or(|(nearer, _)| *share < nearer));
             if let Some((share, car)) = car {
+                self.meet();
                 hits.knocks.push(Knock {
                     car,
                     at: from.lerp(to, share),
@@ -196,6 +207,7 @@ impl Projectile {
                 break;
             }
             if let Some((_, entity)) = someone {
+                self.meet();
                 self.struck = Some((entity, self.age_s));
                 hits.strikes.push(Strike {
                     entity,
@@ -217,6 +229,22 @@ impl Projectile {
         let limits = air.strategy.limits();
         self.point.pos.is_finite()
             && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
+            && !(air.in_far_ground)(self.point)
+            && !self.has_gone_far()
+    }
+
+    /// It has met something.
+    fn meet(&mut self) {
+        self.met_at_s.get_or_insert(self.age_s);
+    }
+
+    fn has_lain(&self) -> bool {
+        self.met_at_s
+            .is_some_and(|met_at_s| self.age_s - met_at_s >= BULLET_LIES_S)
+    }
+
+    fn has_gone_far(&self) -> bool {
+        matches!(self.path, Path::Geodesic { gone_m, .. } if gone_m >= BULLET_STRAIGHT_M)
     }
 
     fn is_geodesic(&self) -> bool {
@@ -325,157 +353,4 @@ impl Projectile {
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
-
-    use super::*;
-
-    fn entity(ecs: &mut hecs::World) -> Entity {
-        ecs.spawn(())
-    }
-
-    fn fly(
-        space: &dyn Strategy,
-        bullets: &mut Projectiles,
-        standing: &[Standing],
-        steps: usize,
-    ) -> Vec<Strike> {
-        let physics = PhysicsWorld::new();
-        let vehicles = Vehicles::default();
-        let air = Air {
-            strategy: space,
-            pictured: space,
-            physics: &physics,
-            standing,
-            vehicles: &vehicles,
-        };
-        (0..steps)
-            .flat_map(|_| bullets.step(&air).strikes)
-            .collect()
-    }
-
-    #[test]
-    fn a_bullet_falls_lives_five_seconds_and_room_is_made_for_the_next() {
-        let space = strategy(Geometry::Euclidean, 0.0);
-        let mut ecs = hecs::World::new();
-        let by = entity(&mut ecs);
-        let mut bullets = Projectiles::default();
-        bullets.fire(ChartPoint::a(DVec3::Y * 500.0), DVec3::X * 40.0, by);
-        fly(&*space, &mut bullets, &[], 60);
-        let at = bullets.all()[0].point.pos;
-        assert!(
-            (at - DVec3::new(40.0, 500.0 - 0.5 * BULLET.gravity_m_s2, 0.0)).length() < 1e-6,
-            "{at}"
-        );
-        fly(&*space, &mut bullets, &[], 239);
-        assert!(bullets.all().len() == 1);
-        fly(&*space, &mut bullets, &[], 2);
-        assert!(bullets.all().is_empty());
-        for _ in 0..MOST_BULLETS + 7 {
-            bullets.fire(ChartPoint::a(DVec3::ZERO), DVec3::ZERO, by);
-        }
-        assert_eq!(bullets.all().len(), MOST_BULLETS);
-        assert_eq!(bullets.all()[0].id, 8);
-    }
-
-    #[test]
-    fn over_the_equator_a_bullet_keeps_its_way() {
-        let space = strategy(Geometry::Spherical, 32.0);
-        let mut ecs = hecs::World::new();
-        let by = entity(&mut ecs);
-        let rim_m = space.rim_m().unwrap();
-        let mut bullets = Projectiles::default();
-        let start = ChartPoint::a(DVec3::new(rim_m - 2.0, 10.0, 0.0));
-        bullets.fire(start, DVec3::new(40.0, 6.0, 0.0), by);
-        fly(&*space, &mut bullets, &[], 12);
-        let bullet = &bullets.all()[0];
-        assert_eq!(bullet.point.hemisphere, Hemisphere::B);
-        assert!((bullet.point.pos.x.hypot(bullet.point.pos.z) - (rim_m - 6.0)).abs() < 0.01);
-        assert!((bullet.velocity.with_y(0.0).length() - 40.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn along_a_geodesic_a_bullet_goes_straight_through_what_was_aimed_at() {
-        for geometry in [
-            Geometry::Hyperbolic,
-            Geometry::Spherical,
-            Geometry::Euclidean,
-        ] {
-            let space = strategy(geometry, 32.0);
-            let mut ecs = hecs::World::new();
-            let by = entity(&mut ecs);
-            let eye = Eye {
-                point: ChartPoint::a(DVec3::new(1.0, 12.0, -3.0)),
-                dial: 15.0,
-                lift_m: 1.62,
-                ..Eye::default()
-            };
-            let target = ChartPoint::a(DVec3::new(16.0, 9.0, 8.0));
-            let mut bullets = Projectiles::default();
-            bullets.fire_straight(&*space, eye, target, 40.0, by);
-            let mut nearest = f64::MAX;
-            let mut last = eye.point.pos;
-            for _ in 0..60 {
-                fly(&*space, &mut bullets, &[], 1);
-                // Nothing stops it, and below all ground it is gone.
-                let Some(bullet) = bullets.all().first() else {
-                    break;
-                };
-                let at = bullet.point.pos;
-                let way = at - last;
-                let share = ((target.pos - last).dot(way) / way.length_squared()).clamp(0.0, 1.0);
-                nearest = nearest.min((last + way * share).distance(target.pos));
-                last = at;
-            }
-            assert!(nearest < 0.02, "{geometry:?} {nearest}");
-        }
-    }
-
-    #[test]
-    fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
-        let space = strategy(Geometry::Euclidean, 0.0);
-        let mut ecs = hecs::World::new();
-        let (by, other) = (entity(&mut ecs), entity(&mut ecs));
-        let stands = |entity, x: f64| Standing {
-            entity,
-            feet: DVec3::new(x, 99.0, 0.0),
-            height_m: 1.8,
-            radius_m: 0.35,
-        };
-        let mut bullets = Projectiles::default();
-        bullets.fire(ChartPoint::a(DVec3::Y * 100.0), DVec3::X * 40.0, by);
-        let strikes = fly(
-            &*space,
-            &mut bullets,
-            &[stands(by, 0.2), stands(other, 12.0)],
-            60,
-        );
-        assert!(
-            matches!(strikes[..], [strike] if strike.entity == other && strike.by == by && strike.way.x > 30.0),
-            "{strikes:?}"
-        );
-        assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
-    }
-
-    #[test]
-    fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
-        let space = strategy(Geometry::Euclidean, 0.0);
-        let mut ecs = hecs::World::new();
-        let (by, other) = (entity(&mut ecs), entity(&mut ecs));
-        let stands = |entity, x: f64| Standing {
-            entity,
-            feet: DVec3::new(x, 99.0, 0.0),
-            height_m: 1.8,
-            radius_m: 0.35,
-        };
-        let near = [stands(by, -0.7), stands(other, 2.3)];
-        let mut bullets = Projectiles::default();
-        for height_m in [99.6, 100.0, 100.4] {
-            bullets.fire(ChartPoint::a(DVec3::Y * height_m), DVec3::X * 40.0, by);
-        }
-        let strikes = fly(&*space, &mut bullets, &near, 200);
-        assert_eq!(strikes.len(), 3, "{strikes:?}");
-        assert!(strikes.iter().all(|strike| strike.entity == other));
-    }
-}
+mod tests;

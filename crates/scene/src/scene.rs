@@ -28,6 +28,7 @@ use crate::npc::Npcs;
 use crate::persist::{LONGEST_PLAYED_S, Unknown, finite_or};
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::projectile::Projectiles;
+use crate::round::Round;
 use crate::setup::{SceneError, WorldSetup};
 use crate::sound::Sounds;
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
@@ -70,6 +71,9 @@ pub struct Scene {
     pub(crate) cheated: bool,
     /// Whether anything but the terrain may differ from what was last given to be saved.
     pub(crate) changed: bool,
+    /// Where the player stands up again, unless the land alone decides.
+    pub(crate) start: Option<ChartPoint>,
+    pub(crate) round: Round,
     /// Whether the body was put where it is and may be stuck there.
     pub(crate) body_unchecked: bool,
     /// Lines of a picture.
@@ -192,6 +196,8 @@ impl Scene {
             created_unix_s: 0,
             cheated: false,
             changed: false,
+            start: None,
+            round: Round::default(),
             body_unchecked: true,
             picture_height_px: PICTURE_HEIGHT_PX,
             sight: None,
@@ -250,6 +256,11 @@ impl Scene {
     /// Time of day in seconds, 0 to 600.
     pub fn time_of_day_s(&self) -> f64 {
         self.time_of_day_s
+    }
+
+    /// The time of day where the player is, in seconds, 0 to 600; none at the poles of the sun's way.
+    pub fn local_time_s(&self) -> Option<f64> {
+        day::local_time_s(self.time_of_day_s, &*self.strategy, self.feet())
     }
 
     /// Sets the time of day in seconds; it wraps at a day's length.
@@ -383,7 +394,7 @@ impl Scene {
         self.camera
     }
 
-    /// The brush marker, if a tool is in hand.
+    /// Where the brush of a tool in hand would work.
     pub fn marker(&self) -> Option<Marker> {
         self.marker
     }
@@ -420,7 +431,10 @@ impl Scene {
             figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
             hand: self.hand_seen(),
             lights: self.lights(&eye),
-            marker: self.marker.or_else(|| self.lamp_marker()),
+            marker: self
+                .marker
+                .filter(|marker| marker.active)
+                .or_else(|| self.lamp_marker()),
             hit_shapes: Vec::new(),
             fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
             contour_bands: self.viewing.contour_bands,

@@ -1,14 +1,18 @@
 //! What of the scene is shown as figures: everyone, what they hold, and things that lie, stand or fly.
 
-use antipode_geometry::Eye;
+use antipode_geometry::{ChartPoint, Eye};
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::frame::{Figure, ModelId};
 use crate::npc::mind::Mind;
-use crate::player::{Appearance, Look, Position};
+use crate::player::{Appearance, Body, Look, Position};
 use crate::scene::Scene;
 use crate::tuning::FIGURE_SEEN_FROM_M;
+
+/// Ground is looked for from so far above a body's feet, and so far below them, metres.
+const KNEES_M: f64 = 0.5;
+const DEEPEST_SOLES_M: f64 = 0.4;
 
 impl Scene {
     /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
@@ -17,10 +21,10 @@ impl Scene {
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
-        for (entity, position, look, appearance, mind) in
+        for (entity, position, look, appearance, body, mind) in
             &mut self
                 .ecs
-                .query::<(Entity, &Position, &Look, &Appearance, Option<&Mind>)>()
+                .query::<(Entity, &Position, &Look, &Appearance, &Body, Option<&Mind>)>()
         {
             if entity == self.player && (!sees_player || inside_own) {
                 continue;
@@ -28,7 +32,7 @@ impl Scene {
             let mut figure = Figure {
                 posture: appearance.motion.posture(),
                 held: appearance.held,
-                ..Figure::standing(appearance.model, position.0, look.yaw)
+                ..Figure::standing(appearance.model, self.soles(position.0, body), look.yaw)
             };
             if entity == self.player {
                 self.use_in_hand(&mut figure);
@@ -43,6 +47,22 @@ impl Scene {
         self.show_things(&mut seen);
         self.show_cars(&mut seen);
         seen
+    }
+
+    /// Where the soles of a body are drawn. Its capsule is wider than its feet: on a slope or in a hollow it is carried at
+    /// its sides, and the ground under its middle is lower.
+    fn soles(&self, feet: ChartPoint, body: &Body) -> ChartPoint {
+        if !body.0.grounded {
+            return feet;
+        }
+        let from = feet.moved(DVec3::Y * KNEES_M);
+        let origin = self.strategy.chart_origin_m(feet.hemisphere);
+        let most_m = KNEES_M + DEEPEST_SOLES_M;
+        let ground = self
+            .physics
+            .cast_ray(from.pos + origin, DVec3::NEG_Y, most_m);
+        let ground_m = ground.map_or(KNEES_M, |hit| hit.distance_m);
+        from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
     }
 
     /// Lamps, bullets, and what lies about.

@@ -72,6 +72,12 @@ impl Scene {
     }
 }
 
+/// Feet on untouched ground at a place of hemisphere A.
+pub(crate) fn standing_at(field: &Field, x: f64, z: f64) -> ChartPoint {
+    let (height, _) = column(field, x, z);
+    ChartPoint::a(DVec3::new(x, height + CLEARANCE_M, z))
+}
+
 /// Height of a column, the highest of its close neighbourhood, and how far that neighbourhood spreads.
 fn column(field: &Field, x: f64, z: f64) -> (f64, f64) {
     let near = 0.5;

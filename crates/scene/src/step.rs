@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::camera::CameraMode;
-use crate::frame::Marker;
+use crate::frame::{Marker, MarkerShape};
 use crate::ground::chunks_near;
 use crate::harm::{HarmKind, fall_harm};
 use crate::item::Item;
@@ -51,6 +51,7 @@ impl Scene {
             self.move_player(actions);
         }
         self.step_cars(actions);
+        self.notice_round();
         // Both hands are on the wheel.
         let actions = &if self.is_driving() {
             Actions::default()
@@ -193,8 +194,11 @@ impl Scene {
                 point: found.point,
                 radius_m: self.brush_radius_m,
                 active: false,
-                by_lightness: self.viewing.safe_marker,
-                still: self.viewing.reduced_motion,
+                shape: if self.viewing.safe_marker {
+                    MarkerShape::SafeRing
+                } else {
+                    MarkerShape::Ring
+                },
             }
         });
     }

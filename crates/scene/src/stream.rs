@@ -17,8 +17,9 @@ use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
 use crate::tuning::AUTOSAVE_S;
 
-/// Ground within this distance of the player stands before a world counts as playable, in metres.
-const PLAYABLE_AROUND_M: f64 = 24.0;
+/// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
+/// loaded at all: a hole so near would be seen.
+const PLAYABLE_AROUND_M: f64 = 96.0;
 /// Times that a script waits for the ground around a body that was lifted to other ground.
 const MOST_LIFTS: usize = 4;
 
@@ -128,7 +129,8 @@ impl Scene {
 
     /// How much of the ground around a new arrival stands, 0 to 1; at 1 the world can be played.
     pub fn loading_progress(&self) -> f32 {
-        let needed = chunks_near(&*self.strategy, self.feet(), PLAYABLE_AROUND_M);
+        let mut needed = chunks_near(&*self.strategy, self.feet(), PLAYABLE_AROUND_M);
+        needed.retain(|coord| self.streamer.is_wanted(*coord));
         let there = needed
             .iter()
             .filter(|c| self.streamer.is_ready(**c))

@@ -1,9 +1,13 @@
 //! Figures of play that belong to no other crate, in one place, with their units.
 
-use antipode_physics::BallTuning;
+use antipode_physics::{BallTuning, CharacterTuning};
 
 /// Length of one simulation step in seconds.
 pub const STEP_S: f64 = 1.0 / 60.0;
+/// How fast the player walks, in metres of the chart a second.
+pub fn walk_speed_m_s() -> f64 {
+    CharacterTuning::default().walk_speed_m_s
+}
 /// How far a tool reaches along the geodesic through the crosshair, in metres.
 pub const REACH_M: f64 = 23.0;
 /// Largest pitch of the view, in radians: one degree short of the vertical.
@@ -20,9 +24,11 @@ pub const DIAL_REMAINDER_PER_S: f64 = 1e-4;
 /// turns sight lines by at most 0.01 / 20 rad, a quarter of a pixel in a picture 720 pixels high.
 pub const DIAL_SWAP_AT: f64 = 0.01;
 /// Distance of the third-person camera behind the eye, in metres.
-pub const THIRD_PERSON_BACK_M: f64 = 4.5;
+pub const THIRD_PERSON_BACK_M: f64 = 5.2;
 /// Rise of the third-person camera above the eye, in metres.
-pub const THIRD_PERSON_UP_M: f64 = 0.6;
+pub const THIRD_PERSON_UP_M: f64 = 0.45;
+/// Most that it rises besides, so that ground does not hide the legs, in metres.
+pub const THIRD_PERSON_RISES_M: f64 = 1.5;
 /// Radius of the sphere that keeps the third-person camera out of the ground, in metres.
 pub const CAMERA_RADIUS_M: f64 = 0.25;
 /// Nearest distance drawn, in metres.
@@ -75,8 +81,10 @@ pub const BULLET: BallTuning = BallTuning {
     bounce: 0.25,
     slide: 0.8,
 };
-/// A bullet is gone after so many seconds.
-pub const BULLET_LIFE_S: f64 = 5.0;
+/// A bullet is gone so many seconds after it has first met something.
+pub const BULLET_LIES_S: f64 = 5.0;
+/// One that never falls is gone after so many metres.
+pub const BULLET_STRAIGHT_M: f64 = 200.0;
 /// Bullets in flight at once.
 pub const MOST_BULLETS: usize = 500;
 /// The same bullet harms the same body again only after so many seconds; and who fired it, only then.

@@ -12,9 +12,9 @@ pub struct Viewing {
     pub contour_bands: bool,
     /// Whether the head dips on landing.
     pub head_dip: bool,
-    /// Whether nothing glides, pulses or dips.
+    /// Whether nothing glides or dips.
     pub reduced_motion: bool,
-    /// Whether the brush marker tells what it does by lightness alone.
+    /// Whether the ring about what is dug or built is told by lightness alone.
     pub safe_marker: bool,
 }
 
@@ -22,7 +22,7 @@ impl Default for Viewing {
     fn default() -> Self {
         Self {
             fov_y_rad: FOV_Y_RAD,
-            contour_bands: true,
+            contour_bands: false,
             head_dip: true,
             reduced_motion: false,
             safe_marker: false,

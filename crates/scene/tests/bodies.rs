@@ -144,6 +144,7 @@ fn places_outside_the_world_end_at_its_border_and_can_be_played() {
         let mut scene = scene(geometry);
         scene.teleport(ChartPoint::a(pos));
         assert!(scene.wait_for_step(LIMIT), "{geometry:?} {pos}");
+        assert!(scene.settle(LIMIT));
         assert_eq!(scene.loading_progress(), 1.0);
         steps(&mut scene, 3, &Actions::default());
         assert!(scene.feet().pos.is_finite());
@@ -194,4 +195,36 @@ fn who_builds_in_a_tunnel_is_not_lifted_through_the_hill() {
         );
         assert!(scene.take_hints().contains(&Hint::InTheWay), "{geometry:?}");
     }
+}
+
+#[test]
+fn the_player_of_a_new_world_stands_on_the_ground_before_any_time_has_passed() {
+    for geometry in Geometry::ALL {
+        for seed in 0..8 {
+            let setup = WorldSetup {
+                seed,
+                view_distance: 1,
+                ..common::setup(geometry)
+            };
+            let mut scene = Scene::open(setup, None).unwrap();
+            assert!(scene.wait_for_step(LIMIT));
+            let place = format!("{geometry:?} {seed}");
+            assert_eq!(scene.simulated_s(), 0.0);
+            assert!(scene.probe().player.grounded, "{place}");
+            let feet = scene.feet().pos;
+            steps(&mut scene, 30, &Actions::default());
+            let moved_m = scene.feet().pos.distance(feet);
+            assert!(moved_m < 1e-6, "{place}: sinks by {moved_m} m");
+            assert_stands(&scene, &place);
+        }
+    }
+}
+
+#[test]
+fn who_is_put_high_over_the_ground_falls() {
+    let mut scene = scene(Geometry::Euclidean);
+    let up = scene.feet().moved(DVec3::Y * 3.0);
+    scene.teleport(up);
+    assert!(scene.wait_for_step(LIMIT));
+    assert!(!scene.probe().player.grounded && scene.feet() == up);
 }

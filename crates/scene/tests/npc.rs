@@ -296,7 +296,7 @@ fn who_stands_up_again_is_spared_for_some_seconds_unless_he_shoots() {
     for shoots in [false, true] {
         let mut scene = world(Geometry::Euclidean);
         let place = beside(&scene, 10.0, 0.0);
-        let id = scene.spawn_bot(place, 3.0, true);
+        scene.spawn_bot(place, 3.0, true);
         scene.set_health(1.0);
         for _ in 0..60 {
             pass(&mut scene, 0.5);
@@ -308,6 +308,10 @@ fn who_stands_up_again_is_spared_for_some_seconds_unless_he_shoots() {
         while scene.is_dead() {
             pass(&mut scene, 0.1);
         }
+        assert!(scene.bots().is_empty(), "who killed is gone");
+        // The next one.
+        let place = beside(&scene, 10.0, 0.0);
+        let id = scene.spawn_bot(place, 3.0, true);
         pass(&mut scene, 0.5);
         let fights = |scene: &Scene| matches!(bot(scene, id).state, State::Chase | State::Fight);
         if shoots {

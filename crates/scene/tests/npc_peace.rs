@@ -8,7 +8,7 @@
 
 mod common;
 
-use antipode_geometry::{Eye, Geometry};
+use antipode_geometry::{Eye, Geometry, equilateral_angle_sum_rad};
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Hint, Line, NpcMode, Scene, State};
 use common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
@@ -171,9 +171,10 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                 "{geometry:?}: it listens"
             );
             for hint in scene.take_hints() {
-                let Hint::Said(line) = hint else {
+                let Hint::Said { greets, line } = hint else {
                     panic!("{geometry:?}: {hint}")
                 };
+                assert_eq!(greets, lines.is_empty(), "{geometry:?}: once each");
                 lines.push(line);
                 let speech = scene.speech(1.3).expect("it is seen to speak");
                 assert_eq!(speech.line, line, "{geometry:?}");
@@ -197,16 +198,15 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
             said.push(format!("{geometry:?}: {line}"));
             match line {
                 Line::Triangle {
-                    sum_decidegrees, ..
+                    side_m,
+                    sum_decidegrees,
+                    pictured,
                 } => {
-                    assert_eq!(
-                        sum_decidegrees.cmp(&1800),
-                        match geometry {
-                            Geometry::Euclidean => std::cmp::Ordering::Equal,
-                            Geometry::Hyperbolic => std::cmp::Ordering::Less,
-                            Geometry::Spherical => std::cmp::Ordering::Greater,
-                        }
-                    );
+                    let sighted = sighted_sum_deg(&scene, f64::from(side_m));
+                    let told = f64::from(sum_decidegrees) / 10.0;
+                    assert!((sighted - told).abs() < 0.1, "{geometry:?}: {sighted}");
+                    assert_eq!(sum_decidegrees > 1800, geometry == Geometry::Spherical);
+                    assert_eq!(pictured, geometry == Geometry::Hyperbolic);
                 }
                 Line::Horizon {
                     lower_decidegrees, ..
@@ -231,6 +231,66 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
         }
     }
     println!("{}", said.join("\n"));
+}
+
+/// The angles between three lamps that are `side_m` metres from one another, each sighted in the picture from the other
+/// two, in degrees together: in open worlds as on the land, by the compass.
+fn sighted_sum_deg(scene: &Scene, side_m: f64) -> f64 {
+    let closed = scene.strategy().rim_m().is_some();
+    let pictured = scene.lens().strategy();
+    let first = scene.head();
+    let on_land = |turn: f64| {
+        first
+            .point
+            .moved(DVec3::new(turn.cos(), 0.0, turn.sin()) * side_m)
+    };
+    let lamps = if closed {
+        // Turned by their own angle, two lines of sight that long end as far from each other.
+        let sum = equilateral_angle_sum_rad(scene.strategy().curvature_per_m2(), side_m);
+        let ends = [-sum / 6.0, sum / 6.0]
+            .map(|turn| pictured.along(&first, DVec3::new(turn.sin(), 0.0, -turn.cos()), side_m));
+        [first.point, ends[0], ends[1]]
+    } else {
+        let third = std::f64::consts::FRAC_PI_3;
+        [first.point, on_land(0.0), on_land(third)]
+    };
+    let angle_at = |own: usize| {
+        let eye = Eye {
+            point: lamps[own],
+            pitch: 0.0,
+            ..first
+        };
+        let ways = [1, 2].map(|step| {
+            let view = pictured.view_point(&eye, lamps[(own + step) % 3]);
+            let way = view.truncate();
+            let way = if closed { way } else { way.with_y(0.0) };
+            way.normalize()
+        });
+        ways[0].dot(ways[1]).acos().to_degrees()
+    };
+    (0..3).map(angle_at).sum()
+}
+
+#[test]
+fn who_stands_four_metres_off_face_to_face_is_talked_to() {
+    for geometry in Geometry::ALL {
+        let mut scene = world(geometry);
+        let place = beside(&scene, 4.0, 0.0);
+        let id = scene.spawn_bot(place, std::f64::consts::PI, false);
+        let there = bot(&scene, id).point.moved(DVec3::Y * 1.3);
+        look_at(&mut scene, there);
+        scene.take_hints();
+        let talk = Actions {
+            talk: true,
+            ..Actions::default()
+        };
+        steps(&mut scene, 1, &talk);
+        let hints = scene.take_hints();
+        assert!(
+            matches!(hints[..], [Hint::Said { greets: true, .. }]),
+            "{geometry:?}: {hints:?}"
+        );
+    }
 }
 
 #[test]

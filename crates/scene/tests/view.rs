@@ -195,3 +195,62 @@ fn who_dies_sees_it_from_the_ground_and_stands_up_again() {
         assert!(over_m > 1.4 && scene.eye().roll == 0.0, "{geometry:?}");
     }
 }
+
+/// How far (as a share of its way) the beam of the flashlight passes from what the crosshair covers, in the picture.
+fn beam_misses(scene: &mut Scene) -> f64 {
+    let frame = scene.frame(1.3, 1.7, 1);
+    let beam = frame.lights.beams[0];
+    // Where geodesics are straight.
+    let seen = |point: ChartPoint| {
+        let view = frame.strategy.view_point(&frame.eye, point);
+        view.truncate() / view.w
+    };
+    let at = seen(beam.point);
+    let way = (seen(beam.point.moved(beam.direction * 1e-3)) - at).normalize();
+    // What the crosshair covers is somewhere straight ahead: the beam has to meet that line, where there is ground.
+    let marker = seen(scene.marker().unwrap().point);
+    let toward = marker - at;
+    assert!(way.dot(toward) > 0.0);
+    toward.reject_from(way).length() / toward.length()
+}
+
+#[test]
+fn the_flashlight_lights_what_the_crosshair_covers_from_wherever_one_looks() {
+    let mut looks = 0;
+    for geometry in [
+        Geometry::Euclidean,
+        Geometry::Hyperbolic,
+        Geometry::Spherical,
+    ] {
+        let mut scene = scene(geometry);
+        scene.inventory_mut().select(1);
+        let toggle = Actions {
+            toggle_light: true,
+            ..Actions::default()
+        };
+        steps(&mut scene, 30, &Actions::default());
+        steps(&mut scene, 1, &toggle);
+        for camera in [CameraMode::First, CameraMode::Third] {
+            if scene.camera_mode() != camera {
+                let toggle = Actions {
+                    toggle_camera: true,
+                    ..Actions::default()
+                };
+                steps(&mut scene, 1, &toggle);
+            }
+            for (yaw, pitch) in [(0.3, -0.2), (2.0, -0.5), (-1.4, -0.9), (4.0, -1.3)] {
+                scene.aim(yaw, pitch);
+                let reach_m = antipode_scene::tuning::REACH_M;
+                let (eye, marker) = (scene.eye(), scene.marker().unwrap().point);
+                let strategy = scene.frame(1.3, 1.7, 1).strategy;
+                if strategy.distance_m(eye.point, marker, &eye) > 0.95 * reach_m {
+                    continue;
+                }
+                let off = beam_misses(&mut scene);
+                assert!(off < 0.01, "{geometry} {camera:?} {yaw} {pitch}: {off}");
+                looks += 1;
+            }
+        }
+    }
+    assert!(looks >= 18, "{looks}");
+}

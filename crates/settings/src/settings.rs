@@ -91,7 +91,7 @@ impl Default for Settings {
             fullscreen: false,
             curvature_step: 1.0,
             hyperbolic_map: Map::default(),
-            contour_bands: true,
+            contour_bands: false,
             compass: true,
             minimap: true,
             straight_shots: false,

@@ -25,6 +25,9 @@ use serde::de::DeserializeOwned;
 
 /// Bytes before the key.
 pub(crate) const HEADER_BYTES: usize = 22;
+/// The largest number of a commit that can be true: one every millisecond for 8900 years.
+/// A larger one is damage, or somebody's joke: counting on from near 2^64 would overflow.
+pub(crate) const MAX_COMMIT: u64 = 1 << 48;
 const MARK: [u8; 2] = *b"Ap";
 /// No body is near this long; a longer one is a damaged length.
 const MAX_BODY_BYTES: usize = 1 << 20;
@@ -78,6 +81,9 @@ pub(crate) enum Fault {
     /// Bits have changed.
     #[error("its checksum does not match its bytes")]
     Checksum,
+    /// The number of its commit is larger than any can be.
+    #[error("it says that it was saved a number of times that nobody can")]
+    Commit,
     /// The bytes are whole but make no value of this type.
     #[error("its contents make no sense")]
     Contents,
@@ -98,6 +104,12 @@ pub(crate) fn seal(version: u16, kind: Kind, key: &[u8], sequence: u64, body: &[
     let sum = record_checksum(&record);
     record[18..22].copy_from_slice(&sum.to_le_bytes());
     record
+}
+
+/// The number of the commit after `last`. It stops at [`MAX_COMMIT`], which only a forged
+/// world starts near to: saving goes on there, and of two copies either counts as the newer.
+pub(crate) fn next_commit(last: u64) -> u64 {
+    last.saturating_add(1).min(MAX_COMMIT)
 }
 
 /// Reads the record that fills `bytes` exactly.
@@ -131,11 +143,15 @@ pub(crate) fn unseal_prefix(bytes: &[u8]) -> Result<(Record<'_>, &[u8]), Fault> 
     let (key, body) = record[HEADER_BYTES..].split_at(key_len);
     let mut sequence = [0; 8];
     sequence.copy_from_slice(&header[10..18]);
+    let sequence = u64::from_le_bytes(sequence);
+    if sequence > MAX_COMMIT {
+        return Err(Fault::Commit);
+    }
     let record = Record {
         version: u16::from_le_bytes([header[0], header[1]]),
         kind,
         key,
-        sequence: u64::from_le_bytes(sequence),
+        sequence,
         body,
     };
     Ok((record, rest))
@@ -268,10 +284,28 @@ mod tests {
         assert_eq!(found, [(b"k1".as_slice(), 5), (b"k2".as_slice(), 6)]);
     }
 
+    #[test]
+    fn numbers_of_commits_end_where_they_could_overflow() {
+        let sealed = |sequence| seal(1, Kind::State, b"state", sequence, b"");
+        for sequence in [MAX_COMMIT + 1, u64::MAX - 4, u64::MAX] {
+            assert_eq!(unseal(&sealed(sequence)), Err(Fault::Commit));
+            assert_eq!(carve(&sealed(sequence)).count(), 0);
+        }
+        assert_eq!(
+            unseal(&sealed(MAX_COMMIT)).map(|found| found.sequence),
+            Ok(MAX_COMMIT)
+        );
+        assert_eq!(next_commit(0), 1);
+        // What is written is read again, however often one saves.
+        for last in [MAX_COMMIT - 1, MAX_COMMIT, u64::MAX] {
+            assert_eq!(next_commit(last), MAX_COMMIT);
+        }
+    }
+
     proptest! {
         #[test]
         fn sealed_records_come_back(
-            version: u16, sequence: u64,
+            version: u16, sequence in 0..=MAX_COMMIT,
             key in prop::collection::vec(any::<u8>(), 0..20),
             body in prop::collection::vec(any::<u8>(), 0..300),
         ) {

@@ -82,9 +82,11 @@ impl Copy<'_> {
     }
 }
 
-/// Copies the menu picture if there is one that could be shown.
+/// Copies the menu picture if there is one that could be shown: a file of the world's own, since a link may lead to
+/// what its owner would not give away.
 fn copy_picture(source_dir: &Path, target_dir: &Path) -> Result<(), StorageError> {
-    let Ok(picture) = regular::read(&source_dir.join(THUMBNAIL_FILE), MAX_THUMBNAIL_BYTES) else {
+    let Ok(picture) = regular::read_own(&source_dir.join(THUMBNAIL_FILE), MAX_THUMBNAIL_BYTES)
+    else {
         return Ok(());
     };
     let path = target_dir.join(THUMBNAIL_FILE);

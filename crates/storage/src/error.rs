@@ -18,6 +18,12 @@ pub enum StorageError {
         /// Name or directory of the world.
         world: String,
     },
+    /// Somebody else gives names to worlds, and for too long.
+    #[error("Another game is making, renaming or importing a world in {} and does not come to an end. Try again in a moment, or close the other game.", dir.display())]
+    Busy {
+        /// The directory of worlds.
+        dir: PathBuf,
+    },
     /// The world was written by a newer game.
     #[error(
         "The world \"{world}\" was saved by a newer version of the game (save format {found}; this game knows up to {SCHEMA_VERSION}). Update the game to play it; nothing has been changed."
@@ -104,10 +110,12 @@ pub enum StorageError {
         reason: String,
     },
     /// The disk, or the player's share of it, is full.
-    #[error("There is no space left to write {}. Free some space and save again; what was saved before is safe.", path.display())]
+    #[error(
+        "There is no space left to write {what}, or a limit on the size of files is reached. Free some space and save again; what was saved before is safe."
+    )]
     DiskFull {
-        /// What was being written.
-        path: PathBuf,
+        /// What was being written: a world by its name, or a path.
+        what: String,
     },
     /// The file system or the permissions forbid writing.
     #[error("{} cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.", path.display())]
@@ -151,7 +159,9 @@ impl StorageError {
         let path = path.to_path_buf();
         match source.kind() {
             ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::FileTooLarge => {
-                Self::DiskFull { path }
+                Self::DiskFull {
+                    what: path.display().to_string(),
+                }
             }
             ErrorKind::PermissionDenied if action == "Reading" => Self::NotReadable { path },
             ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
@@ -184,7 +194,9 @@ impl StorageError {
                     "it is no save of this game, or a part of it is missing",
                 )
             }
-            redb::Error::Io(source) => Self::io("Writing or reading", path, source),
+            redb::Error::Io(source) => {
+                Self::io("Writing or reading", path, source).of_world(world, path, path)
+            }
             redb::Error::PreviousIo => Self::Io {
                 action: "Writing",
                 path: path.to_path_buf(),
@@ -195,6 +207,25 @@ impl StorageError {
             }
             other => Self::unreadable(path, &other.to_string()),
         }
+    }
+
+    /// The same failure, told of the world called `world`: a full disk names it, and what lies in the hidden place
+    /// `hidden` is called by `shown`, where it is to end.
+    pub(crate) fn of_world(mut self, world: &str, hidden: &Path, shown: &Path) -> Self {
+        match &mut self {
+            Self::DiskFull { what } => *what = format!("\"{world}\" ({})", shown.display()),
+            Self::NotWritable { path }
+            | Self::NotReadable { path }
+            | Self::Exists { path }
+            | Self::Unreadable { path, .. }
+            | Self::Io { path, .. }
+                if path.starts_with(hidden) =>
+            {
+                *path = shown.to_path_buf();
+            }
+            _ => {}
+        }
+        self
     }
 
     /// The sentence for a failure at the directory of worlds itself: most often it,
@@ -215,6 +246,16 @@ impl StorageError {
             self,
             Self::Unreadable { .. } | Self::Damaged { .. } | Self::NoStore { .. }
         )
+    }
+
+    /// What is damaged and how, in words that name no file.
+    pub(crate) fn damage(&self) -> String {
+        match self {
+            Self::Unreadable { reason, .. } => reason.clone(),
+            Self::Damaged { what, reason, .. } => format!("{what} is damaged, {reason}"),
+            Self::NoStore { what, .. } => format!("it {what}"),
+            other => other.to_string(),
+        }
     }
 
     /// The sentence for a store that cannot be read.
@@ -270,6 +311,34 @@ mod tests {
         );
         assert!(say(ErrorKind::TimedOut).starts_with("Writing saves/x/world.redb failed"));
         assert!(say(ErrorKind::StorageFull).contains("saves/x/world.redb"));
+    }
+
+    #[test]
+    fn a_full_disk_names_the_world_and_nothing_hidden() {
+        let hidden = Path::new("saves/.antipode-new-1-0/contents");
+        let shown = Path::new("saves/foo");
+        for kind in [
+            ErrorKind::StorageFull,
+            ErrorKind::FileTooLarge,
+            ErrorKind::PermissionDenied,
+            ErrorKind::TimedOut,
+        ] {
+            let error = StorageError::io("Writing", &hidden.join("world.redb"), kind.into());
+            let said = error.of_world("Foo", hidden, shown).to_string();
+            assert!(said.contains("saves/foo") && !said.contains("/."), "{said}");
+        }
+        let elsewhere = StorageError::io("Writing", Path::new("x"), ErrorKind::TimedOut.into());
+        let said = elsewhere.of_world("Foo", hidden, shown).to_string();
+        assert!(said.starts_with("Writing x failed"), "{said}");
+        let full = StorageError::store(
+            Path::new("saves/x/world.redb"),
+            "Foo",
+            redb::Error::Io(ErrorKind::FileTooLarge.into()),
+        );
+        assert!(
+            full.to_string().contains("write \"Foo\" (saves/x"),
+            "{full}"
+        );
     }
 
     #[test]

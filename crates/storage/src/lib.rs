@@ -24,6 +24,11 @@ mod guard;
 mod listing;
 mod maintenance;
 mod name;
+mod opening;
+mod overlay;
+mod page_check;
+#[cfg(test)]
+mod power_cut;
 mod regular;
 mod salvage;
 mod saves;
@@ -35,6 +40,7 @@ mod store;
 mod summary;
 mod survey;
 mod transfer;
+mod turn;
 mod world;
 
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
@@ -42,11 +48,11 @@ pub use error::StorageError;
 pub use guard::is_guarded;
 pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
-pub use name::{MAX_NAME_CHARS, NameError};
+pub use name::{MAX_NAME_CHARS, NameError, is_unprintable};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord, SCHEMA_VERSION,
-    SlotRecord, WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord, PlayerRecord,
+    SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState,
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::error::StorageError;
-use crate::regular::Entry;
+use crate::regular::{self, Entry};
 use crate::schema::{self, WorldMeta, WorldState};
 use crate::store::{self, META_KEY};
 use crate::survey::fault_in;
@@ -121,16 +121,20 @@ pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
 }
 
 /// Whether a directory is a world's, sound or not: everything that is done with
-/// worlds goes by this, so that none is listed and then not found.
+/// worlds goes by this, so that none is listed and then not found. One that cannot be looked into
+/// may be a world, and its line says what is wrong.
 pub(crate) fn holds_world(dir: &Path) -> bool {
-    fs::symlink_metadata(dir.join(WORLD_FILE)).is_ok() || summary::is_there(dir)
+    match fs::symlink_metadata(dir.join(WORLD_FILE)) {
+        Ok(_) => true,
+        Err(error) => !regular::is_absent(&error) || summary::is_there(dir),
+    }
 }
 
 /// Looks at one world; never fails, a bad world has a `problem`.
 pub(crate) fn summarise(saves: &Path, slug: String) -> WorldSummary {
     let dir = saves.join(&slug);
     let thumbnail = Some(dir.join(THUMBNAIL_FILE)).filter(
-        |path| matches!(Entry::at(path), Ok(Entry::File { bytes }) if bytes <= MAX_THUMBNAIL_BYTES),
+        |path| matches!(fs::symlink_metadata(path), Ok(data) if data.is_file() && data.len() <= MAX_THUMBNAIL_BYTES),
     );
     let size_bytes = fs::read_dir(&dir).map_or(0, |entries| {
         entries
@@ -169,10 +173,11 @@ fn look(dir: &Path) -> Result<WorldMeta, StorageError> {
     match store::peek_meta(&path, &label)? {
         Some(bytes) => schema::read(&bytes, META_KEY.as_bytes())
             .map_err(|fault| fault_in(&label, "what the world is", fault)),
-        // Not closed properly: opening will recover it, and a look need not wait for that.
-        None => {
-            summary::read(dir).map_or_else(|| WorldStore::open(dir).map(|world| world.meta()), Ok)
-        }
+        // Not closed properly: playing will recover it, and a look need not wait for that.
+        None => summary::read(dir).map_or_else(
+            || WorldStore::open_to_read(dir).map(|world| world.meta()),
+            Ok,
+        ),
     }
 }
 

@@ -45,59 +45,83 @@ pub struct RepairReport {
     pub kept: Option<PathBuf>,
 }
 
-/// Reads and decodes every value in the world of `dir` and walks every page.
-/// A damaged world is a report, not an error; one in use or of a newer game is an error.
+/// Reads and decodes every value in the world of `dir`, after the check of every page that
+/// opening makes. A damaged world is a report, not an error; one in use or of a newer game
+/// is an error.
 pub(crate) fn verify(dir: &Path) -> Result<VerifyReport, StorageError> {
-    let mut report = verify_store(dir)?;
+    let mut report = inspect(dir)?.report();
     report.problems.extend(summary::fault(dir));
     Ok(report)
 }
 
-/// The same for the store alone.
-fn verify_store(dir: &Path) -> Result<VerifyReport, StorageError> {
-    let world = match WorldStore::open(dir) {
-        Ok(world) => world,
-        Err(error) if error.is_damage() => {
-            let problems = vec![error.to_string()];
-            return Ok(VerifyReport {
-                world: world::label(dir),
-                problems,
-                ..VerifyReport::default()
-            });
-        }
-        Err(error) => return Err(error),
-    };
-    let mut report = VerifyReport {
-        world: world.meta().name,
-        problems: world.problems(),
-        ..VerifyReport::default()
-    };
-    match world.state() {
-        Ok(state) => report.has_state = state.is_some(),
-        Err(error) => report.note(&error),
-    }
-    match world.edited_chunks() {
-        Ok(keys) => {
-            for key in keys {
-                match world.chunk(&key) {
-                    Ok(_) => report.chunks += 1,
-                    Err(error) => report.note(&error),
-                }
-            }
-        }
-        Err(error) => report.note(&error),
-    }
-    if let Err(error) = world.check_pages() {
-        report.note(&error);
-    }
-    Ok(report)
+/// What a look at every value of a store has found.
+pub(crate) struct Inspection {
+    /// Name of the world, or its directory if that cannot be read.
+    world: String,
+    chunks: usize,
+    has_state: bool,
+    /// What is damaged.
+    pub(crate) faults: Vec<StorageError>,
 }
 
-impl VerifyReport {
-    fn note(&mut self, error: &StorageError) {
+/// Looks at every value of the store in `dir`, but not at what is beside it.
+pub(crate) fn inspect(dir: &Path) -> Result<Inspection, StorageError> {
+    match WorldStore::open_to_read(dir) {
+        Ok(world) => Ok(Inspection::of(&world)),
+        Err(error) if error.is_damage() => Ok(Inspection {
+            world: world::label(dir),
+            chunks: 0,
+            has_state: false,
+            faults: vec![error],
+        }),
+        Err(error) => Err(error),
+    }
+}
+
+impl Inspection {
+    /// Reads every value of an open world.
+    pub(crate) fn of(world: &WorldStore) -> Self {
+        let mut found = Self {
+            world: world.meta().name,
+            chunks: 0,
+            has_state: false,
+            faults: world.faults(),
+        };
+        match world.state() {
+            Ok(state) => found.has_state = state.is_some(),
+            Err(error) => found.note(error),
+        }
+        match world.edited_chunks() {
+            Ok(keys) => {
+                for key in keys {
+                    match world.chunk(&key) {
+                        Ok(_) => found.chunks += 1,
+                        Err(error) => found.note(error),
+                    }
+                }
+            }
+            Err(error) => found.note(error),
+        }
+        found
+    }
+
+    fn note(&mut self, error: StorageError) {
         let sentence = error.to_string();
-        if !self.problems.contains(&sentence) {
-            self.problems.push(sentence);
+        if self
+            .faults
+            .iter()
+            .all(|known| known.to_string() != sentence)
+        {
+            self.faults.push(error);
+        }
+    }
+
+    fn report(&self) -> VerifyReport {
+        VerifyReport {
+            world: self.world.clone(),
+            chunks: self.chunks,
+            has_state: self.has_state,
+            problems: self.faults.iter().map(ToString::to_string).collect(),
         }
     }
 }
@@ -107,7 +131,7 @@ impl VerifyReport {
 /// A world of which only the summary is left is made anew from that. `scratch` is an
 /// empty directory on the same file system.
 pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, StorageError> {
-    let before = verify_store(dir)?;
+    let before = inspect(dir)?.report();
     if before.is_sound() {
         return mend_summary(dir, before);
     }

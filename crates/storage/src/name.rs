@@ -57,8 +57,9 @@ pub(crate) fn folded(name: &str) -> String {
 }
 
 /// Controls, line ends, and the invisible characters that turn the order of text
-/// round or make two names look the same.
-fn is_unprintable(c: char) -> bool {
+/// round or make two names look the same. Text from outside that holds one is not to be
+/// printed as it is.
+pub fn is_unprintable(c: char) -> bool {
     c.is_control()
         || matches!(c,
             '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{200b}' | '\u{200e}'..='\u{200f}'

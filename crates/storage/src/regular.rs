@@ -36,7 +36,7 @@ impl Entry {
 }
 
 /// Whether an error says that there is nothing of that name.
-fn is_absent(error: &io::Error) -> bool {
+pub(crate) fn is_absent(error: &io::Error) -> bool {
     matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
@@ -57,10 +57,28 @@ pub(crate) fn open(path: &Path) -> io::Result<(File, u64)> {
     }
 }
 
+/// Reads a regular file as [`read`] does, but not through a link.
+pub(crate) fn read_own(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
+    let named = fs::symlink_metadata(path)?;
+    let (file, length) = open(path)?;
+    // Compared after opening, since what stands there may change in between.
+    if named.is_symlink() || FileId::of(&named) != FileId::of(&file.metadata()?) {
+        return Err(io::Error::new(
+            ErrorKind::InvalidInput,
+            "it is a link, not a file",
+        ));
+    }
+    read_from(file, length, limit)
+}
+
 /// Reads a regular file of at most `limit` bytes as a whole; a longer one is
 /// [`ErrorKind::InvalidData`], in words.
 pub(crate) fn read(path: &Path, limit: u64) -> io::Result<Vec<u8>> {
     let (file, length) = open(path)?;
+    read_from(file, length, limit)
+}
+
+fn read_from(file: File, length: u64, limit: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     if length <= limit {
         file.take(limit + 1).read_to_end(&mut bytes)?;

@@ -8,9 +8,10 @@ use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
+use crate::page_check;
 use crate::regular;
 use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::world;
@@ -23,12 +24,20 @@ const WINDOW_BYTES: u64 = 32 << 20;
 pub(crate) struct Salvage {
     meta: Option<(u64, WorldMeta)>,
     state: Option<(u64, WorldState)>,
-    chunks: BTreeMap<ChunkKey, (u64, Vec<i16>)>,
+    /// Chunks as they were packed, which is a small part of what they are unpacked.
+    chunks: BTreeMap<ChunkKey, Packed>,
     /// The last commit that the index led to, or that anything tells of.
     last: u64,
     /// Chunks that the index led to, but to a damaged record.
     damaged: Vec<ChunkKey>,
     newer: Option<u16>,
+}
+
+/// A chunk's record, known to unpack.
+struct Packed {
+    sequence: u64,
+    version: u16,
+    body: Vec<u8>,
 }
 
 impl Salvage {
@@ -49,26 +58,19 @@ impl Salvage {
 
     /// The meta record as [`Self::write`] stores it.
     pub(crate) fn sealed_meta(&self, meta: &WorldMeta) -> Result<Vec<u8>, StorageError> {
-        world::sealed(meta, META_KEY, self.last + 1, &meta.name)
+        world::sealed(meta, META_KEY, codec::next_commit(self.last), &meta.name)
     }
 
-    /// Reads by the index as far as it goes, from a copy, because opening writes;
-    /// then searches the bare bytes for what the index did not lead to.
+    /// Reads by the index if that can be trusted, from a copy, because opening writes; then
+    /// searches the bare bytes for what the index did not lead to. A file that cannot be
+    /// trusted is never opened.
     pub(crate) fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
         let copy = scratch.join("damaged.redb");
-        StorageError::at("Copying", path, fs::copy(path, &copy))?;
         let mut salvage = Self::default();
-        let by_index = Store::open(&copy, world).and_then(|store| {
-            store.scan(|raw| match codec::unseal(&raw.bytes) {
-                Ok(record) if record.key == raw.key => salvage.add(&record),
-                _ if raw.kind == Kind::Chunk => {
-                    salvage.damaged.extend(ChunkKey::from_bytes(&raw.key));
-                }
-                _ => {}
-            })
-        });
+        let trusted = page_check::check(path, world).is_ok();
+        let by_index = trusted && salvage.scan(path, &copy, world)?;
         // With a whole index, what is newer than its last commit was never committed.
-        let last = if by_index.is_ok() && salvage.last > 0 {
+        let last = if by_index && salvage.last > 0 {
             salvage.last
         } else {
             u64::MAX
@@ -79,7 +81,6 @@ impl Salvage {
             }
         });
         StorageError::at("Reading", path, carved)?;
-        StorageError::at("Removing", &copy, fs::remove_file(&copy))?;
         match salvage.newer {
             Some(found) => Err(StorageError::Newer {
                 world: world.to_owned(),
@@ -87,6 +88,22 @@ impl Salvage {
             }),
             None => Ok(salvage),
         }
+    }
+
+    /// Takes what the index leads to; false if it did not lead to everything.
+    fn scan(&mut self, path: &Path, copy: &Path, world: &str) -> Result<bool, StorageError> {
+        StorageError::at("Copying", path, fs::copy(path, copy))?;
+        let scanned = Store::open(copy, world).and_then(|store| {
+            store.scan(|raw| match codec::unseal(&raw.bytes) {
+                Ok(record) if record.key == raw.key => self.add(&record),
+                _ if raw.kind == Kind::Chunk => {
+                    self.damaged.extend(ChunkKey::from_bytes(&raw.key));
+                }
+                _ => {}
+            })
+        });
+        StorageError::at("Removing", copy, fs::remove_file(copy))?;
+        Ok(scanned.is_ok())
     }
 
     /// Takes a record if it is readable and newer than what there is.
@@ -110,20 +127,22 @@ impl Salvage {
         let Some(key) = ChunkKey::from_bytes(record.key) else {
             return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
         };
-        let mut slot = self
-            .chunks
-            .remove(&key)
-            .map(|(sequence, samples)| (sequence, ChunkBody(samples)));
-        let added = newest(&mut slot, record, record.key);
-        if let Some((sequence, ChunkBody(samples))) = slot {
-            self.chunks.insert(key, (sequence, samples));
+        let known = self.chunks.get(&key);
+        if known.is_none_or(|known| record.sequence > known.sequence) {
+            ChunkBody::upgrade(record.version, record.body)?;
+            let packed = Packed {
+                sequence: record.sequence,
+                version: record.version,
+                body: record.body.to_vec(),
+            };
+            self.chunks.insert(key, packed);
         }
-        added
+        Ok(())
     }
 
     /// Writes what was found into a new store, closed when this returns.
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
-        let sequence = self.last + 1;
+        let sequence = codec::next_commit(self.last);
         let mut values = vec![(META_KEY, self.sealed_meta(meta)?)];
         if let Some((_, state)) = &self.state {
             values.push((
@@ -131,8 +150,9 @@ impl Salvage {
                 world::sealed(state, STATE_KEY, sequence, &meta.name)?,
             ));
         }
-        let chunks = self.chunks.iter().filter_map(|(key, (_, samples))| {
-            let body = crate::pack_chunk(samples).ok()?;
+        let chunks = self.chunks.iter().filter_map(|(key, packed)| {
+            let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
+            let body = crate::pack_chunk(&samples).ok()?;
             let key = key.to_bytes();
             Some((
                 key,
@@ -147,7 +167,7 @@ impl Salvage {
             .damaged
             .iter()
             .map(|key| match self.chunks.get(key) {
-                Some((sequence, _)) => format!(
+                Some(Packed { sequence, .. }) => format!(
                     "The edits of {key} are those of commit {sequence}; later ones are lost."
                 ),
                 None => format!("The edits of {key} are lost; it is as the seed made it."),
@@ -170,7 +190,7 @@ impl Salvage {
 }
 
 /// Replaces `slot` by the record's value if that is newer.
-fn newest<T: schema::Versioned>(
+fn newest<T: Versioned>(
     slot: &mut Option<(u64, T)>,
     record: &Record<'_>,
     key: &[u8],

@@ -10,6 +10,7 @@ use crate::name::{self, NameError};
 use crate::schema::{SCHEMA_VERSION, WorldMeta};
 use crate::scratch::{self, Scratch};
 use crate::slug::{numbered, slug_of};
+use crate::turn::Turn;
 use crate::world::{self, WorldStore};
 use crate::{THUMBNAIL_FILE, atomic_file, store, summary};
 
@@ -128,15 +129,20 @@ impl SavesDir {
     /// name. Blanks around the name are dropped.
     ///
     /// # Errors
-    /// [`StorageError::Name`], failures of the file system.
+    /// [`StorageError::Name`], [`StorageError::Busy`], failures of the file system.
     pub fn create(&self, meta: &WorldMeta) -> Result<(String, WorldStore), StorageError> {
+        let _turn = Turn::wait(&self.path)?;
         self.check_name(&meta.name)?;
         let meta = WorldMeta {
             name: meta.name.trim().to_owned(),
             ..meta.clone()
         };
-        let scratch = Scratch::new(&self.path, "new")?;
-        drop(WorldStore::create(scratch.path(), &meta)?);
+        let scratch = self.scratch("new")?;
+        let made = WorldStore::create(scratch.path(), &meta).map_err(|error| {
+            let place = self.path.join(slug_of(&meta.name));
+            error.of_world(&meta.name, scratch.path(), &place)
+        });
+        drop(made?);
         let slug = self.settle(&scratch, &meta.name)?;
         let world = self.open(&slug)?;
         Ok((slug, world))
@@ -159,7 +165,7 @@ impl SavesDir {
     pub fn delete(&self, slug: &str) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
         refuse_if_in_use(&dir)?;
-        let aside = Scratch::new(&self.path, "trash")?;
+        let aside = self.scratch("trash")?;
         let moved = aside.path().join(slug);
         StorageError::at("Moving", &dir, fs::rename(&dir, &moved))?;
         atomic_file::sync_dir(&self.path);
@@ -209,8 +215,9 @@ impl SavesDir {
     /// [`StorageError::InUse`], [`StorageError::Newer`], failures of the file system.
     pub fn repair(&self, slug: &str) -> Result<RepairReport, StorageError> {
         let dir = self.world_dir(slug)?;
-        let scratch = Scratch::new(&self.path, "repair")?;
+        let scratch = self.scratch("repair")?;
         maintenance::repair(&dir, scratch.path())
+            .map_err(|error| error.of_world(&world::label(&dir), scratch.path(), &dir))
     }
 
     /// Where a world's menu picture is or would be.
@@ -219,6 +226,13 @@ impl SavesDir {
     /// [`StorageError::NotFound`].
     pub fn thumbnail_path(&self, slug: &str) -> Result<PathBuf, StorageError> {
         Ok(self.world_dir(slug)?.join(THUMBNAIL_FILE))
+    }
+
+    /// A hidden directory among the worlds, which are made room for if need be.
+    pub(crate) fn scratch(&self, purpose: &str) -> Result<Scratch, StorageError> {
+        let made = fs::create_dir_all(&self.path);
+        made.map_err(|error| StorageError::place("Making", &self.path, error))?;
+        Scratch::new(&self.path, purpose)
     }
 
     fn not_found(&self, world: &str) -> StorageError {

@@ -10,10 +10,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3, v4};
+use crate::schema_history::{v1, v2, v3, v4, v5};
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 5;
+pub const SCHEMA_VERSION: u16 = 6;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -177,6 +177,19 @@ pub struct WorldState {
     pub driving: Option<u32>,
     /// Whether the world has been given its first car, which it may have lost since.
     pub car_given: bool,
+    /// Where the player stands up again from death; none where the land alone decides.
+    pub start: Option<PlaceRecord>,
+    /// Whether the player was told of having gone once round the world.
+    pub been_round: bool,
+}
+
+/// A place.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PlaceRecord {
+    /// Hemisphere: 0 for A, 1 for B.
+    pub hemisphere: u8,
+    /// Chart metres.
+    pub pos: [f64; 3],
 }
 
 /// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
@@ -278,11 +291,16 @@ impl Versioned for WorldState {
             1 => decode::<v1::WorldState>(body)
                 .map(v3::WorldState::from)
                 .map(v4::WorldState::from)
+                .map(v5::WorldState::from)
                 .map(Self::from),
             2 | 3 => decode::<v3::WorldState>(body)
                 .map(v4::WorldState::from)
+                .map(v5::WorldState::from)
                 .map(Self::from),
-            4 => decode::<v4::WorldState>(body).map(Self::from),
+            4 => decode::<v4::WorldState>(body)
+                .map(v5::WorldState::from)
+                .map(Self::from),
+            5 => decode::<v5::WorldState>(body).map(Self::from),
             _ => decode(body),
         }
     }
@@ -442,7 +460,7 @@ mod tests {
             assert_eq!(WorldMeta::upgrade(version, body), Ok(meta.clone()));
             assert!(WorldMeta::upgrade(version, &today).is_err());
         }
-        for version in [3, 4, 5] {
+        for version in [3, 4, 5, 6] {
             assert_eq!(WorldMeta::upgrade(version, &today), Ok(meta.clone()));
         }
         assert!(WorldMeta::upgrade(3, body).is_err());
@@ -465,8 +483,8 @@ mod tests {
         assert_eq!((state.bent, state.bend), (false, 0.0));
         assert_eq!((state.brush_radius_m, state.view_distance), (4.0, 5));
         let today = codec::encode(&state).unwrap();
-        assert_eq!(WorldState::upgrade(5, &today).as_ref(), Ok(&state));
-        for version in [1, 2, 3, 4] {
+        assert_eq!(WorldState::upgrade(6, &today).as_ref(), Ok(&state));
+        for version in [1, 2, 3, 4, 5] {
             assert!(WorldState::upgrade(version, &today).is_err());
         }
     }
@@ -488,6 +506,7 @@ mod tests {
             let _ = WorldState::upgrade(2, &bytes);
             let _ = WorldState::upgrade(4, &bytes);
             let _ = WorldState::upgrade(5, &bytes);
+            let _ = WorldState::upgrade(6, &bytes);
             let _ = WorldMeta::upgrade(2, &bytes);
             let _ = WorldMeta::upgrade(3, &bytes);
         }

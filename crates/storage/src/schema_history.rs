@@ -191,6 +191,7 @@ pub(crate) mod v3 {
 pub(crate) mod v4 {
     use serde::{Deserialize, Serialize};
 
+    use super::v5;
     use crate::schema::{self, DropRecord, LampRecord, PlayerRecord, SlotRecord};
 
     /// What version 4 kept of a figure that nobody plays.
@@ -238,7 +239,7 @@ pub(crate) mod v4 {
         }
     }
 
-    impl From<WorldState> for schema::WorldState {
+    impl From<WorldState> for v5::WorldState {
         /// The world gets its first car when it is opened.
         fn from(old: WorldState) -> Self {
             Self {
@@ -261,6 +262,67 @@ pub(crate) mod v4 {
                 cars: Vec::new(),
                 driving: None,
                 car_given: false,
+            }
+        }
+    }
+}
+
+/// Version 5 began every world where its land alone decides, and knew nobody who had gone round it.
+pub(crate) mod v5 {
+    use serde::{Deserialize, Serialize};
+
+    use crate::schema::{
+        self, BotRecord, CarRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord,
+    };
+
+    /// What version 5 kept of everything that changes while a world is played.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    pub(crate) struct WorldState {
+        pub player: PlayerRecord,
+        pub item_slot: u8,
+        pub inventory: Vec<SlotRecord>,
+        pub time_of_day_s: f64,
+        pub map: String,
+        pub curvature: f64,
+        pub curvature_horizon: f64,
+        pub bent: bool,
+        pub bend: f64,
+        pub brush_radius_m: f64,
+        pub simulated_s: f64,
+        pub view_distance: u32,
+        pub flashlight: bool,
+        pub lamps: Vec<LampRecord>,
+        pub drops: Vec<DropRecord>,
+        pub bots: Vec<BotRecord>,
+        pub cars: Vec<CarRecord>,
+        pub driving: Option<u32>,
+        pub car_given: bool,
+    }
+
+    impl From<WorldState> for schema::WorldState {
+        fn from(old: WorldState) -> Self {
+            Self {
+                player: old.player,
+                item_slot: old.item_slot,
+                inventory: old.inventory,
+                time_of_day_s: old.time_of_day_s,
+                map: old.map,
+                curvature: old.curvature,
+                curvature_horizon: old.curvature_horizon,
+                bent: old.bent,
+                bend: old.bend,
+                brush_radius_m: old.brush_radius_m,
+                simulated_s: old.simulated_s,
+                view_distance: old.view_distance,
+                flashlight: old.flashlight,
+                lamps: old.lamps,
+                drops: old.drops,
+                bots: old.bots,
+                cars: old.cars,
+                driving: old.driving,
+                car_given: old.car_given,
+                start: None,
+                been_round: false,
             }
         }
     }

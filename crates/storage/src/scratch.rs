@@ -1,179 +1,165 @@
-//! Hidden directories for unfinished things, beside the worlds so that a rename
-//! can finish them. The list of worlds skips names that begin with a dot.
+//! Hidden directories for unfinished things, on the file system where they are to end,
+//! so that a rename can finish them. The list of worlds skips names that begin with a dot.
 //!
-//! Beside each, `NAME.lock` is locked by its process as long as that lives, whoever
-//! kills it. So what is left over can be told from what is at work even where
-//! process numbers tell nothing, as across containers that share a directory. The
-//! lock is not inside, since a finished directory becomes a world.
+//! One is `.antipode-PURPOSE-PROCESS-NUMBER/`. In it are `contents/`, which is worked in, and
+//! the game's mark, `antipode-scratch.lock`, which its process keeps locked as long as that
+//! lives, whoever kills it. So what is left over can be told from what is at work even where
+//! process numbers tell nothing, as across containers that share a directory, and
+//! from whatever else has such a name: without the mark nothing is removed.
 
 use std::fs::{self, File, TryLockError};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
-use std::time::Duration;
 
 use crate::error::StorageError;
-use crate::regular::{Entry, FileId};
+use crate::regular::FileId;
 
-const DAY: Duration = Duration::from_hours(24);
-const PURPOSES: [&str; 6] = [
-    ".new-", ".trash-", ".import-", ".repair-", ".copy-", ".export-",
-];
-const LOCK_SUFFIX: &str = ".lock";
+const PREFIX: &str = ".antipode-";
+const MARK: &str = "antipode-scratch.lock";
+const CONTENTS: &str = "contents";
 
 /// A hidden directory for something unfinished.
 pub(crate) struct Scratch {
-    path: PathBuf,
-    lock: PathBuf,
-    /// Locked until dropped.
+    dir: PathBuf,
+    contents: PathBuf,
+    /// The mark, locked until dropped.
     _held: File,
 }
 
 impl Scratch {
-    /// A new hidden directory in `saves`, removed with what is in it when dropped.
-    /// `purpose` is one of `new`, `trash`, `import`, `repair`, `copy`, `export`.
-    pub(crate) fn new(saves: &Path, purpose: &str) -> Result<Self, StorageError> {
+    /// A new hidden directory in `parent`, removed with what is in it when dropped.
+    /// `purpose` is one word of small letters.
+    pub(crate) fn new(parent: &Path, purpose: &str) -> Result<Self, StorageError> {
+        // A refusal is told of the parent: hidden names mean nothing to a player.
+        StorageError::at("Making", parent, Self::make(parent, purpose))
+    }
+
+    fn make(parent: &Path, purpose: &str) -> io::Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
-        fs::create_dir_all(saves).map_err(|error| StorageError::place("Making", saves, error))?;
-        sweep(saves);
         loop {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);
-            let path = saves.join(format!(".{purpose}-{}-{number}", std::process::id()));
-            let lock = lock_of(&path);
-            // Before the directory: none is ever seen without its lock.
-            // A refusal is told of the directory: its hidden names mean nothing to a player.
-            let Some(held) = StorageError::at("Making", saves, hold(&lock))? else {
-                continue;
-            };
-            match fs::create_dir(&path) {
-                Ok(()) => {
+            let dir = parent.join(format!("{PREFIX}{purpose}-{}-{number}", std::process::id()));
+            match fs::create_dir(&dir) {
+                Ok(()) => {}
+                // Left over from a process of the same number that was killed, or somebody's own.
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => continue,
+                Err(error) => return Err(error),
+            }
+            let contents = dir.join(CONTENTS);
+            match hold(&dir.join(MARK)).and_then(|held| fs::create_dir(&contents).map(|()| held)) {
+                Ok(held) => {
                     return Ok(Self {
-                        path,
-                        lock,
+                        dir,
+                        contents,
                         _held: held,
                     });
                 }
+                // A sweep came between making and locking.
+                Err(error)
+                    if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::WouldBlock)
+                        && parent.exists() => {}
                 Err(error) => {
-                    let _ = fs::remove_file(&lock);
-                    // Left over from a process of the same number that was killed.
-                    if error.kind() != io::ErrorKind::AlreadyExists {
-                        return Err(StorageError::io("Making", saves, error));
-                    }
+                    remove(&dir);
+                    return Err(error);
                 }
             }
         }
     }
 
-    /// Where it is.
+    /// Where to work. It may be moved away as a whole.
     pub(crate) fn path(&self) -> &Path {
-        &self.path
+        &self.contents
     }
 }
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // Gone already if its contents were settled.
-        let _ = fs::remove_dir_all(&self.path);
-        let _ = fs::remove_file(&self.lock);
+        remove(&self.dir);
     }
 }
 
-fn lock_of(scratch: &Path) -> PathBuf {
-    let mut name = scratch.as_os_str().to_owned();
-    name.push(LOCK_SUFFIX);
-    PathBuf::from(name)
-}
-
-/// Makes and locks a lock file; `None` if the name is taken or was swept meanwhile.
-fn hold(lock: &Path) -> io::Result<Option<File>> {
-    let file = match File::create_new(lock) {
-        Ok(file) => file,
-        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => return Ok(None),
-        Err(error) => return Err(error),
-    };
-    // Where the file system has no locks, the age of the directory must do.
+/// Makes and locks the mark; [`ErrorKind::WouldBlock`] if it was swept meanwhile.
+fn hold(mark: &Path) -> io::Result<File> {
+    let file = File::create_new(mark)?;
+    // Where the file system has no locks nobody sweeps.
     if let Err(TryLockError::WouldBlock) = file.try_lock() {
-        return Ok(None);
+        return Err(ErrorKind::WouldBlock.into());
     }
-    // A sweep between making and locking has removed the name.
-    let is_named = FileId::at(lock)? == Some(FileId::of(&file.metadata()?));
-    Ok(is_named.then_some(file))
-}
-
-/// Removes what killed processes have left, and nothing of a process that lives.
-/// Failing is no matter: the next use of the directory tries again.
-pub(crate) fn sweep(saves: &Path) {
-    for entry in fs::read_dir(saves).into_iter().flatten().flatten() {
-        let Ok(name) = entry.file_name().into_string() else {
-            continue;
-        };
-        if !PURPOSES.iter().any(|purpose| name.starts_with(purpose)) {
-            continue;
-        }
-        let scratch = saves.join(name.strip_suffix(LOCK_SUFFIX).unwrap_or(&name));
-        let lock = lock_of(&scratch);
-        // Held while removing, so that two sweeps do not meet.
-        let Owner::Dead(_held) = owner(&scratch, &lock) else {
-            continue;
-        };
-        let removed = fs::remove_dir_all(&scratch);
-        if removed.is_ok() || removed.is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
-            let _ = fs::remove_file(&lock);
-        }
+    if is_named(&file, mark) {
+        Ok(file)
+    } else {
+        Err(ErrorKind::WouldBlock.into())
     }
 }
 
-/// Who may have left a scratch directory.
-enum Owner {
-    /// A process that is gone. Its lock is taken over, if there is one.
-    Dead(Option<File>),
-    /// A process that may be at work.
-    Alive,
+/// Whether an open file is what stands at `path` now.
+fn is_named(file: &File, path: &Path) -> bool {
+    let same = || io::Result::Ok(FileId::at(path)? == Some(FileId::of(&file.metadata()?)));
+    same().unwrap_or(false)
 }
 
-fn owner(scratch: &Path, lock: &Path) -> Owner {
-    let by_age = || {
-        if is_old(scratch) {
-            Owner::Dead(None)
-        } else {
-            Owner::Alive
+/// Removes what killed processes have left in `parent`, and nothing of a process that lives or
+/// without the mark. Failing is no matter: the next sweep tries again.
+pub(crate) fn sweep(parent: &Path) {
+    for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
+        let is_dir = entry.file_type().is_ok_and(|kind| kind.is_dir());
+        if !is_dir || !entry.file_name().to_str().is_some_and(is_name) {
+            continue;
         }
+        let dir = entry.path();
+        match abandoned_mark(&dir.join(MARK)) {
+            // Locked while removing, so that two sweeps do not meet.
+            Ok(Some(_held)) => remove(&dir),
+            // Killed before the mark was made, or after it was removed: then it is empty, and
+            // anything else stays.
+            Ok(None) => drop(fs::remove_dir(&dir)),
+            Err(_) => {}
+        }
+    }
+}
+
+/// Removes a directory whose mark this process has: the mark as the last thing in it, so that
+/// another sweep can go on where this one ends, and nothing that the game did not make.
+fn remove(dir: &Path) {
+    let removed = fs::remove_dir_all(dir.join(CONTENTS));
+    // Gone already if the contents were settled.
+    if removed.is_ok() || removed.is_err_and(|error| error.kind() == ErrorKind::NotFound) {
+        let _ = fs::remove_file(dir.join(MARK));
+        let _ = fs::remove_dir(dir);
+    }
+}
+
+/// Whether a name is one that [`Scratch::new`] gives.
+fn is_name(name: &str) -> bool {
+    let Some(rest) = name.strip_prefix(PREFIX) else {
+        return false;
     };
-    match Entry::at(lock) {
-        Ok(Entry::File { .. }) => {
-            let Ok(file) = File::options().write(true).open(lock) else {
-                return Owner::Alive;
-            };
-            match file.try_lock() {
-                Ok(()) => Owner::Dead(Some(file)),
-                Err(TryLockError::WouldBlock) => Owner::Alive,
-                Err(TryLockError::Error(_)) => by_age(),
-            }
-        }
-        Ok(Entry::Missing) if has_ended(scratch) => Owner::Dead(None),
-        Ok(Entry::Missing) => by_age(),
-        _ => Owner::Alive,
+    let parts: Vec<_> = rest.split('-').collect();
+    let [purpose, process, number] = parts[..] else {
+        return false;
+    };
+    !purpose.is_empty()
+        && purpose.bytes().all(|byte| byte.is_ascii_lowercase())
+        && [process, number].iter().all(|it| it.parse::<u32>().is_ok())
+}
+
+/// The mark, locked, if its process is gone; `None` if there is none. Any error says that
+/// it is somebody's at work, or not the game's.
+fn abandoned_mark(mark: &Path) -> io::Result<Option<File>> {
+    match fs::symlink_metadata(mark) {
+        Ok(data) if data.is_file() => {}
+        Ok(_) => return Err(ErrorKind::InvalidInput.into()),
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error),
     }
-}
-
-/// Whether a directory without a lock was made long ago.
-fn is_old(scratch: &Path) -> bool {
-    let modified = fs::metadata(scratch).and_then(|data| data.modified());
-    let age = modified.ok().and_then(|modified| modified.elapsed().ok());
-    age.is_some_and(|age| age > DAY)
-}
-
-/// Whether the process whose number is in the name is known to be gone; false where
-/// the system does not list its processes as files.
-fn has_ended(scratch: &Path) -> bool {
-    let name = scratch.file_name().and_then(|name| name.to_str());
-    let process: Option<u32> = name
-        .and_then(|name| name.split('-').nth(1))
-        .and_then(|number| number.parse().ok());
-    let processes = Path::new("/proc");
-    process.is_some_and(|process| {
-        processes.join("self/stat").exists() && !processes.join(process.to_string()).exists()
-    })
+    let file = File::options().write(true).open(mark)?;
+    file.try_lock()?;
+    if is_named(&file, mark) {
+        Ok(Some(file))
+    } else {
+        Err(ErrorKind::WouldBlock.into())
+    }
 }
 
 #[cfg(test)]
@@ -198,20 +184,28 @@ mod tests {
 
     /// A directory with a file in it.
     fn fill(path: &Path) {
-        fs::create_dir(path).unwrap();
+        fs::create_dir_all(path).unwrap();
         fs::write(path.join("file"), b"x").unwrap();
+    }
+
+    /// What a process that was killed leaves.
+    fn abandon(parent: &Path, name: &str) -> PathBuf {
+        let dir = parent.join(name);
+        fill(&dir.join(CONTENTS));
+        fs::write(dir.join(MARK), b"").unwrap();
+        dir
     }
 
     #[test]
     fn scratch_directories_are_apart_hidden_and_gone_in_the_end() {
         let dir = tempfile::tempdir().unwrap();
-        let saves = dir.path().join("saves");
-        let [a, b] = [(); 2].map(|()| Scratch::new(&saves, "new").unwrap());
+        let [a, b] = [(); 2].map(|()| Scratch::new(dir.path(), "new").unwrap());
         assert_ne!(a.path(), b.path());
-        assert!(names(&saves).iter().all(|name| name.starts_with('.')));
+        assert!(names(dir.path()).iter().all(|name| name.starts_with('.')));
         fs::write(a.path().join("file"), b"x").unwrap();
+        fs::rename(b.path(), dir.path().join("settled")).unwrap();
         drop((a, b));
-        assert_eq!(names(&saves), Vec::<String>::new());
+        assert_eq!(names(dir.path()), ["settled"]);
     }
 
     #[test]
@@ -220,46 +214,100 @@ mod tests {
         let living = ["new", "trash", "import", "repair"]
             .map(|purpose| Scratch::new(dir.path(), purpose).unwrap());
         let before = names(dir.path());
-        assert_eq!(before.len(), 8);
+        assert_eq!(before.len(), 4);
         sweep(dir.path());
         assert_eq!(names(dir.path()), before);
+        assert!(living.iter().all(|scratch| scratch.path().is_dir()));
         drop(living);
         assert_eq!(names(dir.path()), Vec::<String>::new());
     }
 
     #[test]
-    fn what_nobody_locks_is_swept_with_its_lock() {
+    fn what_nobody_locks_is_swept_whatever_its_process() {
         let dir = tempfile::tempdir().unwrap();
-        // Of this living process by its number: the lock is what counts.
-        let dead = format!(".new-{}-1000000", std::process::id());
-        fill(&dir.path().join(&dead));
-        fs::write(dir.path().join(format!("{dead}.lock")), b"").unwrap();
-        fs::write(dir.path().join(".trash-1-7.lock"), b"").unwrap();
-        fs::write(dir.path().join("world.lock"), b"").unwrap();
+        abandon(
+            dir.path(),
+            &format!(".antipode-new-{}-1000000", std::process::id()),
+        );
+        abandon(dir.path(), ".antipode-trash-1-7");
+        // Killed at the first step of making it, and in the middle of a sweep.
+        fs::create_dir(dir.path().join(".antipode-new-1-0")).unwrap();
+        let half = abandon(dir.path(), ".antipode-copy-1-1");
+        fs::remove_dir_all(half.join(CONTENTS)).unwrap();
         sweep(dir.path());
-        assert_eq!(names(dir.path()), ["world.lock"]);
+        assert_eq!(names(dir.path()), Vec::<String>::new());
     }
 
     #[test]
-    fn without_a_lock_the_process_or_the_age_tells() {
+    fn what_somebody_put_into_an_abandoned_one_stays() {
         let dir = tempfile::tempdir().unwrap();
-        let own = format!(".new-{}-1000000", std::process::id());
-        for name in [&own, ".other-1-0", "world"] {
-            fill(&dir.path().join(name));
-        }
-        let old = dir.path().join(".repair-1-0");
-        fs::create_dir(&old).unwrap();
-        let past = std::time::UNIX_EPOCH;
-        File::open(&old).unwrap().set_modified(past).unwrap();
-        // No process has so high a number.
-        let gone = ".import-4294967295-0";
-        fill(&dir.path().join(gone));
+        let found = abandon(dir.path(), ".antipode-new-1-0");
+        fs::write(found.join("letter"), b"x").unwrap();
         sweep(dir.path());
-        let mut left = vec![own, ".other-1-0".to_owned(), "world".to_owned()];
-        if !Path::new("/proc/self/stat").exists() {
-            left.push(gone.to_owned());
+        sweep(dir.path());
+        assert_eq!(names(&found), ["letter"]);
+    }
+
+    #[test]
+    fn without_the_mark_nothing_is_removed_however_old_and_whatever_its_name() {
+        let dir = tempfile::tempdir().unwrap();
+        let strangers = [
+            ".copy-2024-thesis",
+            ".new-1-0",
+            ".export-4294967295-0",
+            ".antipode-new-1-0",
+            ".antipode-copy-1-0",
+            ".antipode-copy-2024-thesis",
+            ".antipode-new-1-0-1",
+            ".antipode-1-0",
+            "world",
+        ];
+        for name in strangers {
+            fill(&dir.path().join(name));
+            // Somebody's own lock, beside it and in it.
+            fs::write(dir.path().join(format!("{name}.lock")), b"").unwrap();
+            fs::write(dir.path().join(name).join(".lock"), b"").unwrap();
+            fs::create_dir(dir.path().join(name).join(CONTENTS)).unwrap();
+            let past = std::time::UNIX_EPOCH;
+            let open = File::open(dir.path().join(name)).unwrap();
+            open.set_modified(past).unwrap();
         }
-        left.sort();
-        assert_eq!(names(dir.path()), left);
+        // A mark under a name that the game does not give is none.
+        fs::write(dir.path().join("world").join(MARK), b"").unwrap();
+        // Nor is a directory in its place.
+        fs::create_dir(dir.path().join(".antipode-new-1-0").join(MARK)).unwrap();
+        let before = names(dir.path());
+        sweep(dir.path());
+        assert_eq!(names(dir.path()), before);
+        for name in strangers {
+            assert!(dir.path().join(name).join("file").exists(), "{name}");
+            assert!(dir.path().join(name).join(CONTENTS).exists(), "{name}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_neither_followed_nor_removed() {
+        use std::os::unix::fs::symlink;
+        let dir = tempfile::tempdir().unwrap();
+        let elsewhere = tempfile::tempdir().unwrap();
+        let real = abandon(elsewhere.path(), "real");
+        let saves = dir.path();
+        // The directory itself, its mark, or its contents.
+        symlink(&real, saves.join(".antipode-new-1-0")).unwrap();
+        fill(&saves.join(".antipode-new-1-1").join(CONTENTS));
+        symlink(real.join(MARK), saves.join(".antipode-new-1-1").join(MARK)).unwrap();
+        let third = abandon(saves, ".antipode-new-1-2");
+        fs::remove_dir_all(third.join(CONTENTS)).unwrap();
+        symlink(real.join(CONTENTS), third.join(CONTENTS)).unwrap();
+        sweep(saves);
+        assert_eq!(
+            names(saves),
+            [".antipode-new-1-0", ".antipode-new-1-1"],
+            "only the link in the third was the game's"
+        );
+        assert!(real.join(CONTENTS).join("file").exists());
+        let second = saves.join(".antipode-new-1-1").join(CONTENTS);
+        assert!(second.join("file").exists());
     }
 }

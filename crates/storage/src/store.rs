@@ -1,17 +1,20 @@
 //! The embedded store as this crate uses it: two tables of sealed records.
 //!
-//! Every call goes through [`guard`], because the store trusts its file.
+//! The store trusts its file: so [`page_check`] reads every page before it is opened, and
+//! every call goes through [`guard`] besides.
 
 use std::path::{Path, PathBuf};
 
 use redb::{
-    Builder, Database, ReadOnlyDatabase, ReadTransaction, ReadableDatabase, ReadableTable,
-    ReadableTableMetadata, TableDefinition, TableError,
+    Builder, Database, ReadTransaction, ReadableDatabase, ReadableTable, ReadableTableMetadata,
+    TableDefinition, TableError,
 };
 
 use crate::codec::Kind;
 use crate::error::StorageError;
 use crate::guard::guard;
+use crate::overlay::Overlay;
+use crate::page_check;
 use crate::schema::ChunkKey;
 
 /// `world` and `state`.
@@ -44,6 +47,8 @@ pub(crate) struct Store {
     world: String,
     // Some until drop.
     db: Option<Database>,
+    /// Leaves of records that were not as they were written when it was opened.
+    torn_leaves: u64,
 }
 
 impl Store {
@@ -66,11 +71,13 @@ impl Store {
             path: path.to_path_buf(),
             world: world.to_owned(),
             db: Some(db),
+            torn_leaves: 0,
         })
     }
 
-    /// Opens a store, recovering it if it was not closed.
+    /// Opens a store, recovering it if it was not closed, if its every page can be trusted.
     pub(crate) fn open(path: &Path, world: &str) -> Result<Self, StorageError> {
+        let checked = page_check::check(path, world)?;
         let db = guard(path, || {
             let mut builder = Builder::new();
             builder
@@ -82,7 +89,33 @@ impl Store {
             path: path.to_path_buf(),
             world: world.to_owned(),
             db: Some(db),
+            torn_leaves: checked.torn_leaves,
         })
+    }
+
+    /// Opens a store to read it, if its every page can be trusted: the file is not changed, and
+    /// need not be writable. It is shared with others who read, not with one who writes.
+    pub(crate) fn open_to_read(path: &Path, world: &str) -> Result<Self, StorageError> {
+        let checked = page_check::check(path, world)?;
+        let db = guard(path, || {
+            let mut builder = Builder::new();
+            builder.set_cache_size(CACHE_BYTES);
+            Overlay::over(path)
+                .and_then(|overlay| builder.create_with_backend(overlay))
+                .map_err(|e| StorageError::store(path, world, e))
+        })?;
+        Ok(Self {
+            path: path.to_path_buf(),
+            world: world.to_owned(),
+            db: Some(db),
+            torn_leaves: checked.torn_leaves,
+        })
+    }
+
+    /// How many leaves of records were not as they were written, but well formed, when it
+    /// was opened: which records are damaged their seals tell.
+    pub(crate) fn torn_leaves(&self) -> u64 {
+        self.torn_leaves
     }
 
     fn db(&self) -> Result<&Database, StorageError> {
@@ -183,16 +216,18 @@ impl Store {
             write.commit().map_err(|e| self.error(e))
         })
     }
+}
 
-    /// Walks every page and compares its checksum; false if the store had to mend itself.
-    pub(crate) fn check_pages(&mut self) -> Result<bool, StorageError> {
-        let (path, world) = (self.path.clone(), self.world.clone());
-        guard(&path, || match self.db.as_mut() {
-            Some(db) => db
-                .check_integrity()
-                .map_err(|e| StorageError::store(&path, &world, e)),
-            None => Ok(true),
-        })
+#[cfg(test)]
+impl Store {
+    /// A store whose file is watched by a test.
+    pub(crate) fn of(path: &Path, world: &str, db: Database) -> Self {
+        Self {
+            path: path.to_path_buf(),
+            world: world.to_owned(),
+            db: Some(db),
+            torn_leaves: 0,
+        }
     }
 }
 
@@ -210,49 +245,16 @@ impl Drop for Store {
     }
 }
 
-/// Reads the meta record without writing to the file: `None` if the world was
-/// not closed (its recovery writes) or holds none.
+/// Reads the meta record without opening the store: `None` if the world was not closed
+/// (its recovery writes) or holds none.
 pub(crate) fn peek_meta(path: &Path, world: &str) -> Result<Option<Vec<u8>>, StorageError> {
-    guard(path, || {
-        let Some(db) = open_to_look(path, world)? else {
-            return Ok(None);
-        };
-        let read = db
-            .begin_read()
-            .map_err(|e| StorageError::store(path, world, e))?;
-        value_in(&read, META_KEY).map_err(|e| StorageError::store(path, world, e))
-    })
+    Ok(page_check::look(path, world)?.and_then(|look| look.meta))
 }
 
-/// How many chunks are stored, without writing to the file: `None` if the world was not closed.
+/// How many chunks are stored, without opening the store: `None` if the world was not closed.
 pub(crate) fn peek_chunk_count(path: &Path, world: &str) -> Result<Option<usize>, StorageError> {
-    guard(path, || {
-        let Some(db) = open_to_look(path, world)? else {
-            return Ok(None);
-        };
-        let read = db
-            .begin_read()
-            .map_err(|e| StorageError::store(path, world, e))?;
-        let table =
-            absent(read.open_table(CHUNKS)).map_err(|e| StorageError::store(path, world, e))?;
-        let Some(table) = table else {
-            return Ok(Some(0));
-        };
-        let count = table
-            .len()
-            .map_err(|e| StorageError::store(path, world, e))?;
-        Ok(Some(usize::try_from(count).unwrap_or(usize::MAX)))
-    })
-}
-
-/// Opens a store for reading alone; `None` if it was not closed, as its recovery writes.
-fn open_to_look(path: &Path, world: &str) -> Result<Option<ReadOnlyDatabase>, StorageError> {
-    let mut builder = Builder::new();
-    match builder.set_cache_size(CACHE_BYTES).open_read_only(path) {
-        Ok(db) => Ok(Some(db)),
-        Err(redb::DatabaseError::RepairAborted) => Ok(None),
-        Err(error) => Err(StorageError::store(path, world, error)),
-    }
+    let look = page_check::look(path, world)?;
+    Ok(look.map(|look| usize::try_from(look.chunks).unwrap_or(usize::MAX)))
 }
 
 fn value_in(read: &ReadTransaction, key: &str) -> Result<Option<Vec<u8>>, redb::Error> {

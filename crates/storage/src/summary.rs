@@ -30,6 +30,27 @@ pub(crate) fn replace(dir: &Path, sealed_meta: &[u8]) -> io::Result<()> {
     atomic_file::replace(&path(dir), sealed_meta)
 }
 
+/// Removes copies that a killed process had not put in place yet: files under the name that one has until then, and
+/// with the game's own seal. Only whoever has the world open may ask.
+pub(crate) fn sweep(dir: &Path) {
+    for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        let name = entry.file_name();
+        let process = name.to_str().and_then(|name| {
+            name.strip_prefix(SUMMARY_FILE)?
+                .strip_prefix('.')?
+                .strip_suffix(".tmp")
+        });
+        if !is_file || process.is_none_or(|process| process.parse::<u32>().is_err()) {
+            continue;
+        }
+        let bytes = regular::read_own(&entry.path(), MAX_RECORD_BYTES as u64).unwrap_or_default();
+        if codec::unseal(&bytes).is_ok_and(|record| record.key == META_KEY.as_bytes()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
 /// Whether anything stands in its place, readable or not.
 pub(crate) fn is_there(dir: &Path) -> bool {
     fs::symlink_metadata(path(dir)).is_ok()

@@ -13,8 +13,8 @@ pub(crate) struct Known {
     pub meta: WorldMeta,
     /// Chunks whose record cannot be believed, with the reason.
     pub damaged: BTreeMap<ChunkKey, String>,
-    /// What else is wrong, as sentences.
-    pub problems: Vec<String>,
+    /// What else is wrong: what, and the reason.
+    pub faults: Vec<(String, String)>,
 }
 
 /// Looks at every record: is it whole, of a known version, and found by its key?
@@ -32,20 +32,14 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     let mut known = Known {
         meta,
         damaged: BTreeMap::new(),
-        problems: Vec::new(),
+        faults: Vec::new(),
     };
     let mut last = 0;
     let mut newer = None;
-    let mut unfound = Vec::new();
-    let scanned = store.scan(|raw| {
-        match record_fault(&raw) {
-            Ok(sequence) => last = last.max(sequence),
-            Err(SchemaFault::Newer(version)) => newer = Some(version),
-            Err(SchemaFault::Damaged(reason)) => known.note(&raw, reason),
-        }
-        if raw.kind == Kind::Chunk {
-            unfound.extend(ChunkKey::from_bytes(&raw.key));
-        }
+    let scanned = store.scan(|raw| match record_fault(&raw) {
+        Ok(sequence) => last = last.max(sequence),
+        Err(SchemaFault::Newer(version)) => newer = Some(version),
+        Err(SchemaFault::Damaged(reason)) => known.note(&raw, reason),
     });
     if let Some(found) = newer {
         return Err(StorageError::Newer {
@@ -53,16 +47,13 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
             found,
         });
     }
-    if let Err(error) = scanned {
-        known.problems.push(error.to_string());
-    }
-    // A damaged branch of the index can hide a record that walking the leaves finds.
-    for key in unfound {
-        if !matches!(store.chunk(&key.to_bytes()), Ok(Some(_))) {
-            known
-                .damaged
-                .insert(key, "the index does not lead to it".to_owned());
-        }
+    scanned?;
+    // Not to be passed over: after a crash the store would take it for a commit cut short.
+    if store.torn_leaves() > 0 && known.damaged.is_empty() && known.faults.is_empty() {
+        let reason = "a page of it is not as it was written, though every value is whole";
+        known
+            .faults
+            .push(("the index".to_owned(), reason.to_owned()));
     }
     Ok((known, last))
 }
@@ -74,13 +65,7 @@ impl Known {
             Some(key) if raw.kind == Kind::Chunk => {
                 self.damaged.insert(key, reason);
             }
-            _ => {
-                let world = self.meta.name.clone();
-                self.problems.push(
-                    fault_in(&world, "the player's state", SchemaFault::Damaged(reason))
-                        .to_string(),
-                );
-            }
+            _ => self.faults.push(("the player's state".to_owned(), reason)),
         }
     }
 }
@@ -125,9 +110,15 @@ mod tests {
     use crate::world::sealed;
     use crate::{WORLD_FILE, pack_chunk, summary};
     use std::fs;
+    use std::path::{Path, PathBuf};
 
     /// A world whose meta, state and one chunk are stored with these schema versions.
     fn planted(versions: [u16; 3]) -> (tempfile::TempDir, SavesDir) {
+        planted_at(versions, 1)
+    }
+
+    /// The same, written by the commit of this number.
+    fn planted_at(versions: [u16; 3], sequence: u64) -> (tempfile::TempDir, SavesDir) {
         let root = tempfile::tempdir().unwrap();
         let dir = root.path().join("future");
         fs::create_dir(&dir).unwrap();
@@ -142,14 +133,29 @@ mod tests {
         let values = [
             (
                 META_KEY,
-                codec::seal(versions[0], Kind::Meta, META_KEY.as_bytes(), 1, &body),
+                codec::seal(
+                    versions[0],
+                    Kind::Meta,
+                    META_KEY.as_bytes(),
+                    sequence,
+                    &body,
+                ),
             ),
             (
                 STATE_KEY,
-                codec::seal(versions[1], Kind::State, STATE_KEY.as_bytes(), 1, &state),
+                codec::seal(
+                    versions[1],
+                    Kind::State,
+                    STATE_KEY.as_bytes(),
+                    sequence,
+                    &state,
+                ),
             ),
         ];
-        let chunks = [(key, codec::seal(versions[2], Kind::Chunk, &key, 1, &chunk))];
+        let chunks = [(
+            key,
+            codec::seal(versions[2], Kind::Chunk, &key, sequence, &chunk),
+        )];
         Store::create(&dir.join(WORLD_FILE), "Future")
             .unwrap()
             .write(&values, &chunks)
@@ -207,6 +213,60 @@ mod tests {
             Err(StorageError::Damaged { .. })
         ));
         assert_eq!(world.problems().len(), 2);
+    }
+
+    /// The world packed as it is, which `export` would refuse to do.
+    fn packed(root: &Path) -> PathBuf {
+        let file = root.join("w.antipode-world");
+        crate::archive::pack(&root.join("future"), &file).unwrap();
+        file
+    }
+
+    #[test]
+    fn a_world_saved_a_number_of_times_that_nobody_can_is_damaged() {
+        for sequence in [u64::MAX, u64::MAX - 4, codec::MAX_COMMIT + 1] {
+            let (root, saves) = planted_at([SCHEMA_VERSION; 3], sequence);
+            assert!(!saves.verify("future").unwrap().is_sound());
+            let damaged = saves.open("future").map(drop).unwrap_err();
+            assert!(matches!(damaged, StorageError::Damaged { .. }), "{damaged}");
+            let refusal = saves.import(&packed(root.path())).unwrap_err().to_string();
+            assert!(
+                refusal.contains("a number of times that nobody can"),
+                "{refusal}"
+            );
+            let lost = saves.repair("future").unwrap_err();
+            assert!(matches!(lost, StorageError::Unsalvageable { .. }), "{lost}");
+        }
+    }
+
+    #[test]
+    fn a_world_near_the_largest_number_of_commits_goes_on_saving() {
+        let (root, saves) = planted_at([SCHEMA_VERSION; 3], codec::MAX_COMMIT - 2);
+        let slug = saves.import(&packed(root.path())).unwrap();
+        for round in 0..6 {
+            let world = saves.open(&slug).unwrap();
+            for step in 0..3 {
+                let state = WorldState {
+                    simulated_s: f64::from(10 * round + step),
+                    ..WorldState::default()
+                };
+                let chunks = vec![(ChunkKey::default(), vec![step as i16; crate::CHUNK_SAMPLES])];
+                let batch = crate::Batch {
+                    meta: None,
+                    state: Some(state),
+                    chunks,
+                };
+                world.commit(&batch).unwrap();
+            }
+            drop(world);
+            let world = saves.open(&slug).unwrap();
+            let state = world.state().unwrap().unwrap();
+            assert_eq!(state.simulated_s, f64::from(10 * round + 2));
+            drop(world);
+            assert!(saves.verify(&slug).unwrap().is_sound());
+        }
+        fs::write(saves.path().join(&slug).join(WORLD_FILE), b"gone").unwrap();
+        assert_eq!(saves.repair(&slug).unwrap().world, "Future 2");
     }
 
     #[test]

@@ -6,12 +6,14 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use crate::error::StorageError;
+use crate::maintenance::Inspection;
 use crate::name::NameError;
 use crate::saves::SavesDir;
 use crate::schema::WorldMeta;
 use crate::scratch::Scratch;
+use crate::turn::Turn;
 use crate::world::{Batch, WorldStore};
-use crate::{ARCHIVE_EXTENSION, MAX_NAME_CHARS, archive, atomic_file};
+use crate::{ARCHIVE_EXTENSION, MAX_NAME_CHARS, archive, atomic_file, maintenance};
 
 /// How many exported worlds of one directory are told of.
 const MOST_ARCHIVES: usize = 200;
@@ -56,9 +58,11 @@ impl SavesDir {
     ///
     /// # Errors
     /// [`StorageError::Name`] with the reason, [`StorageError::InUse`] for a world that
-    /// is open anywhere, otherwise as [`WorldStore::open`] and [`WorldStore::commit`].
+    /// is open anywhere, [`StorageError::Busy`], otherwise as [`WorldStore::open`] and
+    /// [`WorldStore::commit`].
     pub fn rename(&self, slug: &str, name: &str) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
+        let _turn = Turn::wait(self.path())?;
         let worlds = self.list()?;
         let others = worlds.iter().filter(|world| world.slug != slug);
         Self::check_name_among(name, others.map(crate::WorldSummary::name))?;
@@ -74,8 +78,11 @@ impl SavesDir {
     pub fn duplicate(&self, slug: &str) -> Result<String, StorageError> {
         let dir = self.world_dir(slug)?;
         let world = WorldStore::open(&dir)?;
-        let scratch = Scratch::new(self.path(), "copy")?;
-        world.copy_to(scratch.path())?;
+        let scratch = self.scratch("copy")?;
+        let name = world.meta().name;
+        world
+            .copy_to(scratch.path())
+            .map_err(|error| error.of_world(&name, scratch.path(), self.path()))?;
         drop(world);
         self.adopt(&scratch)
     }
@@ -83,8 +90,8 @@ impl SavesDir {
     /// Writes a world into one file, which must not exist. The file appears whole or not at all.
     ///
     /// # Errors
-    /// [`StorageError::InUse`], [`StorageError::Unreadable`] (repair it first),
-    /// [`StorageError::Exists`], failures of the file system.
+    /// [`StorageError::InUse`], [`StorageError::Unreadable`] and [`StorageError::Damaged`]
+    /// (repair it first), [`StorageError::Exists`], failures of the file system.
     pub fn export(&self, slug: &str, file: &Path) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
         if fs::symlink_metadata(file).is_ok() {
@@ -100,12 +107,19 @@ impl SavesDir {
         StorageError::at("Writing to", beside, fs::metadata(beside))?;
         // There and not among the worlds: their disk may be full, and this the way to make room.
         let scratch = Scratch::new(beside, "export")?;
-        // Opening recovers a world that was not closed, and refuses a damaged one.
-        let world = WorldStore::open(&dir)?;
-        world.copy_to(scratch.path())?;
-        drop(world);
+        // Opening recovers a world that was not closed, in memory, and refuses a damaged one.
+        let world = WorldStore::open_to_read(&dir)?;
+        // Nobody could import it again.
+        if let Some(fault) = Inspection::of(&world).faults.into_iter().next() {
+            return Err(fault);
+        }
+        let name = world.meta().name;
         let packed = scratch.path().join("archive");
-        archive::pack(scratch.path(), &packed)?;
+        world
+            .copy_to(scratch.path())
+            .and_then(|()| archive::pack(scratch.path(), &packed))
+            .map_err(|error| error.of_world(&name, scratch.path(), file))?;
+        drop(world);
         put(&packed, file)?;
         atomic_file::sync_dir(beside);
         Ok(())
@@ -118,11 +132,14 @@ impl SavesDir {
     /// # Errors
     /// [`StorageError::Archive`], [`StorageError::Newer`], failures of the file system.
     pub fn import(&self, file: &Path) -> Result<String, StorageError> {
-        let scratch = Scratch::new(self.path(), "import")?;
-        archive::unpack(file, scratch.path())?;
-        self.adopt(&scratch).map_err(|error| match error {
-            damaged if damaged.is_damage() => no_world(file),
-            StorageError::NotFound { .. } => no_world(file),
+        let scratch = self.scratch("import")?;
+        let name = file.display().to_string();
+        let said = |error: StorageError| error.of_world(&name, scratch.path(), self.path());
+        archive::unpack(file, scratch.path()).map_err(said)?;
+        let adopted = refuse_damaged(scratch.path()).and_then(|()| self.adopt(&scratch));
+        adopted.map_err(|error| match error {
+            StorageError::NotFound { .. } => no_world(file, "there is none"),
+            damaged if damaged.is_damage() => no_world(file, &damaged.damage()),
             StorageError::Name(_) => StorageError::Archive {
                 path: file.to_path_buf(),
                 reason: "the world in it has a name that no world can have".to_owned(),
@@ -132,13 +149,14 @@ impl SavesDir {
                 world: file.display().to_string(),
                 found,
             },
-            other => other,
+            other => said(other),
         })
     }
 
     /// Makes a world of the finished store in `scratch`, under a name that is free.
     fn adopt(&self, scratch: &Scratch) -> Result<String, StorageError> {
         let world = WorldStore::open(scratch.path())?;
+        let _turn = Turn::wait(self.path())?;
         let name = self.free_name(&world.meta().name)?;
         rename_store(&world, &name)?;
         drop(world);
@@ -216,10 +234,18 @@ fn put(finished: &Path, file: &Path) -> Result<(), StorageError> {
     }
 }
 
-fn no_world(archive: &Path) -> StorageError {
+/// Refuses a world that `verify` would call damaged.
+fn refuse_damaged(dir: &Path) -> Result<(), StorageError> {
+    match maintenance::inspect(dir)?.faults.into_iter().next() {
+        Some(fault) => Err(fault),
+        None => Ok(()),
+    }
+}
+
+fn no_world(archive: &Path, reason: &str) -> StorageError {
     StorageError::Archive {
         path: archive.to_path_buf(),
-        reason: "the world in it is damaged or missing".to_owned(),
+        reason: format!("the world in it is damaged or missing: {reason}"),
     }
 }
 

@@ -5,11 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
-use std::time::Duration;
 
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
+use crate::opening::{Opener, open_store};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
@@ -17,11 +17,6 @@ use crate::schema::{
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
 use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, summary};
-
-/// How long a look into a store takes at most, about.
-const LOOK: Duration = Duration::from_millis(10);
-/// How many looks to wait before a store counts as in use.
-const LOOKS_WAITED_FOR: u32 = 15;
 
 /// What one commit writes: all of it or none.
 #[derive(Debug, Clone, Default)]
@@ -81,7 +76,7 @@ impl WorldStore {
             known: Mutex::new(Known {
                 meta: meta.clone(),
                 damaged: BTreeMap::new(),
-                problems: Vec::new(),
+                faults: Vec::new(),
             }),
             sequence: Mutex::new(0),
             kept: AtomicBool::new(false),
@@ -103,9 +98,20 @@ impl WorldStore {
     /// [`StorageError::Unreadable`] or [`StorageError::Damaged`] if it cannot be told
     /// what world it is.
     pub fn open(dir: &Path) -> Result<Self, StorageError> {
+        let world = Self::open_by(dir, Store::open)?;
+        summary::sweep(dir);
+        Ok(world)
+    }
+
+    /// The same for reading alone: nothing on disk is changed, nor need it be writable.
+    pub(crate) fn open_to_read(dir: &Path) -> Result<Self, StorageError> {
+        Self::open_by(dir, Store::open_to_read)
+    }
+
+    fn open_by(dir: &Path, opener: Opener) -> Result<Self, StorageError> {
         let path = store_path(dir)?;
         let label = label(dir);
-        let store = open_store(&path, &label)?;
+        let store = open_store(&path, &label, opener)?;
         // Asked after opening, which may move a file of a layered file system.
         let file = file_at(&path)?;
         let (known, sequence) = survey(&store, &label)?;
@@ -131,16 +137,22 @@ impl WorldStore {
 
     /// What was found damaged on opening, a sentence each; empty for a sound world.
     pub fn problems(&self) -> Vec<String> {
+        let faults = self.faults();
+        faults.iter().map(ToString::to_string).collect()
+    }
+
+    /// What was found damaged on opening.
+    pub(crate) fn faults(&self) -> Vec<StorageError> {
         let known = self.known();
-        let chunks = known.damaged.iter().map(|(key, reason)| {
-            fault_in(
-                &known.meta.name,
-                &key.to_string(),
-                SchemaFault::Damaged(reason.clone()),
-            )
-            .to_string()
-        });
-        known.problems.iter().cloned().chain(chunks).collect()
+        let fault = |what: &str, why: &String| {
+            fault_in(&known.meta.name, what, SchemaFault::Damaged(why.clone()))
+        };
+        let others = known.faults.iter().map(|(what, why)| fault(what, why));
+        let chunks = known
+            .damaged
+            .iter()
+            .map(|(key, why)| fault(&key.to_string(), why));
+        others.chain(chunks).collect()
     }
 
     /// The player and the rest that changes; `None` in a world never played.
@@ -227,7 +239,7 @@ impl WorldStore {
         }
         self.check_place()?;
         let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
-        let sequence = *last + 1;
+        let sequence = codec::next_commit(*last);
         let name = self.known().meta.name.clone();
         let mut values = Vec::new();
         if let Some(meta) = &batch.meta {
@@ -322,12 +334,6 @@ impl WorldStore {
         })
     }
 
-    /// Walks every page of the store too, for `verify`.
-    pub(crate) fn check_pages(&self) -> Result<bool, StorageError> {
-        let mut store = self.store.write().unwrap_or_else(PoisonError::into_inner);
-        store.as_mut().map_or(Ok(true), Store::check_pages)
-    }
-
     /// Runs `work` on the store, opening it first if a failed commit has closed it.
     fn with_store<T>(
         &self,
@@ -346,7 +352,7 @@ impl WorldStore {
             store
         } else {
             self.check_place()?;
-            open_store(&self.dir.join(WORLD_FILE), &label(&self.dir))?
+            open_store(&self.dir.join(WORLD_FILE), &label(&self.dir), Store::open)?
         };
         work(slot.insert(store))
     }
@@ -386,18 +392,6 @@ pub(crate) fn store_path(dir: &Path) -> Result<PathBuf, StorageError> {
             rebuildable: summary::read(dir).is_some(),
         },
     })
-}
-
-/// Opens a store, waiting a moment for whoever has it: making the list of worlds
-/// looks into each, which must not keep a world from being played.
-fn open_store(path: &Path, label: &str) -> Result<Store, StorageError> {
-    for _ in 0..LOOKS_WAITED_FOR {
-        match Store::open(path, label) {
-            Err(StorageError::InUse { .. }) => std::thread::sleep(LOOK),
-            result => return result,
-        }
-    }
-    Store::open(path, label)
 }
 
 /// Which file is at `path` where an open world's should be.

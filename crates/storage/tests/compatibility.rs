@@ -32,6 +32,11 @@ const V5: &str = concat!(
     "/../../tests/saves/v5/v5.antipode-world"
 );
 
+const V6: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v6/v6.antipode-world"
+);
+
 const FAR: ChunkKey = ChunkKey {
     hemisphere: 1,
     x: i32::MIN,
@@ -59,8 +64,8 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-/// What version 5 holds: everything.
-fn v5_state() -> WorldState {
+/// What version 6 holds: everything.
+fn v6_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
         item: "lamp".to_owned(),
@@ -69,6 +74,15 @@ fn v5_state() -> WorldState {
     let mut state = state(3725.5);
     state.inventory.push(lamp);
     state
+}
+
+/// What version 5 could hold of it: no start of its own, and nobody who has gone round.
+fn v5_state() -> WorldState {
+    WorldState {
+        start: None,
+        been_round: false,
+        ..v6_state()
+    }
 }
 
 /// What version 4 could hold of it: no cars, and nobody who calms down.
@@ -108,6 +122,14 @@ fn v1_state() -> WorldState {
     }
 }
 
+/// What version 6 was saved with.
+fn v6_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v6")
+    }
+}
+
 /// What version 5 was saved with.
 fn v5_meta() -> WorldMeta {
     WorldMeta {
@@ -138,18 +160,18 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v5_meta()).unwrap();
+    let (slug, world) = saves.create(&v6_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            state: Some(v5_state()),
+            state: Some(v6_state()),
             chunks,
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V5)).unwrap();
+    saves.export(&slug, Path::new(V6)).unwrap();
 }
 
 #[test]
@@ -159,6 +181,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V3, &v3_meta(), &v2_state());
     opens(V4, &v4_meta(), &v4_state());
     opens(V5, &v5_meta(), &v5_state());
+    opens(V6, &v6_meta(), &v6_state());
 }
 
 fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {

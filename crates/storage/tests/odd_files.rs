@@ -201,3 +201,40 @@ fn a_file_in_the_place_of_the_saves_directory_is_named() {
         Err(StorageError::NotADirectory { .. })
     ));
 }
+
+/// Who could not look is told so. A loop of links is refused to everybody, permissions only to some.
+#[cfg(unix)]
+#[test]
+fn a_world_whose_folder_cannot_be_looked_into_is_listed_and_says_so() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    symlink("loop", dir.path().join("loop")).unwrap();
+    let listed = saves.list().unwrap();
+    assert_eq!(listed.len(), 1);
+    assert_eq!(listed[0].name(), "loop");
+    assert!(listed[0].problem.is_some(), "{listed:?}");
+    assert!(saves.verify("loop").is_err());
+}
+
+#[test]
+fn a_summary_that_was_never_put_in_place_is_swept_and_nothing_else() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    let (slug, world) = saves.create(&meta("W")).unwrap();
+    drop(world);
+    let at = |name: &str| dir.path().join(&slug).join(name);
+    for name in ["summary.bin.4242.tmp", "summary.bin.x.tmp", "notes.1.tmp"] {
+        fs::copy(at("summary.bin"), at(name)).unwrap();
+    }
+    fs::write(at("summary.bin.7.tmp"), b"somebody's own").unwrap();
+    drop(saves.open(&slug).unwrap());
+    assert!(!at("summary.bin.4242.tmp").exists());
+    for name in [
+        "summary.bin",
+        "summary.bin.x.tmp",
+        "summary.bin.7.tmp",
+        "notes.1.tmp",
+    ] {
+        assert!(at(name).exists(), "{name}");
+    }
+}

@@ -36,6 +36,8 @@ fn entries(dir: &Path) -> Vec<String> {
     let entries = fs::read_dir(dir).unwrap();
     let mut names: Vec<_> = entries
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        // The lock of the directory of worlds stays.
+        .filter(|name| name != ".antipode.lock")
         .collect();
     names.sort();
     names
@@ -205,6 +207,86 @@ fn damaged_records_stay_damaged_in_a_double_and_the_rest_is_whole() {
 }
 
 #[test]
+fn what_verify_calls_damaged_is_neither_exported_nor_imported() {
+    let (dir, saves) = two();
+    let file = dir.path().join("foo.antipode-world");
+    saves.export("foo", &file).unwrap();
+    let path = saves.path().join("foo").join(WORLD_FILE);
+    let whole = fs::read(&path).unwrap();
+    let archive = fs::read(&file).unwrap();
+    let records = |bytes: &[u8]| -> Vec<usize> {
+        let starts = (0..bytes.len() - 30).filter(|&at| bytes[at + 2..].starts_with(b"Ap\x03\x0d"));
+        starts.collect()
+    };
+    for at in records(&whole) {
+        let mut bytes = whole.clone();
+        bytes[at + 45] ^= 0x10;
+        fs::write(&path, &bytes).unwrap();
+        let report = saves.verify("foo").unwrap();
+        let to = dir.path().join("damaged.antipode-world");
+        let exported = saves.export("foo", &to);
+        // A record on a freed page is no part of the world.
+        assert_eq!(exported.is_ok(), report.is_sound(), "{report:?}");
+        let _ = fs::remove_file(&to);
+    }
+    // The same done to what is packed in the archive.
+    let elsewhere = SavesDir::new(dir.path().join("other"));
+    let refusal = elsewhere
+        .import(&repacked(&archive, &file, 0x10))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refusal.contains("chunk A") && refusal.contains("checksum"),
+        "{refusal}"
+    );
+    assert_eq!(entries(elsewhere.path()), Vec::<String>::new());
+    assert_eq!(
+        elsewhere.import(&repacked(&archive, &file, 0)).unwrap(),
+        "foo"
+    );
+}
+
+/// An archive like `archive` at `file`, in which a byte of each chunk's record is changed by
+/// these bits and everything around is right again.
+fn repacked(archive: &[u8], file: &Path, bits: u8) -> std::path::PathBuf {
+    // Magic, version, number of files; then name and length of the store, and its blocks.
+    let mut at = 11 + 1 + WORLD_FILE.len() + 8;
+    let mut out = archive[..at].to_vec();
+    let length = u64::from_le_bytes(archive[at - 8..at].try_into().unwrap());
+    let mut done = 0;
+    while done < length {
+        let number = |n: usize| u32::from_le_bytes(archive[at + 4 * n..][..4].try_into().unwrap());
+        let (raw, packed) = (number(0) as usize, number(1) as usize);
+        let block = lz4_flex::block::decompress(&archive[at + 12..][..packed], raw);
+        let mut block = block.unwrap();
+        for start in 0..block.len() - 60 {
+            if block[start + 2..].starts_with(b"Ap\x03\x0d") {
+                block[start + 45] ^= bits;
+            }
+        }
+        let again = lz4_flex::block::compress(&block);
+        out.extend((raw as u32).to_le_bytes());
+        out.extend((again.len() as u32).to_le_bytes());
+        out.extend(crc32(&again).to_le_bytes());
+        out.extend(again);
+        at += 12 + packed;
+        done += raw as u64;
+    }
+    out.extend(&archive[at..]);
+    let changed = file.with_file_name("changed.antipode-world");
+    fs::write(&changed, out).unwrap();
+    changed
+}
+
+/// CRC-32 (IEEE 802.3), bit by bit.
+fn crc32(bytes: &[u8]) -> u32 {
+    let step = |crc: u32, _| (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 };
+    !bytes
+        .iter()
+        .fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
+}
+
+#[test]
 fn an_export_is_one_file_and_nothing_else_stays() {
     let (dir, saves) = two();
     let file = dir.path().join("foo.antipode-world");
@@ -320,4 +402,64 @@ fn exported_worlds_are_found_newest_first_and_nothing_else() {
     assert_eq!(names, ["a.Antipode-World", "b.Antipode-World"]);
     assert!(found.iter().all(|file| file.size_bytes > 100));
     assert_eq!(archives_in(&dir.path().join("none")), []);
+}
+
+/// A store as a process that was killed leaves it: to be recovered by whoever opens it.
+fn unclosed(saves: &SavesDir, slug: &str) -> Vec<u8> {
+    let file = saves.path().join(slug).join(WORLD_FILE);
+    let world = saves.open(slug).unwrap();
+    world.commit(&batch(4, 3)).unwrap();
+    let bytes = fs::read(&file).unwrap();
+    drop(world);
+    fs::write(&file, &bytes).unwrap();
+    bytes
+}
+
+#[test]
+fn a_look_through_a_world_and_an_export_change_nothing_in_it() {
+    let (dir, saves) = two();
+    let bytes = unclosed(&saves, "foo");
+    let before = entries(&saves.path().join("foo"));
+    assert!(saves.verify("foo").unwrap().is_sound());
+    let file = dir.path().join("foo.antipode-world");
+    saves.export("foo", &file).unwrap();
+    assert!(saves.list().unwrap().iter().all(|it| it.problem.is_none()));
+    let after = fs::read(saves.path().join("foo").join(WORLD_FILE)).unwrap();
+    assert!(after == bytes, "the store was written to");
+    assert_eq!(entries(&saves.path().join("foo")), before);
+    let slug = saves.import(&file).unwrap();
+    assert_is_foo(&saves, &slug, "Foo 2");
+}
+
+#[test]
+fn a_world_in_play_is_neither_looked_through_nor_exported() {
+    let (dir, saves) = two();
+    let world = saves.open("foo").unwrap();
+    let file = dir.path().join("file");
+    for refusal in [saves.verify("foo").map(drop), saves.export("foo", &file)] {
+        assert!(matches!(refusal, Err(StorageError::InUse { .. })));
+    }
+    drop(world);
+    assert!(saves.verify("foo").unwrap().is_sound());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_in_the_place_of_the_picture_is_not_followed_into_an_archive() {
+    let (dir, saves) = two();
+    let secret = dir.path().join("secret");
+    fs::write(&secret, b"a secret").unwrap();
+    let picture = saves.path().join("foo").join(THUMBNAIL_FILE);
+    fs::remove_file(&picture).unwrap();
+    std::os::unix::fs::symlink(&secret, &picture).unwrap();
+    let file = dir.path().join("foo.antipode-world");
+    saves.export("foo", &file).unwrap();
+    let copies = [
+        saves.import(&file).unwrap(),
+        saves.duplicate("foo").unwrap(),
+    ];
+    for slug in copies {
+        assert!(!saves.path().join(&slug).join(THUMBNAIL_FILE).exists());
+    }
+    assert_eq!(saves.find("Foo").unwrap().thumbnail, None);
 }

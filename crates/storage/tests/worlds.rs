@@ -23,6 +23,8 @@ fn entries(saves: &SavesDir) -> Vec<String> {
     let mut names: Vec<_> = fs::read_dir(saves.path())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        // The lock of the directory stays.
+        .filter(|name| name != ".antipode.lock")
         .collect();
     names.sort();
     names

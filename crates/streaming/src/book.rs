@@ -5,10 +5,10 @@
 //! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
 //! they are among those used last; of the others, what is saved is read again when it is needed.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::error::Error;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
+use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::ChunkEdits;
@@ -60,6 +60,9 @@ struct Page {
     used: AtomicU64,
 }
 
+/// Edits of chunks to be saved, or saved.
+pub(crate) type Land = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
+
 #[derive(Default)]
 struct Pages {
     chunks: HashMap<ChunkCoord, Page>,
@@ -67,10 +70,29 @@ struct Pages {
     on_disk: HashSet<ChunkCoord>,
     /// Stored, and told to be out of reach.
     complained: HashSet<ChunkCoord>,
+    /// Changed since they were last taken to be saved.
     dirty: HashSet<ChunkCoord>,
+    /// As they were last taken to be saved, until they are.
+    leaving: HashMap<ChunkCoord, Arc<ChunkEdits>>,
     revision: u64,
     /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
     evictions: u64,
+}
+
+impl Pages {
+    fn take_dirty(&mut self) -> Land {
+        let dirty = std::mem::take(&mut self.dirty);
+        let taken: Land = dirty
+            .into_iter()
+            .filter_map(|coord| Some((coord, Arc::clone(&self.chunks.get(&coord)?.edits))))
+            .collect();
+        self.leaving.extend(
+            taken
+                .iter()
+                .map(|(&coord, edits)| (coord, Arc::clone(edits))),
+        );
+        taken
+    }
 }
 
 impl Book {
@@ -141,21 +163,33 @@ impl Book {
         pages.revision
     }
 
-    /// Takes everything that is not saved yet; whole batches only.
-    pub(crate) fn take_dirty(&self) -> Vec<(ChunkCoord, Arc<ChunkEdits>)> {
-        let mut pages = self.write();
-        let dirty = std::mem::take(&mut pages.dirty);
-        let mut taken: Vec<_> = dirty
-            .into_iter()
-            .filter_map(|coord| Some((coord, Arc::clone(&pages.chunks.get(&coord)?.edits))))
-            .collect();
-        taken.sort_unstable_by_key(|(coord, _)| *coord);
-        taken
+    /// Takes what has changed since the last time, whole batches only, to be saved as it is now. `None` if a worker
+    /// has the book at the moment: the game does not wait for it.
+    pub(crate) fn try_take_dirty(&self) -> Option<Land> {
+        match self.pages.try_write() {
+            Ok(mut pages) => Some(pages.take_dirty()),
+            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner().take_dirty()),
+            Err(TryLockError::WouldBlock) => None,
+        }
     }
 
-    /// Marks chunks as unsaved again, after a commit that failed.
-    pub(crate) fn put_back(&self, coords: impl Iterator<Item = ChunkCoord>) {
-        self.write().dirty.extend(coords);
+    /// Takes everything that is not saved yet.
+    pub(crate) fn take_unsaved(&self) -> Land {
+        let mut pages = self.write();
+        let leaving: Vec<_> = pages.leaving.keys().copied().collect();
+        pages.dirty.extend(leaving);
+        pages.take_dirty()
+    }
+
+    /// Notes that this is saved.
+    pub(crate) fn saved(&self, land: &Land) {
+        let mut pages = self.write();
+        for (coord, saved) in land {
+            let is_last = |last: &Arc<ChunkEdits>| Arc::ptr_eq(last, saved);
+            if pages.leaving.get(coord).is_some_and(is_last) {
+                pages.leaving.remove(coord);
+            }
+        }
     }
 
     /// After a commit: lets go of saved chunks that were not used for long. They are read again
@@ -166,10 +200,9 @@ impl Book {
         }
         let mut pages = self.write();
         let pages = &mut *pages;
-        let saved = pages
-            .chunks
-            .iter()
-            .filter(|(coord, _)| !pages.dirty.contains(coord));
+        let saved = pages.chunks.iter().filter(|(coord, _)| {
+            !pages.dirty.contains(coord) && !pages.leaving.contains_key(coord)
+        });
         let mut uses: Vec<_> = saved
             .map(|(&coord, page)| (page.used.load(Ordering::Relaxed), coord))
             .collect();
@@ -348,12 +381,14 @@ mod tests {
     }
 
     fn save(book: &Book, disk: &Disk) {
-        for (coord, edits) in book.take_dirty() {
+        let land = book.take_unsaved();
+        for (coord, edits) in &land {
             disk.0
                 .lock()
                 .unwrap()
-                .insert(key_of(coord), edits.to_units());
+                .insert(key_of(*coord), edits.to_units());
         }
+        book.saved(&land);
         book.forget_saved();
     }
 
@@ -391,12 +426,34 @@ mod tests {
             enter(&bare, x);
         }
         book.forget_saved();
-        bare.take_dirty();
+        bare.take_unsaved();
         bare.forget_saved();
         assert_eq!(
             (book.held(), bare.held()),
             (MOST_SAVED + 40, MOST_SAVED + 40)
         );
+    }
+
+    #[test]
+    fn what_is_on_its_way_to_the_disk_stays_in_memory_until_it_is_there() {
+        let disk = Arc::new(Disk::default());
+        let book = Book::new(Some(Arc::clone(&disk) as Arc<dyn Vault>), HashSet::new());
+        let count = MOST_SAVED as i32 + 10;
+        for x in 0..count {
+            enter(&book, x);
+        }
+        let first = book.try_take_dirty().unwrap();
+        assert_eq!(first.len(), count as usize);
+        // The second moment has a newer edit of one of them; the first is saved meanwhile.
+        enter(&book, 0);
+        let second = book.try_take_dirty().unwrap();
+        assert_eq!(second.len(), 1);
+        book.forget_saved();
+        assert_eq!(book.held(), count as usize, "nothing is saved yet");
+        book.saved(&first);
+        assert_eq!(book.take_unsaved().len(), 1, "the newer edit is not saved");
+        book.saved(&second);
+        assert_eq!(book.take_unsaved().len(), 0);
     }
 
     /// A disk on which something else happens while it is first read.

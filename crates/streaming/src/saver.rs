@@ -7,22 +7,27 @@ use antipode_storage::{Batch, WorldMeta, WorldState};
 use crossbeam_channel::{Receiver, Sender};
 
 use crate::api::Cause;
+use crate::book::Land;
 use crate::outcome::Outcome;
 use crate::shared::Shared;
 use crate::vault::key_of;
 use crate::worker::reason;
 
-/// What the game adds to a save; the chunks come from the book.
-#[derive(Debug, Default)]
+/// What a save holds, all of one moment.
+#[derive(Default)]
 pub(crate) struct Parts {
     pub(crate) meta: Option<WorldMeta>,
     pub(crate) state: Option<WorldState>,
+    pub(crate) land: Land,
 }
 
 impl Parts {
     /// Takes from `older` what is missing here.
     pub(crate) fn or(self, older: Self) -> Self {
+        let mut land = older.land;
+        land.extend(self.land);
         Self {
+            land,
             meta: self.meta.or(older.meta),
             state: self.state.or(older.state),
         }
@@ -32,7 +37,7 @@ impl Parts {
 /// A commit that failed.
 pub(crate) struct Unsaved {
     pub(crate) why: Cause,
-    /// What is not on disk; the chunks are unsaved in the book again.
+    /// What is not on disk.
     pub(crate) parts: Parts,
 }
 
@@ -42,22 +47,26 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
     for parts in jobs {
         let _ = results.send(Outcome::Saved(commit(shared, *parts)));
     }
-    if let Some(Unsaved { why, .. }) = commit(shared, Parts::default()) {
+    let last = Parts {
+        land: shared.book.take_unsaved(),
+        ..Parts::default()
+    };
+    if let Some(Unsaved { why, .. }) = commit(shared, last) {
         tracing::error!("The last changes to the terrain are not saved. {why}");
     }
 }
 
-/// One transaction of the parts and every unsaved chunk.
+/// One transaction of all the parts.
 fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     let vault = shared.book.vault()?;
-    let dirty = shared.book.take_dirty();
-    let chunks = dirty
+    let Parts { meta, state, land } = parts;
+    let chunks = land
         .iter()
         .map(|(coord, edits)| (key_of(*coord), edits.to_units()))
         .collect();
     let batch = Batch {
-        meta: parts.meta,
-        state: parts.state,
+        meta,
+        state,
         chunks,
     };
     if batch.is_empty() {
@@ -65,6 +74,7 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     }
     let why = match catch_unwind(AssertUnwindSafe(|| vault.commit(&batch))) {
         Ok(Ok(())) => {
+            shared.book.saved(&land);
             shared.book.forget_saved();
             return None;
         }
@@ -74,12 +84,12 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
                 .into()
         }
     };
-    shared.book.put_back(dirty.iter().map(|(coord, _)| *coord));
     Some(Unsaved {
         why,
         parts: Parts {
             meta: batch.meta,
             state: batch.state,
+            land,
         },
     })
 }

@@ -18,7 +18,7 @@ use crate::outcome::{Edited, Loaded, Outcome};
 use crate::round::EditBatch;
 use crate::saver::{Parts, Unsaved};
 use crate::shared::{Shared, Watch};
-use crate::strokes::Strokes;
+use crate::strokes::{Mark, Strokes};
 use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::vault::{Vault, coord_of};
 
@@ -44,14 +44,18 @@ pub struct Streamer {
 /// Where saving stands.
 #[derive(Default)]
 pub(crate) struct Saves {
-    /// Asked for while another was under way.
-    wanted: Option<Parts>,
+    /// Asked for; strokes made before are not all in the book yet. A save holds the land of its own moment: every
+    /// stroke before its mark, and none after. The last gives way to a newer one, the first does not, so that one
+    /// comes to its end however much is dug.
+    asked: VecDeque<(Mark, Parts)>,
+    /// With its land, waiting for the saver.
+    whole: Option<Parts>,
     pub(crate) in_flight: bool,
     /// Not on disk because the commit failed; tried again with the next save.
     unsaved: Parts,
     /// Why the last commit failed.
     pub(crate) last_failure: Option<Cause>,
-    /// Has a batch ended since the last save was handed over?
+    /// Was anything changed since the last save was asked for?
     stale: bool,
 }
 
@@ -140,15 +144,27 @@ impl Streamer {
     /// Applies a brush stroke. Never waits: while a batch is under way strokes add up for the next.
     pub fn edit(&mut self, stroke: Stroke) {
         self.strokes.add(stroke);
+        self.saves.stale |= !self.strokes.is_empty();
         self.feed();
     }
 
-    /// Saves every edit shown so far and the given parts in one commit, on the saver's thread;
-    /// [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
+    /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
+    /// thread, as soon as the strokes are in the book; [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
     /// tried again with the next save unless that brings newer ones.
     pub fn save(&mut self, meta: Option<WorldMeta>, state: Option<WorldState>) {
-        let older = self.saves.wanted.take().unwrap_or_default();
-        self.saves.wanted = Some(Parts { meta, state }.or(older));
+        let parts = Parts {
+            meta,
+            state,
+            ..Parts::default()
+        };
+        let older = if self.saves.asked.len() > 1 {
+            self.saves.asked.pop_back()
+        } else {
+            None
+        };
+        let parts = parts.or(older.map_or_else(Parts::default, |(_, parts)| parts));
+        self.saves.asked.push_back((self.strokes.mark(), parts));
+        self.saves.stale = false;
         self.feed();
     }
 
@@ -225,13 +241,14 @@ impl Streamer {
 
     /// Number of saves asked for and not ended.
     pub fn saves_in_flight(&self) -> usize {
-        usize::from(self.saves.in_flight) + usize::from(self.saves.wanted.is_some())
+        let whole = usize::from(self.saves.whole.is_some());
+        usize::from(self.saves.in_flight) + whole + self.saves.asked.len()
     }
 
-    /// Are there edits that no save asked for so far is sure to hold? So it is while a batch is
-    /// under way and after it, until the next save, and after a save that failed.
+    /// Are there edits that no save asked for so far holds? So it is from a stroke to the next save, and after a
+    /// save that failed.
     pub fn needs_save(&self) -> bool {
-        self.saves.stale || self.is_editing() || self.saves.last_failure.is_some()
+        self.saves.stale || self.saves.last_failure.is_some()
     }
 
     #[cfg(test)]
@@ -257,6 +274,7 @@ impl Streamer {
 
     /// Hands over whatever there is room for: the batch first.
     pub(crate) fn feed(&mut self) {
+        self.gather_saves();
         if !self.batch_in_flight && !self.strokes.is_empty() {
             self.feed_batch();
         }
@@ -272,21 +290,35 @@ impl Streamer {
             }
         }
         if !self.saves.in_flight
-            && let Some(wanted) = self.saves.wanted.take()
+            && let Some(whole) = self.saves.whole.take()
         {
-            let parts = wanted.or(std::mem::take(&mut self.saves.unsaved));
+            let parts = whole.or(std::mem::take(&mut self.saves.unsaved));
             match self.crew.save(Box::new(parts)) {
-                Ok(()) => {
-                    self.saves.in_flight = true;
-                    self.saves.stale = false;
-                }
-                Err(parts) => self.saves.wanted = Some(*parts),
+                Ok(()) => self.saves.in_flight = true,
+                Err(parts) => self.saves.whole = Some(*parts),
             }
         }
     }
 
+    /// Takes the land for the saves whose moment the book has come to; before the next batch changes it.
+    fn gather_saves(&mut self) {
+        while !self.batch_in_flight
+            && let Some((mark, _)) = self.saves.asked.front()
+            && self.strokes.has_passed(*mark)
+            && let Some(land) = self.crew.take_land()
+            && let Some((_, parts)) = self.saves.asked.pop_front()
+        {
+            let older = self.saves.whole.take().unwrap_or_default();
+            self.saves.whole = Some(Parts { land, ..parts }.or(older));
+        }
+    }
+
     fn feed_batch(&mut self) {
-        let strokes = self.strokes.take();
+        let until = self.saves.asked.front().map(|(mark, _)| *mark);
+        let strokes = self.strokes.take(until);
+        if strokes.is_empty() {
+            return;
+        }
         let mut coords: BTreeSet<_> = self.overdue.iter().copied().collect();
         for stroke in &strokes {
             coords.extend(stroke.remeshed(&*self.strategy));
@@ -365,7 +397,6 @@ impl Streamer {
 
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
-        self.saves.stale = true;
         updates.extend(edited.problems.into_iter().map(Update::Problem));
         self.ledger
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);

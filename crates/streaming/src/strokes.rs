@@ -10,7 +10,15 @@ const MOST_PER_BATCH: usize = 64;
 #[derive(Debug, Default)]
 pub(crate) struct Strokes {
     waiting: Vec<Stroke>,
+    /// How many were handed over.
+    taken: u64,
+    /// As many of those that wait stand before a mark: what comes later is not added to them.
+    marked: usize,
 }
+
+/// A moment between two strokes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Mark(u64);
 
 impl Strokes {
     /// Adds a stroke; one with the same place, size and sense as a waiting one adds its amount to
@@ -20,22 +28,40 @@ impl Strokes {
             tracing::debug!(?stroke, "a stroke without effect was dropped");
             return;
         }
-        match self.waiting.iter_mut().find(|other| alike(other, &stroke)) {
+        let open = &mut self.waiting[self.marked..];
+        match open.iter_mut().find(|other| alike(other, &stroke)) {
             Some(other) => other.amount += stroke.amount,
             None => self.waiting.push(stroke),
         }
     }
 
-    /// Takes the strokes of the next batch.
-    pub(crate) fn take(&mut self) -> Vec<Stroke> {
-        let rest = self
-            .waiting
-            .split_off(self.waiting.len().min(MOST_PER_BATCH));
-        std::mem::replace(&mut self.waiting, rest)
+    /// The moment now: after every stroke so far, before any other.
+    pub(crate) fn mark(&mut self) -> Mark {
+        self.marked = self.waiting.len();
+        Mark(self.taken + self.waiting.len() as u64)
+    }
+
+    /// Has every stroke before that moment been handed over?
+    pub(crate) fn has_passed(&self, mark: Mark) -> bool {
+        self.taken >= mark.0
+    }
+
+    /// Takes the strokes of the next batch, none that came after `until`.
+    pub(crate) fn take(&mut self, until: Option<Mark>) -> Vec<Stroke> {
+        let before = until.map_or(u64::MAX, |mark| mark.0.saturating_sub(self.taken));
+        let most = before.min(MOST_PER_BATCH as u64) as usize;
+        let rest = self.waiting.split_off(self.waiting.len().min(most));
+        let taken = std::mem::replace(&mut self.waiting, rest);
+        self.taken += taken.len() as u64;
+        self.marked = self.marked.saturating_sub(taken.len());
+        taken
     }
 
     /// Puts back strokes that could not be handed over, before any that came since.
     pub(crate) fn put_back(&mut self, mut strokes: Vec<Stroke>) {
+        self.taken -= strokes.len() as u64;
+        // A mark may stand right after them.
+        self.marked += strokes.len();
         strokes.append(&mut self.waiting);
         self.waiting = strokes;
     }
@@ -79,7 +105,7 @@ mod tests {
         }
         strokes.add(stroke(1.0, -0.5));
         strokes.add(stroke(2.0, 0.5));
-        let amounts: Vec<f32> = strokes.take().iter().map(|s| s.amount).collect();
+        let amounts: Vec<f32> = strokes.take(None).iter().map(|s| s.amount).collect();
         assert_eq!(amounts, [4.0, -0.5, 0.5]);
         assert!(strokes.is_empty());
     }
@@ -88,15 +114,33 @@ mod tests {
     fn a_long_list_is_spread_over_batches_without_loss() {
         let mut strokes = Strokes::default();
         (0..150).for_each(|x| strokes.add(stroke(f64::from(x), 1.0)));
-        let first = strokes.take();
+        let first = strokes.take(None);
         assert_eq!(first.len(), MOST_PER_BATCH);
         strokes.put_back(first);
         let mut all = Vec::new();
         while !strokes.is_empty() {
-            all.extend(strokes.take());
+            all.extend(strokes.take(None));
         }
         let places: Vec<f64> = all.iter().map(|s| s.centre.pos.x).collect();
         assert_eq!(places, (0..150).map(f64::from).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn no_stroke_after_a_mark_is_taken_before_it_or_added_to_one() {
+        let mut strokes = Strokes::default();
+        strokes.add(stroke(1.0, 0.5));
+        strokes.add(stroke(2.0, 0.5));
+        let mark = strokes.mark();
+        strokes.add(stroke(1.0, 0.25));
+        strokes.add(stroke(1.0, 0.25));
+        assert!(!strokes.has_passed(mark));
+        let first = strokes.take(Some(mark));
+        strokes.put_back(first);
+        strokes.add(stroke(2.0, 0.5));
+        let amounts = |taken: &[Stroke]| taken.iter().map(|s| s.amount).collect::<Vec<_>>();
+        assert_eq!(amounts(&strokes.take(Some(mark))), [0.5, 0.5]);
+        assert!(strokes.has_passed(mark) && strokes.take(Some(mark)).is_empty());
+        assert_eq!(amounts(&strokes.take(None)), [0.5, 0.5]);
     }
 
     #[test]

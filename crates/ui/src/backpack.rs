@@ -108,6 +108,11 @@ impl Backpack {
         }
     }
 
+    /// What it covers of a screen.
+    pub fn panel(screen: Rect) -> Rect {
+        Places::new(screen).panel
+    }
+
     /// Draws it if it is open, and returns what the player asked for, in order.
     pub fn show(&mut self, ctx: &Context, model: &BackpackModel<'_>) -> Vec<BackpackWish> {
         if !self.open {

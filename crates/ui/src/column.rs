@@ -1,9 +1,9 @@
 //! The left column: the title and the buttons that lead everywhere.
 
 use antipode_settings::Value;
-use egui::{FontId, RichText, Ui, UiBuilder};
+use egui::{FontId, Response, RichText, Ui, UiBuilder};
 
-use crate::layout::{inset, scroll};
+use crate::layout::{Stops, inset, scroll, steady};
 use crate::model::{Intent, Screen};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, GRID, PANEL, WEAK, small};
@@ -38,9 +38,12 @@ pub(crate) fn show(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
     } else {
         spacing.interact_size.y = 40.0;
     }
+    Stops::take_step(ui.ctx());
     scroll(&mut ui, inner.height(), |ui| {
         title(ui, pass);
-        buttons(ui, pass, current);
+        let mut stops = Stops::default();
+        buttons(ui, pass, &mut stops, current);
+        stops.step(ui, &Stops::default());
         notes(ui, pass);
     });
 }
@@ -59,7 +62,7 @@ fn title(ui: &mut Ui, pass: &Pass<'_>) {
     }
 }
 
-fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
+fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops, current: &Screen) {
     let running = pass.model.running_world.is_some();
     let texts = pass.model.texts;
     let in_world = [
@@ -68,15 +71,20 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
         (texts.say("menu-save-and-quit"), Intent::SaveAndQuitToMenu),
     ];
     for (label, intent) in in_world.into_iter().filter(|_| running) {
-        let response = column_button(ui, &label, false);
+        let response = entry(ui, &label, false);
+        stops.add(&response);
         offer(pass, current, &response);
         if response.clicked() {
             pass.intents.push(intent);
         }
     }
-    if may_skip_hints(pass) && column_button(ui, &texts.say("menu-skip-hints"), false).clicked() {
-        let value = Value::Switch(false);
-        pass.intents.push(Intent::Set { id: "hints", value });
+    if may_skip_hints(pass) {
+        let response = entry(ui, &texts.say("menu-skip-hints"), false);
+        stops.add(&response);
+        if response.clicked() {
+            let value = Value::Switch(false);
+            pass.intents.push(Intent::Set { id: "hints", value });
+        }
     }
     let screens = [
         (texts.say("menu-new-game"), Screen::NewGame),
@@ -90,15 +98,23 @@ fn buttons(ui: &mut Ui, pass: &mut Pass<'_>, current: &Screen) {
         .into_iter()
         .filter(|(_, screen)| !running || *screen != Screen::About);
     for (label, screen) in shown {
-        let response = column_button(ui, &label, *current == screen);
+        let response = entry(ui, &label, *current == screen);
+        stops.add(&response);
         offer(pass, current, &response);
         if response.clicked() {
             pass.go = Some(screen);
         }
     }
-    if column_button(ui, &texts.say("menu-quit"), false).clicked() {
+    let quit = entry(ui, &texts.say("menu-quit"), false);
+    stops.add(&quit);
+    if quit.clicked() {
         pass.intents.push(Intent::Quit);
     }
+}
+
+/// A button that stays the same one whatever comes or goes above it.
+fn entry(ui: &mut Ui, label: &str, chosen: bool) -> Response {
+    steady(ui, label, |ui| column_button(ui, label, chosen))
 }
 
 /// Whether hints for newcomers are shown in the world behind the menu.
@@ -107,7 +123,7 @@ fn may_skip_hints(pass: &Pass<'_>) -> bool {
 }
 
 /// With another screen beside the column, the focus belongs there.
-fn offer(pass: &mut Pass<'_>, current: &Screen, response: &egui::Response) {
+fn offer(pass: &mut Pass<'_>, current: &Screen, response: &Response) {
     if *current == Screen::Main {
         pass.offer_focus(response);
     }

@@ -97,6 +97,12 @@ impl Console {
         }
     }
 
+    /// What it covers of a screen.
+    pub fn panel(screen: Rect) -> Rect {
+        let height = (0.5 * screen.height()).max(screen.height().min(160.0));
+        Rect::from_min_size(screen.min, vec2(screen.width(), height))
+    }
+
     /// Draws it if it is open, and returns the line that was entered. `complete` says how a line goes on.
     pub fn show(
         &mut self,
@@ -108,9 +114,7 @@ impl Console {
             return None;
         }
         let key = self.next_key(ctx);
-        let screen = ctx.content_rect();
-        let height = (0.5 * screen.height()).max(screen.height().min(160.0));
-        let rect = Rect::from_min_size(screen.min, vec2(screen.width(), height));
+        let rect = Self::panel(ctx.content_rect());
         let builder = UiBuilder::new()
             .layer_id(LayerId::new(Order::Middle, Id::unique("antipode-console")))
             .max_rect(inset(rect, 1.5 * GRID));

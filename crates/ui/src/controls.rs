@@ -6,7 +6,7 @@ mod profiles;
 
 use antipode_language::Texts;
 use antipode_settings::{Action, ActionGroup, BindError, Input, Profiles, actions};
-use egui::{Label, RichText, Ui};
+use egui::{Id, Label, RichText, Ui};
 
 use crate::layout::{Stops, long_pane, pane};
 use crate::model::{Intent, Screen};
@@ -24,8 +24,6 @@ pub(crate) struct ControlsScreen {
     /// Why the last change could not be made.
     refused: Option<(Action, BindError)>,
     form: profiles::Form,
-    /// The action that was last asked about; the focus comes back to it.
-    last: Option<Action>,
 }
 
 /// What is asked for in one frame.
@@ -38,6 +36,15 @@ enum Wish {
 }
 
 impl ControlsScreen {
+    /// What is up beside the plain list, as a name that it bears every time.
+    pub(crate) fn place(&self) -> Option<Id> {
+        let asked = self.waiting.map(|(action, _)| action);
+        match (asked, self.form.is_open()) {
+            (None, false) => None,
+            (asked, _) => Some(Id::unique((asked, std::mem::discriminant(&self.form)))),
+        }
+    }
+
     /// Back to the plain list.
     pub(crate) fn reset(&mut self) {
         *self = Self::default();
@@ -108,8 +115,7 @@ impl ControlsScreen {
                 ui.add(Label::new(RichText::new(format!("{look}: {mouse}")).color(WEAK)).wrap());
             }
             for info in actions().iter().filter(|info| info.group == group) {
-                let takes_focus = self.last.is_none_or(|last| last == info.action);
-                let asked = line::show(ui, pass, stops, profile, info.action, takes_focus);
+                let asked = line::show(ui, pass, stops, profile, info.action);
                 wish = wish.or(asked);
                 for conflict in &conflicts {
                     line::tell(ui, texts, conflict, info.action);
@@ -136,7 +142,6 @@ impl ControlsScreen {
         let (action, done) = match wish {
             Wish::Wait(action, old) => {
                 self.waiting = Some((action, old));
-                self.last = Some(action);
                 return true;
             }
             Wish::Unbind(action, input) => {

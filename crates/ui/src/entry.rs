@@ -1,4 +1,4 @@
-//! A line of text to fill in.
+//! Lines of text to fill in, and numbers typed there.
 
 use egui::{EventFilter, Response, Role, TextEdit, Ui, WidgetInfo};
 
@@ -22,4 +22,34 @@ pub(crate) fn entry(ui: &mut Ui, text: &mut String, name: &str, hint: &str) -> R
         response.scroll_to_me(None);
     }
     response
+}
+
+/// What somebody types as a number, with its unit or without, with a point or a comma.
+pub(crate) fn parse_number(text: &str) -> Option<f64> {
+    let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit() && c != '-');
+    let end = digits
+        .find(|c: char| !c.is_ascii_digit() && !"-.,".contains(c))
+        .unwrap_or(digits.len());
+    digits[..end].replace(',', ".").parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_with_their_units_and_in_every_manner() {
+        for (text, number) in [
+            ("75", Some(75.0)),
+            ("75°", Some(75.0)),
+            (" 0,12 ° na piksel", Some(0.12)),
+            ("× 1.5", Some(1.5)),
+            ("-3", Some(-3.0)),
+            ("4 chunks", Some(4.0)),
+            ("", None),
+            ("wide", None),
+        ] {
+            assert_eq!(parse_number(text), number, "{text}");
+        }
+    }
 }

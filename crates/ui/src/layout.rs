@@ -2,11 +2,12 @@
 //! that never turn inside out, and the pane that every sub-screen is drawn in.
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 use egui::scroll_area::ScrollBarVisibility;
 use egui::{Context, Id, Key, Rect, Response, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 
-use crate::theme::{GRID, panel};
+use crate::theme::{GRID, WEAK, panel};
 
 /// Under this width the column and the pane take turns instead of standing
 /// side by side, in points.
@@ -31,6 +32,17 @@ pub(crate) struct Regions {
 impl Regions {
     pub(crate) fn of(ctx: &Context) -> Self {
         Self::new(ctx.content_rect())
+    }
+
+    /// The same without a strip of that height at the lower end of what a pane is drawn in, and the strip.
+    pub(crate) fn without_strip(mut self, height: f32) -> (Self, Rect) {
+        let edge = (self.pane.max.y - height).max(self.pane.min.y);
+        let strip = self.pane.with_min_y((edge + GRID).min(self.pane.max.y));
+        self.pane.max.y = edge;
+        if !self.wide {
+            self.column.max.y = edge;
+        }
+        (self, strip)
     }
 
     fn new(whole: Rect) -> Self {
@@ -74,8 +86,9 @@ pub(crate) fn inset(rect: Rect, margin: f32) -> Rect {
 
 /// What in a pane's body can hold the focus. egui looks for the next widget by
 /// where it lies, scrolled out of sight or not, and so would step from the last
-/// visible row to the footer; within a body the arrows go through here first.
-#[derive(Default)]
+/// visible row to the footer, and it stops at both ends; the arrows go through
+/// here first.
+#[derive(Clone, Default)]
 pub(crate) struct Stops(Vec<(Id, Rect)>);
 
 impl Stops {
@@ -83,45 +96,101 @@ impl Stops {
         self.0.push((response.id, response.rect));
     }
 
-    /// Moves the focus up or down if an arrow asks for it and there is a stop.
-    fn step(&self, ui: &Ui) {
+    /// Everything that can hold the focus within `rect`.
+    fn within(ui: &Ui, rect: Rect) -> Self {
+        let layer = ui.layer_id();
+        Self(ui.ctx().viewport(|viewport| {
+            let widgets = viewport.this_pass.widgets.get_layer(layer);
+            let stops = widgets.filter(|widget| widget.enabled && widget.sense.is_focusable());
+            let stops = stops.map(|widget| (widget.id, widget.rect));
+            stops.filter(|stop| rect.contains_rect(stop.1)).collect()
+        }))
+    }
+
+    /// Moves the focus up or down if an arrow asks for it: to the next stop, from the last one on into `footer`, and
+    /// from the end to the beginning.
+    pub(crate) fn step(&self, ui: &Ui, footer: &Self) {
+        let Some((from, down)) = self.asked(ui).or_else(|| footer.asked(ui)) else {
+            return;
+        };
+        let below = || footer.nearest(from, down).filter(|_| down);
+        let next = self
+            .nearest(from, down)
+            .or_else(below)
+            .or_else(|| self.outermost(from, !down));
+        if let Some((id, _)) = next {
+            let ctx = ui.ctx();
+            ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
+            let asked: NextFocus = Some((id, ctx.cumulative_pass_nr()));
+            ctx.data_mut(|data| data.insert_temp(Id::unique(NEXT_FOCUS), asked));
+            ctx.request_repaint();
+        }
+    }
+
+    /// Moves the focus where the last frame wanted it: a widget sees that it has got the focus, and comes into view,
+    /// only if that was before it was drawn.
+    pub(crate) fn take_step(ctx: &Context) {
+        let id = Id::unique(NEXT_FOCUS);
+        let asked = ctx.data_mut(|data| data.remove_temp::<NextFocus>(id));
+        if let Some((id, pass)) = asked.flatten()
+            && pass + 1 == ctx.cumulative_pass_nr()
+        {
+            ctx.memory_mut(|memory| memory.request_focus(id));
+        }
+    }
+
+    /// Where the focus is, if it is on one of these, and whether an arrow asks for it to go down rather than up.
+    fn asked(&self, ui: &Ui) -> Option<(Rect, bool)> {
         let pressed = |key| ui.input(|input| input.key_pressed(key));
         let down = pressed(Key::ArrowDown);
         let focused = ui.ctx().memory(egui::Memory::focused);
         let from = self.0.iter().find(|(id, _)| Some(*id) == focused);
-        let Some((_, from)) = from.filter(|_| down != pressed(Key::ArrowUp)) else {
-            return;
-        };
-        if let Some((id, rect)) = self.nearest(*from, down) {
-            ui.ctx().memory_mut(|memory| {
-                memory.request_focus(id);
-                memory.move_focus(egui::FocusDirection::None);
-            });
-            ui.scroll_to_rect(rect.expand(GRID), None);
-        }
+        let (_, from) = from.filter(|_| down != pressed(Key::ArrowUp))?;
+        Some((*from, down))
     }
 
     /// The stop that is next below (or above) `from`, and nearest sideways.
     fn nearest(&self, from: Rect, down: bool) -> Option<(Id, Rect)> {
-        let distance = |rect: &Rect| {
-            let along = if down {
+        let along = |rect: &Rect| {
+            if down {
                 rect.min.y - from.max.y
             } else {
                 from.min.y - rect.max.y
-            };
-            (along, (rect.center().x - from.center().x).abs())
+            }
         };
-        self.0
-            .iter()
-            .filter(|(_, rect)| distance(rect).0 >= 0.0)
-            .min_by(|(_, a), (_, b)| {
-                distance(a)
-                    .partial_cmp(&distance(b))
-                    .unwrap_or(Ordering::Equal)
-            })
-            .copied()
+        let ahead = self.0.iter().filter(|(_, rect)| along(rect) >= 0.0);
+        least(ahead, |rect| (along(rect), sideways(rect, from)))
+    }
+
+    /// The lowest (or highest) stop, and of those the nearest sideways to `from`.
+    fn outermost(&self, from: Rect, down: bool) -> Option<(Id, Rect)> {
+        let height = |rect: &Rect| if down { -rect.max.y } else { rect.min.y };
+        least(self.0.iter(), |rect| (height(rect), sideways(rect, from)))
     }
 }
+
+/// How far a stop is from the middle of `from` sideways, in points.
+fn sideways(rect: &Rect, from: Rect) -> f32 {
+    (rect.center().x - from.center().x).abs()
+}
+
+/// The stop of which `measure` is least.
+fn least<'a>(
+    stops: impl Iterator<Item = &'a (Id, Rect)>,
+    measure: impl Fn(&Rect) -> (f32, f32),
+) -> Option<(Id, Rect)> {
+    let order = |a: &Rect, b: &Rect| {
+        let order = measure(a).partial_cmp(&measure(b));
+        order.unwrap_or(Ordering::Equal)
+    };
+    stops.min_by(|(_, a), (_, b)| order(a, b)).copied()
+}
+
+/// The widget that is to have the focus in the next frame, and the pass that wanted it.
+type NextFocus = Option<(Id, u64)>;
+
+/// Where it is kept meanwhile.
+const NEXT_FOCUS: &str = "antipode-next-focus";
 
 /// A part of a screen whose widgets keep the focus whatever comes up or goes before it: egui counts widgets to tell
 /// them apart, so that one line more above would make every button below another one. `name` is unlike any other on the
@@ -185,13 +254,11 @@ fn pane_with<R>(
     ui.label(RichText::new(title).heading());
     let footer_height = ui.spacing().interact_size.y + GRID;
     let body_height = (inner.max.y - ui.cursor().min.y - footer_height).max(24.0);
-    let result = scroll_with(&mut ui, body_height, bar, |ui| {
-        let mut stops = Stops::default();
-        let result = body(ui, &mut stops);
-        stops.step(ui);
-        result
-    });
-    ui.horizontal(footer);
+    Stops::take_step(ui.ctx());
+    let mut stops = Stops::default();
+    let result = scroll_with(&mut ui, body_height, bar, |ui| body(ui, &mut stops));
+    let footer = ui.horizontal(footer).response.rect;
+    stops.step(&ui, &Stops::within(&ui, footer));
     result
 }
 
@@ -221,6 +288,9 @@ fn scroll_with<R>(
     // lines up with the text outside.
     let area = rect.expand2(vec2(RING, 0.0));
     let mut child = ui.new_child(UiBuilder::new().id_salt("scroll").max_rect(area));
+    // The bar is painted in what words on buttons are; a little weaker, it does not outshine them.
+    let style = Arc::clone(child.style());
+    child.visuals_mut().widgets.inactive.fg_stroke.color = WEAK;
     let result = ScrollArea::vertical()
         .max_height(rect.height())
         .min_scrolled_height(rect.height())
@@ -228,13 +298,24 @@ fn scroll_with<R>(
         .scroll_bar_visibility(bar)
         .content_margin(RING)
         .show(&mut child, |ui| {
+            ui.set_style(style);
             if pages != 0.0 {
                 ui.scroll_with_delta(vec2(0.0, pages * (height - 4.0 * GRID).max(GRID)));
             }
-            contents(ui)
+            within_width(ui, contents)
         })
         .inner;
     ui.advance_cursor_after_rect(rect);
+    result
+}
+
+/// Contents that take no more than the width there is, however wide they come out: a scroll area makes room for what is
+/// wider, and its bar would leave the pane.
+fn within_width<R>(ui: &mut Ui, contents: impl FnOnce(&mut Ui) -> R) -> R {
+    let room = ui.available_rect_before_wrap();
+    let mut child = ui.new_child(UiBuilder::new().max_rect(room));
+    let result = contents(&mut child);
+    ui.advance_cursor_after_rect(room.with_max_y(child.min_rect().max.y));
     result
 }
 

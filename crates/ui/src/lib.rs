@@ -19,6 +19,7 @@ mod fonts;
 mod hud;
 mod icons;
 mod layout;
+mod legible;
 mod model;
 mod new_game;
 mod photo;
@@ -27,6 +28,7 @@ mod settings;
 mod shell;
 mod theme;
 mod toasts;
+mod trail;
 mod widgets;
 mod worlds;
 
@@ -40,6 +42,7 @@ pub use hud::{
     HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotIcon, SlotView, SpeechModel,
     Tints, WoundModel, show_hud, tints_of,
 };
+pub use legible::{legible, legible_name};
 pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
 pub use seed::{SeedError, parse_seed};

@@ -55,8 +55,10 @@ impl GeometryChoice {
 pub struct WorldRow {
     /// The directory name, which intents carry back.
     pub slug: String,
-    /// The player's name for it.
+    /// The player's name for it, as it can be shown ([`crate::legible_name`]).
     pub name: String,
+    /// The same as it is written, to be changed.
+    pub full_name: String,
     /// Its space, e.g. "Spherical".
     pub geometry: String,
     /// Time played, e.g. "12 min".
@@ -105,6 +107,8 @@ pub struct MenuModel<'a> {
     pub config: &'a Config,
     /// Whether a new world may bear this name; the error is a sentence.
     pub check_name: &'a dyn Fn(&str) -> Result<(), String>,
+    /// How fast one walks, metres a second.
+    pub walk_m_s: f64,
     /// Whether the world of that directory may bear this name from now on; the error is a sentence.
     pub check_rename: &'a dyn Fn(&str, &str) -> Result<(), String>,
     /// What is known of worlds in files.

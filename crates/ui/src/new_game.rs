@@ -1,32 +1,38 @@
 //! The form for a new world: what is wrong is said in words while typing.
 
+mod radius;
+
 use antipode_language::Texts;
+use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{
     Align2, Color32, EventFilter, FontId, Key, Label, Pos2, Rect, Response, RichText, Role, Sense,
-    Shape, Slider, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
 use crate::layout::{Stops, pane};
+use crate::legible::is_partly_shown;
 use crate::model::{GeometryChoice, Intent, Screen};
 use crate::seed::{SeedError, parse_seed};
 use crate::shell::Pass;
 use crate::theme::{ACCENT, BAD, GOOD, GRID, TEXT, WEAK, small};
-use crate::widgets::{button, focus_ring, paint_card, primary_button};
+use crate::widgets::{button, paint_card, primary_button};
 
-/// Radii of spherical worlds that the player may choose, in metres.
-const RADIUS_M: std::ops::RangeInclusive<f64> = 16.0..=256.0;
-const DEFAULT_RADIUS_M: f64 = 32.0;
 /// Longest text a field takes: far beyond what is valid, so that too long is
 /// said and not silently cut, but a pasted book stays out.
 const FIELD_LIMIT: usize = 200;
 
+/// Most names that are tried for a free one.
+const MOST_NAMES: u32 = 100_000;
+
 /// What the player has filled in so far.
 pub(crate) struct NewGameForm {
+    /// The name: one that is free is offered until the player types another.
     name: String,
     geometry: GeometryChoice,
     seed: String,
     radius_m: f64,
-    /// Whether the name was ever touched: an empty field is no error at first.
+    /// Whether the name is the player's own.
     touched: bool,
 }
 
@@ -53,7 +59,7 @@ impl Default for NewGameForm {
             name: String::new(),
             geometry: GeometryChoice::default(),
             seed: String::new(),
-            radius_m: DEFAULT_RADIUS_M,
+            radius_m: radius::DEFAULT_M,
             touched: false,
         }
     }
@@ -67,6 +73,7 @@ impl NewGameForm {
         let mut create = false;
         let mut back = false;
         let texts = pass.model.texts;
+        let offers_another = self.offer_name(pass);
         let name = (pass.model.check_name)(self.name.trim());
         let seed = parse_seed(&self.seed);
         let missing = match (&name, &seed) {
@@ -76,15 +83,17 @@ impl NewGameForm {
         };
         let body = |ui: &mut Ui, stops: &mut Stops| {
             let name = self.name_field(ui, pass, &name);
+            if !self.touched && (offers_another || name.gained_focus()) {
+                select_all(&name, &self.name);
+            }
             stops.add(&name);
             self.cards(ui, texts, stops);
             let seed = self.seed_field(ui, texts, seed);
             stops.add(&seed);
             let spherical = self.geometry == GeometryChoice::Spherical;
-            let radius = spherical.then(|| self.radius_slider(ui, texts));
-            if let Some(radius) = &radius {
-                stops.add(radius);
-            }
+            let walk_m_s = pass.model.walk_m_s;
+            let radius =
+                spherical.then(|| radius::choose(ui, texts, (&mut self.radius_m, walk_m_s), stops));
             Fields { name, seed, radius }
         };
         let fields = pane(ui, regions.pane, &texts.say("menu-new-game"), body, |ui| {
@@ -102,6 +111,23 @@ impl NewGameForm {
         } else if create {
             self.create(pass, &fields);
         }
+    }
+
+    /// Offers a name nobody has taken, as long as the player has typed none; tells whether it is another than before.
+    fn offer_name(&mut self, pass: &Pass<'_>) -> bool {
+        if self.touched {
+            return false;
+        }
+        let numbered = |number: u32| {
+            let values = [("number", number.into())];
+            pass.model.texts.say_with("name-offered", &values)
+        };
+        let mut names = (1..MOST_NAMES).map(numbered);
+        let free = names.find(|name| (pass.model.check_name)(name).is_ok());
+        let free = free.unwrap_or_default();
+        let another = free != self.name;
+        self.name = free;
+        another
     }
 
     /// Asks for the world, or sends the player back to what is wrong. Everything is
@@ -139,6 +165,9 @@ impl NewGameForm {
         pass.offer_focus(&field);
         self.touched |= field.changed();
         match check {
+            Ok(()) if is_partly_shown(&self.name) => {
+                verdict(ui, &texts.say("name-not-shown"), WEAK);
+            }
             Ok(()) => verdict(ui, &texts.say("name-free"), GOOD),
             Err(reason) => verdict(ui, reason, if self.touched { BAD } else { WEAK }),
         }
@@ -163,18 +192,6 @@ impl NewGameForm {
             Err(error) => verdict(ui, &error.say(texts), BAD),
         }
         field
-    }
-
-    fn radius_slider(&mut self, ui: &mut Ui, texts: &Texts) -> Response {
-        let label = ui.label(texts.say("radius"));
-        // Rail and number stand on one line.
-        ui.spacing_mut().slider_width = (ui.available_width() - 88.0).clamp(24.0, 320.0);
-        let slider = Slider::new(&mut self.radius_m, RADIUS_M)
-            .step_by(1.0)
-            .suffix(" m");
-        let response = ui.add(slider).labelled_by(label.id);
-        focus_ring(ui, &response);
-        response
     }
 
     fn cards(&mut self, ui: &mut Ui, texts: &Texts, stops: &mut Stops) {
@@ -223,6 +240,14 @@ fn text_field(ui: &mut Ui, text: &mut String, hint: &str) -> Response {
         response.scroll_to_me(None);
     }
     response
+}
+
+/// Selects what stands in a field, so that typing replaces it.
+fn select_all(field: &Response, text: &str) {
+    let mut state = TextEditState::load(&field.ctx, field.id).unwrap_or_default();
+    let all = CCursorRange::two(CCursor::new(0), CCursor::new(text.chars().count()));
+    state.cursor.set_char_range(Some(all));
+    state.store(&field.ctx, field.id);
 }
 
 fn verdict(ui: &mut Ui, words: &str, colour: Color32) {

@@ -11,9 +11,13 @@ use crate::model::{Intent, MenuModel, Screen, ToastKind};
 use crate::new_game::NewGameForm;
 use crate::settings::SettingsScreen;
 use crate::theme::SCRIM;
-use crate::toasts::Toasts;
+use crate::toasts::{Room, Toasts};
+use crate::trail::Trail;
 use crate::worlds::WorldScreens;
-use crate::{about, backdrop, column, dialog};
+use crate::{about, backdrop, column, dialog, trail};
+
+/// What the main menu is called on the way to other screens.
+const MAIN: &str = "antipode-main-menu";
 
 /// The menus. It starts on the main menu.
 ///
@@ -31,9 +35,13 @@ pub struct Shell {
     settings: SettingsScreen,
     controls: ControlsScreen,
     toasts: Toasts,
-    /// Where the room for toasts ends at the right, if not with the screen, in points.
-    toasts_end_x: Option<f32>,
-    /// The next widget that is first on its screen takes the focus.
+    /// What lies on the world while no menu does.
+    covered: Option<Rect>,
+    /// What the display shows at the right of the world, below the room for toasts.
+    instruments: Rect,
+    /// How the player came to what is up.
+    trail: Trail,
+    /// What was left takes the focus, or else the next widget that is first on its screen.
     focus_first: bool,
     /// Whether the player last used keys rather than the pointer.
     by_keyboard: bool,
@@ -80,7 +88,9 @@ impl Shell {
             settings: SettingsScreen::default(),
             controls: ControlsScreen::default(),
             toasts: Toasts::default(),
-            toasts_end_x: None,
+            covered: None,
+            instruments: Rect::NOTHING,
+            trail: Trail::new(Id::unique(MAIN)),
             focus_first: true,
             by_keyboard: true,
             queued: Vec::new(),
@@ -173,34 +183,61 @@ impl Shell {
         self.toasts.push(text.into(), kind);
     }
 
-    /// Keeps such lines left of a place, in points, as beside a panel; `None` for none.
-    pub fn keep_toasts_left_of(&mut self, x: Option<f32>) {
-        self.toasts_end_x = x;
+    /// Keeps such lines off something that lies on the world while no menu does, in points; `None` for nothing.
+    pub fn keep_toasts_off(&mut self, covered: Option<Rect>) {
+        self.covered = covered;
+    }
+
+    /// Keeps such lines above what the display shows there, in points; what is nowhere is in nobody's way.
+    pub fn keep_toasts_above(&mut self, shown: Rect) {
+        self.instruments = shown;
     }
 
     /// Draws what is up and returns what the player asked for, in order.
     pub fn show(&mut self, ctx: &Context, model: &MenuModel<'_>) -> Vec<Intent> {
         let mut intents = std::mem::take(&mut self.queued);
-        let mut dialog = None;
-        if self.is_open() {
-            let (mut asked, covered) = self.show_open(ctx, model);
+        let screen = ctx.content_rect();
+        let room = if self.is_open() {
+            let (mut asked, room) = self.show_open(ctx, model);
             intents.append(&mut asked);
-            dialog = covered;
-        }
-        self.toasts.show(ctx, dialog, self.toasts_end_x);
+            room
+        } else if let Some(covered) = self.covered {
+            Room::beside(screen, covered)
+        } else {
+            Room::in_world(screen, self.instruments)
+        };
+        self.toasts.show(ctx, room);
         intents
     }
 
-    /// The intents, and what a dialog covers.
-    fn show_open(&mut self, ctx: &Context, model: &MenuModel<'_>) -> (Vec<Intent>, Option<Rect>) {
+    /// Where things stand, and where toasts do: where nothing is, else in a strip that the screen leaves to them.
+    fn make_room(&mut self, ctx: &Context) -> (Regions, Room) {
+        let regions = Regions::of(ctx);
+        if regions.wide && self.screen == Screen::Main {
+            return (regions, Room::in_world(regions.whole, Rect::NOTHING));
+        }
+        if let Some(room) = Room::right_of(regions.whole, regions.pane.max.x) {
+            return (regions, room);
+        }
+        let height = self.toasts.strip(ctx, regions.pane.width());
+        let (regions, rect) = regions.without_strip(height);
+        (regions, Room { rect, waits: false })
+    }
+
+    /// The intents, and where toasts may be.
+    fn show_open(&mut self, ctx: &Context, model: &MenuModel<'_>) -> (Vec<Intent>, Room) {
         self.read_input(ctx);
+        let place = self.place();
+        self.trail.arrive(place, Id::unique(MAIN), self.is_screen());
+        let returned = self.focus_first && self.trail.return_focus(ctx);
+        let (regions, room) = self.make_room(ctx);
         let mut pass = Pass {
             model,
-            regions: Regions::of(ctx),
+            regions,
             intents: Vec::new(),
             go: None,
             dialog: Cell::new(None),
-            focus_first: std::mem::take(&mut self.focus_first),
+            focus_first: std::mem::take(&mut self.focus_first) && !returned,
         };
         let builder = UiBuilder::new()
             .layer_id(LayerId::background())
@@ -215,8 +252,44 @@ impl Shell {
             backdrop::show(ui.painter(), pass.regions.whole, model.backdrop);
         }
         self.draw(&mut ui, &mut pass);
+        // What was asked about may have gone, and the question with it; or the button that was pressed.
+        let gone = self.place() != place || !trail::is_focus_drawn(ctx);
+        self.focus_first |= self.by_keyboard && gone;
+        if returned && !self.trail.is_returned(ctx) {
+            // What was left is gone.
+            self.focus_first = true;
+        }
+        if self.focus_first {
+            ctx.request_repaint();
+        }
+        self.trail.note(ctx);
         let dialog = pass.dialog.get();
-        (self.finish(pass), dialog)
+        let above = dialog.map(|dialog| Room::above(regions.whole, dialog));
+        (self.finish(pass), above.unwrap_or(room))
+    }
+
+    /// What is up, as a name that it bears every time.
+    fn place(&self) -> Id {
+        if self.screen == Screen::Main {
+            return Id::unique(MAIN);
+        }
+        let screen = std::mem::discriminant(&self.screen);
+        Id::unique((screen, self.worlds.place(), self.controls.place()))
+    }
+
+    /// Whether it is one of the screens that the main menu leads to, and no part of one.
+    fn is_screen(&self) -> bool {
+        let whole = self.worlds.place().is_none() && self.controls.place().is_none();
+        whole
+            && matches!(
+                self.screen,
+                Screen::NewGame
+                    | Screen::Load
+                    | Screen::Delete
+                    | Screen::Settings
+                    | Screen::Controls
+                    | Screen::About
+            )
     }
 
     fn draw(&mut self, ui: &mut Ui, pass: &mut Pass<'_>) {
@@ -273,7 +346,8 @@ impl Shell {
             self.switch(Screen::Hidden);
         } else if let Some(screen) = pass.go {
             self.open(screen);
-            self.focus_first = self.by_keyboard || self.screen == Screen::NewGame;
+            let is_answered = matches!(self.screen, Screen::NewGame | Screen::Message { .. });
+            self.focus_first = self.by_keyboard || is_answered;
         } else if pass.focus_first {
             // Nobody took it: whatever comes up next on this screen may.
             self.focus_first = true;
@@ -288,6 +362,9 @@ impl Shell {
         );
         if !passing {
             self.behind = self.screen.clone();
+        }
+        if screen == Screen::Hidden {
+            self.trail = Trail::new(Id::unique(MAIN));
         }
         self.worlds.reset();
         self.settings = SettingsScreen::default();

@@ -1,6 +1,7 @@
 //! Colours, sizes and the one egui style that everything is drawn in.
 
 use egui::epaint::RectShape;
+use egui::style::ScrollStyle;
 use egui::{
     Color32, Context, CornerRadius, FontFamily, FontId, Rect, Shape, Stroke, StrokeKind, Style,
     TextStyle, Theme, vec2,
@@ -30,6 +31,8 @@ pub(crate) const PANEL: Color32 = Color32::from_rgba_unmultiplied_const(0x0F, 0x
 pub(crate) const PLATE: Color32 = Color32::from_rgba_unmultiplied_const(0x08, 0x0B, 0x13, 150);
 /// Over the world behind the pause menu.
 pub(crate) const SCRIM: Color32 = Color32::from_rgba_unmultiplied_const(0x06, 0x08, 0x10, 150);
+/// Outline of what the pointer is on: plain light, since the accent and the ring are the keyboard's focus.
+pub(crate) const HOVER: Color32 = Color32::from_rgba_unmultiplied_const(0xFF, 0xFF, 0xFF, 160);
 /// Outlines of panels and rows.
 pub(crate) const LINE: Color32 = Color32::from_rgba_unmultiplied_const(0xFF, 0xFF, 0xFF, 28);
 
@@ -82,10 +85,21 @@ fn style(style: &mut Style) {
     style.spacing.button_padding = vec2(12.0, 6.0);
     style.spacing.interact_size = vec2(40.0, 32.0);
     style.spacing.slider_rail_height = 6.0;
-    style.spacing.scroll = egui::style::ScrollStyle::solid();
+    style.spacing.scroll = scroll_bars();
     style.interaction.selectable_labels = false;
     style.animation_time = ANIMATION_S;
     visuals(&mut style.visuals);
+}
+
+/// Bars beside what they scroll: a light handle that stands out from its dark track. egui would paint it in the fill of
+/// a button, which on a panel can hardly be told from the panel, so that the bare track looks like the handle.
+fn scroll_bars() -> ScrollStyle {
+    ScrollStyle {
+        bar_width: 10.0,
+        handle_min_length: 32.0,
+        foreground_color: true,
+        ..ScrollStyle::solid()
+    }
 }
 
 fn visuals(visuals: &mut egui::Visuals) {
@@ -100,13 +114,16 @@ fn visuals(visuals: &mut egui::Visuals) {
     visuals.selection.bg_fill = ACCENT_DIM;
     visuals.selection.stroke = Stroke::new(2.0, FOCUS);
     visuals.slider_trailing_fill = true;
+    // Steady: each blink would have the world behind a paused menu drawn anew.
+    visuals.text_cursor.blink = false;
+    visuals.text_cursor.stroke = Stroke::new(2.0, ACCENT);
     visuals.window_corner_radius = CornerRadius::same(ROUNDING);
     visuals.menu_corner_radius = CornerRadius::same(ROUNDING);
     let widgets = &mut visuals.widgets;
     for (state, fill, line, text) in [
         (&mut widgets.noninteractive, 14, LINE, TEXT),
         (&mut widgets.inactive, 22, LINE, TEXT),
-        (&mut widgets.hovered, 44, ACCENT, Color32::WHITE),
+        (&mut widgets.hovered, 44, HOVER, Color32::WHITE),
         (&mut widgets.active, 40, ACCENT, Color32::WHITE),
         (&mut widgets.open, 40, ACCENT, Color32::WHITE),
     ] {

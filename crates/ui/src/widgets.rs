@@ -3,7 +3,7 @@
 use egui::text::LayoutJob;
 use egui::{Button, Color32, FontId, Response, RichText, Stroke, StrokeKind, Ui, vec2};
 
-use crate::theme::{ACCENT, FOCUS, ON_ACCENT, ROUNDING};
+use crate::theme::{ACCENT, FOCUS, GRID, ON_ACCENT, ROUNDING};
 
 /// Draws the ring round what has the focus, and brings it into view when it
 /// has just got it.
@@ -15,7 +15,7 @@ pub(crate) fn focus_ring(ui: &Ui, response: &Response) {
             .rect_stroke(rect, ROUNDING + 1, stroke, StrokeKind::Outside);
     }
     if response.gained_focus() {
-        response.scroll_to_me(None);
+        ui.scroll_to_rect(response.rect.expand(GRID), None);
     }
 }
 

@@ -9,7 +9,7 @@ mod page;
 mod picture;
 mod question;
 
-use egui::Ui;
+use egui::{Id, Ui};
 
 use crate::model::{Intent, MenuModel, Screen, WorldRow};
 use crate::shell::Pass;
@@ -30,6 +30,13 @@ pub(crate) struct WorldScreens {
 }
 
 impl WorldScreens {
+    /// What is up beside the plain lists, as a name that it bears every time.
+    pub(crate) fn place(&self) -> Option<Id> {
+        let page = self.page.as_ref().map(Page::place);
+        let place = (page, self.import.is_some(), self.doomed.as_deref());
+        (place != (None, false, None)).then(|| Id::unique(place))
+    }
+
     /// Back to the plain lists.
     pub(crate) fn reset(&mut self) {
         *self = Self::default();

@@ -152,7 +152,9 @@ fn hud_in(language: Language, model: HudModel, size: Vec2) -> Harness<'static, H
         .with_size(size)
         .with_context_setup(apply_theme)
         .build_ui_state(
-            move |ui, model: &mut HudModel| show_hud(ui.ctx(), &texts, model),
+            move |ui, model: &mut HudModel| {
+                show_hud(ui.ctx(), &texts, model);
+            },
             model,
         );
     harness.run();
@@ -172,8 +174,6 @@ fn the_display_shows_every_figure() {
         "60 fps",
         "hyperbolic",
         "12:40",
-        "x -12.34  y 1.70  z 3.00 m",
-        "(0.100, -0.200, 0.300, 1.066)",
         "Diamond pickaxe",
         "20.0",
         "Curvature",
@@ -187,6 +187,21 @@ fn the_display_shows_every_figure() {
         assert!(says(&harness, words), "{words}");
     }
     assert!(!says(&harness, "Hemisphere"));
+}
+
+#[test]
+fn coordinates_and_the_mark_of_cheats_are_told_beside_the_frame_figures_only() {
+    let (with, without) = (measured_hud(), full_hud());
+    let with = hud(with, vec2(1280.0, 720.0));
+    let without = hud(without, vec2(1280.0, 720.0));
+    for words in [
+        "x -12.34  y 1.70  z 3.00 m",
+        "(0.100, -0.200, 0.300, 1.066)",
+        "Cheats used",
+    ] {
+        assert!(says(&with, words), "{words}");
+        assert!(!says(&without, words), "{words}");
+    }
 }
 
 #[test]
@@ -253,7 +268,7 @@ fn the_display_leaves_out_what_a_world_has_not() {
         curvature: None,
         brush_radius_m: None,
         curved_is_flat: true,
-        ..full_hud()
+        ..measured_hud()
     };
     let harness = hud(model, vec2(1280.0, 720.0));
     assert!(says(&harness, "Hemisphere B") && says(&harness, "flat space"));
@@ -344,6 +359,49 @@ fn compass_and_map_are_there_where_there_is_room_and_only_if_wanted() {
             };
             let bare = hud_in(language, without, size);
             assert!(!says(&bare, &way) && map_rect(&bare).is_none());
+        }
+    }
+}
+
+#[test]
+fn the_map_is_there_at_a_scale_of_two_with_nothing_on_it() {
+    // 1280 by 720 and 800 by 600 pixels.
+    for size in [vec2(640.0, 360.0), vec2(400.0, 300.0)] {
+        for (language, health, speed_km_h) in Language::ALL
+            .into_iter()
+            .flat_map(|l| [(l, None, None), (l, Some(0.4), None), (l, None, Some(50.0))])
+        {
+            let model = HudModel {
+                health,
+                speed_km_h,
+                ..full_hud()
+            };
+            // So small a window has not room for every kind of message at once.
+            let model = if size.y < 320.0 {
+                HudModel {
+                    loading: None,
+                    notice: None,
+                    ..model
+                }
+            } else {
+                model
+            };
+            let north = Texts::new(language).say("compass-north");
+            let shown = hud_in(language, model, size);
+            let land = map_rect(&shown).unwrap_or_else(|| panic!("no map at {size}"));
+            let screen = Rect::from_min_size(Pos2::ZERO, size);
+            assert!(land.width() > 44.0 && screen.contains_rect(land), "{land}");
+            assert!(
+                land.min.y > 0.5 * size.y && land.max.x < 0.3 * size.x,
+                "{land}"
+            );
+            for text in painted(shown.output()) {
+                assert!(
+                    text.text == north || !land.intersects(text.rect.shrink(1.0)),
+                    "“{}” lies on the map at {size}",
+                    text.text
+                );
+            }
         }
     }
 }

@@ -8,8 +8,9 @@
 
 mod common;
 
+use antipode_language::{Language, Texts};
 use antipode_ui::{GeometryChoice, Intent, Screen};
-use common::{Game, click, focused, intents, press, type_text, window};
+use common::{Game, click, focused, intents, press, type_text, window, world};
 use egui::{Key, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -47,7 +48,7 @@ fn a_name_is_judged_while_it_is_typed() {
     let mut harness = window(Game::new());
     click(&mut harness, "New Game");
     assert_eq!(focused(&harness), "Name");
-    assert!(create_is_disabled(&harness));
+    assert!(!create_is_disabled(&harness), "a name is offered");
     type_text(&mut harness, "Taken");
     harness.get_by_label("There is a world of that name already.");
     assert!(create_is_disabled(&harness));
@@ -59,6 +60,74 @@ fn a_name_is_judged_while_it_is_typed() {
     click(&mut harness, "Create");
     let expected = new_game("Taken not", GeometryChoice::Hyperbolic, None, None);
     assert_eq!(intents(&mut harness), [expected]);
+}
+
+#[test]
+fn enter_and_enter_plays_under_a_name_that_is_free_in_every_language() {
+    for (language, name) in [
+        (Language::English, "World 2"),
+        (Language::Polish, "Świat 1"),
+        (Language::German, "Welt 1"),
+        (Language::Spanish, "Mundo 1"),
+        (Language::Chinese, "世界 1"),
+    ] {
+        let mut game = Game::new();
+        game.texts = Texts::new(language);
+        game.worlds = vec![world(0), world(1)];
+        let mut harness = window(game);
+        press(&mut harness, Key::Enter);
+        assert_eq!(harness.state().shell.screen(), &Screen::NewGame);
+        press(&mut harness, Key::Enter);
+        let expected = new_game(name, GeometryChoice::Hyperbolic, None, None);
+        assert_eq!(intents(&mut harness), [expected], "{language:?}");
+    }
+}
+
+#[test]
+fn the_name_on_offer_gives_way_to_what_is_typed_and_to_worlds_that_come_to_be_known() {
+    let value = |harness: &Harness<'_, Game>| {
+        let name = harness.get_by_label("Name").value();
+        name.unwrap_or_default()
+    };
+    let mut harness = form(vec2(1280.0, 720.0));
+    assert_eq!(value(&harness), "World 1");
+    harness.state_mut().worlds = vec![world(1)];
+    harness.run();
+    assert_eq!(value(&harness), "World 2", "it is taken by now");
+    type_text(&mut harness, "M");
+    type_text(&mut harness, "ine");
+    assert_eq!(value(&harness), "Mine");
+    harness.state_mut().worlds = vec![world(1), world(2)];
+    harness.run();
+    assert_eq!(value(&harness), "Mine");
+}
+
+#[test]
+fn a_closed_world_has_a_named_size_or_any_other_and_tells_the_way_round() {
+    let mut harness = form(vec2(1280.0, 720.0));
+    click(&mut harness, "Spherical");
+    harness.get_by_label_contains("Once round: 628 m, 2.3 minutes");
+    let mut sizes = vec![100.0];
+    click(&mut harness, "Create");
+    for (size, radius_m) in [
+        ("Moonlet, 32 m", 32.0),
+        ("Planet, 256 m", 256.0),
+        ("Moon, 100 m", 100.0),
+    ] {
+        click(&mut harness, size);
+        click(&mut harness, "Create");
+        sizes.push(radius_m);
+    }
+    harness
+        .get_by_role(egui::Role::Slider)
+        .set_value_accesskit(57.0);
+    harness.run();
+    harness.get_by_label_contains("Once round: 358 m");
+    click(&mut harness, "Create");
+    sizes.push(57.0);
+    let round = |radius_m| new_game("World 1", GeometryChoice::Spherical, None, Some(radius_m));
+    let expected: Vec<_> = sizes.into_iter().map(round).collect();
+    assert_eq!(intents(&mut harness), expected);
 }
 
 #[test]
@@ -177,5 +246,8 @@ fn the_form_is_fresh_each_time_but_survives_a_message() {
     );
     click(&mut harness, "Back");
     click(&mut harness, "New Game");
-    assert_eq!(harness.get_by_label("Name").value().unwrap_or_default(), "");
+    assert_eq!(
+        harness.get_by_label("Name").value().as_deref(),
+        Some("World 1")
+    );
 }

@@ -11,7 +11,8 @@ mod common;
 use antipode_language::{Language, Texts};
 use antipode_settings::Value;
 use antipode_ui::{
-    Backdrop, HintModel, HudModel, Intent, Screen, ToastKind, apply_theme, photo_panel, show_hud,
+    Backdrop, CurvatureView, DialKind, HintModel, HudModel, Intent, Screen, SlotView, SpeechModel,
+    ToastKind, apply_theme, photo_panel, show_hud,
 };
 use common::{Game, Painted, click, focused, intents, painted, press, window, world};
 use egui::{Key, Pos2, Rect, Shape, Vec2, vec2};
@@ -188,7 +189,7 @@ fn a_toast_never_lies_on_the_panel_of_the_photo_mode() {
         let mut game = Game::new();
         game.shell.open(Screen::Hidden);
         game.running = Some("World 0".to_owned());
-        game.shell.keep_toasts_left_of(Some(panel.min.x));
+        game.shell.keep_toasts_off(Some(panel));
         let words = "Toast 0: something that takes a whole line to say.";
         game.shell.toast(words, ToastKind::Info);
         let mut harness = common::harness(game, size);
@@ -199,6 +200,70 @@ fn a_toast_never_lies_on_the_panel_of_the_photo_mode() {
             rect.min.x >= 0.0 && rect.max.x <= panel.min.x,
             "{rect} at {size}"
         );
+    }
+}
+
+#[test]
+fn nothing_lies_on_the_dial_in_windows_of_any_size() {
+    for size in [
+        vec2(1280.0, 720.0),
+        vec2(800.0, 450.0),
+        vec2(640.0, 360.0),
+        vec2(533.0, 300.0),
+        vec2(427.0, 240.0),
+        vec2(400.0, 225.0),
+    ] {
+        let mut game = Game::new();
+        game.shell.open(Screen::Hidden);
+        game.running = Some("World 0".to_owned());
+        let toast = "Toast 0: something that takes a whole line to say.";
+        game.shell.toast(toast, ToastKind::Info);
+        let speech = SpeechModel {
+            text: "Word: ".repeat(12),
+            at: Some([0.9 * size.x / size.y, -0.2]),
+        };
+        let model = HudModel {
+            slots: vec![SlotView::default(); 10],
+            curvature: Some(CurvatureView {
+                kind: DialKind::Raised,
+                value: 10.0,
+                min: 0.0,
+                max: 20.0,
+            }),
+            speech: Some(speech),
+            ..HudModel::default()
+        };
+        let texts = Texts::default();
+        let mut harness = Harness::builder()
+            .with_size(size)
+            .with_context_setup(apply_theme)
+            .build_ui_state(
+                move |ui, (game, dial): &mut (Game, Rect)| {
+                    *dial = show_hud(ui.ctx(), &texts, &model);
+                    game.shell.keep_toasts_above(*dial);
+                    game.show(ui.ctx());
+                },
+                (game, Rect::NOTHING),
+            );
+        harness.run_steps(2);
+        let dial = harness.state().1;
+        assert!(dial.is_positive(), "the dial is there at {size}");
+        let over = painted(harness.output()).into_iter();
+        let mut over = over.filter(|it| {
+            ["Toast", "Word"]
+                .iter()
+                .any(|it_is| it.text.starts_with(it_is))
+        });
+        let (one, other) = (over.next(), over.next());
+        for said in [one, other] {
+            let said = said.unwrap_or_else(|| panic!("a message is missing at {size}"));
+            assert!(
+                !said.rect.intersects(dial),
+                "“{}” {} {dial} at {size}",
+                said.text,
+                said.rect
+            );
+        }
     }
 }
 
@@ -256,7 +321,9 @@ fn hud_with(hint: HintModel, size: Vec2) -> Harness<'static, HudModel> {
         .with_size(size)
         .with_context_setup(apply_theme)
         .build_ui_state(
-            move |ui, model: &mut HudModel| show_hud(ui.ctx(), &texts, model),
+            move |ui, model: &mut HudModel| {
+                show_hud(ui.ctx(), &texts, model);
+            },
             model,
         );
     harness.run();

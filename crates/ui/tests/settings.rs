@@ -241,3 +241,37 @@ fn nothing_moves_after_the_first_frame_of_a_long_screen() {
         assert_eq!(first, places(&harness), "{screen:?}");
     }
 }
+
+#[test]
+fn changing_the_language_with_a_search_typed_keeps_the_row() {
+    let mut game = Game::new();
+    game.texts = Texts::new(Language::German);
+    let hint = game.texts.say("settings-search");
+    game.shell.open(Screen::Settings);
+    let mut harness = window(game);
+    harness.run();
+    harness.get_by_label(&hint).focus();
+    harness.run();
+    type_text(&mut harness, "sprache");
+    let label = harness.state().texts.say("setting-language");
+    click(&mut harness, &format!("{label}: Polski"));
+    let polish = Texts::new(Language::Polish);
+    harness.state_mut().texts = polish.clone();
+    harness.run();
+    let label = polish.say("setting-language");
+    harness.get_by_label(&format!("{label}: Deutsch"));
+    assert!(
+        harness
+            .query_by_label(&polish.say("setting-quality"))
+            .is_none()
+    );
+    // Another search goes by the new words.
+    harness.get_by_label(&polish.say("settings-search")).focus();
+    harness.run();
+    type_text(&mut harness, "x");
+    assert!(
+        harness
+            .query_by_label(&format!("{label}: Deutsch"))
+            .is_none()
+    );
+}

@@ -29,7 +29,9 @@ fn words_stand_over_who_says_them_and_never_outside_of_the_picture() {
             .with_size(size)
             .with_context_setup(apply_theme)
             .build_ui_state(
-                move |ui, model: &mut HudModel| show_hud(ui.ctx(), &texts, model),
+                move |ui, model: &mut HudModel| {
+                    show_hud(ui.ctx(), &texts, model);
+                },
                 said(at),
             );
         harness.run();

@@ -7,6 +7,7 @@ mod apt;
 mod display;
 mod dist;
 mod error;
+mod fuzzing;
 mod licences;
 mod machine;
 mod openbox;
@@ -27,6 +28,7 @@ cargo xtask play [--no-install] [ARGUMENTS OF THE GAME]   install what is missin
 cargo xtask test [--no-install] [FILTER]                  install what is missing, run every test
 cargo xtask ci [--no-install]                             format, lints, docs, laboratory, every bench once, every test
 cargo xtask bench [FILTER]                                measure every bench
+cargo xtask fuzz [MINUTES]                                fuzz what reads bytes of others, where nightly and cargo-fuzz are here
 cargo xtask lab                                           measure everything, and remake docs/accuracy.md and docs/terrain.md
 cargo xtask dist                                          an archive and a Debian package of the game, in target/dist
 cargo xtask licences                                      the list of others' work that the game shows, anew
@@ -62,6 +64,7 @@ fn dispatch(arguments: &[String]) -> Result<u8, Error> {
             steps::ci().map(|()| 0)
         }
         "bench" => steps::bench(&options.rest).map(|()| 0),
+        "fuzz" => fuzzing::fuzz(&options.rest).map(|()| 0),
         "lab" if options.rest.is_empty() => {
             provide(Purpose::Test, options.install)?;
             steps::lab().map(|()| 0)
@@ -230,7 +233,7 @@ mod tests {
 
     #[test]
     fn every_command_is_in_the_usage() {
-        for command in ["play", "test", "ci", "bench", "lab", "packages"] {
+        for command in ["play", "test", "ci", "bench", "fuzz", "lab", "packages"] {
             assert!(
                 USAGE.contains(&format!("cargo xtask {command}")),
                 "{command}"

@@ -189,7 +189,19 @@ fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-fn is_installed(subcommand: &str) -> bool {
+/// Runs commands one after the other, each with what it is called.
+///
+/// # Errors
+/// At the first that cannot be started or fails.
+pub fn in_turn(commands: Vec<(String, Command)>) -> Result<(), Error> {
+    let mut steps = Steps::new(commands.len());
+    commands
+        .into_iter()
+        .try_for_each(|(name, mut command)| steps.run(&name, &mut command))
+}
+
+/// Whether cargo has a subcommand of that name.
+pub fn is_installed(subcommand: &str) -> bool {
     cargo(&[subcommand, "--version"])
         .output()
         .is_ok_and(|output| output.status.success())

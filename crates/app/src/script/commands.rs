@@ -147,4 +147,25 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_readme_says_which_words_the_buttons_take_and_how_exported_worlds_end() {
+        let readme = include_str!("../../../../README.md");
+        for command in COMMANDS
+            .iter()
+            .filter(|command| command.arguments == [Argument::Button])
+        {
+            let row = format!("`{} {}`", command.name, command.usage.replace('|', "\\|"));
+            assert!(readme.contains(&row), "{row}");
+        }
+        let examples = readme.lines().filter(|line| {
+            line.starts_with("antipode saves export ") || line.starts_with("antipode saves import ")
+        });
+        let examples: Vec<_> = examples.collect();
+        assert_eq!(examples.len(), 2);
+        for example in examples {
+            let ending = format!(".{}", antipode_storage::ARCHIVE_EXTENSION);
+            assert!(example.ends_with(&ending), "{example}");
+        }
+    }
 }

@@ -22,6 +22,9 @@ use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::options;
 
+/// Most bytes of a script or of settings.
+const LONGEST_BYTES: u64 = 1 << 20;
+
 /// Where a script's pictures go.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Shooting {
@@ -58,19 +61,26 @@ pub fn run_text(text: &str, common: &Common, shooting: Shooting) -> Result<(), F
 }
 
 fn read(file: &Path) -> Result<String, Failure> {
-    if file == Path::new("-") {
-        let mut text = String::new();
-        return match std::io::stdin().read_to_string(&mut text) {
-            Ok(_) => Ok(text),
-            Err(error) => Err(Failure::Usage(format!(
-                "The script on standard input cannot be read: {error}"
-            ))),
-        };
+    let (what, text) = if file == Path::new("-") {
+        let text = read_short(std::io::stdin());
+        ("The script on standard input".to_owned(), text)
+    } else {
+        let text = std::fs::File::open(file).and_then(read_short);
+        (format!("The script {}", file.display()), text)
+    };
+    text.and_then(|bytes| String::from_utf8(bytes).map_err(std::io::Error::other))
+        .map_err(|error| Failure::Usage(format!("{what} cannot be read: {error}")))
+}
+
+/// Reads all that is there, if that is no longer than anything that people write by hand: a device has no end.
+///
+/// # Errors
+/// When there is more, in words, or the system refuses.
+pub(crate) fn read_short(from: impl Read) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(LONGEST_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > LONGEST_BYTES {
+        return Err(std::io::Error::other("it is longer than 1 MB"));
     }
-    std::fs::read_to_string(file).map_err(|error| {
-        Failure::Usage(format!(
-            "The script {} cannot be read: {error}",
-            file.display()
-        ))
-    })
+    Ok(bytes)
 }

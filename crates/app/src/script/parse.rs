@@ -11,7 +11,7 @@ use super::commands::command_named;
 use crate::bindings::{Input, MouseButton};
 use crate::cli::shortened;
 use crate::names::key_named;
-use crate::session::NewWorld;
+use crate::session::{Beginning, NewWorld};
 
 /// Longest time an order may take, in simulated seconds.
 const LONGEST_S: f64 = 86_400.0;
@@ -268,6 +268,7 @@ fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
         name: None,
         seed: None,
         radius_m: None,
+        start: Beginning::Middle,
     };
     for option in options {
         match option.split_once('=') {

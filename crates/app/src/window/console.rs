@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use antipode_scene::Scene;
 use antipode_settings::Value;
 use antipode_storage::StorageError;
-use antipode_ui::{Console, Intent, LineKind};
+use antipode_ui::{Console, Intent, LineKind, legible_name};
 
 use super::game::Game;
 use super::phase::{Next, Phase, Request};
@@ -220,13 +220,13 @@ impl Game {
                         |space| wording::geometry(&self.texts, space),
                     );
                     let values = [
-                        ("name", world.name().into()),
+                        ("name", legible_name(world.name(), &world.slug).into()),
                         ("space", space.into()),
                         ("seed", meta.seed.to_string().into()),
                     ];
                     self.texts.say_with("console-world", &values)
                 }
-                None => world.name().to_owned(),
+                None => legible_name(world.name(), &world.slug).into_owned(),
             };
             self.answer(&words);
         }

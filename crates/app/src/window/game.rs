@@ -16,6 +16,7 @@ use super::phase::{Next, Phase, Request};
 use super::photo::Photographer;
 use super::portrait::LastPicture;
 use super::shots::Shots;
+use super::veil::Veil;
 use super::worldlist::WorldList;
 use crate::controls::Controls;
 use crate::navigator::Navigator;
@@ -71,6 +72,7 @@ pub struct Game {
     /// Key of the words for a player who hears nothing.
     pub(super) sound_trouble: Option<&'static str>,
     pub(super) backdrop: Backdrop,
+    pub(super) veil: Veil,
     pub(super) hints: Hints,
     pub(super) about: antipode_ui::AboutModel,
 }
@@ -123,6 +125,7 @@ impl Game {
             sticks: Sticks::default(),
             sound_trouble: None,
             backdrop: Backdrop::default(),
+            veil: Veil::default(),
             hints: Hints::default(),
             about: antipode_ui::AboutModel::default(),
         };
@@ -193,7 +196,9 @@ impl Game {
     /// The picture to draw, if a world is open.
     pub fn frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
         // Behind the loading screen nothing is seen; what drawing would cost goes into making the land.
-        if matches!(self.phase, Phase::Loading(_)) {
+        if let Phase::Loading(session) = &self.phase
+            && session.scene.loading_progress() < 1.0
+        {
             return None;
         }
         if matches!(self.phase, Phase::Menu) {

@@ -6,8 +6,8 @@ mod tests;
 use std::collections::BTreeSet;
 
 use antipode_language::Texts;
-use antipode_scene::Actions;
 use antipode_scene::tuning::STEP_S;
+use antipode_scene::{Actions, Scene};
 use antipode_settings::{Lesson, Profiles, Value};
 use antipode_ui::{HintModel, first_input_label, pad_input_label};
 
@@ -23,9 +23,43 @@ const WALK_S: f64 = 0.8;
 const WORK_S: f64 = 0.8;
 /// From one hint to the next, seconds.
 const REST_S: f64 = 0.6;
-/// How long the last hint is shown to somebody who does not do what it says, seconds: who has read it knows it, and
-/// nobody must open the menu to be rid of it.
-const LAST_S: f64 = 15.0;
+/// How long the hints about the menu and the way home are shown to somebody who does not do what they say, seconds: who
+/// has read them knows it, and nobody must open the menu, or walk round a world, to be rid of them.
+const READ_S: f64 = 15.0;
+/// From this elevation of the view on one looks up, radians.
+const UP_RAD: f64 = 0.6;
+
+/// What of a world the hints depend on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Place {
+    /// Whether the wheel turns a dial.
+    pub has_dial: bool,
+    /// Whether the world is closed: the land is overhead, a straight way leads home, and there is no other picture.
+    pub closed: bool,
+    /// Elevation of the view, radians.
+    pub pitch_rad: f64,
+}
+
+impl Place {
+    /// Of an open world.
+    fn of(scene: &Scene) -> Self {
+        Self {
+            has_dial: scene.lens().range().is_some(),
+            closed: scene.strategy().rim_m().is_some(),
+            pitch_rad: scene.head().pitch,
+        }
+    }
+
+    /// Whether what a lesson is about is there.
+    fn has(self, lesson: Lesson) -> bool {
+        match lesson {
+            Lesson::Curve => self.has_dial,
+            Lesson::Map => !self.closed,
+            Lesson::Overhead | Lesson::Home => self.closed,
+            _ => true,
+        }
+    }
+}
 
 /// What was done of it so far.
 #[derive(Clone, Debug, Default)]
@@ -35,8 +69,8 @@ pub struct Hints {
     walked_s: f64,
     dug_s: f64,
     built_s: f64,
-    /// How long the last hint has been shown, seconds.
-    last_s: f64,
+    /// How long a hint that is only to be read has been shown, seconds.
+    read_s: f64,
     /// Until the next is told, seconds.
     rest_s: f64,
     /// Whether the player last used a gamepad.
@@ -71,17 +105,16 @@ impl Hints {
             .collect()
     }
 
-    /// Takes in what the player asked for in one step of the simulation, in a world that has a dial or not.
-    fn step(&mut self, actions: &Actions, has_dial: bool) {
+    /// Takes in what the player asked for in one step of the simulation, and where.
+    fn step(&mut self, actions: &Actions, place: Place) {
         self.rest_s = (self.rest_s - STEP_S).max(0.0);
-        if self
-            .current(has_dial)
-            .is_some_and(|(_, step, count)| step == count)
-            && self.rest_s <= 0.0
-        {
-            self.last_s += STEP_S;
-            if self.last_s >= LAST_S {
-                self.finish(Lesson::Menu);
+        let current = self.current(place).map(|(lesson, ..)| lesson);
+        let read = current.filter(|lesson| matches!(lesson, Lesson::Home | Lesson::Menu));
+        if let Some(read) = read.filter(|_| self.rest_s <= 0.0) {
+            self.read_s += STEP_S;
+            if self.read_s >= READ_S {
+                self.finish(read);
+                self.read_s = 0.0;
             }
         }
         self.turned_rad += actions.look_yaw.abs() + actions.look_pitch.abs();
@@ -93,6 +126,12 @@ impl Hints {
             (Lesson::Look, self.turned_rad >= TURN_RAD),
             (Lesson::Walk, self.walked_s >= WALK_S),
             (Lesson::Jump, actions.jump),
+            (Lesson::Overhead, place.closed && place.pitch_rad >= UP_RAD),
+            (Lesson::Talk, actions.talk),
+            (Lesson::Car, actions.enter_car),
+            (Lesson::Map, actions.turn_map),
+            (Lesson::Camera, actions.toggle_camera),
+            (Lesson::Light, actions.toggle_light),
             (Lesson::Dig, self.dug_s >= WORK_S),
             (Lesson::Build, self.built_s >= WORK_S),
             (Lesson::Curve, actions.dial != 0.0),
@@ -114,47 +153,22 @@ impl Hints {
     }
 
     /// What is to be told now, and its place among those that this world has.
-    fn current(&self, has_dial: bool) -> Option<(Lesson, usize, usize)> {
+    fn current(&self, place: Place) -> Option<(Lesson, usize, usize)> {
         let lessons = Lesson::ALL.into_iter();
-        let lessons: Vec<_> = lessons
-            .filter(|lesson| has_dial || *lesson != Lesson::Curve)
-            .collect();
+        let lessons: Vec<_> = lessons.filter(|lesson| place.has(*lesson)).collect();
         let is_open = |lesson: &Lesson| self.done.get(*lesson as usize) == Some(&false);
-        let place = lessons.iter().position(is_open)?;
-        Some((lessons[place], place + 1, lessons.len()))
+        let at = lessons.iter().position(is_open)?;
+        Some((lessons[at], at + 1, lessons.len()))
     }
 
     /// The words to show now, if any.
-    fn model(&self, texts: &Texts, profiles: &Profiles, has_dial: bool) -> Option<HintModel> {
-        let (lesson, step, count) = self.current(has_dial).filter(|_| self.rest_s <= 0.0)?;
+    fn model(&self, texts: &Texts, profiles: &Profiles, place: Place) -> Option<HintModel> {
+        let (lesson, step, count) = self.current(place).filter(|_| self.rest_s <= 0.0)?;
         let key = |action| {
             let pad = pad_input_label(texts, profiles, action).filter(|_| self.by_pad);
             pad.unwrap_or_else(|| first_input_label(texts, profiles, action))
         };
-        let say = |hint: &str, key: String| texts.say_with(hint, &[("key", key.into())]);
-        let text = match lesson {
-            Lesson::Look if self.by_pad => say("hints-look", texts.say("hints-stick-right")),
-            Lesson::Look => say("hints-look", texts.say("key-Mouse")),
-            Lesson::Walk if self.by_pad => say("hints-walk", texts.say("hints-stick-left")),
-            Lesson::Walk => {
-                let ways = [
-                    Action::Forward,
-                    Action::Left,
-                    Action::Backward,
-                    Action::Right,
-                ];
-                say("hints-walk", ways.map(key).join(" "))
-            }
-            Lesson::Jump => say("hints-jump", key(Action::Jump)),
-            Lesson::Dig => say("hints-dig", key(Action::Use)),
-            Lesson::Build => say("hints-build", key(Action::SecondUse)),
-            Lesson::Curve => {
-                let (up, down) = (key(Action::DialUp), key(Action::DialDown));
-                texts.say_with("hints-curve", &[("up", up.into()), ("down", down.into())])
-            }
-            Lesson::Backpack => say("hints-backpack", key(Action::Backpack)),
-            Lesson::Menu => say("hints-menu", key(Action::Menu)),
-        };
+        let text = self.words(texts, lesson, key);
         let mut values = vec![("step", step.into()), ("count", count.into())];
         // A pad has no button for it; nor has a keyboard whose key was taken away.
         let skips = !self.by_pad && !profiles.chosen().inputs(Action::SkipHint).is_empty();
@@ -166,19 +180,55 @@ impl Hints {
         };
         Some(HintModel { text, footer })
     }
+
+    /// What a lesson says; `key` names what does a thing.
+    fn words(&self, texts: &Texts, lesson: Lesson, key: impl Fn(Action) -> String) -> String {
+        let say = |hint: &str, key: String| texts.say_with(hint, &[("key", key.into())]);
+        match lesson {
+            Lesson::Look if self.by_pad => say("hints-look", texts.say("hints-stick-right")),
+            Lesson::Look => say("hints-look", texts.say("key-Mouse")),
+            Lesson::Walk if self.by_pad => say("hints-walk", texts.say("hints-stick-left")),
+            Lesson::Walk => {
+                let ways = [
+                    Action::Forward,
+                    Action::Left,
+                    Action::Backward,
+                    Action::Right,
+                ];
+                say("hints-walk", ways.map(&key).join(" "))
+            }
+            Lesson::Jump => say("hints-jump", key(Action::Jump)),
+            Lesson::Dig => say("hints-dig", key(Action::Use)),
+            Lesson::Build => say("hints-build", key(Action::SecondUse)),
+            Lesson::Curve => {
+                let (up, down) = (key(Action::DialUp), key(Action::DialDown));
+                texts.say_with("hints-curve", &[("up", up.into()), ("down", down.into())])
+            }
+            Lesson::Overhead => texts.say("hints-overhead"),
+            Lesson::Talk => say("hints-talk", key(Action::Talk)),
+            Lesson::Car => say("hints-car", key(Action::EnterCar)),
+            Lesson::Map => say("hints-map", key(Action::OtherMap)),
+            Lesson::Camera => say("hints-camera", key(Action::Camera)),
+            Lesson::Light => say("hints-light", key(Action::Flashlight)),
+            Lesson::Photo => say("hints-photo", key(Action::PhotoMode)),
+            Lesson::Home => texts.say("hints-home"),
+            Lesson::Backpack => say("hints-backpack", key(Action::Backpack)),
+            Lesson::Menu => say("hints-menu", key(Action::Menu)),
+        }
+    }
 }
 
 impl Game {
     /// Takes in one step of play.
-    pub(super) fn step_hints(&mut self, actions: &Actions, has_dial: bool) {
+    pub(super) fn step_hints(&mut self, actions: &Actions, scene: &Scene) {
         if self.config.settings.hints {
-            self.hints.step(actions, has_dial);
+            self.hints.step(actions, Place::of(scene));
         }
     }
 
     /// Goes on from the hint that is shown.
     pub(super) fn skip_hint(&mut self) {
-        if let Some((lesson, ..)) = self.hints.current(self.has_dial()) {
+        if let Some((lesson, ..)) = self.hints.current(self.place()) {
             self.hints.finish(lesson);
         }
     }
@@ -223,7 +273,7 @@ impl Game {
     /// What a newcomer is to be told now.
     pub(super) fn hint(&self) -> Option<HintModel> {
         let hints = self.config.settings.hints.then_some(&self.hints)?;
-        hints.model(&self.texts, &self.config.profiles, self.has_dial())
+        hints.model(&self.texts, &self.config.profiles, self.place())
     }
 
     /// Notes which device an input comes from.
@@ -231,8 +281,8 @@ impl Game {
         self.hints.use_pad(matches!(input, Input::Pad(_)));
     }
 
-    fn has_dial(&self) -> bool {
+    fn place(&self) -> Place {
         let session = self.phase.session();
-        session.is_some_and(|session| session.scene.lens().range().is_some())
+        session.map_or_else(Place::default, |session| Place::of(&session.scene))
     }
 }

@@ -1,23 +1,29 @@
 //! What the interface shows of the game, and what the player asks for there.
 
 use antipode_geometry::Geometry;
-use antipode_ui::{GeometryChoice, HudModel, Intent, MenuModel, Screen, ToastKind};
+use antipode_scene::tuning::walk_speed_m_s;
+use antipode_ui::{
+    Backpack, Console, GeometryChoice, HudModel, Intent, MenuModel, Screen, ToastKind, legible_name,
+};
 
 use super::game::Game;
 use super::phase::{Next, Phase, Request};
 use crate::drawn::Drawn;
 use crate::hud;
 use crate::navigator::columns_for;
-use crate::session::NewWorld;
+use crate::session::{Beginning, NewWorld};
 
 impl Game {
     /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
     /// with, and the adapter's own time in milliseconds where it can tell.
     pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
         self.console.drawn = drawn.map(|(drawn, _)| drawn);
-        if let Some(model) = self.display(drawn) {
-            antipode_ui::show_hud(context, &self.texts, &model);
-        }
+        self.show_veil(context);
+        let display = self.display(drawn);
+        let instruments = display.map_or(egui::Rect::NOTHING, |model| {
+            antipode_ui::show_hud(context, &self.texts, &model)
+        });
+        self.shell.keep_toasts_above(instruments);
         self.show_backpack(context);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
@@ -28,10 +34,8 @@ impl Game {
             self.show_console(context);
             self.show_photo_panel(context);
         }
-        let panel = self.is_photographing() && !self.shell.is_open();
-        self.shell.keep_toasts_left_of(
-            panel.then(|| antipode_ui::photo_panel(context.content_rect()).min.x),
-        );
+        let covered = self.covered(context.content_rect());
+        self.shell.keep_toasts_off(covered);
         let running = self.running();
         self.list.show_pictures(context);
         let (rows, files) = if self.shell.is_open() {
@@ -54,11 +58,15 @@ impl Game {
         let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
         let model = MenuModel {
             texts: &self.texts,
-            running_world: running.as_ref().map(|(_, name)| name.as_str()),
+            running_world: running
+                .as_ref()
+                .filter(|_| !matches!(self.phase, Phase::Loading(_)))
+                .map(|(_, name)| name.as_str()),
             backdrop: self.backdrop.model(),
             worlds: &rows,
             config: &self.config,
             check_name: &check,
+            walk_m_s: walk_speed_m_s(),
             check_rename: &check_rename,
             world_files: &files,
             adapter_notice: notice.as_deref(),
@@ -72,11 +80,23 @@ impl Game {
         }
     }
 
+    /// What lies on the world while no menu does.
+    fn covered(&self, screen: egui::Rect) -> Option<egui::Rect> {
+        if self.is_typing() {
+            Some(Console::panel(screen))
+        } else if self.is_packing() {
+            Some(Backpack::panel(screen))
+        } else {
+            self.is_photographing()
+                .then(|| antipode_ui::photo_panel(screen))
+        }
+    }
+
     fn running(&self) -> Option<(String, String)> {
         let session = self.phase.session()?;
         let setup = session.scene.setup();
         let values = [
-            ("name", (&setup.name).into()),
+            ("name", legible_name(&setup.name, &session.slug).into()),
             ("seed", setup.seed.to_string().into()),
         ];
         let mut title = self.texts.say_with("running-world", &values);
@@ -137,6 +157,7 @@ impl Game {
                 name: Some(name),
                 seed,
                 radius_m,
+                start: Beginning::View,
             }))),
             Intent::Load { slug } => match self.list.work_on(&self.texts, &slug) {
                 // It would be called in use by somebody else.

@@ -31,6 +31,7 @@ mod stage;
 mod stillness;
 #[cfg(test)]
 mod tests;
+mod veil;
 mod wheel;
 mod worldlist;
 
@@ -41,7 +42,7 @@ use winit::event_loop::EventLoop;
 
 use crate::cli::{Adapter, Common, Fault};
 use crate::failure::Failure;
-use crate::session::{NewWorld, Worlds};
+use crate::session::{Beginning, NewWorld, Worlds};
 use crate::trouble::Trouble;
 use app::App;
 use phase::Request;
@@ -123,6 +124,7 @@ fn first_request(start: Start, worlds: &Worlds) -> Result<Option<Request>, Failu
                 name: Some(name),
                 seed,
                 radius_m,
+                start: Beginning::View,
             }))
         }
         Start::Load { name } => Some(Request::Load(worlds.saves().find(&name)?.slug)),

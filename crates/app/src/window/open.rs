@@ -121,6 +121,8 @@ impl Open {
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         let keeps = self.game.begin_screenshot();
         self.stage.show(texture, frame.as_ref(), output, keeps)?;
+        self.game
+            .drawn(frame.is_some() && !self.stage.is_land_coming());
         let now = Instant::now();
         self.redraw.drawn(now, wait);
         self.game.shown(now);
@@ -190,8 +192,7 @@ impl Open {
 
     /// Has a picture of the open world drawn for the menu.
     pub(super) fn begin_picture(&mut self) {
-        if let Some(mut frame) = self.game.frame(16.0 / 9.0, self.stage.height_px()) {
-            frame.hand = None;
+        if let Some(frame) = self.game.portrait(self.stage.height_px()) {
             let world = self.game.expect_picture();
             self.stage.begin_thumbnail(world, &frame);
         }

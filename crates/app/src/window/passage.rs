@@ -9,6 +9,7 @@ use super::background::{Progress, Task};
 use super::game::{CHUNK_BUDGET, Game};
 use super::phase::{Next, Phase, Request};
 use super::portrait::LastPicture;
+use super::veil::Veil;
 use crate::failure::Failure;
 use crate::session::{Session, Unclosed};
 use crate::trouble::Trouble;
@@ -145,6 +146,7 @@ impl Game {
                 // What was answered in another world is not true of this one.
                 self.console.view.clear();
                 self.fit(&mut session);
+                self.veil = Veil::Down;
                 return self.loading(session);
             }
             Progress::Done(Err(failure)) => {
@@ -165,7 +167,11 @@ impl Game {
         self.tell(&mut session);
         let progress = session.scene.loading_progress();
         if progress < 1.0 {
-            let name = session.scene.setup().name.clone();
+            self.veil = Veil::Down;
+        }
+        if self.veil == Veil::Down {
+            let name = &session.scene.setup().name;
+            let name = antipode_ui::legible_name(name, &session.slug).into_owned();
             self.busy(self.texts.say("busy-land"), Some(progress), &name);
             return Phase::Loading(session);
         }

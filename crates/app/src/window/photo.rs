@@ -7,8 +7,10 @@ use std::time::Duration;
 use antipode_geometry::HyperbolicMap;
 use antipode_render::{RenderError, Tile};
 use antipode_scene::Viewpoint;
+use antipode_scene::day::local_time_s;
 use antipode_scene::frame::Frame;
 use antipode_scene::tuning::DAY_S;
+use antipode_settings::Lesson;
 use antipode_ui::{DialKind, PhotoModel, PhotoValues, first_input_label, show_photo};
 use glam::DVec3;
 use image::{RgbaImage, imageops};
@@ -107,6 +109,7 @@ impl Game {
     }
 
     pub(super) fn enter_photo_mode(&mut self) {
+        self.has_done(Lesson::Photo);
         let Phase::Playing(session) = &self.phase else {
             return;
         };
@@ -210,11 +213,13 @@ impl Game {
             Some(HyperbolicMap::Horizon) => DialKind::Horizon,
             None => DialKind::Bend,
         };
+        let (pictured, place) = (lens.strategy(), photo.view.eye.point);
+        let clock_there = |time_s: f64| clock(local_time_s(time_s, &**pictured, place));
         let model = PhotoModel {
             texts: &self.texts,
             dial: lens.range().map(|(min, max)| (kind, min, max)),
             day_s: Some(DAY_S),
-            clock: &clock,
+            clock: &clock_there,
             size,
             most_times,
             keys,

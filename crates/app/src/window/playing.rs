@@ -53,6 +53,7 @@ impl Game {
 
     pub(super) fn playing(&mut self, mut session: Session, passed: Duration) -> Phase {
         session.scene.pump(CHUNK_BUDGET);
+        self.lift_veil(passed);
         // Before the steps: they save by simulated time, which never runs ahead of the wall's.
         self.keep_saved(&mut session, passed, false);
         let feel = Feel::from(&self.config.settings);
@@ -67,7 +68,7 @@ impl Game {
             if actions != by_keys {
                 self.hints.use_pad(true);
             }
-            self.step_hints(&actions, session.scene.lens().range().is_some());
+            self.step_hints(&actions, &session.scene);
             session.scene.step(&actions);
             self.console.step(&mut self.controls);
         }
@@ -110,7 +111,7 @@ impl Game {
         }
         for hint in session.scene.take_hints() {
             // Who speaks is seen to do so, but with the display hidden.
-            if matches!(hint, Hint::Said(_)) && !self.display_hidden {
+            if matches!(hint, Hint::Said { .. }) && !self.display_hidden {
                 continue;
             }
             let words = wording::hint(&self.texts, &self.config.profiles, hint);

@@ -1,10 +1,14 @@
 //! A world's picture for the menu: drawn while the game goes on, even while the world is being closed.
 
+use antipode_scene::frame::Frame;
 use crossbeam_channel::{Receiver, Sender, bounded};
 use image::RgbaImage;
 
 use super::background::Task;
 use super::game::Game;
+
+/// Width over height of the menu's pictures.
+const ASPECT: f64 = 16.0 / 9.0;
 
 /// A picture that is being drawn.
 #[derive(Debug)]
@@ -28,6 +32,17 @@ impl Game {
     /// Whether a picture of the world should be taken for the menu; asked for once.
     pub fn take_wants_picture(&mut self) -> bool {
         std::mem::take(&mut self.wants_picture)
+    }
+
+    /// What a picture of the open world for the menu shows: the world, and nothing that the player is told of it.
+    pub fn portrait(&mut self, height_px: u32) -> Option<Frame> {
+        let frame = self.frame(ASPECT, height_px)?;
+        Some(Frame {
+            hand: None,
+            marker: None,
+            hit_shapes: Vec::new(),
+            ..frame
+        })
     }
 
     /// A picture of the open world is being drawn: its number among the worlds opened so far, of which none has the

@@ -35,7 +35,7 @@ impl Redraw {
         now < self.until || self.at.is_some_and(|at| at <= now)
     }
 
-    /// A frame was drawn, and the interface wants another one after `wait`: an animation, a cursor that blinks.
+    /// A frame was drawn, and the interface wants another one after `wait`: an animation, a message that goes.
     pub fn drawn(&mut self, now: Instant, wait: Duration) {
         self.at = now.checked_add(wait);
     }
@@ -64,7 +64,7 @@ mod tests {
     }
 
     #[test]
-    fn a_cursor_that_blinks_is_drawn_when_it_blinks() {
+    fn what_changes_at_a_time_is_drawn_at_that_time() {
         let start = Instant::now();
         let at = |ms| start + Duration::from_millis(ms);
         let mut redraw = Redraw::new(start);

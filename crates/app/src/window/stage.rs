@@ -179,6 +179,11 @@ impl Stage {
         self.reads_pictures() || self.renderer.is_busy()
     }
 
+    /// Whether land that the frames have brought is not shown yet, or not as fine as it is to be.
+    pub fn is_land_coming(&self) -> bool {
+        self.renderer.is_land_coming()
+    }
+
     /// Has the interface drawn with so many pixels a point, as on another monitor.
     pub fn rescale(&mut self, scale: f32) {
         let context = self.overlay.context();

@@ -30,7 +30,7 @@ use super::phase::{Phase, Request};
 use crate::bindings::Input;
 use crate::cli::{Cli, Common};
 use crate::drawn::Drawn;
-use crate::session::{NewWorld, Worlds};
+use crate::session::{Beginning, NewWorld, Worlds};
 
 fn worlds(dir: &Path) -> Worlds {
     Worlds::new(&worlds_options(dir))
@@ -49,6 +49,7 @@ fn begun(dir: &TempDir) -> Game {
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: None,
+        start: Beginning::Middle,
     });
     Game::new(worlds(dir.path()), None, Some(request))
 }
@@ -68,6 +69,7 @@ fn tick_until(game: &mut Game, there: impl Fn(&Game) -> bool) {
             return;
         }
         game.tick(Instant::now());
+        game.drawn(true);
         std::thread::yield_now();
     }
     panic!("the game never got there: {:?}", game.phase);

@@ -12,7 +12,7 @@ use std::collections::{HashMap, VecDeque};
 
 use antipode_language::Texts;
 use antipode_storage::{ArchiveFile, NameError, SavesDir, WorldSummary};
-use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent};
+use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, legible};
 
 use self::folder::FolderProblem;
 use self::pictures::Pictures;
@@ -34,6 +34,8 @@ pub struct WorldList {
     again: bool,
     /// What a closer look has told, by directory.
     details: HashMap<String, Details>,
+    /// Files that exports were to go to and have not, as the player wrote them, by directory.
+    unwritten: HashMap<String, String>,
     archives: Vec<ArchiveFile>,
     pictures: Pictures,
     folders: Vec<Task<Option<FolderProblem>>>,
@@ -50,6 +52,7 @@ impl WorldList {
             waiting: VecDeque::new(),
             again: false,
             details: HashMap::new(),
+            unwritten: HashMap::new(),
             archives: Vec::new(),
             pictures: Pictures::default(),
             folders: Vec::new(),
@@ -78,9 +81,18 @@ impl WorldList {
     pub fn follow(&mut self, intent: WorldsIntent) {
         match intent {
             WorldsIntent::LookAt { slug } => self.enqueue(Job::LookAt { slug }),
-            WorldsIntent::Rename { slug, name } => self.enqueue(Job::Rename { slug, name }),
+            WorldsIntent::Rename { slug, name } => {
+                let then = Job::LookAt { slug: slug.clone() };
+                self.enqueue(Job::Rename { slug, name });
+                self.enqueue(then);
+            }
             WorldsIntent::Duplicate { slug } => self.enqueue(Job::Duplicate { slug }),
-            WorldsIntent::Export { slug, file } => self.enqueue(Job::Export { slug, file }),
+            WorldsIntent::Export { slug, file } => {
+                let then = Job::LookAt { slug: slug.clone() };
+                self.unwritten.insert(slug.clone(), file.clone());
+                self.enqueue(Job::Export { slug, file });
+                self.enqueue(then);
+            }
             WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
             WorldsIntent::FindArchives => self.enqueue(Job::FindArchives),
             WorldsIntent::OpenFolder { slug } => {
@@ -131,7 +143,12 @@ impl WorldList {
         };
         match task.poll() {
             Progress::Running => return,
-            Progress::Done(outcome) => self.take(outcome),
+            Progress::Done(outcome) => {
+                if let (Job::Export { slug, .. }, Some(News::Exported(_))) = (job, &outcome.news) {
+                    self.unwritten.remove(slug);
+                }
+                self.take(outcome);
+            }
             Progress::Died if *job == Job::List => self.news.push_back(News::ListDied),
             Progress::Died => {
                 self.again = true;
@@ -154,6 +171,8 @@ impl WorldList {
             Some(Ok(mut worlds)) => {
                 worlds.retain(|world| !self.is_doomed(&world.slug));
                 self.details
+                    .retain(|slug, _| worlds.iter().any(|world| world.slug == *slug));
+                self.unwritten
                     .retain(|slug, _| worlds.iter().any(|world| world.slug == *slug));
                 self.pictures.want(&worlds);
                 self.known = worlds;
@@ -199,10 +218,13 @@ impl WorldList {
                 row.running = running == Some(world.slug.as_str());
                 row.picture = self.pictures.of(&world.slug);
                 row.path = self.place.dir_of(&world.slug).display().to_string();
-                row.export_to = self.place.export_to(&world.slug);
+                row.export_to = self.place.export_to(world.name());
                 if let Some(details) = self.details.get(&world.slug) {
                     row.edits = details.edits;
                     row.export_to.clone_from(&details.export_to);
+                }
+                if let Some(file) = self.unwritten.get(&world.slug) {
+                    row.export_to.clone_from(file);
                 }
                 row
             })
@@ -213,10 +235,9 @@ impl WorldList {
     pub fn files(&self, texts: &Texts) -> WorldFiles {
         let archives = self.archives.iter().map(|file| ArchiveRow {
             file: file.path.display().to_string(),
-            name: file
-                .path
-                .file_name()
-                .map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            name: file.path.file_name().map_or_else(String::new, |name| {
+                legible(&name.to_string_lossy()).into_owned()
+            }),
             size: words::size(texts, file.size_bytes),
         });
         WorldFiles {
@@ -235,7 +256,7 @@ impl WorldList {
     /// The reason in words.
     pub fn check_name(&self, texts: &Texts, name: &str) -> Result<(), String> {
         let all = self.known.iter();
-        said(
+        self.said(
             texts,
             SavesDir::check_name_among(name, all.map(WorldSummary::name)),
         )
@@ -255,13 +276,21 @@ impl WorldList {
     /// The reason in words.
     pub fn check_rename(&self, texts: &Texts, slug: &str, name: &str) -> Result<(), String> {
         let others = self.known.iter().filter(|world| world.slug != slug);
-        said(
+        self.said(
             texts,
             SavesDir::check_name_among(name, others.map(WorldSummary::name)),
         )
     }
-}
 
-fn said(texts: &Texts, checked: Result<(), NameError>) -> Result<(), String> {
-    checked.map_err(|error| wording::name(texts, &error))
+    fn said(&self, texts: &Texts, checked: Result<(), NameError>) -> Result<(), String> {
+        let error = match checked {
+            Err(NameError::Taken { existing }) => {
+                let holder = self.known.iter().find(|world| world.name() == existing);
+                let existing = holder.map_or(existing, words::shown);
+                NameError::Taken { existing }
+            }
+            checked => return checked.map_err(|error| wording::name(texts, &error)),
+        };
+        Err(wording::name(texts, &error))
+    }
 }

@@ -6,8 +6,9 @@ use super::{VehicleInput, VehicleTuning};
 
 /// Faster than this the wrong way, in metres per second, the pedals brake before they drive.
 const TURNS_ROUND_BELOW_M_S: f64 = 1.0;
-/// Faster than the engine drives, it holds back by this, in metres per second squared.
-const ENGINE_BRAKE_M_S2: f64 = 2.0;
+/// Faster than the engine drives, it holds back by this, in metres per second squared: less than of a car that is let
+/// go, so that a slope may carry it on.
+const HOLDS_BACK_M_S2: f64 = 2.0;
 
 /// What the wheels do for one step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,7 +42,7 @@ pub(super) fn effort(tuning: &VehicleTuning, input: &VehicleInput, speed_m_s: f6
         } else {
             Effort {
                 drive_m_s2: 0.0,
-                brake_m_s2: tuning.rolling_m_s2,
+                brake_m_s2: tuning.engine_brake_m_s2,
                 brakes: false,
                 holds: false,
             }
@@ -68,7 +69,7 @@ pub(super) fn effort(tuning: &VehicleTuning, input: &VehicleInput, speed_m_s: f6
     if left <= 0.0 {
         return Effort {
             drive_m_s2: 0.0,
-            brake_m_s2: ENGINE_BRAKE_M_S2,
+            brake_m_s2: HOLDS_BACK_M_S2,
             brakes: false,
             holds: false,
         };

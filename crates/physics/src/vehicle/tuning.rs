@@ -42,8 +42,8 @@ pub struct VehicleTuning {
     pub full_force_to: f64,
     /// How fast the brake slows it.
     pub brake_m_s2: f64,
-    /// How fast it rolls out when nothing is asked of it.
-    pub rolling_m_s2: f64,
+    /// How fast the engine slows it when nothing is asked of it.
+    pub engine_brake_m_s2: f64,
     /// Slower than this the brake holds it when nothing is asked of it.
     pub holds_below_m_s: f64,
     /// Farthest that the front wheels turn.
@@ -93,7 +93,7 @@ impl Default for VehicleTuning {
             boost_factor: 2.0,
             full_force_to: 0.75,
             brake_m_s2: 10.0,
-            rolling_m_s2: 0.8,
+            engine_brake_m_s2: 2.6,
             holds_below_m_s: 0.8,
             steer_most_rad: 41f64.to_radians(),
             steer_rate_rad_s: 2.0,

@@ -38,11 +38,14 @@ pub struct Halver {
 }
 
 impl Halver {
-    /// The mesh with its edges near the eye halved; `eye` is metres from the chunk's corner.
-    pub fn refine(&mut self, rules: &RefineRules, eye: Vec3, mesh: &ChunkMesh) -> Refined {
+    /// The mesh with its edges near the eyes halved, which are metres from the chunk's corner.
+    pub fn refine(&mut self, rules: &RefineRules, eyes: &[Vec3], mesh: &ChunkMesh) -> Refined {
         self.begin(mesh);
         let far_m = rules.reach_m() + 1.733 * mesh.level.step_m() as f32;
-        let near = |p: &Vec3| p.distance_squared(eye) < far_m * far_m;
+        let near = |p: &Vec3| {
+            let near_to = |eye: &Vec3| p.distance_squared(*eye) < far_m * far_m;
+            eyes.iter().any(near_to)
+        };
         let near: Vec<bool> = self.positions.iter().map(near).collect();
         let mut starts = [0; SECTIONS + 1];
         for (number, section) in sections(mesh).into_iter().enumerate() {
@@ -53,7 +56,7 @@ impl Halver {
                     self.done.push(*corners);
                 }
             }
-            self.divide_all(rules, eye);
+            self.divide_all(rules, eyes);
             starts[number + 1] = self.done.len();
         }
         Refined {
@@ -88,26 +91,26 @@ impl Halver {
     }
 
     /// Divides the open triangles until their edges keep to the tolerance, or were halved as often as they may be.
-    fn divide_all(&mut self, rules: &RefineRules, eye: Vec3) {
+    fn divide_all(&mut self, rules: &RefineRules, eyes: &[Vec3]) {
         for _ in 0..rules.halvings() {
             let mut open = std::mem::take(&mut self.open);
             self.open = std::mem::take(&mut self.next);
             for corners in open.drain(..) {
-                self.divide(rules, eye, corners);
+                self.divide(rules, eyes, corners);
             }
             self.next = open;
         }
         for [a, b, c] in std::mem::take(&mut self.open) {
             for (a, b) in [(a, b), (b, c), (c, a)] {
-                self.worst = self.worst.max(self.strays(rules, eye, a, b));
+                self.worst = self.worst.max(self.strays(rules, eyes, a, b));
             }
             self.done.push([a, b, c]);
         }
     }
 
     /// Opens the triangles that a triangle becomes; one that needs no halving is done.
-    fn divide(&mut self, rules: &RefineRules, eye: Vec3, [a, b, c]: [u32; 3]) {
-        let middles = [(a, b), (b, c), (c, a)].map(|(a, b)| self.middle(rules, eye, a, b));
+    fn divide(&mut self, rules: &RefineRules, eyes: &[Vec3], [a, b, c]: [u32; 3]) {
+        let middles = [(a, b), (b, c), (c, a)].map(|(a, b)| self.middle(rules, eyes, a, b));
         let open = &mut self.open;
         match middles {
             [None, None, None] => self.done.push([a, b, c]),
@@ -125,15 +128,15 @@ impl Halver {
 
     /// By what multiple of the tolerance an edge strays from its true picture, at most.
     #[inline]
-    fn strays(&self, rules: &RefineRules, eye: Vec3, a: u32, b: u32) -> f32 {
+    fn strays(&self, rules: &RefineRules, eyes: &[Vec3], a: u32, b: u32) -> f32 {
         let [p, q] = [a, b].map(|i| self.positions[i as usize]);
-        rules.strays(p.distance_squared(q), p.midpoint(q) - eye)
+        rules.strays(p.distance_squared(q), p.midpoint(q), eyes)
     }
 
     /// The middle of an edge that is to be halved.
     #[inline]
-    fn middle(&mut self, rules: &RefineRules, eye: Vec3, a: u32, b: u32) -> Option<u32> {
-        let strays = self.strays(rules, eye, a, b);
+    fn middle(&mut self, rules: &RefineRules, eyes: &[Vec3], a: u32, b: u32) -> Option<u32> {
+        let strays = self.strays(rules, eyes, a, b);
         if strays <= 1.0 {
             self.worst = self.worst.max(strays);
             return None;

@@ -15,9 +15,10 @@ mod refine;
 mod skyline;
 mod stats;
 #[cfg(test)]
-mod testing;
+pub mod testing;
 #[cfg(test)]
 mod tests;
+mod way;
 
 use std::sync::Arc;
 

@@ -2,21 +2,17 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::ChartPoint;
 use antipode_scene::frame::{Frame, Quality};
-use glam::{IVec3, Vec3};
+use glam::{DVec3, Vec3};
 
 use super::bend::{BANDS, BendSteps, band, sines};
 use super::bounds::Bounds;
 use super::choice::LONGEST_EDGE_M;
 use super::land::ChunkLand;
 use super::quality::Tolerance;
+use super::way::Way;
 
-/// Edges are halved for an eye anywhere in a cell of this grid, metres: walking does not rebuild them at every
-/// step.
-const EYE_GRID_M: f64 = 0.5;
-/// No eye is farther than this from the middle of its cell, metres.
-const EYE_SLACK_M: f64 = 0.5 * 1.733 * EYE_GRID_M;
 /// Steps of distance in which the longest edge that may stay is looked up, per metre.
 const STEPS_PER_M: f32 = 4.0;
 /// Beyond the fog nothing is seen; chunks that begin before it end within this, metres.
@@ -30,8 +26,8 @@ const LOOK_RATIO: f64 = 1.12;
 /// refinement, so that two chunks with the same key agree on the edges they share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RefineKey {
-    hemisphere: Hemisphere,
-    eye: IVec3,
+    /// The eyes that it was made for.
+    pub way: Way,
     bends: BendSteps,
     quality: Quality,
 }
@@ -48,51 +44,42 @@ pub struct RefineRules {
 }
 
 impl RefineKey {
-    /// The key of a frame with these bounds.
-    pub fn of(frame: &Frame, bounds: &Bounds) -> Self {
-        let eye = &frame.eye.point;
+    /// The key of a frame with these bounds, whose eye goes on by a step in metres.
+    pub fn of(frame: &Frame, bounds: &Bounds, step: DVec3) -> Self {
         Self {
-            hemisphere: eye.hemisphere,
-            eye: (eye.pos / EYE_GRID_M).round().as_ivec3(),
+            way: Way::new(&frame.eye.point, step),
             bends: bounds.steps(),
             quality: frame.quality,
         }
     }
 
-    /// How far an eye is from the one that it was made for, metres along the chart; 0 in another chart.
-    pub fn away_m(&self, eye: &ChartPoint) -> f64 {
-        if eye.hemisphere == self.hemisphere {
-            self.eye().pos.distance(eye.pos)
-        } else {
-            0.0
-        }
-    }
-
-    /// The middle of the eye's cell.
-    fn eye(&self) -> ChartPoint {
-        ChartPoint::new(self.hemisphere, self.eye.as_dvec3() * EYE_GRID_M)
+    /// Whether a refinement for it is all that a frame asks for, seen from a place.
+    pub fn holds(&self, frame: &Frame, bounds: &Bounds, eye: &ChartPoint) -> bool {
+        self.bends == bounds.steps() && self.quality == frame.quality && self.way.covers(eye)
     }
 }
 
 impl RefineRules {
-    /// The rules of a frame with these bounds.
-    pub fn new(frame: &Frame, bounds: &Bounds) -> Self {
+    /// The rules of a frame with these bounds, whose eye goes on by a step in metres.
+    pub fn new(frame: &Frame, bounds: &Bounds, step: DVec3) -> Self {
+        let key = RefineKey::of(frame, bounds, step);
+        let slack_m = key.way.slack_m();
         let tolerance = Tolerance::of(frame.quality);
         let farthest_m = f64::from(frame.fog_distance_m.max(0.0)) + CHUNK_DIAGONAL_M;
         let reach_m = bounds
             .refine_within_m(&tolerance, COARSEST_EDGE_M)
             .min(farthest_m)
-            + EYE_SLACK_M;
+            + slack_m;
         let at = |step: u32| {
-            let distance_m = f64::from(step) / f64::from(STEPS_PER_M) - EYE_SLACK_M;
+            let distance_m = f64::from(step) / f64::from(STEPS_PER_M) - slack_m;
             std::array::from_fn(|band| {
-                let sines = about(band, EYE_SLACK_M, distance_m);
+                let sines = about(band, slack_m, distance_m);
                 let most = bounds.bend.between(distance_m.max(0.0), sines);
                 (tolerance.shape_px / most) as f32
             })
         };
         Self {
-            key: RefineKey::of(frame, bounds),
+            key,
             longest_square: (0..=(reach_m * f64::from(STEPS_PER_M)) as u32)
                 .map(at)
                 .collect(),
@@ -100,14 +87,19 @@ impl RefineRules {
         }
     }
 
-    /// The eye from a chunk's corner, where it has a place in its chart. Eyes stand on a grid and corners in whole
-    /// metres, so differences from it are exact, and come out the same in every chunk.
-    pub fn eye_from(&self, frame: &Frame, chunk: &ChunkLand) -> Option<Vec3> {
-        let mut eye = self.key.eye();
-        if eye.hemisphere != chunk.coord.hemisphere {
-            eye = frame.strategy.carry(eye)?.point;
-        }
-        Some((eye.pos - chunk.coord.origin()).as_vec3())
+    /// The places of the eye from a chunk's corner; none where they have none in its chart. They are whole parts of a
+    /// metre and corners whole metres, so differences from them are exact, and come out the same in every chunk.
+    pub fn eyes_from(&self, frame: &Frame, chunk: &ChunkLand) -> Vec<Vec3> {
+        let hemisphere = chunk.coord.hemisphere;
+        let eyes = self.key.way.places().filter_map(|eye| {
+            if eye.hemisphere == hemisphere {
+                Some(eye.pos)
+            } else {
+                frame.strategy.carry(eye).map(|crossing| crossing.point.pos)
+            }
+        });
+        eyes.map(|eye| (eye - chunk.coord.origin()).as_vec3())
+            .collect()
     }
 
     /// How often an edge may be halved.
@@ -125,10 +117,16 @@ impl RefineRules {
         self.longest_square.len() as f32 / STEPS_PER_M
     }
 
-    /// By what multiple of the tolerance an edge strays from its true picture at most, given the square of its length
-    /// and where its middle lies from the eye.
+    /// By what multiple of the tolerance an edge strays from its true picture at most, seen from any of these eyes, given
+    /// the square of its length and where its middle lies.
     #[inline]
-    pub fn strays(&self, length_square: f32, from_eye: Vec3) -> f32 {
+    pub fn strays(&self, length_square: f32, middle: Vec3, eyes: &[Vec3]) -> f32 {
+        let strays = |eye: &Vec3| self.strays_from(length_square, middle - *eye);
+        eyes.iter().map(strays).fold(0.0, f32::max)
+    }
+
+    #[inline]
+    fn strays_from(&self, length_square: f32, from_eye: Vec3) -> f32 {
         let distance = from_eye.length();
         match self.longest_square.get((distance * STEPS_PER_M) as usize) {
             Some(longest_square) => length_square / longest_square[band(from_eye.y / distance)],
@@ -149,34 +147,42 @@ impl RefineRules {
     }
 
     /// The most that the edges of a chunk stray now, in pixels, though they were halved by these rules, when the
-    /// largest stray left was `error_px`.
+    /// largest stray left was `error_px`. None of them is nearer to the eye than `near_m`.
     ///
-    /// An edge at a distance d from the eye of now was at most at d + m from the eye of then, if that stood m away,
-    /// and so is no longer than was let pass there, at the elevations where it may have been.
+    /// An edge at a distance d from the eye of now was at most at d + m from the nearest eye of then, if that stood m
+    /// away, and so is no longer than was let pass there, at the elevations where it may have been.
     pub fn stale_error_px(
         &self,
         error_px: f64,
         frame: &Frame,
         now: &Bounds,
         chunk: &ChunkLand,
+        near_m: f64,
     ) -> f64 {
         let mut eye = frame.eye.point;
-        if eye.hemisphere != self.key.hemisphere {
+        if eye.hemisphere != self.key.way.hemisphere() {
             match frame.strategy.carry(eye) {
                 Some(crossing) => eye = crossing.point,
                 None => return unhalved_error_px(frame, now, chunk),
             }
         }
-        let moved_m = eye.pos.distance(self.key.eye().pos);
+        let places = self.key.way.places();
+        let moved_m = places
+            .map(|place| place.pos.distance(eye.pos))
+            .fold(f64::INFINITY, f64::min);
+        let is_here = eye.hemisphere == chunk.coord.hemisphere;
+        let heights = is_here.then_some([chunk.min.y - eye.pos.y, chunk.max.y - eye.pos.y]);
         let left = (error_px / self.tolerance.shape_px).max(1.0);
         let longest_square = chunk.longest_edge_m().powi(2);
-        let near_m = Bounds::nearest_chart_m(frame, chunk);
         let far_m = near_m + (chunk.max - chunk.min).length();
         let mut worst: f64 = 0.0;
         let mut from_m = near_m.max(0.05);
         while from_m < far_m {
             let to_m = from_m * LOOK_RATIO;
-            for now_in in 0..BANDS {
+            let seen = heights.map_or([-1.0, 1.0], |heights| {
+                sines_between(heights, [from_m, to_m])
+            });
+            for now_in in (0..BANDS).filter(|&band| overlap(sines(band), seen)) {
                 let passed = self.longest_square(to_m + moved_m, about(now_in, moved_m, from_m));
                 let most = now.bend.between(from_m, sines(now_in));
                 worst = worst.max(most * (passed * left).min(longest_square));
@@ -190,7 +196,14 @@ impl RefineRules {
 /// The most that the edges of a chunk stray as they are, in pixels.
 pub fn unhalved_error_px(frame: &Frame, bounds: &Bounds, chunk: &ChunkLand) -> f64 {
     let near_m = Bounds::nearest_chart_m(frame, chunk);
-    bounds.bend_px(near_m) * chunk.longest_edge_m().powi(2)
+    let sines = if frame.eye.point.hemisphere == chunk.coord.hemisphere {
+        let heights = [chunk.min.y, chunk.max.y].map(|y| y - frame.eye.point.pos.y);
+        let far_m = near_m + (chunk.max - chunk.min).length();
+        sines_between(heights, [near_m.max(0.05), far_m])
+    } else {
+        [-1.0, 1.0]
+    };
+    bounds.bend.between(near_m, sines) * chunk.longest_edge_m().powi(2)
 }
 
 /// The sines of elevation at which something in a band, a distance from an eye, may lie from another eye `away_m` from
@@ -203,4 +216,16 @@ fn about(band: usize, away_m: f64, distance_m: f64) -> [f64; 2] {
     let turn = (away_m / distance_m).asin();
     let turned = |sine: f64, by: f64| (sine.asin() + by).clamp(-FRAC_PI_2, FRAC_PI_2).sin();
     [turned(low, -turn), turned(high, turn)]
+}
+
+/// The sines of elevation at which something between two heights over an eye lies, at distances between two.
+fn sines_between([low, high]: [f64; 2], [near_m, far_m]: [f64; 2]) -> [f64; 2] {
+    [
+        (low / near_m).min(low / far_m).max(-1.0),
+        (high / near_m).max(high / far_m).min(1.0),
+    ]
+}
+
+fn overlap(a: [f64; 2], b: [f64; 2]) -> bool {
+    a[0] <= b[1] && b[0] <= a[1]
 }

@@ -10,7 +10,7 @@ use antipode_geometry::ChartPoint;
 use antipode_scene::frame::Frame;
 use glam::{DMat4, DVec2};
 
-use super::light::{Caster, Crop, FACES, Light};
+use super::light::{Caster, Crop, DEPTH_SLACK_M, FACES, Light};
 
 /// Cascades under a sky; `SHADOW_CASCADES` of shadow.wgsl.
 pub const CASCADES: usize = 3;
@@ -45,6 +45,19 @@ impl Shot {
     pub fn clip(&self) -> DMat4 {
         self.light.clip(&self.crop, self.heights)
     }
+
+    /// 1, or -1 where it is mirrored: the two axes of a star's even faces are a left-handed pair as it looks along them.
+    pub fn hand(&self) -> f32 {
+        match self.light {
+            Light::Star { .. } if self.crop.face.is_multiple_of(2) => -1.0,
+            Light::Star { .. } | Light::Far { .. } => 1.0,
+        }
+    }
+
+    /// The height up to which its depth reaches.
+    pub fn highest(&self) -> f64 {
+        self.heights[1] + DEPTH_SLACK_M
+    }
 }
 
 /// A map of the land.
@@ -56,6 +69,9 @@ pub struct Level {
     pub shot: Option<Shot>,
     /// Frames since land on it changed, if it did.
     pub changed: Option<u32>,
+    /// Whether a part of it was drawn later than the rest: it shows the same as one that was drawn at once, but for
+    /// rounding.
+    pub is_mended: bool,
 }
 
 /// How many maps of land there are by a light. In a closed world a processor has no time for its faces.
@@ -154,6 +170,7 @@ impl Level {
     /// Whether it is just what a frame wants, for pictures that do not depend on what came before.
     pub fn is_exact(&self, light: &Light, wanted: &Crop) -> bool {
         self.changed.is_none()
+            && !self.is_mended
             && self
                 .shot
                 .is_some_and(|shot| shot.light == *light && shot.crop == *wanted)

@@ -7,21 +7,22 @@
 mod casting;
 mod levels;
 mod light;
+mod making;
 mod maps;
+mod mending;
 mod uniform;
 
-use antipode_geometry::ChunkCoord;
 use antipode_scene::frame::Frame;
-use glam::{DVec3, DVec4};
 use wgpu::{Backend, CommandEncoder, Device, Queue};
 
-use levels::{Level, Shot, count, wanted};
+use levels::{Level, Shot, count};
 pub use light::Caster;
 use light::{Crop, Light};
+use making::Job;
 use maps::{Maps, PASSES};
 pub use maps::{caster_layout, scene_entries};
 pub use uniform::ShadowUniform;
-use uniform::{CasterUniform, FIGURES, MapUniform};
+use uniform::{FIGURES, MapUniform};
 
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::{DrawList, LandDraws};
@@ -29,7 +30,7 @@ use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::pipelines::Pipelines;
 use crate::timing::Timing;
-use crate::uniforms::ChunkInstance;
+use crate::touched::Touched;
 
 /// How shadows are drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -79,27 +80,22 @@ const OUT_OF_DATE_RAD: f64 = 0.06;
 /// Maps that can be in the making at once.
 const SLOTS: usize = 2;
 
-/// The slot that a map is made in.
-fn slot_of(level: usize) -> usize {
-    level.min(SLOTS - 1)
-}
-
-/// A map in the making.
-#[derive(Debug)]
-struct Job {
-    level: usize,
-    shot: Shot,
-    /// Chunks that are still to be drawn.
-    todo: Vec<ChunkCoord>,
-    begun: bool,
-    changed: bool,
-}
-
 /// A pass of this frame over land.
 #[derive(Clone, Copy, Debug)]
 struct Pass {
     layer: u32,
-    is_fresh: bool,
+    over: Over,
+}
+
+/// What a pass draws over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Over {
+    /// A new map.
+    Nothing,
+    /// What is on the map.
+    Map,
+    /// The same, but for a rectangle that is drawn anew: its first texel and how many there are along each side.
+    Hole([u32; 4]),
 }
 
 /// The maps and what is on them.
@@ -215,30 +211,21 @@ impl Shadows {
         }
         let light = Light::of(frame);
         let is_new = self.fit(count(&light, self.quality == ShadowQuality::High));
-        for of in &touched {
-            self.note(frame, of);
-        }
         for level in &mut self.levels {
             level.changed = level.changed.map(|frames| frames.saturating_add(1));
         }
-        let mut left = if chunks.rush {
+        let left = if chunks.rush {
+            self.jobs = [const { None }; SLOTS];
+            self.note_all(frame, &touched);
             usize::MAX
         } else {
-            self.quality.triangles_a_frame()
+            let mended = self.follow(frame, chunks, &touched);
+            self.quality
+                .triangles_a_frame()
+                .saturating_sub(mended)
+                .max(1)
         };
-        if chunks.rush {
-            self.jobs = [const { None }; SLOTS];
-        }
-        for slot in 0..SLOTS {
-            while left > 0 && self.passes.len() < self.lists.len() {
-                let begun = self.jobs[slot].take();
-                let Some(job) = begun.or_else(|| self.next_job(slot, frame, &light, chunks)) else {
-                    break;
-                };
-                left = self.advance(job, chunks, left);
-            }
-        }
-        self.busy = left == 0 || self.jobs.iter().any(Option::is_some);
+        self.make(frame, &light, chunks, left);
         self.prepare_figures(frame, &light, figures);
         is_new
     }
@@ -270,109 +257,19 @@ impl Shadows {
             layer,
             shot: None,
             changed: None,
+            is_mended: false,
         };
         self.levels = (0..count as u32).map(level).collect();
         self.spares = [count as u32, count as u32 + 1];
         true
     }
 
-    fn note(&mut self, frame: &Frame, of: &Caster) {
+    fn note_all(&mut self, frame: &Frame, touched: &[Touched]) {
         for level in &mut self.levels {
-            level.note(frame, of);
-        }
-        for job in self.jobs.iter_mut().flatten() {
-            let (light, crop) = (&job.shot.light, &job.shot.crop);
-            job.changed |= light.heights(&*frame.strategy, crop, of).is_some();
-        }
-    }
-
-    /// The map of a slot that most needs to be drawn anew, if any does.
-    fn next_job(
-        &self,
-        slot: usize,
-        frame: &Frame,
-        light: &Light,
-        chunks: &ChunkStore,
-    ) -> Option<Job> {
-        let texels = self.maps.texels;
-        let own = self
-            .levels
-            .iter()
-            .enumerate()
-            .filter(|(i, _)| slot_of(*i) == slot);
-        let due = own.filter_map(|(i, level)| {
-            let place = (i, self.levels.len());
-            let crop = wanted(place, frame, light, texels);
-            let staleness = if !chunks.rush {
-                level.staleness(place, frame, light, &crop, texels)
-            } else if level.is_exact(light, &crop) {
-                0.0
-            } else {
-                f64::INFINITY
-            };
-            (staleness > 1.0).then_some((staleness, i, crop))
-        });
-        let (_, level, crop) = due.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
-        let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut todo = Vec::new();
-        for (coord, caster) in chunks.casters() {
-            if let Some([low, high]) = light.heights(&*frame.strategy, &crop, &caster) {
-                heights = [heights[0].min(low), heights[1].max(high)];
-                todo.push(coord);
+            for it in touched {
+                level.note(frame, &it.of);
             }
         }
-        if todo.is_empty() {
-            heights = [0.0, 1.0];
-        }
-        Some(Job {
-            level,
-            shot: Shot {
-                light: *light,
-                crop,
-                heights,
-            },
-            todo,
-            begun: false,
-            changed: false,
-        })
-    }
-
-    /// Goes on with a map, by a pass over at most `left` triangles; returns what is left of them.
-    fn advance(&mut self, mut job: Job, chunks: &ChunkStore, left: usize) -> usize {
-        let (number, slot) = (self.passes.len(), slot_of(job.level));
-        let (list, draws) = &mut self.lists[number];
-        let from = match job.shot.light {
-            Light::Far { anchor, .. } => anchor,
-            Light::Star { .. } => DVec3::ZERO,
-        };
-        list.clear();
-        let mut used = 0;
-        while used < left
-            && let Some(coord) = job.todo.pop()
-        {
-            let instance = ChunkInstance::new(coord.origin(), coord.hemisphere, from);
-            used += chunks.list_caster(coord, instance, list);
-        }
-        draws.send(&self.queue, list);
-        self.maps.write(
-            &self.queue,
-            number,
-            &CasterUniform::new(&job.shot, DVec4::W),
-        );
-        self.passes.push(Pass {
-            layer: self.spares[slot],
-            is_fresh: !job.begun,
-        });
-        job.begun = true;
-        if job.todo.is_empty() {
-            let level = &mut self.levels[job.level];
-            std::mem::swap(&mut level.layer, &mut self.spares[slot]);
-            level.shot = Some(job.shot);
-            level.changed = job.changed.then_some(0);
-        } else {
-            self.jobs[slot] = Some(job);
-        }
-        left.saturating_sub(used.max(1))
     }
 
     /// What the scene's shaders are told.
@@ -419,10 +316,14 @@ impl Shadows {
         let stamps = timing.is_some();
         for (number, (planned, (list, draws))) in self.passes.iter().zip(&self.lists).enumerate() {
             let place = (number, planned.layer);
-            let begun = self
-                .maps
-                .begin(encoder, place, planned.is_fresh, timing.take());
+            let is_fresh = planned.over == Over::Nothing;
+            let begun = self.maps.begin(encoder, place, is_fresh, timing.take());
             if let Some(mut pass) = begun {
+                if let Over::Hole([x, y, width, height]) = planned.over {
+                    pass.set_scissor_rect(x, y, width, height);
+                    pass.set_pipeline(&pipelines.hole);
+                    pass.draw(0..3, 0..1);
+                }
                 let drawn = draws.draw(&mut pass, list, chunks.pages(), |_| &pipelines.caster);
                 stats.triangles += drawn.0;
                 stats.passes += 1;

@@ -23,7 +23,8 @@ pub struct MapUniform {
     layer: f32,
     texel_depth: f32,
     weight: f32,
-    padding: f32,
+    /// 1, or -1 where the picture is mirrored.
+    hand: f32,
 }
 
 /// `Shadows` of common.wgsl.
@@ -86,7 +87,7 @@ impl MapUniform {
             layer: layer as f32,
             texel_depth: depth as f32,
             weight: weight as f32,
-            padding: 0.0,
+            hand: shot.hand(),
         }
     }
 

@@ -7,13 +7,19 @@
     reason = "tests fail by panicking, and not every test file uses everything"
 )]
 
+pub mod sun_rays;
+pub mod triangles;
+pub mod worlds;
+
 use std::sync::Arc;
 
 use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
     Hemisphere, Projection, Strategy, strategy,
 };
-use antipode_render::{AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, ShadowQuality};
+use antipode_render::{
+    AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders, ShadowQuality,
+};
 use antipode_scene::frame::{ChunkChange, Frame, Quality, Sky};
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
@@ -80,8 +86,27 @@ impl Studio {
     }
 
     fn made(size: (u32, u32), options: Options) -> Option<Self> {
+        Self::made_with(size, options, Shaders::default())
+    }
+
+    /// With shadows of a quality, and another shader.
+    pub fn with_shaders(
+        size: (u32, u32),
+        shadows: ShadowQuality,
+        shaders: Shaders,
+    ) -> Option<Self> {
+        let options = Options {
+            samples: 1,
+            scale: 1.0,
+            output_format: PLAIN,
+            shadows,
+        };
+        Self::made_with(size, options, shaders)
+    }
+
+    fn made_with(size: (u32, u32), options: Options, shaders: Shaders) -> Option<Self> {
         let gpu = adapter()?;
-        let mut renderer = Renderer::new(&gpu, options).unwrap();
+        let mut renderer = Renderer::with_shaders(&gpu, options, shaders).unwrap();
         renderer.resize(size.0, size.1);
         let offscreen = Offscreen::new(&gpu, size.0, size.1, options.output_format);
         Some(Self {

@@ -193,7 +193,7 @@ impl Scene {
             return;
         }
         self.cars.given = true;
-        let start = self.ground.spawn_point();
+        let start = self.start();
         let heights = |at: DVec3| {
             let (x, z) = FOOTPRINT_M;
             [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {

@@ -47,6 +47,11 @@ pub(crate) fn ahead(
     ChartPoint::new(end.hemisphere, end.pos.with_y(from.pos.y))
 }
 
+/// The unit level direction from one place to another; zero where there is no way to go.
+pub(crate) fn way_to(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint) -> DVec3 {
+    way(strategy, from, to).heading
+}
+
 /// How far two places are apart in the space, in metres.
 pub(crate) fn apart_m(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint) -> f64 {
     let eye = Eye {

@@ -12,6 +12,7 @@ use super::tuning::{
     FLEES_S, GIVES_UP_S, HEARS_SHOTS_M, KEEPS_M, KEEPS_SIGHT_M, KEEPS_SLACK_M, LAMP_M, NOTICES_M,
     SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_M, WATCHES_S,
 };
+use crate::day::local_time_s;
 use crate::ground::Ground;
 use crate::lamp::Lamp;
 
@@ -233,7 +234,7 @@ impl Npc {
         if self.minds_player(around) {
             return;
         }
-        let dusk = is_dusk(around.scene.time_of_day_s);
+        let dusk = self.is_dusk(around);
         let over = self.mind.since_s > self.mind.lasts_s;
         match self.mind.state {
             State::Sit => {
@@ -257,6 +258,13 @@ impl Npc {
             State::Idle => self.set_out(around, dusk),
             _ => self.mind.rest(),
         }
+    }
+
+    /// Whether it is dusk where the figure is.
+    fn is_dusk(&self, around: &Around<'_>) -> bool {
+        let time_s = around.scene.time_of_day_s;
+        local_time_s(time_s, around.strategy(), self.point)
+            .is_some_and(|local_s| (DUSK_S.0..DUSK_S.1).contains(&local_s))
     }
 
     /// A player who comes close is made room for, and looked at. Who fights minds no such things.
@@ -378,10 +386,6 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
         pace,
         lamp: None,
     }
-}
-
-fn is_dusk(time_of_day_s: f64) -> bool {
-    (DUSK_S.0..DUSK_S.1).contains(&time_of_day_s)
 }
 
 /// The lamp nearest to a place, and how far it is.

@@ -30,6 +30,7 @@ use crate::motion::Doing;
 use crate::player::{self, Appearance, Body, Health, Look, Position};
 use crate::scene::Scene;
 use crate::tuning::{BOT_LIES_S, MOST_DROPS, STEP_S};
+pub(crate) use bearing::{ahead as place_ahead, way_to};
 use dice::Dice;
 use figure::Npc;
 use mind::Mind;
@@ -79,6 +80,17 @@ impl Scene {
     /// Frightens everyone peaceful within `radius_m` metres of a place: they run from it for some seconds.
     pub fn scare(&mut self, from: ChartPoint, radius_m: f64) {
         self.npcs.events.push(Event::Scare(from, radius_m));
+    }
+
+    /// Puts somebody peaceful there who came by himself, and waits for the player.
+    pub(crate) fn let_somebody_wait(&mut self, point: ChartPoint, yaw: f64) {
+        let id = self.spawn_bot(point, yaw, false);
+        self.restore_mind(id, 0.0, true);
+        let head = self.head().point;
+        let minds = self.ecs.query_mut::<(&Bot, &mut Mind)>();
+        for (_, mind) in minds.into_iter().filter(|(bot, _)| bot.id == id) {
+            mind.listen(head);
+        }
     }
 
     /// A mind for a figure of that number: what it will choose follows from the world, the number and the time.

@@ -60,10 +60,10 @@ impl Scene {
         }
     }
 
-    /// Hostile ones that came by themselves are gone when the player stands up again, and others wait.
+    /// Those who fight are gone when the player stands up again, however they came, and others wait.
     pub(crate) fn send_hostile_away(&mut self) {
         let others = self.others();
-        for other in others.iter().filter(|other| other.native && other.fights) {
+        for other in others.iter().filter(|other| other.fights) {
             // It was there a moment ago.
             let _ = self.ecs.despawn(other.entity);
             self.changed = true;

@@ -17,6 +17,8 @@ const OVER_M: f64 = 0.35;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Said {
     pub speaker: u32,
+    /// Whether it is the first that this one says.
+    pub greets: bool,
     pub line: Line,
     /// When, in the world's own time.
     pub at_s: f64,
@@ -25,6 +27,8 @@ pub(crate) struct Said {
 /// Words in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Speech {
+    /// Whether it begins with a greeting.
+    pub greets: bool,
     /// What is said.
     pub line: Line,
     /// Over the speaker's head, from the picture's middle to the right and up, in halves of its height; none while he
@@ -50,6 +54,7 @@ impl Scene {
                 .point
                 .moved(DVec3::Y * (self.tuning.height_m + OVER_M));
             Speech {
+                greets: said.greets,
                 line: said.line,
                 at: self.pictured_at(&self.eye(), over, fov_y_rad),
             }

@@ -33,12 +33,15 @@ const PACE_M: f64 = 0.1;
 /// A line about the space, with its figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Line {
-    /// The angles of a triangle of equal sides.
+    /// The angles between three lamps, each as far from the others, as sighted from one to another. In open worlds the
+    /// land is flat, whatever the picture makes of it: every map keeps azimuths.
     Triangle {
-        /// Length of each side, in metres.
+        /// Length of each line of sight, in metres.
         side_m: u32,
-        /// Sum of its angles, in tenths of a degree.
+        /// Sum of the angles, in tenths of a degree.
         sum_decidegrees: i32,
+        /// Whether only the picture of the land is bent.
+        pictured: bool,
     },
     /// How much lower the ground is seen than flat space would show it; higher where negative.
     Horizon {
@@ -68,13 +71,15 @@ impl Scene {
         };
         let told = mind.told;
         mind.told += 1;
+        let greets = told == 0;
         let line = self.line_of(id, told);
         self.npcs.said = Some(Said {
             speaker: id,
+            greets,
             line,
             at_s: self.simulated_s,
         });
-        self.hints.push(Hint::Said(line));
+        self.hints.push(Hint::Said { greets, line });
     }
 
     /// Calls to the peaceful one ahead, who waits if that is heard.
@@ -133,7 +138,7 @@ impl Scene {
     /// One line after another, of those that are true here.
     fn line_of(&self, id: u32, told: u32) -> Line {
         let feet = self.feet();
-        let home = way(&*self.strategy, feet, self.ground.spawn_point());
+        let home = way(&*self.strategy, feet, self.start());
         let first = Dice::new(&[self.setup.seed, u64::from(id)]).whole((0, 2));
         match (first + told) % 3 {
             0 => self.triangle(home.level_m),
@@ -144,13 +149,21 @@ impl Scene {
         }
     }
 
-    /// The triangle whose sides are as long as the way home.
+    /// The triangle whose sides are as long as the way home. Straight lines between three points of a closed space lie
+    /// in one sphere of its radius, however high above the level they begin.
     fn triangle(&self, home_m: f64) -> Line {
         let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
-        let sum_rad = equilateral_angle_sum_rad(self.strategy.curvature_per_m2(), side_m);
+        let closed = self.strategy.rim_m().is_some();
+        let curvature_per_m2 = if closed {
+            self.strategy.curvature_per_m2()
+        } else {
+            0.0
+        };
+        let sum_rad = equilateral_angle_sum_rad(curvature_per_m2, side_m);
         Line::Triangle {
             side_m: side_m as u32,
             sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
+            pictured: !closed && self.lens.value() != 0.0,
         }
     }
 
@@ -195,12 +208,17 @@ impl fmt::Display for Line {
             Self::Triangle {
                 side_m,
                 sum_decidegrees,
+                pictured,
             } => {
                 let degrees = f64::from(sum_decidegrees) / 10.0;
                 write!(
                     f,
-                    "A triangle with sides of {side_m} m has angles of {degrees:.1} degrees together here."
-                )
+                    "Three lamps, each {side_m} m from the others, make angles of {degrees:.1} degrees together here."
+                )?;
+                if pictured {
+                    write!(f, " The land is flat; only its picture is bent.")?;
+                }
+                Ok(())
             }
             Self::Horizon {
                 away_m,
@@ -217,14 +235,14 @@ impl fmt::Display for Line {
                 round_m: Some(round_m),
             } => write!(
                 f,
-                "Home is {there_m} m that way, or {round_m} m the other way round the world."
+                "Home is {there_m} m from here, or {round_m} m the other way round the world."
             ),
             Self::Home {
                 there_m,
                 round_m: None,
             } => write!(
                 f,
-                "Home is {there_m} m that way; no way leads round this world."
+                "Home is {there_m} m from here; this land has no end, so no way leads round."
             ),
         }
     }

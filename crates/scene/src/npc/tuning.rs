@@ -76,8 +76,9 @@ pub const TURNS_RAD_S: f64 = 5.0;
 pub const DODGES_S: f64 = 1.8;
 /// How far to the side of its way, in metres.
 pub const DODGES_BY_M: f64 = 3.5;
-/// How near one must be to be talked to, in metres.
-pub const TALKS_M: f64 = 4.0;
+/// How near one must be to be talked to, in metres: as near as one is looked at, so that four paces off on a slope,
+/// where feet are farther apart than the ground is long, is near enough.
+pub const TALKS_M: f64 = 6.0;
 /// How near one must be to be heard by who then turns round and waits, in metres.
 pub const HAILS_M: f64 = 25.0;
 /// Who is spoken to stands still for so long, in seconds: time to come, or to read what is said.

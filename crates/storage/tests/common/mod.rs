@@ -6,8 +6,8 @@
 )]
 
 use antipode_storage::{
-    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlayerRecord,
-    SlotRecord, WorldMeta, WorldState,
+    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord,
+    PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -94,6 +94,11 @@ pub fn state(simulated_s: f64) -> WorldState {
         }],
         driving: Some(0),
         car_given: true,
+        start: Some(PlaceRecord {
+            hemisphere: 1,
+            pos: [13.0, 14.0, 15.5],
+        }),
+        been_round: true,
     }
 }
 

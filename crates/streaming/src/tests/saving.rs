@@ -4,11 +4,12 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
-use antipode_storage::{WorldMeta, WorldStore};
+use antipode_storage::{WorldMeta, WorldState, WorldStore};
 use glam::DVec3;
 
-use super::{Game, Memory, chunk};
+use super::{Game, Gate, Memory, chunk};
 use crate::api::{StreamingError, Until};
+use crate::shared::Step;
 use crate::vault::{Vault, key_of};
 
 fn open(memory: &Arc<Memory>) -> Game {
@@ -189,8 +190,12 @@ fn a_save_is_needed_from_the_first_stroke_until_one_holds_it() {
     let mut game = open(&memory);
     assert!(!game.streamer.needs_save());
     game.edit(game.ground(0.0, 0.0), 5.0);
-    // Asked for while the batch is under way: it may or may not be in it.
+    assert!(game.streamer.needs_save());
+    // Asked for while the batch is under way: the save waits for it.
     game.streamer.save(Some(meta()), None);
+    assert!(!game.streamer.needs_save());
+    game.edit(game.ground(0.0, 0.0), 5.0);
+    assert!(game.streamer.needs_save());
     game.wait(Until::Idle);
     assert!(game.streamer.needs_save());
     memory.fail(true);
@@ -201,6 +206,71 @@ fn a_save_is_needed_from_the_first_stroke_until_one_holds_it() {
     game.streamer.save(None, None);
     game.wait(Until::Saved);
     assert!(!game.streamer.needs_save());
+}
+
+#[test]
+fn a_save_is_of_one_moment_however_many_strokes_are_on_their_way() {
+    // What the land is after the strokes before the save.
+    let expected = {
+        let memory = Arc::new(Memory::default());
+        let mut game = open(&memory);
+        let at = game.ground(0.0, 0.0);
+        game.edit(at, 5.0);
+        game.edit(at + DVec3::X, 5.0);
+        game.streamer.close().unwrap();
+        memory.chunks.lock().unwrap().clone()
+    };
+    assert!(!expected.is_empty());
+    for stop in [Step::Apply, Step::Entered] {
+        let memory = Arc::new(Memory::default());
+        let (gate, watch) = Gate::at(move |step| step == stop);
+        let vault = Arc::clone(&memory) as Arc<dyn Vault>;
+        let mut game = Game::new(Geometry::Euclidean, 2, Some(vault), Some(watch));
+        let at = game.ground(0.0, 0.0);
+        game.wish(at, 1);
+        game.wait(Until::Idle);
+        // One is with a worker, one waits, the save is asked for, and more come at the same places.
+        game.edit(at, 5.0);
+        gate.wait();
+        game.edit(at + DVec3::X, 5.0);
+        game.streamer
+            .save(Some(meta()), Some(WorldState::default()));
+        game.edit(at + DVec3::X, 5.0);
+        game.edit(at - DVec3::X, 5.0);
+        assert!(memory.commits().is_empty(), "the strokes are under way");
+        gate.open();
+        game.wait(Until::Edits);
+        game.wait(Until::Saved);
+        let commits = memory.commits();
+        assert!(commits.len() == 1 && commits[0].0 && commits[0].1);
+        assert!(*memory.chunks.lock().unwrap() == expected, "{stop:?}");
+        assert!(game.streamer.needs_save());
+        game.streamer.close().unwrap();
+        assert!(*memory.chunks.lock().unwrap() != expected);
+    }
+}
+
+#[test]
+fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_the_next() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    let far = game.ground(100.0, 0.0);
+    memory.fail(true);
+    game.edit(at, 5.0);
+    game.streamer.save(Some(meta()), None);
+    game.edit(far, 5.0);
+    game.streamer.save(None, Some(WorldState::default()));
+    game.streamer.save(None, None);
+    game.wait(Until::Edits);
+    game.wait(Until::Saved);
+    assert!(memory.commits().is_empty() && game.streamer.needs_save());
+    memory.fail(false);
+    game.streamer.save(None, None);
+    game.wait(Until::Saved);
+    let commits = memory.commits();
+    assert!(commits.len() == 1 && commits[0].0 && commits[0].1);
+    assert_eq!(commits[0].2.len(), game.streamer.edited_count());
 }
 
 #[test]

@@ -20,7 +20,6 @@ pub(super) fn show(
     stops: &mut Stops,
     profile: &Profile,
     action: Action,
-    takes_focus: bool,
 ) -> Option<Wish> {
     let texts = pass.model.texts;
     let label = action_label(texts, action);
@@ -37,7 +36,7 @@ pub(super) fn show(
             });
             ui.horizontal_wrapped(|ui| {
                 ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-                inputs(ui, pass, stops, profile, action, &label, takes_focus)
+                inputs(ui, pass, stops, profile, action, &label)
             })
             .inner
         })
@@ -52,16 +51,13 @@ fn inputs(
     profile: &Profile,
     action: Action,
     label: &str,
-    takes_focus: bool,
 ) -> Option<Wish> {
     let texts = pass.model.texts;
     let mut wish = None;
     let mut press = |ui: &mut Ui, words: &str, name: String, asked: Wish| {
         let response = named_button(ui, words, &name);
         stops.add(&response);
-        if takes_focus {
-            pass.offer_focus(&response);
-        }
+        pass.offer_focus(&response);
         if response.clicked() {
             wish = Some(asked);
         }

@@ -8,6 +8,7 @@ use egui::{
 
 use crate::entry::entry;
 use crate::layout::Stops;
+use crate::legible::legible_name;
 use crate::model::Intent;
 use crate::shell::Pass;
 use crate::theme::{BAD, small};
@@ -35,9 +36,14 @@ enum Answer {
 }
 
 impl Form {
+    /// Whether anything is being asked.
+    pub(super) fn is_open(&self) -> bool {
+        !matches!(self, Self::Closed)
+    }
+
     /// Closes the form; false if none is open.
     pub(super) fn close(&mut self) -> bool {
-        let open = !matches!(self, Self::Closed);
+        let open = self.is_open();
         *self = Self::Closed;
         open
     }
@@ -45,7 +51,7 @@ impl Form {
     /// Draws the profiles and the form; true if another form is up from the next frame on.
     pub(super) fn show(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops) -> bool {
         choose(ui, pass, stops);
-        if matches!(self, Self::Closed) {
+        if !self.is_open() {
             return self.buttons(ui, pass, stops);
         }
         let mut profiles = pass.model.config.profiles.clone();
@@ -73,14 +79,14 @@ impl Form {
                 }
             };
             press(ui, "profile-add", Self::Add(String::new()));
-            let name = label(texts, profiles.chosen());
+            let name = full_label(texts, profiles.chosen());
             press(ui, "profile-rename", Self::Rename(name));
             if profiles.all().len() > 1 {
                 press(ui, "profile-delete", Self::Delete);
             }
             press(ui, "profile-reset-all", Self::ResetAll);
         });
-        !matches!(self, Self::Closed)
+        self.is_open()
     }
 
     /// What the form asks for, done to a copy.
@@ -105,7 +111,8 @@ impl Form {
         wrong: Option<ProfileError>,
     ) -> Option<Answer> {
         let texts = pass.model.texts;
-        let own = label(texts, pass.model.config.profiles.chosen());
+        let profiles = &pass.model.config.profiles;
+        let own = label(texts, profiles.chosen(), profiles.chosen_place());
         let values = [("name", own.as_str().into())];
         let mut entered = false;
         match self {
@@ -142,6 +149,10 @@ impl Form {
             for (key, given) in [(sure, Answer::Do), ("controls-cancel", Answer::Cancel)] {
                 let response = button(ui, &texts.say(key));
                 stops.add(&response);
+                // A question without a line to fill in begins at what changes nothing.
+                if matches!(given, Answer::Cancel) {
+                    pass.offer_focus(&response);
+                }
                 if response.clicked() {
                     answer = Some(given);
                 }
@@ -160,7 +171,8 @@ fn choose(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops) {
     ui.horizontal_wrapped(|ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
         for (place, profile) in profiles.all().iter().enumerate() {
-            let response = profile_button(ui, texts, profile, place == profiles.chosen_place());
+            let name = label(texts, profile, place);
+            let response = profile_button(ui, texts, &name, place == profiles.chosen_place());
             stops.add(&response);
             if response.clicked() {
                 chosen = Some(place);
@@ -174,17 +186,22 @@ fn choose(ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops) {
     }
 }
 
-fn profile_button(ui: &mut Ui, texts: &Texts, profile: &Profile, chosen: bool) -> Response {
-    let name = label(texts, profile);
-    let response = ui.add(Button::new(&name).selected(chosen));
+fn profile_button(ui: &mut Ui, texts: &Texts, name: &str, chosen: bool) -> Response {
+    let response = ui.add(Button::new(name).selected(chosen));
     let spoken = format!("{}: {name}", texts.say("profile-title"));
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, chosen, &spoken));
     focus_ring(ui, &response);
     response
 }
 
+/// A profile's name as it can be shown; `place`: which one it is, from 0.
+fn label(texts: &Texts, profile: &Profile, place: usize) -> String {
+    let name = full_label(texts, profile);
+    legible_name(&name, &(place + 1).to_string()).into_owned()
+}
+
 /// A profile's name; the first has a common one until somebody gives it another.
-fn label(texts: &Texts, profile: &Profile) -> String {
+fn full_label(texts: &Texts, profile: &Profile) -> String {
     match profile.name() {
         "" => texts.say("profile-standard"),
         name => name.to_owned(),

@@ -3,7 +3,7 @@
 use std::f32::consts::TAU;
 
 use antipode_language::{Texts, Value};
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 
 use super::{CurvatureView, DialKind, HudModel, plate::plate};
 use crate::theme::{ACCENT, GRID, LINE, PLATE, TEXT, small};
@@ -15,30 +15,32 @@ const MOST_KM_H: f64 = 120.0;
 /// Width an instrument needs beside the hotbar, its caption included.
 const WIDTH: f32 = 136.0;
 
-/// Draws those the model asks for: beside the hotbar where there is room, else
-/// above it.
-pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, model: &HudModel) {
-    let bottom = bottom(screen, bar);
+/// Draws those the model asks for at the left and right of `screen`; they end at `bottom`. Returns what those at the
+/// right cover.
+pub(super) fn show(
+    painter: &Painter,
+    screen: Rect,
+    bottom: f32,
+    texts: &Texts,
+    model: &HudModel,
+) -> Rect {
     // They give way to the rest on screens too small for everything.
     if bottom - 2.0 * SIDE < screen.min.y {
-        return;
+        return Rect::NOTHING;
     }
+    let mut covered = Rect::NOTHING;
     let mut right = pos2(screen.max.x, bottom);
     if let Some(curvature) = model.curvature {
         let dial = |centre| curvature_dial(painter, centre, texts, curvature);
-        right.y = instrument(
-            painter,
-            screen,
-            right,
-            Align2::RIGHT_BOTTOM,
-            &dial_caption(texts, curvature),
-            dial,
-        );
+        let words = dial_caption(texts, curvature);
+        covered = instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, dial);
+        right.y = covered.min.y - GRID;
     }
     if let Some(hemisphere) = model.hemisphere {
         let ball = |centre| hemisphere_ball(painter, centre, hemisphere);
         let words = texts.say_with("display-hemisphere", &[("letter", hemisphere.into())]);
-        instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, ball);
+        let drawn = instrument(painter, screen, right, Align2::RIGHT_BOTTOM, &words, ball);
+        covered = covered.union(drawn);
     }
     let left = pos2(screen.min.x, bottom);
     if let Some(speed_km_h) = model.speed_km_h {
@@ -52,6 +54,7 @@ pub(super) fn show(painter: &Painter, screen: Rect, bar: Rect, texts: &Texts, mo
         let ring = |centre| brush_ring(painter, centre, radius_m);
         instrument(painter, screen, left, Align2::LEFT_BOTTOM, &words, ring);
     }
+    covered
 }
 
 /// Where the lowest instruments end: beside the hotbar where there is room, else above it.
@@ -63,8 +66,7 @@ pub(super) fn bottom(screen: Rect, bar: Rect) -> f32 {
     }
 }
 
-/// A caption at the corner and the instrument over it; returns where the next
-/// one may end.
+/// A caption at the corner and the instrument over it; returns what they cover.
 fn instrument(
     painter: &Painter,
     screen: Rect,
@@ -72,12 +74,12 @@ fn instrument(
     anchor: Align2,
     words: &str,
     draw: impl FnOnce(Pos2),
-) -> f32 {
+) -> Rect {
     let caption = plate(painter, screen, corner, anchor, words, small(), TEXT);
     let centre = pos2(caption.center().x, caption.min.y - 4.0 - 0.5 * SIDE);
     painter.circle_filled(centre, 0.5 * SIDE, PLATE);
     draw(centre);
-    centre.y - 0.5 * SIDE - GRID
+    caption.union(Rect::from_center_size(centre, Vec2::splat(SIDE)))
 }
 
 /// What the dial turns, and in a bent world which way space curves.

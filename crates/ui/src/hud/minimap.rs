@@ -11,7 +11,7 @@ use super::compass::{QUARTERS, arrow};
 use crate::theme::{ACCENT, BAD, GRID, PLATE, TEXT};
 
 /// Largest and smallest diameter, in points, and its share of the screen's height between them.
-const SIDE: (f32, f32) = (148.0, 72.0);
+const SIDE: (f32, f32) = (148.0, 60.0);
 const SHARE: f32 = 0.24;
 /// Width of the ring around the land, in points.
 const RING: f32 = 7.0;
@@ -126,16 +126,26 @@ impl Projection {
     }
 }
 
-/// Draws it at the left between the middle of the screen and `bottom`; where there is no room, it is left out.
-pub(super) fn show(painter: &Painter, screen: Rect, bottom: f32, texts: &Texts, model: &MapModel) {
+/// What it covers: at the left below the middle of the screen, over the brush's instrument, or in its place where the
+/// screen is too low for both. `bottom`: where instruments end. Where there is no room, there is no map.
+pub(super) fn place(screen: Rect, bottom: f32) -> Option<Rect> {
     let top = screen.center().y + BELOW_MIDDLE;
     let wanted = (SHARE * screen.height()).clamp(SIDE.1, SIDE.0);
-    let side = wanted.min(bottom - top).min(0.3 * screen.width());
-    if side < SIDE.1 || !model.heading_rad.is_finite() {
+    [bottom - OVER_BRUSH, bottom]
+        .into_iter()
+        .find_map(|bottom| {
+            let side = wanted.min(bottom - top).min(0.3 * screen.width());
+            let corner = pos2(screen.min.x, bottom - side);
+            (side >= SIDE.1).then(|| Rect::from_min_size(corner, vec2(side, side)))
+        })
+}
+
+/// Draws it.
+pub(super) fn show(painter: &Painter, place: Rect, texts: &Texts, model: &MapModel) {
+    if !model.heading_rad.is_finite() {
         return;
     }
-    let radius = 0.5 * side;
-    let centre = pos2(screen.min.x + radius, bottom - radius);
+    let (centre, radius) = (place.center(), 0.5 * place.width());
     painter.circle_filled(centre, radius, PLATE);
     let inner = radius - RING;
     let projection = Projection {
@@ -246,7 +256,7 @@ fn rim(painter: &Painter, (centre, radius): (Pos2, f32), texts: &Texts, north_ra
 }
 
 /// How much room the brush's instrument takes at the lower left, and a gap over it, in points.
-pub(super) const OVER_BRUSH: f32 = 56.0 + 4.0 + 24.0 + GRID;
+const OVER_BRUSH: f32 = 56.0 + 4.0 + 24.0 + GRID;
 
 #[cfg(test)]
 mod tests {

@@ -137,8 +137,9 @@ pub struct HudModel {
     pub struck: bool,
 }
 
-/// Draws the display; call it before [`crate::Shell::show`].
-pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
+/// Draws the display; call it before [`crate::Shell::show`]. Returns what the instruments at the right cover, which
+/// messages keep off.
+pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
     wounds::show(&painter, ctx.content_rect(), &model.wounds);
@@ -151,7 +152,11 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     if model.struck {
         harm::struck(&painter, ctx.content_rect().center());
     }
-    let position = position(&painter, screen, texts, model);
+    let position = if model.figures.is_some() {
+        position(&painter, screen, texts, model)
+    } else {
+        Rect::NOTHING
+    };
     let figures = figures::show(&painter, screen, position, texts, model);
     let strip = model.compass.as_ref().map_or(Rect::NOTHING, |compass| {
         compass::show(&painter, screen, (position, figures), texts, compass)
@@ -159,21 +164,30 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) {
     let top = position.max.y.max(figures.max.y).max(strip.max.y) + GRID;
     notices(&painter, screen, top, texts, model);
     let bar = hotbar::show(&painter, screen, model);
-    if let Some(speech) = &model.speech {
-        let room = screen.with_min_y(top).with_max_y(bar.min.y - GRID);
-        speech::show(&painter, ctx.content_rect(), room, speech);
-    }
     // Beside so much to read the instruments keep below it.
     let ceiling = if model.figures.is_some() {
         figures.max.y
     } else {
         screen.min.y
     };
-    gauges::show(&painter, screen.with_min_y(ceiling), bar, texts, model);
-    if let Some(map) = &model.map {
-        let bottom = gauges::bottom(screen, bar) - minimap::OVER_BRUSH;
-        minimap::show(&painter, screen, bottom, texts, map);
+    let mut room = screen.with_min_y(ceiling);
+    let bottom = gauges::bottom(screen, bar);
+    let place = minimap::place(screen, bottom);
+    if let (Some(map), Some(place)) = (&model.map, place) {
+        minimap::show(&painter, place, texts, map);
+        if place.max.y >= bottom {
+            room.min.x = place.max.x + GRID;
+        }
     }
+    let instruments = gauges::show(&painter, room, bottom, texts, model);
+    if let Some(speech) = &model.speech {
+        let mut room = screen.with_min_y(top).with_max_y(bar.min.y - GRID);
+        if instruments.is_positive() {
+            room.max.x = instruments.min.x - GRID;
+        }
+        speech::show(&painter, ctx.content_rect(), room, speech);
+    }
+    instruments
 }
 
 /// A small cross with a gap, dark under light so it shows on snow and at night.
@@ -201,26 +215,25 @@ fn crosshair(painter: &Painter, centre: Pos2) {
 }
 
 /// A model coordinate; those of hyperbolic space grow with the exponential of the way walked.
-fn coordinate(value: f64) -> String {
-    if value.abs() < 5e-4 {
-        "0.000".to_owned()
-    } else if value.abs() < 1e5 {
-        format!("{value:.3}")
+fn coordinate(texts: &Texts, value: f64) -> String {
+    if value.abs() < 1e5 {
+        texts.number(value, 3)
     } else {
-        format!("{value:.2e}")
+        texts.marked(&format!("{value:.2e}"))
     }
 }
 
-/// Top left: where the player is, in both kinds of coordinates, and the mark of a world in which a command that
-/// cheats was used.
+/// Top left, beside the frame figures: where the player is, in both kinds of coordinates, and the mark of a world in
+/// which a command that cheats was used.
 fn position(painter: &Painter, screen: Rect, texts: &Texts, model: &HudModel) -> Rect {
     let [x, y, z] = model.chart;
-    let chart = format!("x {x:.2}  y {y:.2}  z {z:.2} m");
+    let [x, y, z] = [x, y, z].map(|metres| texts.number(metres, 2));
+    let chart = format!("x {x}  y {y}  z {z} m");
     let curved = if model.curved_is_flat {
         texts.say("display-flat")
     } else {
-        let [x, y, z, w] = model.curved.map(coordinate);
-        format!("({x}, {y}, {z}, {w})")
+        let numbers = model.curved.map(|value| coordinate(texts, value));
+        format!("({})", numbers.join(texts.between_numbers()))
     };
     let mut lines = vec![
         (texts.say("display-chart"), chart),
@@ -279,10 +292,12 @@ fn notices(painter: &Painter, screen: Rect, top: f32, texts: &Texts, model: &Hud
 
 #[cfg(test)]
 mod tests {
-    use super::coordinate;
+    use super::*;
 
     #[test]
     fn a_coordinate_stays_short_however_far_one_has_walked() {
+        let texts = Texts::default();
+        let coordinate = |value| coordinate(&texts, value);
         assert_eq!(coordinate(-0.4304), "-0.430");
         assert_eq!(coordinate(-1e-9), "0.000");
         for far in [1e5, -3.2e43, 1e300, f64::INFINITY] {

@@ -19,6 +19,9 @@ use crate::widgets::button;
 #[derive(Default)]
 pub(crate) struct SettingsScreen {
     search: String,
+    /// What the search meant when it was typed, by id. It stays until another is typed: changing the language must not
+    /// take away the row it is changed in because its words are others now.
+    found: Vec<&'static str>,
     /// A slider on its way that is applied when it is let go: field and value.
     held: Option<(&'static str, f64)>,
 }
@@ -41,6 +44,9 @@ impl SettingsScreen {
             let search = entry(ui, &mut self.search, &hint, &hint);
             stops.add(&search);
             pass.offer_focus(&search);
+            if search.changed() {
+                self.found = search::found(texts, &self.search);
+            }
             self.groups(ui, pass, stops);
         };
         let title = texts.say("menu-settings");
@@ -54,19 +60,19 @@ impl SettingsScreen {
 
     fn groups(&mut self, ui: &mut Ui, pass: &mut Pass<'_>, stops: &mut Stops) {
         let texts = pass.model.texts;
+        let all = self.search.trim().is_empty();
         let mut found = false;
         for group in Group::ALL {
-            let heading = texts.say(group.text_key());
             let of_group = fields().iter().filter(|field| field.group == group);
             let matching: Vec<_> = of_group
-                .filter(|field| search::matches(texts, field, &heading, &self.search))
+                .filter(|field| all || self.found.contains(&field.id))
                 .collect();
             if matching.is_empty() {
                 continue;
             }
             ui.add_space(if found { GRID } else { 0.0 });
             found = true;
-            ui.label(RichText::new(heading).color(ACCENT));
+            ui.label(RichText::new(texts.say(group.text_key())).color(ACCENT));
             if let (Group::Sound, Some(notice)) = (group, pass.model.sound_notice) {
                 ui.add(egui::Label::new(RichText::new(notice).color(WEAK)).wrap());
             }

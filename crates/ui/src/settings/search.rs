@@ -1,10 +1,18 @@
 //! Which settings a search means: those in whose words every word of it occurs.
 
 use antipode_language::Texts;
-use antipode_settings::{Field, Kind};
+use antipode_settings::{Field, Kind, fields};
 
-/// Whether the search means this field under that heading; an empty one means all.
-pub(super) fn matches(texts: &Texts, field: &Field, heading: &str, search: &str) -> bool {
+/// The ids of the settings that a search means; an empty one means all.
+pub(super) fn found(texts: &Texts, search: &str) -> Vec<&'static str> {
+    let meant = fields()
+        .iter()
+        .filter(|field| matches(texts, field, &texts.say(field.group.text_key()), search));
+    meant.map(|field| field.id).collect()
+}
+
+/// Whether the search means this field under that heading.
+fn matches(texts: &Texts, field: &Field, heading: &str, search: &str) -> bool {
     let search = search.to_lowercase();
     if search.trim().is_empty() {
         return true;
@@ -29,16 +37,10 @@ pub(super) fn matches(texts: &Texts, field: &Field, heading: &str, search: &str)
 
 #[cfg(test)]
 mod tests {
-    use antipode_settings::fields;
-
     use super::*;
 
     fn found(search: &str) -> Vec<&'static str> {
-        let texts = Texts::default();
-        let all = fields().iter();
-        all.filter(|field| matches(&texts, field, &texts.say(field.group.text_key()), search))
-            .map(|field| field.id)
-            .collect()
+        super::found(&Texts::default(), search)
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! The page of one world: what it is, and what can be done with it.
 
-use egui::{Label, Response, RichText, Sense, Ui};
+use egui::{Id, Label, Response, RichText, Sense, Ui};
 
 use super::field::{line, note};
 use super::{WorldsIntent, edits, enter, facts, picture};
 use crate::layout::{Stops, pane, steady};
+use crate::legible::is_partly_shown;
 use crate::model::{Intent, WorldRow};
 use crate::shell::Pass;
 use crate::theme::{BAD, GOOD, GRID, WEAK, small};
@@ -84,6 +85,11 @@ impl Page {
         &self.slug
     }
 
+    /// The part of the page that is up, as a name that it bears every time.
+    pub(super) fn place(&self) -> Id {
+        Id::unique((&self.slug, std::mem::discriminant(&self.mode)))
+    }
+
     /// Esc: from a form to the overview; false if that is up already.
     pub(super) fn back(&mut self) -> bool {
         let in_form = !matches!(self.mode, Mode::Overview);
@@ -95,13 +101,13 @@ impl Page {
         match &mut self.mode {
             Mode::Overview => self.overview(ui, pass, row),
             Mode::Rename(name) => {
-                let valid = if name.trim() == row.name {
+                let valid = if name.trim() == row.full_name {
                     Ok(())
                 } else {
                     (pass.model.check_rename)(&row.slug, name.trim())
                 };
                 let pressed = rename_form(ui, pass, row, name, &valid);
-                if pressed == Pressed::Do && name.trim() != row.name {
+                if pressed == Pressed::Do && name.trim() != row.full_name {
                     pass.intents.push(Intent::Worlds(WorldsIntent::Rename {
                         slug: row.slug.clone(),
                         name: name.trim().to_owned(),
@@ -162,7 +168,7 @@ impl Page {
             Action::Duplicate => ask(pass, WorldsIntent::Duplicate { slug }),
             Action::OpenFolder => ask(pass, WorldsIntent::OpenFolder { slug }),
             Action::Rename => {
-                self.mode = Mode::Rename(row.name.clone());
+                self.mode = Mode::Rename(row.full_name.clone());
                 return Turn::Redraw;
             }
             Action::Export => {
@@ -237,6 +243,7 @@ fn rename_form(
             let field = line(ui, name).labelled_by(label.id);
             pass.offer_focus(&field);
             match valid {
+                Ok(()) if is_partly_shown(name) => note(ui, &texts.say("name-not-shown"), WEAK),
                 Ok(()) => note(ui, &texts.say("worlds-name-free"), GOOD),
                 Err(reason) => note(ui, reason, BAD),
             }

@@ -72,13 +72,21 @@ impl Game {
     }
 
     pub fn show(&mut self, ctx: &egui::Context) {
+        let names: Vec<_> = self.worlds.iter().map(|row| row.name.clone()).collect();
+        let check_new = |name: &str| {
+            if names.iter().any(|taken| taken == name) {
+                return check_name("taken");
+            }
+            check_name(name)
+        };
         let model = MenuModel {
             texts: &self.texts,
             running_world: self.running.as_deref(),
             backdrop: self.backdrop,
             worlds: &self.worlds,
             config: &self.config,
-            check_name: &check_name,
+            check_name: &check_new,
+            walk_m_s: 4.5,
             check_rename: &|_, name| check_name(name),
             world_files: &self.files,
             adapter_notice: Some(&self.adapter_notice),
@@ -182,6 +190,7 @@ pub fn world(index: usize) -> WorldRow {
     WorldRow {
         slug: format!("world-{index}"),
         name: format!("World {index}"),
+        full_name: format!("World {index}"),
         geometry: "Spherical".to_owned(),
         played: "12 min".to_owned(),
         last_played: "2026-01-31".to_owned(),

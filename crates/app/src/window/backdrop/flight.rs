@@ -4,9 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{
-    ChartPoint, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, strategy,
-};
+use antipode_geometry::{ChartPoint, DEFAULT_HYPERBOLIC_RADIUS_M, Geometry, strategy};
 use antipode_scene::frame::{Frame, Quality};
 use antipode_scene::{Scene, SceneError, Viewpoint, WorldSetup};
 use antipode_terrain::Field;
@@ -22,6 +20,8 @@ const TURN_RAD_PER_S: f64 = 0.02;
 const CLIMB_PER_S: f64 = 0.5;
 /// Where the ground ahead is looked at, metres: it must not come as a surprise.
 const AHEAD_M: [f64; 4] = [0.0, 6.0, 12.0, 20.0];
+/// Radius of the closed worlds, metres: hills are small beside them, and by night land in the sun hangs overhead.
+const SPHERE_RADIUS_M: f64 = 100.0;
 /// How fast the day goes by, seconds a second.
 const DAY_SPEED: f64 = 1.0;
 /// View distance in chunks where the processor draws, and where a graphics card does.
@@ -44,10 +44,10 @@ pub struct Place {
 /// The worlds, in the order in which they are shown: each is followed by one in another space.
 pub const WORLDS: [Place; 6] = [
     place(Geometry::Hyperbolic, 7, 95.0),
-    place(Geometry::Spherical, 12, 100.0),
+    place(Geometry::Spherical, 5, 440.0),
     place(Geometry::Euclidean, 3, 40.0),
     place(Geometry::Hyperbolic, 21, 200.0),
-    place(Geometry::Spherical, 5, 200.0),
+    place(Geometry::Spherical, 1, 420.0),
     place(Geometry::Euclidean, 18, 240.0),
 ];
 
@@ -55,7 +55,7 @@ const fn place(geometry: Geometry, seed: u64, time_of_day_s: f64) -> Place {
     let (radius_m, clearance_m, pitch_rad) = match geometry {
         Geometry::Euclidean => (f64::INFINITY, 12.0, -0.24),
         Geometry::Hyperbolic => (DEFAULT_HYPERBOLIC_RADIUS_M, 7.0, -0.4),
-        Geometry::Spherical => (DEFAULT_SPHERE_RADIUS_M, 6.0, 0.06),
+        Geometry::Spherical => (SPHERE_RADIUS_M, 9.0, 0.2),
     };
     Place {
         geometry,

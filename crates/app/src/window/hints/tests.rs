@@ -6,8 +6,24 @@ use antipode_settings::PadButton;
 
 use super::*;
 
-fn told(hints: &Hints, has_dial: bool) -> String {
-    let model = hints.model(&Texts::default(), &Profiles::default(), has_dial);
+/// A hyperbolic world.
+const DIAL: Place = Place {
+    has_dial: true,
+    closed: false,
+    pitch_rad: 0.0,
+};
+/// A flat one, unbent, and a closed one.
+const FLAT: Place = Place {
+    has_dial: false,
+    ..DIAL
+};
+const CLOSED: Place = Place {
+    closed: true,
+    ..FLAT
+};
+
+fn told(hints: &Hints, place: Place) -> String {
+    let model = hints.model(&Texts::default(), &Profiles::default(), place);
     model.map_or_else(String::new, |model| {
         format!("{} | {}", model.text, model.footer)
     })
@@ -15,12 +31,12 @@ fn told(hints: &Hints, has_dial: bool) -> String {
 
 fn pass(hints: &mut Hints, actions: &Actions, time_s: f64) {
     for _ in 0..(time_s / STEP_S).round() as u32 {
-        hints.step(actions, true);
+        hints.step(actions, DIAL);
     }
 }
 
 /// What teaches each lesson, for long enough.
-fn lessons() -> [Actions; 6] {
+fn lessons() -> [Actions; 11] {
     let actions = Actions::default();
     [
         Actions {
@@ -36,6 +52,14 @@ fn lessons() -> [Actions; 6] {
             ..actions
         },
         Actions {
+            talk: true,
+            ..actions
+        },
+        Actions {
+            enter_car: true,
+            ..actions
+        },
+        Actions {
             primary: true,
             ..actions
         },
@@ -47,6 +71,18 @@ fn lessons() -> [Actions; 6] {
             dial: 1.0,
             ..actions
         },
+        Actions {
+            turn_map: true,
+            ..actions
+        },
+        Actions {
+            toggle_camera: true,
+            ..actions
+        },
+        Actions {
+            toggle_light: true,
+            ..actions
+        },
     ]
 }
 
@@ -54,47 +90,81 @@ fn lessons() -> [Actions; 6] {
 fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
     let mut hints = Hints::default();
     let words = [
-        "Look around: Mouse | 1 of 8 · skip: N",
-        "Walk: W A S D | 2 of 8 · skip: N",
-        "Jump: Space | 3 of 8 · skip: N",
-        "Dig, held down: Left button | 4 of 8 · skip: N",
-        "Build, held down: Right button | 5 of 8 · skip: N",
-        "Change how space is pictured: Wheel up and Wheel down | 6 of 8 · skip: N",
+        "Look around: Mouse | 1 of 14 · skip: N",
+        "Walk: W A S D | 2 of 14 · skip: N",
+        "Jump: Space | 3 of 14 · skip: N",
+        "Talk to somebody ahead: T | 4 of 14 · skip: N",
+        "Get into a car, close by: C | 5 of 14 · skip: N",
+        "Dig, held down: Left button | 6 of 14 · skip: N",
+        "Build, held down: Right button | 7 of 14 · skip: N",
+        "Change how space is pictured: Wheel up and Wheel down | 8 of 14 · skip: N",
+        "Change to the other picture of this space: H | 9 of 14 · skip: N",
+        "See yourself from behind, and back: Tab | 10 of 14 · skip: N",
+        "Flashlight: Y | 11 of 14 · skip: N",
     ];
     for (words, actions) in words.iter().zip(lessons()) {
-        assert_eq!(told(&hints, true), *words);
+        assert_eq!(told(&hints, DIAL), *words);
         pass(&mut hints, &Actions::default(), 5.0);
-        assert_eq!(told(&hints, true), *words, "waiting is not doing");
+        assert_eq!(told(&hints, DIAL), *words, "waiting is not doing");
         pass(&mut hints, &actions, 1.0);
         pass(&mut hints, &Actions::default(), REST_S);
     }
-    assert!(told(&hints, true).starts_with("Open the backpack: E | 7 of 8"));
+    assert!(told(&hints, DIAL).starts_with("Open the backpack: E | 12 of 14"));
     hints.finish(Lesson::Backpack);
     pass(&mut hints, &Actions::default(), REST_S);
-    assert!(told(&hints, true).starts_with("Pause"));
+    assert!(told(&hints, DIAL).starts_with("Take pictures: P"));
+    hints.finish(Lesson::Photo);
+    pass(&mut hints, &Actions::default(), REST_S);
+    assert!(told(&hints, DIAL).starts_with("Pause"));
     hints.finish(Lesson::Menu);
-    assert_eq!(hints.current(true), None);
+    assert_eq!(hints.current(DIAL), None);
 }
 
 #[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
-    let mut hints = Hints::default();
-    assert!(told(&hints, false).contains("1 of 7"));
-    for actions in &lessons()[..5] {
-        pass(&mut hints, actions, 1.0);
+    let hints = Hints::default();
+    for (place, count) in [(FLAT, 13), (DIAL, 14), (CLOSED, 14)] {
+        assert!(told(&hints, place).contains(&format!("1 of {count}")));
+        let has = |lesson| place.has(lesson);
+        assert_eq!(has(Lesson::Curve), place == DIAL);
+        assert_eq!(has(Lesson::Map), place != CLOSED);
+        assert_eq!(has(Lesson::Overhead) && has(Lesson::Home), place == CLOSED);
     }
-    pass(&mut hints, &Actions::default(), REST_S);
-    hints.finish(Lesson::Backpack);
-    pass(&mut hints, &Actions::default(), REST_S);
-    assert!(told(&hints, false).starts_with("Pause"));
+}
+
+#[test]
+fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_on_until_one_is_home() {
+    let mut hints = Hints::default();
+    for lesson in [Lesson::Look, Lesson::Walk, Lesson::Jump] {
+        hints.finish(lesson);
+    }
+    hints.rest_s = 0.0;
+    assert!(told(&hints, CLOSED).starts_with("Look up"));
+    let up = Place {
+        pitch_rad: 1.0,
+        ..CLOSED
+    };
+    hints.step(&Actions::default(), up);
+    assert_eq!(hints.current(CLOSED).map(|it| it.0), Some(Lesson::Talk));
+    for lesson in Lesson::ALL {
+        if !matches!(lesson, Lesson::Home | Lesson::Menu) {
+            hints.finish(lesson);
+        }
+    }
+    hints.rest_s = 0.0;
+    assert!(told(&hints, CLOSED).starts_with("Walk straight on"));
+    for _ in 0..(1.1 * READ_S / STEP_S) as u32 {
+        hints.step(&Actions::default(), CLOSED);
+    }
+    assert_eq!(hints.current(CLOSED).map(|it| it.0), Some(Lesson::Menu));
 }
 
 #[test]
 fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
     let mut hints = Hints::default();
-    pass(&mut hints, &Actions::default(), 10.0 * LAST_S);
+    pass(&mut hints, &Actions::default(), 10.0 * READ_S);
     assert!(
-        told(&hints, true).contains("1 of 8"),
+        told(&hints, DIAL).contains("1 of 14"),
         "that is not the last"
     );
     for lesson in Lesson::ALL {
@@ -102,10 +172,10 @@ fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
             hints.finish(lesson);
         }
     }
-    pass(&mut hints, &Actions::default(), 0.9 * LAST_S);
-    assert!(told(&hints, true).starts_with("Pause"));
-    pass(&mut hints, &Actions::default(), 0.2 * LAST_S);
-    assert_eq!(hints.current(true), None);
+    pass(&mut hints, &Actions::default(), 0.9 * READ_S);
+    assert!(told(&hints, DIAL).starts_with("Pause"));
+    pass(&mut hints, &Actions::default(), 0.2 * READ_S);
+    assert_eq!(hints.current(DIAL), None);
 }
 
 #[test]
@@ -114,7 +184,7 @@ fn what_was_done_before_its_turn_is_not_asked_for() {
     pass(&mut hints, &lessons()[1], 1.0);
     pass(&mut hints, &lessons()[0], 1.0);
     pass(&mut hints, &Actions::default(), REST_S);
-    assert!(told(&hints, true).starts_with("Jump"));
+    assert!(told(&hints, DIAL).starts_with("Jump"));
 }
 
 #[test]
@@ -131,13 +201,13 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
     }
     pass(&mut hints, &Actions::default(), REST_S);
     let texts = Texts::default();
-    let model = hints.model(&texts, &profiles, true).unwrap();
+    let model = hints.model(&texts, &profiles, DIAL).unwrap();
     assert_eq!(
         (model.text.as_str(), model.footer.as_str()),
-        ("Jump: J", "3 of 8")
+        ("Jump: J", "3 of 14")
     );
     hints.use_pad(true);
-    let model = hints.model(&texts, &profiles, true).unwrap();
+    let model = hints.model(&texts, &profiles, DIAL).unwrap();
     assert_eq!(model.text, "Jump: Pad A, lower");
     assert!(
         told(
@@ -145,7 +215,7 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
                 by_pad: true,
                 ..Hints::default()
             },
-            true
+            DIAL
         )
         .contains("right stick")
     );
@@ -156,27 +226,33 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
 fn every_language_names_the_keys_in_every_hint() {
     for language in Language::ALL {
         let texts = Texts::new(language);
-        let mut hints = Hints::default();
+        let hints = Hints::default();
+        let profiles = Profiles::default();
+        let key = |action| first_input_label(&texts, &profiles, action);
         for lesson in Lesson::ALL {
-            hints.rest_s = 0.0;
-            let model = hints.model(&texts, &Profiles::default(), true).unwrap();
             let action = match lesson {
-                Lesson::Look => None,
+                Lesson::Look | Lesson::Overhead | Lesson::Home => None,
                 Lesson::Walk => Some(Action::Right),
                 Lesson::Jump => Some(Action::Jump),
+                Lesson::Talk => Some(Action::Talk),
+                Lesson::Car => Some(Action::EnterCar),
                 Lesson::Dig => Some(Action::Use),
                 Lesson::Build => Some(Action::SecondUse),
                 Lesson::Curve => Some(Action::DialDown),
+                Lesson::Map => Some(Action::OtherMap),
+                Lesson::Camera => Some(Action::Camera),
+                Lesson::Light => Some(Action::Flashlight),
                 Lesson::Backpack => Some(Action::Backpack),
+                Lesson::Photo => Some(Action::PhotoMode),
                 Lesson::Menu => Some(Action::Menu),
             };
-            let key = action.map_or_else(
-                || texts.say("key-Mouse"),
-                |action| first_input_label(&texts, &Profiles::default(), action),
-            );
-            assert!(model.text.contains(&key), "{language:?}: {}", model.text);
-            assert!(model.footer.contains('N') && model.footer.contains('8'));
-            hints.finish(lesson);
+            let words = hints.words(&texts, lesson, key);
+            let named = action.map_or_else(String::new, key);
+            assert!(words.contains(&named), "{language:?}: {words}");
+            assert!(words.chars().count() >= 4, "{language:?} {lesson:?}");
         }
+        let model = hints.model(&texts, &profiles, DIAL).unwrap();
+        assert!(model.text.contains(&texts.say("key-Mouse")));
+        assert!(model.footer.contains('N') && model.footer.contains("14"));
     }
 }

@@ -14,7 +14,7 @@ use tempfile::TempDir;
 use super::*;
 use crate::cli::Cli;
 use crate::pad::Axis;
-use crate::session::{NewWorld, Worlds};
+use crate::session::{Beginning, NewWorld, Worlds};
 use crate::window::phase::Request;
 
 /// A pad whose events a test hands in.
@@ -46,12 +46,14 @@ impl Play {
             name: Some("x".to_owned()),
             seed: Some(7),
             radius_m: None,
+            start: Beginning::Middle,
         })));
         for _ in 0..1_000_000 {
             if play.game.is_playing() {
                 return play;
             }
             play.game.tick(play.now);
+            play.game.drawn(true);
             std::thread::yield_now();
         }
         panic!("the world never began");

@@ -21,8 +21,8 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
     assert!(told(&game).starts_with("Look"));
-    // A flat world has no dial: seven hints, and the eighth in the first world that has one.
-    for _ in 0..7 {
+    // A flat world has no dial and no way round: thirteen hints, and the others in the first worlds that have these.
+    for _ in 0..13 {
         game.input(KEY_N, true);
         game.input(KEY_N, false);
         game.tick(Instant::now());
@@ -33,9 +33,23 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         name: Some("y".to_owned()),
         seed: Some(7),
         radius_m: None,
+        start: Beginning::Middle,
     })));
     tick_until(&mut game, |game| told(game).starts_with("Change how space"));
     game.input(KEY_N, true);
+    game.input(KEY_N, false);
+    game.leave(Next::Open(Request::New(NewWorld {
+        geometry: Geometry::Spherical,
+        name: Some("z".to_owned()),
+        seed: Some(7),
+        radius_m: Some(16.0),
+        start: Beginning::Middle,
+    })));
+    for words in ["Look up", "Walk straight on"] {
+        tick_until(&mut game, |game| told(game).starts_with(words));
+        game.input(KEY_N, true);
+        game.input(KEY_N, false);
+    }
     game.tick(Instant::now());
     assert!(!game.config.settings.hints && told(&game).is_empty());
     set_hints(&mut game, true);
@@ -49,12 +63,12 @@ fn opening_the_menu_is_remembered_though_it_is_told_last() {
     game.input(Input::Key("Escape"), true);
     game.tick(Instant::now());
     game.follow(Intent::Resume);
-    for _ in 0..6 {
+    for _ in 0..12 {
         game.input(KEY_N, true);
         game.tick(Instant::now());
     }
     let learnt = &game.config.learnt;
-    assert_eq!(learnt.len(), 7, "the seventh is done already: {learnt:?}");
+    assert_eq!(learnt.len(), 13, "the last is done already: {learnt:?}");
     assert!(told(&game).is_empty());
 }
 
@@ -117,6 +131,7 @@ fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: None,
+        start: Beginning::Middle,
     }));
     game.tick(Instant::now());
     assert!(!game.backdrop.model().live, "it makes way at once");

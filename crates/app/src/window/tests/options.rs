@@ -26,15 +26,15 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
         (1, Quality::Exact),
         "the command line holds"
     );
-    assert!(viewing.contour_bands && !viewing.reduced_motion);
+    assert!(!viewing.contour_bands && !viewing.reduced_motion);
     set(&mut game, "field-of-view", Value::Number(90.0));
-    set(&mut game, "contour-bands", Value::Switch(false));
+    set(&mut game, "contour-bands", Value::Switch(true));
     set(&mut game, "reduced-motion", Value::Switch(true));
     set(&mut game, "view-distance", Value::Number(2.0));
     set(&mut game, "language", Value::Choice("pl"));
     let (viewing, distance, quality) = scene(&game);
     assert!((viewing.fov_y_rad.to_degrees() - 90.0).abs() < 1e-9);
-    assert!(!viewing.contour_bands && viewing.reduced_motion);
+    assert!(viewing.contour_bands && viewing.reduced_motion);
     assert_eq!(
         (distance, quality),
         (2, Quality::Exact),
@@ -42,7 +42,7 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
     );
     assert_eq!(game.texts.language(), Language::Polish);
     game.follow(Intent::ResetSetting("contour-bands"));
-    assert!(scene(&game).0.contour_bands);
+    assert!(!scene(&game).0.contour_bands);
     let mut profiles = game.config.profiles.clone();
     let key = Input::Key("KeyI");
     profiles

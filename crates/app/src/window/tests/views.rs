@@ -24,6 +24,23 @@ fn hit_boxes_come_and_go_with_their_key() {
     assert_eq!(shapes(&mut game), 0);
 }
 
+#[test]
+fn the_menus_picture_shows_the_world_and_nothing_of_the_display() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let scene = &mut game.phase.session_mut().unwrap().scene;
+    assert!(scene.spawn_lamp(scene.feet().moved(glam::DVec3::X)));
+    // In hand it shows where it would hang.
+    scene.inventory_mut().select(5);
+    scene.aim(0.0, -1.2);
+    game.input(Input::Key("F3"), true);
+    let seen = game.frame(1.5, 400).unwrap();
+    assert!(seen.hand.is_some() && seen.marker.is_some() && !seen.hit_shapes.is_empty());
+    let picture = game.portrait(400).unwrap();
+    assert!(picture.hand.is_none() && picture.marker.is_none() && picture.hit_shapes.is_empty());
+    assert_eq!(picture.figures.len(), seen.figures.len());
+}
+
 /// Whether the land of the map is painted: there is no other shape of so many corners.
 fn shows_map(game: &mut Game) -> bool {
     let context = egui::Context::default();

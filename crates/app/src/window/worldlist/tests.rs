@@ -10,7 +10,7 @@ use image::{Rgba, RgbaImage};
 
 use super::*;
 use crate::cli::Cli;
-use crate::session::NewWorld;
+use crate::session::{Beginning, NewWorld};
 
 /// A directory with the worlds a, b and c, and the list of them.
 fn three() -> (tempfile::TempDir, WorldList) {
@@ -26,6 +26,7 @@ fn three() -> (tempfile::TempDir, WorldList) {
             name: Some(name.to_owned()),
             seed: Some(1),
             radius_m: None,
+            start: Beginning::Middle,
         });
         let mut session = made.unwrap();
         if name == "a" {
@@ -176,6 +177,75 @@ fn an_exported_world_is_found_and_comes_back_under_another_name() {
         "{}",
         row.export_to
     );
+}
+
+/// The row of a world as it is now.
+fn row_of(list: &WorldList, slug: &str) -> WorldRow {
+    let row = rows(list).into_iter().find(|row| row.slug == slug);
+    row.unwrap_or_else(|| panic!("{slug} is not listed"))
+}
+
+#[test]
+fn where_an_export_was_to_go_is_kept_until_it_is_there() {
+    let (dir, mut list) = three();
+    follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+    let export = |file: &str| WorldsIntent::Export {
+        slug: slug("a"),
+        file: file.to_owned(),
+    };
+    let nowhere = dir.path().join("nowhere/mine.antipode-world");
+    let nowhere = nowhere.to_str().unwrap();
+    follow(&mut list, export(nowhere));
+    assert!(told(&mut list).unwrap().1);
+    follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+    assert_eq!(row_of(&list, "a").export_to, nowhere);
+    let there = dir.path().join("mine.antipode-world");
+    follow(&mut list, export(there.to_str().unwrap()));
+    assert!(!told(&mut list).unwrap().1);
+    let next = dir.path().join("a.antipode-world");
+    assert_eq!(PathBuf::from(row_of(&list, "a").export_to), next);
+}
+
+#[test]
+fn an_export_is_called_as_the_world_is_called_now() {
+    let (dir, mut list) = three();
+    follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+    let rename = |name: &str| WorldsIntent::Rename {
+        slug: slug("a"),
+        name: name.to_owned(),
+    };
+    for (name, file) in [
+        ("My moon", "my-moon.antipode-world"),
+        ("שלום", "world.antipode-world"),
+    ] {
+        follow(&mut list, rename(name));
+        let row = row_of(&list, "a");
+        assert_eq!(PathBuf::from(row.export_to), dir.path().join(file));
+        assert_eq!(row.edits, Some(0), "it is known as before");
+    }
+}
+
+#[test]
+fn a_name_that_cannot_be_shown_has_its_folder_beside_it_wherever_it_is_told() {
+    let (_dir, mut list) = three();
+    let texts = Texts::default();
+    let name = "שלום".to_owned();
+    let rename = WorldsIntent::Rename {
+        slug: slug("a"),
+        name: name.clone(),
+    };
+    follow(&mut list, rename);
+    let row = row_of(&list, "a");
+    assert_eq!((row.name.as_str(), &row.full_name), ("… (a)", &name));
+    assert_eq!(
+        told(&mut list).unwrap().0,
+        "The world is called “… (a)” now."
+    );
+    follow(&mut list, WorldsIntent::Duplicate { slug: slug("a") });
+    let said = told(&mut list).unwrap().0;
+    assert_eq!(said, "“… 2 (2)” is a copy of the world.");
+    let taken = list.check_name(&texts, &name).unwrap_err();
+    assert!(taken.contains("“… (a)”"), "{taken}");
 }
 
 #[test]

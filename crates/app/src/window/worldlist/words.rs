@@ -15,6 +15,7 @@ use crate::wording;
 /// What there is to tell of work with saved worlds.
 #[derive(Debug)]
 pub enum News {
+    /// The name as it can be shown, as of the next ones.
     Renamed(String),
     Duplicated(String),
     Exported(PathBuf),
@@ -82,6 +83,11 @@ pub fn work(texts: &Texts, job: &Job) -> Option<String> {
     Some(texts.say(key))
 }
 
+/// What a world is called where it is shown.
+pub fn shown(world: &WorldSummary) -> String {
+    antipode_ui::legible_name(world.name(), &world.slug).into_owned()
+}
+
 /// What a world's own records say of it.
 pub fn row(texts: &Texts, world: &WorldSummary) -> WorldRow {
     let meta = world.meta.as_ref();
@@ -90,7 +96,8 @@ pub fn row(texts: &Texts, world: &WorldSummary) -> WorldRow {
     };
     WorldRow {
         slug: world.slug.clone(),
-        name: world.name().to_owned(),
+        name: shown(world),
+        full_name: world.name().to_owned(),
         geometry: known(&|meta| {
             let space = meta.geometry.parse();
             space.map_or_else(

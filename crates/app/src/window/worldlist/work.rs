@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use antipode_storage::{ARCHIVE_EXTENSION, ArchiveFile, StorageError, WorldSummary, archives_in};
+use antipode_storage::{
+    ARCHIVE_EXTENSION, ArchiveFile, SavesDir, StorageError, WorldSummary, archives_in, slug_of,
+};
 
-use super::words::News;
+use super::words::{self, News};
+use crate::confined;
 use crate::failure::Failure;
 use crate::session::Worlds;
 
@@ -14,6 +17,8 @@ pub struct Place {
     worlds: Worlds,
     exports: PathBuf,
     home: Option<PathBuf>,
+    /// How a file becomes a world.
+    import: fn(&SavesDir, &Path) -> Result<String, Failure>,
 }
 
 impl Place {
@@ -30,6 +35,7 @@ impl Place {
             worlds,
             exports,
             home,
+            import: confined::import,
         }
     }
 
@@ -43,22 +49,26 @@ impl Place {
         self.worlds.saves().path().join(slug)
     }
 
-    /// The file that an export is proposed to go to, whether or not there is one already.
-    pub fn export_to(&self, slug: &str) -> String {
-        let file = self.exports.join(format!("{slug}.{ARCHIVE_EXTENSION}"));
-        file.display().to_string()
+    /// The file that an export of a world of this name is proposed to go to, whether or not there is one already. It
+    /// goes by the name: the directory keeps the first one that the world ever had.
+    pub fn export_to(&self, name: &str) -> String {
+        self.export_file(&slug_of(name)).display().to_string()
     }
 
     /// The same with a number if need be, so that it is free.
-    fn free_export(&self, slug: &str) -> String {
-        let named = |stem: &str| PathBuf::from(self.export_to(stem));
-        let mut file = named(slug);
+    fn free_export(&self, name: &str) -> String {
+        let stem = slug_of(name);
+        let mut file = self.export_file(&stem);
         let mut number = 2;
         while std::fs::symlink_metadata(&file).is_ok() {
-            file = named(&format!("{slug}-{number}"));
+            file = self.export_file(&format!("{stem}-{number}"));
             number += 1;
         }
         file.display().to_string()
+    }
+
+    fn export_file(&self, stem: &str) -> PathBuf {
+        self.exports.join(format!("{stem}.{ARCHIVE_EXTENSION}"))
     }
 
     /// The path that a player means: without quotation marks, `~` for the home directory.
@@ -132,14 +142,17 @@ impl Job {
         let mut outcome = Outcome::default();
         match self {
             Self::LookAt { slug } => {
-                let edits = place.worlds.saves().edited_chunks(slug).ok();
-                let export_to = place.free_export(slug);
+                let saves = place.worlds.saves();
+                let edits = saves.edited_chunks(slug).ok();
+                let world = saves.find_slug(slug).ok();
+                let name = world.as_ref().map_or(slug.as_str(), WorldSummary::name);
+                let export_to = place.free_export(name);
                 outcome.details = Some((slug.clone(), Details { edits, export_to }));
             }
             Self::FindArchives => outcome.archives = Some(archives_in(&place.exports)),
             _ => match self.change(place) {
                 Ok(news) => outcome.news = news,
-                Err(error) => outcome.news = Some(News::Failed(error.into())),
+                Err(failure) => outcome.news = Some(News::Failed(failure)),
             },
         }
         if self.brings_list() {
@@ -149,9 +162,10 @@ impl Job {
     }
 
     /// Changes what is on disk; what there is to tell of it.
-    fn change(&self, place: &Place) -> Result<Option<News>, StorageError> {
+    fn change(&self, place: &Place) -> Result<Option<News>, Failure> {
         let saves = place.worlds.saves();
-        let name_of = |slug: &str| saves.find_slug(slug).map(|world| world.name().to_owned());
+        let name_of =
+            |slug: &str| -> Result<_, StorageError> { Ok(words::shown(&saves.find_slug(slug)?)) };
         Ok(match self {
             Self::Delete { slug } => {
                 saves.delete(slug)?;
@@ -159,7 +173,7 @@ impl Job {
             }
             Self::Rename { slug, name } => {
                 saves.rename(slug, name)?;
-                Some(News::Renamed(name.clone()))
+                Some(News::Renamed(name_of(slug)?))
             }
             Self::Duplicate { slug } => {
                 let made = saves.duplicate(slug)?;
@@ -174,7 +188,7 @@ impl Job {
                 Some(News::Exported(file))
             }
             Self::Import { file } => {
-                let made = saves.import(&place.path_of(file))?;
+                let made = (place.import)(saves, &place.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
             Self::List | Self::LookAt { .. } | Self::FindArchives => None,
@@ -189,8 +203,10 @@ impl Place {
         &self.worlds
     }
 
-    /// The same worlds with another place for exports and home.
+    /// The same worlds with another place for exports and home, all in this process, which
+    /// is a test and not the game.
     pub fn exporting_to(mut self, exports: &Path) -> Self {
+        self.import = |saves, file| Ok(saves.import(file)?);
         self.exports = exports.to_path_buf();
         self.home = Some(exports.to_path_buf());
         self

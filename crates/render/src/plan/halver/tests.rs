@@ -92,9 +92,9 @@ fn land(x: i32) -> (ChunkLand, ChunkMesh) {
 fn refine_meadow(x: i32) -> (ChunkLand, Refined, RefineRules) {
     let frame = frame();
     let (land, mesh) = land(x);
-    let rules = RefineRules::new(&frame, &bounds(&frame));
-    let eye = rules.eye_from(&frame, &land).unwrap();
-    let refined = Halver::default().refine(&rules, eye, &mesh);
+    let rules = RefineRules::new(&frame, &bounds(&frame), DVec3::ZERO);
+    let eyes = rules.eyes_from(&frame, &land);
+    let refined = Halver::default().refine(&rules, &eyes, &mesh);
     (land, refined, rules)
 }
 
@@ -160,21 +160,21 @@ fn halving_keeps_the_ground_plan_and_the_side_that_is_up() {
 fn seams_stay_sections_of_their_own_and_the_memory_of_one_mesh_leaves_no_trace_in_the_next() {
     let frame = frame();
     let (land, plain) = land(0);
-    let rules = RefineRules::new(&frame, &bounds(&frame));
-    let eye = rules.eye_from(&frame, &land).unwrap();
+    let rules = RefineRules::new(&frame, &bounds(&frame), DVec3::ZERO);
+    let eyes = rules.eyes_from(&frame, &land);
     let mut halver = Halver::default();
-    let first = halver.refine(&rules, eye, &plain);
+    let first = halver.refine(&rules, &eyes, &plain);
     // The last row of cells as if it were a seam.
     let mut seamed = plain.clone();
     seamed.level = Level::ALL[1];
     let end = seamed.indices.len() as u32;
     seamed.seams[5] = end - 6 * 32..end;
-    let split = halver.refine(&rules, eye, &seamed);
+    let split = halver.refine(&rules, &eyes, &seamed);
     let part = &split.parts[0];
     assert_eq!(part.sections[0].end, part.sections[6].start);
     assert!(part.sections[6].len() > 6 * 32);
     assert_eq!(triangles(&split).len(), triangles(&first).len());
-    assert_eq!(halver.refine(&rules, eye, &plain), first);
+    assert_eq!(halver.refine(&rules, &eyes, &plain), first);
 }
 
 /// The largest stray of the edges that are drawn, as a frame's own rules see it, in pixels.
@@ -208,7 +208,8 @@ fn the_error_told_of_a_stale_halving_is_no_understatement() {
             frame.eye.point = ChartPoint::a(DVec3::new(30.2 - step, 12.0, 7.4 + 0.5 * step));
             frame.eye.dial = dial;
             let now = bounds(&frame);
-            let told = rules.stale_error_px(refined.error_px, &frame, &now, &land);
+            let near_m = Bounds::nearest_chart_m(&frame, &land);
+            let told = rules.stale_error_px(refined.error_px, &frame, &now, &land, near_m);
             let truth = truth_px(&frame, &land, &drawn);
             assert!(told >= truth, "{x} {step} {dial}: {told} {truth}");
             assert!(told <= unhalved_error_px(&frame, &now, &land) * 1.2);

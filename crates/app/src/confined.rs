@@ -1,0 +1,325 @@
+//! Repair and import in a process of their own, with bounds.
+//!
+//! Both read files that may be damaged, or made by somebody who means harm. What is known of
+//! such is refused before the store is opened; what nobody has thought of yet ends a process
+//! that has nothing else to lose, and not the game with its unsaved world.
+//!
+//! The process is this program again, with a hidden command ([`Task`]). It takes a limit on
+//! its memory, does the work as anybody would and leaves its [`Answer`] on standard output;
+//! who asked waits, and ends it when its time is over. Only Linux enforces the limit on
+//! memory; elsewhere there is the one on time alone. What is left of an ended process the
+//! next use of the saves directory removes, since its lock is gone with it.
+
+use std::ffi::OsString;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+use antipode_storage::{RepairReport, SavesDir, StorageError, WORLD_FILE};
+use clap::Subcommand;
+use serde::{Deserialize, Serialize};
+
+use crate::failure::Failure;
+use crate::output::line;
+
+/// What the work needs besides the file, with room to spare.
+const MEMORY_BYTES: u64 = 512 << 20;
+/// Repair keeps what it finds until it is written: twice the file, and no more than this.
+const MOST_MEMORY_BYTES: u64 = 4 << 30;
+/// Time for a small file; a slow disk may be busy.
+const TIME: Duration = Duration::from_mins(1);
+/// What a slow disk reads and writes besides.
+const BYTES_PER_S: u64 = 2 << 20;
+/// Nobody waits longer.
+const MOST_TIME: Duration = Duration::from_mins(10);
+/// How often the other process is asked whether it is done.
+const LOOK: Duration = Duration::from_millis(5);
+/// The longest answer that is read.
+const MOST_ANSWER_BYTES: u64 = 16 << 20;
+
+/// Work for a process of its own.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Task {
+    /// Rescue what can be read of the world in a directory.
+    Repair {
+        /// The directory's name.
+        slug: String,
+    },
+    /// Bring a world in from a file.
+    Import {
+        /// The file.
+        file: PathBuf,
+    },
+}
+
+/// What has come of it.
+#[derive(Debug, Serialize, Deserialize)]
+pub enum Answer {
+    /// The world is repaired.
+    Repaired {
+        /// Its name.
+        world: String,
+        /// Changed chunks that were rescued.
+        chunks: usize,
+        /// Whether the player's state was.
+        has_state: bool,
+        /// What is lost, a sentence each.
+        losses: Vec<String>,
+        /// Where the damaged file is kept.
+        kept: Option<String>,
+    },
+    /// The world is in the directory of this name.
+    Imported(String),
+    /// Nothing was changed, for this reason.
+    Refused(Refusal),
+}
+
+/// A failure that passes from one process to another.
+#[derive(Debug, Serialize, Deserialize)]
+#[allow(
+    missing_docs,
+    reason = "the variants and fields are those of `StorageError`"
+)]
+pub enum Refusal {
+    InUse { world: String },
+    Busy { dir: PathBuf },
+    Newer { world: String, found: u16 },
+    NotADirectory { path: PathBuf },
+    Unsalvageable { path: PathBuf, reason: String },
+    NotFound { world: String, dir: PathBuf },
+    Archive { path: PathBuf, reason: String },
+    DiskFull { what: String },
+    NotWritable { path: PathBuf },
+    NotReadable { path: PathBuf },
+    Other(String),
+}
+
+impl From<StorageError> for Refusal {
+    fn from(error: StorageError) -> Self {
+        match error {
+            StorageError::InUse { world } => Self::InUse { world },
+            StorageError::Busy { dir } => Self::Busy { dir },
+            StorageError::Newer { world, found } => Self::Newer { world, found },
+            StorageError::NotADirectory { path } => Self::NotADirectory { path },
+            StorageError::Unsalvageable { path, reason } => Self::Unsalvageable { path, reason },
+            StorageError::NotFound { world, dir } => Self::NotFound { world, dir },
+            StorageError::Archive { path, reason } => Self::Archive { path, reason },
+            StorageError::DiskFull { what } => Self::DiskFull { what },
+            StorageError::NotWritable { path } => Self::NotWritable { path },
+            StorageError::NotReadable { path } => Self::NotReadable { path },
+            other => Self::Other(other.to_string()),
+        }
+    }
+}
+
+impl From<Refusal> for Failure {
+    fn from(refusal: Refusal) -> Self {
+        Self::Storage(match refusal {
+            Refusal::InUse { world } => StorageError::InUse { world },
+            Refusal::Busy { dir } => StorageError::Busy { dir },
+            Refusal::Newer { world, found } => StorageError::Newer { world, found },
+            Refusal::NotADirectory { path } => StorageError::NotADirectory { path },
+            Refusal::Unsalvageable { path, reason } => StorageError::Unsalvageable { path, reason },
+            Refusal::NotFound { world, dir } => StorageError::NotFound { world, dir },
+            Refusal::Archive { path, reason } => StorageError::Archive { path, reason },
+            Refusal::DiskFull { what } => StorageError::DiskFull { what },
+            Refusal::NotWritable { path } => StorageError::NotWritable { path },
+            Refusal::NotReadable { path } => StorageError::NotReadable { path },
+            Refusal::Other(sentence) => return Self::Runtime(sentence),
+        })
+    }
+}
+
+/// Repairs a world in a process of its own.
+///
+/// # Errors
+/// As [`SavesDir::repair`]; [`Failure::Runtime`] if the process did not come to an end.
+pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
+    let slug = slug.to_owned();
+    match ask(saves, &Task::Repair { slug })? {
+        Answer::Repaired {
+            world,
+            chunks,
+            has_state,
+            losses,
+            kept,
+        } => Ok(RepairReport {
+            world,
+            chunks,
+            has_state,
+            losses,
+            kept: kept.map(PathBuf::from),
+        }),
+        Answer::Refused(refusal) => Err(refusal.into()),
+        Answer::Imported(_) => Err(senseless()),
+    }
+}
+
+/// Brings a world in from a file in a process of its own; the name of its directory.
+///
+/// # Errors
+/// As [`SavesDir::import`]; [`Failure::Runtime`] if the process did not come to an end.
+pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
+    let file = file.to_path_buf();
+    match ask(saves, &Task::Import { file })? {
+        Answer::Imported(slug) => Ok(slug),
+        Answer::Refused(refusal) => Err(refusal.into()),
+        Answer::Repaired { .. } => Err(senseless()),
+    }
+}
+
+/// Does the work in this process, which is there for nothing else, and says what came of it.
+///
+/// # Errors
+/// If standard output refuses, or the limit cannot be had.
+pub fn obey(saves: &SavesDir, task: &Task) -> Result<(), Failure> {
+    limit_memory(task.limits(saves).memory_bytes)?;
+    let done = match task {
+        Task::Repair { slug } => saves.repair(slug).map(|report| Answer::Repaired {
+            world: report.world,
+            chunks: report.chunks,
+            has_state: report.has_state,
+            losses: report.losses,
+            kept: report.kept.map(|path| path.display().to_string()),
+        }),
+        Task::Import { file } => saves.import(file).map(Answer::Imported),
+    };
+    let answer = done.unwrap_or_else(|error| Answer::Refused(error.into()));
+    let said = serde_json::to_string(&answer).map_err(|_| senseless())?;
+    line(&said)
+}
+
+/// What a task may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Limits {
+    memory_bytes: u64,
+    time: Duration,
+}
+
+impl Task {
+    fn limits(&self, saves: &SavesDir) -> Limits {
+        let length = |path: &Path| std::fs::metadata(path).map_or(0, |data| data.len());
+        let (bytes, kept) = match self {
+            Self::Repair { slug } => {
+                let bytes = length(&saves.path().join(slug).join(WORLD_FILE));
+                (bytes, bytes.saturating_mul(2))
+            }
+            Self::Import { file } => (length(file), 0),
+        };
+        let time = TIME + Duration::from_secs(bytes / BYTES_PER_S);
+        Limits {
+            memory_bytes: MEMORY_BYTES.saturating_add(kept).min(MOST_MEMORY_BYTES),
+            time: time.min(MOST_TIME),
+        }
+    }
+
+    fn arguments(&self, saves: &SavesDir) -> Vec<OsString> {
+        let (verb, object) = match self {
+            Self::Repair { slug } => ("repair", OsString::from(slug)),
+            Self::Import { file } => ("import", file.clone().into_os_string()),
+        };
+        let mut arguments: Vec<OsString> = vec!["saves".into(), "confined".into()];
+        arguments.extend(["--saves-dir".into(), saves.path().into()]);
+        arguments.extend([verb.into(), "--".into(), object]);
+        arguments
+    }
+
+    /// What it was about, to say what became of it.
+    fn object(&self) -> String {
+        match self {
+            Self::Repair { slug } => format!("Repairing the world in {slug}"),
+            Self::Import { file } => format!("Importing {}", file.display()),
+        }
+    }
+}
+
+fn ask(saves: &SavesDir, task: &Task) -> Result<Answer, Failure> {
+    let program = std::env::current_exe().map_err(|error| not_started(task, &error))?;
+    let mut command = Command::new(program);
+    command.args(task.arguments(saves));
+    answer_of(command, task, task.limits(saves).time)
+}
+
+/// Starts a process and waits for its answer, at most for a time.
+fn answer_of(mut command: Command, task: &Task, time: Duration) -> Result<Answer, Failure> {
+    let started = command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn();
+    let mut child = started.map_err(|error| not_started(task, &error))?;
+    let said = child.stdout.take().map(|output| {
+        std::thread::spawn(move || {
+            let mut said = String::new();
+            // What is cut short or no text is no answer.
+            let _ = output.take(MOST_ANSWER_BYTES).read_to_string(&mut said);
+            said
+        })
+    });
+    if !ends_within(&mut child, time) {
+        return Err(Failure::Runtime(format!(
+            "{} took more than {} seconds and was stopped. Nothing was changed; if the file is sound, the disk may be too slow or too full.",
+            task.object(),
+            time.as_secs()
+        )));
+    }
+    let said = said
+        .and_then(|thread| thread.join().ok())
+        .unwrap_or_default();
+    serde_json::from_str(said.trim()).map_err(|_| {
+        Failure::Runtime(format!(
+            "{} failed: the file is damaged in a way that the game cannot read. Nothing was changed; if you have a copy of it, use that.",
+            task.object()
+        ))
+    })
+}
+
+/// Waits for a process and ends it when the time is over; whether it ended by itself.
+fn ends_within(child: &mut Child, time: Duration) -> bool {
+    let start = Instant::now();
+    loop {
+        match child.try_wait() {
+            Ok(Some(_)) => return true,
+            Ok(None) if start.elapsed() < time => std::thread::sleep(LOOK),
+            _ => {
+                // It may have ended meanwhile, which is as good.
+                let _ = child.kill();
+                let _ = child.wait();
+                return false;
+            }
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+fn limit_memory(bytes: u64) -> Result<(), Failure> {
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+    let least = |known: Option<u64>| Some(known.map_or(bytes, |known| known.min(bytes)));
+    let before = getrlimit(Resource::Data);
+    let limit = Rlimit {
+        current: least(before.current),
+        maximum: least(before.maximum),
+    };
+    setrlimit(Resource::Data, limit)
+        .map_err(|error| Failure::Runtime(format!("The memory could not be limited: {error}")))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn limit_memory(_: u64) -> Result<(), Failure> {
+    Ok(())
+}
+
+fn not_started(task: &Task, error: &std::io::Error) -> Failure {
+    Failure::Runtime(format!(
+        "{} failed: the game could not be started a second time for it ({error}).",
+        task.object()
+    ))
+}
+
+fn senseless() -> Failure {
+    Failure::Runtime("The answer of the game's other process makes no sense.".to_owned())
+}
+
+#[cfg(test)]
+mod tests;

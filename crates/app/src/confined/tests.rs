@@ -1,0 +1,174 @@
+//! The other process, played by shells and by this test itself.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
+
+use clap::Parser;
+
+use super::*;
+use crate::cli::{Cli, SavesAction};
+
+fn task() -> Task {
+    Task::Import {
+        file: PathBuf::from("x.antipode-world"),
+    }
+}
+
+fn answer(program: &str, arguments: &[&str], time: Duration) -> Result<Answer, Failure> {
+    let mut command = Command::new(program);
+    command.args(arguments);
+    answer_of(command, &task(), time)
+}
+
+#[test]
+fn the_hidden_command_is_what_is_started() {
+    let saves = SavesDir::new("some where");
+    for task in [
+        task(),
+        Task::Repair {
+            slug: "--odd".to_owned(),
+        },
+    ] {
+        let all = std::iter::once(OsString::from("antipode")).chain(task.arguments(&saves));
+        let cli = Cli::try_parse_from(all).unwrap();
+        assert_eq!(cli.common.saves_dir.as_deref(), Some(saves.path()));
+        let Some(crate::cli::Command::Saves {
+            action: SavesAction::Confined { task: parsed },
+        }) = cli.command
+        else {
+            panic!("{task:?}")
+        };
+        assert_eq!(format!("{parsed:?}"), format!("{task:?}"));
+    }
+}
+
+#[test]
+fn refusals_pass_from_one_process_to_the_other_as_they_are() {
+    let path = PathBuf::from("saves/x");
+    let errors = [
+        StorageError::InUse {
+            world: "W".to_owned(),
+        },
+        StorageError::Newer {
+            world: "W".to_owned(),
+            found: 99,
+        },
+        StorageError::NotADirectory { path: path.clone() },
+        StorageError::Unsalvageable {
+            path: path.clone(),
+            reason: "why".to_owned(),
+        },
+        StorageError::NotFound {
+            world: "W".to_owned(),
+            dir: path.clone(),
+        },
+        StorageError::Archive {
+            path: path.clone(),
+            reason: "why".to_owned(),
+        },
+        StorageError::DiskFull {
+            what: "the world".to_owned(),
+        },
+        StorageError::Busy { dir: path.clone() },
+        StorageError::NotWritable { path: path.clone() },
+        StorageError::NotReadable { path: path.clone() },
+        StorageError::Exists { path },
+    ];
+    for error in errors {
+        let sentence = error.to_string();
+        let sent = serde_json::to_string(&Refusal::from(error)).unwrap();
+        let received: Refusal = serde_json::from_str(&sent).unwrap();
+        assert_eq!(Failure::from(received).to_string(), sentence);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
+    let long = Duration::from_mins(10);
+    let hung = answer("sh", &["-c", "sleep 600"], Duration::ZERO)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        hung.contains("x.antipode-world took more than 0 seconds"),
+        "{hung}"
+    );
+    for script in [
+        "kill -KILL $$",
+        "echo nonsense",
+        "exit 0",
+        "head -c 100000 /dev/zero",
+    ] {
+        let failed = answer("sh", &["-c", script], long).unwrap_err().to_string();
+        assert!(
+            failed.contains("Importing x.antipode-world failed"),
+            "{failed}"
+        );
+    }
+    let none = answer("/no/such/program", &[], long)
+        .unwrap_err()
+        .to_string();
+    assert!(none.contains("could not be started"), "{none}");
+    let said = r#"echo '{"Imported":"kept"}'"#;
+    assert!(
+        matches!(answer("sh", &["-c", said], long), Ok(Answer::Imported(slug)) if slug == "kept")
+    );
+}
+
+#[test]
+fn limits_follow_from_the_length_of_the_file() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    let path = dir.path().join("w").join(WORLD_FILE);
+    std::fs::create_dir(dir.path().join("w")).unwrap();
+    let repair = Task::Repair {
+        slug: "w".to_owned(),
+    };
+    let limits = |bytes: u64| {
+        std::fs::File::create(&path)
+            .unwrap()
+            .set_len(bytes)
+            .unwrap();
+        let limits = repair.limits(&saves);
+        (limits.memory_bytes >> 20, limits.time.as_secs())
+    };
+    assert_eq!(limits(0), (512, 60));
+    assert_eq!(limits(100 << 20), (712, 110));
+    assert_eq!(limits(10 << 30), (4096, 600));
+    assert_eq!(
+        Task::Import { file: path }.limits(&saves).memory_bytes >> 20,
+        512
+    );
+}
+
+/// Set for the child only.
+#[cfg(target_os = "linux")]
+const CHILD: &str = "ANTIPODE_TEST_HUNGRY_CHILD";
+
+/// Not a test of its own: what the child process does.
+#[cfg(target_os = "linux")]
+#[test]
+fn child_takes_more_than_it_may() {
+    if std::env::var_os(CHILD).is_none() {
+        return;
+    }
+    limit_memory(256 << 20).unwrap();
+    let some = vec![1_u8; 64 << 20];
+    let mut more = Vec::<u8>::new();
+    assert!(more.try_reserve_exact(512 << 20).is_err());
+    assert_eq!(some.len() >> 20, 64);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_is_limited() {
+    let output = Command::new(std::env::current_exe().unwrap())
+        .args([
+            "--exact",
+            "confined::tests::child_takes_more_than_it_may",
+            "--nocapture",
+        ])
+        .env(CHILD, "1")
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.contains("1 passed"), "{said}");
+}

@@ -1,0 +1,70 @@
+//! How far the eye goes while refinements are made: what is begun now is to hold when it is shown, and until the next.
+
+use antipode_geometry::ChartPoint;
+use glam::DVec3;
+
+/// An eye that goes farther than this in a frame has not gone but was put there, metres.
+const LEAP_M: f64 = 4.0;
+/// An eye that goes less than this in a frame stands, metres.
+const STANDS_M: f64 = 0.002;
+/// Who walks is refined for so far at least, metres: shorter ways would have to be made more often.
+const LEAST_M: f64 = 0.75;
+/// Of frames in which a set was made, so many count at most.
+const MOST_FRAMES: u32 = 30;
+
+/// Where the eye goes, and how long sets take.
+#[derive(Debug, Default)]
+pub struct Lead {
+    last: Option<ChartPoint>,
+    /// What it goes in a frame, about the mean of the last few.
+    step: DVec3,
+    /// Frames since the set under way was begun.
+    age: u32,
+    /// Frames that the last set took.
+    took: u32,
+}
+
+impl Lead {
+    /// Another frame, with the eye there.
+    pub fn frame(&mut self, eye: &ChartPoint) {
+        self.age += 1;
+        let last = self.last.replace(*eye);
+        let gone = last.filter(|last| last.hemisphere == eye.hemisphere);
+        let step = gone.map_or(DVec3::ZERO, |last| eye.pos - last.pos);
+        self.step = if step.length() > LEAP_M {
+            DVec3::ZERO
+        } else {
+            // Frames and steps of the world do not keep time: now and then a frame has none, or two.
+            self.step.midpoint(step)
+        };
+    }
+
+    /// A set is begun.
+    pub fn begin(&mut self) {
+        self.age = 0;
+    }
+
+    /// The set is shown.
+    pub fn end(&mut self) {
+        self.took = self.age.min(MOST_FRAMES);
+    }
+
+    /// Whether the eye stands.
+    pub fn rests(&self) -> bool {
+        self.step.length() < STANDS_M
+    }
+
+    /// Where the eye will be when a set that is begun now is there.
+    pub fn when_made(&self, eye: &ChartPoint) -> ChartPoint {
+        eye.moved(self.step * f64::from(self.took))
+    }
+
+    /// The way from now to when the set after the one that is begun now can be there, metres.
+    pub fn way(&self) -> DVec3 {
+        if self.rests() {
+            return DVec3::ZERO;
+        }
+        let way = self.step * f64::from(2 * self.took + 1);
+        way.clamp_length_min(LEAST_M)
+    }
+}

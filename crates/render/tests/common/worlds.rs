@@ -1,0 +1,120 @@
+//! Worlds as the game opens them, to be stood in, dug and looked at.
+
+use std::time::Duration;
+
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_scene::frame::Frame;
+use antipode_scene::{Actions, Scene, WorldSetup};
+use glam::DVec3;
+
+use super::triangles::Land;
+
+const LIMIT: Duration = Duration::from_mins(5);
+const ASPECT: f64 = 16.0 / 9.0;
+
+/// A world that is played without a window.
+pub struct World {
+    pub scene: Scene,
+    /// What of it was shown in frames.
+    pub land: Land,
+    /// Lines of its pictures.
+    lines: u32,
+}
+
+impl World {
+    /// A new world, of which so many chunks are loaded; its land is there.
+    pub fn new(geometry: Geometry, seed: u64, radius_m: f64, view_distance: u32) -> Self {
+        let setup = WorldSetup {
+            name: String::new(),
+            seed,
+            geometry,
+            radius_m,
+            view_distance,
+        };
+        let mut scene = Scene::open(setup, None).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        let mut world = Self {
+            scene,
+            land: Land::default(),
+            lines: 360,
+        };
+        world.settle();
+        world
+    }
+
+    /// Has pictures of so many lines.
+    pub fn of_lines(mut self, lines: u32) -> Self {
+        self.lines = lines;
+        self.scene.set_picture_height_px(lines);
+        self
+    }
+
+    pub fn settle(&mut self) {
+        assert!(self.scene.settle(LIMIT));
+    }
+
+    /// Steps of a 60th of a second.
+    pub fn steps(&mut self, count: usize, actions: &Actions) {
+        for _ in 0..count {
+            self.scene.step(actions);
+            assert!(self.scene.wait_for_step(LIMIT));
+        }
+    }
+
+    pub fn rest(&mut self) {
+        self.steps(40, &Actions::default());
+    }
+
+    pub fn aim(&mut self, yaw_deg: f64, pitch_deg: f64) {
+        self.scene
+            .aim(f64::to_radians(yaw_deg), f64::to_radians(pitch_deg));
+    }
+
+    /// Stands on the ground of a column; `None` in the chart of A.
+    pub fn stand(&mut self, hemisphere: Hemisphere, x: f64, z: f64) {
+        let field =
+            antipode_terrain::Field::new(self.scene.setup().seed, self.scene.strategy().clone());
+        let y = field.surface_height(hemisphere, x, z) + 0.2;
+        let point = ChartPoint::new(hemisphere, DVec3::new(x, y, z));
+        self.scene.teleport(point);
+        assert!(self.scene.wait_for_step(LIMIT));
+        self.settle();
+        self.rest();
+    }
+
+    /// Uses the strong pickaxe for some steps where the crosshair points: digs, or builds.
+    pub fn use_pickaxe(&mut self, builds: bool, steps: usize) {
+        let take = Actions {
+            slot: Some(3),
+            ..Actions::default()
+        };
+        self.steps(1, &take);
+        let actions = Actions {
+            primary: !builds,
+            secondary: builds,
+            ..Actions::default()
+        };
+        self.steps(steps, &actions);
+    }
+
+    /// What is seen, with what has changed since this was last asked, and nothing in the way.
+    pub fn frame(&mut self) -> Frame {
+        let fov_y_rad = self.scene.viewing().fov_y_rad;
+        let mut frame = self.scene.frame(fov_y_rad, ASPECT, 1);
+        (frame.hand, frame.marker) = (None, None);
+        self.land.take(&frame);
+        frame
+    }
+
+    /// The same with all of the land.
+    pub fn whole_frame(&mut self) -> Frame {
+        let mut frame = self.frame();
+        frame.chunk_changes = self.land.changes();
+        frame
+    }
+
+    /// Width and height of its pictures.
+    pub fn size(&self) -> (u32, u32) {
+        ((f64::from(self.lines) * ASPECT).round() as u32, self.lines)
+    }
+}

@@ -1,0 +1,193 @@
+//! Bullets without a world.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
+use antipode_geometry::{Geometry, Hemisphere, strategy};
+
+use super::*;
+
+fn entity(ecs: &mut hecs::World) -> Entity {
+    ecs.spawn(())
+}
+
+fn fly(
+    space: &dyn Strategy,
+    bullets: &mut Projectiles,
+    standing: &[Standing],
+    steps: usize,
+) -> Vec<Strike> {
+    let physics = PhysicsWorld::new();
+    let vehicles = Vehicles::default();
+    let air = Air {
+        strategy: space,
+        pictured: space,
+        physics: &physics,
+        standing,
+        vehicles: &vehicles,
+        in_far_ground: &|point| point.pos.y < 0.0,
+    };
+    (0..steps)
+        .flat_map(|_| bullets.step(&air).strikes)
+        .collect()
+}
+
+#[test]
+fn a_bullet_falls_until_it_lands_however_long_and_room_is_made_for_the_next() {
+    let space = strategy(Geometry::Euclidean, 0.0);
+    let mut ecs = hecs::World::new();
+    let by = entity(&mut ecs);
+    let mut bullets = Projectiles::default();
+    bullets.fire(ChartPoint::a(DVec3::Y * 500.0), DVec3::X * 40.0, by);
+    fly(&*space, &mut bullets, &[], 60);
+    let at = bullets.all()[0].point.pos;
+    assert!(
+        (at - DVec3::new(40.0, 500.0 - 0.5 * BULLET.gravity_m_s2, 0.0)).length() < 1e-6,
+        "{at}"
+    );
+    // From 500 m it falls for 10.1 s.
+    fly(&*space, &mut bullets, &[], 540);
+    assert!(bullets.all()[0].point.pos.y > 0.0);
+    fly(&*space, &mut bullets, &[], 10);
+    assert!(bullets.all().is_empty());
+    for _ in 0..MOST_BULLETS + 7 {
+        bullets.fire(ChartPoint::a(DVec3::ZERO), DVec3::ZERO, by);
+    }
+    assert_eq!(bullets.all().len(), MOST_BULLETS);
+    assert_eq!(bullets.all()[0].id, 8);
+}
+
+#[test]
+fn a_bullet_lies_for_five_seconds_and_one_that_never_falls_is_gone_after_some_way() {
+    let space = strategy(Geometry::Euclidean, 0.0);
+    let mut ecs = hecs::World::new();
+    let (by, other) = (entity(&mut ecs), entity(&mut ecs));
+    let mut bullets = Projectiles::default();
+    bullets.fire(ChartPoint::a(DVec3::Y * 900.0), DVec3::X * 40.0, by);
+    let in_the_way = Standing {
+        entity: other,
+        feet: DVec3::new(12.0, 899.0, 0.0),
+        height_m: 1.8,
+        radius_m: 0.35,
+    };
+    assert_eq!(fly(&*space, &mut bullets, &[in_the_way], 60).len(), 1);
+    let met_s = bullets.all()[0].met_at_s.unwrap();
+    assert!((0.2..0.4).contains(&met_s), "{met_s}");
+    let left = ((BULLET_LIES_S + met_s) / STEP_S).round() as usize - 60;
+    fly(&*space, &mut bullets, &[], left - 1);
+    assert_eq!(bullets.all().len(), 1);
+    fly(&*space, &mut bullets, &[], 2);
+    assert!(bullets.all().is_empty());
+    let eye = Eye {
+        point: ChartPoint::a(DVec3::Y * 9.0),
+        ..Eye::default()
+    };
+    bullets.fire_straight(
+        &*space,
+        eye,
+        ChartPoint::a(DVec3::new(9.0, 9.0, 0.0)),
+        40.0,
+        by,
+    );
+    fly(&*space, &mut bullets, &[], 299);
+    assert_eq!(bullets.all().len(), 1);
+    fly(&*space, &mut bullets, &[], 2);
+    assert!(bullets.all().is_empty());
+}
+
+#[test]
+fn over_the_equator_a_bullet_keeps_its_way() {
+    let space = strategy(Geometry::Spherical, 32.0);
+    let mut ecs = hecs::World::new();
+    let by = entity(&mut ecs);
+    let rim_m = space.rim_m().unwrap();
+    let mut bullets = Projectiles::default();
+    let start = ChartPoint::a(DVec3::new(rim_m - 2.0, 10.0, 0.0));
+    bullets.fire(start, DVec3::new(40.0, 6.0, 0.0), by);
+    fly(&*space, &mut bullets, &[], 12);
+    let bullet = &bullets.all()[0];
+    assert_eq!(bullet.point.hemisphere, Hemisphere::B);
+    assert!((bullet.point.pos.x.hypot(bullet.point.pos.z) - (rim_m - 6.0)).abs() < 0.01);
+    assert!((bullet.velocity.with_y(0.0).length() - 40.0).abs() < 1e-9);
+}
+
+#[test]
+fn along_a_geodesic_a_bullet_goes_straight_through_what_was_aimed_at() {
+    for geometry in [
+        Geometry::Hyperbolic,
+        Geometry::Spherical,
+        Geometry::Euclidean,
+    ] {
+        let space = strategy(geometry, 32.0);
+        let mut ecs = hecs::World::new();
+        let by = entity(&mut ecs);
+        let eye = Eye {
+            point: ChartPoint::a(DVec3::new(1.0, 12.0, -3.0)),
+            dial: 15.0,
+            lift_m: 1.62,
+            ..Eye::default()
+        };
+        let target = ChartPoint::a(DVec3::new(16.0, 9.0, 8.0));
+        let mut bullets = Projectiles::default();
+        bullets.fire_straight(&*space, eye, target, 40.0, by);
+        let mut nearest = f64::MAX;
+        let mut last = eye.point.pos;
+        for _ in 0..60 {
+            fly(&*space, &mut bullets, &[], 1);
+            // Nothing stops it, and below all ground it is gone.
+            let Some(bullet) = bullets.all().first() else {
+                break;
+            };
+            let at = bullet.point.pos;
+            let way = at - last;
+            let share = ((target.pos - last).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            nearest = nearest.min((last + way * share).distance(target.pos));
+            last = at;
+        }
+        assert!(nearest < 0.02, "{geometry:?} {nearest}");
+    }
+}
+
+#[test]
+fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
+    let space = strategy(Geometry::Euclidean, 0.0);
+    let mut ecs = hecs::World::new();
+    let (by, other) = (entity(&mut ecs), entity(&mut ecs));
+    let stands = |entity, x: f64| Standing {
+        entity,
+        feet: DVec3::new(x, 99.0, 0.0),
+        height_m: 1.8,
+        radius_m: 0.35,
+    };
+    let mut bullets = Projectiles::default();
+    bullets.fire(ChartPoint::a(DVec3::Y * 100.0), DVec3::X * 40.0, by);
+    let strikes = fly(
+        &*space,
+        &mut bullets,
+        &[stands(by, 0.2), stands(other, 12.0)],
+        60,
+    );
+    assert!(
+        matches!(strikes[..], [strike] if strike.entity == other && strike.by == by && strike.way.x > 30.0),
+        "{strikes:?}"
+    );
+    assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
+}
+
+#[test]
+fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
+    let space = strategy(Geometry::Euclidean, 0.0);
+    let mut ecs = hecs::World::new();
+    let (by, other) = (entity(&mut ecs), entity(&mut ecs));
+    let stands = |entity, x: f64| Standing {
+        entity,
+        feet: DVec3::new(x, 99.0, 0.0),
+        height_m: 1.8,
+        radius_m: 0.35,
+    };
+    let near = [stands(by, -0.7), stands(other, 2.3)];
+    let mut bullets = Projectiles::default();
+    for height_m in [99.6, 100.0, 100.4] {
+        bullets.fire(ChartPoint::a(DVec3::Y * height_m), DVec3::X * 40.0, by);
+    }
+    let strikes = fly(&*space, &mut bullets, &near, 200);
+    assert_eq!(strikes.len(), 3, "{strikes:?}");
+    assert!(strikes.iter().all(|strike| strike.entity == other));
+}

@@ -1,0 +1,71 @@
+//! The check of a file by its name, while nobody writes to it.
+
+use std::fs::File;
+use std::io;
+use std::ops::Bound;
+use std::path::Path;
+
+use redb::backends::FileBackend;
+use redb::{BackendError, StorageBackend};
+
+use super::find::{self, Look};
+use super::pages::Pages;
+use super::{Checked, Fault, NO_SAVE, whole};
+use crate::error::StorageError;
+use crate::regular;
+
+/// Checks every page of the store in `path`, of the world called `world`.
+///
+/// # Errors
+/// [`StorageError::Unreadable`] if the store must not be opened, [`StorageError::InUse`],
+/// failures of the file system.
+pub(crate) fn check(path: &Path, world: &str) -> Result<Checked, StorageError> {
+    with_pages(path, world, whole::whole)
+}
+
+/// Reads what the list of worlds tells of a store without opening it; `None` if it was not
+/// closed.
+///
+/// # Errors
+/// As [`check`], for the pages that lead there.
+pub(crate) fn look(path: &Path, world: &str) -> Result<Option<Look>, StorageError> {
+    with_pages(path, world, find::look)
+}
+
+/// Runs `work` while no process has the store open for writing.
+fn with_pages<T>(
+    path: &Path,
+    world: &str,
+    work: impl FnOnce(&mut Pages<File>) -> Result<T, Fault>,
+) -> Result<T, StorageError> {
+    let reading = |error: io::Error| fault(path, Fault::Io(error));
+    let (file, _) = regular::open(path).map_err(reading)?;
+    let lock = FileBackend::new(file.try_clone().map_err(reading)?)
+        .map_err(|error| StorageError::store(path, world, error))?;
+    match lock.try_lock_shared_range(Bound::Unbounded, Bound::Unbounded) {
+        Ok(false) => {
+            return Err(StorageError::InUse {
+                world: world.to_owned(),
+            });
+        }
+        // Where the file system has no locks, the store goes without, too.
+        Ok(true) | Err(BackendError::Unsupported) => {}
+        Err(BackendError::Io(error)) => return Err(reading(error)),
+        Err(error) => return Err(reading(io::Error::other(error.to_string()))),
+    }
+    let result = Pages::new(file).and_then(|mut pages| work(&mut pages));
+    // It would be given up with the file in any case.
+    let _ = lock.close();
+    result.map_err(|error| fault(path, error))
+}
+
+/// A fault as a sentence.
+fn fault(path: &Path, fault: Fault) -> StorageError {
+    match fault {
+        Fault::Torn(reason) | Fault::Wrong(reason) => StorageError::unreadable(path, reason),
+        Fault::Io(error) if error.kind() == io::ErrorKind::UnexpectedEof => {
+            StorageError::unreadable(path, NO_SAVE)
+        }
+        Fault::Io(error) => StorageError::io("Reading", path, error),
+    }
+}

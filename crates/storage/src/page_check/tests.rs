@@ -1,0 +1,469 @@
+//! The check against real stores, damaged and forged ones, and against the store itself.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+use std::fs;
+use std::io::Cursor;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use super::forge::Forge;
+use super::pages::Pages;
+use super::whole::whole;
+use super::{Checked, Fault, u32_at};
+use crate::{Batch, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldState, WorldStore};
+
+/// Enough for branches of branches.
+const CHUNKS: i32 = 2400;
+
+fn check(bytes: &[u8]) -> Result<Checked, Fault> {
+    Pages::new(Cursor::new(bytes)).and_then(|mut pages| whole(&mut pages))
+}
+
+/// Why a store is refused.
+fn refusal(bytes: &[u8]) -> String {
+    match check(bytes) {
+        Err(Fault::Torn(reason) | Fault::Wrong(reason)) => reason.to_owned(),
+        other => panic!("{other:?}"),
+    }
+}
+
+fn key(x: i32) -> ChunkKey {
+    ChunkKey {
+        x,
+        ..ChunkKey::default()
+    }
+}
+
+fn samples(x: i32, commit: i16) -> Vec<i16> {
+    vec![x as i16 ^ commit; crate::CHUNK_SAMPLES]
+}
+
+fn meta() -> WorldMeta {
+    WorldMeta {
+        name: "Victim".to_owned(),
+        ..WorldMeta::default()
+    }
+}
+
+fn commit(world: &WorldStore, number: i16, chunks: impl Iterator<Item = i32>) {
+    let state = WorldState {
+        simulated_s: f64::from(number),
+        ..WorldState::default()
+    };
+    let batch = Batch {
+        meta: None,
+        state: Some(state),
+        chunks: chunks.map(|x| (key(x), samples(x, number))).collect(),
+    };
+    world.commit(&batch).unwrap();
+}
+
+/// A world of two commits, the second of which changes a part, closed or as a kill leaves it.
+fn made(chunks: i32, close: bool) -> Vec<u8> {
+    let dir = tempfile::tempdir().unwrap();
+    let world = WorldStore::create(dir.path(), &meta()).unwrap();
+    commit(&world, 1, 0..chunks);
+    commit(&world, 2, (0..chunks).step_by(7));
+    let path = dir.path().join(WORLD_FILE);
+    if close {
+        drop(world);
+        return fs::read(path).unwrap();
+    }
+    fs::read(path).unwrap()
+}
+
+fn closed() -> &'static [u8] {
+    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+    BYTES.get_or_init(|| made(CHUNKS, true))
+}
+
+fn killed() -> &'static [u8] {
+    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+    BYTES.get_or_init(|| made(CHUNKS, false))
+}
+
+/// Small ones, to be used in whole many times.
+fn small(close: bool) -> &'static [u8] {
+    static BYTES: OnceLock<[Vec<u8>; 2]> = OnceLock::new();
+    &BYTES.get_or_init(|| [made(40, false), made(40, true)])[usize::from(close)]
+}
+
+#[test]
+fn real_stores_pass() {
+    for chunks in [0, 1, 40, CHUNKS] {
+        for close in [false, true] {
+            let checked = check(&made(chunks, close));
+            assert!(
+                matches!(checked, Ok(Checked { torn_leaves: 0 })),
+                "{chunks} {close} {checked:?}"
+            );
+        }
+    }
+    let branches = Forge::of(closed()).pages_of_kind(2);
+    assert!(branches.len() > 2, "{branches:?}");
+    assert!(check(&Forge::of(closed()).reseal().bytes).is_ok());
+    assert_eq!(Forge::of(closed()).reseal().bytes, closed());
+}
+
+#[test]
+fn a_store_that_grew_and_shrank_passes_at_every_step() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join(WORLD_FILE);
+    drop(WorldStore::create(dir.path(), &meta()).unwrap());
+    for round in 1..6 {
+        let world = WorldStore::open(dir.path()).unwrap();
+        // Opened and killed before a commit.
+        assert!(check(&fs::read(&path).unwrap()).is_ok());
+        commit(&world, round, 0..i32::from(round) * 700);
+        assert!(check(&fs::read(&path).unwrap()).is_ok());
+        commit(&world, round + 10, 0..i32::from(round) * 700);
+        assert!(check(&fs::read(&path).unwrap()).is_ok());
+        drop(world);
+        assert!(check(&fs::read(&path).unwrap()).is_ok());
+    }
+}
+
+/// A way to change a store.
+type Change = dyn Fn(&mut Forge);
+
+#[test]
+fn forgeries_that_every_checksum_lets_pass_are_refused_with_the_reason() {
+    let leaf = |forge: &Forge| forge.pages_of_kind(1)[3];
+    let branch = |forge: &Forge| forge.pages_of_kind(2)[1];
+    let child = move |forge: &Forge, n: usize| {
+        let start = branch(forge);
+        let count = usize::from(forge.bytes[start + 2]) + 1;
+        start + 8 + 16 * count + 8 * n
+    };
+    let forgeries: Vec<(&str, Box<Change>)> = vec![
+        // What made 60^5 leaves of one.
+        (
+            "names a page twice",
+            Box::new(move |forge| {
+                let first = child(forge, 0);
+                let number = forge.bytes[first..first + 8].to_vec();
+                for n in 1..=usize::from(forge.bytes[branch(forge) + 2]) {
+                    forge.put(child(forge, n), &number);
+                }
+            }),
+        ),
+        // What made 4.1 GB of one byte, and what makes more.
+        (
+            "behind its end",
+            Box::new(move |forge| {
+                forge.put(child(forge, 2) + 7, &[0xa0]);
+            }),
+        ),
+        (
+            "longer than any",
+            Box::new(move |forge| {
+                forge.put(child(forge, 2) + 7, &[0xf8]);
+            }),
+        ),
+        (
+            "behind its end",
+            Box::new(move |forge| {
+                forge.put(child(forge, 2) + 3, &[0x70]);
+            }),
+        ),
+        // A branch as its own child.
+        (
+            "names a page twice",
+            Box::new(move |forge| {
+                let root = forge.numbers(forge.chunks())[0];
+                let number = forge.bytes[root..root + 8].to_vec();
+                forge.put(child(forge, 1), &number);
+            }),
+        ),
+        (
+            "do not rise",
+            Box::new(move |forge| {
+                let at = leaf(forge);
+                let first = at + 4 + 4 * usize::from(forge.bytes[at + 2]);
+                forge.put(first + 4, &[0xff]);
+            }),
+        ),
+        (
+            "outside of its page",
+            Box::new(move |forge| {
+                let at = leaf(forge) + 8;
+                forge.put(at, &[0, 0]);
+            }),
+        ),
+        (
+            "as much as it says",
+            Box::new(|forge| {
+                let length = forge.chunks().definition;
+                forge.put(length + 1, &[7, 0, 0, 0, 0, 0, 0, 0x70]);
+                forge.put(length + 34, &[7, 0, 0, 0, 0, 0, 0, 0x70]);
+            }),
+        ),
+        (
+            "makes no sense",
+            Box::new(|forge| {
+                let length = forge.chunks().definition;
+                forge.put(length + 1, &[7]);
+            }),
+        ),
+        (
+            "makes no sense",
+            Box::new(|forge| {
+                let kind = forge.chunks().definition;
+                forge.put(kind, &[4]);
+            }),
+        ),
+        (
+            "makes no sense",
+            Box::new(|forge| {
+                let width = forge.chunks().definition + 43;
+                forge.put(width, &[12]);
+            }),
+        ),
+        (
+            "header is damaged",
+            Box::new(|forge| {
+                let transaction = forge.slot() + 104;
+                forge.put(transaction, &(u64::MAX - 1).to_le_bytes());
+            }),
+        ),
+    ];
+    for (reason, forgery) in forgeries {
+        let mut forge = Forge::of(closed());
+        forgery(&mut forge);
+        forge.reseal();
+        let said = refusal(&forge.bytes);
+        assert!(said.contains(reason), "{said} for {reason}");
+    }
+}
+
+/// Where in the file the list of free pages has the bitmap of order 0 of the first region.
+fn free_pages(forge: &Forge) -> (usize, usize) {
+    let table = forge.table(40, "allocator_state");
+    let pages = forge.numbers(table).into_iter().map(|at| forge.page(at));
+    // The first region's value: the largest order, how many pages, ends of bitmaps.
+    let number = |at| u32_at(&forge.bytes, at).unwrap();
+    let value = pages
+        .flatten()
+        .find(|&at| number(at) == 20 && (1..1 << 20).contains(&number(at + 4)))
+        .unwrap();
+    (value, value + 92)
+}
+
+#[test]
+fn a_list_of_free_pages_that_would_give_a_used_one_away_is_refused() {
+    let forge = Forge::of(closed());
+    let (region, bitmap) = free_pages(&forge);
+    // A bitmap of three levels for a million pages, four of them: the last level's words.
+    let levels = u32_at(&forge.bytes, bitmap).unwrap() as usize;
+    let start = u32_at(&forge.bytes, bitmap + 4 * (levels - 1)).unwrap() as usize;
+    let word = bitmap + start + 4;
+    let mut used = forge.clone();
+    used.put(word, &[0; 8]);
+    // Those above lead there, too.
+    let said = refusal(&used.reseal().bytes);
+    assert!(said.contains("in use and free at once"), "{said}");
+    for (at, bytes) in [
+        (region, &[21][..]),
+        (region + 4, &[0xff, 0xff, 0xff, 0x7f]),
+        (region + 8, &[0xff, 0xff]),
+        (bitmap, &[200]),
+        (bitmap + 4, &[0xff, 0xff]),
+    ] {
+        let mut forged = forge.clone();
+        forged.put(at, bytes);
+        let said = refusal(&forged.reseal().bytes);
+        assert!(said.contains("list of free pages makes no sense"), "{said}");
+    }
+}
+
+/// A saves directory with one world, of these bytes.
+fn planted(bytes: &[u8]) -> (tempfile::TempDir, SavesDir) {
+    let dir = tempfile::tempdir().unwrap();
+    let world = dir.path().join("victim");
+    fs::create_dir(&world).unwrap();
+    fs::write(world.join(WORLD_FILE), bytes).unwrap();
+    let saves = SavesDir::new(dir.path());
+    (dir, saves)
+}
+
+/// Whether a world holds exactly what a commit left.
+fn holds(saves: &SavesDir, chunks: i32, commit: i16) -> bool {
+    let world = saves.open("victim").unwrap();
+    assert_eq!(world.meta(), meta());
+    let state = world.state();
+    let is_of = |x: i32| {
+        let last = if x % 7 == 0 { commit } else { 1 };
+        matches!(world.chunk(&key(x)), Ok(Some(found)) if found == samples(x, last))
+    };
+    matches!(&state, Ok(Some(state)) if state.simulated_s == f64::from(commit))
+        && (0..chunks).all(is_of)
+}
+
+/// A changed world is as it was, or damaged in words; repair finds what there is. One that was
+/// not closed may be as the commit before left it, since no one can tell that from a power cut.
+fn either_as_it_was_or_damaged(bytes: &[u8], chunks: i32, closed: bool) -> bool {
+    let (dir, saves) = planted(bytes);
+    let listed = saves.list().unwrap().remove(0);
+    assert!(listed.meta.is_none_or(|found| found == meta()));
+    let report = saves.verify("victim").unwrap();
+    let archive = dir.path().join("a.antipode-world");
+    let exported = saves.export("victim", &archive);
+    if report.is_sound() {
+        assert!(holds(&saves, chunks, 2) || !closed && holds(&saves, chunks, 1));
+        exported.unwrap();
+        assert_eq!(saves.import(&archive).unwrap(), "victim-2");
+    } else {
+        assert!(exported.is_err(), "{report:?}");
+        match saves.repair("victim") {
+            Ok(_) => {
+                saves.open("victim").unwrap();
+                assert!(saves.verify("victim").unwrap().is_sound());
+            }
+            Err(error) => assert!(error.to_string().contains("salvaged"), "{error}"),
+        }
+    }
+    report.is_sound()
+}
+
+/// The same numbers every time.
+fn numbers(mut seed: u64) -> impl FnMut(usize) -> usize {
+    move |below| {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        ((seed >> 33) as usize) % below
+    }
+}
+
+/// Plays on in a changed world, which writes to its every leaf.
+fn play_on(bytes: &[u8], chunks: i32) {
+    let (_dir, saves) = planted(bytes);
+    if let Ok(world) = saves.open("victim") {
+        let state = Some(WorldState::default());
+        let chunks = (0..chunks).map(|x| (key(x), samples(x, 3))).collect();
+        let batch = Batch {
+            meta: Some(meta()),
+            state,
+            chunks,
+        };
+        // It may fail, but neither end the process nor say what is not so.
+        let written = world.commit(&batch).is_ok();
+        drop(world);
+        assert!(!written || saves.verify("victim").unwrap().is_sound());
+    }
+}
+
+#[test]
+fn every_bit_of_a_leafs_header_is_survived() {
+    let store = small(true);
+    let forge = Forge::of(store);
+    let values = forge.page(forge.table(8, "values").definition + 10).start;
+    for page in [forge.pages_of_kind(1)[1], values] {
+        for bit in 16..64 {
+            let mut forge = Forge::of(store);
+            forge.bytes[page + bit / 8] ^= 1 << (bit % 8);
+            play_on(&forge.bytes, 40);
+            either_as_it_was_or_damaged(&forge.bytes, 40, true);
+        }
+    }
+}
+
+#[test]
+fn single_bits_anywhere_are_survived() {
+    let mut next = numbers(18);
+    for close in [true, false] {
+        let store = small(close);
+        let used: Vec<usize> = (0..store.len()).filter(|&at| store[at] != 0).collect();
+        let mut sound = 0;
+        for _ in 0..60 {
+            let mut bytes = store.to_vec();
+            bytes[used[next(used.len())]] ^= 1 << next(8);
+            sound += i32::from(either_as_it_was_or_damaged(&bytes, 40, close));
+        }
+        assert!((1..60).contains(&sound), "{sound}");
+    }
+}
+
+#[test]
+fn no_change_of_the_index_panics_or_takes_long_whatever_the_checksums_say() {
+    let mut next = numbers(5);
+    for store in [closed(), killed()] {
+        let original = Forge::of(store);
+        let slot = original.slot();
+        let mut places: Vec<usize> = (slot..slot + 112).chain(9..32).collect();
+        for table in [original.chunks(), original.table(8, "values")] {
+            places.extend(table.definition..table.definition + 80);
+            for number in original.numbers(table) {
+                let page = original.page(number);
+                places.extend(page.start..page.start + 128);
+            }
+        }
+        for round in 0..1500 {
+            let mut forge = original.clone();
+            for _ in 0..=next(3) {
+                forge.bytes[places[next(places.len())]] ^= 1 << next(8);
+            }
+            if round % 2 == 0 && forge.slot() == slot {
+                let resealed = std::panic::catch_unwind(|| {
+                    let mut forge = forge.clone();
+                    forge.reseal();
+                    forge
+                });
+                forge = resealed.unwrap_or(forge);
+            }
+            let _ = check(&forge.bytes);
+        }
+    }
+}
+
+/// Whether the store itself takes a file, and what it finds in it.
+fn by_the_store(bytes: &[u8]) -> Option<f64> {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join(WORLD_FILE);
+    fs::write(&path, bytes).unwrap();
+    crate::guard::guard(Path::new("x"), || {
+        let db =
+            redb::Database::open(&path).map_err(|e| crate::StorageError::store(&path, "x", e))?;
+        let read = redb::ReadableDatabase::begin_read(&db).unwrap();
+        let table = read.open_table(crate::store::VALUES).unwrap();
+        let value = table.get(crate::store::STATE_KEY).unwrap().unwrap();
+        let state: WorldState = crate::schema::read(value.value(), b"state").unwrap();
+        Ok(state.simulated_s)
+    })
+    .ok()
+}
+
+#[test]
+fn a_commit_cut_short_is_taken_or_left_as_the_store_does() {
+    let store = small(false);
+    let mut next = numbers(77);
+    let (mut first, mut second, mut neither) = (0, 0, 0);
+    let pages = 1..store.len() / 4096;
+    let pages: Vec<usize> = pages
+        .filter(|page| store[page * 4096..][..4096].iter().any(|&byte| byte != 0))
+        .collect();
+    for _ in 0..120 {
+        // Some pages of the last commit were never written.
+        let mut bytes = store.to_vec();
+        for _ in 0..=next(2) {
+            let page = pages[next(pages.len())];
+            bytes[page * 4096..][..4096].fill(0);
+        }
+        let found = by_the_store(&bytes);
+        assert_eq!(check(&bytes).is_ok(), found.is_some(), "{found:?}");
+        match found {
+            Some(1.0) => first += 1,
+            Some(_) => second += 1,
+            None => neither += 1,
+        }
+    }
+    assert!(
+        first > 0 && second > 0 && neither > 0,
+        "{first} {second} {neither}"
+    );
+}

@@ -1,0 +1,109 @@
+//! Whose turn it is to give worlds their names.
+//!
+//! Between the look whether a name is free and the world of that name others may do the
+//! same, in this process or another. So whoever names a world holds the lock of the
+//! directory of worlds meanwhile, and others wait for a bounded time. The lock's file
+//! stays; what is in it is of no matter.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use crate::error::StorageError;
+use crate::regular::Entry;
+
+const LOCK_FILE: &str = ".antipode.lock";
+/// A turn lasts as long as a few commits; one of so many seconds is stuck.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Between two looks whether the turn has come.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// The turn, until it is dropped.
+pub(crate) struct Turn {
+    _held: File,
+}
+
+impl Turn {
+    /// Waits for the turn in the directory `saves`, which is made if need be.
+    pub(crate) fn wait(saves: &Path) -> Result<Self, StorageError> {
+        Self::wait_for(saves, PATIENCE)
+    }
+
+    fn wait_for(saves: &Path, patience: Duration) -> Result<Self, StorageError> {
+        fs::create_dir_all(saves).map_err(|error| StorageError::place("Making", saves, error))?;
+        // A refusal is told of the directory: hidden names mean nothing to a player.
+        let file = StorageError::at("Writing to", saves, open(saves))?;
+        let began = Instant::now();
+        loop {
+            match file.try_lock() {
+                Ok(()) => return Ok(Self { _held: file }),
+                Err(TryLockError::WouldBlock) if began.elapsed() < patience => {
+                    std::thread::sleep(PAUSE);
+                }
+                Err(TryLockError::WouldBlock) => {
+                    let dir = saves.to_path_buf();
+                    return Err(StorageError::Busy { dir });
+                }
+                // A file system without locks is no reason to play without worlds.
+                Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {
+                    tracing::warn!(saves = %saves.display(), "this disk has no locks: two games at once may give one name twice");
+                    return Ok(Self { _held: file });
+                }
+                Err(TryLockError::Error(error)) => {
+                    return Err(StorageError::io("Locking", saves, error));
+                }
+            }
+        }
+    }
+}
+
+fn open(saves: &Path) -> io::Result<File> {
+    let path = saves.join(LOCK_FILE);
+    match Entry::at(&path)? {
+        Entry::Missing | Entry::File { .. } => File::options()
+            .create(true)
+            .truncate(false)
+            .write(true)
+            .open(path),
+        Entry::Other(kind) => Err(io::Error::new(
+            ErrorKind::InvalidInput,
+            format!("{LOCK_FILE} in it is {kind}, not a file"),
+        )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        reason = "tests fail by panicking"
+    )]
+
+    use super::*;
+
+    #[test]
+    fn one_turn_at_a_time_and_the_wait_for_it_ends_in_a_sentence() {
+        let dir = tempfile::tempdir().unwrap();
+        let saves = dir.path().join("saves");
+        let turn = Turn::wait(&saves).unwrap();
+        let refusal = Turn::wait_for(&saves, Duration::ZERO).map(drop);
+        let sentence = refusal.unwrap_err().to_string();
+        assert!(
+            sentence.contains("Another game") && sentence.contains("Try again"),
+            "{sentence}"
+        );
+        drop(turn);
+        assert!(Turn::wait_for(&saves, Duration::ZERO).is_ok());
+    }
+
+    #[test]
+    fn something_else_in_the_place_of_the_lock_is_refused_without_waiting() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::create_dir(dir.path().join(LOCK_FILE)).unwrap();
+        let sentence = Turn::wait(dir.path()).map(drop).unwrap_err().to_string();
+        assert!(sentence.contains("is a directory"), "{sentence}");
+    }
+}
