@@ -185,7 +185,6 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
 
     // Keep has the focus, so deleting takes a step aside.
     game.told_steps(&[
-        ("Tab", "focus: Load"),
         ("Tab", "focus: Delete"),
         ("Return", "pressed: Delete"),
         ("Return", "pressed: Delete “Beta"),
@@ -202,7 +201,7 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     game.step("Escape");
 
     game.told_steps(&[
-        ("Tab", "focus: Load"),
+        ("shift+Tab", "focus: Load"),
         ("Return", "pressed: Load"),
         ("Tab", "focus: Manage “Beta"),
         ("Tab", "focus: Back"),
