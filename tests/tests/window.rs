@@ -28,7 +28,8 @@ fn shows_main_menu(picture: &image::RgbImage) -> bool {
     column_is_dark && r > 150 && r > g && g > b
 }
 
-/// A world: where the menu's dark column and panel stand there is bright land, and the hotbar has its icons.
+/// A world: where the menu's dark column and panel stand there is bright land, and over it the compass has its white
+/// pointer, which the picture of a world that is being made has not.
 fn shows_world(picture: &image::RgbImage) -> bool {
     let bright = |x, y, width, height| {
         let part = image::imageops::crop_imm(picture, x, y, width, height).to_image();
@@ -38,7 +39,12 @@ fn shows_world(picture: &image::RgbImage) -> bool {
             .sum();
         sum / u64::from(3 * width * height) > 55
     };
-    !shows_main_menu(picture) && bright(20, 420, 220, 200) && bright(320, 480, 200, 100)
+    let pointer = picture.get_pixel(640, 10).0;
+    let has_compass = pointer.iter().all(|channel| *channel > 200);
+    !shows_main_menu(picture)
+        && has_compass
+        && bright(20, 420, 220, 200)
+        && bright(320, 480, 200, 100)
 }
 
 /// The New Game form with a valid name: its hint is green.
@@ -73,14 +79,20 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     let mut game = Window::open(
         &display,
         saves.path(),
-        &["--size", "1280x720", "--view-distance", "2"],
+        &[
+            "--size",
+            "1280x720",
+            "--view-distance",
+            "2",
+            "--log",
+            "debug",
+        ],
     );
     game.wait_until("the main menu", shows_main_menu);
     game.click(NEW_GAME.0, NEW_GAME.1);
     game.wait_until("the New Game form", shows_new_game);
     game.click(NAME.0, NAME.1);
-    game.key("ctrl+a");
-    game.write("Digs");
+    game.overwrite("Digs");
     game.wait_until("a free name", shows_free_name);
     game.click(SEED.0, SEED.1);
     game.write("12");

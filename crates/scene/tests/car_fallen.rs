@@ -106,8 +106,9 @@ fn a_careless_driver_rolls_it_over_within_minutes() {
         scene.set_npcs(NpcMode::Still);
         roll_over(&mut scene)
     };
-    let rolled = (1..=4).filter(|seed| rolls(*seed)).count();
-    assert!(rolled >= 2, "{rolled} of 4");
+    // Each drive is chaotic: a change of a millimetre in where it begins makes another of it, so half of many are asked.
+    let rolled = (1..=12).filter(|seed| rolls(*seed)).count();
+    assert!(rolled >= 6, "{rolled} of 12");
 }
 
 /// How deep who stands there is in the box of the car's body, as it lies: none below 0, in metres.
