@@ -41,13 +41,14 @@ pub struct Place {
     time_of_day_s: f64,
 }
 
-/// The worlds, in the order in which they are shown: each is followed by one in another space.
+/// The worlds, in the order in which they are shown: the one that no other game has comes first, and each is followed
+/// by one in another space.
 pub const WORLDS: [Place; 6] = [
-    place(Geometry::Hyperbolic, 7, 95.0),
     place(Geometry::Spherical, 5, 440.0),
+    place(Geometry::Hyperbolic, 7, 95.0),
     place(Geometry::Euclidean, 3, 40.0),
-    place(Geometry::Hyperbolic, 21, 200.0),
     place(Geometry::Spherical, 1, 420.0),
+    place(Geometry::Hyperbolic, 21, 200.0),
     place(Geometry::Euclidean, 18, 240.0),
 ];
 
