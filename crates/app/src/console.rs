@@ -302,7 +302,7 @@ mod tests {
                     about.starts_with(command.name) && about.lines().count() >= 2,
                     "{about}"
                 );
-                assert!(texts.has(&format!("console-help-{}", command.name)));
+                assert!(texts.has_own(&format!("console-help-{}", command.name)));
             }
         }
         let texts = Texts::default();

@@ -73,6 +73,11 @@ impl Texts {
         self.0.bundles().any(|bundle| bundle.has_message(key))
     }
 
+    /// Whether the language itself has a message of that key, English not asked.
+    pub fn has_own(&self, key: &str) -> bool {
+        self.0.own.has_message(key)
+    }
+
     /// The message of that key; in English where the language lacks it, and the key itself where that does too.
     pub fn say(&self, key: &str) -> String {
         self.say_with(key, &[])
@@ -191,6 +196,7 @@ mod tests {
         assert_eq!(texts.say("lent"), "Lent");
         assert_eq!(texts.say("nowhere"), "nowhere");
         assert!(texts.has("lent") && !texts.has("nowhere"));
+        assert!(texts.has_own("own") && !texts.has_own("lent"));
     }
 
     #[test]

@@ -3,11 +3,15 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use antipode_settings::{
     Action, Condition, Config, Input, Language, Lesson, Notice, Opened, Profile, Quality,
     config_path, open, read, write,
 };
+
+/// Longest wait for what the keeper's thread says.
+const PATIENCE: Duration = Duration::from_secs(30);
 
 fn place() -> (tempfile::TempDir, PathBuf) {
     let dir = tempfile::tempdir().unwrap();
@@ -290,11 +294,13 @@ fn a_place_that_takes_no_file_is_told_once_and_the_game_goes_on() {
     let keeper = open(Some(fresh.clone())).keeper;
     fs::write(dir.path().join("fresh"), "in the way").unwrap();
     keeper.save(&changed());
+    let began = Instant::now();
     let problem = loop {
         if let Some(problem) = keeper.take_problem() {
             break problem;
         }
-        std::thread::yield_now();
+        assert!(began.elapsed() < PATIENCE, "the failure was never told");
+        std::thread::sleep(Duration::from_millis(1));
     };
     assert!(problem.to_string().contains("settings.ron"), "{problem}");
     keeper.save(&changed());
