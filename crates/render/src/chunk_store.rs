@@ -137,18 +137,24 @@ impl ChunkStore {
             self.clock.stop();
         }
         self.end_blends();
-        let is_edited = frame.chunk_changes.iter().any(|c| self.is_edit(c));
+        let edited = self.edited(&frame.chunk_changes);
+        // What is built may reach into a chunk that was empty; land that streams in elsewhere is no part of the edit.
+        let is_near_edit = |coord: &ChunkCoord| {
+            let beside = |it: &ChunkCoord| (it.index - coord.index).abs().max_element() <= 1;
+            let mut same_chart = edited.iter().filter(|it| it.hemisphere == coord.hemisphere);
+            same_chart.any(beside)
+        };
         for change in &frame.chunk_changes {
             match change {
                 ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
                     self.waiting.remove(coord);
-                    if self.rush || is_edited {
-                        self.show(*coord, mesh, is_edited);
+                    if self.rush || !edited.is_empty() {
+                        self.show(*coord, mesh, is_near_edit(coord));
                     } else {
                         self.waiting.insert(*coord, Arc::clone(mesh));
                     }
                 }
-                ChunkChange::Put(coord, _) => self.take_away(*coord, is_edited),
+                ChunkChange::Put(coord, _) => self.take_away(*coord, is_near_edit(coord)),
                 ChunkChange::Remove(coord) => self.take_away(*coord, false),
             }
         }
@@ -179,13 +185,18 @@ impl ChunkStore {
         self.clock = BlendClock::default();
     }
 
-    fn is_edit(&self, change: &ChunkChange) -> bool {
-        let ChunkChange::Put(coord, mesh) = change else {
-            return false;
+    /// The chunks whose meshes come again at the level that they have.
+    fn edited(&self, changes: &[ChunkChange]) -> Vec<ChunkCoord> {
+        let is_edit = |change: &ChunkChange| {
+            let ChunkChange::Put(coord, mesh) = change else {
+                return None;
+            };
+            let shown = self.chunks.get(coord).map(|chunk| chunk.land.level);
+            let waiting = self.waiting.get(coord).map(|waiting| waiting.level);
+            let levels = [shown, waiting];
+            levels.contains(&Some(mesh.level)).then_some(*coord)
         };
-        let shown = self.chunks.get(coord).map(|chunk| chunk.land.level);
-        let waiting = self.waiting.get(coord).map(|waiting| waiting.level);
-        [shown, waiting].contains(&Some(mesh.level))
+        changes.iter().filter_map(is_edit).collect()
     }
 
     fn show_waiting(&mut self, frame: &Frame) {

@@ -129,6 +129,12 @@ impl Ground {
         }
     }
 
+    /// Whether a chunk has a surface to see and none to touch: no body is near.
+    pub fn is_only_shown(&self, coord: ChunkCoord) -> bool {
+        let chunk = self.chunks.get(&coord);
+        chunk.is_some_and(|chunk| chunk.samples.is_none())
+    }
+
     /// Whether a point lies inside the ground.
     pub fn is_solid(&self, point: ChartPoint) -> bool {
         self.density(point) < 0.0

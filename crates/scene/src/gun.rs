@@ -90,9 +90,11 @@ impl Scene {
         }
         let standing = self.standing();
         let lowest_m = self.ground.height_range_m().0 - DEEPEST_HOLE_M;
+        // More bullets than ground is made solid for end where the land is, as those beyond the view do.
         let in_far_ground = |point: ChartPoint| {
-            let is_far = !self.streamer.is_wanted(ChunkCoord::containing(point));
-            point.pos.y < lowest_m || is_far && self.ground.untouched_density(point) < 0.0
+            let coord = ChunkCoord::containing(point);
+            let is_bare = !self.streamer.is_wanted(coord) || self.ground.is_only_shown(coord);
+            point.pos.y < lowest_m || is_bare && self.ground.untouched_density(point) < 0.0
         };
         let air = Air {
             strategy: &*self.strategy,

@@ -175,6 +175,7 @@ impl Game {
         self.tell_pictures();
         self.watch_hints();
         self.tick_backdrop(passed);
+        self.lift_veil(passed);
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Opening(task) => self.opening(task),
             Phase::Loading(session) => self.loading(session),

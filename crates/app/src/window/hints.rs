@@ -114,7 +114,6 @@ impl Hints {
             self.read_s += STEP_S;
             if self.read_s >= READ_S {
                 self.finish(read);
-                self.read_s = 0.0;
             }
         }
         self.turned_rad += actions.look_yaw.abs() + actions.look_pitch.abs();
@@ -149,6 +148,7 @@ impl Hints {
         if !std::mem::replace(done, true) {
             tracing::debug!("learnt {lesson:?}");
             self.rest_s = REST_S;
+            self.read_s = 0.0;
         }
     }
 

@@ -8,6 +8,7 @@ use antipode_ui::{Screen, ToastKind};
 
 use super::game::{CHUNK_BUDGET, Game};
 use super::phase::Phase;
+use super::veil::Veil;
 use crate::pad::Feel;
 use crate::session::Session;
 use crate::wording;
@@ -41,7 +42,7 @@ impl Game {
                 self.controls.release_all();
                 self.shell.open(Screen::Hidden);
                 // Closing may have failed while the land was still being made.
-                if session.scene.loading_progress() < 1.0 {
+                if self.veil == Veil::Down {
                     Phase::Loading(session)
                 } else {
                     Phase::Playing(session)
@@ -53,7 +54,6 @@ impl Game {
 
     pub(super) fn playing(&mut self, mut session: Session, passed: Duration) -> Phase {
         session.scene.pump(CHUNK_BUDGET);
-        self.lift_veil(passed);
         // Before the steps: they save by simulated time, which never runs ahead of the wall's.
         self.keep_saved(&mut session, passed, false);
         let feel = Feel::from(&self.config.settings);

@@ -4,6 +4,7 @@ use antipode_ui::ToastKind;
 
 use super::game::Game;
 use super::phase::Phase;
+use super::veil::Veil;
 
 impl Game {
     /// Whether nothing moves until somebody does something: a paused world whose land is all there, or a menu that
@@ -11,7 +12,8 @@ impl Game {
     pub fn is_still(&self) -> bool {
         let rests = match &self.phase {
             Phase::Paused(session) => {
-                session.scene.pending() == 0 && !self.saving && !self.wants_picture
+                let lifts = matches!(self.veil, Veil::Drawn | Veil::Lifting(_));
+                session.scene.pending() == 0 && !self.saving && !self.wants_picture && !lifts
             }
             Phase::Menu => !self.wants_backdrop(),
             _ => false,

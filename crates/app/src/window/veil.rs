@@ -57,9 +57,16 @@ impl Game {
         }
     }
 
-    /// Lifts the veil of a world that is played.
+    /// Lifts the veil of a world that is there; what comes after one that was left has none.
     pub(super) fn lift_veil(&mut self, passed: Duration) {
-        self.veil = self.veil.lift(passed, self.config.settings.reduced_motion);
+        let at_once = match self.phase {
+            Phase::Playing(_) | Phase::Paused(_) if self.veil != Veil::Down => {
+                self.config.settings.reduced_motion
+            }
+            Phase::Menu | Phase::Over => true,
+            _ => return,
+        };
+        self.veil = self.veil.lift(passed, at_once);
     }
 
     /// Paints what is left of it over the world and under the display.

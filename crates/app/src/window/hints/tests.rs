@@ -160,6 +160,25 @@ fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_on_until_one_is_home() {
 }
 
 #[test]
+fn who_skips_the_way_home_has_all_the_time_to_read_of_the_menu() {
+    let mut hints = Hints::default();
+    for lesson in Lesson::ALL {
+        if !matches!(lesson, Lesson::Home | Lesson::Menu) {
+            hints.finish(lesson);
+        }
+    }
+    let pass = |hints: &mut Hints, time_s: f64| {
+        for _ in 0..(time_s / STEP_S) as u32 {
+            hints.step(&Actions::default(), CLOSED);
+        }
+    };
+    pass(&mut hints, 0.9 * READ_S);
+    hints.finish(Lesson::Home);
+    pass(&mut hints, 0.9 * READ_S);
+    assert_eq!(hints.current(CLOSED).map(|it| it.0), Some(Lesson::Menu));
+}
+
+#[test]
 fn the_last_hint_goes_when_it_was_there_long_enough_and_no_other_does() {
     let mut hints = Hints::default();
     pass(&mut hints, &Actions::default(), 10.0 * READ_S);

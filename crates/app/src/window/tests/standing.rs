@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use image::RgbaImage;
 
+use super::super::phase::Next;
+use super::super::veil::Veil;
 use super::*;
 
 #[test]
@@ -24,6 +26,26 @@ fn a_paused_world_stands_still_once_its_land_is_there_and_no_sooner() {
     assert!(game.shell.take_changed(), "the answer is to be seen");
     game.follow(Intent::Resume);
     assert!(!game.is_still());
+    game.finish();
+}
+
+#[test]
+fn a_veil_that_has_begun_to_lift_is_gone_behind_the_menu_too() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    game.veil = Veil::Lifting(1.0);
+    game.input(Input::Key("Escape"), true);
+    assert!(is_paused(&game) && !game.is_still());
+    tick_until(&mut game, |game| game.veil == Veil::Up);
+    assert!(is_paused(&game));
+    // Ground that is missing farther off is no reason to hide the world again.
+    game.follow(Intent::Resume);
+    assert!(game.is_playing());
+    game.veil = Veil::Lifting(1.0);
+    game.leave(Next::Menu);
+    tick_until(&mut game, |game| matches!(game.phase, Phase::Menu));
+    game.tick(Instant::now());
+    assert_eq!(game.veil, Veil::Up, "the picture behind the menu is bright");
     game.finish();
 }
 
