@@ -1,11 +1,13 @@
 //! The window with everything that draws into it.
 
 mod canvas;
+mod input;
 mod pictures;
 mod recovery;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::time::Instant;
 
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
 use antipode_scene::frame::Frame;
@@ -13,6 +15,7 @@ use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
 
+use super::waits::{Part, Waits};
 use crate::cli::Common;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
@@ -55,6 +58,8 @@ pub struct Stage {
     /// The menu's picture under way, and of which world.
     thumbnail: Option<(u64, PictureReading)>,
     recoveries: Recoveries,
+    /// When the interface's time began.
+    began: Instant,
     /// The next texture is to be taken for lost, on purpose.
     loses_surface: bool,
 }
@@ -112,6 +117,7 @@ impl Stage {
             screenshots: VecDeque::new(),
             thumbnail: None,
             recoveries: Recoveries::default(),
+            began: Instant::now(),
             loses_surface: false,
         })
     }
@@ -245,9 +251,9 @@ impl Stage {
     pub fn show(
         &mut self,
         texture: wgpu::SurfaceTexture,
-        frame: Option<&Frame>,
-        interface: egui::FullOutput,
+        (frame, interface): (Option<&Frame>, egui::FullOutput),
         keeps: bool,
+        waits: &mut Waits,
     ) -> Result<(), Failure> {
         let target = texture
             .texture
@@ -255,7 +261,11 @@ impl Stage {
         let kept = (keeps && self.can_keep())
             .then(|| self.offscreen((self.config.width, self.config.height)));
         let copy = kept.as_ref().map(Offscreen::view);
-        self.paint(frame, interface, &target, copy);
+        let painted = self.paint(frame, interface, &target, copy);
+        waits.spent_on(Part::Record);
+        if let Some(painted) = painted {
+            self.gpu.queue.submit([painted]);
+        }
         if let Some(kept) = kept {
             self.screenshots.push_back(kept.begin_read(&self.gpu));
         }
@@ -282,7 +292,7 @@ impl Stage {
         interface: egui::FullOutput,
         target: &wgpu::TextureView,
         copy: Option<&wgpu::TextureView>,
-    ) {
+    ) -> Option<wgpu::CommandBuffer> {
         let mut encoder = self
             .gpu
             .device
@@ -304,13 +314,13 @@ impl Stage {
         if self.gpu.lost().is_some() {
             // The interface's painter breaks on an adapter that takes nothing any more.
             self.overlay.skip(&interface.textures_delta);
-            return;
+            return None;
         }
         let targets: Vec<_> = [target].into_iter().chain(copy).collect();
         let size = (self.config.width, self.config.height);
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
-        self.gpu.queue.submit([encoder.finish()]);
+        Some(encoder.finish())
     }
 }
 
