@@ -9,7 +9,9 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
+use antipode_render::{
+    AdapterChoice, Gpu, Offscreen, Options, Picture, PictureReading, Renderer, Shaders,
+};
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
@@ -297,19 +299,14 @@ impl Stage {
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        match frame {
-            Some(frame) => {
-                let stats = self.renderer.draw(frame, &mut encoder, target);
-                self.drawn = Some(Drawn::new(&stats, frame.quality));
-                // The time of a frame comes some frames later; until then the last one stands.
-                self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
-            }
-            None => clear(&mut encoder, target),
+        let shows_world = frame.is_some_and(|frame| self.paint_world(frame, &mut encoder, target));
+        if !shows_world {
+            clear(&mut encoder, target);
         }
-        match (copy, frame) {
-            (Some(copy), Some(_)) => self.renderer.show_again(&mut encoder, copy),
-            (Some(copy), None) => clear(&mut encoder, copy),
-            (None, _) => {}
+        match copy {
+            Some(copy) if shows_world => self.renderer.show_again(&mut encoder, copy),
+            Some(copy) => clear(&mut encoder, copy),
+            None => {}
         }
         if self.gpu.lost().is_some() {
             // The interface's painter breaks on an adapter that takes nothing any more.
@@ -321,6 +318,22 @@ impl Stage {
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
         Some(encoder.finish())
+    }
+
+    /// Whether there is a picture of the world: none before what it is drawn with is made.
+    fn paint_world(
+        &mut self,
+        frame: &Frame,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+    ) -> bool {
+        let stats = self.renderer.draw(frame, encoder, target);
+        // The time of a frame comes some frames later; until then the last one stands.
+        self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
+        if stats.picture == Picture::New {
+            self.drawn = Some(Drawn::new(&stats, frame.quality));
+        }
+        stats.picture != Picture::None
     }
 }
 

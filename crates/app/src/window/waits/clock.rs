@@ -4,6 +4,10 @@ use std::time::{Duration, Instant};
 
 use super::Spent;
 
+/// Most times that the clocks are looked at again for one moment.
+#[cfg(target_os = "linux")]
+const MOST_LOOKS: usize = 3;
+
 /// A moment of a thread.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment {
@@ -14,6 +18,10 @@ pub struct Moment {
 
 /// What the system has on account of a thread.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    not(target_os = "linux"),
+    allow(dead_code, reason = "only Linux tells")
+)]
 struct Account {
     /// On the processor.
     ran: Duration,
@@ -38,15 +46,14 @@ impl Moment {
                 ..Spent::default()
             };
         };
-        let ran = now.ran.saturating_sub(then.ran);
-        let queued = now.starved.saturating_sub(then.starved);
-        let rest = wall.saturating_sub(ran).saturating_sub(queued);
-        // A virtual machine that is not let run itself is on no account; without a wait it can be nothing else.
-        let (starved, blocked) = if now.waits == then.waits {
-            (queued + rest, Duration::ZERO)
+        let idle = wall.saturating_sub(now.ran.saturating_sub(then.ran));
+        let starved = if now.waits == then.waits {
+            // A virtual machine that is not let run itself is on no account.
+            idle
         } else {
-            (queued, rest)
+            now.starved.saturating_sub(then.starved).min(idle)
         };
+        let blocked = idle.saturating_sub(starved);
         Spent {
             wall,
             starved,
@@ -59,43 +66,70 @@ impl Moment {
 #[derive(Debug, Default)]
 pub struct Clock {
     #[cfg(target_os = "linux")]
-    files: Option<[std::fs::File; 2]>,
+    files: Option<(std::fs::File, std::fs::File)>,
 }
 
 impl Clock {
     /// The present moment.
+    #[cfg(target_os = "linux")]
     pub fn now(&mut self) -> Moment {
-        let account = self.account();
+        if self.files.is_none() {
+            let open = |name| std::fs::File::open(format!("/proc/thread-self/{name}")).ok();
+            self.files = open("schedstat").zip(open("status"));
+        }
+        let mut moment = self.look();
+        for _ in 0..MOST_LOOKS {
+            let queued = self.queued();
+            let is_whole = moment.account.is_none_or(|it| Some(it.starved) == queued);
+            if is_whole {
+                break;
+            }
+            // The thread lost the processor meanwhile; the clocks do not tell of one moment.
+            moment = self.look();
+        }
+        moment
+    }
+
+    #[cfg(target_os = "linux")]
+    fn look(&self) -> Moment {
+        let starved = self.queued();
+        let account = starved.and_then(|starved| self.account(starved));
         Moment {
             wall: Instant::now(),
             account,
         }
     }
 
+    /// So long the thread was ready while others had the processor. The first number of the line, the time on it, is as
+    /// old as the last tick of the system's clock.
     #[cfg(target_os = "linux")]
-    fn account(&mut self) -> Option<Account> {
-        if self.files.is_none() {
-            let open = |name| std::fs::File::open(format!("/proc/thread-self/{name}")).ok();
-            self.files = Some([open("schedstat")?, open("status")?]);
-        }
-        let [times, status] = self.files.as_ref()?;
-        // The first number there is as old as the last tick of the system's clock.
-        let starved = read(times)?.split_whitespace().nth(1)?.parse().ok()?;
-        let ran = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-        let status = read(status)?;
+    fn queued(&self) -> Option<Duration> {
+        let line = read(&self.files.as_ref()?.0)?;
+        let nanoseconds = line.split_whitespace().nth(1)?.parse().ok()?;
+        Some(Duration::from_nanos(nanoseconds))
+    }
+
+    #[cfg(target_os = "linux")]
+    fn account(&self, starved: Duration) -> Option<Account> {
+        let status = read(&self.files.as_ref()?.1)?;
         let mut lines = status.lines();
         let waits = lines.find_map(|line| line.strip_prefix("voluntary_ctxt_switches:"))?;
+        let ran = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
         Some(Account {
             ran: Duration::new(ran.tv_sec as u64, ran.tv_nsec as u32),
-            starved: Duration::from_nanos(starved),
+            starved,
             waits: waits.trim().parse().ok()?,
         })
     }
 
+    /// The present moment; this system tells nothing of threads.
     #[cfg(not(target_os = "linux"))]
-    #[expect(clippy::unused_self, reason = "other systems have something to ask")]
-    fn account(&mut self) -> Option<Account> {
-        None
+    #[allow(clippy::unused_self, reason = "elsewhere there are files to ask")]
+    pub fn now(&mut self) -> Moment {
+        Moment {
+            wall: Instant::now(),
+            account: None,
+        }
     }
 }
 
