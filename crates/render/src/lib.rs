@@ -51,7 +51,7 @@ pub use plan::{
     Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandBook, PlanStats, Planner, Port, plan,
     tolerance_px,
 };
-pub use renderer::{DrawStats, Options, Renderer};
+pub use renderer::{DrawStats, Options, Picture, Renderer};
 pub use shaders::Shaders;
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

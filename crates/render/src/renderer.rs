@@ -20,19 +20,19 @@ use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{PlanStats, Planner};
 use crate::shaders::Shaders;
 use crate::shadow::{ShadowQuality, ShadowStats, Shadows};
-use crate::targets::{Targets, drawn_size};
+use crate::targets::Targets;
 use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
 use crate::workshop::Workshop;
 
+mod readiness;
 mod scene;
+#[cfg(test)]
+mod tests;
 
 use scene::bind_scene;
-
-/// The number of the map that every open world can turn to.
-const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
 
 /// How pictures are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,9 +47,23 @@ pub struct Options {
     pub shadows: ShadowQuality,
 }
 
+/// What a target shows after a frame was drawn into it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Picture {
+    /// The frame.
+    #[default]
+    New,
+    /// The last frame of the same world: what this one is drawn with is not made yet.
+    Last,
+    /// What was there before, and so it is to be cleared: nothing is made yet.
+    None,
+}
+
 /// What drawing a frame took.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DrawStats {
+    /// What is shown.
+    pub picture: Picture,
     /// Triangles sent.
     pub triangles: usize,
     /// Calls to the adapter that draw something; one may draw many chunks.
@@ -80,12 +94,22 @@ pub struct Renderer {
     queue: Queue,
     options: Options,
     shaders: Shaders,
-    pipelines: Workshop,
+    pipelines: Workshop<Pipelines>,
+    /// Whether frames wait for pipelines.
+    patient: bool,
+    /// Whether the last frame was not drawn for want of pipelines.
+    awaits_map: bool,
+    /// Options to be taken together with the pipelines that are being made for them.
+    later: Option<(Options, Tonemap)>,
     /// The last frame's map, by its number in `SpaceUniform::kind`.
     map: Option<u32>,
     uniform: Buffer,
     scene_bindings: BindGroup,
     targets: Targets,
+    /// Width and height of the pictures, pixels, and whether they are drawn at full resolution.
+    asked: (u32, u32, bool),
+    /// The number of the world that the targets hold a picture of.
+    pictured: Option<u64>,
     tonemap: Tonemap,
     light: BindGroup,
     chunks: ChunkStore,
@@ -137,8 +161,8 @@ impl Renderer {
         let shadows = Shadows::new(gpu, options.shadows);
         let extras = (&heavens, &shadows);
         let scene_bindings = bind_scene(&device, &scene_layout, &uniform, extras);
-        let quality = (options.samples, options.shadows);
-        let pipelines = Workshop::new(&device, shaders, &scene_layout, quality);
+        let quality = options.pipeline_quality();
+        let pipelines = readiness::workshop(&device, shaders, &scene_layout, quality);
         let targets = Targets::new(&device, (1, 1), options.samples);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
         let light = tonemap.bind(&device, &targets.light);
@@ -161,38 +185,18 @@ impl Renderer {
             options,
             shaders,
             pipelines,
+            patient: true,
+            awaits_map: false,
+            later: None,
             map: None,
             uniform,
             scene_bindings,
             targets,
+            asked: (1, 1, false),
+            pictured: None,
             tonemap,
             light,
         })
-    }
-
-    /// Makes ready for targets of `width` by `height` pixels.
-    pub fn resize(&mut self, width: u32, height: u32) {
-        let most = self.device.limits().max_texture_dimension_2d;
-        let size = drawn_size(width, height, self.options.scale, most);
-        self.height_px = height;
-        self.targets = Targets::new(&self.device, size, self.options.samples);
-        self.light = self.tonemap.bind(&self.device, &self.targets.light);
-    }
-
-    /// Begins to make ready for all maps, in a thread: for whoever has time before the first frame. What is not ready
-    /// when a frame needs it, that frame waits for.
-    pub fn prepare_maps(&mut self) {
-        self.pipelines.order_all();
-    }
-
-    /// Makes ready for targets of `width` by `height` pixels at their full resolution, whatever share the options
-    /// say: for pictures that are kept. [`Renderer::resize`] goes back.
-    pub fn resize_full(&mut self, width: u32, height: u32) {
-        let most = self.largest_side();
-        self.height_px = height;
-        let size = drawn_size(width, height, 1.0, most);
-        self.targets = Targets::new(&self.device, size, self.options.samples);
-        self.light = self.tonemap.bind(&self.device, &self.targets.light);
     }
 
     /// The longest side of a picture that can be drawn, in tiles or at once, pixels.
@@ -222,39 +226,16 @@ impl Renderer {
         self.tonemap.draw(encoder, &self.light, target, None);
     }
 
-    /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
-    /// the samples differ. Sizes hold from the next [`Renderer::resize`] on, which must follow.
-    ///
-    /// # Errors
-    /// When the options are out of range, or the adapter refuses a shader; nothing is changed then.
-    pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
-        check(&options)?;
-        self.tonemap = Tonemap::accepted(&self.device, self.shaders, &options)?;
-        let quality = (options.samples, options.shadows);
-        if quality != (self.options.samples, self.options.shadows) {
-            let layout = scene_layout(&self.device);
-            self.pipelines = Workshop::new(&self.device, self.shaders, &layout, quality);
-            self.shadows.set_quality(options.shadows);
-        }
-        self.options = options;
-        Ok(())
-    }
-
-    /// Why the scene cannot be drawn: the adapter refuses one of its shaders. Known for all maps once
-    /// [`Renderer::prepare_maps`] has come to its end, and for the map of a frame when that is drawn.
-    pub fn fault(&self) -> Option<RenderError> {
-        self.pipelines.refused().map(RenderError::shader)
-    }
-
     /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
     /// are being refined.
     pub fn is_busy(&self) -> bool {
-        self.is_land_coming() || self.shadows.is_busy()
+        self.is_land_coming() || self.shadows.is_busy() || self.pipelines.is_renewing()
     }
 
-    /// Whether land that frames have brought is not shown yet, or not as fine as it is to be.
+    /// Whether land that frames have brought is not shown yet, or not as fine as it is to be, for want of time or of
+    /// what its map is drawn with.
     pub fn is_land_coming(&self) -> bool {
-        self.chunks.is_busy()
+        self.awaits_map || self.chunks.is_busy()
     }
 
     /// Takes over the land that another renderer shows, whose adapter may be lost: every mesh is sent anew, at once.
@@ -289,6 +270,12 @@ impl Renderer {
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
         let map = self.map_of(frame);
+        if !self.is_ready(map) {
+            return DrawStats {
+                gpu_ms,
+                ..self.show_last(frame, encoder, target)
+            };
+        }
         let drawn = self.tile.map_or(self.targets.size, |tile| tile.whole);
         let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
         self.chunks.apply(frame);
@@ -314,6 +301,7 @@ impl Renderer {
         };
         let stamped = self.draw_shadows(map, encoder, &mut stats);
         self.draw_scene(frame, (map, stamped), encoder, &mut stats);
+        self.pictured = Some(frame.loaded_world);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -324,19 +312,6 @@ impl Renderer {
             timing.record(encoder);
         }
         stats
-    }
-
-    /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
-    /// meanwhile, so that a turn does not stutter.
-    fn map_of(&mut self, frame: &Frame) -> u32 {
-        let map = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
-        if self.map != Some(map) {
-            self.map = Some(map);
-            if frame.strategy.has_sky() {
-                self.pipelines.order(HORIZON);
-            }
-        }
-        map
     }
 
     fn begin_scene<'e>(
@@ -453,34 +428,4 @@ fn check(options: &Options) -> Result<(), RenderError> {
         )));
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn options_out_of_range_are_refused_in_words() {
-        let good = Options {
-            samples: 4,
-            scale: 0.5,
-            output_format: TextureFormat::Bgra8UnormSrgb,
-            shadows: ShadowQuality::Off,
-        };
-        assert_eq!(check(&good), Ok(()));
-        for bad in [
-            Options { samples: 2, ..good },
-            Options { scale: 0.0, ..good },
-            Options {
-                scale: f32::NAN,
-                ..good
-            },
-        ] {
-            let words = check(&bad).err().map(|e| e.to_string()).unwrap_or_default();
-            assert!(
-                words.starts_with("The renderer cannot be set up"),
-                "{words}"
-            );
-        }
-    }
 }

@@ -1,63 +1,91 @@
 //! Makes pipelines before they are needed, in a thread, so that no frame of a game waits for a compiler.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::sync::{Arc, OnceLock};
 use std::thread::{Builder, JoinHandle};
 
-use wgpu::{BindGroupLayout, Device};
-
-use crate::pipelines::Pipelines;
-use crate::shaders::Shaders;
-use crate::shadow::ShadowQuality;
-
 /// Maps that shaders are compiled for: numbers that `SpaceUniform::kind` begins with.
 const MAPS: u32 = 4;
 
+/// Makes what a map needs, by the map's number; or says why it cannot.
+type Make<T> = Box<dyn Fn(u32) -> Result<T, String> + Send + Sync>;
+
 /// The pipelines of every map.
 #[derive(Debug)]
-pub struct Workshop {
-    shelf: Arc<Shelf>,
-    thread: Option<Worker>,
+pub struct Workshop<T: Send + Sync + 'static> {
+    shelf: Arc<Shelf<T>>,
+    /// Of another quality, to be taken instead once it has what a frame needs.
+    next: Option<Arc<Shelf<T>>>,
+    thread: Option<Worker<T>>,
 }
 
-/// What is made, by the map's number, and what it is made with.
-#[derive(Debug)]
-struct Shelf {
-    device: Device,
-    shaders: Shaders,
-    layout: BindGroupLayout,
-    /// Samples a pixel, and the shadows' quality.
-    quality: (u32, ShadowQuality),
+/// What is made, by the map's number.
+struct Shelf<T> {
+    make: Make<T>,
     /// Or why they cannot be made.
-    made: [OnceLock<Result<Pipelines, String>>; MAPS as usize],
+    made: [OnceLock<Result<T, String>>; MAPS as usize],
+    /// The map that frames wait for, which goes before others; [`MAPS`] for none.
+    wanted: AtomicU32,
+    /// Nothing more is to be made for it in the thread.
     closes: AtomicBool,
 }
 
 #[derive(Debug)]
-struct Worker {
-    orders: Sender<u32>,
+struct Worker<T> {
+    orders: Sender<(Arc<Shelf<T>>, u32)>,
     handle: JoinHandle<()>,
 }
 
-impl Shelf {
-    /// The pipelines of a map; makes them, or waits for the thread that does.
-    fn get(&self, map: u32) -> Option<&Pipelines> {
-        let map = map % MAPS;
-        let make = || Pipelines::new(&self.device, self.shaders, &self.layout, map, self.quality);
-        self.made[map as usize].get_or_init(make).as_ref().ok()
+impl<T> fmt::Debug for Shelf<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Shelf").finish_non_exhaustive()
     }
 }
 
-impl Worker {
-    fn start(shelf: Arc<Shelf>) -> std::io::Result<Self> {
-        let (orders, asked) = channel();
+impl<T> Shelf<T> {
+    fn new(make: Make<T>) -> Self {
+        Self {
+            make,
+            made: [const { OnceLock::new() }; MAPS as usize],
+            wanted: AtomicU32::new(MAPS),
+            closes: AtomicBool::new(false),
+        }
+    }
+
+    fn slot(&self, map: u32) -> &OnceLock<Result<T, String>> {
+        &self.made[(map % MAPS) as usize]
+    }
+
+    /// Makes what a map needs, or waits for the thread that does.
+    fn finish(&self, map: u32) {
+        self.slot(map).get_or_init(|| (self.make)(map % MAPS));
+    }
+
+    fn is_made(&self, map: u32) -> bool {
+        self.slot(map).get().is_some()
+    }
+
+    fn close(&self) {
+        self.closes.store(true, Ordering::Relaxed);
+    }
+}
+
+impl<T: Send + Sync + 'static> Worker<T> {
+    fn start() -> std::io::Result<Self> {
+        let (orders, asked) = channel::<(Arc<Shelf<T>>, u32)>();
         let work = move || {
-            for map in asked {
-                if shelf.closes.load(Ordering::Relaxed) {
-                    return;
+            for (shelf, ordered) in asked {
+                let wanted = shelf.wanted.load(Ordering::Relaxed);
+                for map in [wanted, ordered].into_iter().filter(|map| *map < MAPS) {
+                    if !shelf.closes.load(Ordering::Relaxed) {
+                        shelf.finish(map);
+                    }
                 }
-                shelf.get(map);
             }
         };
         let handle = Builder::new()
@@ -67,31 +95,30 @@ impl Worker {
     }
 }
 
-impl Workshop {
+impl<T: Send + Sync + 'static> Workshop<T> {
     /// A workshop that has made nothing.
-    pub fn new(
-        device: &Device,
-        shaders: Shaders,
-        layout: &BindGroupLayout,
-        quality: (u32, ShadowQuality),
-    ) -> Self {
+    pub fn new(make: Make<T>) -> Self {
         Self {
-            shelf: Arc::new(Shelf {
-                device: device.clone(),
-                shaders,
-                layout: layout.clone(),
-                quality,
-                made: [const { OnceLock::new() }; MAPS as usize],
-                closes: AtomicBool::new(false),
-            }),
+            shelf: Arc::new(Shelf::new(make)),
+            next: None,
             thread: None,
         }
     }
 
-    /// The pipelines of a map by its number in `SpaceUniform::kind`. Waits for them where they are not made yet; none
-    /// where the device refuses them.
-    pub fn get(&self, map: u32) -> Option<&Pipelines> {
-        self.shelf.get(map)
+    /// The pipelines of a map by its number in `SpaceUniform::kind`, if they are made and the device does not refuse
+    /// them. Never waits.
+    pub fn get(&self, map: u32) -> Option<&T> {
+        self.shelf.slot(map).get()?.as_ref().ok()
+    }
+
+    /// Whether the pipelines of a map are made, or refused.
+    pub fn is_made(&self, map: u32) -> bool {
+        self.shelf.is_made(map)
+    }
+
+    /// Makes the pipelines of a map, or waits for the thread that does.
+    pub fn finish(&self, map: u32) {
+        self.shelf.finish(map);
     }
 
     /// Why the device refuses the pipelines of a map, if it has refused any so far.
@@ -102,21 +129,21 @@ impl Workshop {
             .next()
     }
 
-    /// Begins to make what a map needs, unless it is made. Where there is no thread to be had, the frame that needs
-    /// it will.
+    /// Begins to make what a map needs, unless it is made.
     pub fn order(&mut self, map: u32) {
-        if self.shelf.made[(map % MAPS) as usize].get().is_some() {
+        let shelf = Arc::clone(self.newest());
+        if shelf.is_made(map) {
             return;
         }
         if self.thread.is_none() {
-            match Worker::start(Arc::clone(&self.shelf)) {
+            match Worker::start() {
                 Ok(worker) => self.thread = Some(worker),
                 Err(e) => tracing::warn!("no thread makes pipelines ahead: {e}"),
             }
         }
         if let Some(worker) = &self.thread {
             // One that has ended leaves the making to the frame.
-            let _ = worker.orders.send(map);
+            let _ = worker.orders.send((shelf, map % MAPS));
         }
     }
 
@@ -126,12 +153,63 @@ impl Workshop {
             self.order(map);
         }
     }
+
+    /// Has what a frame needs made before anything else. Where there is no thread it is made here: late is better
+    /// than never.
+    pub fn want(&mut self, map: u32) {
+        let shelf = self.newest();
+        if shelf.is_made(map) {
+            return;
+        }
+        if shelf.wanted.swap(map % MAPS, Ordering::Relaxed) != map % MAPS {
+            self.order(map);
+        }
+        let worker = self.thread.as_ref();
+        if worker.is_none_or(|worker| worker.handle.is_finished()) {
+            self.newest().finish(map);
+        }
+    }
+
+    /// Makes pipelines in another way from now on. Those that are there are used on until [`Workshop::turn`].
+    pub fn renew(&mut self, make: Make<T>) {
+        self.newest().close();
+        self.next = Some(Arc::new(Shelf::new(make)));
+    }
+
+    /// Makes pipelines no other way after all.
+    pub fn keep(&mut self) {
+        if let Some(next) = self.next.take() {
+            next.close();
+            // Orders that came meanwhile were passed over.
+            self.shelf.wanted.store(MAPS, Ordering::Relaxed);
+            self.shelf.closes.store(false, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether others are to come in place of those that are there.
+    pub fn is_renewing(&self) -> bool {
+        self.next.is_some()
+    }
+
+    /// Takes the other pipelines, if those of a map are made; whether it was so.
+    pub fn turn(&mut self, map: u32) -> bool {
+        match self.next.take_if(|next| next.is_made(map)) {
+            Some(next) => self.shelf = next,
+            None => return false,
+        }
+        true
+    }
+
+    fn newest(&self) -> &Arc<Shelf<T>> {
+        self.next.as_ref().unwrap_or(&self.shelf)
+    }
 }
 
-impl Drop for Workshop {
+impl<T: Send + Sync + 'static> Drop for Workshop<T> {
     fn drop(&mut self) {
         if let Some(Worker { orders, handle }) = self.thread.take() {
-            self.shelf.closes.store(true, Ordering::Relaxed);
+            self.shelf.close();
+            self.newest().close();
             drop(orders);
             let _ = handle.join();
         }

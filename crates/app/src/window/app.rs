@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use antipode_settings::Opened;
 use winit::application::ApplicationHandler;
-use winit::event::{DeviceEvent, DeviceId, WindowEvent};
+use winit::event::{DeviceEvent, DeviceId, StartCause, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow};
 use winit::window::{Window, WindowId};
 
@@ -69,6 +69,12 @@ impl ApplicationHandler for App {
         }
     }
 
+    fn new_events(&mut self, _: &ActiveEventLoop, _: StartCause) {
+        if let Some(open) = &mut self.open {
+            open.game.waits.wake();
+        }
+    }
+
     fn device_event(&mut self, _: &ActiveEventLoop, _: DeviceId, event: DeviceEvent) {
         let Some(open) = &mut self.open else { return };
         match event {
@@ -105,6 +111,7 @@ impl ApplicationHandler for App {
             events.exit();
             return;
         }
+        open.game.waits.rest();
         events.set_control_flow(ControlFlow::WaitUntil(self.next_frame));
     }
 

@@ -63,7 +63,10 @@ impl Open {
                 return;
             }
             WindowEvent::CursorMoved { position, .. } => {
-                if let Some((dx, dy)) = self.pointer.moved(&self.stage.window, *position) {
+                if let Some((dx, dy)) =
+                    self.pointer
+                        .moved(&self.stage.window, self.stage.size(), *position)
+                {
                     self.game.motion(dx, dy);
                 }
                 if self.game.is_playing() {

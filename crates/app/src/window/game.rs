@@ -17,6 +17,7 @@ use super::photo::Photographer;
 use super::portrait::LastPicture;
 use super::shots::Shots;
 use super::veil::Veil;
+use super::waits::Waits;
 use super::worldlist::WorldList;
 use crate::controls::Controls;
 use crate::navigator::Navigator;
@@ -75,6 +76,7 @@ pub struct Game {
     pub(super) veil: Veil,
     pub(super) hints: Hints,
     pub(super) about: antipode_ui::AboutModel,
+    pub(super) waits: Waits,
 }
 
 impl std::fmt::Debug for Game {
@@ -128,6 +130,7 @@ impl Game {
             veil: Veil::default(),
             hints: Hints::default(),
             about: antipode_ui::AboutModel::default(),
+            waits: Waits::default(),
         };
         game.list.refresh();
         if let Some(request) = first {

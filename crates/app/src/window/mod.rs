@@ -32,6 +32,7 @@ mod stillness;
 #[cfg(test)]
 mod tests;
 mod veil;
+mod waits;
 mod wheel;
 mod worldlist;
 

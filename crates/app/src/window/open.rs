@@ -12,6 +12,7 @@ use super::pads::Pads;
 use super::pointer::Pointer;
 use super::redraw::{REST, Redraw};
 use super::stage::Stage;
+use super::waits::Part;
 use super::wheel::Wheel;
 use crate::failure::Failure;
 
@@ -84,7 +85,7 @@ impl Open {
         self.ears.listen(&mut self.game);
         if !self.game.is_playing() {
             self.pointer.free(&self.stage.window);
-        } else if self.pointer.catch(&self.stage.window) {
+        } else if self.pointer.catch(&self.stage.window, self.stage.size()) {
             self.wheel = Wheel::default();
         }
     }
@@ -110,22 +111,34 @@ impl Open {
         if let Some(why) = self.stage.lost() {
             self.recover(&why, can_recover)?;
         }
+        self.game.waits.spent_on(Part::Input);
         // Without something to draw on, the chunks that a frame brings stay where they are.
         let Some(texture) = self.stage.next_texture() else {
             return Ok(());
         };
+        self.game.waits.spent_on(Part::Drawing);
         self.take_pictures();
+        self.game.waits.spent_on(Part::Input);
         let frame = self.game.frame(self.stage.aspect(), self.stage.height_px());
+        self.game.waits.spent_on(Part::Scene);
         let output = self.interface();
+        self.game.waits.spent_on(Part::Interface);
         let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
         let keeps = self.game.begin_screenshot();
-        self.stage.show(texture, frame.as_ref(), output, keeps)?;
+        self.stage.show(
+            texture,
+            (frame.as_ref(), output),
+            keeps,
+            &mut self.game.waits,
+        )?;
         self.game
             .drawn(frame.is_some() && !self.stage.is_land_coming());
         let now = Instant::now();
         self.redraw.drawn(now, wait);
         self.game.shown(now);
+        self.game.waits.spent_on(Part::Drawing);
+        self.game.waits.shown();
         Ok(())
     }
 
@@ -169,7 +182,7 @@ impl Open {
 
     /// One pass of the interface.
     fn interface(&mut self) -> egui::FullOutput {
-        let input = self.stage.input.take_egui_input(&self.stage.window);
+        let input = self.stage.take_input();
         let game = &mut self.game;
         let drawn = self.stage.drawn();
         let mut output = self

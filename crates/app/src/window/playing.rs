@@ -9,6 +9,7 @@ use antipode_ui::{Screen, ToastKind};
 use super::game::{CHUNK_BUDGET, Game};
 use super::phase::Phase;
 use super::veil::Veil;
+use super::waits::Part;
 use crate::pad::Feel;
 use crate::session::Session;
 use crate::wording;
@@ -53,9 +54,12 @@ impl Game {
     }
 
     pub(super) fn playing(&mut self, mut session: Session, passed: Duration) -> Phase {
+        self.waits.spent_on(Part::Input);
         session.scene.pump(CHUNK_BUDGET);
+        self.waits.spent_on(Part::Land);
         // Before the steps: they save by simulated time, which never runs ahead of the wall's.
         self.keep_saved(&mut session, passed, false);
+        self.waits.spent_on(Part::Input);
         let feel = Feel::from(&self.config.settings);
         // The sticks belong to what is up over the world, as the keys do.
         let by_sticks = !self.is_elsewhere();
@@ -72,6 +76,7 @@ impl Game {
             session.scene.step(&actions);
             self.console.step(&mut self.controls);
         }
+        self.waits.spent_on(Part::Steps);
         if let Some(dropped_s) = self.pace.take_news() {
             tracing::info!(
                 "frames are too slow for the world: {dropped_s:.1} s of its time were left out"

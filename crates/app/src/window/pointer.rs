@@ -76,8 +76,8 @@ impl Default for Pointer {
 }
 
 impl Pointer {
-    /// Catches the pointer; whether it was free before.
-    pub fn catch(&mut self, window: &Window) -> bool {
+    /// Catches the pointer in a window of that size, pixels; whether it was free before.
+    pub fn catch(&mut self, window: &Window, size: (u32, u32)) -> bool {
         if self.hold != Hold::Free {
             return false;
         }
@@ -94,7 +94,7 @@ impl Pointer {
         self.hold = Hold::Recentred;
         // Where it was while it was free is no place that the player turns the view from.
         self.track = Track::default();
-        self.recentre(window);
+        self.recentre(window, size);
         true
     }
 
@@ -111,18 +111,23 @@ impl Pointer {
         window.set_cursor_visible(true);
     }
 
-    /// The pointer was moved to a place in the window; how far that turns the view, in pixels.
-    pub fn moved(&mut self, window: &Window, to: PhysicalPosition<f64>) -> Option<(f64, f64)> {
+    /// The pointer was moved to a place in the window of that size; how far that turns the view, all in pixels. The
+    /// window is not asked for its size: that would wait for the window system with each motion.
+    pub fn moved(
+        &mut self,
+        window: &Window,
+        size: (u32, u32),
+        to: PhysicalPosition<f64>,
+    ) -> Option<(f64, f64)> {
         let moved = self.track.moved(to);
         if self.hold != Hold::Recentred {
             return None;
         }
-        let size = window.inner_size();
-        let (half_x, half_y) = (f64::from(size.width) / 2.0, f64::from(size.height) / 2.0);
+        let (half_x, half_y) = (f64::from(size.0) / 2.0, f64::from(size.1) / 2.0);
         let off_centre =
             (to.x - half_x).abs() > half_x / 2.0 || (to.y - half_y).abs() > half_y / 2.0;
         if off_centre && self.track.warp.is_none() {
-            self.recentre(window);
+            self.recentre(window, size);
         }
         moved
     }
@@ -132,9 +137,8 @@ impl Pointer {
         (self.hold == Hold::Locked).then_some(delta)
     }
 
-    fn recentre(&mut self, window: &Window) {
-        let size = window.inner_size();
-        let middle = PhysicalPosition::new(f64::from(size.width / 2), f64::from(size.height / 2));
+    fn recentre(&mut self, window: &Window, (width, height): (u32, u32)) {
+        let middle = PhysicalPosition::new(f64::from(width / 2), f64::from(height / 2));
         // The warp comes back as a motion event to exactly this place; measured from here it is no motion.
         self.track.warp = window.set_cursor_position(middle).is_ok().then_some(middle);
     }

@@ -1,18 +1,23 @@
 //! The window with everything that draws into it.
 
 mod canvas;
+mod input;
 mod pictures;
 mod recovery;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::time::Instant;
 
-use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
+use antipode_render::{
+    AdapterChoice, Gpu, Offscreen, Options, Picture, PictureReading, Renderer, Shaders,
+};
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
 
+use super::waits::{Part, Waits};
 use crate::cli::Common;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
@@ -55,6 +60,8 @@ pub struct Stage {
     /// The menu's picture under way, and of which world.
     thumbnail: Option<(u64, PictureReading)>,
     recoveries: Recoveries,
+    /// When the interface's time began.
+    began: Instant,
     /// The next texture is to be taken for lost, on purpose.
     loses_surface: bool,
 }
@@ -112,6 +119,7 @@ impl Stage {
             screenshots: VecDeque::new(),
             thumbnail: None,
             recoveries: Recoveries::default(),
+            began: Instant::now(),
             loses_surface: false,
         })
     }
@@ -245,9 +253,9 @@ impl Stage {
     pub fn show(
         &mut self,
         texture: wgpu::SurfaceTexture,
-        frame: Option<&Frame>,
-        interface: egui::FullOutput,
+        (frame, interface): (Option<&Frame>, egui::FullOutput),
         keeps: bool,
+        waits: &mut Waits,
     ) -> Result<(), Failure> {
         let target = texture
             .texture
@@ -255,7 +263,11 @@ impl Stage {
         let kept = (keeps && self.can_keep())
             .then(|| self.offscreen((self.config.width, self.config.height)));
         let copy = kept.as_ref().map(Offscreen::view);
-        self.paint(frame, interface, &target, copy);
+        let painted = self.paint(frame, interface, &target, copy);
+        waits.spent_on(Part::Record);
+        if let Some(painted) = painted {
+            self.gpu.queue.submit([painted]);
+        }
         if let Some(kept) = kept {
             self.screenshots.push_back(kept.begin_read(&self.gpu));
         }
@@ -282,35 +294,46 @@ impl Stage {
         interface: egui::FullOutput,
         target: &wgpu::TextureView,
         copy: Option<&wgpu::TextureView>,
-    ) {
+    ) -> Option<wgpu::CommandBuffer> {
         let mut encoder = self
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        match frame {
-            Some(frame) => {
-                let stats = self.renderer.draw(frame, &mut encoder, target);
-                self.drawn = Some(Drawn::new(&stats, frame.quality));
-                // The time of a frame comes some frames later; until then the last one stands.
-                self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
-            }
-            None => clear(&mut encoder, target),
+        let shows_world = frame.is_some_and(|frame| self.paint_world(frame, &mut encoder, target));
+        if !shows_world {
+            clear(&mut encoder, target);
         }
-        match (copy, frame) {
-            (Some(copy), Some(_)) => self.renderer.show_again(&mut encoder, copy),
-            (Some(copy), None) => clear(&mut encoder, copy),
-            (None, _) => {}
+        match copy {
+            Some(copy) if shows_world => self.renderer.show_again(&mut encoder, copy),
+            Some(copy) => clear(&mut encoder, copy),
+            None => {}
         }
         if self.gpu.lost().is_some() {
             // The interface's painter breaks on an adapter that takes nothing any more.
             self.overlay.skip(&interface.textures_delta);
-            return;
+            return None;
         }
         let targets: Vec<_> = [target].into_iter().chain(copy).collect();
         let size = (self.config.width, self.config.height);
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
-        self.gpu.queue.submit([encoder.finish()]);
+        Some(encoder.finish())
+    }
+
+    /// Whether there is a picture of the world: none before what it is drawn with is made.
+    fn paint_world(
+        &mut self,
+        frame: &Frame,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+    ) -> bool {
+        let stats = self.renderer.draw(frame, encoder, target);
+        // The time of a frame comes some frames later; until then the last one stands.
+        self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
+        if stats.picture == Picture::New {
+            self.drawn = Some(Drawn::new(&stats, frame.quality));
+        }
+        stats.picture != Picture::None
     }
 }
 

@@ -1,6 +1,6 @@
 //! Pictures that are kept: read back from the adapter while the game goes on.
 
-use antipode_render::{Offscreen, RenderError, Tile};
+use antipode_render::{Offscreen, Picture, RenderError, Tile};
 use antipode_scene::frame::Frame;
 use image::RgbaImage;
 
@@ -23,9 +23,12 @@ impl Stage {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         self.renderer.resize(width, height);
-        self.renderer.draw(frame, &mut encoder, offscreen.view());
+        let stats = self.renderer.draw(frame, &mut encoder, offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
         self.renderer.resize(self.config.width, self.config.height);
+        if stats.picture != Picture::New {
+            return;
+        }
         self.thumbnail = Some((world, offscreen.begin_read(&self.gpu)));
     }
 

@@ -1,0 +1,182 @@
+//! What frames are drawn with, and what becomes of one for which it is not made yet.
+
+use antipode_scene::frame::Frame;
+use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
+
+use super::{DrawStats, Options, Picture, Renderer, check};
+use crate::error::RenderError;
+use crate::pipelines::{Pipelines, scene_layout};
+use crate::shaders::Shaders;
+use crate::shadow::ShadowQuality;
+use crate::targets::{Targets, drawn_size};
+use crate::tonemap::Tonemap;
+use crate::workshop::Workshop;
+
+/// The number of the map that every open world can turn to.
+const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
+
+/// Samples a pixel, and the shadows' quality.
+type PipelineQuality = (u32, ShadowQuality);
+
+impl Options {
+    pub(super) fn pipeline_quality(&self) -> PipelineQuality {
+        (self.samples, self.shadows)
+    }
+}
+
+/// Pipelines of a quality.
+pub(super) fn workshop(
+    device: &Device,
+    shaders: Shaders,
+    layout: &BindGroupLayout,
+    quality: PipelineQuality,
+) -> Workshop<Pipelines> {
+    Workshop::new(maker(device, shaders, layout, quality))
+}
+
+#[allow(clippy::type_complexity, reason = "a workshop takes it as it is")]
+fn maker(
+    device: &Device,
+    shaders: Shaders,
+    layout: &BindGroupLayout,
+    quality: PipelineQuality,
+) -> Box<dyn Fn(u32) -> Result<Pipelines, String> + Send + Sync> {
+    let (device, layout) = (device.clone(), layout.clone());
+    Box::new(move |map| Pipelines::new(&device, shaders, &layout, map, quality))
+}
+
+impl Renderer {
+    /// Begins to make ready for all maps, in a thread: for whoever shows frames in motion. From now on no frame waits
+    /// for that, but one after [`Renderer::complete_next`]: until its map is ready, the last picture of the same world
+    /// is shown again, if there is one.
+    pub fn prepare_maps(&mut self) {
+        self.patient = false;
+        // Another frame of the same map is the likeliest.
+        if let Some(map) = self.map {
+            self.pipelines.order(map);
+        }
+        self.pipelines.order_all();
+    }
+
+    /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
+    /// the samples or the shadows differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
+    /// with the options before until the new ones are ready.
+    ///
+    /// # Errors
+    /// When the options are out of range, or the adapter refuses a shader; nothing is changed then.
+    pub fn set_options(&mut self, options: Options) -> Result<(), RenderError> {
+        check(&options)?;
+        let tonemap = Tonemap::accepted(&self.device, self.shaders, &options)?;
+        let quality = options.pipeline_quality();
+        if let Some(later) = &mut self.later
+            && later.0.pipeline_quality() == quality
+        {
+            // What is being made for those serves for these, too.
+            *later = (options, tonemap);
+            return Ok(());
+        }
+        self.pipelines.keep();
+        self.later = None;
+        if quality == self.options.pipeline_quality() {
+            self.take_options(options, tonemap);
+            return Ok(());
+        }
+        let layout = scene_layout(&self.device);
+        if self.patient {
+            self.pipelines = workshop(&self.device, self.shaders, &layout, quality);
+            self.take_options(options, tonemap);
+        } else {
+            let make = maker(&self.device, self.shaders, &layout, quality);
+            self.pipelines.renew(make);
+            self.later = Some((options, tonemap));
+        }
+        Ok(())
+    }
+
+    fn take_options(&mut self, options: Options, tonemap: Tonemap) {
+        self.options = options;
+        self.tonemap = tonemap;
+        self.shadows.set_quality(options.shadows);
+        self.fit();
+    }
+
+    /// Makes ready for targets of `width` by `height` pixels.
+    pub fn resize(&mut self, width: u32, height: u32) {
+        self.asked = (width, height, false);
+        self.fit();
+    }
+
+    /// Makes ready for targets of `width` by `height` pixels at their full resolution, whatever share the options
+    /// say: for pictures that are kept. [`Renderer::resize`] goes back.
+    pub fn resize_full(&mut self, width: u32, height: u32) {
+        self.asked = (width, height, true);
+        self.fit();
+    }
+
+    fn fit(&mut self) {
+        let (width, height, full) = self.asked;
+        let scale = if full { 1.0 } else { self.options.scale };
+        let size = drawn_size(width, height, scale, self.largest_side());
+        self.height_px = height;
+        self.targets = Targets::new(&self.device, size, self.options.samples);
+        self.light = self.tonemap.bind(&self.device, &self.targets.light);
+        self.pictured = None;
+    }
+
+    /// Why the scene cannot be drawn: the adapter refuses one of its shaders. Known for all maps once
+    /// [`Renderer::prepare_maps`] has come to its end, and for the map of a frame when that is drawn.
+    pub fn fault(&self) -> Option<RenderError> {
+        self.pipelines.refused().map(RenderError::shader)
+    }
+
+    /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
+    /// meanwhile, so that a turn does not stutter.
+    pub(super) fn map_of(&mut self, frame: &Frame) -> u32 {
+        let map = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
+        if self.map != Some(map) {
+            self.map = Some(map);
+            if frame.strategy.has_sky() {
+                self.pipelines.order(HORIZON);
+            }
+        }
+        map
+    }
+
+    /// Whether a frame of a map can be drawn now. One that is to be complete, and any where nobody prepares, waits
+    /// here until it can.
+    pub(super) fn is_ready(&mut self, map: u32) -> bool {
+        if self.patient || self.chunks.rush {
+            self.pipelines.finish(map);
+        } else {
+            self.pipelines.want(map);
+            if self.pipelines.turn(map)
+                && let Some((options, tonemap)) = self.later.take()
+            {
+                self.take_options(options, tonemap);
+            }
+        }
+        self.awaits_map = !self.pipelines.is_made(map);
+        !self.awaits_map
+    }
+
+    /// Takes over what the frame brings, and records the last picture of the same world in its place.
+    pub(super) fn show_last(
+        &mut self,
+        frame: &Frame,
+        encoder: &mut CommandEncoder,
+        target: &TextureView,
+    ) -> DrawStats {
+        self.chunks.apply(frame);
+        let picture = if self.pictured == Some(frame.loaded_world) {
+            self.tonemap.draw(encoder, &self.light, target, None);
+            Picture::Last
+        } else {
+            Picture::None
+        };
+        DrawStats {
+            picture,
+            land_bytes: self.chunks.bytes(),
+            ..DrawStats::default()
+        }
+    }
+}
