@@ -149,3 +149,65 @@ fn who_walks_straight_on_from_the_start_of_a_closed_world_comes_home() {
         assert!(off_m < 0.1, "seed {seed}: {off_m} m from home");
     }
 }
+
+/// How far off the land is that a ray of the picture meets, by its place in halves of width and height.
+fn met_m(world: &World, start: &Start, at: DVec2) -> Option<f64> {
+    let pictured = &**world.lens.strategy();
+    let height_m = CharacterTuning::default().eye_height_m();
+    let eye = player::eye(
+        &Position(start.feet),
+        &start.look,
+        world.lens.value(),
+        height_m,
+    );
+    let tall = (0.5 * FOV_Y_RAD).tan();
+    let direction = DVec3::new(at.x * tall * ASPECT, at.y * tall, -1.0).normalize();
+    let rim = world.field.strategy();
+    let place = |away_m: f64| {
+        let at = pictured.along(&eye, direction, away_m);
+        rim.cross(at).map_or(at, |it| it.point)
+    };
+    // Once round a closed world at most.
+    let farthest_m = world
+        .field
+        .strategy()
+        .rim_m()
+        .map_or(240.0, |rim_m| 4.0 * rim_m);
+    let step_m = farthest_m / 400.0;
+    (1..400)
+        .map(|step| f64::from(step) * step_m)
+        .find(|away_m| world.field.sample(place(*away_m)) < 0.0)
+}
+
+#[test]
+fn the_first_picture_shows_far_land_and_in_closed_worlds_land_overhead() {
+    let columns: [f64; 5] = [-0.8, -0.4, 0.0, 0.4, 0.8];
+    let rows = [
+        -0.6, -0.4, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8,
+    ];
+    // Hyperbolic land drops away on all sides: from most heights little of it is far.
+    for (geometry, radius_m, seeds, median_m, most_m) in [
+        (Geometry::Euclidean, f64::INFINITY, 50, 60.0, 100.0),
+        (Geometry::Hyperbolic, 20.0, 50, 10.0, 30.0),
+        (Geometry::Spherical, 32.0, 12, 45.0, 50.0),
+        (Geometry::Spherical, 100.0, 50, 150.0, 150.0),
+        (Geometry::Spherical, 256.0, 12, 400.0, 400.0),
+    ] {
+        for seed in 0..seeds {
+            let world = World::new(geometry, radius_m, seed);
+            let start = world.start();
+            let mut far_m = Vec::new();
+            let mut above = 0;
+            for x in columns {
+                let met = rows.map(|y| met_m(&world, &start, DVec2::new(x, y)));
+                far_m.push(met.iter().flatten().copied().fold(0.0, f64::max));
+                above += met[5..].iter().flatten().count();
+            }
+            far_m.sort_by(f64::total_cmp);
+            let said =
+                format!("{geometry} {radius_m} m, seed {seed}: {far_m:.0?} m, {above} of 40");
+            assert!(far_m[2] >= median_m && far_m[4] >= most_m, "{said}");
+            assert!(geometry != Geometry::Spherical || above >= 36, "{said}");
+        }
+    }
+}
