@@ -55,9 +55,13 @@ struct Scene {
     moon_place: vec4<f32>,     // of its moon
     orb: vec4<f32>,            // x: radius of both, radii
     fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
-    ring_centre: vec4<f32>,    // view coordinates of the middle of the ring about what is dug or built
+    ring_centre: vec4<f32>,    // the middle of the ring about what is dug or built: xyz from the reference, m; in a
+                               // closed world in view coordinates
     ring: vec4<f32>,           // rgb: its light; w: its radius, m, or 0 for none
-    ring_shape: vec4<f32>,     // x: what a square of w adds to one of a distance, m2; y: how dark its edges are
+    ring_edges: vec4<f32>,     // x: how dark its edges are
+    ring_x: vec4<f32>,         // in a closed world, metres of the chart along x for a difference in view coordinates,
+    ring_y: vec4<f32>,         // and along y and z
+    ring_z: vec4<f32>,
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,

@@ -189,17 +189,20 @@ fn daylit(in: VertexOut, point: Shaded) -> vec3<f32> {
     return in.albedo * light_on(normalize(in.facing), share);
 }
 
-// The thin ring about what is dug or built: all land as far from its middle as the brush reaches, a pixel or two wide
-// however steeply it is seen. Gives the shares of the ring and of its dark edges. To be called before a fragment may be
-// discarded.
-fn ring_at(view: vec4<f32>) -> vec2<f32> {
-    let away = view - scene.ring_centre;
-    let square = dot(away.xyz, away.xyz) + scene.ring_shape.x * away.w * away.w;
-    let from_middle = sqrt(max(square, 0.0));
+// The thin ring about what is dug or built: all land as far from its middle as the brush reaches, in metres of the chart
+// as it does, and a pixel or two wide however steeply it is seen. Gives the shares of the ring and of its dark edges. To
+// be called before a fragment may be discarded.
+fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
+    var away = place - scene.ring_centre.xyz;
+    if GEO_KIND == GEO_SPHERE {
+        // Either chart may draw the land here: metres of the ring's own come from the difference in view coordinates.
+        away = (view - scene.ring_centre) * mat3x4<f32>(scene.ring_x, scene.ring_y, scene.ring_z);
+    }
+    let from_middle = length(away);
     let pixels = abs(from_middle - scene.ring.w) / max(fwidth(from_middle), 1e-6);
     let is_there = select(0.0, 1.0, scene.ring.w > 0.0);
     let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
-    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_shape.y);
+    return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges.x);
 }
 
 fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
@@ -239,7 +242,7 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     return ringed(land_colour(in, point), ring);
 }
 
@@ -252,7 +255,7 @@ fn is_trimmed(in: VertexOut) -> bool {
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
     }
@@ -274,14 +277,14 @@ fn own_depth(in: VertexOut) -> f32 {
 @fragment
 fn fragment_deep(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }
 
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
     }
@@ -305,7 +308,7 @@ fn is_left_out(in: VertexOut) -> bool {
 @fragment
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }
@@ -315,7 +318,7 @@ fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
 @fragment
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view);
-    let ring = ring_at(in.view);
+    let ring = ring_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
     }

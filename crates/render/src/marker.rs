@@ -1,8 +1,9 @@
 //! What shows where tools work: a thin ring on the land about what is dug or built, and a small ball where the lamp in
 //! hand would hang.
 
-use antipode_geometry::Geometry;
+use antipode_geometry::{ChartPoint, Geometry};
 use antipode_scene::frame::{Frame, Marker, MarkerShape};
+use glam::{DMat3, DVec3, DVec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
@@ -100,32 +101,73 @@ fn light_of(frame: &Frame) -> f32 {
     (1.3 * ambient + 0.5 * key).clamp(LEAST_LIGHT, 1.0)
 }
 
-/// The ring as the shaders are told of it: view coordinates of its middle, its light and radius, and its shape; all zero
-/// where there is none.
-pub fn ring_of(frame: &Frame) -> [[f32; 4]; 3] {
-    let marker = frame.marker.as_ref();
-    let Some(marker) = marker.filter(|marker| marker.shape != MarkerShape::Ball) else {
-        return [[0.0; 4]; 3];
+/// The ring about what is dug or built, as the shaders are told of it; all zero where there is none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Ring {
+    /// Its middle: metres from the reference of its chart, or in a closed world view coordinates.
+    pub centre: [f32; 4],
+    /// Its light, and its radius in metres of the chart.
+    pub light: [f32; 4],
+    /// How dark its edges are, 0 to 1.
+    pub edges: f32,
+    /// In a closed world, metres of the chart along x, y and z for a difference in view coordinates.
+    pub axes: [[f32; 4]; 3],
+}
+
+impl Ring {
+    /// That of a frame's marker.
+    pub fn of(frame: &Frame) -> Self {
+        let marker = frame.marker.as_ref();
+        let Some(marker) = marker.filter(|marker| marker.shape != MarkerShape::Ball) else {
+            return Self::default();
+        };
+        let safe = marker.shape == MarkerShape::SafeRing;
+        let ((colour, edges), light) = if safe {
+            (SAFE_RING, 1.0)
+        } else {
+            (RING, light_of(frame))
+        };
+        let [r, g, b] = colour.map(|channel| channel * light);
+        let [x, y, z] = offset_of(frame, marker.point);
+        let closed = frame.strategy.geometry() == Geometry::Spherical;
+        let middle = frame.strategy.view_point(&frame.eye, marker.point);
+        Self {
+            centre: if closed {
+                middle.as_vec4().into()
+            } else {
+                [x, y, z, 0.0]
+            },
+            light: [r, g, b, marker.radius_m as f32],
+            edges,
+            axes: if closed {
+                chart_axes(frame, marker.point)
+            } else {
+                [[0.0; 4]; 3]
+            },
+        }
+    }
+}
+
+/// For how far a point lies from a place in view coordinates, its metres of the chart along each axis.
+///
+/// With the columns J of the port's derivative and the model's metric W = diag(1, 1, 1, R^2) these are the rows of
+/// (J^T W J)^-1 J^T W, the projection onto the columns. A chord loses to its arc a sixth of the square of their angle.
+fn chart_axes(frame: &Frame, middle: ChartPoint) -> [[f32; 4]; 3] {
+    const STEP_M: f64 = 1e-3;
+    let strategy = &*frame.strategy;
+    let weights = DVec4::new(1.0, 1.0, 1.0, strategy.radius_m().powi(2));
+    let column = |axis: DVec3| {
+        let at = |by_m: f64| strategy.view_point(&frame.eye, middle.moved(axis * by_m));
+        (at(STEP_M) - at(-STEP_M)) / (2.0 * STEP_M)
     };
-    let safe = marker.shape == MarkerShape::SafeRing;
-    let ((colour, edges), light) = if safe {
-        (SAFE_RING, 1.0)
-    } else {
-        (RING, light_of(frame))
-    };
-    let [r, g, b] = colour.map(|channel| channel * light);
-    let middle = frame.strategy.view_point(&frame.eye, marker.point);
-    // The chord's square counts w by the sign of the curvature; a hyperbolic one near the eye hardly differs from the
-    // length that is seen, and has lost its digits.
-    let metric = match frame.strategy.geometry() {
-        Geometry::Spherical => frame.strategy.radius_m().powi(2) as f32,
-        Geometry::Hyperbolic | Geometry::Euclidean => 0.0,
-    };
-    [
-        middle.as_vec4().into(),
-        [r, g, b, marker.radius_m as f32],
-        [metric, edges, 0.0, 0.0],
-    ]
+    let columns = DVec3::AXES.map(column);
+    let products = columns.map(|a| columns.map(|b| (weights * a).dot(b)));
+    let inverse = DMat3::from_cols_array_2d(&products).inverse();
+    [0, 1, 2].map(|i| {
+        let row = inverse.col(i);
+        let sum = columns[0] * row.x + columns[1] * row.y + columns[2] * row.z;
+        (weights * sum).as_vec4().into()
+    })
 }
 
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {

@@ -7,6 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
+use crate::marker::Ring;
 use crate::plan::{Affine, ChunkLand};
 use crate::shadow::ShadowUniform;
 
@@ -43,7 +44,8 @@ pub struct SceneUniform {
     fraction: [f32; 4],
     ring_centre: [f32; 4],
     ring: [f32; 4],
-    ring_shape: [f32; 4],
+    ring_edges: [f32; 4],
+    ring_axes: [[f32; 4]; 3],
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
     beams: [BeamUniform; BEAMS],
@@ -60,7 +62,7 @@ impl SceneUniform {
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let shades = shades(frame);
         let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
-        let [ring_centre, ring, ring_shape] = crate::marker::ring_of(frame);
+        let ring = Ring::of(frame);
         Self {
             space: frame.strategy.uniform(eye, &frame.projection),
             right: with(eye.right().as_vec3(), frame.time_s),
@@ -94,9 +96,10 @@ impl SceneUniform {
                 0.0,
             ],
             fraction: with(reference_fraction(frame).as_vec3(), 0.0),
-            ring_centre,
-            ring,
-            ring_shape,
+            ring_centre: ring.centre,
+            ring: ring.light,
+            ring_edges: [ring.edges, 0.0, 0.0, 0.0],
+            ring_axes: ring.axes,
             shades,
             lamps: lamps(frame),
             beams: beams(frame),

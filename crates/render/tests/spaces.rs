@@ -17,7 +17,7 @@ use antipode_terrain::ChunkMesh;
 use common::{
     GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
 };
-use glam::{DVec3, Vec3};
+use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
 const SIZE: (u32, u32) = (240, 180);
@@ -345,4 +345,68 @@ fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() 
     // Widths in pixels, edges included.
     assert!(shares[0] > 1.0 && shares[0] < 5.0, "{shares:?}");
     assert!(shares[1] > shares[0] && shares[1] < 8.0, "{shares:?}");
+}
+
+#[test]
+fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
+    const SIZE: (u32, u32) = (480, 360);
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let radius_m = 4.0;
+    for (geometry, chunk, hemisphere, east_m) in [
+        (Geometry::Euclidean, 0, Hemisphere::A, 16.0),
+        (Geometry::Hyperbolic, 0, Hemisphere::A, 16.0),
+        // The equator is 50.3 m from the middle of each chart.
+        (Geometry::Spherical, 1, Hemisphere::A, 44.0),
+        (Geometry::Spherical, 1, Hemisphere::B, 44.0),
+    ] {
+        let space = space(geometry);
+        let at =
+            |east_m: f64, y: f64, z: f64| ChartPoint::new(hemisphere, DVec3::new(east_m, y, z));
+        let mut frame = frame(&space, at(east_m - 8.0, 13.0, 8.0), ASPECT);
+        frame.eye.pitch = -0.95;
+        let cell = |x: u8, z: u8| {
+            let [x, z] = [x, z].map(|it| 2.0 * f32::from(it));
+            [
+                [x, 2.0, z],
+                [x, 2.0, z + 2.0],
+                [x + 2.0, 2.0, z + 2.0],
+                [x + 2.0, 2.0, z],
+            ]
+            .map(Vec3::from)
+        };
+        let cells: Vec<_> = (0..16)
+            .flat_map(|x| (0..9).map(move |z| cell(x, z)))
+            .collect();
+        let coord = ChunkCoord::new(hemisphere, IVec3::new(chunk, 0, 0));
+        frame.chunk_changes = vec![ChunkChange::Put(coord, plates(&cells))];
+        let plain = studio.picture(&frame);
+        frame.chunk_changes.clear();
+        let middle = at(east_m, 2.0, 8.0);
+        frame.marker = Some(Marker {
+            point: middle,
+            radius_m,
+            active: true,
+            shape: MarkerShape::Ring,
+        });
+        let marked = studio.picture(&frame);
+        let is_changed = |(x, y): (f64, f64)| {
+            let near = [-1.0, 0.0, 1.0].map(|by| [-1.0, 0.0, 1.0].map(|of| (x + by, y + of)));
+            near.iter().flatten().any(|(x, y)| {
+                let (x, y) = (*x as u32, *y as u32);
+                marked.get_pixel(x, y) != plain.get_pixel(x, y)
+            })
+        };
+        for turn in 0..16 {
+            let way = DVec3::new(f64::from(turn).cos(), 0.0, f64::from(turn).sin());
+            let seen = |share: f64| seen_at(&frame, middle.moved(way * radius_m * share), SIZE);
+            let said = format!("{geometry} {hemisphere:?}, turn {turn}: {:?}", seen(1.0));
+            assert!(is_changed(seen(1.0)), "not on the ring, {said}");
+            assert!(
+                !is_changed(seen(0.8)) && !is_changed(seen(1.2)),
+                "too wide, {said}"
+            );
+        }
+    }
 }

@@ -188,7 +188,7 @@ fn the_first_picture_shows_far_land_and_in_closed_worlds_land_overhead() {
     // Hyperbolic land drops away on all sides: from most heights little of it is far.
     for (geometry, radius_m, seeds, median_m, most_m) in [
         (Geometry::Euclidean, f64::INFINITY, 50, 60.0, 100.0),
-        (Geometry::Hyperbolic, 20.0, 50, 10.0, 30.0),
+        (Geometry::Hyperbolic, 20.0, 50, 10.0, 25.0),
         (Geometry::Spherical, 32.0, 12, 45.0, 50.0),
         (Geometry::Spherical, 100.0, 50, 150.0, 150.0),
         (Geometry::Spherical, 256.0, 12, 400.0, 400.0),
