@@ -116,6 +116,11 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         self.shelf.is_made(map)
     }
 
+    /// Whether those of all maps are made, or refused.
+    pub fn are_all_made(&self) -> bool {
+        (0..MAPS).all(|map| self.is_made(map))
+    }
+
     /// Makes the pipelines of a map, or waits for the thread that does.
     pub fn finish(&self, map: u32) {
         self.shelf.finish(map);

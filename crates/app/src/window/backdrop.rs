@@ -40,6 +40,8 @@ pub struct Backdrop {
     /// Whether there is to be any, and whether the processor draws it.
     enabled: Option<bool>,
     shown: Option<Flight>,
+    /// No other world is shown for the moment: what its pictures are drawn with may not be made yet.
+    held: bool,
     next: Next,
     /// How many worlds have been begun.
     begun: u64,
@@ -105,7 +107,9 @@ impl Backdrop {
             },
             Next::Coming(mut flight, waited_s) => {
                 flight.pump(CHUNK_BUDGET);
-                if flight.is_complete() || waited_s >= WAIT_S {
+                if self.held {
+                    Next::Coming(flight, waited_s)
+                } else if flight.is_complete() || waited_s >= WAIT_S {
                     Next::Ready(flight)
                 } else {
                     Next::Coming(flight, waited_s + passed_s)
@@ -182,6 +186,11 @@ impl Game {
         matches!(self.phase, Phase::Menu)
             && !self.config.settings.reduced_motion
             && !matches!(self.shell.screen(), Screen::Busy { .. })
+    }
+
+    /// Whether no other world is to come up behind the menu for the moment, since none can be drawn.
+    pub fn hold_backdrop(&mut self, held: bool) {
+        self.backdrop.held = held;
     }
 
     pub(super) fn tick_backdrop(&mut self, passed: Duration) {

@@ -80,6 +80,7 @@ impl Open {
             self.redraw.touch(Instant::now());
         }
         self.stage.input.egui_input_mut().events.extend(keys);
+        self.game.hold_backdrop(!self.stage.are_maps_ready());
         self.game.tick(now);
         self.follow_settings();
         self.ears.listen(&mut self.game);

@@ -192,6 +192,11 @@ impl Stage {
         self.renderer.is_land_coming()
     }
 
+    /// Whether any world can be drawn now.
+    pub fn are_maps_ready(&self) -> bool {
+        self.renderer.are_maps_ready()
+    }
+
     /// Has the interface drawn with so many pixels a point, as on another monitor.
     pub fn rescale(&mut self, scale: f32) {
         let context = self.overlay.context();

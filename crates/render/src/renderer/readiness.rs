@@ -58,6 +58,11 @@ impl Renderer {
         self.pipelines.order_all();
     }
 
+    /// Whether a frame of any map can be drawn now.
+    pub fn are_maps_ready(&self) -> bool {
+        self.patient || self.pipelines.are_all_made()
+    }
+
     /// Draws with other options from the next frame on. The land stays on the adapter; pipelines are made anew where
     /// the samples or the shadows differ. After [`Renderer::prepare_maps`] no frame waits for those: they are drawn
     /// with the options before until the new ones are ready.

@@ -53,6 +53,23 @@ fn a_world_comes_after_a_while_and_another_one_follows_in_the_dark() {
 }
 
 #[test]
+fn nothing_darkens_for_a_world_that_cannot_be_drawn_yet() {
+    let mut backdrop = enabled();
+    backdrop.held = true;
+    pass_until(
+        &mut backdrop,
+        |backdrop| matches!(&backdrop.next, Next::Coming(flight, _) if flight.is_complete()),
+    );
+    let longer_than_land_is_waited_for = (2.0 * WAIT_S / STEP.as_secs_f64()) as u32;
+    for _ in 0..longer_than_land_is_waited_for {
+        backdrop.tick(STEP, true);
+        assert_eq!(backdrop.model(), antipode_ui::Backdrop::default());
+    }
+    backdrop.held = false;
+    pass_until(&mut backdrop, |backdrop| backdrop.shown.is_some());
+}
+
+#[test]
 fn the_worlds_are_dropped_as_soon_as_none_is_wanted() {
     let mut backdrop = enabled();
     pass_until(&mut backdrop, |backdrop| backdrop.shown.is_some());
