@@ -4,7 +4,7 @@ use antipode_scene::frame::Frame;
 use wgpu::{
     BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
     RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    RenderPipeline, StoreOp, TextureFormat, TextureView,
+    RenderPipeline, StoreOp, TextureView,
 };
 
 use crate::celestial::{Celestial, FAINTEST};
@@ -17,9 +17,9 @@ use crate::heavens::Heavens;
 use crate::marker::MarkerBalls;
 use crate::outlines::Outlines;
 use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::{PlanStats, Planner};
+use crate::plan::Planner;
 use crate::shaders::Shaders;
-use crate::shadow::{ShadowQuality, ShadowStats, Shadows};
+use crate::shadow::Shadows;
 use crate::targets::{Targets, drawn_size};
 use crate::tile::Tile;
 use crate::timing::Timing;
@@ -27,51 +27,17 @@ use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
 use crate::workshop::Workshop;
 
+mod options;
 mod scene;
+#[cfg(test)]
+mod sprint;
 
+use options::check;
+pub use options::{DrawStats, Options};
 use scene::bind_scene;
 
 /// The number of the map that every open world can turn to.
 const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
-
-/// How pictures are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Samples a pixel: 4, or 1 where fill is dear, as on software adapters.
-    pub samples: u32,
-    /// Share of the target's resolution that is drawn along each side, 0.1 to 1; scaled up to the target.
-    pub scale: f32,
-    /// Format of the targets.
-    pub output_format: TextureFormat,
-    /// How shadows of the key light are drawn.
-    pub shadows: ShadowQuality,
-}
-
-/// What drawing a frame took.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DrawStats {
-    /// Triangles sent.
-    pub triangles: usize,
-    /// Calls to the adapter that draw something; one may draw many chunks.
-    pub draws: usize,
-    /// Chunks with land that were left out.
-    pub culled: usize,
-    /// Bytes of the buffers that the land's meshes lie in.
-    pub land_bytes: u64,
-    /// What the planner chose, and the error that causes.
-    pub plan: PlanStats,
-    /// What drawing the shadow maps took.
-    pub shadows: ShadowStats,
-    /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
-    pub gpu_ms: Option<f32>,
-}
-
-impl DrawStats {
-    fn add(&mut self, (triangles, draws): (usize, usize)) {
-        self.triangles += triangles;
-        self.draws += draws;
-    }
-}
 
 /// Holds everything on the adapter that outlives a frame.
 #[derive(Debug)]
@@ -435,52 +401,6 @@ impl Renderer {
                 pass.set_pipeline(pipeline);
                 stats.add(self.outlines.draw(&mut pass));
             }
-        }
-    }
-}
-
-fn check(options: &Options) -> Result<(), RenderError> {
-    if !matches!(options.samples, 1 | 4) {
-        return Err(RenderError::Options(format!(
-            "{} samples a pixel were asked for, and only 1 or 4 work",
-            options.samples
-        )));
-    }
-    if !(0.1..=1.0).contains(&options.scale) {
-        return Err(RenderError::Options(format!(
-            "a scale of {} was asked for, and only 0.1 to 1 work",
-            options.scale
-        )));
-    }
-    Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn options_out_of_range_are_refused_in_words() {
-        let good = Options {
-            samples: 4,
-            scale: 0.5,
-            output_format: TextureFormat::Bgra8UnormSrgb,
-            shadows: ShadowQuality::Off,
-        };
-        assert_eq!(check(&good), Ok(()));
-        for bad in [
-            Options { samples: 2, ..good },
-            Options { scale: 0.0, ..good },
-            Options {
-                scale: f32::NAN,
-                ..good
-            },
-        ] {
-            let words = check(&bad).err().map(|e| e.to_string()).unwrap_or_default();
-            assert!(
-                words.starts_with("The renderer cannot be set up"),
-                "{words}"
-            );
         }
     }
 }
