@@ -102,6 +102,12 @@ impl Refinements {
         self.coming = None;
     }
 
+    /// Lets the thread seem to be at its work still, or done with all of it, whatever it has done.
+    #[cfg(test)]
+    pub fn hold(&mut self, held: bool) {
+        self.refinery.held = held;
+    }
+
     /// Whether the eye is past what the land is refined for, and the thread will not make that good in time.
     fn is_left_behind(&self, frame: &Frame) -> bool {
         let away_m = |rules: &Arc<RefineRules>| rules.key.way.away_m(&frame.eye.point);

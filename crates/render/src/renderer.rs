@@ -4,7 +4,7 @@ use antipode_scene::frame::Frame;
 use wgpu::{
     BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
     RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    RenderPipeline, StoreOp, TextureFormat, TextureView,
+    RenderPipeline, StoreOp, TextureView,
 };
 
 use crate::celestial::{Celestial, FAINTEST};
@@ -17,9 +17,9 @@ use crate::heavens::Heavens;
 use crate::marker::MarkerBalls;
 use crate::outlines::Outlines;
 use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::{PlanStats, Planner};
+use crate::plan::Planner;
 use crate::shaders::Shaders;
-use crate::shadow::{ShadowQuality, ShadowStats, Shadows};
+use crate::shadow::Shadows;
 use crate::targets::Targets;
 use crate::tile::Tile;
 use crate::timing::Timing;
@@ -27,65 +27,17 @@ use crate::tonemap::Tonemap;
 use crate::uniforms::SceneUniform;
 use crate::workshop::Workshop;
 
+mod options;
 mod readiness;
 mod scene;
 #[cfg(test)]
+mod sprint;
+#[cfg(test)]
 mod tests;
 
+use options::check;
+pub use options::{DrawStats, Options, Picture};
 use scene::bind_scene;
-
-/// How pictures are drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Samples a pixel: 4, or 1 where fill is dear, as on software adapters.
-    pub samples: u32,
-    /// Share of the target's resolution that is drawn along each side, 0.1 to 1; scaled up to the target.
-    pub scale: f32,
-    /// Format of the targets.
-    pub output_format: TextureFormat,
-    /// How shadows of the key light are drawn.
-    pub shadows: ShadowQuality,
-}
-
-/// What a target shows after a frame was drawn into it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Picture {
-    /// The frame.
-    #[default]
-    New,
-    /// The last frame of the same world: what this one is drawn with is not made yet.
-    Last,
-    /// What was there before, and so it is to be cleared: nothing is made yet.
-    None,
-}
-
-/// What drawing a frame took.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DrawStats {
-    /// What is shown.
-    pub picture: Picture,
-    /// Triangles sent.
-    pub triangles: usize,
-    /// Calls to the adapter that draw something; one may draw many chunks.
-    pub draws: usize,
-    /// Chunks with land that were left out.
-    pub culled: usize,
-    /// Bytes of the buffers that the land's meshes lie in.
-    pub land_bytes: u64,
-    /// What the planner chose, and the error that causes.
-    pub plan: PlanStats,
-    /// What drawing the shadow maps took.
-    pub shadows: ShadowStats,
-    /// The adapter's own time of a frame shortly before this one, milliseconds, where it can tell.
-    pub gpu_ms: Option<f32>,
-}
-
-impl DrawStats {
-    fn add(&mut self, (triangles, draws): (usize, usize)) {
-        self.triangles += triangles;
-        self.draws += draws;
-    }
-}
 
 /// Holds everything on the adapter that outlives a frame.
 #[derive(Debug)]
@@ -412,20 +364,4 @@ impl Renderer {
             }
         }
     }
-}
-
-fn check(options: &Options) -> Result<(), RenderError> {
-    if !matches!(options.samples, 1 | 4) {
-        return Err(RenderError::Options(format!(
-            "{} samples a pixel were asked for, and only 1 or 4 work",
-            options.samples
-        )));
-    }
-    if !(0.1..=1.0).contains(&options.scale) {
-        return Err(RenderError::Options(format!(
-            "a scale of {} was asked for, and only 0.1 to 1 work",
-            options.scale
-        )));
-    }
-    Ok(())
 }

@@ -87,7 +87,7 @@ fn letter_f() -> Arc<ChunkMesh> {
 fn reading(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, mesh: Arc<ChunkMesh>) -> Frame {
     let corner = ChunkCoord {
         hemisphere,
-        index: glam::IVec3::ZERO,
+        index: IVec3::ZERO,
     };
     let eye = ChartPoint::new(hemisphere, DVec3::new(6.0, 6.0, 8.5));
     Frame {
@@ -225,7 +225,7 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     let rim_m = space.rim_m().unwrap();
     let corner = ChunkCoord {
         hemisphere: Hemisphere::A,
-        index: glam::IVec3::new(1, 0, -1),
+        index: IVec3::new(1, 0, -1),
     };
     let reach = (rim_m - 32.0) as f32;
     // A strip along x, at z = -2..0, seen from above: it passes the equator well inside the chunk.

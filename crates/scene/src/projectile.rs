@@ -188,6 +188,27 @@ impl Projectile {
             self.meet();
         }
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
+        self.hit(air, [before, corner], &mut ball, hits);
+        match (goal, touch) {
+            (Some(goal), None) if self.is_geodesic() => self.point = goal,
+            _ => self.follow(air, ball, origin, touch),
+        }
+        self.cross(air.strategy);
+        let limits = air.strategy.limits();
+        self.point.pos.is_finite()
+            && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
+            && !(air.in_far_ground)(self.point)
+            && !self.has_gone_far()
+    }
+
+    /// Strikes who or what is first in its way from a place over a corner to where the ball has come, and falls there.
+    fn hit(
+        &mut self,
+        air: &Air<'_>,
+        [before, corner]: [DVec3; 2],
+        ball: &mut Ball,
+        hits: &mut Hits,
+    ) {
         for (from, to) in [(before, corner), (corner, ball.centre)] {
             let someone = self.meets(air, from, to);
             let car = air
@@ -221,16 +242,6 @@ impl Projectile {
                 break;
             }
         }
-        match (goal, touch) {
-            (Some(goal), None) if self.is_geodesic() => self.point = goal,
-            _ => self.follow(air, ball, origin, touch),
-        }
-        self.cross(air.strategy);
-        let limits = air.strategy.limits();
-        self.point.pos.is_finite()
-            && limits.is_none_or(|limits| self.point.pos.y >= limits.bedrock_m)
-            && !(air.in_far_ground)(self.point)
-            && !self.has_gone_far()
     }
 
     /// It has met something.

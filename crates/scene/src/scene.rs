@@ -133,18 +133,13 @@ impl Scene {
         };
         let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
         let stored = store.is_some();
-        let streamer = Streamer::start(
-            Arc::clone(&field),
-            Arc::clone(&strategy),
-            store,
-            Config::default(),
-        )?;
+        let streamer = Streamer::start(Arc::clone(&field), strategy, store, Config::default())?;
         let mut scene = Self {
             notices,
             stored,
             created_unix_s: meta.created_unix_s,
             cheated: meta.cheated,
-            ..Self::fresh(setup, &field, strategy, streamer)
+            ..Self::fresh(setup, &field, streamer)
         };
         if let Some(state) = saved {
             scene.restore(&state);
@@ -160,13 +155,9 @@ impl Scene {
     }
 
     /// A world that nobody has played yet, and that is kept nowhere.
-    fn fresh(
-        setup: WorldSetup,
-        field: &Arc<Field>,
-        strategy: Arc<dyn Strategy>,
-        streamer: Streamer,
-    ) -> Self {
+    fn fresh(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
         let (ecs, player) = newcomer(field);
+        let strategy = Arc::clone(field.strategy());
         Self {
             lens: Lens::new(setup.geometry, setup.radius_m),
             setup: setup.within_range(),

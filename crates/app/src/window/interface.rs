@@ -49,12 +49,7 @@ impl Game {
         };
         let check = |name: &str| self.list.check_name(&self.texts, name);
         let check_rename = |slug: &str, name: &str| self.list.check_rename(&self.texts, slug, name);
-        let notice = self.software.as_ref().map(|adapter| {
-            let share = self.config.settings.render_scale.share(true);
-            let percent = (share * 100.0).round() as u32;
-            let values = [("adapter", adapter.into()), ("percent", percent.into())];
-            self.texts.say_with("adapter-software", &values)
-        });
+        let notice = self.software_notice();
         let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
         let model = MenuModel {
             texts: &self.texts,
@@ -78,6 +73,15 @@ impl Game {
         for intent in intents {
             self.follow(intent);
         }
+    }
+
+    /// What the menu says of an adapter that is software.
+    fn software_notice(&self) -> Option<String> {
+        let adapter = self.software.as_ref()?;
+        let share = self.config.settings.render_scale.share(true);
+        let percent = (share * 100.0).round() as u32;
+        let values = [("adapter", adapter.into()), ("percent", percent.into())];
+        Some(self.texts.say_with("adapter-software", &values))
     }
 
     /// What lies on the world while no menu does.

@@ -158,7 +158,7 @@ fn a_sprint_at_five_frames_a_second_is_drawn_true_however_slow_the_thread_is() {
                 return;
             };
             for step in 1..=20 {
-                run.store.refinements.refinery.held = step % slow != 0;
+                run.store.refinements.hold(step % slow != 0);
                 let (truth_px, told_px) = run.go_to(4.0 + SPRINT_M * step as f64);
                 let at = format!("{map:?} {dial}, {slow}, {step}: {truth_px} {told_px}");
                 assert!(truth_px <= told_px.min(2.0), "{at}");
@@ -184,7 +184,7 @@ fn who_turns_round_sees_true_land_at_once() {
         }
         for yaw in [1.5, 3.0, 4.5] {
             run.frame.eye.yaw = yaw;
-            run.store.refinements.refinery.held = true;
+            run.store.refinements.hold(true);
             let (truth_px, told_px) = run.go_to(x);
             let at = format!("{map:?} {dial}, {yaw}: {truth_px} {told_px}");
             assert!(truth_px <= 2.0, "{at}");

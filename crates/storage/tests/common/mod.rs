@@ -5,6 +5,8 @@
     reason = "each test file uses a part; tests fail by panicking"
 )]
 
+pub mod two;
+
 use antipode_storage::{
     Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord,
     PlayerRecord, SlotRecord, WorldMeta, WorldState,

@@ -7,6 +7,8 @@
     reason = "tests fail by panicking; no test file uses all of this"
 )]
 
+pub mod hud;
+
 use antipode_language::{Language, Texts};
 use antipode_settings::Config;
 use antipode_ui::{

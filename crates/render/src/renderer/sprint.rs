@@ -1,0 +1,211 @@
+//! Pictures of a sprint, frame by frame as the window draws them while refinements come late, against the same moments
+//! drawn exactly.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
+
+use std::time::Duration;
+
+use antipode_geometry::Geometry;
+use antipode_scene::frame::Quality;
+use antipode_scene::{Actions, Scene, WorldSetup};
+use image::RgbaImage;
+use wgpu::TextureFormat;
+
+use super::*;
+use crate::gpu::AdapterChoice;
+use crate::offscreen::Offscreen;
+use crate::shaders::TERRAIN;
+use crate::shadow::ShadowQuality;
+
+const SIZE: (u32, u32) = (1280, 720);
+const LIMIT: Duration = Duration::from_mins(5);
+/// Steps of the world in a frame of the window at five frames a second: the most that one takes.
+const STEPS_A_FRAME: usize = 6;
+const FRAMES: usize = 20;
+/// Frames of the run before those that are looked at: with the others farther than what the land is refined for to begin
+/// with is of use.
+const RUN_UP: usize = 6;
+/// Land may lie so far from where it truly is, pixels.
+const NEAR_PX: usize = 2;
+/// Colours nearer than this are alike, of 255.
+const ALIKE: u8 = 8;
+/// So many pixels may be off in a frame, of nearly a million: where land goes out of sight behind land.
+const MOST_OFF: usize = 100;
+
+/// A renderer with its picture.
+struct Easel {
+    gpu: Gpu,
+    renderer: Renderer,
+    offscreen: Offscreen,
+}
+
+impl Easel {
+    fn new() -> Option<Self> {
+        let gpu = match Gpu::headless(AdapterChoice::Auto) {
+            Ok(gpu) => gpu,
+            Err(e) => {
+                assert!(std::env::var("ANTIPODE_REQUIRE_GPU").is_err(), "{e}");
+                return None;
+            }
+        };
+        let options = Options {
+            samples: 1,
+            scale: 1.0,
+            output_format: TextureFormat::Rgba8Unorm,
+            shadows: ShadowQuality::Off,
+        };
+        let mut renderer = Renderer::with_shaders(&gpu, options, striped()).unwrap();
+        renderer.resize(SIZE.0, SIZE.1);
+        let offscreen = Offscreen::new(&gpu, SIZE.0, SIZE.1, options.output_format);
+        Some(Self {
+            gpu,
+            renderer,
+            offscreen,
+        })
+    }
+
+    fn draw(&mut self, frame: &Frame) -> RgbaImage {
+        let mut encoder = self
+            .gpu
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let target = self.offscreen.view();
+        self.renderer.draw(frame, &mut encoder, target);
+        self.gpu.queue.submit([encoder.finish()]);
+        assert_eq!(self.renderer.fault(), None);
+        self.offscreen.read(&self.gpu).unwrap()
+    }
+
+    fn draw_exactly(&mut self, frame: &mut Frame) -> RgbaImage {
+        let quality = std::mem::replace(&mut frame.quality, Quality::Exact);
+        self.renderer.complete_next();
+        let picture = self.draw(frame);
+        frame.quality = quality;
+        picture
+    }
+}
+
+/// Land striped by where in the world it is, in each colour along another axis: whatever lies elsewhere in the picture
+/// than it should is seen to. Stripes are 8 to 16 pixels wide where land is seen from straight above.
+fn striped() -> Shaders {
+    let text = TERRAIN.source();
+    let shown = "fn land_colour(";
+    assert_eq!(text.matches(shown).count(), 1);
+    let own = "fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
+        let octave = log2(max(length(in.place.xyz), 1.0) / 60.0);
+        let fine = exp2(floor(octave));
+        let turns = vec3<f32>(3.14159265) * in.grain / fine;
+        // As fine as can be seen at a distance, without a border; grey where a pixel holds much of a stripe.
+        let plain = smoothstep(vec3<f32>(0.15), vec3<f32>(0.3), fwidth(in.grain) / fine);
+        let stripes = mix(cos(turns), cos(0.5 * turns), fract(octave)) * (1.0 - plain);
+        return vec4<f32>(0.2 + 0.18 * stripes, 1.0);
+    }";
+    let text = text.replace(shown, "fn land_colour_shown(") + own;
+    Shaders::with(TERRAIN.name, Box::leak(text.into_boxed_str()))
+}
+
+/// The player who begins the world that the fault was found in.
+fn player() -> Scene {
+    let setup = WorldSetup {
+        name: String::new(),
+        seed: 4,
+        geometry: Geometry::Hyperbolic,
+        radius_m: antipode_geometry::DEFAULT_HYPERBOLIC_RADIUS_M,
+        view_distance: 4,
+    };
+    let mut scene = Scene::open(setup, None).unwrap();
+    scene.set_quality(Quality::Balanced);
+    scene.begin_with_a_view();
+    assert!(scene.set_curvature(20.0));
+    scene.set_picture_height_px(SIZE.1);
+    assert!(scene.wait_for_step(LIMIT) && scene.settle(LIMIT));
+    scene
+}
+
+fn steps(scene: &mut Scene, actions: &Actions, count: usize) {
+    for _ in 0..count {
+        scene.step(actions);
+        assert!(scene.wait_for_step(LIMIT));
+    }
+}
+
+fn frame(scene: &mut Scene) -> Frame {
+    let fov_y_rad = scene.viewing().fov_y_rad;
+    let aspect = f64::from(SIZE.0) / f64::from(SIZE.1);
+    scene.frame(fov_y_rad, aspect, 1)
+}
+
+/// Of every pixel and colour the least, or the most, of all pixels that are no farther than [`NEAR_PX`] from it along
+/// either side of the picture.
+fn of_near(picture: &[u8], choose: impl Fn(u8, u8) -> u8) -> Vec<u8> {
+    let mut chosen = picture.to_vec();
+    for apart in [4, 4 * SIZE.0 as usize] {
+        let from = chosen.clone();
+        for bytes in (1..=NEAR_PX).map(|by| by * apart) {
+            let pairs = chosen[bytes..].iter_mut().zip(&from);
+            pairs.for_each(|(here, there)| *here = choose(*here, *there));
+            let pairs = chosen.iter_mut().zip(&from[bytes..]);
+            pairs.for_each(|(here, there)| *here = choose(*here, *there));
+        }
+    }
+    chosen
+}
+
+/// Pixels whose colour is not between those that the other picture has near them.
+fn misplaced(picture: &RgbaImage, other: &RgbaImage) -> usize {
+    let (least, most) = (
+        of_near(other.as_raw(), u8::min),
+        of_near(other.as_raw(), u8::max),
+    );
+    let is_off = |i: usize, value: u8| {
+        value.saturating_add(ALIKE) < least[i] || value > most[i].saturating_add(ALIKE)
+    };
+    let pixels = picture.as_raw().chunks_exact(4).enumerate();
+    pixels
+        .filter(|(i, pixel)| (0..3).any(|c| is_off(4 * i + c, pixel[c])))
+        .count()
+}
+
+/// As [`misplaced`], whichever of the two is asked of the other.
+fn apart(a: &RgbaImage, b: &RgbaImage) -> usize {
+    misplaced(a, b).max(misplaced(b, a))
+}
+
+#[test]
+fn a_sprint_at_five_frames_a_second_is_drawn_as_it_truly_is_while_the_thread_brings_nothing() {
+    let (Some(mut window), Some(mut exact)) = (Easel::new(), Easel::new()) else {
+        return;
+    };
+    let mut scene = player();
+    let mut first = frame(&mut scene);
+    window.renderer.complete_next();
+    window.draw(&first);
+    exact.draw_exactly(&mut first);
+    window.renderer.chunks.refinements.hold(true);
+    let runs = Actions {
+        forward: 1.0,
+        sprint: true,
+        ..Actions::default()
+    };
+    let looks_down = Actions {
+        look_pitch: -0.3,
+        ..runs
+    };
+    steps(&mut scene, &looks_down, 1);
+    let mut truth = RgbaImage::new(SIZE.0, SIZE.1);
+    let mut came = Vec::new();
+    for number in 1..=RUN_UP + FRAMES {
+        steps(&mut scene, &runs, STEPS_A_FRAME);
+        let mut frame = frame(&mut scene);
+        let seen = window.draw(&frame);
+        came.append(&mut frame.chunk_changes);
+        if number > RUN_UP {
+            frame.chunk_changes.append(&mut came);
+            truth = exact.draw_exactly(&mut frame);
+            let off = apart(&seen, &truth);
+            assert!(off <= MOST_OFF, "frame {number}: {off} pixels");
+        }
+    }
+    let lower = |x: u32, y: u32| *truth.get_pixel(x, (y + 3).min(SIZE.1 - 1));
+    let off = apart(&RgbaImage::from_fn(SIZE.0, SIZE.1, lower), &truth);
+    assert!(off > 100 * MOST_OFF, "three pixels go unnoticed: {off}");
+}

@@ -1,0 +1,173 @@
+//! The book of edits against a vault that fails.
+#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, OnceLock};
+
+use antipode_geometry::Hemisphere;
+use antipode_storage::{Batch, ChunkKey};
+use glam::IVec3;
+
+use super::*;
+use crate::vault::Failure;
+
+#[derive(Default)]
+struct Disk(Mutex<HashMap<ChunkKey, Vec<i16>>>);
+
+impl Vault for Disk {
+    fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+        Ok(Vec::new())
+    }
+
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+        Ok(self.0.lock().unwrap().get(key).cloned())
+    }
+
+    fn commit(&self, _: &Batch) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+fn chunk(x: i32) -> ChunkCoord {
+    ChunkCoord {
+        hemisphere: Hemisphere::A,
+        index: IVec3::new(x, 0, 0),
+    }
+}
+
+fn enter(book: &Book, x: i32) {
+    let mut edits = book.edits(chunk(x), &mut Vec::new()).unwrap();
+    edits.add(1, 2, 3, 0.5);
+    book.enter(vec![Change {
+        coord: chunk(x),
+        edits,
+        visible: true,
+    }]);
+}
+
+fn save(book: &Book, disk: &Disk) {
+    let land = book.take_unsaved();
+    for (coord, edits) in &land {
+        disk.0
+            .lock()
+            .unwrap()
+            .insert(key_of(*coord), edits.to_units());
+    }
+    book.saved(&land);
+    book.forget_saved();
+}
+
+#[test]
+fn what_is_saved_and_not_used_leaves_the_memory_and_comes_back() {
+    let disk = Arc::new(Disk::default());
+    let book = Book::new(Some(Arc::clone(&disk) as Arc<dyn Vault>), HashSet::new());
+    let count = MOST_SAVED as i32 + 40;
+    for x in 0..count {
+        enter(&book, x);
+        save(&book, &disk);
+    }
+    assert_eq!(book.held(), MOST_SAVED);
+    for x in [0, 20, count - 1] {
+        let edits = book.edits(chunk(x), &mut Vec::new()).unwrap();
+        assert_eq!(edits.delta(1, 2, 3), 0.5, "{x}");
+    }
+    enter(&book, 3);
+    save(&book, &disk);
+    assert_eq!(
+        book.edits(chunk(3), &mut Vec::new())
+            .unwrap()
+            .delta(1, 2, 3),
+        1.0
+    );
+    assert_eq!(book.held(), MOST_SAVED);
+}
+
+#[test]
+fn what_is_not_saved_stays_and_so_does_everything_without_a_store() {
+    let book = Book::new(Some(Arc::new(Disk::default())), HashSet::new());
+    let bare = Book::new(None, HashSet::new());
+    for x in 0..MOST_SAVED as i32 + 40 {
+        enter(&book, x);
+        enter(&bare, x);
+    }
+    book.forget_saved();
+    bare.take_unsaved();
+    bare.forget_saved();
+    assert_eq!(
+        (book.held(), bare.held()),
+        (MOST_SAVED + 40, MOST_SAVED + 40)
+    );
+}
+
+#[test]
+fn what_is_on_its_way_to_the_disk_stays_in_memory_until_it_is_there() {
+    let disk = Arc::new(Disk::default());
+    let book = Book::new(Some(Arc::clone(&disk) as Arc<dyn Vault>), HashSet::new());
+    let count = MOST_SAVED as i32 + 10;
+    for x in 0..count {
+        enter(&book, x);
+    }
+    let first = book.try_take_dirty().unwrap();
+    assert_eq!(first.len(), count as usize);
+    // The second moment has a newer edit of one of them; the first is saved meanwhile.
+    enter(&book, 0);
+    let second = book.try_take_dirty().unwrap();
+    assert_eq!(second.len(), 1);
+    book.forget_saved();
+    assert_eq!(book.held(), count as usize, "nothing is saved yet");
+    book.saved(&first);
+    assert_eq!(book.take_unsaved().len(), 1, "the newer edit is not saved");
+    book.saved(&second);
+    assert_eq!(book.take_unsaved().len(), 0);
+}
+
+/// A disk on which something else happens while it is first read.
+struct Busy {
+    disk: Arc<Disk>,
+    meanwhile: OnceLock<Box<dyn Fn() + Send + Sync>>,
+    read: AtomicBool,
+}
+
+impl Vault for Busy {
+    fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+        Ok(Vec::new())
+    }
+
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+        if let Some(meanwhile) = self.meanwhile.get()
+            && !self.read.swap(true, Ordering::Relaxed)
+        {
+            meanwhile();
+        }
+        self.disk.chunk(key)
+    }
+
+    fn commit(&self, _: &Batch) -> Result<(), Failure> {
+        Ok(())
+    }
+}
+
+#[test]
+fn what_leaves_the_memory_while_its_neighbour_is_read_is_read_too() {
+    let disk = Arc::new(Disk::default());
+    let busy = Arc::new(Busy {
+        disk: Arc::clone(&disk),
+        meanwhile: OnceLock::new(),
+        read: AtomicBool::new(false),
+    });
+    let vault = Arc::clone(&busy) as Arc<dyn Vault>;
+    let book = Arc::new(Book::new(Some(vault), HashSet::new()));
+    // The first has left the memory, and the second is the next to go.
+    for x in 0..=MOST_SAVED as i32 {
+        enter(&book, x);
+        save(&book, &disk);
+    }
+    let other = Arc::clone(&book);
+    let saver = move || {
+        enter(&other, 1000);
+        save(&other, &disk);
+    };
+    assert!(busy.meanwhile.set(Box::new(saver)).is_ok());
+    let near = book.snapshot(chunk(0), &mut Vec::new()).near;
+    assert!(busy.read.load(Ordering::Relaxed), "the disk was read");
+    assert_eq!(near.len(), 2, "both have changes");
+}
