@@ -221,14 +221,14 @@ impl ChunkStore {
     /// Brings the refinements of the chosen chunks up to date as far as that can be done, and adds to the plan's
     /// figures what is drawn of them.
     pub fn refine(&mut self, frame: &Frame, land: &[ChunkLand], plan: &mut FramePlan) {
-        self.drop_useless(frame);
+        let has_leapt = self.drop_useless(frame);
         let chosen = plan.chunks.iter().filter(|choice| choice.refine);
         let chosen: Vec<_> = chosen.map(|choice| land[choice.place].coord).collect();
         self.refinements.lead.frame(&frame.eye.point);
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }
-        let at_once = self.rush || self.refinements.is_left_behind(frame);
+        let at_once = self.rush || has_leapt || self.refinements.is_left_behind(frame);
         self.refine_changed(frame, &chosen);
         self.begin_set(frame, &plan.bounds, (land, &chosen), at_once);
         self.take_done();
@@ -381,8 +381,8 @@ impl ChunkStore {
         }
     }
 
-    /// Lets go of refinements that were left behind.
-    fn drop_useless(&mut self, frame: &Frame) {
+    /// Lets go of refinements that were left behind; whether what was shown is among them.
+    fn drop_useless(&mut self, frame: &Frame) -> bool {
         let is_useless = |rules: &RefineRules| {
             let away_m = rules.key.way.away_m(&frame.eye.point);
             away_m.is_some_and(|away_m| away_m > OF_NO_USE_M)
@@ -390,7 +390,11 @@ impl ChunkStore {
         self.refinements
             .coming
             .take_if(|set| is_useless(&set.rules));
-        self.refinements.shown.take_if(|rules| is_useless(rules));
+        let has_leapt = self
+            .refinements
+            .shown
+            .take_if(|rules| is_useless(rules))
+            .is_some();
         for chunk in self.chunks.values_mut() {
             if chunk
                 .refined
@@ -403,6 +407,7 @@ impl ChunkStore {
                 coming.give_back(&mut self.pages);
             }
         }
+        has_leapt
     }
 }
 

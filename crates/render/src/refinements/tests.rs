@@ -172,6 +172,19 @@ fn a_sprint_at_five_frames_a_second_is_drawn_true_however_slow_the_thread_is() {
 }
 
 #[test]
+fn who_comes_out_somewhere_else_sees_true_land_at_once() {
+    for (map, dial) in VIEWS {
+        let Some(mut run) = Run::begin(map, dial) else {
+            return;
+        };
+        run.go_to(5.0);
+        run.store.refinements.hold(true);
+        let (truth_px, told_px) = run.go_to(40.0);
+        assert!(truth_px <= 2.0, "{map:?} {dial}: {truth_px} {told_px}");
+    }
+}
+
+#[test]
 fn who_turns_round_sees_true_land_at_once() {
     for (map, dial) in VIEWS {
         let Some(mut run) = Run::begin(map, dial) else {
