@@ -270,10 +270,7 @@ fn frame_figures_show_on_demand_and_the_probe_tells_what_was_drawn() {
     assert!(compare(&a, &b).far_off > 0.005);
     let top = |y: u32| y < 60;
     for (x, y, was) in a.enumerate_pixels() {
-        assert!(
-            was == b.get_pixel(x, y) || top(y),
-            "changed at {x} {y}"
-        );
+        assert!(was == b.get_pixel(x, y) || top(y), "changed at {x} {y}");
     }
     assert_eq!(
         compare(&shot("d.png"), &shot("e.png")).mean,

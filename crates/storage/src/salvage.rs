@@ -63,11 +63,11 @@ impl Salvage {
 
     /// Reads by the index if that can be trusted, from a copy, because opening writes; then
     /// searches the bare bytes for what the index did not lead to. A file that cannot be
-    /// trusted is never opened.
+    /// trusted is never opened. Whoever asks keeps others from writing to it.
     pub(crate) fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
         let copy = scratch.join("damaged.redb");
         let mut salvage = Self::default();
-        let trusted = page_check::check(path, world).is_ok();
+        let trusted = undamaged(page_check::check(path, world))?;
         let by_index = trusted && salvage.scan(path, &copy, world)?;
         // With a whole index, what is newer than its last commit was never committed.
         let last = if by_index && salvage.last > 0 {
@@ -103,7 +103,7 @@ impl Salvage {
             })
         });
         StorageError::at("Removing", copy, fs::remove_file(copy))?;
-        Ok(scanned.is_ok())
+        undamaged(scanned)
     }
 
     /// Takes a record if it is readable and newer than what there is.
@@ -186,6 +186,15 @@ impl Salvage {
             );
         }
         losses
+    }
+}
+
+/// Whether a look found no damage; what kept it from looking is an error.
+fn undamaged<T>(look: Result<T, StorageError>) -> Result<bool, StorageError> {
+    match look {
+        Ok(_) => Ok(true),
+        Err(error) if error.is_damage() => Ok(false),
+        Err(error) => Err(error),
     }
 }
 
