@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
@@ -16,6 +17,9 @@ use crate::schema::{
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::world;
 
+/// How often, on average, a byte may be looked at in the search for records. A record costs
+/// two looks at most; only forged bytes need more.
+const LOOKS_AT_A_BYTE: u64 = 64;
 /// How much of a file is searched at a time.
 const WINDOW_BYTES: u64 = 32 << 20;
 
@@ -31,6 +35,8 @@ pub(crate) struct Salvage {
     /// Chunks that the index led to, but to a damaged record.
     damaged: Vec<ChunkKey>,
     newer: Option<u16>,
+    /// How many bytes of the file were searched, if not all.
+    searched: Option<u64>,
 }
 
 /// A chunk's record, known to unpack.
@@ -80,7 +86,7 @@ impl Salvage {
                 salvage.add(record);
             }
         });
-        StorageError::at("Reading", path, carved)?;
+        salvage.searched = StorageError::at("Reading", path, carved)?;
         match salvage.newer {
             Some(found) => Err(StorageError::Newer {
                 world: world.to_owned(),
@@ -178,6 +184,11 @@ impl Salvage {
                 "The player's place and belongings are lost; the player starts anew.".to_owned(),
             );
         }
+        if let Some(bytes) = self.searched {
+            losses.push(format!(
+                "Behind byte {bytes} the file was not searched, because it pretends to hold more than any can; what is there is lost."
+            ));
+        }
         if losses.is_empty() {
             losses.extend(
                 problems
@@ -215,19 +226,24 @@ fn newest<T: Versioned>(
 }
 
 /// Hands over every intact record in the bytes of a file, however long that is; one
-/// may come twice.
-fn carve_file(path: &Path, mut each: impl FnMut(&Record<'_>)) -> io::Result<()> {
-    let (mut file, _) = regular::open(path)?;
+/// may come twice. How many bytes were searched, if they made too much work for all.
+fn carve_file(path: &Path, mut each: impl FnMut(&Record<'_>)) -> io::Result<Option<u64>> {
+    let (mut file, length) = regular::open(path)?;
+    let mut budget = length.saturating_mul(LOOKS_AT_A_BYTE);
     let mut window = Vec::new();
+    let mut before = 0;
     loop {
         let read = file.by_ref().take(WINDOW_BYTES).read_to_end(&mut window)?;
-        codec::carve(&window).for_each(|record| each(&record));
+        if let ControlFlow::Break(at) = codec::carve(&window, &mut budget, &mut each) {
+            return Ok(Some(before + at as u64));
+        }
         if read == 0 {
-            return Ok(());
+            return Ok(None);
         }
         // A record that this window cut begins among the bytes that stay.
         let done = window.len().saturating_sub(codec::MAX_RECORD_BYTES);
         window.drain(..done);
+        before += done as u64;
     }
 }
 
@@ -254,7 +270,8 @@ mod tests {
         }
         fs::write(&path, &bytes).unwrap();
         let mut found = Vec::new();
-        carve_file(&path, |record| found.push(record.sequence)).unwrap();
+        let searched = carve_file(&path, |record| found.push(record.sequence)).unwrap();
+        assert_eq!(searched, None, "all of it");
         found.dedup();
         assert_eq!(found, [1, 2, 3]);
     }
