@@ -4,23 +4,18 @@ use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
-/// Replaces `path` by a file of `bytes`.
+use crate::scratch::Scratch;
+
+/// Replaces `path` by a file of `bytes`. What a killed process leaves of it [`crate::scratch::sweep`]
+/// removes from the directory that it is in.
 pub(crate) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(format!(".{}.tmp", std::process::id()));
-    let beside = Path::new(&beside);
-    // Whatever a killed process left there: made anew, it is a plain file for sure.
-    let _ = fs::remove_file(beside);
-    let written = (|| {
-        let mut file = File::create_new(beside)?;
-        file.write_all(bytes)?;
-        file.sync_data()?;
-        fs::rename(beside, path)
-    })();
-    if written.is_err() {
-        let _ = fs::remove_file(beside);
-    }
-    written
+    let dir = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
+    let scratch = Scratch::make(dir, "file")?;
+    let whole = scratch.path().join("whole");
+    let mut file = File::create_new(&whole)?;
+    file.write_all(bytes)?;
+    file.sync_data()?;
+    fs::rename(&whole, path)
 }
 
 /// Makes the names in a directory durable, where the system can.
@@ -41,6 +36,8 @@ mod tests {
     )]
 
     use super::*;
+    #[cfg(unix)]
+    use crate::scratch;
 
     #[test]
     fn replacing_leaves_one_file_with_the_new_bytes() {
@@ -63,5 +60,40 @@ mod tests {
             1,
             "no temporary file stays"
         );
+    }
+
+    /// Set for the child only: where it writes.
+    #[cfg(unix)]
+    const CHILD: &str = "ANTIPODE_TEST_KILLED_WRITER";
+
+    /// Not a test of its own: what the child process does.
+    #[cfg(unix)]
+    #[test]
+    fn child_writes_more_than_it_may() {
+        if let Some(dir) = std::env::var_os(CHILD) {
+            let _ = replace(&Path::new(&dir).join("thumbnail.png"), &[1; 9999]);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_a_process_killed_while_writing_leaves_is_swept() {
+        let dir = tempfile::tempdir().unwrap();
+        // The signal that comes with the limit kills it in the middle of writing.
+        let ended = std::process::Command::new("sh")
+            .args(["-c", "ulimit -f 0; ulimit -c 0; exec \"$0\" \"$@\""])
+            .arg(std::env::current_exe().unwrap())
+            .args([
+                "--exact",
+                "atomic_file::tests::child_writes_more_than_it_may",
+            ])
+            .env(CHILD, dir.path())
+            .output()
+            .unwrap();
+        assert_eq!(ended.status.code(), None, "{ended:?}");
+        let left = || fs::read_dir(dir.path()).unwrap().count();
+        assert_eq!(left(), 1, "killed before it began");
+        scratch::sweep(dir.path());
+        assert_eq!(left(), 0);
     }
 }

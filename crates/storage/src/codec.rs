@@ -20,6 +20,8 @@
 //!
 //! bincode is used here and nowhere else.
 
+use std::ops::ControlFlow;
+
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -124,58 +126,85 @@ pub(crate) fn unseal(bytes: &[u8]) -> Result<Record<'_>, Fault> {
 
 /// Reads the record that `bytes` begin with, and returns what follows it.
 pub(crate) fn unseal_prefix(bytes: &[u8]) -> Result<(Record<'_>, &[u8]), Fault> {
+    let end = record_bytes(bytes)?;
+    let (record, rest) = bytes.split_at_checked(end).ok_or(Fault::Length)?;
+    Ok((unseal_whole(record)?, rest))
+}
+
+/// How long the record is that `bytes` begin with, by what its header says.
+fn record_bytes(bytes: &[u8]) -> Result<usize, Fault> {
     let header = bytes.first_chunk::<HEADER_BYTES>().ok_or(Fault::Length)?;
     if header[2..4] != MARK {
         return Err(Fault::Mark);
     }
-    let kind = Kind::from_byte(header[4]).ok_or(Fault::Mark)?;
+    Kind::from_byte(header[4]).ok_or(Fault::Mark)?;
     let key_len = header[5] as usize;
     let body_len = u32::from_le_bytes([header[6], header[7], header[8], header[9]]) as usize;
     if body_len > MAX_BODY_BYTES {
         return Err(Fault::Length);
     }
-    let end = HEADER_BYTES + key_len + body_len;
-    let (record, rest) = bytes.split_at_checked(end).ok_or(Fault::Length)?;
+    Ok(HEADER_BYTES + key_len + body_len)
+}
+
+/// Reads a record of the length that [`record_bytes`] tells.
+fn unseal_whole(record: &[u8]) -> Result<Record<'_>, Fault> {
+    let header = record.first_chunk::<HEADER_BYTES>().ok_or(Fault::Length)?;
     let sum = u32::from_le_bytes([header[18], header[19], header[20], header[21]]);
     if sum != record_checksum(record) {
         return Err(Fault::Checksum);
     }
-    let (key, body) = record[HEADER_BYTES..].split_at(key_len);
+    let rest = &record[HEADER_BYTES..];
+    let (key, body) = rest
+        .split_at_checked(header[5] as usize)
+        .ok_or(Fault::Length)?;
     let mut sequence = [0; 8];
     sequence.copy_from_slice(&header[10..18]);
     let sequence = u64::from_le_bytes(sequence);
     if sequence > MAX_COMMIT {
         return Err(Fault::Commit);
     }
-    let record = Record {
+    Ok(Record {
         version: u16::from_le_bytes([header[0], header[1]]),
-        kind,
+        kind: Kind::from_byte(header[4]).ok_or(Fault::Mark)?,
         key,
         sequence,
         body,
-    };
-    Ok((record, rest))
+    })
 }
 
-/// Every intact record in `bytes`, wherever it begins: what is left of a store
+/// Hands over every intact record in `bytes`, wherever it begins: what is left of a store
 /// without its index, stale copies on freed pages included.
-pub(crate) fn carve(bytes: &[u8]) -> impl Iterator<Item = Record<'_>> {
+///
+/// `budget` is how many bytes may still be checksummed: forged headers can stand a few bytes
+/// apart and each ask for the longest record. Breaks with where it was spent.
+pub(crate) fn carve(
+    bytes: &[u8],
+    budget: &mut u64,
+    mut each: impl FnMut(&Record<'_>),
+) -> ControlFlow<usize> {
     let mut at = 0;
-    std::iter::from_fn(move || {
-        while let Some(offset) = bytes
-            .get(at + 2..)?
-            .windows(2)
-            .position(|pair| pair == MARK)
-        {
-            let start = at + offset;
-            if let Ok((record, rest)) = unseal_prefix(&bytes[start..]) {
-                at = bytes.len() - rest.len();
-                return Some(record);
-            }
-            at = start + 1;
+    while let Some(offset) = bytes
+        .get(at + 2..)
+        .and_then(|rest| rest.windows(2).position(|pair| pair == MARK))
+    {
+        let start = at + offset;
+        at = start + 1;
+        let Ok(length) = record_bytes(&bytes[start..]) else {
+            continue;
+        };
+        let Some(record) = bytes.get(start..start + length) else {
+            continue;
+        };
+        let Some(left) = budget.checked_sub(length as u64) else {
+            return ControlFlow::Break(start);
+        };
+        *budget = left;
+        if let Ok(record) = unseal_whole(record) {
+            each(&record);
+            at = start + length;
         }
-        None
-    })
+    }
+    ControlFlow::Continue(())
 }
 
 /// The CRC of a record but for the four bytes that hold it.
@@ -263,6 +292,29 @@ mod tests {
         );
     }
 
+    /// The keys and commits of what is found.
+    fn carved(bytes: &[u8]) -> Vec<(Vec<u8>, u64)> {
+        let mut found = Vec::new();
+        let all = carve(bytes, &mut 1000, |record| {
+            found.push((record.key.to_vec(), record.sequence));
+        });
+        assert!(all.is_continue());
+        found
+    }
+
+    #[test]
+    fn carving_ends_where_its_budget_is_spent() {
+        let first = seal(1, Kind::Chunk, b"k", 5, b"body");
+        let file = [first.as_slice(), &first].concat();
+        for (budget, end) in [
+            (2 * first.len(), ControlFlow::Continue(())),
+            (2 * first.len() - 1, ControlFlow::Break(first.len())),
+            (0, ControlFlow::Break(0)),
+        ] {
+            assert_eq!(carve(&file, &mut (budget as u64), |_| {}), end);
+        }
+    }
+
     #[test]
     fn carving_finds_records_between_rubbish() {
         let first = seal(1, Kind::Chunk, b"k1", 5, b"ApApAp body");
@@ -278,10 +330,7 @@ mod tests {
             b"Ap",
         ]
         .concat();
-        let found: Vec<_> = carve(&file)
-            .map(|record| (record.key, record.sequence))
-            .collect();
-        assert_eq!(found, [(b"k1".as_slice(), 5), (b"k2".as_slice(), 6)]);
+        assert_eq!(carved(&file), [(b"k1".to_vec(), 5), (b"k2".to_vec(), 6)]);
     }
 
     #[test]
@@ -289,7 +338,7 @@ mod tests {
         let sealed = |sequence| seal(1, Kind::State, b"state", sequence, b"");
         for sequence in [MAX_COMMIT + 1, u64::MAX - 4, u64::MAX] {
             assert_eq!(unseal(&sealed(sequence)), Err(Fault::Commit));
-            assert_eq!(carve(&sealed(sequence)).count(), 0);
+            assert_eq!(carved(&sealed(sequence)), []);
         }
         assert_eq!(
             unseal(&sealed(MAX_COMMIT)).map(|found| found.sequence),
@@ -330,7 +379,7 @@ mod tests {
         fn rubbish_never_decodes_by_accident_or_panics(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
             prop_assert!(unseal(&bytes).is_err());
             let _ = decode::<Vec<String>>(&bytes);
-            prop_assert_eq!(carve(&bytes).count(), 0);
+            prop_assert_eq!(carved(&bytes), []);
         }
     }
 }

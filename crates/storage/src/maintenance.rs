@@ -4,8 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::error::StorageError;
-use crate::regular::Entry;
+use crate::opening::patiently;
+use crate::page_check::{self, Held};
+use crate::regular::{Entry, FileId};
 use crate::salvage::Salvage;
+use crate::turn::Turn;
 use crate::world::{self, WorldStore};
 use crate::{WORLD_FILE, atomic_file, summary};
 
@@ -129,22 +132,29 @@ impl Inspection {
 /// Salvages every readable value of the world in `dir` into a fresh store that
 /// takes the place of the damaged one, which stays beside it under another name.
 /// A world of which only the summary is left is made anew from that. `scratch` is an
-/// empty directory on the same file system.
+/// empty directory among the worlds.
 pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, StorageError> {
+    let path = dir.join(WORLD_FILE);
+    let label = world::label(dir);
+    let entry = StorageError::at("Reading", &path, Entry::at(&path))?;
+    // Held until the new store is in its place: what somebody saved meanwhile would be lost.
+    let held = match entry {
+        Entry::File { .. } => Some(patiently(|| page_check::hold(&path, &label))?),
+        _ => None,
+    };
     let before = inspect(dir)?.report();
     if before.is_sound() {
+        drop(held);
         return mend_summary(dir, before);
     }
-    let path = dir.join(WORLD_FILE);
     if let Some(found) = summary::newer_version(dir) {
         return Err(StorageError::Newer {
-            world: world::label(dir),
+            world: label,
             found,
         });
     }
-    let entry = StorageError::at("Reading", &path, Entry::at(&path))?;
     let salvage = match entry {
-        Entry::File { .. } => Salvage::of(&path, scratch, &world::label(dir))?,
+        Entry::File { .. } => Salvage::of(&path, scratch, &label)?,
         _ => Salvage::default(),
     };
     let meta = salvage.meta().cloned().or_else(|| summary::read(dir));
@@ -155,7 +165,15 @@ pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, Storage
     };
     let fresh = scratch.join(WORLD_FILE);
     salvage.write(&fresh, &meta)?;
-    let kept = put_in_place(&path, entry, &fresh)?;
+    let kept = {
+        // Two repairs may read at once, but only the first puts something in its place.
+        let _turn = dir.parent().map(Turn::wait).transpose()?;
+        let now = StorageError::at("Reading", &path, FileId::at(&path))?;
+        if now != held.as_ref().map(Held::id) {
+            return Err(StorageError::InUse { world: label });
+        }
+        put_in_place(&path, entry, &fresh)?
+    };
     if summary::fault(dir).is_some() {
         set_aside(&summary::path(dir))?;
     }

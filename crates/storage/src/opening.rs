@@ -17,11 +17,16 @@ pub(crate) type Opener = fn(&Path, &str) -> Result<Store, StorageError>;
 /// Opens a store, waiting a moment for whoever has it: making the list of worlds
 /// looks into each, which must not keep a world from being played.
 pub(crate) fn open_store(path: &Path, label: &str, opener: Opener) -> Result<Store, StorageError> {
+    patiently(|| opener(path, label))
+}
+
+/// Does what needs a store's file, as often as it takes others to look into it.
+pub(crate) fn patiently<T>(work: impl Fn() -> Result<T, StorageError>) -> Result<T, StorageError> {
     for _ in 0..LOOKS_WAITED_FOR {
-        match opener(path, label) {
+        match work() {
             Err(StorageError::InUse { .. }) => std::thread::sleep(LOOK),
             result => return result,
         }
     }
-    opener(path, label)
+    work()
 }

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
@@ -16,6 +17,9 @@ use crate::schema::{
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::world;
 
+/// How often, on average, a byte may be looked at in the search for records. A record costs
+/// two looks at most; only forged bytes need more.
+const LOOKS_AT_A_BYTE: u64 = 64;
 /// How much of a file is searched at a time.
 const WINDOW_BYTES: u64 = 32 << 20;
 
@@ -31,6 +35,8 @@ pub(crate) struct Salvage {
     /// Chunks that the index led to, but to a damaged record.
     damaged: Vec<ChunkKey>,
     newer: Option<u16>,
+    /// How many bytes of the file were searched, if not all.
+    searched: Option<u64>,
 }
 
 /// A chunk's record, known to unpack.
@@ -63,11 +69,11 @@ impl Salvage {
 
     /// Reads by the index if that can be trusted, from a copy, because opening writes; then
     /// searches the bare bytes for what the index did not lead to. A file that cannot be
-    /// trusted is never opened.
+    /// trusted is never opened. Whoever asks keeps others from writing to it.
     pub(crate) fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
         let copy = scratch.join("damaged.redb");
         let mut salvage = Self::default();
-        let trusted = page_check::check(path, world).is_ok();
+        let trusted = undamaged(page_check::check(path, world))?;
         let by_index = trusted && salvage.scan(path, &copy, world)?;
         // With a whole index, what is newer than its last commit was never committed.
         let last = if by_index && salvage.last > 0 {
@@ -80,7 +86,7 @@ impl Salvage {
                 salvage.add(record);
             }
         });
-        StorageError::at("Reading", path, carved)?;
+        salvage.searched = StorageError::at("Reading", path, carved)?;
         match salvage.newer {
             Some(found) => Err(StorageError::Newer {
                 world: world.to_owned(),
@@ -103,7 +109,7 @@ impl Salvage {
             })
         });
         StorageError::at("Removing", copy, fs::remove_file(copy))?;
-        Ok(scanned.is_ok())
+        undamaged(scanned)
     }
 
     /// Takes a record if it is readable and newer than what there is.
@@ -178,6 +184,11 @@ impl Salvage {
                 "The player's place and belongings are lost; the player starts anew.".to_owned(),
             );
         }
+        if let Some(bytes) = self.searched {
+            losses.push(format!(
+                "Behind byte {bytes} the file was not searched, because it pretends to hold more than any can; what is there is lost."
+            ));
+        }
         if losses.is_empty() {
             losses.extend(
                 problems
@@ -186,6 +197,15 @@ impl Salvage {
             );
         }
         losses
+    }
+}
+
+/// Whether a look found no damage; what kept it from looking is an error.
+fn undamaged<T>(look: Result<T, StorageError>) -> Result<bool, StorageError> {
+    match look {
+        Ok(_) => Ok(true),
+        Err(error) if error.is_damage() => Ok(false),
+        Err(error) => Err(error),
     }
 }
 
@@ -206,19 +226,24 @@ fn newest<T: Versioned>(
 }
 
 /// Hands over every intact record in the bytes of a file, however long that is; one
-/// may come twice.
-fn carve_file(path: &Path, mut each: impl FnMut(&Record<'_>)) -> io::Result<()> {
-    let (mut file, _) = regular::open(path)?;
+/// may come twice. How many bytes were searched, if they made too much work for all.
+fn carve_file(path: &Path, mut each: impl FnMut(&Record<'_>)) -> io::Result<Option<u64>> {
+    let (mut file, length) = regular::open(path)?;
+    let mut budget = length.saturating_mul(LOOKS_AT_A_BYTE);
     let mut window = Vec::new();
+    let mut before = 0;
     loop {
         let read = file.by_ref().take(WINDOW_BYTES).read_to_end(&mut window)?;
-        codec::carve(&window).for_each(|record| each(&record));
+        if let ControlFlow::Break(at) = codec::carve(&window, &mut budget, &mut each) {
+            return Ok(Some(before + at as u64));
+        }
         if read == 0 {
-            return Ok(());
+            return Ok(None);
         }
         // A record that this window cut begins among the bytes that stay.
         let done = window.len().saturating_sub(codec::MAX_RECORD_BYTES);
         window.drain(..done);
+        before += done as u64;
     }
 }
 
@@ -245,7 +270,8 @@ mod tests {
         }
         fs::write(&path, &bytes).unwrap();
         let mut found = Vec::new();
-        carve_file(&path, |record| found.push(record.sequence)).unwrap();
+        let searched = carve_file(&path, |record| found.push(record.sequence)).unwrap();
+        assert_eq!(searched, None, "all of it");
         found.dedup();
         assert_eq!(found, [1, 2, 3]);
     }

@@ -35,7 +35,8 @@ impl Scratch {
         StorageError::at("Making", parent, Self::make(parent, purpose))
     }
 
-    fn make(parent: &Path, purpose: &str) -> io::Result<Self> {
+    /// The same, with a refusal as the system gives it.
+    pub(crate) fn make(parent: &Path, purpose: &str) -> io::Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         loop {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);

@@ -30,8 +30,8 @@ pub(crate) fn replace(dir: &Path, sealed_meta: &[u8]) -> io::Result<()> {
     atomic_file::replace(&path(dir), sealed_meta)
 }
 
-/// Removes copies that a killed process had not put in place yet: files under the name that one has until then, and
-/// with the game's own seal. Only whoever has the world open may ask.
+/// Removes copies that a killed process of an earlier build had not put in place yet: files under the name that one
+/// had until then, and with the game's own seal. Only whoever has the world open may ask.
 pub(crate) fn sweep(dir: &Path) {
     for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
         let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());

@@ -61,11 +61,20 @@ impl Turn {
 fn open(saves: &Path) -> io::Result<File> {
     let path = saves.join(LOCK_FILE);
     match Entry::at(&path)? {
-        Entry::Missing | Entry::File { .. } => File::options()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(path),
+        Entry::Missing | Entry::File { .. } => {
+            let made = File::options()
+                .create(true)
+                .truncate(false)
+                .write(true)
+                .open(&path);
+            match made {
+                // Another user's lock in a directory of both: reading is enough to take it.
+                Err(error) if error.kind() == ErrorKind::PermissionDenied => {
+                    File::open(&path).map_err(|_| error)
+                }
+                made => made,
+            }
+        }
         Entry::Other(kind) => Err(io::Error::new(
             ErrorKind::InvalidInput,
             format!("{LOCK_FILE} in it is {kind}, not a file"),
@@ -105,5 +114,20 @@ mod tests {
         fs::create_dir(dir.path().join(LOCK_FILE)).unwrap();
         let sentence = Turn::wait(dir.path()).map(drop).unwrap_err().to_string();
         assert!(sentence.contains("is a directory"), "{sentence}");
+    }
+
+    /// Whoever may write everything, as root may, is refused nothing here.
+    #[cfg(unix)]
+    #[test]
+    fn a_lock_that_somebody_else_made_is_no_hindrance() {
+        use std::os::unix::fs::PermissionsExt;
+        let dir = tempfile::tempdir().unwrap();
+        let lock = dir.path().join(LOCK_FILE);
+        fs::write(&lock, b"").unwrap();
+        fs::set_permissions(&lock, fs::Permissions::from_mode(0o444)).unwrap();
+        let turn = Turn::wait(dir.path()).unwrap();
+        assert!(Turn::wait_for(dir.path(), Duration::ZERO).is_err());
+        drop(turn);
+        assert!(Turn::wait_for(dir.path(), Duration::ZERO).is_ok());
     }
 }

@@ -16,7 +16,7 @@ use crate::schema::{
 };
 use crate::store::{META_KEY, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
-use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, summary};
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, scratch, summary};
 
 /// What one commit writes: all of it or none.
 #[derive(Debug, Clone, Default)]
@@ -100,6 +100,7 @@ impl WorldStore {
     pub fn open(dir: &Path) -> Result<Self, StorageError> {
         let world = Self::open_by(dir, Store::open)?;
         summary::sweep(dir);
+        scratch::sweep(dir);
         Ok(world)
     }
 

@@ -33,6 +33,16 @@ impl Claims {
         }
         true
     }
+
+    /// Puts in every page of another set; false if one was in already.
+    pub(crate) fn join(&mut self, other: &Self) -> bool {
+        let mut words = self.words.iter_mut().zip(&other.words);
+        words.all(|(word, more)| {
+            let apart = *word & more == 0;
+            *word |= more;
+            apart
+        })
+    }
 }
 
 #[cfg(test)]
@@ -50,5 +60,14 @@ mod tests {
         }
         assert!(claims.claim(190..200));
         assert!(!claims.claim(250..260));
+    }
+
+    #[test]
+    fn sets_are_joined_if_they_have_nothing_in_common() {
+        let [mut claims, mut more] = [Claims::new(200), Claims::new(200)];
+        assert!(claims.claim(0..65) && more.claim(65..130));
+        assert!(claims.join(&more));
+        assert!(!claims.claim(129..130) && !claims.join(&more));
+        assert!(claims.claim(130..131));
     }
 }

@@ -21,11 +21,16 @@
 use std::ops::Range;
 
 use super::claims::Claims;
-use super::pages::{MAX_ORDER, REGION_PAGES};
+use super::pages::{MAX_FILE_BYTES, MAX_ORDER, PAGE_BYTES, REGION_PAGES};
 use super::{Fault, u32_at, u64_at};
 
 /// Bytes before the bitmaps of a region.
 const REGION_HEADER_BYTES: usize = 8 + 4 * (MAX_ORDER as usize + 1);
+/// The most regions that the longest file has.
+const MOST_REGIONS: usize = MAX_FILE_BYTES.div_ceil(REGION_PAGES * PAGE_BYTES) as usize;
+/// No value is near this long: the bitmaps of a full region take half of it. They are kept
+/// until all are there, in the game's own process.
+const MOST_VALUE_BYTES: usize = 512 << 10;
 /// How many regions a store has room for from the beginning.
 const LEAST_REGIONS: u32 = 1000;
 
@@ -41,8 +46,14 @@ pub(crate) struct FreeSpace {
 impl FreeSpace {
     /// Takes an entry of the table, in order of the keys.
     pub(crate) fn take(&mut self, key: &[u8], value: &[u8]) -> Result<(), Fault> {
+        if value.len() > MOST_VALUE_BYTES {
+            return Err(wrong());
+        }
         match key.first() {
             Some(3) if u32_at(key, 1) == u32::try_from(self.regions.len()).ok() => {
+                if self.regions.len() >= MOST_REGIONS {
+                    return Err(wrong());
+                }
                 self.regions.push(value.to_vec());
             }
             Some(4) => self.room = Some(value.to_vec()),
@@ -242,4 +253,28 @@ fn height_for(mut most: u64) -> usize {
         height += 1;
     }
     height
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Takes so many regions of so many bytes, as far as that goes.
+    fn taken(regions: u32, bytes: usize) -> Result<usize, Fault> {
+        let mut free = FreeSpace::default();
+        for region in 0..regions {
+            let [a, b, c, d] = region.to_le_bytes();
+            free.take(&[3, a, b, c, d], &vec![0; bytes])?;
+        }
+        Ok(free.regions.iter().map(Vec::len).sum())
+    }
+
+    #[test]
+    fn what_no_file_can_have_free_is_not_kept_in_memory() {
+        assert!(taken(16, 300_000).is_ok_and(|bytes| bytes == 16 * 300_000));
+        assert!(taken(17, 1).is_err(), "more regions than the longest file");
+        assert!(taken(1, 600_000).is_err(), "longer than any region");
+        let mut free = FreeSpace::default();
+        assert!(free.take(&[4, 0, 0, 0, 0], &vec![0; 600_000]).is_err());
+    }
 }

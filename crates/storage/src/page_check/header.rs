@@ -70,7 +70,7 @@ impl Header {
         // A crash may tear these two, and they are counted anew then.
         let (full, last) = (number(24), number(28));
         let stored = full * REGION_PAGES + last;
-        if !unfinished && (last > REGION_PAGES || stored == 0 || stored > pages.count) {
+        if !unfinished && (last > REGION_PAGES || stored == 0 || stored > pages.extent.count) {
             return Err(Fault::Wrong(NO_SAVE));
         }
         let slots = [
@@ -78,7 +78,7 @@ impl Header {
             slot(&bytes[SLOTS[1 - primary]..][..SLOT_BYTES])?,
         ];
         let header = Self {
-            closed: !unfinished && stored == pages.count,
+            closed: !unfinished && stored == pages.extent.count,
             two_phases: bytes[9] & 4 != 0,
             slots,
         };

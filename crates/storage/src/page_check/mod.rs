@@ -73,7 +73,7 @@ mod tests;
 
 use std::io;
 
-pub(crate) use file::{check, look};
+pub(crate) use file::{Held, check, hold, look};
 
 /// What checking a whole file has found, if it can be trusted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

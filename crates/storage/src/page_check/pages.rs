@@ -15,7 +15,7 @@ pub(crate) const MAX_ORDER: u8 = 20;
 /// has a leaf to itself. A page is in memory as a whole, so this bounds that.
 const MAX_READ_ORDER: u8 = 9;
 /// No world is near this long; the set of its pages is kept in memory.
-const MAX_FILE_BYTES: u64 = 1 << 36;
+pub(crate) const MAX_FILE_BYTES: u64 = 1 << 36;
 
 /// Where a page is and how long.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,11 +38,43 @@ impl PageNumber {
     }
 }
 
+/// How many pages a file has, and so which there can be.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Extent {
+    /// Pages of order 0 in the file, without the header.
+    pub(crate) count: u64,
+}
+
+impl Extent {
+    /// How many regions there are.
+    pub(crate) fn regions(self) -> u64 {
+        self.count.div_ceil(REGION_PAGES)
+    }
+
+    /// How many pages a region has.
+    pub(crate) fn region_pages(self, region: u64) -> u64 {
+        (self.count - (region * REGION_PAGES).min(self.count)).min(REGION_PAGES)
+    }
+
+    /// The pages of order 0 that a page consists of, counted from the first of the file.
+    pub(crate) fn place(self, page: PageNumber) -> Result<Range<u64>, Fault> {
+        if page.order > MAX_ORDER {
+            return Err(Fault::Wrong("a page in it is longer than any can be"));
+        }
+        let start = page.index << page.order;
+        let end = start + (1 << page.order);
+        if end > self.region_pages(page.region) {
+            return Err(Fault::Wrong("it leads to a page behind its end"));
+        }
+        let region = page.region * REGION_PAGES;
+        Ok(region + start..region + end)
+    }
+}
+
 /// The pages of a file.
 pub(crate) struct Pages<R> {
     source: R,
-    /// Pages of order 0 in the file, without the header.
-    pub(crate) count: u64,
+    pub(crate) extent: Extent,
 }
 
 impl<R: Read + Seek> Pages<R> {
@@ -56,7 +88,8 @@ impl<R: Read + Seek> Pages<R> {
             return Err(Fault::Wrong("no world is as long"));
         }
         let count = bytes / PAGE_BYTES - 1;
-        Ok(Self { source, count })
+        let extent = Extent { count };
+        Ok(Self { source, extent })
     }
 
     /// The bytes before the first page.
@@ -67,33 +100,9 @@ impl<R: Read + Seek> Pages<R> {
         Ok(header)
     }
 
-    /// How many regions there are.
-    pub(crate) fn regions(&self) -> u64 {
-        self.count.div_ceil(REGION_PAGES)
-    }
-
-    /// How many pages a region has.
-    pub(crate) fn region_pages(&self, region: u64) -> u64 {
-        (self.count - (region * REGION_PAGES).min(self.count)).min(REGION_PAGES)
-    }
-
-    /// The pages of order 0 that a page consists of, counted from the first of the file.
-    pub(crate) fn place(&self, page: PageNumber) -> Result<Range<u64>, Fault> {
-        if page.order > MAX_ORDER {
-            return Err(Fault::Wrong("a page in it is longer than any can be"));
-        }
-        let start = page.index << page.order;
-        let end = start + (1 << page.order);
-        if end > self.region_pages(page.region) {
-            return Err(Fault::Wrong("it leads to a page behind its end"));
-        }
-        let region = page.region * REGION_PAGES;
-        Ok(region + start..region + end)
-    }
-
     /// Reads a page into `bytes`, in the place of what was there.
     pub(crate) fn read(&mut self, page: PageNumber, bytes: &mut Vec<u8>) -> Result<(), Fault> {
-        let place = self.place(page)?;
+        let place = self.extent.place(page)?;
         if page.order > MAX_READ_ORDER {
             return Err(Fault::Wrong("a page in it is longer than any of a world"));
         }
@@ -115,7 +124,7 @@ mod tests {
     #[test]
     fn page_numbers_are_places_in_the_file() {
         let pages = Pages::new(Cursor::new(vec![0; 11 * 4096])).unwrap();
-        let place = |bits: u64| pages.place(PageNumber::from_bits(bits)).ok();
+        let place = |bits: u64| pages.extent.place(PageNumber::from_bits(bits)).ok();
         assert_eq!(place(0), Some(0..1));
         assert_eq!(place(9), Some(9..10));
         assert_eq!(place(10), None);

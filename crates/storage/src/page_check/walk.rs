@@ -59,7 +59,7 @@ struct Last {
 impl<'a, R: Read + Seek> Walk<'a, R> {
     /// Nothing walked yet.
     pub(crate) fn new(pages: &'a mut Pages<R>) -> Self {
-        let claims = Claims::new(pages.count);
+        let claims = Claims::new(pages.extent.count);
         Self {
             pages,
             claims,
@@ -126,7 +126,7 @@ impl<'a, R: Read + Seek> Walk<'a, R> {
     }
 
     fn read(&mut self, at: Root, bytes: &mut Vec<u8>) -> Result<(), Fault> {
-        let place = self.pages.place(at.page)?;
+        let place = self.pages.extent.place(at.page)?;
         if !self.claims.claim(place) {
             return Err(Fault::Wrong("its index names a page twice"));
         }

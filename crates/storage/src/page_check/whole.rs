@@ -3,6 +3,7 @@
 use std::io::{Read, Seek};
 use std::ops::Range;
 
+use super::claims::Claims;
 use super::free::FreeSpace;
 use super::header::{Header, Root, Slot};
 use super::node::Widths;
@@ -61,8 +62,9 @@ fn commit<R: Read + Seek>(
     user(&mut walk, slot.user, resumes)?;
     if resumes {
         let mut regions = Vec::new();
-        for region in 0..walk.pages.regions() {
-            regions.push(walk.pages.region_pages(region));
+        let extent = walk.pages.extent;
+        for region in 0..extent.regions() {
+            regions.push(extent.region_pages(region));
         }
         free.claim(&regions, &mut walk.claims)?;
     }
@@ -146,14 +148,19 @@ fn system<R: Read + Seek>(walk: &mut Walk<'_, R>, root: Option<Root>) -> Result<
                 contents(walk, table, shape, &mut |key, value| free.take(key, value))?;
             }
             "data_pages_unreachable" | "system_pages_unreachable" => {
-                for place in listed(walk, table, shape(KeyOrder::Transactions, 16))? {
-                    if !walk.claims.claim(place) {
-                        return Err(Fault::Wrong("a page that it freed is in use"));
-                    }
+                let shape = shape(KeyOrder::Transactions, 16);
+                let mut freed = Claims::new(walk.pages.extent.count);
+                let in_use = || Fault::Wrong("a page that it freed is in use");
+                listed(walk, table, shape, &mut |place| {
+                    freed.claim(place).then_some(()).ok_or_else(in_use)
+                })?;
+                if !walk.claims.join(&freed) {
+                    return Err(in_use());
                 }
             }
             "data_pages_allocated" => {
-                listed(walk, table, shape(KeyOrder::Transactions, 16))?;
+                let shape = shape(KeyOrder::Transactions, 16);
+                listed(walk, table, shape, &mut |_| Ok(()))?;
             }
             // This game keeps no older states; the store would unpack them unchecked.
             _ if table.root.is_some() => {
@@ -165,36 +172,30 @@ fn system<R: Read + Seek>(walk: &mut Walk<'_, R>, root: Option<Root>) -> Result<
     Ok(free)
 }
 
-/// The pages that a table of page lists names: each value is their number, u16, then
-/// that many page numbers, then room for more.
+/// Hands over the pages that a table of page lists names: each value is their number, u16,
+/// then that many page numbers, then room for more.
 fn listed<R: Read + Seek>(
     walk: &mut Walk<'_, R>,
     table: Table,
     shape: Shape,
-) -> Result<Vec<Range<u64>>, Fault> {
+    each: &mut dyn FnMut(Range<u64>) -> Result<(), Fault>,
+) -> Result<(), Fault> {
     if !table.lists_pages {
         return Err(Fault::Wrong("one of its tables makes no sense"));
     }
-    let mut named: Vec<PageNumber> = Vec::new();
-    let most = walk.pages.count;
+    let extent = walk.pages.extent;
+    let mut named = 0;
     contents(walk, table, shape, &mut |_, list| {
-        let wrong = Fault::Wrong("a list of freed pages makes no sense");
-        let Some(length) = u16_at(list, 0).map(usize::from) else {
-            return Err(wrong);
-        };
-        for index in 0..length {
-            let Some(bits) = u64_at(list, 2 + 8 * index) else {
-                return Err(wrong);
-            };
-            named.push(PageNumber::from_bits(bits));
+        let wrong = || Fault::Wrong("a list of freed pages makes no sense");
+        let length = u16_at(list, 0).map(usize::from).ok_or_else(wrong)?;
+        named += length as u64;
+        if named > extent.count {
+            return Err(wrong());
         }
-        if named.len() as u64 > most {
-            return Err(wrong);
+        for index in 0..length {
+            let bits = u64_at(list, 2 + 8 * index).ok_or_else(wrong)?;
+            each(extent.place(PageNumber::from_bits(bits))?)?;
         }
         Ok(())
-    })?;
-    named
-        .into_iter()
-        .map(|page| walk.pages.place(page))
-        .collect()
+    })
 }
