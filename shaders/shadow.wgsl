@@ -17,9 +17,13 @@ const SHADOW_FIGURES: u32 = 7u;
 // How far a cascade is read, as a part of its half side, and over which part of that it goes over to the next.
 const SHADOW_EDGE: f32 = 0.86;
 const SHADOW_BLEND: f32 = 0.16;
-// Depths of a texel that a surface may be off where it bends, and the steepest slope that is followed.
+// Depths of a texel that a surface may be off where it bends, up to which slope that grows, and the steepest slope that
+// is followed at high quality. At low, texels are wide, and what is steeper yet is not told from the edge of a shadow.
 const SHADOW_BIAS: f32 = 0.75;
-const SHADOW_STEEPEST: f32 = 10.0;
+const SHADOW_BIASED: f32 = 10.0;
+const SHADOW_STEEPEST: f32 = 32.0;
+// Depths of a texel that a seam may lie in the shade of the step that it closes.
+const SHADOW_SEAM: f32 = 16.0;
 
 struct Caster {
     clip: mat4x4<f32>,
@@ -45,19 +49,22 @@ struct Shaded {
     at: vec4<f32>,
     x: vec4<f32>,
     y: vec4<f32>,
+    is_seam: bool,     // whether it has no surface of its own
 }
 
 // To be called before a fragment may be discarded. Places are told apart here and not on a map, which would save two
 // products of three: near the eye a pixel is a hundredth of a texel there, and what rounding leaves of the difference
 // is noise.
-fn shaded_at(place: vec3<f32>, view: vec4<f32>) -> Shaded {
+fn shaded_at(place: vec3<f32>, view: vec4<f32>, is_seam: bool) -> Shaded {
     if SHADOWS == 0u {
-        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0));
+        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), false);
     }
     if GEO_KIND == GEO_SPHERE {
-        return Shaded(view, dpdx(view), dpdy(view));
+        return Shaded(view, dpdx(view), dpdy(view), is_seam);
     }
-    return Shaded(vec4<f32>(place, 1.0), vec4<f32>(dpdx(place), 0.0), vec4<f32>(dpdy(place), 0.0));
+    let right = vec4<f32>(dpdx(place), 0.0);
+    let below = vec4<f32>(dpdy(place), 0.0);
+    return Shaded(vec4<f32>(place, 1.0), right, below, is_seam);
 }
 
 // How far from a map's middle a point falls on it: 1 at its edge.
@@ -93,6 +100,7 @@ struct Placed {
     texel: vec2<f32>,
     depth: f32,
     slope: vec2<f32>,
+    steepest: f32, // that is followed
     turned: bool,  // whether its surface turns away from the light
 }
 
@@ -118,22 +126,38 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let ay = dy.xy * to_texels;
     let area = ax.x * ay.y - ax.y * ay.x;
     let slope = vec2<f32>(ay.y * dx.z - ax.y * dy.z, ax.x * dy.z - ay.x * dx.z);
-    let steepest = SHADOW_STEEPEST * texel;
+    let steepest = select(SHADOW_STEEPEST, SHADOW_BIASED, SHADOWS == 1u) * texel;
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
-    let bias = SHADOW_BIAS * length(vec3<f32>(g, texel));
+    let bias = SHADOW_BIAS * min(length(vec3<f32>(g, texel)), SHADOW_BIASED * texel);
+    if point.is_seam {
+        return Placed(s.xy * to_texels + 0.5 * size, s.z + SHADOW_SEAM * texel, vec2<f32>(0.0), steepest, false);
+    }
     // Surfaces are seen from their front: one that the light sees the other way round shades itself. Compared with
     // its own depth it would be striped, since that is then the far side of what the map holds.
-    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, area * map.info.w < 0.0);
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, steepest, area * map.info.w < 0.0);
 }
 
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
-// depth of the point's plane at the upper left one.
-fn gathered(corner: vec2<f32>, layer: f32, own: f32, slope: vec2<f32>) -> vec4<f32> {
+// depth of the point's plane at the upper left one, and `away` where the point is from there, in texels.
+fn gathered(corner: vec2<f32>, layer: f32, own: f32, away: vec2<f32>, placed: Placed) -> vec4<f32> {
     let found = textureGather(shadow_maps, shadow_sampler, corner * scene.shadows.key.z, u32(layer));
+    let slope = placed.slope;
     let plane = own + vec4<f32>(slope.y, slope.x + slope.y, slope.x, 0.0);
     // Where nothing was drawn the map holds 0, and land may lie deeper than that: under a figure on a cliff.
-    return select(vec4<f32>(0.0), vec4<f32>(1.0), max(plane, vec4<f32>(0.0)) >= found);
+    var free = max(plane, vec4<f32>(0.0)) >= found;
+    if SHADOWS == 2u {
+        // In a hollow, land beside the point rises over the point's plane and is no roof: continued to the point, as
+        // it is seen to slope between the texels, it passes below. What slopes more is the edge of something else.
+        let across = found.yyzz - found.xxww;
+        let down = found.xyyx - found.wzzw;
+        let ahead = vec4<f32>(away.x, away.x - 1.0, away.x - 1.0, away.x);
+        let below = vec4<f32>(away.y - 1.0, away.y - 1.0, away.y, away.y);
+        let passes = found + across * ahead + down * below <= vec4<f32>(placed.depth);
+        let joined = abs(across) + abs(down) < vec4<f32>(placed.steepest);
+        free = free | (passes & joined);
+    }
+    return select(vec4<f32>(0.0), vec4<f32>(1.0), free);
 }
 
 // Share of the light that a map lets through to a point: each texel is compared with the plane of the point's own
@@ -145,12 +169,13 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
     // Low: two texels along each side; high: six, of which the inner ones count whole.
     let gathers = select(3u, 1u, SHADOWS == 1u);
     let first = base - f32(gathers - 1u);
-    let here = placed.depth + dot(placed.slope, first + 0.5 - placed.texel);
+    let away = placed.texel - 0.5 - first;
+    let here = placed.depth - dot(placed.slope, away);
     var lit = 0.0;
     for (var j = 0u; j < gathers; j++) {
         for (var i = 0u; i < gathers; i++) {
             let step = vec2<f32>(f32(2u * i), f32(2u * j));
-            let free = gathered(first + step + 1.0, map.info.x, here + dot(placed.slope, step), placed.slope);
+            let free = gathered(first + step + 1.0, map.info.x, here + dot(placed.slope, step), away - step, placed);
             let wx = vec2<f32>(select(1.0, 1.0 - part.x, i == 0u), select(1.0, part.x, i == gathers - 1u));
             let wy = vec2<f32>(select(1.0, 1.0 - part.y, j == 0u), select(1.0, part.y, j == gathers - 1u));
             lit += dot(free, vec4<f32>(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x));

@@ -8,36 +8,17 @@
 
 mod common;
 
-use antipode_geometry::{ChartPoint, Geometry, WGSL};
-use antipode_render::{Shaders, ShadowQuality};
+use antipode_geometry::{ChartPoint, Geometry};
+use antipode_render::ShadowQuality;
 use common::Studio;
 use common::sun_rays::Rays;
+use common::told::told;
 use common::triangles::{Land, Surface};
 use common::worlds::World;
 use image::{Rgba, RgbaImage};
 
 /// Pixels this far from an edge of the rays' shadow are not judged.
 const EDGE_PX: i32 = 2;
-
-/// The shader of the land, but for its colour: red is what the maps let through, green what turns away.
-fn told() -> Shaders {
-    const FILES: [&str; 4] = [
-        include_str!("../../../shaders/common.wgsl"),
-        include_str!("../../../shaders/lights.wgsl"),
-        include_str!("../../../shaders/shadow.wgsl"),
-        include_str!("../../../shaders/terrain.wgsl"),
-    ];
-    let text = [WGSL, &FILES.join("\n")].join("\n");
-    let shown = "fn land_colour(";
-    assert_eq!(text.matches(shown).count(), 1);
-    let own = "fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
-        let unlit = is_turned(in);
-        let through = key_through(point, in.clip.xy, unlit, false);
-        return vec4<f32>(through, select(0.0, 1.0, unlit), 0.0, 1.0);
-    }";
-    let text = text.replace(shown, "fn land_colour_shown(") + own;
-    Shaders::with("terrain", Box::leak(text.into_boxed_str()))
-}
 
 /// What the display makes of half of the light, by the curve of tonemap.wgsl.
 const HALF: u8 = 197;

@@ -7,7 +7,9 @@
     reason = "tests fail by panicking, and not every test file uses everything"
 )]
 
+pub mod silhouettes;
 pub mod sun_rays;
+pub mod told;
 pub mod triangles;
 pub mod worlds;
 

@@ -118,6 +118,13 @@ pub struct Seen {
     depth: f64,
 }
 
+impl Seen {
+    /// As the picture's depth: linear over a plane.
+    pub fn depth(&self) -> f64 {
+        self.depth
+    }
+}
+
 /// Which triangle each pixel of a picture shows; none where that is the sky.
 pub struct Surface {
     pub size: (u32, u32),
