@@ -56,10 +56,11 @@ fn a_world_comes_after_a_while_and_another_one_follows_in_the_dark() {
 fn nothing_darkens_for_a_world_that_cannot_be_drawn_yet() {
     let mut backdrop = enabled();
     backdrop.held = true;
-    pass_until(
-        &mut backdrop,
-        |backdrop| matches!(&backdrop.next, Next::Coming(flight, _) if flight.is_complete()),
-    );
+    pass_until(&mut backdrop, |backdrop| match &backdrop.next {
+        Next::Coming(flight, _) => flight.is_complete(),
+        Next::None | Next::Opening(_) => backdrop.shown.is_some(),
+        Next::Ready(_) | Next::Failed => true,
+    });
     let longer_than_land_is_waited_for = (2.0 * WAIT_S / STEP.as_secs_f64()) as u32;
     for _ in 0..longer_than_land_is_waited_for {
         backdrop.tick(STEP, true);
