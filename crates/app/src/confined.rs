@@ -4,10 +4,11 @@
 //! such is refused before the store is opened; what nobody has thought of yet ends a process
 //! that has nothing else to lose, and not the game with its unsaved world.
 //!
-//! The process is this program again, with a hidden command ([`Task`]). It takes a limit on
-//! its memory, does the work as anybody would and leaves its [`Answer`] on standard output;
-//! who asked waits, and ends it when its time is over. Only Linux enforces the limit on
-//! memory; elsewhere there is the one on time alone. What is left of an ended process the
+//! The process is this program again, with a hidden command ([`Task`]). It takes limits on
+//! its memory and time, does the work as anybody would and leaves its [`Answer`] on standard
+//! output; who asked waits, and ends it when its time is over. If who asked is gone, it ends
+//! itself then. Only Linux enforces the limit on memory; elsewhere there is the one on time
+//! alone. What is left of an ended process the
 //! next use of the saves directory removes, since its lock is gone with it.
 
 use std::ffi::OsString;
@@ -35,6 +36,10 @@ const BYTES_PER_S: u64 = 2 << 20;
 const MOST_TIME: Duration = Duration::from_mins(10);
 /// How often the other process is asked whether it is done.
 const LOOK: Duration = Duration::from_millis(5);
+/// Has the allocator ask for memory as it is needed. By default it maps a gigabyte to write to
+/// before anything else runs, and a limit set after that is never met.
+#[cfg(target_os = "linux")]
+const NO_MEMORY_IN_ADVANCE: (&str, &str) = ("MIMALLOC_ARENA_EAGER_COMMIT", "0");
 /// The longest answer that is read.
 const MOST_ANSWER_BYTES: u64 = 16 << 20;
 
@@ -71,7 +76,7 @@ pub enum Answer {
     },
     /// The world is in the directory of this name.
     Imported(String),
-    /// Nothing was changed, for this reason.
+    /// It was not done, for this reason.
     Refused(Refusal),
 }
 
@@ -82,17 +87,63 @@ pub enum Answer {
     reason = "the variants and fields are those of `StorageError`"
 )]
 pub enum Refusal {
-    InUse { world: String },
-    Busy { dir: PathBuf },
-    Newer { world: String, found: u16 },
-    NotADirectory { path: PathBuf },
-    Unsalvageable { path: PathBuf, reason: String },
-    NotFound { world: String, dir: PathBuf },
-    Archive { path: PathBuf, reason: String },
-    DiskFull { what: String },
-    NotWritable { path: PathBuf },
-    NotReadable { path: PathBuf },
+    InUse {
+        world: String,
+    },
+    Busy {
+        #[serde(with = "lossy")]
+        dir: PathBuf,
+    },
+    Newer {
+        world: String,
+        found: u16,
+    },
+    NotADirectory {
+        #[serde(with = "lossy")]
+        path: PathBuf,
+    },
+    Unsalvageable {
+        #[serde(with = "lossy")]
+        path: PathBuf,
+        reason: String,
+    },
+    NotFound {
+        world: String,
+        #[serde(with = "lossy")]
+        dir: PathBuf,
+    },
+    Archive {
+        #[serde(with = "lossy")]
+        path: PathBuf,
+        reason: String,
+    },
+    DiskFull {
+        what: String,
+    },
+    NotWritable {
+        #[serde(with = "lossy")]
+        path: PathBuf,
+    },
+    NotReadable {
+        #[serde(with = "lossy")]
+        path: PathBuf,
+    },
     Other(String),
+}
+
+/// Paths as they are shown: one that is no text would keep the whole answer from being one.
+mod lossy {
+    use std::path::{Path, PathBuf};
+
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(path: &Path, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(&path.to_string_lossy())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<PathBuf, D::Error> {
+        String::deserialize(from).map(PathBuf::from)
+    }
 }
 
 impl From<StorageError> for Refusal {
@@ -172,9 +223,11 @@ pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
 /// Does the work in this process, which is there for nothing else, and says what came of it.
 ///
 /// # Errors
-/// If standard output refuses, or the limit cannot be had.
+/// If standard output refuses, or a limit cannot be had.
 pub fn obey(saves: &SavesDir, task: &Task) -> Result<(), Failure> {
-    limit_memory(task.limits(saves).memory_bytes)?;
+    let limits = task.limits(saves);
+    end_after(limits.time)?;
+    limit_memory(limits.memory_bytes)?;
     let done = match task {
         Task::Repair { slug } => saves.repair(slug).map(|report| Answer::Repaired {
             world: report.world,
@@ -238,6 +291,8 @@ fn ask(saves: &SavesDir, task: &Task) -> Result<Answer, Failure> {
     let program = std::env::current_exe().map_err(|error| not_started(task, &error))?;
     let mut command = Command::new(program);
     command.args(task.arguments(saves));
+    #[cfg(target_os = "linux")]
+    command.env(NO_MEMORY_IN_ADVANCE.0, NO_MEMORY_IN_ADVANCE.1);
     answer_of(command, task, task.limits(saves).time)
 }
 
@@ -259,7 +314,7 @@ fn answer_of(mut command: Command, task: &Task, time: Duration) -> Result<Answer
     });
     if !ends_within(&mut child, time) {
         return Err(Failure::Runtime(format!(
-            "{} took more than {} seconds and was stopped. Nothing was changed; if the file is sound, the disk may be too slow or too full.",
+            "{} took more than {} seconds and was stopped. If the file is sound, the disk may be too slow or too full.",
             task.object(),
             time.as_secs()
         )));
@@ -269,7 +324,7 @@ fn answer_of(mut command: Command, task: &Task, time: Duration) -> Result<Answer
         .unwrap_or_default();
     serde_json::from_str(said.trim()).map_err(|_| {
         Failure::Runtime(format!(
-            "{} failed: the file is damaged in a way that the game cannot read. Nothing was changed; if you have a copy of it, use that.",
+            "{} failed: the file is damaged in a way that the game cannot read. If you have a copy of it, use that.",
             task.object()
         ))
     })
@@ -292,22 +347,46 @@ fn ends_within(child: &mut Child, time: Duration) -> bool {
     }
 }
 
+/// Ends this process when the time is over, in case nobody is left who would.
+fn end_after(time: Duration) -> Result<(), Failure> {
+    #[cfg(target_os = "linux")]
+    limit(
+        rustix::process::Resource::Cpu,
+        time.as_secs().saturating_add(1),
+    )?;
+    let watch = move || {
+        std::thread::sleep(time);
+        std::process::exit(i32::from(crate::cli::EXIT_FAILED));
+    };
+    let started = std::thread::Builder::new().spawn(watch);
+    started.map(drop).map_err(|error| not_limited(&error))
+}
+
 #[cfg(target_os = "linux")]
 fn limit_memory(bytes: u64) -> Result<(), Failure> {
-    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
-    let least = |known: Option<u64>| Some(known.map_or(bytes, |known| known.min(bytes)));
-    let before = getrlimit(Resource::Data);
+    limit(rustix::process::Resource::Data, bytes)
+}
+
+/// Sets a limit on this process, unless it has a lower one.
+#[cfg(target_os = "linux")]
+fn limit(resource: rustix::process::Resource, most: u64) -> Result<(), Failure> {
+    use rustix::process::{Rlimit, getrlimit, setrlimit};
+    let least = |known: Option<u64>| Some(known.map_or(most, |known| known.min(most)));
+    let before = getrlimit(resource);
     let limit = Rlimit {
         current: least(before.current),
         maximum: least(before.maximum),
     };
-    setrlimit(Resource::Data, limit)
-        .map_err(|error| Failure::Runtime(format!("The memory could not be limited: {error}")))
+    setrlimit(resource, limit).map_err(|error| not_limited(&error))
 }
 
 #[cfg(not(target_os = "linux"))]
 fn limit_memory(_: u64) -> Result<(), Failure> {
     Ok(())
+}
+
+fn not_limited(error: &dyn std::fmt::Display) -> Failure {
+    Failure::Runtime(format!("Memory and time could not be limited: {error}"))
 }
 
 fn not_started(task: &Task, error: &std::io::Error) -> Failure {

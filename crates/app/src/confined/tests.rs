@@ -82,6 +82,20 @@ fn refusals_pass_from_one_process_to_the_other_as_they_are() {
 
 #[cfg(unix)]
 #[test]
+fn a_refusal_of_a_path_that_is_no_text_is_told() {
+    use std::os::unix::ffi::OsStringExt;
+    let path = PathBuf::from(OsString::from_vec(b"saves/\xff.antipode-world".to_vec()));
+    let error = StorageError::NotReadable { path };
+    let sentence = error.to_string();
+    let sent = serde_json::to_string(&Answer::Refused(error.into())).unwrap();
+    let Ok(Answer::Refused(received)) = serde_json::from_str(&sent) else {
+        panic!("{sent}")
+    };
+    assert_eq!(Failure::from(received).to_string(), sentence);
+}
+
+#[cfg(unix)]
+#[test]
 fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
     let long = Duration::from_mins(10);
     let hung = answer("sh", &["-c", "sleep 600"], Duration::ZERO)
@@ -91,6 +105,8 @@ fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
         hung.contains("x.antipode-world took more than 0 seconds"),
         "{hung}"
     );
+    // It may have come to its end just before.
+    assert!(!hung.contains("Nothing was changed"), "{hung}");
     for script in [
         "kill -KILL $$",
         "echo nonsense",
@@ -102,6 +118,7 @@ fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
             failed.contains("Importing x.antipode-world failed"),
             "{failed}"
         );
+        assert!(!failed.contains("Nothing was changed"), "{failed}");
     }
     let none = answer("/no/such/program", &[], long)
         .unwrap_err()
@@ -171,4 +188,26 @@ fn memory_is_limited() {
         .unwrap();
     let said = String::from_utf8(output.stdout).unwrap();
     assert!(said.contains("1 passed"), "{said}");
+}
+
+/// Set for the child only.
+const ORPHAN: &str = "ANTIPODE_TEST_ORPHAN";
+
+/// Not a test of its own: what the child process does.
+#[test]
+fn child_works_longer_than_it_may() {
+    if std::env::var_os(ORPHAN).is_some() {
+        end_after(Duration::from_millis(50)).unwrap();
+        std::thread::sleep(Duration::from_secs(20));
+    }
+}
+
+#[test]
+fn a_process_that_nobody_waits_for_ends_with_its_time() {
+    let output = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", "confined::tests::child_works_longer_than_it_may"])
+        .env(ORPHAN, "1")
+        .output()
+        .unwrap();
+    assert!(!output.status.success(), "it went on");
 }
