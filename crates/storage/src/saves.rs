@@ -78,18 +78,14 @@ impl SavesDir {
         Ok(listing::summarise(&self.path, slug.to_owned()))
     }
 
-    /// How many chunks of a world are edited. A short look, after which anyone can open the world.
+    /// How many chunks of a world are edited; nothing where it was not closed properly, which only opening it to play
+    /// puts right. Looks without opening the store, so that it keeps nobody from playing.
     ///
     /// # Errors
     /// As [`WorldStore::open`].
-    pub fn edited_chunks(&self, slug: &str) -> Result<usize, StorageError> {
+    pub fn edited_chunks(&self, slug: &str) -> Result<Option<usize>, StorageError> {
         let dir = self.world_dir(slug)?;
-        let counted = store::peek_chunk_count(&world::store_path(&dir)?, &world::label(&dir))?;
-        match counted {
-            Some(count) => Ok(count),
-            // Not closed properly: opening recovers it.
-            None => Ok(WorldStore::open(&dir)?.edited_chunks()?.len()),
-        }
+        store::peek_chunk_count(&world::store_path(&dir)?, &world::label(&dir))
     }
 
     /// Whether a new world may be called `name` when the worlds of the given names are there. Reads no

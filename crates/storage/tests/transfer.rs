@@ -230,6 +230,7 @@ fn a_look_through_a_world_and_an_export_change_nothing_in_it() {
     let file = dir.path().join("foo.antipode-world");
     saves.export("foo", &file).unwrap();
     assert!(saves.list().unwrap().iter().all(|it| it.problem.is_none()));
+    assert_eq!(saves.edited_chunks("foo").unwrap(), None);
     let after = fs::read(saves.path().join("foo").join(WORLD_FILE)).unwrap();
     assert!(after == bytes, "the store was written to");
     assert_eq!(entries(&saves.path().join("foo")), before);

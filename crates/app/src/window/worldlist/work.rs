@@ -132,7 +132,7 @@ impl Job {
             | Self::Rename { slug, .. }
             | Self::Duplicate { slug }
             | Self::Export { slug, .. } => Some(slug),
-            // A look is over before anybody else gives up waiting for the store.
+            // A look opens no store.
             Self::List | Self::Import { .. } | Self::LookAt { .. } | Self::FindArchives => None,
         }
     }
@@ -143,7 +143,7 @@ impl Job {
         match self {
             Self::LookAt { slug } => {
                 let saves = place.worlds.saves();
-                let edits = saves.edited_chunks(slug).ok();
+                let edits = saves.edited_chunks(slug).ok().flatten();
                 let world = saves.find_slug(slug).ok();
                 let name = world.as_ref().map_or(slug.as_str(), WorldSummary::name);
                 let export_to = place.free_export(name);
