@@ -31,8 +31,6 @@ mod options;
 mod readiness;
 mod scene;
 #[cfg(test)]
-mod sprint;
-#[cfg(test)]
 mod tests;
 
 use options::check;

@@ -1,3 +1,4 @@
+//! What is shown while pipelines are being made.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::sync::mpsc::{Sender, channel};
@@ -14,6 +15,8 @@ use crate::gpu::AdapterChoice;
 use crate::offscreen::Offscreen;
 use crate::plan::testing;
 use crate::shadow::ShadowQuality;
+
+mod sprint;
 
 const SIZE: (u32, u32) = (64, 36);
 const OPTIONS: Options = Options {

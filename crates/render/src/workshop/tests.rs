@@ -1,3 +1,4 @@
+//! Who asks for pipelines, and when they are made, with a thread that is held back.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::sync::Mutex;

@@ -67,8 +67,6 @@ mod walk;
 mod whole;
 
 #[cfg(test)]
-mod forge;
-#[cfg(test)]
 mod tests;
 
 use std::io;

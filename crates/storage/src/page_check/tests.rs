@@ -11,13 +11,15 @@ use std::io::Cursor;
 use std::path::Path;
 use std::sync::OnceLock;
 
-use super::forge::Forge;
 use super::pages::Pages;
 use super::whole::whole;
 use super::{Checked, Fault, u32_at};
 use crate::{Batch, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldState, WorldStore};
 
+mod forge;
 mod survival;
+
+use forge::Forge;
 
 /// Enough for branches of branches.
 const CHUNKS: i32 = 2400;

@@ -4,9 +4,9 @@
 
 use std::collections::HashMap;
 
-use super::node::{Node, Widths};
-use super::pages::PageNumber;
-use super::{checksum, u64_at};
+use super::super::node::{Node, Widths};
+use super::super::pages::PageNumber;
+use super::super::{checksum, u64_at};
 
 const NAMES: Widths = Widths {
     key: None,

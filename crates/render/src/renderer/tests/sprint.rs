@@ -10,7 +10,7 @@ use antipode_scene::{Actions, Scene, WorldSetup};
 use image::RgbaImage;
 use wgpu::TextureFormat;
 
-use super::*;
+use super::super::*;
 use crate::gpu::AdapterChoice;
 use crate::offscreen::Offscreen;
 use crate::shaders::TERRAIN;
