@@ -182,7 +182,7 @@ impl SavesDir {
             schema_version: SCHEMA_VERSION,
             problems: Vec::new(),
         };
-        match WorldStore::open(&dir) {
+        match WorldStore::open_to_read(&dir) {
             Ok(world) => {
                 info.problems = world.problems();
                 info.problems.extend(summary::fault(&dir));

@@ -6,13 +6,14 @@
 use std::path::{Path, PathBuf};
 
 use redb::{
-    Builder, Database, ReadTransaction, ReadableDatabase, ReadableTable, ReadableTableMetadata,
-    TableDefinition, TableError,
+    Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, ReadableTable,
+    ReadableTableMetadata, TableDefinition, TableError,
 };
 
 use crate::codec::Kind;
 use crate::error::StorageError;
 use crate::guard::guard;
+use crate::opening::patiently;
 use crate::overlay::Overlay;
 use crate::page_check;
 use crate::schema::ChunkKey;
@@ -77,32 +78,29 @@ impl Store {
 
     /// Opens a store, recovering it if it was not closed, if its every page can be trusted.
     pub(crate) fn open(path: &Path, world: &str) -> Result<Self, StorageError> {
-        let checked = page_check::check(path, world)?;
-        let db = guard(path, || {
-            let mut builder = Builder::new();
-            builder
-                .set_cache_size(CACHE_BYTES)
-                .open(path)
-                .map_err(|e| StorageError::store(path, world, e))
-        })?;
-        Ok(Self {
-            path: path.to_path_buf(),
-            world: world.to_owned(),
-            db: Some(db),
-            torn_leaves: checked.torn_leaves,
-        })
+        Self::opened(path, world, |builder| builder.open(path))
     }
 
     /// Opens a store to read it, if its every page can be trusted: the file is not changed, and
     /// need not be writable. It is shared with others who read, not with one who writes.
     pub(crate) fn open_to_read(path: &Path, world: &str) -> Result<Self, StorageError> {
-        let checked = page_check::check(path, world)?;
-        let db = guard(path, || {
-            let mut builder = Builder::new();
-            builder.set_cache_size(CACHE_BYTES);
-            Overlay::over(path)
-                .and_then(|overlay| builder.create_with_backend(overlay))
-                .map_err(|e| StorageError::store(path, world, e))
+        Self::opened(path, world, |builder| {
+            builder.create_with_backend(Overlay::over(path)?)
+        })
+    }
+
+    fn opened(
+        path: &Path,
+        world: &str,
+        open: impl Fn(&mut Builder) -> Result<Database, DatabaseError>,
+    ) -> Result<Self, StorageError> {
+        let checked = patiently(|| page_check::check(path, world))?;
+        // The check is dear and holds off whoever writes: what waits for others who look is not to repeat it.
+        let db = patiently(|| {
+            guard(path, || {
+                open(Builder::new().set_cache_size(CACHE_BYTES))
+                    .map_err(|e| StorageError::store(path, world, e))
+            })
         })?;
         Ok(Self {
             path: path.to_path_buf(),

@@ -9,7 +9,6 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
-use crate::opening::{Opener, open_store};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
@@ -109,10 +108,13 @@ impl WorldStore {
         Self::open_by(dir, Store::open_to_read)
     }
 
-    fn open_by(dir: &Path, opener: Opener) -> Result<Self, StorageError> {
+    fn open_by(
+        dir: &Path,
+        opener: fn(&Path, &str) -> Result<Store, StorageError>,
+    ) -> Result<Self, StorageError> {
         let path = store_path(dir)?;
         let label = label(dir);
-        let store = open_store(&path, &label, opener)?;
+        let store = opener(&path, &label)?;
         // Asked after opening, which may move a file of a layered file system.
         let file = file_at(&path)?;
         let (known, sequence) = survey(&store, &label)?;
@@ -353,7 +355,7 @@ impl WorldStore {
             store
         } else {
             self.check_place()?;
-            open_store(&self.dir.join(WORLD_FILE), &label(&self.dir), Store::open)?
+            Store::open(&self.dir.join(WORLD_FILE), &label(&self.dir))?
         };
         work(slot.insert(store))
     }
