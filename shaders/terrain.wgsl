@@ -39,16 +39,17 @@ struct VertexOut {
     @location(10) dark: vec3<f32>,      // in a closed world the land's colour in the shadow
 }
 
-// Where grain is read. In a closed world the two charts agree at the equator only on the sphere itself.
-fn grain_point(world: vec3<f32>, hemisphere: u32) -> vec3<f32> {
+// Where grain is read: a place that is wrapped as grain repeats, and in a closed world, where the two charts agree at
+// the equator on the sphere alone, that. Its charts' places are not wrapped: p is one, from the chart's middle.
+fn grain_point(wrapped: vec3<f32>, p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
     if geo_kind(scene.space) != GEO_SPHERE {
-        return world;
+        return wrapped;
     }
     let radius = scene.space.project.w;
-    let r = max(length(world.xz), 1e-3);
+    let r = max(length(p.xz), 1e-3);
     let sine = sin(r / radius) / r;
     let side = select(1.0, -1.0, hemisphere == 1u);
-    return (radius + world.y) * vec3<f32>(side * sine * world.x, side * cos(r / radius), sine * world.z);
+    return (radius + p.y) * vec3<f32>(side * sine * p.x, side * cos(r / radius), sine * p.z);
 }
 
 // Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air. How many
@@ -81,7 +82,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
     let world = in.world.xyz + position_of(in.units);
     let hemisphere = in.flags & 1u;
-    let grain = grain_point(world, hemisphere);
+    let grain = grain_point(world, p, hemisphere);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
@@ -99,7 +100,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.veil = haze_before(space, view) * fog;
     let seam = SEAM * (1.0 - in.colour.w);
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)) + seam, world.y);
-    let past_rim = select(-1e9, length(world.xz) - scene.moon.w, scene.moon.w > 0.0);
+    let past_rim = select(-1e9, length(p.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
     out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w + mark);

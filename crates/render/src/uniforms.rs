@@ -259,7 +259,7 @@ impl ChunkInstance {
     ];
 }
 
-/// Wraps to [-128, 128): charts of closed worlds are smaller than that and stay as they are.
+/// Wraps to [-128, 128), after which grain repeats.
 fn wrap_m(x: f64) -> f64 {
     (x + GRAIN_PERIOD_M / 2.0).rem_euclid(GRAIN_PERIOD_M) - GRAIN_PERIOD_M / 2.0
 }

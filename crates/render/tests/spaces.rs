@@ -11,7 +11,7 @@ mod common;
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
+use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
 use antipode_scene::frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_terrain::ChunkMesh;
 use common::{
@@ -215,19 +215,25 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
 }
 
 /// The two charts overlap by some metres; each draws its own side only, so that nothing lies in the same place
-/// twice. Land of chart A alone must end 5 cm past the equator.
+/// twice. Land of chart A alone must end 5 cm past the equator, in small worlds and in large ones.
 #[test]
 fn land_past_the_equator_is_left_to_the_other_chart() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let space = space(Geometry::Spherical);
+    for radius_m in [32.0, 100.0, 256.0] {
+        land_ends_at_the_equator(&mut studio, &strategy(Geometry::Spherical, radius_m));
+    }
+}
+
+fn land_ends_at_the_equator(studio: &mut Studio, space: &Arc<dyn Strategy>) {
     let rim_m = space.rim_m().unwrap();
+    let column = (rim_m / 32.0).floor();
     let corner = ChunkCoord {
         hemisphere: Hemisphere::A,
-        index: IVec3::new(1, 0, -1),
+        index: IVec3::new(column as i32, 0, -1),
     };
-    let reach = (rim_m - 32.0) as f32;
+    let reach = (rim_m - 32.0 * column) as f32;
     // A strip along x, at z = -2..0, seen from above: it passes the equator well inside the chunk.
     let strip = [
         [1.0, 30.0],
@@ -239,7 +245,7 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, -1.0));
     let mut frame = Frame {
         chunk_changes: vec![ChunkChange::Put(corner, plates(&[strip]))],
-        ..frame(&space, eye, ASPECT)
+        ..frame(space, eye, ASPECT)
     };
     frame.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;
     let picture = studio.picture(&frame);
@@ -255,7 +261,7 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
     let first_red = (0..SIZE.1).find(|&y| is_red(y)).expect("the strip is seen");
     assert!(
         (f64::from(first_red) - line).abs() <= 1.5,
-        "{first_red}, not {line}"
+        "{rim_m}: {first_red}, not {line}"
     );
     assert!(is_red(SIZE.1 - 5), "this side stays");
 }
