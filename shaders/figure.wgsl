@@ -197,7 +197,7 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let shine = pow(max(dot(seen, halfway), 0.0), 48.0);
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
     let unlit = is_unlit(in.view, normal, in.frame_normal);
-    let share = key_share(shaded_at(in.place, in.view, false), in.clip.xy, unlit, true);
+    let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
     var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;

@@ -22,8 +22,8 @@ const SHADOW_BLEND: f32 = 0.16;
 const SHADOW_BIAS: f32 = 0.75;
 const SHADOW_BIASED: f32 = 10.0;
 const SHADOW_STEEPEST: f32 = 32.0;
-// Depths of a texel that a seam may lie in the shade of the step that it closes.
-const SHADOW_SEAM: f32 = 16.0;
+// Depths of a texel that a triangle which strays from its normals may lie below what it strays from.
+const SHADOW_STRAY: f32 = 16.0;
 
 struct Caster {
     clip: mat4x4<f32>,
@@ -33,6 +33,11 @@ struct Caster {
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
 @group(0) @binding(3) var shadow_sampler: sampler;
 @group(2) @binding(0) var<uniform> caster: Caster;
+
+// Where the light that throws shadows stands in a closed world, in view coordinates.
+fn key_body() -> vec4<f32> {
+    return mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
+}
 
 // Where a point of the chart falls on the map that is being drawn.
 fn caster_clip(p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
@@ -49,22 +54,29 @@ struct Shaded {
     at: vec4<f32>,
     x: vec4<f32>,
     y: vec4<f32>,
-    is_seam: bool,     // whether it has no surface of its own
+    faced: f32,        // how surely its normals face the light, 0 to 1
 }
 
-// To be called before a fragment may be discarded. Places are told apart here and not on a map, which would save two
+// From the cosine to the light. What turns to it by less is all but as dark as what turns away.
+fn surely_faced(cosine: f32) -> f32 {
+    return smoothstep(0.5 * FACING, FACING, cosine);
+}
+
+// To be called before a fragment may be discarded, with normals in the chart and in view coordinates of which a closed
+// world takes the second and the others the first. Places are told apart here and not on a map, which would save two
 // products of three: near the eye a pixel is a hundredth of a texel there, and what rounding leaves of the difference
 // is noise.
-fn shaded_at(place: vec3<f32>, view: vec4<f32>, is_seam: bool) -> Shaded {
+fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> Shaded {
     if SHADOWS == 0u {
-        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), false);
+        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0);
     }
     if GEO_KIND == GEO_SPHERE {
-        return Shaded(view, dpdx(view), dpdy(view), is_seam);
+        return Shaded(view, dpdx(view), dpdy(view), surely_faced(dot(model_normal, key_body())));
     }
+    let faced = surely_faced(dot(normalize(normal), scene.key_direction.xyz));
     let right = vec4<f32>(dpdx(place), 0.0);
     let below = vec4<f32>(dpdy(place), 0.0);
-    return Shaded(vec4<f32>(place, 1.0), right, below, is_seam);
+    return Shaded(vec4<f32>(place, 1.0), right, below, faced);
 }
 
 // How far from a map's middle a point falls on it: 1 at its edge.
@@ -101,7 +113,7 @@ struct Placed {
     depth: f32,
     slope: vec2<f32>,
     steepest: f32, // that is followed
-    turned: bool,  // whether its surface turns away from the light
+    turned: f32,   // share of the light that is lost since its surface turns away
 }
 
 fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
@@ -130,12 +142,15 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
     let bias = SHADOW_BIAS * min(length(vec3<f32>(g, texel)), SHADOW_BIASED * texel);
-    if point.is_seam {
-        return Placed(s.xy * to_texels + 0.5 * size, s.z + SHADOW_SEAM * texel, vec2<f32>(0.0), steepest, false);
-    }
     // Surfaces are seen from their front: one that the light sees the other way round shades itself. Compared with
     // its own depth it would be striped, since that is then the far side of what the map holds.
-    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, steepest, area * map.info.w < 0.0);
+    if area * map.info.w < 0.0 {
+        // One whose normals face the light strays from them, as seams between levels of detail do and thin triangles,
+        // and its plane is none of the land's: it is to look as the land beside it.
+        let stray = s.z + SHADOW_STRAY * texel;
+        return Placed(s.xy * to_texels + 0.5 * size, stray, vec2<f32>(0.0), steepest, 1.0 - point.faced);
+    }
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, steepest, 0.0);
 }
 
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
@@ -182,7 +197,7 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
         }
     }
     let width = f32(2u * gathers - 1u);
-    return mix(1.0, select(lit / (width * width), 0.0, placed.turned), map.info.z);
+    return mix(1.0, lit / (width * width) * (1.0 - placed.turned), map.info.z);
 }
 
 // The face of a star's light on which a point lies.
@@ -253,7 +268,7 @@ fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool
     if GEO_KIND != GEO_SPHERE {
         return dot(normal, scene.key_direction.xyz) <= 0.0;
     }
-    let body = mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
+    let body = key_body();
     return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, view), body) <= NIGHT;
 }
 

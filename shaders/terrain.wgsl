@@ -4,7 +4,7 @@
 struct VertexIn {
     @location(0) units: vec4<u32>,      // xyz: 1/1024 m from the chunk's corner; w: 32nds of those, five bits each
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
-    @location(2) colour: vec4<f32>,     // sRGB; w: 0 for a seam's, else 1
+    @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
     @location(4) flags: u32,            // lowest bit: hemisphere; next: whether a figure's shadow may fall on the chunk;
                                         // the rest: how many shades may
@@ -20,17 +20,13 @@ struct VertexIn {
 // Added to the share of a blend where a figure's shadow may fall on the chunk: what every pixel is handed costs.
 const SHADED: f32 = 8.0;
 
-// Added to the steepness of what belongs to a seam, for the same reason.
-const SEAM: f32 = 2.0;
-
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) facing: vec3<f32>,     // the normal; in a closed world the land's colour by day or night
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
-    @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness (of a seam 2 more),
-                                        // height m
+    @location(4) land: vec4<f32>,       // share of the land's own colour, width of view m, steepness, height m
     @location(5) place: vec4<f32>,      // xyz: from the reference, m; w: metres beyond what the chart draws
     @location(6) @interpolate(flat) feet: vec4<f32>, // w: as above
     @location(7) view: vec4<f32>,
@@ -98,8 +94,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
     out.veil = haze_before(space, view) * fog;
-    let seam = SEAM * (1.0 - in.colour.w);
-    out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)) + seam, world.y);
+    out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
     let past_rim = select(-1e9, length(p.xz) - scene.moon.w, scene.moon.w > 0.0);
     out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
     let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
@@ -175,11 +170,6 @@ fn vertex_hole(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32
     return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
 }
 
-// Whether it is a sliver between two levels of detail, which is to look as the land beside it.
-fn is_seam(in: VertexOut) -> bool {
-    return in.land.z > 0.75 * SEAM;
-}
-
 // Whether land turns away from the light that throws shadows, or lies where that does not reach.
 fn is_turned(in: VertexOut) -> bool {
     if geo_kind(scene.space) == GEO_SPHERE {
@@ -223,7 +213,7 @@ fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
 
 fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let spread_m = in.land.y;
-    let steep = in.land.z - select(0.0, SEAM, is_seam(in));
+    let steep = in.land.z;
     let height = in.land.w;
     var tone = 1.0;
     // Fine grain, gone where a pixel would hold several of its cells.
@@ -252,7 +242,7 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     return ringed(land_colour(in, point), ring);
 }
@@ -265,7 +255,7 @@ fn is_trimmed(in: VertexOut) -> bool {
 
 @fragment
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
@@ -287,14 +277,14 @@ fn own_depth(in: VertexOut) -> f32 {
 
 @fragment
 fn fragment_deep(in: VertexOut) -> DeepOut {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }
 
 @fragment
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     if is_trimmed(in) {
         discard;
@@ -318,7 +308,7 @@ fn is_left_out(in: VertexOut) -> bool {
 
 @fragment
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;
@@ -328,7 +318,7 @@ fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
 
 @fragment
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
-    let point = shaded_at(in.place.xyz, in.view, is_seam(in));
+    let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
     if is_left_out(in) || is_trimmed(in) {
         discard;

@@ -109,6 +109,7 @@ fn look(name: &str, world: &mut World, [plain, told]: [&mut Studio; 2]) -> Found
         }
         shown.save(format!("{dir}/{name}-found.png")).unwrap();
         picture.save(format!("{dir}/{name}.png")).unwrap();
+        told.save(format!("{dir}/{name}-told.png")).unwrap();
     }
     let dots = found.iter().filter(|at| view.is_dot(**at)).count();
     let found = Found {

@@ -37,6 +37,12 @@ struct Found {
     turned: usize,
 }
 
+impl Found {
+    fn off(&self) -> usize {
+        self.acne + self.leaks + self.turned
+    }
+}
+
 fn compare(name: &str, world: &mut World, shadows: ShadowQuality) -> Option<Found> {
     let frame = world.whole_frame();
     judge(name, &frame, &world.land, world.size(), shadows)
@@ -171,8 +177,66 @@ fn the_pictures_shadows_are_those_of_rays_cast_at_the_same_triangles() {
             let Some(found) = compare(&name, &mut world, quality) else {
                 return;
             };
-            let off = found.acne + found.leaks + found.turned;
-            if off as f64 > MOST_WRONG * found.judged as f64 {
+            if found.off() as f64 > MOST_WRONG * found.judged as f64 {
+                wrong.push((name, found));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+/// Builds a pillar some metres ahead, higher and higher, and looks at it.
+fn before_a_pillar(geometry: Geometry, time_s: f64) -> World {
+    let mut world = World::new(geometry, 1, 100.0, 3).of_lines(180);
+    for pitch in [-15.0, -5.0, 5.0, 15.0] {
+        world.aim(0.0, pitch);
+        world.use_pickaxe(true, 60);
+        world.settle();
+    }
+    world.scene.set_time_of_day_s(time_s);
+    world.aim(0.0, 0.0);
+    world
+}
+
+/// Digs down until so many metres are overhead, and looks at the wall by noon.
+fn down_a_shaft(geometry: Geometry, depth_m: f64) -> World {
+    let mut world = World::new(geometry, 1, 100.0, 3).of_lines(180);
+    let height_m = |world: &World| world.scene.feet().pos.y;
+    let top_m = height_m(&world);
+    world.aim(0.0, -89.9);
+    while top_m - height_m(&world) < depth_m {
+        world.use_pickaxe(false, 60);
+    }
+    world.settle();
+    world.scene.set_time_of_day_s(150.0);
+    world.aim(40.0, -20.0);
+    world
+}
+
+#[test]
+fn pillars_and_shafts_have_the_shadows_of_rays() {
+    let all = std::env::var("ANTIPODE_TEST_RAYS").is_ok();
+    let mut times = vec![60.0];
+    let mut worlds = Vec::new();
+    if all {
+        times.extend([35.0, 150.0, 240.0]);
+        worlds.push(("shaft", down_a_shaft(Geometry::Euclidean, 240.0)));
+    }
+    for geometry in Geometry::ALL {
+        worlds.extend(
+            times
+                .iter()
+                .map(|time_s| ("pillar", before_a_pillar(geometry, *time_s))),
+        );
+    }
+    let mut wrong = Vec::new();
+    for (n, (made, mut world)) in worlds.into_iter().enumerate() {
+        for quality in [ShadowQuality::Low, ShadowQuality::High] {
+            let name = format!("{made}-{n}-{quality:?}");
+            let Some(found) = compare(&name, &mut world, quality) else {
+                return;
+            };
+            if found.off() as f64 > MOST_WRONG * found.judged as f64 {
                 wrong.push((name, found));
             }
         }

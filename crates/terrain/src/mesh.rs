@@ -29,7 +29,7 @@ pub struct Vertex {
     pub parts: u16,
     /// Unit normal in the chart, toward the air, as [`octahedral`] gives it.
     pub octahedral: [i16; 2],
-    /// Colour, sRGB; the fourth is 255, and 0 for what belongs to a seam.
+    /// Colour, sRGB; the fourth is 255.
     pub colour: [u8; 4],
 }
 
@@ -52,16 +52,6 @@ impl Vertex {
             parts: x | y << PART_BITS | z << (2 * PART_BITS),
             octahedral,
             colour,
-        }
-    }
-
-    /// The same, marked as a seam's: what closes a gap is no ground, and has no slope of its own.
-    #[must_use]
-    pub fn of_seam(self) -> Self {
-        let [r, g, b, _] = self.colour;
-        Self {
-            colour: [r, g, b, 0],
-            ..self
         }
     }
 

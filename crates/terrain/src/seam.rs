@@ -135,7 +135,7 @@ impl Tailor {
             let first = indices.len() as u32;
             if self.read(&face) {
                 self.know(&face, &vertices[..surface]);
-                self.sew_face(&face, maker, reach, (vertices, surface), indices);
+                self.sew_face(&face, maker, reach, vertices, indices);
             }
             first..indices.len() as u32
         })
@@ -165,7 +165,7 @@ impl Tailor {
         face: &Face<'_>,
         maker: &Maker<'_>,
         reach: &Reach,
-        (vertices, surface): (&mut Vec<Vertex>, usize),
+        vertices: &mut Vec<Vertex>,
         indices: &mut Vec<u32>,
     ) {
         let cells = face.side / 2;
@@ -191,20 +191,13 @@ impl Tailor {
                     let mut corners = [Corner::default(); NODES];
                     for (corner, &node) in corners.iter_mut().zip(nodes) {
                         let index = &mut self.known[face.slot(place(node))];
-                        // The surface's own vertices are not marked as a seam's, and so are doubled.
-                        if *index == NO_VERTEX || (*index as usize) < surface {
-                            let vertex = match (vertices.get(*index as usize), like) {
-                                (Some(own), _) => *own,
-                                (None, like) => {
-                                    let at = face.place(place(node));
-                                    like.map_or_else(
-                                        || maker.at(at),
-                                        |like| Vertex::at(at, like.octahedral, like.colour),
-                                    )
-                                }
-                            };
+                        if *index == NO_VERTEX {
                             *index = vertices.len() as u32;
-                            vertices.push(vertex.of_seam());
+                            let at = face.place(place(node));
+                            vertices.push(match like {
+                                Some(like) => Vertex::at(at, like.octahedral, like.colour),
+                                None => maker.at(at),
+                            });
                         }
                         *corner = face.corner(*index, vertices);
                     }
