@@ -114,6 +114,19 @@ impl Refinements {
         self.shown.as_ref().and_then(away_m) > Some(LEFT_BEHIND_M)
     }
 
+    /// The eye cannot wait for what is being made: the next is to last longer. What will hold until then is made whole
+    /// by the frame, and what will not is let go.
+    fn miss(&mut self, frame: &Frame, bounds: &Bounds) {
+        let Some(set) = &self.coming else {
+            return;
+        };
+        self.lead.late();
+        let next = self.lead.when_made(&frame.eye.point);
+        if !set.rules.key.holds(frame, bounds, &next) {
+            self.coming = None;
+        }
+    }
+
     /// The rules of what is shown, if they hold for a frame and until others can be made.
     fn lasting(&self, frame: &Frame, bounds: &Bounds) -> Option<&Arc<RefineRules>> {
         let holds = |rules: &&Arc<RefineRules>| {
@@ -228,12 +241,19 @@ impl ChunkStore {
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }
-        let at_once = self.rush || has_leapt || self.refinements.is_left_behind(frame);
+        let anew = self.rush || has_leapt;
+        let left_behind = self.refinements.is_left_behind(frame);
+        if left_behind {
+            self.refinements.miss(frame, &plan.bounds);
+        }
+        let at_once = anew || left_behind;
         self.refine_changed(frame, &chosen);
-        self.begin_set(frame, &plan.bounds, (land, &chosen), at_once);
+        if anew || self.refinements.coming.is_none() {
+            self.begin_set(frame, &plan.bounds, (land, &chosen), at_once);
+        }
         self.take_done();
         if self.is_set_complete(frame, at_once) {
-            self.show_set();
+            self.show_set(at_once);
         }
         for coord in &chosen {
             let Some(chunk) = self.chunks.get(coord) else {
@@ -267,8 +287,7 @@ impl ChunkStore {
         }
     }
 
-    /// Begins refinements for the eye of now, and those that it will be, where some are missing and none are being made.
-    /// What is to be there at once begins anew.
+    /// Begins refinements for the eye of now, and those that it will be, where some are missing.
     fn begin_set(
         &mut self,
         frame: &Frame,
@@ -276,9 +295,6 @@ impl ChunkStore {
         (land, chosen): (&[ChunkLand], &[ChunkCoord]),
         at_once: bool,
     ) {
-        if self.refinements.coming.is_some() && !at_once {
-            return;
-        }
         let rules = self.refinements.rules(frame, bounds, self.rush);
         let chunk = |coord: &ChunkCoord| self.chunks.get(coord);
         let is_missing = |coord| chunk(coord).is_some_and(|c| !c.is_refined_for(&rules.key));
@@ -301,7 +317,9 @@ impl ChunkStore {
             coords,
             wanted: Arc::new(()),
         });
-        self.refinements.lead.begin();
+        if !at_once {
+            self.refinements.lead.begin();
+        }
     }
 
     /// Takes over what the thread has finished, if its mesh is still the one that is shown.
@@ -371,9 +389,12 @@ impl ChunkStore {
     }
 
     /// Shows what was made for the same eyes, all at once.
-    fn show_set(&mut self) {
+    fn show_set(&mut self, at_once: bool) {
         if let Some(set) = self.refinements.coming.take() {
-            self.refinements.lead.end();
+            // What the frame made tells nothing of the thread.
+            if !at_once {
+                self.refinements.lead.end();
+            }
             for chunk in self.chunks.values_mut() {
                 chunk.turn_to(&mut self.pages, &set.rules.key);
             }

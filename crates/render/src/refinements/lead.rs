@@ -49,6 +49,11 @@ impl Lead {
         self.took = self.age.min(MOST_FRAMES);
     }
 
+    /// The set is not there yet, and the eye cannot wait for it.
+    pub fn late(&mut self) {
+        self.took = self.took.max(self.age).min(MOST_FRAMES);
+    }
+
     /// Whether the eye stands.
     pub fn rests(&self) -> bool {
         self.step.length() < STANDS_M

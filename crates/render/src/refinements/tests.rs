@@ -172,6 +172,24 @@ fn a_sprint_at_five_frames_a_second_is_drawn_true_however_slow_the_thread_is() {
 }
 
 #[test]
+fn a_slow_thread_is_given_longer_ways_and_frames_leave_the_work_to_it() {
+    for slow in [6, 9] {
+        let Some(mut run) = Run::begin(HyperbolicMap::Raised, 20.0) else {
+            return;
+        };
+        let mut left_behind = 0;
+        for step in 1..=36 {
+            run.store.refinements.hold(step % slow != 0);
+            run.go_to(4.0 + SPRINT_M * step as f64);
+            // The next frame, where it would refine all that it shows itself.
+            run.frame.eye.point.pos.x += SPRINT_M;
+            left_behind += usize::from(run.store.refinements.is_left_behind(&run.frame));
+        }
+        assert!(left_behind <= 3, "{slow}: {left_behind} of 36 frames");
+    }
+}
+
+#[test]
 fn who_comes_out_somewhere_else_sees_true_land_at_once() {
     for (map, dial) in VIEWS {
         let Some(mut run) = Run::begin(map, dial) else {
