@@ -73,9 +73,10 @@ pub(super) fn answer_of(
     if status.is_none() {
         return Err(End::Late.told(task, limits));
     }
-    let said = heard(said);
-    serde_json::from_str(said.trim())
-        .map_err(|_| End::of(status, &heard(complaints)).told(task, limits))
+    serde_json::from_slice(&heard(said)).map_err(|_| {
+        let complaints = heard(complaints);
+        End::of(status, &String::from_utf8_lossy(&complaints)).told(task, limits)
+    })
 }
 
 /// Reads what a process says, so that it never waits for a reader: the first bytes are kept.
@@ -88,9 +89,9 @@ fn listen(mut from: impl Read + Send + 'static, most: u64) -> JoinHandle<Vec<u8>
     })
 }
 
-fn heard(thread: Option<JoinHandle<Vec<u8>>>) -> String {
+fn heard(thread: Option<JoinHandle<Vec<u8>>>) -> Vec<u8> {
     let said = thread.and_then(|thread| thread.join().ok());
-    String::from_utf8(said.unwrap_or_default()).unwrap_or_default()
+    said.unwrap_or_default()
 }
 
 /// How a process has ended that gave no answer.
@@ -101,6 +102,7 @@ pub(super) enum End {
     /// It wanted more memory than it may have.
     Hungry,
     /// By a signal that somebody else sent, or the system that had no memory left.
+    #[cfg(unix)]
     Ended(i32),
     /// It did not begin, for this reason.
     Refused(String),
@@ -154,6 +156,7 @@ impl End {
                 "{object} needed more memory than it may have, at most {} MB, and was stopped. If the file is sound, please report this.",
                 limits.memory_bytes >> 20
             ),
+            #[cfg(unix)]
             Self::Ended(signal) => format!(
                 "{object} failed: the system or somebody ended the work (signal {signal}), as happens where memory is short. Try again."
             ),
