@@ -5,4 +5,5 @@ pub mod processes;
 pub mod program;
 pub mod screen;
 pub mod seam;
+pub mod system;
 pub mod window;

@@ -217,75 +217,24 @@ fn a_clock_set_back_loses_nothing() {
 mod system {
     //! Faults that only the system can make.
 
-    use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
-    use std::process::{Command, Stdio};
+    use std::os::unix::fs::chown;
+    use std::process::Command;
 
-    use antipode_tests::program::{binary, may_skip};
+    use antipode_tests::program::binary;
+    use antipode_tests::system::{SmallDisk, give_away, is_root, permit, unprivileged};
 
     use super::*;
 
-    /// Nobody's number, on every system that has one.
-    const NOBODY: u32 = 65_534;
-
-    fn is_root() -> bool {
-        // A directory that was just made belongs to whoever this is.
-        let made = tempfile::tempdir().unwrap();
-        fs::metadata(made.path()).unwrap().uid() == 0
-    }
-
-    /// The game as a user whom permissions bind: root is bound by none, so then as nobody.
-    fn unprivileged(saves: &Path, script: &str) -> Option<Background> {
-        let mut command = if is_root() {
-            let tried = Command::new("setpriv")
-                .args(["--reuid=65534", "--regid=65534", "--clear-groups", "true"])
-                .stderr(Stdio::null())
-                .status();
-            if !tried.is_ok_and(|status| status.success()) {
-                may_skip("an unprivileged user (this is root, and setpriv does not work)");
-                return None;
-            }
-            let mut command = Command::new("setpriv");
-            command.args(["--reuid=65534", "--regid=65534", "--clear-groups"]);
-            command.arg(binary());
-            command
-        } else {
-            Command::new(binary())
-        };
-        command
-            .env_remove("ANTIPODE_SAVES")
-            .current_dir("/")
-            .arg("--saves-dir")
-            .arg(saves)
-            .args(["script", "-", "--adapter", "none", "--view-distance", "1"]);
+    /// A script without pictures, by a user whom permissions bind.
+    fn as_nobody(saves: &Path, script: &str) -> Option<Background> {
+        let mut command = unprivileged(saves)?;
+        command.args(["script", "-", "--adapter", "none", "--view-distance", "1"]);
         Some(Background::begin_as(command, script))
-    }
-
-    fn permit(path: &Path, mode: u32) {
-        fs::set_permissions(path, fs::Permissions::from_mode(mode)).unwrap();
-    }
-
-    /// Gives everything to the unprivileged user, where that is another.
-    fn give_away(saves: &Path) {
-        permit(saves, 0o755);
-        if !is_root() {
-            return;
-        }
-        let mut all = vec![saves.to_path_buf()];
-        while let Some(path) = all.pop() {
-            if path.is_dir() {
-                all.extend(
-                    fs::read_dir(&path)
-                        .unwrap()
-                        .map(|entry| entry.unwrap().path()),
-                );
-            }
-            chown(&path, Some(NOBODY), Some(NOBODY)).unwrap();
-        }
     }
 
     /// The one line with which a script fails for want of permission; `None` where nobody can be denied.
     fn denied(saves: &Path, script: &str) -> Option<String> {
-        let ended = unprivileged(saves, script)?.ended();
+        let ended = as_nobody(saves, script)?.ended();
         assert_eq!(ended.status, Some(1), "{}", ended.stderr);
         assert_eq!(ended.stderr.trim().lines().count(), 1, "{}", ended.stderr);
         Some(ended.stderr)
@@ -335,31 +284,6 @@ mod system {
         );
     }
 
-    /// A file system in memory of so many KiB; `None` where none may be made.
-    struct SmallDisk(TempDir);
-
-    impl SmallDisk {
-        fn new(options: &str) -> Option<Self> {
-            let dir = tempfile::tempdir().unwrap();
-            let mounted = Command::new("mount")
-                .args(["-t", "tmpfs", "-o", options, "antipode-test"])
-                .arg(dir.path())
-                .stderr(Stdio::null())
-                .status();
-            if mounted.is_ok_and(|status| status.success()) {
-                return Some(Self(dir));
-            }
-            may_skip("the right to mount a small file system");
-            None
-        }
-    }
-
-    impl Drop for SmallDisk {
-        fn drop(&mut self) {
-            let _ = Command::new("umount").arg("-l").arg(self.0.path()).status();
-        }
-    }
-
     /// Writes until there is no room.
     fn fill(path: &Path) {
         use std::io::Write;
@@ -372,7 +296,7 @@ mod system {
         let Some(disk) = SmallDisk::new("size=6m") else {
             return;
         };
-        let saves = disk.0.path();
+        let saves = disk.path();
         let made = run(
             saves,
             &format!("new euclidean seed=5 name=First\n{DIG}\nprobe\nsave"),
@@ -402,11 +326,11 @@ mod system {
     }
 
     #[test]
-    fn on_a_read_only_disk_worlds_are_listed_and_the_reason_is_said() {
+    fn on_a_read_only_disk_worlds_are_listed_verified_and_exported_and_the_reason_is_said() {
         let Some(disk) = SmallDisk::new("size=16m") else {
             return;
         };
-        let saves = disk.0.path();
+        let saves = disk.path();
         let made = run(saves, "new euclidean seed=5 name=First\nwait 1\nsave");
         assert_eq!(made.status, Some(0), "{}", made.stderr);
         let remounted = Command::new("mount")
@@ -427,6 +351,24 @@ mod system {
         };
         let listed = command().args(["saves", "list"]).output().unwrap();
         assert!(String::from_utf8_lossy(&listed.stdout).contains("First"));
+        // Elsewhere there is room, and nothing has to be written here to get there.
+        let elsewhere = tempfile::tempdir().unwrap();
+        let file = elsewhere.path().join("first.antipode-world");
+        for (arguments, words) in [
+            (&["verify", "First"][..], "are whole"),
+            (&["info", "First"], "First"),
+            (&["export", "First", file.to_str().unwrap()], "is written"),
+        ] {
+            let output = command().arg("saves").args(arguments).output().unwrap();
+            let said = String::from_utf8_lossy(&output.stdout);
+            let mistake = String::from_utf8_lossy(&output.stderr);
+            assert!(
+                output.status.success() && said.contains(words) && mistake.is_empty(),
+                "{arguments:?}: {said} {mistake}"
+            );
+        }
+        let imported = SavesDir::new(elsewhere.path()).import(&file).unwrap();
+        assert_eq!(imported, "first");
         for script in ["load First", "new euclidean name=Second"] {
             let mut command = command();
             command.args(["script", "-", "--adapter", "none"]);

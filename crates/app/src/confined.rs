@@ -11,11 +11,11 @@
 //! alone. What is left of an ended process the
 //! next use of the saves directory removes, since its lock is gone with it.
 
+mod process;
+
 use std::ffi::OsString;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use antipode_storage::{RepairReport, SavesDir, StorageError, WORLD_FILE};
 use clap::Subcommand;
@@ -23,6 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::failure::Failure;
 use crate::output::line;
+use process::{answer_of, end_after, limit_memory, myself};
 
 /// What the work needs besides the file, with room to spare.
 const MEMORY_BYTES: u64 = 512 << 20;
@@ -34,15 +35,6 @@ const TIME: Duration = Duration::from_mins(1);
 const BYTES_PER_S: u64 = 2 << 20;
 /// Nobody waits longer.
 const MOST_TIME: Duration = Duration::from_mins(10);
-/// How often the other process is asked whether it is done.
-const LOOK: Duration = Duration::from_millis(5);
-/// Has the allocator ask for memory as it is needed. By default it maps a gigabyte to write to
-/// before anything else runs, and a limit set after that is never met.
-#[cfg(target_os = "linux")]
-const NO_MEMORY_IN_ADVANCE: (&str, &str) = ("MIMALLOC_ARENA_EAGER_COMMIT", "0");
-/// The longest answer that is read.
-const MOST_ANSWER_BYTES: u64 = 16 << 20;
-
 /// Work for a process of its own.
 #[derive(Clone, Debug, Subcommand)]
 pub enum Task {
@@ -188,7 +180,8 @@ impl From<Refusal> for Failure {
 /// As [`SavesDir::repair`]; [`Failure::Runtime`] if the process did not come to an end.
 pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
     let slug = slug.to_owned();
-    match ask(saves, &Task::Repair { slug })? {
+    let task = Task::Repair { slug };
+    match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
         Answer::Repaired {
             world,
             chunks,
@@ -213,7 +206,8 @@ pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
 /// As [`SavesDir::import`]; [`Failure::Runtime`] if the process did not come to an end.
 pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
     let file = file.to_path_buf();
-    match ask(saves, &Task::Import { file })? {
+    let task = Task::Import { file };
+    match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
         Answer::Imported(slug) => Ok(slug),
         Answer::Refused(refusal) => Err(refusal.into()),
         Answer::Repaired { .. } => Err(senseless()),
@@ -272,10 +266,18 @@ impl Task {
             Self::Repair { slug } => ("repair", OsString::from(slug)),
             Self::Import { file } => ("import", file.clone().into_os_string()),
         };
-        let mut arguments: Vec<OsString> = vec!["saves".into(), "confined".into()];
-        arguments.extend(["--saves-dir".into(), saves.path().into()]);
-        arguments.extend([verb.into(), "--".into(), object]);
-        arguments
+        // In one word, since the directory may look like an option.
+        let mut place = OsString::from("--saves-dir=");
+        place.push(saves.path());
+        let words: [OsString; 6] = [
+            "saves".into(),
+            "confined".into(),
+            place,
+            verb.into(),
+            "--".into(),
+            object,
+        ];
+        words.into()
     }
 
     /// What it was about, to say what became of it.
@@ -285,115 +287,6 @@ impl Task {
             Self::Import { file } => format!("Importing {}", file.display()),
         }
     }
-}
-
-fn ask(saves: &SavesDir, task: &Task) -> Result<Answer, Failure> {
-    let program = std::env::current_exe().map_err(|error| not_started(task, &error))?;
-    let mut command = Command::new(program);
-    command.args(task.arguments(saves));
-    #[cfg(target_os = "linux")]
-    command.env(NO_MEMORY_IN_ADVANCE.0, NO_MEMORY_IN_ADVANCE.1);
-    answer_of(command, task, task.limits(saves).time)
-}
-
-/// Starts a process and waits for its answer, at most for a time.
-fn answer_of(mut command: Command, task: &Task, time: Duration) -> Result<Answer, Failure> {
-    let started = command
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn();
-    let mut child = started.map_err(|error| not_started(task, &error))?;
-    let said = child.stdout.take().map(|output| {
-        std::thread::spawn(move || {
-            let mut said = String::new();
-            // What is cut short or no text is no answer.
-            let _ = output.take(MOST_ANSWER_BYTES).read_to_string(&mut said);
-            said
-        })
-    });
-    if !ends_within(&mut child, time) {
-        return Err(Failure::Runtime(format!(
-            "{} took more than {} seconds and was stopped. If the file is sound, the disk may be too slow or too full.",
-            task.object(),
-            time.as_secs()
-        )));
-    }
-    let said = said
-        .and_then(|thread| thread.join().ok())
-        .unwrap_or_default();
-    serde_json::from_str(said.trim()).map_err(|_| {
-        Failure::Runtime(format!(
-            "{} failed: the file is damaged in a way that the game cannot read. If you have a copy of it, use that.",
-            task.object()
-        ))
-    })
-}
-
-/// Waits for a process and ends it when the time is over; whether it ended by itself.
-fn ends_within(child: &mut Child, time: Duration) -> bool {
-    let start = Instant::now();
-    loop {
-        match child.try_wait() {
-            Ok(Some(_)) => return true,
-            Ok(None) if start.elapsed() < time => std::thread::sleep(LOOK),
-            _ => {
-                // It may have ended meanwhile, which is as good.
-                let _ = child.kill();
-                let _ = child.wait();
-                return false;
-            }
-        }
-    }
-}
-
-/// Ends this process when the time is over, in case nobody is left who would.
-fn end_after(time: Duration) -> Result<(), Failure> {
-    #[cfg(target_os = "linux")]
-    limit(
-        rustix::process::Resource::Cpu,
-        time.as_secs().saturating_add(1),
-    )?;
-    let watch = move || {
-        std::thread::sleep(time);
-        std::process::exit(i32::from(crate::cli::EXIT_FAILED));
-    };
-    let started = std::thread::Builder::new().spawn(watch);
-    started.map(drop).map_err(|error| not_limited(&error))
-}
-
-#[cfg(target_os = "linux")]
-fn limit_memory(bytes: u64) -> Result<(), Failure> {
-    limit(rustix::process::Resource::Data, bytes)
-}
-
-/// Sets a limit on this process, unless it has a lower one.
-#[cfg(target_os = "linux")]
-fn limit(resource: rustix::process::Resource, most: u64) -> Result<(), Failure> {
-    use rustix::process::{Rlimit, getrlimit, setrlimit};
-    let least = |known: Option<u64>| Some(known.map_or(most, |known| known.min(most)));
-    let before = getrlimit(resource);
-    let limit = Rlimit {
-        current: least(before.current),
-        maximum: least(before.maximum),
-    };
-    setrlimit(resource, limit).map_err(|error| not_limited(&error))
-}
-
-#[cfg(not(target_os = "linux"))]
-fn limit_memory(_: u64) -> Result<(), Failure> {
-    Ok(())
-}
-
-fn not_limited(error: &dyn std::fmt::Display) -> Failure {
-    Failure::Runtime(format!("Memory and time could not be limited: {error}"))
-}
-
-fn not_started(task: &Task, error: &std::io::Error) -> Failure {
-    Failure::Runtime(format!(
-        "{} failed: the game could not be started a second time for it ({error}).",
-        task.object()
-    ))
 }
 
 fn senseless() -> Failure {

@@ -1,7 +1,7 @@
 //! What is left behind when the game itself breaks: a report, and words about it.
 
 use std::backtrace::Backtrace;
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::fmt::Write as _;
 use std::panic::{PanicHookInfo, catch_unwind, set_hook, take_hook};
 use std::path::{Path, PathBuf};
@@ -38,7 +38,7 @@ pub fn guard(
         let path = report.lock().unwrap_or_else(PoisonError::into_inner).take();
         if again && let Some(path) = &path {
             start_again(
-                kept_options(std::env::args().skip(1), &OF_A_WORLD),
+                kept_options(std::env::args_os().skip(1), &OF_A_WORLD),
                 AFTER_CRASH,
                 path,
             );
@@ -51,8 +51,8 @@ pub fn guard(
         && let Some(trouble) = Trouble::of(error)
     {
         let but = [&OF_A_WORLD[..], &["--adapter"]].concat();
-        let mut options = kept_options(std::env::args().skip(1), &but);
-        options.extend(["--adapter", "software"].map(str::to_owned));
+        let mut options = kept_options(std::env::args_os().skip(1), &but);
+        options.extend(["--adapter", "software"].map(OsString::from));
         start_again(options, AFTER_GRAPHICS, trouble.to_string());
     }
     ended
@@ -102,7 +102,7 @@ fn seconds_now() -> u64 {
 }
 
 /// The same program with these options: in its menu, with words about why.
-fn start_again(options: Vec<String>, why: &str, details: impl AsRef<OsStr>) {
+fn start_again(options: Vec<OsString>, why: &str, details: impl AsRef<OsStr>) {
     let Ok(program) = std::env::current_exe() else {
         return;
     };
@@ -125,13 +125,15 @@ const OF_A_WORLD: [&str; 6] = [
 ];
 
 /// What the new game is started with: everything but these options and their values.
-fn kept_options(arguments: impl Iterator<Item = String>, but: &[&str]) -> Vec<String> {
+fn kept_options(arguments: impl Iterator<Item = OsString>, but: &[&str]) -> Vec<OsString> {
     let mut kept = Vec::new();
     let mut arguments = arguments;
     while let Some(argument) = arguments.next() {
-        if but.contains(&argument.as_str()) {
+        // What is no text is no option, and what follows an option may be anything.
+        let words = argument.to_string_lossy();
+        if but.contains(&words.as_ref()) {
             arguments.next();
-        } else if !but.iter().any(|o| argument.starts_with(&format!("{o}="))) {
+        } else if !but.iter().any(|o| words.starts_with(&format!("{o}="))) {
             kept.push(argument);
         }
     }
@@ -153,7 +155,25 @@ mod tests {
             "--saves-dir",
             "/x",
         ];
-        let kept = kept_options(args.map(str::to_owned).into_iter(), &OF_A_WORLD);
+        let kept = kept_options(args.map(OsString::from).into_iter(), &OF_A_WORLD);
         assert_eq!(kept, ["--size", "640x360", "--saves-dir", "/x"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn options_that_are_no_text_are_kept_as_they_are() {
+        use std::os::unix::ffi::OsStringExt;
+        let odd = |bytes: &[u8]| OsString::from_vec(bytes.to_vec());
+        let args = [
+            odd(b"--saves-dir"),
+            odd(b"/\xff"),
+            odd(b"--name=\xff"),
+            odd(b"--load"),
+            odd(b"\xfe"),
+            odd(b"--config=/\xfd"),
+        ];
+        let kept = kept_options(args.into_iter(), &OF_A_WORLD);
+        let left = [&b"--saves-dir"[..], b"/\xff", b"--config=/\xfd"].map(odd);
+        assert_eq!(kept, left);
     }
 }

@@ -8,16 +8,17 @@ use antipode_scene::{Hint, Item, Line, Notice, SceneError};
 use antipode_settings::{Action, Profiles};
 use antipode_storage::{NameError, StorageError, WorldSummary};
 use antipode_streaming::{Cause, StreamingError};
-use antipode_ui::legible;
+use antipode_ui::{legible, legible_name};
 
 use crate::failure::Failure;
 use crate::trouble::Trouble;
 
-/// What can end an action, as sentences.
-pub fn failure(texts: &Texts, failure: &Failure) -> String {
+/// What can end an action, as sentences; `worlds` are those that are known, to tell by its folder one whose name cannot
+/// be shown.
+pub fn failure(texts: &Texts, failure: &Failure, worlds: &[WorldSummary]) -> String {
     match failure {
-        Failure::Storage(error) => storage(texts, error),
-        Failure::Scene(error) => scene(texts, error),
+        Failure::Storage(error) => storage(texts, error, worlds),
+        Failure::Scene(error) => scene(texts, error, worlds),
         Failure::Streaming(error) => streaming(texts, error),
         Failure::Render(error) => render(texts, error),
         Failure::NoWindow(_)
@@ -29,16 +30,24 @@ pub fn failure(texts: &Texts, failure: &Failure) -> String {
     }
 }
 
-/// Why a save could not be read or written.
-pub fn storage(texts: &Texts, error: &StorageError) -> String {
+/// The name of a world as far as it can be shown, with its folder beside it where that is needed and known.
+fn world_name(world: &str, worlds: &[WorldSummary]) -> String {
+    let known = worlds.iter().find(|known| known.name() == world);
+    let folder = known.map_or("", |known| known.slug.as_str());
+    legible_name(world, folder).into_owned()
+}
+
+/// Why a save could not be read or written; `worlds` as for [`failure`].
+pub fn storage(texts: &Texts, error: &StorageError, worlds: &[WorldSummary]) -> String {
     let path = |path: &std::path::Path| path.display().to_string();
     match error {
-        StorageError::InUse { world } => {
-            texts.say_with("save-in-use", &[("world", legible(world).into())])
-        }
+        StorageError::InUse { world } => texts.say_with(
+            "save-in-use",
+            &[("world", world_name(world, worlds).into())],
+        ),
         StorageError::Busy { dir } => texts.say_with("saves-busy", &[("path", path(dir).into())]),
         StorageError::Newer { world, .. } => {
-            texts.say_with("save-newer", &[("world", legible(world).into())])
+            texts.say_with("save-newer", &[("world", world_name(world, worlds).into())])
         }
         StorageError::Damaged { .. } => texts.say("save-part-damaged"),
         StorageError::Unreadable { path: file, .. } => {
@@ -53,14 +62,17 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
         StorageError::NotADirectory { path: file } => {
             texts.say_with("saves-not-a-folder", &[("path", path(file).into())])
         }
-        StorageError::NotFound { world, .. } => {
-            texts.say_with("save-not-found", &[("world", legible(world).into())])
-        }
-        StorageError::Name(error) => name(texts, error),
+        StorageError::NotFound { world, .. } => texts.say_with(
+            "save-not-found",
+            &[("world", world_name(world, worlds).into())],
+        ),
+        StorageError::Name(error) => name(texts, error, worlds),
         StorageError::Exists { path: file } => {
             texts.say_with("file-exists", &[("path", path(file).into())])
         }
-        StorageError::DiskFull { what } => texts.say_with("disk-full", &[("path", what.into())]),
+        StorageError::DiskFull { what } => {
+            texts.say_with("disk-full", &[("path", legible(what).into())])
+        }
         StorageError::NotWritable { path: file } => {
             texts.say_with("not-writable", &[("path", path(file).into())])
         }
@@ -77,14 +89,14 @@ pub fn storage(texts: &Texts, error: &StorageError) -> String {
 /// What is wrong with a world in the list, if anything.
 pub fn world_problem(texts: &Texts, world: &WorldSummary) -> Option<String> {
     match (&world.error, &world.problem) {
-        (Some(error), _) => Some(storage(texts, error.get())),
+        (Some(error), _) => Some(storage(texts, error.get(), std::slice::from_ref(world))),
         (None, Some(_)) => Some(texts.say("save-part-damaged")),
         (None, None) => None,
     }
 }
 
-/// Why a world cannot be called that.
-pub fn name(texts: &Texts, error: &NameError) -> String {
+/// Why a world cannot be called that; `worlds` as for [`failure`].
+pub fn name(texts: &Texts, error: &NameError, worlds: &[WorldSummary]) -> String {
     match error {
         NameError::Empty => texts.say("name-empty"),
         NameError::Blank => texts.say("name-blank"),
@@ -97,9 +109,10 @@ pub fn name(texts: &Texts, error: &NameError) -> String {
             let code = letter.escape_unicode().to_string();
             texts.say_with("name-unprintable", &[("code", code.into())])
         }
-        NameError::Taken { existing } => {
-            texts.say_with("name-taken", &[("name", legible(existing).into())])
-        }
+        NameError::Taken { existing } => texts.say_with(
+            "name-taken",
+            &[("name", world_name(existing, worlds).into())],
+        ),
     }
 }
 
@@ -251,7 +264,7 @@ pub fn streaming(texts: &Texts, error: &StreamingError) -> String {
         }
         StreamingError::Unfinished => texts.say("save-unfinished"),
         StreamingError::Store(why) => match why.downcast_ref() {
-            Some(error) => storage(texts, error),
+            Some(error) => storage(texts, error, &[]),
             None => other(texts, &why.to_string()),
         },
         StreamingError::Threads(_) => other(texts, &error.to_string()),
@@ -260,22 +273,23 @@ pub fn streaming(texts: &Texts, error: &StreamingError) -> String {
 
 fn cause(texts: &Texts, why: &Cause) -> String {
     match why.downcast_ref() {
-        Some(error) => storage(texts, error),
+        Some(error) => storage(texts, error, &[]),
         None => other(texts, &why.to_string()),
     }
 }
 
-fn scene(texts: &Texts, error: &SceneError) -> String {
+fn scene(texts: &Texts, error: &SceneError, worlds: &[WorldSummary]) -> String {
     match error {
-        SceneError::Storage(error) => storage(texts, error),
+        SceneError::Storage(error) => storage(texts, error, worlds),
         SceneError::Streaming(error) => streaming(texts, error),
-        SceneError::UnknownGeometry { name, .. } => {
-            texts.say_with("unknown-space", &[("world", legible(name).into())])
-        }
+        SceneError::UnknownGeometry { name, .. } => texts.say_with(
+            "unknown-space",
+            &[("world", world_name(name, worlds).into())],
+        ),
         SceneError::ImpossibleRadius { name, radius_m } => texts.say_with(
             "impossible-radius",
             &[
-                ("world", legible(name).into()),
+                ("world", world_name(name, worlds).into()),
                 ("radius", texts.marked(&radius_m.to_string()).into()),
             ],
         ),
@@ -313,6 +327,7 @@ fn damaged(texts: &Texts, details: &str) -> String {
 fn other(texts: &Texts, details: &str) -> String {
     texts.say_with("other-trouble", &[("details", details.into())])
 }
+
 /// What was not as it should be in the file of the settings.
 pub fn settings_notice(texts: &Texts, notice: &antipode_settings::Notice) -> String {
     let mut values = notice.text_arguments();
@@ -345,93 +360,4 @@ pub fn texts_with(texts: &Texts, key: &str, values: Vec<(&'static str, String)>)
 }
 
 #[cfg(test)]
-mod tests {
-    #![allow(clippy::panic, reason = "tests fail by panicking")]
-
-    use std::path::PathBuf;
-    use std::sync::Arc;
-
-    use antipode_language::Language;
-
-    use super::*;
-
-    fn common() -> Vec<StorageError> {
-        let path = PathBuf::from("saves/x");
-        let world = "Ziemia".to_owned();
-        vec![
-            StorageError::InUse {
-                world: world.clone(),
-            },
-            StorageError::Busy { dir: path.clone() },
-            StorageError::Newer { world, found: 99 },
-            StorageError::Unreadable {
-                path: path.clone(),
-                reason: "an English reason".to_owned(),
-            },
-            StorageError::DiskFull {
-                what: "saves/x".to_owned(),
-            },
-            StorageError::NotWritable { path: path.clone() },
-            StorageError::Archive {
-                path: path.clone(),
-                reason: "an English reason".to_owned(),
-            },
-            StorageError::NotReadable { path: path.clone() },
-            StorageError::Vanished { path },
-        ]
-    }
-
-    #[test]
-    fn common_failures_are_told_wholly_in_the_players_language() {
-        for language in Language::ALL {
-            let texts = Texts::new(language);
-            for error in common() {
-                let said = storage(&texts, &error);
-                let named = said.contains("Ziemia") || said.contains("saves/x");
-                assert!(named && !said.contains("English"), "{said}");
-                let english = storage(&Texts::default(), &error);
-                assert_eq!(said == english, language == Language::English, "{said}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_failed_save_says_why_in_the_players_language_through_every_layer() {
-        let texts = Texts::new(Language::Polish);
-        for error in common() {
-            let why = storage(&texts, &error);
-            let cause: Cause = Arc::new(error);
-            let told = notice(&texts, &Notice::NotSaved(Cause::clone(&cause)));
-            let asked = streaming(&texts, &StreamingError::NotSaved(cause));
-            assert!(
-                told.ends_with(&why) && asked.ends_with(&why),
-                "{told} {asked}"
-            );
-        }
-    }
-
-    #[test]
-    fn what_failed_of_the_graphics_is_told_in_the_players_language() {
-        let refused = RenderError::Shader("expected one of".to_owned());
-        for language in Language::ALL {
-            let texts = Texts::new(language);
-            let english = Texts::default();
-            for failed in [&refused, &RenderError::Lost("gone".to_owned())] {
-                let Some(why) = Trouble::of(failed) else {
-                    panic!("{failed} is told to nobody");
-                };
-                let said = trouble(&texts, &why);
-                let same = said == trouble(&english, &why);
-                assert_eq!(same, language == Language::English, "{said}");
-            }
-            assert!(render(&texts, &refused).contains("expected one of"));
-        }
-    }
-
-    #[test]
-    fn what_is_rare_keeps_its_details() {
-        let texts = Texts::new(Language::Polish);
-        let said = failure(&texts, &Failure::Runtime("Odd details.".to_owned()));
-        assert!(said.ends_with("Odd details.") && said.len() > 20, "{said}");
-    }
-}
+mod tests;

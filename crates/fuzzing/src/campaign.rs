@@ -1,6 +1,6 @@
 //! Many inputs for one target, in a process that is watched: what ends it, what takes
-//! more than five seconds of the processor and what wants more than 512 MB is a find
-//! like a broken promise, and the campaign goes on after it.
+//! more than five seconds of the processor, what waits for a minute and what wants more
+//! than 512 MB is a find like a broken promise, and the campaign goes on after it.
 //!
 //! An input follows from the seed and its number alone, so each can be made again.
 
@@ -9,24 +9,17 @@ use std::fs::{self, File};
 use std::io::{BufRead, BufReader, Seek, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Child, Stdio};
 use std::thread;
-use std::time::Duration;
 
 use fastrand::Rng;
 
 use crate::place::with_place;
+use crate::watch::{Ended, MOST_WAIT, bounded, watch};
 use crate::{Seen, Target};
 
-/// Most memory, bytes.
-pub const MOST_BYTES: u64 = 512 << 20;
-/// Most that one input may take of the processor, seconds.
-pub const MOST_SECONDS: f64 = 5.0;
 /// After so many finds there is enough to do.
 const MOST_FINDS: usize = 25;
-/// Ticks of the processor's clock in `/proc`, which have been this many for all of Linux's life.
-const TICKS_PER_S: f64 = 100.0;
-
 /// What came of a campaign.
 #[derive(Debug, Default)]
 pub struct Report {
@@ -76,7 +69,7 @@ pub fn run(program: &Path, target: &Target, count: u64, seed: u64) -> Result<Rep
             let lines = BufReader::new(output).lines();
             lines.map_while(Result::ok).collect::<Vec<_>>()
         });
-        let ended = watch(&mut child, &progress)?;
+        let ended = watch(&mut child, &progress, MOST_WAIT)?;
         let lines = reader
             .join()
             .map_err(|_| "the reader of its output has died")?;
@@ -85,10 +78,7 @@ pub fn run(program: &Path, target: &Target, count: u64, seed: u64) -> Result<Rep
         }
         let reached = report.take_in(&progress);
         match ended {
-            Ended::Hung => report.finds.push((
-                reached,
-                format!("more than {MOST_SECONDS} s of the processor"),
-            )),
+            Ended::Stopped(why) => report.finds.push((reached, why)),
             Ended::With(status) if !status.success() => {
                 report
                     .finds
@@ -121,60 +111,6 @@ fn begin(
         .stderr(Stdio::null())
         .spawn()
         .map_err(|error| format!("{} cannot be started: {error}", program.display()))
-}
-
-/// A command that starts `program` with no more memory than [`MOST_BYTES`].
-pub fn bounded(program: &Path) -> Command {
-    // Nothing in this crate may ask the system for a limit, and the shell can.
-    let limit = format!(
-        "ulimit -c 0; ulimit -d {}; exec \"$0\" \"$@\"",
-        MOST_BYTES >> 10
-    );
-    let mut command = Command::new("sh");
-    command.args(["-c", &limit]).arg(program);
-    command
-}
-
-enum Ended {
-    With(ExitStatus),
-    Hung,
-}
-
-/// Waits for the process, which is ended where one input takes too much of the processor.
-fn watch(child: &mut Child, progress: &Path) -> Result<Ended, String> {
-    let mut since = (u64::MAX, 0.0);
-    loop {
-        if let Some(status) = child.try_wait().map_err(|error| error.to_string())? {
-            return Ok(Ended::With(status));
-        }
-        let (number, used) = (at(progress), used_s(child.id()).unwrap_or(0.0));
-        if number != since.0 {
-            since = (number, used);
-        } else if used - since.1 > MOST_SECONDS {
-            let _ = child.kill();
-            let _ = child.wait();
-            return Ok(Ended::Hung);
-        }
-        thread::sleep(Duration::from_millis(50));
-    }
-}
-
-/// The number of the input that the process is at.
-fn at(progress: &Path) -> u64 {
-    let text = fs::read_to_string(progress).unwrap_or_default();
-    text.split_whitespace()
-        .next()
-        .and_then(|number| number.parse().ok())
-        .unwrap_or(0)
-}
-
-/// What a process has used of the processor, seconds; `None` where there is no `/proc`.
-fn used_s(process: u32) -> Option<f64> {
-    let text = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
-    let mut fields = text.rsplit_once(')')?.1.split_whitespace().skip(11);
-    let ticks: u64 = fields.next()?.parse().ok()?;
-    let of_system: u64 = fields.next()?.parse().ok()?;
-    Some((ticks + of_system) as f64 / TICKS_PER_S)
 }
 
 impl Report {

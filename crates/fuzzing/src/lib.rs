@@ -12,6 +12,7 @@ pub mod forge;
 mod mutation;
 pub mod place;
 pub mod targets;
+pub mod watch;
 
 pub use targets::{Seen, TARGETS, Target, target};
 

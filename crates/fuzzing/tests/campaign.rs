@@ -1,5 +1,5 @@
 //! Seeded inputs for every target and attack, in a process with bounds: nothing panics,
-//! aborts, takes five seconds of the processor or 512 MB, and no promise is broken.
+//! aborts, takes five seconds of the processor, a minute or 512 MB, and no promise is broken.
 //!
 //! `ANTIPODE_TEST_FUZZ=1000000` is the long form for the targets (a tenth of it for
 //! archives and stores), `ANTIPODE_TEST_ATTACKS=5000` that for the attacks.
@@ -9,7 +9,8 @@
 use std::path::Path;
 
 use antipode_fuzzing::attacks::ATTACKS;
-use antipode_fuzzing::campaign::{MOST_BYTES, Report, run};
+use antipode_fuzzing::campaign::{Report, run};
+use antipode_fuzzing::watch::MOST_BYTES;
 use antipode_fuzzing::{TARGETS, Target};
 
 const SEED: u64 = 1;

@@ -1,12 +1,12 @@
 //! The corpus and every find, replayed: what once broke something stays cured.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use antipode_fuzzing::campaign::bounded;
+use antipode_fuzzing::watch::{self, MOST_WAIT};
 use antipode_fuzzing::{TARGETS, Target};
 
 /// What once broke the store, and is replayed for ever; whatever is found next comes to these.
@@ -33,21 +33,12 @@ fn files(kind: &str, target: &str) -> Vec<PathBuf> {
     files
 }
 
-/// Tries the files with the memory that a target may have.
+/// Tries the files with the memory and the time that a target may have.
 fn replay(target: &Target, files: &[PathBuf]) {
     let program = Path::new(env!("CARGO_BIN_EXE_antipode-fuzzing"));
-    let output = bounded(program)
-        .args(["replay", target.name])
-        .args(files)
-        .output()
-        .unwrap();
-    let said = String::from_utf8_lossy(&output.stdout);
-    assert!(
-        output.status.success(),
-        "{}: {}\n{said}",
-        target.name,
-        output.status
-    );
+    if let Err(said) = watch::replay(program, target.name, files, MOST_WAIT) {
+        panic!("{}: {said}", target.name);
+    }
 }
 
 #[test]

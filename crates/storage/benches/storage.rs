@@ -1,8 +1,13 @@
-//! How long chunks take to pack and unpack, and a commit to become durable.
+//! How long chunks take to pack and unpack, a commit to become durable, the check of every
+//! page that goes before each opening, and the list of worlds.
 #![allow(clippy::unwrap_used, reason = "a bench fails by panicking")]
 
+use std::fs;
+use std::path::Path;
+
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, WorldMeta, WorldStore, pack_chunk, unpack_chunk,
+    Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldStore, check_pages,
+    pack_chunk, unpack_chunk,
 };
 
 fn main() {
@@ -25,6 +30,27 @@ fn edited() -> Vec<i16> {
     (0..CHUNK_SAMPLES).map(sample).collect()
 }
 
+fn meta(name: &str) -> WorldMeta {
+    WorldMeta {
+        name: name.to_owned(),
+        ..WorldMeta::default()
+    }
+}
+
+fn key(x: i32) -> ChunkKey {
+    ChunkKey {
+        x,
+        ..ChunkKey::default()
+    }
+}
+
+fn batch(chunks: i32) -> Batch {
+    Batch {
+        chunks: (0..chunks).map(|x| (key(x), edited())).collect(),
+        ..Batch::default()
+    }
+}
+
 #[divan::bench]
 fn pack(bencher: divan::Bencher<'_, '_>) {
     let samples = edited();
@@ -40,19 +66,8 @@ fn unpack(bencher: divan::Bencher<'_, '_>) {
 #[divan::bench(args = [1, 8, 64], sample_count = 20)]
 fn commit(bencher: divan::Bencher<'_, '_>, chunks: i32) {
     let dir = tempfile::tempdir().unwrap();
-    let meta = WorldMeta {
-        name: "Bench".to_owned(),
-        ..WorldMeta::default()
-    };
-    let world = WorldStore::create(&dir.path().join("bench"), &meta).unwrap();
-    let keys = (0..chunks).map(|x| ChunkKey {
-        x,
-        ..ChunkKey::default()
-    });
-    let batch = Batch {
-        chunks: keys.map(|key| (key, edited())).collect(),
-        ..Batch::default()
-    };
+    let world = WorldStore::create(&dir.path().join("bench"), &meta("Bench")).unwrap();
+    let batch = batch(chunks);
     bencher.bench_local(|| world.commit(&batch).unwrap());
 }
 
@@ -60,21 +75,76 @@ fn commit(bencher: divan::Bencher<'_, '_>, chunks: i32) {
 fn open(bencher: divan::Bencher<'_, '_>, chunks: i32) {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("bench");
-    let meta = WorldMeta {
-        name: "Bench".to_owned(),
-        ..WorldMeta::default()
-    };
-    let keys = (0..chunks).map(|x| ChunkKey {
-        x,
-        ..ChunkKey::default()
-    });
-    let batch = Batch {
-        chunks: keys.map(|key| (key, edited())).collect(),
-        ..Batch::default()
-    };
-    WorldStore::create(&path, &meta)
+    WorldStore::create(&path, &meta("Bench"))
         .unwrap()
-        .commit(&batch)
+        .commit(&batch(chunks))
         .unwrap();
     bencher.bench_local(|| WorldStore::open(&path).unwrap().meta());
+}
+
+/// How a chunk was dug, which decides how many pages a store of one length has.
+#[derive(Debug, Clone, Copy)]
+enum Dug {
+    /// One stroke in each chunk: records of some kilobytes.
+    Little,
+    /// Every sample changed by an amount of its own: the longest records there are.
+    Wholly,
+}
+
+/// A closed world whose file is at least so many megabytes long.
+fn long_world(dir: &Path, megabytes: u64, dug: Dug) {
+    let mut rng: u64 = 1;
+    let mut noise = || {
+        rng = rng
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (rng >> 48) as i16
+    };
+    let mut chunk = || match dug {
+        Dug::Little => edited(),
+        Dug::Wholly => (0..CHUNK_SAMPLES).map(|_| noise()).collect(),
+    };
+    let world = WorldStore::create(dir, &meta("Long")).unwrap();
+    let mut x = 0;
+    while fs::metadata(dir.join(WORLD_FILE)).unwrap().len() < megabytes << 20 {
+        let chunks = (0..200).map(|_| {
+            x += 1;
+            (key(x), chunk())
+        });
+        let batch = Batch {
+            chunks: chunks.collect(),
+            ..Batch::default()
+        };
+        world.commit(&batch).unwrap();
+    }
+}
+
+/// The bar is half a second for a file of 100 MB.
+#[divan::bench(args = [Dug::Little, Dug::Wholly], sample_count = 20)]
+fn check_100_mb(bencher: divan::Bencher<'_, '_>, dug: Dug) {
+    let dir = tempfile::tempdir().unwrap();
+    long_world(dir.path(), 100, dug);
+    let path = dir.path().join(WORLD_FILE);
+    bencher.bench_local(|| check_pages(&path).unwrap());
+}
+
+/// The check, opening, and the look at every record: what a player waits for.
+#[divan::bench(args = [Dug::Little, Dug::Wholly], sample_count = 10)]
+fn open_100_mb(bencher: divan::Bencher<'_, '_>, dug: Dug) {
+    let dir = tempfile::tempdir().unwrap();
+    long_world(dir.path(), 100, dug);
+    bencher.bench_local(|| WorldStore::open(dir.path()).unwrap().meta());
+}
+
+/// The bar is half a second.
+#[divan::bench(sample_count = 20)]
+fn list_200_worlds(bencher: divan::Bencher<'_, '_>) {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    for number in 0..200 {
+        let world = dir.path().join(format!("world-{number}"));
+        let world = WorldStore::create(&world, &meta(&format!("World {number}"))).unwrap();
+        world.commit(&batch(100)).unwrap();
+    }
+    bencher.bench_local(|| assert_eq!(saves.list().unwrap().len(), 200));
 }

@@ -49,6 +49,7 @@ pub use guard::is_guarded;
 pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError, is_unprintable};
+pub use page_check::check_pages;
 pub use saves::SavesDir;
 pub use schema::{
     BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord, PlayerRecord,

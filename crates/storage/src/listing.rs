@@ -1,12 +1,14 @@
 //! Where the worlds are, and what can be told of each without opening it for play.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::error::StorageError;
 use crate::regular::{self, Entry};
 use crate::schema::{self, WorldMeta, WorldState};
+use crate::slug::slug_of;
 use crate::store::{self, META_KEY};
 use crate::survey::fault_in;
 use crate::world::{WorldStore, label, store_path};
@@ -104,7 +106,7 @@ pub struct WorldInfo {
 pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
     let entries = match fs::read_dir(saves) {
         Ok(entries) => entries,
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         Err(error) => return Err(StorageError::place("Reading", saves, error)),
     };
     let mut slugs = Vec::new();
@@ -122,11 +124,20 @@ pub(crate) fn slugs(saves: &Path) -> Result<Vec<String>, StorageError> {
 
 /// Whether a directory is a world's, sound or not: everything that is done with
 /// worlds goes by this, so that none is listed and then not found. One that cannot be looked into
-/// may be a world, and its line says what is wrong.
+/// may be a world if it is called as one, and its line says what is wrong; `lost+found` is none.
 pub(crate) fn holds_world(dir: &Path) -> bool {
+    shows_world(dir).unwrap_or_else(|_| {
+        let name = dir.file_name().and_then(|name| name.to_str());
+        name.is_some_and(|name| slug_of(name) == name)
+    })
+}
+
+/// Whether there is a world in a directory for certain; an error if nobody can look.
+pub(crate) fn shows_world(dir: &Path) -> io::Result<bool> {
     match fs::symlink_metadata(dir.join(WORLD_FILE)) {
-        Ok(_) => true,
-        Err(error) => !regular::is_absent(&error) || summary::is_there(dir),
+        Ok(_) => Ok(true),
+        Err(error) if regular::is_absent(&error) => Ok(summary::is_there(dir)),
+        Err(error) => Err(error),
     }
 }
 

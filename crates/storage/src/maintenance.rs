@@ -154,7 +154,7 @@ pub(crate) fn repair(dir: &Path, scratch: &Path) -> Result<RepairReport, Storage
         });
     }
     let salvage = match entry {
-        Entry::File { .. } => Salvage::of(&path, scratch, &label)?,
+        Entry::File { .. } => Salvage::of(&path, &label)?,
         _ => Salvage::default(),
     };
     let meta = salvage.meta().cloned().or_else(|| summary::read(dir));

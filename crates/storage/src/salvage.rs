@@ -2,14 +2,12 @@
 //! searching the bare bytes for sealed records.
 
 use std::collections::BTreeMap;
-use std::fs;
 use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::page_check;
 use crate::regular;
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
@@ -67,14 +65,12 @@ impl Salvage {
         world::sealed(meta, META_KEY, codec::next_commit(self.last), &meta.name)
     }
 
-    /// Reads by the index if that can be trusted, from a copy, because opening writes; then
-    /// searches the bare bytes for what the index did not lead to. A file that cannot be
-    /// trusted is never opened. Whoever asks keeps others from writing to it.
-    pub(crate) fn of(path: &Path, scratch: &Path, world: &str) -> Result<Self, StorageError> {
-        let copy = scratch.join("damaged.redb");
+    /// Reads by the index if that can be trusted, changing nothing; then searches the bare
+    /// bytes for what the index did not lead to. A file that cannot be trusted is never
+    /// opened. Whoever asks keeps others from writing to it.
+    pub(crate) fn of(path: &Path, world: &str) -> Result<Self, StorageError> {
         let mut salvage = Self::default();
-        let trusted = undamaged(page_check::check(path, world))?;
-        let by_index = trusted && salvage.scan(path, &copy, world)?;
+        let by_index = salvage.scan(path, world)?;
         // With a whole index, what is newer than its last commit was never committed.
         let last = if by_index && salvage.last > 0 {
             salvage.last
@@ -97,9 +93,8 @@ impl Salvage {
     }
 
     /// Takes what the index leads to; false if it did not lead to everything.
-    fn scan(&mut self, path: &Path, copy: &Path, world: &str) -> Result<bool, StorageError> {
-        StorageError::at("Copying", path, fs::copy(path, copy))?;
-        let scanned = Store::open(copy, world).and_then(|store| {
+    fn scan(&mut self, path: &Path, world: &str) -> Result<bool, StorageError> {
+        let scanned = Store::open_to_read(path, world).and_then(|store| {
             store.scan(|raw| match codec::unseal(&raw.bytes) {
                 Ok(record) if record.key == raw.key => self.add(&record),
                 _ if raw.kind == Kind::Chunk => {
@@ -108,8 +103,11 @@ impl Salvage {
                 _ => {}
             })
         });
-        StorageError::at("Removing", copy, fs::remove_file(copy))?;
-        undamaged(scanned)
+        match scanned {
+            Ok(()) => Ok(true),
+            Err(error) if error.is_damage() => Ok(false),
+            Err(error) => Err(error),
+        }
     }
 
     /// Takes a record if it is readable and newer than what there is.
@@ -200,15 +198,6 @@ impl Salvage {
     }
 }
 
-/// Whether a look found no damage; what kept it from looking is an error.
-fn undamaged<T>(look: Result<T, StorageError>) -> Result<bool, StorageError> {
-    match look {
-        Ok(_) => Ok(true),
-        Err(error) if error.is_damage() => Ok(false),
-        Err(error) => Err(error),
-    }
-}
-
 /// Replaces `slot` by the record's value if that is newer.
 fn newest<T: Versioned>(
     slot: &mut Option<(u64, T)>,
@@ -257,6 +246,7 @@ mod tests {
     )]
 
     use super::*;
+    use std::fs;
 
     #[test]
     fn records_are_found_across_the_windows_of_a_long_file() {

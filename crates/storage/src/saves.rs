@@ -152,20 +152,30 @@ impl SavesDir {
         WorldStore::open(&self.world_dir(slug)?)
     }
 
-    /// Deletes a world for good. It is moved aside first, so a half-deleted one is
-    /// never listed.
+    /// Deletes a world for good. It is moved aside first, so one that is half deleted when the
+    /// game is killed is never listed; what cannot be removed is put back where it was.
     ///
     /// # Errors
     /// [`StorageError::InUse`] for a world that is open, here or elsewhere;
-    /// failures of the file system.
+    /// [`StorageError::NotReadable`] for a directory that nobody can look into, which may be
+    /// somebody else's; failures of the file system.
     pub fn delete(&self, slug: &str) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
+        if !StorageError::at("Reading", &dir, listing::shows_world(&dir))? {
+            return Err(self.not_found(slug));
+        }
         refuse_if_in_use(&dir)?;
+        let name = world::label(&dir);
         let aside = self.scratch("trash")?;
         let moved = aside.path().join(slug);
-        StorageError::at("Moving", &dir, fs::rename(&dir, &moved))?;
+        let said = |error| StorageError::io("Deleting", &dir, error).of_world(&name, &dir, &dir);
+        fs::rename(&dir, &moved).map_err(said)?;
         atomic_file::sync_dir(&self.path);
-        StorageError::at("Deleting", &moved, fs::remove_dir_all(&moved))
+        fs::remove_dir_all(&moved).map_err(|error| {
+            // Failing, it stays in the hidden directory, which the next sweep tries to remove.
+            let _ = fs::rename(&moved, &dir);
+            said(error)
+        })
     }
 
     /// A closer look at a world.

@@ -5,7 +5,8 @@
 //! the game's mark, `antipode-scratch.lock`, which its process keeps locked as long as that
 //! lives, whoever kills it. So what is left over can be told from what is at work even where
 //! process numbers tell nothing, as across containers that share a directory, and
-//! from whatever else has such a name: without the mark nothing is removed.
+//! from whatever else has such a name: without the mark nothing is removed but an empty
+//! directory, which is what a process leaves that was killed before it made the mark.
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, ErrorKind};
@@ -100,8 +101,8 @@ fn is_named(file: &File, path: &Path) -> bool {
     same().unwrap_or(false)
 }
 
-/// Removes what killed processes have left in `parent`, and nothing of a process that lives or
-/// without the mark. Failing is no matter: the next sweep tries again.
+/// Removes what killed processes have left in `parent`: directories with the mark of none that
+/// lives, and empty ones of such names. Failing is no matter: the next sweep tries again.
 pub(crate) fn sweep(parent: &Path) {
     for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
         let is_dir = entry.file_type().is_ok_and(|kind| kind.is_dir());

@@ -31,6 +31,8 @@ pub(crate) const STATE_KEY: &str = "state";
 /// Memory the store may keep pages in; it would take a gigabyte by itself.
 const CACHE_BYTES: usize = 32 << 20;
 
+const MISCOUNTED: &str = "its index does not hold as many chunks as it says";
+
 /// A value as stored: which, under which key, its sealed bytes.
 pub(crate) struct Raw {
     /// What it should be, by the table it is in.
@@ -151,7 +153,8 @@ impl Store {
     }
 
     /// Hands over every stored value in order of the keys. Ends with an error where
-    /// the index is damaged; what was handed over until then stands.
+    /// the index is damaged, and where it has more entries than it says or their keys do not
+    /// rise; what was handed over until then stands.
     pub(crate) fn scan(&self, mut each: impl FnMut(Raw)) -> Result<(), StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
@@ -167,24 +170,27 @@ impl Store {
             let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
                 return Ok(());
             };
+            let wrong = |reason| StorageError::unreadable(&self.path, reason);
             let mut left = table.len().map_err(|e| self.error(e))?;
+            let mut last: Option<[u8; ChunkKey::BYTES]> = None;
             for entry in table.iter().map_err(|e| self.error(e))? {
                 let (key, value) = entry.map_err(|e| self.error(e))?;
-                let (key, bytes) = (key.value().to_vec(), value.value().to_vec());
+                let key = *key.value();
+                left = left.checked_sub(1).ok_or_else(|| wrong(MISCOUNTED))?;
+                // Or it may go on for ever: pages that name one another have no end.
+                if last.replace(key).is_some_and(|last| last >= key) {
+                    return Err(wrong("the keys of its index do not rise"));
+                }
                 each(Raw {
                     kind: Kind::Chunk,
-                    key,
-                    bytes,
+                    key: key.to_vec(),
+                    bytes: value.value().to_vec(),
                 });
-                left = left.wrapping_sub(1);
             }
             if left == 0 {
                 Ok(())
             } else {
-                Err(StorageError::unreadable(
-                    &self.path,
-                    "its index does not hold as many chunks as it says",
-                ))
+                Err(wrong(MISCOUNTED))
             }
         })
     }

@@ -1,6 +1,8 @@
 //! The other process, played by shells and by this test itself.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
+use std::process::Command;
+
 use clap::Parser;
 
 use super::*;
@@ -15,18 +17,20 @@ fn task() -> Task {
 fn answer(program: &str, arguments: &[&str], time: Duration) -> Result<Answer, Failure> {
     let mut command = Command::new(program);
     command.args(arguments);
-    answer_of(command, &task(), time)
+    let limits = Limits {
+        memory_bytes: 512 << 20,
+        time,
+    };
+    answer_of(command, &task(), limits)
 }
 
 #[test]
 fn the_hidden_command_is_what_is_started() {
-    let saves = SavesDir::new("some where");
-    for task in [
-        task(),
-        Task::Repair {
-            slug: "--odd".to_owned(),
-        },
-    ] {
+    let repair = Task::Repair {
+        slug: "--odd".to_owned(),
+    };
+    for (place, task) in [("some where", task()), ("-x", task()), ("--load=y", repair)] {
+        let saves = SavesDir::new(place);
         let all = std::iter::once(OsString::from("antipode")).chain(task.arguments(&saves));
         let cli = Cli::try_parse_from(all).unwrap();
         assert_eq!(cli.common.saves_dir.as_deref(), Some(saves.path()));
@@ -108,14 +112,15 @@ fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
     // It may have come to its end just before.
     assert!(!hung.contains("Nothing was changed"), "{hung}");
     for script in [
-        "kill -KILL $$",
+        "kill -SEGV $$",
+        "kill -ABRT $$",
         "echo nonsense",
         "exit 0",
         "head -c 100000 /dev/zero",
     ] {
         let failed = answer("sh", &["-c", script], long).unwrap_err().to_string();
         assert!(
-            failed.contains("Importing x.antipode-world failed"),
+            failed.contains("Importing x.antipode-world failed: the file is damaged"),
             "{failed}"
         );
         assert!(!failed.contains("Nothing was changed"), "{failed}");
@@ -128,6 +133,36 @@ fn a_process_that_hangs_dies_or_talks_nonsense_is_a_sentence() {
     assert!(
         matches!(answer("sh", &["-c", said], long), Ok(Answer::Imported(slug)) if slug == "kept")
     );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_known_of_an_end_is_told_and_no_sound_file_called_damaged() {
+    let late = "took more than 600 seconds";
+    let outside = "the system or somebody ended the work";
+    for (script, words) in [
+        ("exit 3", late),
+        ("kill -XCPU $$", late),
+        ("kill -KILL $$", outside),
+        ("kill -TERM $$", outside),
+        (
+            "echo a warning >&2; echo 'antipode: there are no threads' >&2; exit 1",
+            "Importing x.antipode-world failed: there are no threads",
+        ),
+        ("echo 'antipode: what is -x' >&2; exit 2", "what is -x"),
+        (
+            "echo 'memory allocation of 9 bytes failed' >&2; kill -ABRT $$",
+            "more memory than it may have, at most 512 MB",
+        ),
+    ] {
+        let failed = answer("sh", &["-c", script], Duration::from_mins(10))
+            .unwrap_err()
+            .to_string();
+        assert!(
+            failed.contains(words) && !failed.contains("damaged"),
+            "{script}: {failed}"
+        );
+    }
 }
 
 #[test]
@@ -190,6 +225,37 @@ fn memory_is_limited() {
     assert!(said.contains("1 passed"), "{said}");
 }
 
+/// Not a test of its own: what the child process does.
+#[cfg(target_os = "linux")]
+#[test]
+fn child_dies_of_what_it_may_not_have() {
+    if std::env::var_os(CHILD).is_some() {
+        limit_memory(256 << 20).unwrap();
+        assert_eq!(vec![1_u8; 512 << 20].iter().max(), Some(&1));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn who_dies_of_the_limit_on_memory_is_told_from_a_damaged_file() {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command.args([
+        "--exact",
+        "confined::tests::child_dies_of_what_it_may_not_have",
+        "--nocapture",
+    ]);
+    command.env(CHILD, "1");
+    let limits = Limits {
+        memory_bytes: 256 << 20,
+        time: Duration::from_mins(10),
+    };
+    let failed = answer_of(command, &task(), limits).unwrap_err().to_string();
+    assert!(
+        failed.contains("needed more memory than it may have, at most 256 MB"),
+        "{failed}"
+    );
+}
+
 /// Set for the child only.
 const ORPHAN: &str = "ANTIPODE_TEST_ORPHAN";
 
@@ -209,5 +275,8 @@ fn a_process_that_nobody_waits_for_ends_with_its_time() {
         .env(ORPHAN, "1")
         .output()
         .unwrap();
-    assert!(!output.status.success(), "it went on");
+    let failed = process::End::of(Some(output.status), "")
+        .told(&task(), task().limits(&SavesDir::new("x")))
+        .to_string();
+    assert!(failed.contains("took more than 60 seconds"), "{failed}");
 }

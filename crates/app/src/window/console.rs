@@ -143,7 +143,7 @@ impl Game {
                 self.refuse(&words);
             }
             Err(failure) => {
-                let words = wording::failure(&self.texts, &failure);
+                let words = wording::failure(&self.texts, &failure, self.list.worlds());
                 self.refuse(&words);
             }
         }

@@ -125,7 +125,7 @@ impl Game {
     /// Tells that the window could not be made as the settings say.
     pub(super) fn tell_not_applied(&mut self, why: &Failure) {
         tracing::warn!("settings could not be applied: {why}");
-        let values = [("reason", wording::failure(&self.texts, why).into())];
+        let values = [("reason", wording::failure(&self.texts, why, &[]).into())];
         let words = self.texts.say_with("settings-not-applied", &values);
         self.shell.toast(words, ToastKind::Problem);
     }

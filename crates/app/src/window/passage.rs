@@ -151,7 +151,7 @@ impl Game {
             }
             Progress::Done(Err(failure)) => {
                 tracing::error!("a world could not be opened: {failure}");
-                wording::failure(&self.texts, &failure)
+                wording::failure(&self.texts, &failure, self.list.worlds())
             }
             Progress::Died => {
                 tracing::error!("a world could not be opened: its thread died");

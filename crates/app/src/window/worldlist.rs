@@ -9,6 +9,7 @@ mod words;
 mod work;
 
 use std::collections::{HashMap, VecDeque};
+use std::path::{Path, PathBuf};
 
 use antipode_language::Texts;
 use antipode_storage::{ArchiveFile, NameError, SavesDir, WorldSummary};
@@ -144,8 +145,15 @@ impl WorldList {
         match task.poll() {
             Progress::Running => return,
             Progress::Done(outcome) => {
-                if let (Job::Export { slug, .. }, Some(News::Exported(_))) = (job, &outcome.news) {
-                    self.unwritten.remove(slug);
+                match (job, &outcome.news) {
+                    (Job::Export { slug, .. }, Some(News::Exported(_))) => {
+                        self.unwritten.remove(slug);
+                    }
+                    (Job::Rename { slug, name }, Some(News::Renamed(_))) => {
+                        let (slug, name) = (slug.clone(), name.clone());
+                        self.call_export(&slug, &name);
+                    }
+                    _ => {}
                 }
                 self.take(outcome);
             }
@@ -157,6 +165,23 @@ impl WorldList {
         }
         self.task = None;
         self.go_on();
+    }
+
+    /// A file that is still to be written goes by the world's new name, unless the player called it otherwise.
+    fn call_export(&mut self, slug: &str, name: &str) {
+        let known = self.known.iter().find(|world| world.slug == slug);
+        let offered = known.map(|world| self.place.export_to(world.name()));
+        let free = self.details.get(slug).map(|it| it.export_to.clone());
+        let Some(file) = self.unwritten.get_mut(slug) else {
+            return;
+        };
+        let called =
+            |offered: &String| Path::new(offered).file_name() == Path::new(&*file).file_name();
+        if offered.iter().chain(&free).any(called) {
+            let new = PathBuf::from(self.place.export_to(name));
+            let new = new.file_name().unwrap_or_default();
+            *file = Path::new(&*file).with_file_name(new).display().to_string();
+        }
     }
 
     fn take(&mut self, outcome: Outcome) {
@@ -191,7 +216,9 @@ impl WorldList {
 
     /// What has come of the work, in words; each is told once.
     pub fn take_news(&mut self, texts: &Texts) -> Option<(String, ToastKind)> {
-        self.news.pop_front().map(|news| words::news(texts, &news))
+        self.news
+            .pop_front()
+            .map(|news| words::news(texts, &news, &self.known))
     }
 
     /// Hands pictures that have been read over to the interface, a few at a time.
@@ -262,6 +289,11 @@ impl WorldList {
         )
     }
 
+    /// The worlds as last read.
+    pub fn worlds(&self) -> &[WorldSummary] {
+        &self.known
+    }
+
     /// The names of all worlds.
     pub fn names(&self) -> Vec<String> {
         self.known
@@ -283,14 +315,6 @@ impl WorldList {
     }
 
     fn said(&self, texts: &Texts, checked: Result<(), NameError>) -> Result<(), String> {
-        let error = match checked {
-            Err(NameError::Taken { existing }) => {
-                let holder = self.known.iter().find(|world| world.name() == existing);
-                let existing = holder.map_or(existing, words::shown);
-                NameError::Taken { existing }
-            }
-            checked => return checked.map_err(|error| wording::name(texts, &error)),
-        };
-        Err(wording::name(texts, &error))
+        checked.map_err(|error| wording::name(texts, &error, &self.known))
     }
 }

@@ -23,6 +23,16 @@ pub(crate) fn check(path: &Path, world: &str) -> Result<Checked, StorageError> {
     with_pages(path, world, whole::whole)
 }
 
+/// Whether a world's store, the file at `path`, can be trusted: every page is read, as before
+/// each opening, but nothing is opened or changed. To see what that takes.
+///
+/// # Errors
+/// [`StorageError::Unreadable`] if the store must not be opened, [`StorageError::InUse`],
+/// failures of the file system.
+pub fn check_pages(path: &Path) -> Result<(), StorageError> {
+    check(path, &path.display().to_string()).map(drop)
+}
+
 /// Reads what the list of worlds tells of a store without opening it; `None` if it was not
 /// closed.
 ///

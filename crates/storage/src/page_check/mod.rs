@@ -71,6 +71,7 @@ mod tests;
 
 use std::io;
 
+pub use file::check_pages;
 pub(crate) use file::{Held, check, hold, look};
 
 /// What checking a whole file has found, if it can be trusted.

@@ -14,6 +14,8 @@ use std::sync::OnceLock;
 use super::pages::Pages;
 use super::whole::whole;
 use super::{Checked, Fault, u32_at};
+use crate::codec::Kind;
+use crate::store::Store;
 use crate::{Batch, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldState, WorldStore};
 
 mod forge;
@@ -283,4 +285,44 @@ fn a_list_of_free_pages_that_would_give_a_used_one_away_is_refused() {
         let said = refusal(&forged.reseal().bytes);
         assert!(said.contains("list of free pages makes no sense"), "{said}");
     }
+}
+
+/// What reading a store hands over that was opened without this check, and what ends it.
+fn scanned(bytes: &[u8]) -> (Vec<Vec<u8>>, String) {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join(WORLD_FILE);
+    fs::write(&path, bytes).unwrap();
+    let store = Store::of(&path, "Victim", redb::Database::open(&path).unwrap());
+    let mut keys = Vec::new();
+    let ended = store.scan(|raw| {
+        if raw.kind == Kind::Chunk {
+            keys.push(raw.key);
+        }
+    });
+    (keys, ended.unwrap_err().to_string())
+}
+
+#[test]
+fn a_forged_store_that_was_opened_is_read_no_farther_than_it_makes_sense() {
+    let mut short = Forge::of(closed());
+    let length = short.chunks().definition;
+    for at in [1, 34] {
+        short.put(length + at, &7_u64.to_le_bytes());
+    }
+    let (keys, said) = scanned(&short.reseal().bytes);
+    assert_eq!(keys.len(), 7);
+    assert!(said.contains("as many chunks as it says"), "{said}");
+
+    let mut round = Forge::of(closed());
+    let branch = round.pages_of_kind(2)[1];
+    let count = usize::from(round.bytes[branch + 2]);
+    let children = branch + 8 + 16 * (count + 1);
+    let first = round.bytes[children..children + 8].to_vec();
+    for n in 1..=count {
+        round.put(children + 8 * n, &first);
+    }
+    let (keys, said) = scanned(&round.reseal().bytes);
+    assert!(keys.is_sorted_by(|a, b| a < b), "{} keys", keys.len());
+    assert!(keys.len() < CHUNKS as usize / 2, "{}", keys.len());
+    assert!(said.contains("do not rise"), "{said}");
 }

@@ -207,6 +207,35 @@ fn where_an_export_was_to_go_is_kept_until_it_is_there() {
 }
 
 #[test]
+fn a_failed_export_keeps_its_folder_and_goes_by_the_worlds_new_name() {
+    let (dir, mut list) = three();
+    let folder = dir.path().join("nowhere");
+    fs::write(dir.path().join("moon-2.antipode-world"), b"").unwrap();
+    for (called, name, then) in [
+        ("a.antipode-world", "Moon 1", "moon-1.antipode-world"),
+        ("mine.antipode-world", "Moon 2", "mine.antipode-world"),
+        // As it is offered where there is one of that name.
+        ("moon-2-2.antipode-world", "Moon 3", "moon-3.antipode-world"),
+    ] {
+        follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });
+        let export = WorldsIntent::Export {
+            slug: slug("a"),
+            file: folder.join(called).display().to_string(),
+        };
+        follow(&mut list, export);
+        assert!(told(&mut list).unwrap().1);
+        let rename = WorldsIntent::Rename {
+            slug: slug("a"),
+            name: name.to_owned(),
+        };
+        follow(&mut list, rename);
+        assert!(!told(&mut list).unwrap().1);
+        let row = row_of(&list, "a");
+        assert_eq!(PathBuf::from(row.export_to), folder.join(then));
+    }
+}
+
+#[test]
 fn an_export_is_called_as_the_world_is_called_now() {
     let (dir, mut list) = three();
     follow(&mut list, WorldsIntent::LookAt { slug: slug("a") });

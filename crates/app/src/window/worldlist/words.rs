@@ -28,8 +28,8 @@ pub enum News {
     WorkDied,
 }
 
-/// The news in words, and of what kind they are.
-pub fn news(texts: &Texts, news: &News) -> (String, ToastKind) {
+/// The news in words, and of what kind they are; `worlds` are those that are known.
+pub fn news(texts: &Texts, news: &News, worlds: &[WorldSummary]) -> (String, ToastKind) {
     let named = |key: &str, name: &str| {
         (
             texts.say_with(key, &[("name", name.into())]),
@@ -46,7 +46,7 @@ pub fn news(texts: &Texts, news: &News) -> (String, ToastKind) {
         }
         News::Failed(failure) => {
             tracing::error!("{failure}");
-            (wording::failure(texts, failure), ToastKind::Problem)
+            (wording::failure(texts, failure, worlds), ToastKind::Problem)
         }
         News::Folder(problem) => {
             tracing::error!("{problem:?}");

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use antipode_storage::{
-    ARCHIVE_EXTENSION, ArchiveFile, SavesDir, StorageError, WorldSummary, archives_in, slug_of,
+    ARCHIVE_EXTENSION, ArchiveFile, StorageError, WorldSummary, archives_in, slug_of,
 };
 
 use super::words::{self, News};
@@ -17,8 +17,6 @@ pub struct Place {
     worlds: Worlds,
     exports: PathBuf,
     home: Option<PathBuf>,
-    /// How a file becomes a world.
-    import: fn(&SavesDir, &Path) -> Result<String, Failure>,
 }
 
 impl Place {
@@ -35,7 +33,6 @@ impl Place {
             worlds,
             exports,
             home,
-            import: confined::import,
         }
     }
 
@@ -188,7 +185,7 @@ impl Job {
                 Some(News::Exported(file))
             }
             Self::Import { file } => {
-                let made = (place.import)(saves, &place.path_of(file))?;
+                let made = confined::import(saves, &place.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
             Self::List | Self::LookAt { .. } | Self::FindArchives => None,
@@ -203,10 +200,8 @@ impl Place {
         &self.worlds
     }
 
-    /// The same worlds with another place for exports and home, all in this process, which
-    /// is a test and not the game.
+    /// The same worlds with another place for exports and home.
     pub fn exporting_to(mut self, exports: &Path) -> Self {
-        self.import = |saves, file| Ok(saves.import(file)?);
         self.exports = exports.to_path_buf();
         self.home = Some(exports.to_path_buf());
         self
