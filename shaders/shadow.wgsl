@@ -71,7 +71,11 @@ fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal:
         return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0);
     }
     if GEO_KIND == GEO_SPHERE {
-        return Shaded(view, dpdx(view), dpdy(view), surely_faced(dot(model_normal, key_body())));
+        // As in orbs_on.
+        let body = key_body();
+        let near = dot(model_of(scene.space, view), body);
+        let cosine = dot(model_normal, body) * inverseSqrt(max(1.0 - near * near, 1.0e-3));
+        return Shaded(view, dpdx(view), dpdy(view), surely_faced(cosine));
     }
     let faced = surely_faced(dot(normalize(normal), scene.key_direction.xyz));
     let right = vec4<f32>(dpdx(place), 0.0);

@@ -199,3 +199,24 @@ fn sunlit_land_has_no_dark_dots_and_lines() {
     let most = MOST_ON_LINES * all.looked_at as f64;
     assert!(all.on_lines as f64 <= most, "{all:?}");
 }
+
+#[test]
+fn a_dot_and_a_line_are_told_from_a_shadows_edge() {
+    let grey = |value: u8| Rgba([value, value, value, 255]);
+    let mut picture = RgbaImage::from_pixel(40, 20, grey(180));
+    let mut told = RgbaImage::from_pixel(40, 20, grey(227));
+    // A dot, a line of two pixels, and where a shadow begins.
+    picture.put_pixel(8, 10, grey(180 - DOT as u8));
+    told.put_pixel(18, 10, grey(227 - LINE as u8));
+    told.put_pixel(19, 10, grey(227 - LINE as u8));
+    for (x, y) in (30..40).flat_map(|x| (0..20).map(move |y| (x, y))) {
+        told.put_pixel(x, y, grey(0));
+        picture.put_pixel(x, y, grey(60));
+    }
+    let view = View::new(&picture, &told);
+    let all = || (REACH..40 - REACH).flat_map(|x| (REACH..20 - REACH).map(move |y| (x, y)));
+    let dots: Vec<At> = all().filter(|at| view.is_dot(*at)).collect();
+    let on_lines: Vec<At> = all().filter(|at| view.is_line(*at)).collect();
+    assert_eq!(dots, [(8, 10)]);
+    assert_eq!(on_lines, [(18, 10), (19, 10)]);
+}
