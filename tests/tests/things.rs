@@ -125,7 +125,7 @@ fn a_shot_takes_a_bullet_which_flies_until_it_lands_and_lies_for_five_seconds() 
         let run = play(
             space,
             &format!(
-                "{}\naim 40 25\nprobe\nclick LEFT\nwait 0.1\nprobe\nwait 4.7\nprobe\nwait 20\nprobe",
+                "{}\naim 40 45\nprobe\nclick LEFT\nwait 0.1\nprobe\nwait 5.4\nprobe\nwait 20\nprobe",
                 key("Digit1")
             ),
         );

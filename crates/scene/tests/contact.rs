@@ -85,12 +85,18 @@ fn figures_are_drawn_with_their_soles_on_the_ground_and_parked_cars_with_their_w
             let over_m = |at: ChartPoint| at.pos.y - drawn_ground_m(&frame, at);
             let figures = &frame.figures;
             let suits = [ModelId::Astronaut, ModelId::AstronautTeal];
-            let stands = figures.iter().filter(|it| suits.contains(&it.model));
-            for figure in stands {
+            let stand: Vec<_> = figures
+                .iter()
+                .filter(|it| suits.contains(&it.model))
+                .collect();
+            assert!(stand.len() > 4, "{geometry} {seed}: {}", stand.len());
+            for figure in stand {
                 let gap_m = over_m(figure.point);
                 assert!(gap_m.abs() < NEAR_M, "{geometry} {seed}: {gap_m} m");
             }
             for car in scene.cars() {
+                let contacts = car.wheels.iter().filter(|wheel| wheel.contact).count();
+                assert!(contacts > 2, "{geometry} {seed}: {contacts} wheels");
                 for wheel in car.wheels.iter().filter(|wheel| wheel.contact) {
                     let gap_m = over_m(car.place(wheel.hub - DVec3::Y * 0.36));
                     assert!(gap_m.abs() < NEAR_M, "{geometry} {seed}: wheel {gap_m} m");
@@ -112,7 +118,7 @@ fn hides_shins(scene: &Scene, field: &Field) -> bool {
 
 #[test]
 fn from_behind_the_legs_are_seen_over_the_ground_and_over_the_hotbar() {
-    let (mut hidden, mut looks) = (0, 0);
+    let (mut hidden, mut looks, mut framed) = (0, 0, 0);
     for seed in 0..4 {
         let mut scene = opened(Geometry::Euclidean, seed);
         turn_camera(&mut scene);
@@ -143,10 +149,12 @@ fn from_behind_the_legs_are_seen_over_the_ground_and_over_the_hotbar() {
                     let seen = eye.to_view(scene.feet().pos - eye.point.pos);
                     let down = -seen.y / -seen.z / (0.5 * 75f64.to_radians()).tan();
                     assert!(down < 0.6, "{seed} {spot} {step}: {down}");
+                    framed += 1;
                 }
             }
         }
     }
+    assert!(4 * framed > looks, "{framed} of {looks}");
     // Without the rise it is seven in a thousand.
     assert!(hidden * 1000 <= looks, "{hidden} of {looks}");
 }

@@ -143,3 +143,29 @@ fn closing_the_window_while_a_world_is_opened_says_that_it_is_saved() {
     tick_until(&mut game, Game::is_over);
     worlds(dir.path()).load("x").unwrap().close().unwrap();
 }
+
+#[test]
+fn a_new_world_is_covered_until_a_picture_has_all_of_its_land() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = begun(&dir);
+    let is_made = |game: &Game| match &game.phase {
+        Phase::Loading(session) => session.scene.loading_progress() >= 1.0,
+        _ => false,
+    };
+    // A deadline for what hangs, on however busy a machine.
+    let began = Instant::now();
+    while !is_made(&game) && began.elapsed() < Duration::from_mins(2) {
+        game.tick(Instant::now());
+        game.drawn(true);
+    }
+    // The land is made; some of it is not in the pictures yet.
+    game.veil = Veil::Down;
+    for _ in 0..50 {
+        game.drawn(false);
+        game.tick(Instant::now());
+        assert!(is_made(&game), "{:?}", game.phase);
+    }
+    game.drawn(true);
+    game.tick(Instant::now());
+    assert!(game.is_playing(), "{:?}", game.phase);
+}
