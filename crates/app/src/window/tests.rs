@@ -7,6 +7,7 @@
 )]
 
 mod backpack;
+mod clock;
 mod console;
 mod newcomers;
 mod options;
