@@ -27,7 +27,7 @@ fn over_the_far_side(dir: &TempDir) -> Game {
 fn hours(game: &mut Game) -> Vec<String> {
     let said = words(game);
     let clocks = said.lines().filter_map(|line| {
-        let clock = line.trim().split_whitespace().find(|word| {
+        let clock = line.split_whitespace().find(|word| {
             let digits = |part: &str| part.len() == 2 && part.bytes().all(|b| b.is_ascii_digit());
             word.split_once(':')
                 .is_some_and(|(h, m)| digits(h) && digits(m))
