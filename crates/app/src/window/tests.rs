@@ -7,6 +7,7 @@
 )]
 
 mod backpack;
+mod beginnings;
 mod clock;
 mod console;
 mod newcomers;
