@@ -48,9 +48,10 @@ const ENOUGH_RAD: f64 = 4.0 * PI / 180.0;
 /// Of these, where a figure and where a car can be made out.
 const FIGURE_AT: std::ops::Range<usize> = 1..5;
 const CAR_AT: std::ops::Range<usize> = 2..7;
-/// Where in the picture things are to be: half of its width and height, and how far down at most; the display and what
-/// is in hand are at its edges.
+/// Where in the picture things are to be, in halves of its width and height: the display is at its edges, and what is in
+/// hand covers what lies to the right of and below a place.
 const WITHIN: DVec2 = DVec2::new(0.8, 0.7);
+const HAND: DVec2 = DVec2::new(0.1, -0.05);
 const ASPECT: f64 = 16.0 / 9.0;
 /// Bearings between car and figure, at least, in rays.
 const APART_RAYS: i32 = 2;
@@ -318,6 +319,9 @@ impl Search<'_> {
         let x = projection.sx * view.x / -view.z;
         let y = projection.sy * view.y / -view.z;
         if view.z >= 0.0 || x.abs() > WITHIN.x || y.abs() > WITHIN.y {
+            return false;
+        }
+        if x > HAND.x && y < HAND.y {
             return false;
         }
         let away_m = strategy.eye_distance_m(eye, view);

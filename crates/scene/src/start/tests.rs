@@ -86,6 +86,9 @@ fn lack(geometry: Geometry, radius_m: f64, seed: u64) -> Option<String> {
     ] {
         match world.seen(&start, ground, over_m) {
             None => return said(&format!("{what} is hidden")),
+            Some((at, _)) if at.x > 0.1 && at.y < -0.05 => {
+                return said(&format!("{what} is behind what is in hand: {at}"));
+            }
             Some((at, _)) if !inside(at) => return said(&format!("{what} is at {at}")),
             Some((_, away_m)) if away_m > most_m => {
                 return said(&format!("{what} is {away_m} m off"));
