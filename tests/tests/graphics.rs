@@ -263,8 +263,9 @@ fn without_a_driver_the_window_says_what_to_install() {
     says_what_to_install(&output);
 }
 
-#[test]
-fn without_a_folder_for_wayland_the_drivers_say_nothing() {
+/// Takes a picture where no folder is told for Wayland. Returns what was said on standard error, or nothing without an
+/// adapter.
+fn said_without_a_folder_for_wayland(card: Option<&str>) -> Option<String> {
     let saves = tempfile::tempdir().unwrap();
     let picture = saves.path().join("x.png");
     let mut command = game(saves.path());
@@ -275,30 +276,34 @@ fn without_a_folder_for_wayland_the_drivers_say_nothing() {
         "WAYLAND_SOCKET",
         "DRI_PRIME",
         "MESA_VK_DEVICE_SELECT",
+        "NODEVICE_SELECT",
     ] {
         command.env_remove(variable);
     }
-    command.args([
-        "--adapter",
-        "software",
-        "--size",
-        "64x64",
-        "--view-distance",
-        "1",
-        "script",
-        "-",
-    ]);
+    command.envs(card.map(|card| ("DRI_PRIME", card)));
+    command.args(["--adapter", "software", "--size", "64x64"]);
+    command.args(["--view-distance", "1", "script", "-"]);
     let script = format!("new euclidean seed=8\nshot \"{}\"", picture.display());
     let ended = Background::begin_as(command, &script).ended();
     if !picture.exists() {
         assert!(ended.stderr.contains("adapter"), "{}", ended.stderr);
-        may_skip("a software adapter");
-        return;
+        return None;
     }
     assert_eq!(ended.status, Some(0), "{}", ended.stderr);
-    assert!(
-        !ended.stderr.contains("XDG_RUNTIME_DIR"),
-        "{}",
-        ended.stderr
-    );
+    Some(ended.stderr)
+}
+
+#[test]
+fn without_a_folder_for_wayland_the_drivers_say_nothing() {
+    let complaint = "XDG_RUNTIME_DIR";
+    let Some(said) = said_without_a_folder_for_wayland(None) else {
+        may_skip("a software adapter");
+        return;
+    };
+    assert!(!said.contains(complaint), "{said}");
+    // Who chooses a card has Mesa's layer asked, complaint and all: without it, silence is no merit.
+    let asked = said_without_a_folder_for_wayland(Some("1")).unwrap_or_default();
+    if !asked.contains(complaint) {
+        eprintln!("SKIPPED: Mesa's device-select layer is missing, so nothing was tested here");
+    }
 }

@@ -224,6 +224,18 @@ fn walking_over_the_equator_works_twice() {
 }
 
 #[test]
+fn a_closed_world_of_a_script_is_of_32_metres_unless_it_says_otherwise() {
+    let saves = tempfile::tempdir().unwrap();
+    for (line, radius) in [
+        ("new spherical seed=4", 32.0),
+        ("new spherical seed=4 radius=100", 100.0),
+    ] {
+        let run = run(saves.path(), &format!("{line}\nprobe"));
+        assert_eq!(field(run.probe(0), "radius"), radius, "{line}");
+    }
+}
+
+#[test]
 fn mistakes_stop_a_script_with_their_line_and_status_two() {
     let saves = tempfile::tempdir().unwrap();
     for (script, line) in [

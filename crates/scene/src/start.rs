@@ -25,8 +25,12 @@ use crate::tuning::NEAR_M;
 const SEARCH: (f64, f64) = (96.0, 0.4);
 /// Rings of places, and places on each.
 const RINGS: (u32, u32) = (8, 16);
-/// How many of the highest places are looked at closely before the best of them is taken.
-const MOST_VIEWS: usize = 4;
+/// How many of the highest places are looked at closely before the best of them is taken, and how many where none of
+/// these has room for a car and somebody: a world is being waited for.
+const VIEWS: usize = 8;
+const MOST_VIEWS: usize = 24;
+/// What a car or somebody in a view is worth, in metres of far land: more than all land.
+const THING_WORTH_M: f64 = 1000.0;
 /// The ground about a foot may rise so much, in metres.
 const STEEPEST_M: f64 = 0.6;
 /// Headings that are tried in an open world.
@@ -35,20 +39,24 @@ const HEADINGS: u32 = 8;
 const RAYS: i32 = 5;
 const RAY_RAD: f64 = 5.0 * PI / 180.0;
 /// Where the land is surveyed along a ray, in metres from the eye.
-const SURVEY_M: [f64; 12] = [
-    3.0, 6.0, 8.0, 10.0, 12.0, 14.0, 17.0, 20.0, 32.0, 48.0, 72.0, 100.0,
+const SURVEY_M: [f64; 13] = [
+    3.0, 6.0, 8.0, 10.0, 12.0, 14.0, 17.0, 20.0, 25.0, 32.0, 48.0, 72.0, 100.0,
 ];
+/// From here on land is far, in metres, and so much of it over what is nearer is enough on a ray, in radians.
+const FAR_M: f64 = 32.0;
+const ENOUGH_RAD: f64 = 4.0 * PI / 180.0;
 /// Of these, where a figure and where a car can be made out.
 const FIGURE_AT: std::ops::Range<usize> = 1..5;
 const CAR_AT: std::ops::Range<usize> = 2..7;
-/// Where in the picture things are to be: half of its width and height, and how far down at most; the display and what
-/// is in hand are at its edges.
+/// Where in the picture things are to be, in halves of its width and height: the display is at its edges, and what is in
+/// hand covers what lies to the right of and below a place.
 const WITHIN: DVec2 = DVec2::new(0.8, 0.7);
+const HAND: DVec2 = DVec2::new(0.1, -0.05);
 const ASPECT: f64 = 16.0 / 9.0;
 /// Bearings between car and figure, at least, in rays.
 const APART_RAYS: i32 = 2;
 /// Elevation of the view in a closed world, for the land overhead, in degrees; in an open one, below the land's edge.
-const CLOSED_DEG: [f64; 3] = [15.0, 11.0, 7.0];
+const CLOSED_DEG: [f64; 1] = [15.0];
 const OPEN_DEG: [f64; 4] = [-4.0, -9.0, -14.0, -20.0];
 /// Half of the rectangle that a car stands on, in metres, how far its ground may rise, and what is to be seen of it over
 /// the ground.
@@ -147,20 +155,14 @@ impl Search<'_> {
     /// The best beginning: with a car and somebody where that can be had.
     fn best(&self) -> Option<Start> {
         let mut best: Option<(f64, Start)> = None;
-        let mut seen = 0;
-        for (feet, headings) in self.places() {
-            for heading in headings {
-                let Some((worth, start)) = self.view(feet, heading) else {
-                    continue;
-                };
-                if best.is_none_or(|(most, _)| worth > most) {
-                    best = Some((worth, start));
-                }
-            }
-            seen += 1;
+        for (seen, (feet, headings)) in self.places().into_iter().enumerate() {
             let whole = best.is_some_and(|(_, it)| it.car.is_some() && it.figure.is_some());
-            if seen >= MOST_VIEWS && whole {
+            if seen >= VIEWS && whole {
                 break;
+            }
+            for heading in headings {
+                let most_m = best.map_or(0.0, |(worth_m, _)| worth_m);
+                best = self.view(feet, heading, most_m).or(best);
             }
         }
         best.map(|(_, start)| start)
@@ -192,6 +194,7 @@ impl Search<'_> {
             }
         }
         places.sort_by(|(a, _), (b, _)| b.pos.y.total_cmp(&a.pos.y));
+        places.truncate(MOST_VIEWS);
         places
     }
 
@@ -199,33 +202,36 @@ impl Search<'_> {
         player::eye(&Position(feet), &look, self.lens.value(), self.eye_height_m)
     }
 
-    /// What a view is worth, and what is to be seen in it.
-    fn view(&self, feet: ChartPoint, yaw: f64) -> Option<(f64, Start)> {
+    /// What a view is worth, in metres, and what is to be seen in it: if it is worth more than so much.
+    fn view(&self, feet: ChartPoint, yaw: f64, most_m: f64) -> Option<(f64, Start)> {
         let level = self.eye(feet, Look { yaw, pitch: 0.0 });
         let spots = self.survey(feet, yaw);
         let (far_m, edge_rad) = self.far_land(&level, &spots);
-        let pitches: Vec<f64> = if self.strategy().rim_m().is_some() {
-            CLOSED_DEG.map(f64::to_radians).to_vec()
-        } else {
-            let below = OPEN_DEG.map(|degrees| edge_rad.min(0.0) + degrees.to_radians());
-            below.to_vec()
-        };
-        let mut best: Option<(f64, Start)> = None;
-        for pitch in pitches {
+        let closed = self.strategy().rim_m().is_some();
+        let pitches = if closed { &CLOSED_DEG[..] } else { &OPEN_DEG };
+        let edge_rad = if closed { 0.0 } else { edge_rad.min(0.0) };
+        let mut best = None;
+        let mut most_m = most_m;
+        for pitch in pitches.iter().map(|it| edge_rad + it.to_radians()) {
+            if far_m + 2.0 * THING_WORTH_M <= most_m {
+                break;
+            }
             let look = Look { yaw, pitch };
             let eye = self.eye(feet, look);
             let figure = self.figure(&eye, feet, &spots);
             let car = self.car(&eye, yaw, &spots, figure.map(|(spot, _)| spot.ray));
-            let start = Start {
-                feet,
-                look,
-                car,
-                figure: figure.map(|(spot, yaw)| (spot.ground.moved(DVec3::Y * 0.15), yaw)),
-            };
-            let whole = [car.is_some(), figure.is_some()].into_iter();
-            let worth = far_m + 1000.0 * whole.filter(|it| *it).count() as f64;
-            if best.is_none_or(|(most, _)| worth > most) {
-                best = Some((worth, start));
+            let things = u8::from(car.is_some()) + u8::from(figure.is_some());
+            let worth_m = far_m + THING_WORTH_M * f64::from(things);
+            if worth_m > most_m {
+                most_m = worth_m;
+                let figure = figure.map(|(spot, yaw)| (spot.ground.moved(DVec3::Y * 0.15), yaw));
+                let start = Start {
+                    feet,
+                    look,
+                    car,
+                    figure,
+                };
+                best = Some((worth_m, start));
             }
         }
         best
@@ -246,24 +252,29 @@ impl Search<'_> {
         spots
     }
 
-    /// How far off land is seen over what is nearer, as a mean of all rays, and how high the highest of it stands, as an
-    /// angle from the level.
+    /// What the far land of a view is worth: how far off land is seen over what is nearer, in metres as a mean of all
+    /// rays, and as much again where enough of it is seen. And how high the highest land stands, as an angle from the
+    /// level.
     fn far_land(&self, level: &Eye, spots: &[Spot]) -> (f64, f64) {
-        let mut far_m = 0.0;
+        let mut worth = 0.0;
         let mut edge_rad = -FRAC_PI_2;
         for ray in -RAYS..=RAYS {
-            let (mut most_m, mut highest) = (0.0, -FRAC_PI_2);
+            let (mut most_m, mut near_rad, mut highest_rad) = (0.0, -FRAC_PI_2, -FRAC_PI_2);
             for spot in spots.iter().filter(|spot| spot.ray == ray) {
                 let view = self.lens.strategy().view_point(level, spot.ground);
                 let rise_rad = view.y.atan2(view.x.hypot(view.z));
-                if rise_rad > highest {
-                    (most_m, highest) = (SURVEY_M[spot.ring], rise_rad);
+                if rise_rad > highest_rad {
+                    (most_m, highest_rad) = (SURVEY_M[spot.ring], rise_rad);
+                }
+                if SURVEY_M[spot.ring] < FAR_M {
+                    near_rad = highest_rad;
                 }
             }
-            far_m += most_m;
-            edge_rad = edge_rad.max(highest);
+            let enough = ((highest_rad - near_rad) / ENOUGH_RAD).min(1.0);
+            worth += most_m * (1.0 + enough);
+            edge_rad = edge_rad.max(highest_rad);
         }
-        (far_m / f64::from(2 * RAYS + 1), edge_rad)
+        (worth / f64::from(2 * RAYS + 1), edge_rad)
     }
 
     /// Somebody who is seen, and the way he looks at the player.
@@ -308,6 +319,9 @@ impl Search<'_> {
         let x = projection.sx * view.x / -view.z;
         let y = projection.sy * view.y / -view.z;
         if view.z >= 0.0 || x.abs() > WITHIN.x || y.abs() > WITHIN.y {
+            return false;
+        }
+        if x > HAND.x && y < HAND.y {
             return false;
         }
         let away_m = strategy.eye_distance_m(eye, view);

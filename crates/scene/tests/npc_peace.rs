@@ -340,32 +340,6 @@ fn who_is_called_from_afar_turns_round_and_waits() {
 }
 
 #[test]
-fn at_dusk_they_sit_down_by_a_lamp_and_get_up_again() {
-    let mut scene = world(Geometry::Euclidean);
-    let lamp = beside(&scene, 8.0, 4.0);
-    assert!(scene.spawn_lamp(lamp));
-    let ids = [(12.0, 0.0), (3.0, 9.0)].map(|(x, z)| {
-        let place = beside(&scene, x, z);
-        scene.spawn_bot(place, 0.0, false)
-    });
-    pass(&mut scene, 15.0);
-    assert!(
-        ids.iter().all(|id| bot(&scene, *id).state != State::Sit),
-        "not by day"
-    );
-    scene.set_time_of_day_s(300.0);
-    pass(&mut scene, 40.0);
-    for id in ids {
-        let view = bot(&scene, id);
-        assert_eq!(view.state, State::Sit, "{:?}", view.point);
-        assert!((view.point.pos - lamp.pos).length() < 3.5);
-    }
-    scene.set_time_of_day_s(450.0);
-    pass(&mut scene, 2.0);
-    assert!(ids.iter().all(|id| bot(&scene, *id).state != State::Sit));
-}
-
-#[test]
 fn a_peaceful_one_looks_at_who_comes_and_makes_room() {
     for geometry in Geometry::ALL {
         let mut scene = world(geometry);

@@ -177,6 +177,38 @@ fn a_lamp_in_hand_is_shown_where_it_comes_to_hang() {
 }
 
 #[test]
+fn the_ring_of_the_brush_is_there_while_it_digs_or_builds_and_at_no_other_time() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        scene.aim(0.3, -0.6);
+        let rest = Actions::default();
+        let dig = Actions {
+            primary: true,
+            ..rest
+        };
+        let build = Actions {
+            secondary: true,
+            ..rest
+        };
+        for (work, there) in [
+            (rest, false),
+            (dig, true),
+            (rest, false),
+            (build, true),
+            (rest, false),
+        ] {
+            steps(&mut scene, 2, &work);
+            assert!(
+                scene.marker().is_some(),
+                "{geometry:?}: there is ground ahead"
+            );
+            let shown = scene.frame(1.0, 1.5, 1).marker;
+            assert_eq!(shown.is_some(), there, "{geometry:?}: {work:?}");
+        }
+    }
+}
+
+#[test]
 fn who_dies_sees_it_from_the_ground_and_stands_up_again() {
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);

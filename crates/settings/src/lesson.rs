@@ -31,7 +31,7 @@ pub enum Lesson {
     Backpack,
     /// The photo mode.
     Photo,
-    /// Walking straight on until one is home, in a closed world.
+    /// Walking over the equator and straight on until one is home, in a closed world.
     Home,
     /// The menu.
     Menu,

@@ -34,7 +34,7 @@ const UP_RAD: f64 = 0.6;
 pub struct Place {
     /// Whether the wheel turns a dial.
     pub has_dial: bool,
-    /// Whether the world is closed: the land is overhead, a straight way leads home, and there is no other picture.
+    /// Whether the world is closed: the land is overhead, a way round leads home, and there is no other picture.
     pub closed: bool,
     /// Elevation of the view, radians.
     pub pitch_rad: f64,

@@ -7,6 +7,8 @@
 )]
 
 mod backpack;
+mod beginnings;
+mod clock;
 mod console;
 mod newcomers;
 mod options;

@@ -26,27 +26,35 @@ impl World {
         }
     }
 
-    fn start(&self) -> Start {
-        let search = Search {
+    fn search(&self) -> Search<'_> {
+        Search {
             field: &self.field,
             lens: &self.lens,
             eye_height_m: CharacterTuning::default().eye_height_m(),
             fov_y_rad: FOV_Y_RAD,
-        };
-        search.best().expect("there is a place to stand on")
+        }
+    }
+
+    fn start(&self) -> Start {
+        let best = self.search().best();
+        best.expect("there is a place to stand on")
+    }
+
+    fn eye(&self, start: &Start) -> Eye {
+        let height_m = CharacterTuning::default().eye_height_m();
+        player::eye(
+            &Position(start.feet),
+            &start.look,
+            self.lens.value(),
+            height_m,
+        )
     }
 
     /// Where in the picture of a start a place over the ground is, in halves of its width and height, and how far off:
     /// if no ground lies before it on the geodesic.
     fn seen(&self, start: &Start, ground: ChartPoint, over_m: f64) -> Option<(DVec2, f64)> {
         let pictured = &**self.lens.strategy();
-        let height_m = CharacterTuning::default().eye_height_m();
-        let eye = player::eye(
-            &Position(start.feet),
-            &start.look,
-            self.lens.value(),
-            height_m,
-        );
+        let eye = self.eye(start);
         let view = pictured.view_point(&eye, ground.moved(DVec3::Y * over_m));
         let projection = Projection::new(FOV_Y_RAD, ASPECT, NEAR_M);
         let clip = pictured.clip_from_view(&eye, &projection, view);
@@ -78,6 +86,9 @@ fn lack(geometry: Geometry, radius_m: f64, seed: u64) -> Option<String> {
     ] {
         match world.seen(&start, ground, over_m) {
             None => return said(&format!("{what} is hidden")),
+            Some((at, _)) if at.x > 0.1 && at.y < -0.05 => {
+                return said(&format!("{what} is behind what is in hand: {at}"));
+            }
             Some((at, _)) if !inside(at) => return said(&format!("{what} is at {at}")),
             Some((_, away_m)) if away_m > most_m => {
                 return said(&format!("{what} is {away_m} m off"));
@@ -85,8 +96,8 @@ fn lack(geometry: Geometry, radius_m: f64, seed: u64) -> Option<String> {
             Some(_) => {}
         }
     }
-    if geometry == Geometry::Spherical && start.look.pitch < 6.0_f64.to_radians() {
-        return said("one does not look up");
+    if geometry == Geometry::Spherical && start.look.pitch < 14.9_f64.to_radians() {
+        return said("one does not look up to the land overhead");
     }
     None
 }
@@ -96,7 +107,9 @@ fn the_first_picture_of_fifty_seeds_of_each_space_has_a_car_and_somebody() {
     for (geometry, radius_m) in [
         (Geometry::Euclidean, f64::INFINITY),
         (Geometry::Hyperbolic, 20.0),
+        (Geometry::Spherical, 32.0),
         (Geometry::Spherical, 100.0),
+        (Geometry::Spherical, 256.0),
     ] {
         let lacks: Vec<_> = (0..SEEDS)
             .filter_map(|seed| lack(geometry, radius_m, seed))
@@ -153,13 +166,7 @@ fn who_walks_straight_on_from_the_start_of_a_closed_world_comes_home() {
 /// How far off the land is that a ray of the picture meets, by its place in halves of width and height.
 fn met_m(world: &World, start: &Start, at: DVec2) -> Option<f64> {
     let pictured = &**world.lens.strategy();
-    let height_m = CharacterTuning::default().eye_height_m();
-    let eye = player::eye(
-        &Position(start.feet),
-        &start.look,
-        world.lens.value(),
-        height_m,
-    );
+    let eye = world.eye(start);
     let tall = (0.5 * FOV_Y_RAD).tan();
     let direction = DVec3::new(at.x * tall * ASPECT, at.y * tall, -1.0).normalize();
     let rim = world.field.strategy();
@@ -209,5 +216,57 @@ fn the_first_picture_shows_far_land_and_in_closed_worlds_land_overhead() {
             assert!(far_m[2] >= median_m && far_m[4] >= most_m, "{said}");
             assert!(geometry != Geometry::Spherical || above >= 36, "{said}");
         }
+    }
+}
+
+/// Of eleven columns of the picture, how many show at least one hundredth and a half of its height of land that is 32
+/// metres of the chart off or farther.
+fn far_columns(world: &World, start: &Start) -> usize {
+    let pictured = &**world.lens.strategy();
+    let eye = world.eye(start);
+    let tall = (0.5 * FOV_Y_RAD).tan();
+    let shows_far = |x: f64, y: f64| {
+        let direction = DVec3::new(x * tall * ASPECT, y * tall, -1.0).normalize();
+        let mut away_m = 1.0_f64;
+        while away_m < 160.0 {
+            let at = pictured.along(&eye, direction, away_m);
+            if world.field.sample(at) < 0.0 {
+                return (at.pos - start.feet.pos).with_y(0.0).length() > 32.0;
+            }
+            away_m += (0.01 * away_m).max(0.3);
+        }
+        false
+    };
+    (-5..=5)
+        .map(|column| 0.17 * f64::from(column))
+        .filter(|x| (-16..=16).any(|row| shows_far(*x, 0.03 * f64::from(row))))
+        .count()
+}
+
+#[test]
+fn far_land_is_seen_over_the_near_in_hyperbolic_worlds_too() {
+    let mut columns = Vec::new();
+    for seed in 0..SEEDS {
+        let world = World::new(Geometry::Hyperbolic, 20.0, seed);
+        let seen = far_columns(&world, &world.start());
+        assert!(seen >= 3, "seed {seed}: {seen} of 11 columns");
+        columns.push(seen);
+    }
+    columns.sort_unstable();
+    assert!(columns[columns.len() / 2] >= 7, "{columns:?}");
+}
+
+#[test]
+fn a_search_that_finds_no_room_for_a_car_and_somebody_gives_up_soon() {
+    for geometry in Geometry::ALL {
+        let world = World::new(geometry, 100.0, 5);
+        // Through a slit nothing is in the picture.
+        let search = Search {
+            fov_y_rad: 1e-9,
+            ..world.search()
+        };
+        assert!(search.places().len() <= MOST_VIEWS);
+        let start = search.best().expect("there is a place to stand on");
+        assert!(start.car.is_none() && start.figure.is_none(), "{geometry}");
     }
 }

@@ -115,3 +115,18 @@ fn the_flight_moves_and_never_goes_into_the_ground() {
         assert_ne!(begin, flight.point());
     }
 }
+
+#[test]
+fn the_menu_begins_over_a_closed_world_by_night_that_is_large_beside_its_hills() {
+    assert_eq!(Flight::geometry_of(WORLDS[0]), Geometry::Spherical);
+    for place in WORLDS {
+        if Flight::geometry_of(place) != Geometry::Spherical {
+            continue;
+        }
+        let mut flight = Flight::open(place, 1, true, Quality::Fast).unwrap();
+        let frame = flight.frame(1.5, 400);
+        let radius_m = frame.strategy.radius_m();
+        assert!(radius_m >= 100.0, "{place:?}: {radius_m} m");
+        assert!(frame.sky.stars > 0.5, "{place:?} in the sun");
+    }
+}

@@ -133,7 +133,7 @@ fn what_a_world_has_not_is_not_told_and_not_counted() {
 }
 
 #[test]
-fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_on_until_one_is_home() {
+fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_over_the_equator_until_one_is_home() {
     let mut hints = Hints::default();
     for lesson in [Lesson::Look, Lesson::Walk, Lesson::Jump] {
         hints.finish(lesson);
@@ -152,7 +152,7 @@ fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_on_until_one_is_home() {
         }
     }
     hints.rest_s = 0.0;
-    assert!(told(&hints, CLOSED).starts_with("Walk straight on"));
+    assert!(told(&hints, CLOSED).starts_with("Walk to the equator"));
     for _ in 0..(1.1 * READ_S / STEP_S) as u32 {
         hints.step(&Actions::default(), CLOSED);
     }

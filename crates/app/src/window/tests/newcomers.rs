@@ -45,7 +45,7 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         radius_m: Some(16.0),
         start: Beginning::Middle,
     })));
-    for words in ["Look up", "Walk straight on"] {
+    for words in ["Look up", "Walk to the equator"] {
         tick_until(&mut game, |game| told(game).starts_with(words));
         game.input(KEY_N, true);
         game.input(KEY_N, false);

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use antipode_settings::MouseButton;
 use image::RgbaImage;
 
 use super::super::phase::Next;
@@ -168,4 +169,39 @@ fn a_new_world_is_covered_until_a_picture_has_all_of_its_land() {
     game.drawn(true);
     game.tick(Instant::now());
     assert!(game.is_playing(), "{:?}", game.phase);
+}
+
+#[test]
+fn a_lamp_is_put_down_and_taken_up_at_five_frames_a_second_also_between_two_of_them() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut game = playing(&dir);
+    let mut now = Instant::now() + Duration::from_secs(1);
+    game.tick(now);
+    let scene = &mut game.phase.session_mut().unwrap().scene;
+    scene.inventory_mut().select(5);
+    scene.aim(0.0, -1.0);
+    // What is clicked before a frame, and the lamps that stand and that are left after it.
+    let (left, right) = (MouseButton::Left, MouseButton::Right);
+    for (clicks, standing, carried) in [
+        (&[left][..], 1, 9),
+        (&[right], 0, 10),
+        (&[left, right], 0, 10),
+        (&[left], 1, 9),
+        (&[right, left], 1, 9),
+    ] {
+        for button in clicks {
+            game.input(Input::Mouse(*button), true);
+            game.input(Input::Mouse(*button), false);
+        }
+        now += Duration::from_millis(200);
+        game.tick(now);
+        let scene = &game.phase.session().unwrap().scene;
+        let kept = scene.inventory().slots()[5].map(|stack| stack.count);
+        assert_eq!(
+            (scene.lamps().len(), kept),
+            (standing, Some(carried)),
+            "{clicks:?}"
+        );
+    }
+    game.finish();
 }
