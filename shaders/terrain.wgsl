@@ -247,10 +247,11 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return ringed(land_colour(in, point), ring);
 }
 
-// Beyond what the chart draws, by more than 5 cm: over the equator, where the other chart draws it, or past what a
-// bent picture shows.
+// Beyond what the chart draws: over the equator, where the other chart draws it, or past what a bent picture shows. By
+// more than 5 cm and, since far land is coarse and that of the two charts not the same, by about a pixel's width:
+// where they ended just there, the sky would show between them.
 fn is_trimmed(in: VertexOut) -> bool {
-    return in.place.w > 0.05;
+    return in.place.w > 0.05 + 0.004 * in.land.y;
 }
 
 @fragment

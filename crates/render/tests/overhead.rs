@@ -1,4 +1,4 @@
-//! Things on the far side of a closed world, where they look larger the farther off they are.
+//! The far side of a closed world: things there look larger the farther off they are, and the land has no holes.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -11,7 +11,10 @@ mod common;
 use std::f64::consts::PI;
 
 use antipode_geometry::{ChartPoint, Geometry, Projection};
+use antipode_render::ShadowQuality;
 use antipode_scene::frame::{Figure, ModelId};
+use common::told::told;
+use common::worlds::World;
 use common::{Studio, frame, space};
 use glam::DVec3;
 
@@ -57,4 +60,35 @@ fn a_lamp_three_quarters_of_the_way_to_the_antipode_is_drawn_larger_than_one_hal
         (pixels / area - 1.0).abs() < 0.1,
         "{pixels} times the pixels, {area} times the area"
     );
+}
+
+/// Where the two charts of a closed world meet, each leaves what is past the equator to the other: far off, where both
+/// are coarse, no sky may show between them.
+#[test]
+fn no_sky_shows_through_the_land_where_the_two_halves_meet() {
+    for (seed, radius_m, lines) in [(5, 100.0, 720), (1, 100.0, 360), (3, 32.0, 720)] {
+        let mut world = World::new(Geometry::Spherical, seed, radius_m, 6).of_lines(lines);
+        let Some(mut studio) = Studio::with_shaders(world.size(), ShadowQuality::Off, told())
+        else {
+            return;
+        };
+        let mut holes = 0;
+        for yaw_deg in [0.0, 60.0, 120.0, 180.0, 240.0, 300.0] {
+            world.aim(yaw_deg, 15.0);
+            let mut frame = world.frame();
+            frame.figures.clear();
+            let picture = studio.picture(&frame);
+            // The land is drawn without blue, but for the glow of the sun before it.
+            let blue = |x: u32, y: u32| picture.get_pixel(x, y).0[2];
+            let inside = |size: u32| 1..size - 1;
+            let (wide, high) = world.size();
+            let all = inside(high).flat_map(|y| inside(wide).map(move |x| (x, y)));
+            let is_hole = |(x, y): &(u32, u32)| {
+                let about = (y - 1..=y + 1).flat_map(|j| (x - 1..=x + 1).map(move |i| (i, j)));
+                blue(*x, *y) > 90 && about.filter(|(i, j)| blue(*i, *j) < 30).count() >= 6
+            };
+            holes += all.filter(is_hole).count();
+        }
+        assert_eq!(holes, 0, "seed {seed}, {radius_m} m");
+    }
 }
