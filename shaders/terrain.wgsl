@@ -190,6 +190,9 @@ fn daylit(in: VertexOut, point: Shaded) -> vec3<f32> {
     return in.albedo * light_on(normalize(in.facing), share);
 }
 
+// What a pixel spans of the way to the ring's middle counts as so much of its radius at most.
+const RING_WIDEST: f32 = 0.06;
+
 // The thin ring about what is dug or built: all land as far from its middle as the brush reaches, in metres of the chart
 // as it does, and a pixel or two wide however steeply it is seen. Gives the shares of the ring and of its dark edges. To
 // be called before a fragment may be discarded.
@@ -200,7 +203,9 @@ fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
         away = (view - scene.ring_centre) * mat3x4<f32>(scene.ring_x, scene.ring_y, scene.ring_z);
     }
     let from_middle = length(away);
-    let pixels = abs(from_middle - scene.ring.w) / max(fwidth(from_middle), 1e-6);
+    // Where land ends before other land the next pixel may be metres off, and that is not the ring's width.
+    let across_m = clamp(fwidth(from_middle), 1e-6, RING_WIDEST * scene.ring.w + 1e-6);
+    let pixels = abs(from_middle - scene.ring.w) / across_m;
     let is_there = select(0.0, 1.0, scene.ring.w > 0.0);
     let wide = 1.0 - smoothstep(2.0, 3.0, pixels);
     return is_there * vec2<f32>(1.0 - smoothstep(0.8, 1.8, pixels), wide * scene.ring_edges.x);

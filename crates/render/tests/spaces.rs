@@ -14,6 +14,8 @@ use std::sync::Arc;
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
 use antipode_scene::frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_terrain::ChunkMesh;
+use common::triangles::Surface;
+use common::worlds::World;
 use common::{
     GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
 };
@@ -413,6 +415,44 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
                 !is_changed(seen(0.8)) && !is_changed(seen(1.2)),
                 "too wide, {said}"
             );
+        }
+    }
+}
+
+/// Where land ends before other land, a pixel and the next are metres apart: that makes no ring.
+#[test]
+fn the_ring_is_nowhere_but_on_its_circle_however_rugged_the_land() {
+    for seed in [5, 7] {
+        let mut world = World::new(Geometry::Euclidean, seed, 32.0, 4).of_lines(360);
+        let Some(mut studio) = Studio::new(world.size()) else {
+            return;
+        };
+        for yaw_deg in [0.0, 90.0, 180.0, 270.0] {
+            world.aim(yaw_deg, -6.0);
+            let marker = world.scene.marker().expect("a pickaxe is in hand");
+            let plain = world.whole_frame();
+            let ringed = Frame {
+                marker: Some(Marker {
+                    active: true,
+                    ..marker
+                }),
+                ..plain.clone()
+            };
+            let pictures = [studio.picture(&plain), studio.picture(&ringed)];
+            let triangles = world.land.triangles();
+            let surface = Surface::of(&plain, &triangles, world.size());
+            for (x, y, pixel) in pictures[1].enumerate_pixels() {
+                let is_ring =
+                    (0..3).any(|c| pixel.0[c].abs_diff(pictures[0].get_pixel(x, y).0[c]) > 24);
+                if let (true, Some(seen)) = (is_ring, surface.get(x, y)) {
+                    let at = triangles[seen.triangle as usize].at(seen.weights);
+                    let off_m = (at.distance(marker.point.pos) - marker.radius_m).abs();
+                    assert!(
+                        off_m < 1.5,
+                        "{seed} {yaw_deg}: {x} {y}, {off_m} m off the ring"
+                    );
+                }
+            }
         }
     }
 }
