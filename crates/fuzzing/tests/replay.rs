@@ -10,9 +10,10 @@ use antipode_fuzzing::watch::{self, MOST_WAIT};
 use antipode_fuzzing::{TARGETS, Target};
 
 /// What once broke the store, and is replayed for ever; whatever is found next comes to these.
-const FINDS: [&str; 3] = [
+const FINDS: [&str; 4] = [
     "renamed-type-of-freed-pages",
     "renamed-type-of-unreachable-pages",
+    "sealed-name-that-no-world-can-have",
     "torn-system-tree-over-a-page-of-gigabytes",
 ];
 

@@ -50,6 +50,15 @@ pub(crate) fn check(name: &str) -> Result<(), NameError> {
     Ok(())
 }
 
+/// What a name from outside leaves of itself without what no name may have, at most as long as one may be; a word for
+/// a world where that is nothing.
+pub(crate) fn usable(name: &str) -> String {
+    let shown: String = name.chars().filter(|&c| !is_unprintable(c)).collect();
+    let kept: String = shown.trim().chars().take(MAX_NAME_CHARS).collect();
+    let kept = kept.trim_end();
+    if check(kept).is_ok() { kept } else { "World" }.to_owned()
+}
+
 /// What two names have in common if they may not both be used.
 pub(crate) fn folded(name: &str) -> String {
     // By way of upper case, so that `ß` meets `SS` and both sigmas meet.
@@ -98,6 +107,21 @@ mod tests {
             &"é".repeat(40),
         ] {
             assert_eq!(check(name), Ok(()), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_name_from_outside_leaves_one_that_may_be_used() {
+        for (name, left) in [
+            (" My world ", "My world"),
+            ("a\u{202e}b\n", "ab"),
+            ("Vic\u{14}im", "Vicim"),
+            ("\0\u{200b}", "World"),
+            ("", "World"),
+            (&"é".repeat(41), &"é".repeat(40)),
+        ] {
+            assert_eq!(usable(name), left, "{name:?}");
+            assert_eq!(check(&usable(name)), Ok(()));
         }
     }
 

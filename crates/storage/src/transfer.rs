@@ -7,7 +7,7 @@ use std::time::SystemTime;
 
 use crate::error::StorageError;
 use crate::maintenance::Inspection;
-use crate::name::NameError;
+use crate::name::{self, NameError};
 use crate::saves::SavesDir;
 use crate::schema::WorldMeta;
 use crate::scratch::Scratch;
@@ -140,10 +140,6 @@ impl SavesDir {
         adopted.map_err(|error| match error {
             StorageError::NotFound { .. } => no_world(file, "there is none"),
             damaged if damaged.is_damage() => no_world(file, &damaged.damage()),
-            StorageError::Name(_) => StorageError::Archive {
-                path: file.to_path_buf(),
-                reason: "the world in it has a name that no world can have".to_owned(),
-            },
             // Its name cannot be read then, and its directory here is none.
             StorageError::Newer { found, .. } => StorageError::Newer {
                 world: file.display().to_string(),
@@ -163,16 +159,16 @@ impl SavesDir {
         self.settle(scratch, &name)
     }
 
-    /// A name like `wanted` that may be used: itself, or with a number in the place of
-    /// the one it may have.
+    /// A name like `wanted` that may be used: what may be used of it, or that with a number in
+    /// the place of the one it may have.
     fn free_name(&self, wanted: &str) -> Result<String, StorageError> {
         let worlds = self.list()?;
-        let wanted = wanted.trim();
-        let stem = without_number(wanted);
+        let wanted = name::usable(wanted);
+        let stem = without_number(&wanted);
         let mut number = 1;
         loop {
             let candidate = if number == 1 {
-                wanted.to_owned()
+                wanted.clone()
             } else {
                 numbered_name(stem, number)
             };
