@@ -26,9 +26,6 @@ const HALF: u8 = 197;
 /// Share of the pixels judged that may be wrong.
 const MOST_WRONG: f64 = 0.005;
 
-/// Low quality has but one map in a closed world: what lies farther from the eye is not judged, metres.
-const LOW_REACH_M: f64 = 15.0;
-
 #[derive(Default, Debug)]
 struct Found {
     judged: usize,
@@ -69,15 +66,7 @@ fn judge(
             let seen = seen.as_ref()?;
             let triangle = &triangles[seen.triangle as usize];
             let point = ChartPoint::new(triangle.hemisphere, triangle.at(seen.weights));
-            let away_m = frame
-                .strategy
-                .distance_m(frame.eye.point, point, &frame.eye);
-            let is_mapped = shadows == ShadowQuality::High
-                || frame.strategy.rim_m().is_none()
-                || away_m < LOW_REACH_M;
-            let is_lit =
-                || rays.is_faced(seen.triangle) && rays.hit(point, seen.triangle).is_none();
-            is_mapped.then(is_lit)
+            Some(rays.is_faced(seen.triangle) && rays.hit(point, seen.triangle).is_none())
         })
         .collect();
     let mut found = Found::default();
@@ -209,7 +198,7 @@ fn before_a_pillar(geometry: Geometry, time_s: f64) -> World {
     world
 }
 
-/// Digs down until so many metres are overhead, and looks at the bottom by noon.
+/// Digs down until so many metres are overhead, and looks at the wall by noon.
 fn down_a_shaft(geometry: Geometry, depth_m: f64) -> World {
     let mut world = World::new(geometry, 1, 100.0, 3).of_lines(180);
     let height_m = |world: &World| world.scene.feet().pos.y;
@@ -220,7 +209,7 @@ fn down_a_shaft(geometry: Geometry, depth_m: f64) -> World {
     }
     world.settle();
     world.scene.set_time_of_day_s(150.0);
-    world.aim(40.0, -50.0);
+    world.aim(40.0, -20.0);
     world
 }
 
