@@ -3,14 +3,14 @@
 
 mod moments;
 
+use std::sync::Arc;
+
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, CameraMode, Scene};
 use antipode_terrain::Field;
 use glam::{DVec3, DVec4};
-
-use std::sync::Arc;
 
 use super::*;
 

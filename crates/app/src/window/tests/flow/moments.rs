@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::super::super::pace::Pace;
 use super::*;
+use crate::pad::Axis;
 
 #[test]
 fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
@@ -50,6 +51,25 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
             assert!(
                 off(&seen, turned) < 1e-9,
                 "{geometry:?} frame {frame}: {seen:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_stick_turns_the_view_in_every_frame_alike() {
+    let mut film = Film::new(Geometry::Euclidean);
+    film.game.sticks.set(Axis::RightX, 1.0);
+    let speed_deg_s = film.game.config.settings.pad_look_speed_deg_per_s;
+    for rate in RATES {
+        film.at(rate);
+        let due_rad = speed_deg_s.to_radians() / f64::from(rate);
+        let frames = film.shoot(60);
+        for it in frames[1..].windows(2) {
+            let turned_rad = (it[1].eye.yaw - it[0].eye.yaw).sin();
+            assert!(
+                (turned_rad / due_rad - 1.0).abs() < 0.01,
+                "{turned_rad} of {due_rad}"
             );
         }
     }
