@@ -216,7 +216,7 @@ fn mend_summary(dir: &Path, before: VerifyReport) -> Result<RepairReport, Storag
 }
 
 /// Keeps what is at `path` under a free name beside it and puts `fresh` in its place,
-/// in one step where it is a file and the file system has hard links. Where it is
+/// in one step where it is a file. Where it is
 /// kept; `None` if there was nothing.
 fn put_in_place(path: &Path, entry: Entry, fresh: &Path) -> Result<Option<PathBuf>, StorageError> {
     let kept = match entry {
@@ -225,7 +225,7 @@ fn put_in_place(path: &Path, entry: Entry, fresh: &Path) -> Result<Option<PathBu
         Entry::File { .. } => {
             let kept = free_beside(path);
             if fs::hard_link(path, &kept).is_err() {
-                StorageError::at("Keeping", &kept, fs::copy(path, &kept))?;
+                StorageError::at("Keeping", &kept, atomic_file::copy(path, &kept))?;
             }
             Some(kept)
         }
