@@ -203,6 +203,29 @@ fn limits_follow_from_the_length_of_the_file() {
     );
 }
 
+#[test]
+fn a_repair_that_takes_longer_than_it_may_is_stopped_and_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    std::fs::create_dir(dir.path().join("w")).unwrap();
+    // As long as a disk, of which nothing is a world.
+    let file = std::fs::File::create(dir.path().join("w").join(WORLD_FILE)).unwrap();
+    file.set_len(10 << 30).unwrap();
+    let task = Task::Repair {
+        slug: "w".to_owned(),
+    };
+    let limits = Limits {
+        time: Duration::ZERO,
+        ..task.limits(&saves)
+    };
+    let failed = answer_of(myself(&task, &saves).unwrap(), &task, limits);
+    let failed = failed.unwrap_err().to_string();
+    assert!(
+        failed.contains("Repairing the world in w took more than 0 seconds"),
+        "{failed}"
+    );
+}
+
 /// Set for the child only.
 #[cfg(target_os = "linux")]
 const CHILD: &str = "ANTIPODE_TEST_HUNGRY_CHILD";
