@@ -17,11 +17,13 @@ const SHADOW_FIGURES: u32 = 7u;
 // How far a cascade is read, as a part of its half side, and over which part of that it goes over to the next.
 const SHADOW_EDGE: f32 = 0.86;
 const SHADOW_BLEND: f32 = 0.16;
-// Depths of a texel that a surface may be off where it bends, up to which slope that grows, and the steepest slope that
-// is followed at high quality. At low, texels are wide, and what is steeper yet is not told from the edge of a shadow.
+// Depths of a texel that a surface may be off where it bends, up to which slope that grows, and the steepest slopes that
+// are followed at low and at high quality. At low, texels are wide, and what is steeper yet is not told from the edge of
+// a shadow: followed to 10, vertical walls let light through.
 const SHADOW_BIAS: f32 = 0.75;
 const SHADOW_BIASED: f32 = 10.0;
-const SHADOW_STEEPEST: f32 = 32.0;
+const SHADOW_STEEPEST_LOW: f32 = 6.0;
+const SHADOW_STEEPEST_HIGH: f32 = 32.0;
 // Depths of a texel that a triangle which strays from its normals may lie below what it strays from.
 const SHADOW_STRAY: f32 = 16.0;
 
@@ -57,9 +59,10 @@ struct Shaded {
     faced: f32,        // how surely its normals face the light, 0 to 1
 }
 
-// From the cosine to the light. What turns to it by less is all but as dark as what turns away.
+// From the cosine to the light. What turns to it by less is dim, and triangles of steep land stray from their normals as
+// far as that.
 fn surely_faced(cosine: f32) -> f32 {
-    return smoothstep(0.5 * FACING, FACING, cosine);
+    return smoothstep(FACING, 2.0 * FACING, cosine);
 }
 
 // To be called before a fragment may be discarded, with normals in the chart and in view coordinates of which a closed
@@ -142,7 +145,7 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let ay = dy.xy * to_texels;
     let area = ax.x * ay.y - ax.y * ay.x;
     let slope = vec2<f32>(ay.y * dx.z - ax.y * dy.z, ax.x * dy.z - ay.x * dx.z);
-    let steepest = select(SHADOW_STEEPEST, SHADOW_BIASED, SHADOWS == 1u) * texel;
+    let steepest = select(SHADOW_STEEPEST_HIGH, SHADOW_STEEPEST_LOW, SHADOWS == 1u) * texel;
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
     let bias = SHADOW_BIAS * min(length(vec3<f32>(g, texel)), SHADOW_BIASED * texel);

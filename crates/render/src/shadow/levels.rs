@@ -16,7 +16,7 @@ use super::light::{Caster, Crop, DEPTH_SLACK_M, FACES, Light};
 pub const CASCADES: usize = 3;
 /// Half the side of what the finest map holds, metres; and of what the only one of a closed world does.
 const NEAR_M: f64 = 12.0;
-const ALONE_M: f64 = 24.0;
+const ALONE_M: f64 = 32.0;
 /// The farthest cascade is at least so wide on each side of the eye, and at most, metres.
 const FAR_M: [f64; 2] = [64.0, 1024.0];
 /// Half the side of a face, as a tangent: a little past the next face, for the texels around a point.

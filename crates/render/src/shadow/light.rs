@@ -5,6 +5,8 @@
 //! from a point of the three-sphere. Its rays are great circles, which a central projection from that point makes
 //! straight, so a map is a perspective picture of the space itself, with six faces for all directions.
 
+use std::f64::consts::FRAC_PI_2;
+
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use antipode_scene::frame::Frame;
 use glam::{DMat4, DVec2, DVec3, DVec4};
@@ -19,6 +21,8 @@ pub const DEPTH_SLACK_M: f64 = 8.0;
 /// Depth of a perspective picture by the cotangent of the distance, in radii: 0.5 + this * cot. Half a metre from the
 /// light it would leave 0 to 1 where the radius is 16 m, and one f32 step is 0.05 mm where it is 256 m.
 const COTANGENT_DEPTH: f64 = 0.012;
+/// Half of the widest map of a face, as a tangent: 72 degrees.
+const WIDEST: f64 = 3.0;
 /// Faces that see all directions of a point.
 pub const FACES: usize = 6;
 
@@ -170,7 +174,7 @@ impl Light {
                 let sine = (1.0 - w * w).max(1e-6).sqrt();
                 // A plane is stretched away from its middle.
                 let stretch = 1.0 + self.seen(base).1.length_squared();
-                (stretch * (metres / radius_m).sin() / sine).min(1.0)
+                (stretch * (metres / radius_m).min(FRAC_PI_2).sin() / sine).min(WIDEST)
             }
         }
     }
