@@ -106,19 +106,13 @@ fn make_newer(bytes: &mut [u8]) -> usize {
             continue;
         }
         bytes[at..at + 2].copy_from_slice(&(version + 1).to_le_bytes());
-        let sum = crc32(bytes[at..at + 18].iter().chain(&bytes[at + 22..end]));
-        bytes[at + 18..at + 22].copy_from_slice(&sum.to_le_bytes());
+        let mut sum = crc32fast::Hasher::new();
+        sum.update(&bytes[at..at + 18]);
+        sum.update(&bytes[at + 22..end]);
+        bytes[at + 18..at + 22].copy_from_slice(&sum.finalize().to_le_bytes());
         changed += 1;
     }
     changed
-}
-
-fn crc32<'a>(bytes: impl Iterator<Item = &'a u8>) -> u32 {
-    !bytes.fold(!0, |sum: u32, byte| {
-        (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
-            (sum >> 1) ^ (0xedb8_8320 & (sum & 1).wrapping_neg())
-        })
-    })
 }
 
 #[test]

@@ -73,7 +73,7 @@ fn repacked(archive: &[u8], file: &Path, bits: u8) -> std::path::PathBuf {
         let again = lz4_flex::block::compress(&block);
         out.extend((raw as u32).to_le_bytes());
         out.extend((again.len() as u32).to_le_bytes());
-        out.extend(crc32(&again).to_le_bytes());
+        out.extend(crc32fast::hash(&again).to_le_bytes());
         out.extend(again);
         at += 12 + packed;
         done += raw as u64;
@@ -82,14 +82,6 @@ fn repacked(archive: &[u8], file: &Path, bits: u8) -> std::path::PathBuf {
     let changed = file.with_file_name("changed.antipode-world");
     fs::write(&changed, out).unwrap();
     changed
-}
-
-/// CRC-32 (IEEE 802.3), bit by bit.
-fn crc32(bytes: &[u8]) -> u32 {
-    let step = |crc: u32, _| (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 };
-    !bytes
-        .iter()
-        .fold(!0, |crc, &byte| (0..8).fold(crc ^ u32::from(byte), step))
 }
 
 #[test]
