@@ -1,17 +1,15 @@
 //! The keys in the program beside those in the locale files: every one that is asked for exists, and every one that
 //! exists is asked for.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-mod common;
 mod tokens;
 
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::common::{Messages, messages, messages_of, root};
+use crate::tokens::Token;
 use antipode_language::Language;
-use common::{Messages, messages, messages_of, root};
-use tokens::Token;
 
 /// What a source file does with keys.
 #[derive(Debug, Default)]
@@ -29,7 +27,7 @@ struct Uses {
 impl Uses {
     /// Adds those of a source file, without its tests.
     fn add(&mut self, source: &str) {
-        let tokens = tokens::without_tests(tokens::of(source));
+        let tokens = crate::tokens::without_tests(crate::tokens::of(source));
         for text in tokens.iter().filter_map(Token::text) {
             self.strings.insert(text.to_owned());
             if let Some((prefix, hole)) = text.split_once("-{")

@@ -1,10 +1,4 @@
 //! What tests read from the locale files.
-#![allow(
-    dead_code,
-    clippy::unwrap_used,
-    reason = "tests fail by panicking; no test file uses all of this"
-)]
-
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;

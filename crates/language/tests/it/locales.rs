@@ -1,13 +1,10 @@
 //! The locale files beside one another: all can be read, English and Polish say the same, and no other language
 //! says what English does not.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::collections::BTreeSet;
 
+use crate::common::{Messages, messages, messages_of};
 use antipode_language::{Language, Texts};
-use common::{Messages, messages, messages_of};
 
 /// What differs between two languages, in words: keys that only one has, and arguments that differ.
 fn differences(one: &Messages, other: &Messages) -> Vec<String> {
@@ -34,7 +31,7 @@ fn differences(one: &Messages, other: &Messages) -> Vec<String> {
 fn every_language_can_be_read_and_names_no_message_twice() {
     for language in Language::ALL {
         assert_eq!(
-            common::faults(language),
+            crate::common::faults(language),
             Vec::<String>::new(),
             "{language:?}"
         );
