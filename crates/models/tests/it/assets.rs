@@ -1,19 +1,10 @@
 //! The game's own models: what they are made of, how they move, and that they are what the script makes.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
-
 use std::path::Path;
 use std::process::Command;
 
+use crate::common::FILES;
 use antipode_models::{Clip, GAME_FROM_FILE, Model, Part, Pose};
-use common::FILES;
 use glam::{Mat4, Vec3};
 
 fn load(name: &str) -> Model {

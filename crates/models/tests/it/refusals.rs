@@ -1,16 +1,7 @@
 //! What cannot be shown is refused in plain words, and no bytes make the loader panic.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
-
+use crate::common::{CORNERS, FILES, floats, glb, triangle};
 use antipode_models::{Error, Model, Note};
-use common::{CORNERS, FILES, floats, glb, triangle};
 use proptest::prelude::*;
 
 fn refusal(bytes: &[u8]) -> Error {

@@ -1,20 +1,11 @@
 //! Curves, fades and layers against values worked out by hand, and what the loader makes of a file's variants.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
-
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};
 
+use crate::common::{CORNERS, floats, triangle};
 use antipode_models::{
     Channel, Clip, Curve, Interpolation, Joint, Mask, Model, Pose, Skeleton, Transform,
 };
-use common::{CORNERS, floats, triangle};
 use glam::{Quat, Vec3};
 
 fn curve<T>(times: &[f32], values: Vec<T>, interpolation: Interpolation) -> Curve<T> {

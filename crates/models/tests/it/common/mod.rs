@@ -1,7 +1,5 @@
 //! Small files made on the spot.
 
-#![allow(dead_code, reason = "each test file uses its share")]
-
 /// A .glb of a description and data.
 pub fn glb(json: &str, data: &[u8]) -> Vec<u8> {
     let mut text = json.as_bytes().to_vec();
