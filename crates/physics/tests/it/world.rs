@@ -1,15 +1,7 @@
 //! Rays, casts, the floating origin and repeatability.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{STEP_S, Soup, bumps, coord, plain};
 use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld};
-use common::{STEP_S, Soup, bumps, coord, plain};
 use glam::{DVec3, IVec3};
 
 fn hills() -> Soup {

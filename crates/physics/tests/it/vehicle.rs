@@ -1,15 +1,7 @@
 //! What a driver notices of a vehicle on known ground: springs, driving, braking, steering, rolling over and standing up.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{STEP_S, Soup, bumps, plain};
 use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehicleTuning, Vehicles};
-use common::{STEP_S, Soup, bumps, plain};
 use glam::{DQuat, DVec3, IVec3, Vec3};
 
 struct Driver {
@@ -456,8 +448,8 @@ fn what_characters_meet_is_its_body() {
     world.set_obstacles(vehicles.obstacles());
     assert!(world.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
     assert!(!world.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
-    let mut walker = common::Walker::at(&world, 5.0, 0.0, 0.0);
-    walker.steps(180, common::go(-1.0, 0.0));
+    let mut walker = crate::common::Walker::at(&world, 5.0, 0.0, 0.0);
+    walker.steps(180, crate::common::go(-1.0, 0.0));
     assert!((1.7..2.2).contains(&walker.feet().x), "{}", walker.feet());
 }
 

@@ -1,15 +1,7 @@
 //! Jumping, falling, ceilings, flight and being lifted out of the ground.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{STEP_S, Soup, Walker, go, jump, plain, still};
 use antipode_physics::{Character, CharacterInput, CharacterTuning};
-use common::{STEP_S, Soup, Walker, go, jump, plain, still};
 use glam::DVec3;
 
 #[test]

@@ -1,15 +1,7 @@
 //! Walking: ground, slopes, steps, walls, and meshes with bad triangles.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{STEP_S, Soup, Walker, bumps, go, plain, still};
 use antipode_physics::{CharacterInput, CharacterTuning, PhysicsWorld};
-use common::{STEP_S, Soup, Walker, bumps, go, plain, still};
 use glam::{DVec3, IVec3, Vec3};
 
 fn slope(degrees: f32) -> PhysicsWorld {
@@ -357,9 +349,9 @@ fn a_pit_between_steep_slopes_is_stood_in() {
 fn removing_the_ground_drops_whoever_stands_on_it() {
     let mut world = plain().world();
     let mut character = Walker::at(&world, 0.0, 0.1, 0.0).rested().character;
-    assert!(world.has_terrain(common::coord(0, 0, 0)));
-    world.set_terrain(common::coord(0, 0, 0), DVec3::ZERO, None);
-    assert!(!world.has_terrain(common::coord(0, 0, 0)));
+    assert!(world.has_terrain(crate::common::coord(0, 0, 0)));
+    world.set_terrain(crate::common::coord(0, 0, 0), DVec3::ZERO, None);
+    assert!(!world.has_terrain(crate::common::coord(0, 0, 0)));
     for _ in 0..60 {
         world.move_character(
             &mut character,

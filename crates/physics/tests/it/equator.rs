@@ -1,19 +1,11 @@
 //! A vehicle driven over the equator of a closed world at full speed: nothing that its driver feels changes.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use crate::common::{STEP_S, Soup};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, Vehicles};
-use common::{STEP_S, Soup};
 use glam::{DVec3, IVec3, Vec3};
 
 /// The ground of each chart reaches so far past the rim, as that of the game does, in metres.

@@ -1,15 +1,7 @@
 //! Long random walks through rough, cavernous land: nobody falls through it, nobody gets stuck.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Soup, Walker};
 use antipode_physics::{CharacterInput, PhysicsWorld};
-use common::{Soup, Walker};
 use glam::{DVec3, IVec3, Vec3};
 
 const HALF_M: i32 = 14;
