@@ -1,18 +1,10 @@
 //! Meshes: closed, wound toward the air, and whole at the rim.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::HashMap;
 
+use crate::common::{Random, chunk, flat, sphere};
 use antipode_geometry::Hemisphere;
 use antipode_terrain::{ChunkMesh, Field, Level, Samples, march};
-use common::{Random, chunk, flat, sphere};
 use glam::{DVec2, DVec3, Vec3};
 
 /// Asserts that every edge inside the chunk lies in exactly two triangles, which run along it

@@ -1,19 +1,11 @@
 //! Edits and strokes: rates, limits, padding and both charts of the sphere.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::common::{Random, World, chunk, flat, sphere};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Level, Stroke};
-use common::{Random, World, chunk, flat, sphere};
 use glam::{DVec2, DVec3};
 
 fn stroke(pos: DVec3, radius_m: f64, amount: f32) -> Stroke {

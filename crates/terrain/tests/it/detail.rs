@@ -1,18 +1,10 @@
 //! How far coarse surfaces lie from the full one: the table that levels are chosen by.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::{Random, flat};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_terrain::{Biome, ChunkMesh, Field, Level, Mesher};
-use common::{Random, flat};
 use glam::{DVec3, IVec3, Vec3};
 
 /// Metres around a chunk in which nearest places are looked for.

@@ -1,20 +1,12 @@
 //! Levels of detail: the same samples where they meet, and one closed surface whatever levels
 //! stand side by side.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use crate::common::{Random, World, chunk, flat, sphere};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
 use antipode_terrain::{ChunkMesh, Level, Mesher, RIM_REACH_M, Samples, Stroke};
-use common::{Random, World, chunk, flat, sphere};
 use glam::{DVec3, I64Vec3, IVec3};
 
 /// Units of position along an edge of a chunk.

@@ -1,19 +1,11 @@
 //! A thousand edits at chunk corners leave no gap between chunks.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
+use crate::common::{Random, World, flat, sphere};
 use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
 use antipode_terrain::{ChunkMesh, RIM_REACH_M, Stroke, march};
-use common::{Random, World, flat, sphere};
 use glam::{DVec3, IVec3};
 
 /// A vertex on a chunk's face: its place on the face, normal and colour, to the bit.

@@ -1,16 +1,8 @@
 //! The field: its formula, its bounds, its continuity, and what chunks can hold.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Random, chunk, flat, sphere};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, strategy};
 use antipode_terrain::{Biome, Content, FIELD_BAND_M, Field, march};
-use common::{Random, chunk, flat, sphere};
 use glam::{DVec2, DVec3};
 use noise::{NoiseFn, Perlin};
 use proptest::prelude::*;

@@ -1,6 +1,4 @@
 //! What the terrain tests share: spaces, fields, and a world of edits held in memory.
-#![allow(dead_code, reason = "every test file uses its own part")]
-
 use std::collections::HashMap;
 use std::sync::Arc;
 
