@@ -1,17 +1,9 @@
 //! The compass and the map on every size of window.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::hud::{full_hud, hud, hud_in, says};
+use crate::common::painted;
 use antipode_language::{Language, Texts};
 use antipode_ui::HudModel;
-use common::hud::{full_hud, hud, hud_in, says};
-use common::painted;
 use egui::{Pos2, Rect, Shape, vec2};
 use egui_kittest::Harness;
 

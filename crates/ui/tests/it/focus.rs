@@ -1,17 +1,9 @@
 //! Where the focus goes: into questions, back to what was left, round lists; and that it cannot be taken for the
 //! pointer.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, decisions, focused, intents, press, type_text, window, world};
 use antipode_settings::Action;
 use antipode_ui::{Intent, Screen};
-use common::{Game, click, decisions, focused, intents, press, type_text, window, world};
 use egui::{Color32, Key, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -269,7 +261,7 @@ fn a_screen_fits_its_window_with_the_focus_anywhere() {
         let mut game = Game::new();
         game.worlds = (0..30).map(world).collect();
         game.shell.open(Screen::Controls);
-        let mut harness = common::harness(game, size);
+        let mut harness = crate::common::harness(game, size);
         harness.run();
         for _ in 0..60 {
             press(&mut harness, Key::ArrowDown);

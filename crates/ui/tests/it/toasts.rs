@@ -1,18 +1,10 @@
 //! Lines that come and go lie on nothing that can be pressed or read, on any screen of any size.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::BTreeSet;
 
+use crate::common::{Game, Painted, click, painted, world};
 use antipode_language::{Language, Texts};
 use antipode_ui::{Backpack, Console, Screen, ToastKind};
-use common::{Game, Painted, click, painted, world};
 use egui::{Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 
@@ -90,7 +82,7 @@ fn a_message_lies_on_no_button_of_any_screen() {
             for (running, toasts) in [(false, 1), (true, 1), (true, 3)] {
                 let mut game = game(Language::German, running, toasts);
                 game.shell.open(screen.clone());
-                let mut harness = common::harness(game, size);
+                let mut harness = crate::common::harness(game, size);
                 harness.run_steps(3);
                 lies_on_nothing(&harness, size, &format!("{screen:?}"));
             }
@@ -104,7 +96,7 @@ fn a_message_lies_on_no_button_of_a_worlds_page_and_its_forms() {
         for form in ["Rename", "Export", "Import"] {
             let mut game = game(Language::English, false, 0);
             game.shell.open(Screen::Load);
-            let mut harness = common::harness(game, size);
+            let mut harness = crate::common::harness(game, size);
             harness.run();
             if form == "Import" {
                 let label = harness.state().texts.say("worlds-import");
@@ -135,7 +127,7 @@ fn a_message_keeps_off_what_covers_the_world() {
             let mut game = game(Language::English, true, 2);
             game.shell.open(Screen::Hidden);
             game.shell.keep_toasts_off(Some(covered));
-            let mut harness = common::harness(game, size);
+            let mut harness = crate::common::harness(game, size);
             let mut seen = BTreeSet::new();
             // A step is a quarter of a second. What finds no room at first waits for it.
             for step in 0..60 {
@@ -159,7 +151,7 @@ fn a_message_keeps_off_what_covers_the_world() {
 fn when_the_message_has_gone_the_screen_has_its_room_again() {
     let mut game = game(Language::English, false, 1);
     game.shell.open(Screen::Load);
-    let mut harness = common::harness(game, vec2(800.0, 600.0));
+    let mut harness = crate::common::harness(game, vec2(800.0, 600.0));
     let back = |harness: &Harness<'_, Game>| {
         let texts = painted(harness.output()).into_iter();
         let backs = texts.filter(|text| text.text == "Back");

@@ -1,17 +1,9 @@
 //! The controls screen: bindings shown, changed by pressing, in conflict, and in several profiles.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, focused, intents, painted, press, type_text, window};
 use antipode_language::{Language, Texts};
 use antipode_settings::{Action, Input, actions};
 use antipode_ui::{Intent, Screen, action_label, input_label};
-use common::{Game, click, focused, intents, painted, press, type_text, window};
 use egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;

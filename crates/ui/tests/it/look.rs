@@ -1,18 +1,10 @@
 //! What can be told apart by eye, and what stands still.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::time::Duration;
 
+use crate::common::{Game, press, world};
 use antipode_language::Texts;
 use antipode_ui::{Screen, apply_theme, heighten_contrast};
-use common::{Game, press, world};
 use egui::ecolor::Rgba;
 use egui::epaint::RectShape;
 use egui::{Color32, Key, Rect, Shape, Vec2, vec2};
@@ -67,7 +59,7 @@ fn long_list(size: Vec2) -> Harness<'static, Game> {
     let mut game = Game::new();
     game.worlds = (0..40).map(world).collect();
     game.shell.open(Screen::Load);
-    let mut harness = common::harness(game, size);
+    let mut harness = crate::common::harness(game, size);
     harness.run();
     harness
 }
@@ -133,14 +125,15 @@ fn a_line_of_text_with_the_cursor_in_it_stands_still() {
 
 #[test]
 fn every_long_page_has_its_scroll_bar_in_sight() {
-    for (language, size) in common::everywhere(&[vec2(400.0, 300.0), SIZES[2], SIZES[1], SIZES[0]])
+    for (language, size) in
+        crate::common::everywhere(&[vec2(400.0, 300.0), SIZES[2], SIZES[1], SIZES[0]])
     {
         for screen in [Screen::Settings, Screen::Controls] {
             let mut game = Game::new();
             game.texts = Texts::new(language);
             game.running = Some("World 0".to_owned());
             game.shell.open(screen.clone());
-            let mut harness = common::harness(game, size);
+            let mut harness = crate::common::harness(game, size);
             harness.run();
             let narrow = |rect: &Rect| (4.0..=16.0).contains(&rect.width());
             let tall = |rect: &Rect| rect.height() > 24.0 && rect.min.x > 0.5 * size.x;
@@ -153,7 +146,7 @@ fn every_long_page_has_its_scroll_bar_in_sight() {
                 "{screen:?} in {language:?} at {size}: {bars:?}"
             );
             let track = whole[whole.len() - 2];
-            for text in common::painted(harness.output()) {
+            for text in crate::common::painted(harness.output()) {
                 let seen = text.rect.intersect(text.clip);
                 let lies = track.intersects(seen);
                 assert!(!lies, "“{}” in {language:?} at {size}", text.text);

@@ -1,16 +1,8 @@
 //! The panel of the photo mode: reached and changed by keys, and the mouse that turns the view beside it.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::painted;
 use antipode_language::{Language, Texts};
 use antipode_ui::{DialKind, PhotoModel, PhotoValues, PhotoWishes, apply_theme, show_photo};
-use common::painted;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};

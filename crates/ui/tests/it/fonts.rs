@@ -1,9 +1,4 @@
 //! Every character that a language is written in can be shown.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    reason = "tests fail by panicking"
-)]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,20 +1,12 @@
 //! The display over the world on every size of window: what it shows, and that nothing overlaps or leaves the screen.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
+use crate::common::{SIZES, SMALLEST, everywhere};
 use antipode_ui::{
     CompassModel, CurvatureView, DialKind, EquatorView, HarmModel, HudModel, MapModel, SpeechModel,
 };
-use common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
-use common::{SIZES, SMALLEST, everywhere};
 use egui::{Shape, vec2};
 use egui_kittest::Harness;
 

@@ -1,16 +1,8 @@
 //! Numbers in the manner of the language, wherever there are any.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, painted};
 use antipode_language::{Language, Texts};
 use antipode_ui::{HudModel, Screen, apply_theme, show_hud};
-use common::{Game, painted};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT as _;
@@ -46,10 +38,10 @@ fn no_screen_has_a_decimal_point_where_the_language_has_a_comma() {
             game.texts = Texts::new(language);
             let spherical = game.texts.say("geometry-spherical");
             game.shell.open(screen.clone());
-            let mut harness = common::harness(game, vec2(1280.0, 4000.0));
+            let mut harness = crate::common::harness(game, vec2(1280.0, 4000.0));
             harness.run();
             if screen == Screen::NewGame {
-                common::click(&mut harness, &spherical);
+                crate::common::click(&mut harness, &spherical);
                 let metres = harness
                     .state()
                     .texts

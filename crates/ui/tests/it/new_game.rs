@@ -1,22 +1,14 @@
 //! The form for a new world, driven as a player drives it.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, focused, intents, press, type_text, window, world};
 use antipode_language::{Language, Texts};
 use antipode_ui::{GeometryChoice, Intent, Screen};
-use common::{Game, click, focused, intents, press, type_text, window, world};
 use egui::{Key, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 
 fn form(size: Vec2) -> Harness<'static, Game> {
-    let mut harness = common::harness(Game::new(), size);
+    let mut harness = crate::common::harness(Game::new(), size);
     harness.state_mut().shell.open(Screen::NewGame);
     harness.run();
     harness

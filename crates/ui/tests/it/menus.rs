@@ -1,15 +1,7 @@
 //! The main menu, the lists of worlds, the controls, dialogs and Esc.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, decisions, focused, intents, painted, press, window, world};
 use antipode_ui::{Intent, Screen, ToastKind};
-use common::{Game, click, decisions, focused, intents, painted, press, window, world};
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -192,7 +184,7 @@ fn an_unsaved_world_can_be_saved_again_stayed_in_or_lost() {
 #[test]
 fn fifty_worlds_are_all_reached_by_the_arrow_key() {
     for size in [vec2(1280.0, 720.0), vec2(640.0, 360.0), vec2(427.0, 240.0)] {
-        let mut harness = common::harness(with_worlds(50), size);
+        let mut harness = crate::common::harness(with_worlds(50), size);
         harness.state_mut().shell.open(Screen::Load);
         harness.run();
         for index in 0..50 {

@@ -1,15 +1,7 @@
 //! Names that the fonts cannot write: no boxes, and something to tell the worlds apart by.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, painted, type_text, world};
 use antipode_ui::{Screen, ToastKind, WorldRow, apply_theme, legible_name};
-use common::{Game, click, painted, type_text, world};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -78,7 +70,7 @@ fn no_name_comes_out_as_boxes_in_lists_pages_questions_and_messages() {
 #[test]
 fn a_name_is_changed_as_it_is_written() {
     // The line of text itself has to show what is in it, boxes or not.
-    let mut harness = common::window(game());
+    let mut harness = crate::common::window(game());
     click(&mut harness, "Load");
     let manage = harness
         .state()
@@ -100,7 +92,7 @@ fn a_name_is_changed_as_it_is_written() {
 
 #[test]
 fn the_form_for_a_new_world_says_what_will_not_be_shown() {
-    let mut harness = common::window(Game::new());
+    let mut harness = crate::common::window(Game::new());
     click(&mut harness, "New Game");
     type_text(&mut harness, "Base");
     assert!(harness.query_by_label("This name is free.").is_some());

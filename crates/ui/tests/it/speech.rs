@@ -1,16 +1,8 @@
 //! Where the display puts what others say.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{SIZES, painted};
 use antipode_language::{Language, Texts};
 use antipode_ui::{HudModel, SpeechModel, apply_theme, show_hud};
-use common::{SIZES, painted};
 use egui::{Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 

@@ -1,16 +1,8 @@
 //! Every screen on every size of window: nothing panics, no words are cut off.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, SIZES, SMALLEST, everywhere, painted, world};
 use antipode_language::{Language, Texts};
 use antipode_ui::{Screen, ToastKind};
-use common::{Game, SIZES, SMALLEST, everywhere, painted, world};
 use egui::{Pos2, Rect, vec2};
 
 fn screens() -> Vec<Screen> {
@@ -65,7 +57,7 @@ fn no_size_makes_any_screen_panic() {
                 "A toast that is rather long for so small a window.",
                 ToastKind::Info,
             );
-            common::harness(game, size).run_ok();
+            crate::common::harness(game, size).run_ok();
         }
     }
 }
@@ -80,7 +72,7 @@ fn no_words_are_cut_off_sideways_in_any_language() {
         {
             let mut game = crowded_in(language, running);
             game.shell.open(screen.clone());
-            let mut harness = common::harness(game, size);
+            let mut harness = crate::common::harness(game, size);
             harness.run_ok();
             let texts = painted(harness.output());
             assert!(!texts.is_empty(), "{screen:?} at {size} is bare");
@@ -103,7 +95,7 @@ fn no_words_are_cut_off_sideways_in_any_language() {
 fn the_main_menu_needs_no_scrolling_at_640_by_360() {
     for language in Language::ALL {
         let label = Texts::new(language).say("menu-quit");
-        let mut harness = common::harness(crowded_in(language, true), vec2(640.0, 360.0));
+        let mut harness = crate::common::harness(crowded_in(language, true), vec2(640.0, 360.0));
         harness.run();
         let texts = painted(harness.output()).into_iter();
         let lowest = texts
@@ -127,7 +119,7 @@ fn the_note_on_the_adapter_is_seen_without_scrolling_at_800_by_600() {
         ];
         game.adapter_notice = game.texts.say_with("adapter-software", &values);
         let notice = game.adapter_notice.clone();
-        let mut harness = common::harness(game, vec2(800.0, 600.0));
+        let mut harness = crate::common::harness(game, vec2(800.0, 600.0));
         harness.run();
         let texts = painted(harness.output());
         let seen = texts.iter().find(|text| text.text == notice);

@@ -1,17 +1,9 @@
 //! The settings screen: found, changed, described, reset.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, focused, intents, painted, press, type_text, window};
 use antipode_language::{Language, Texts};
 use antipode_settings::{Kind, Value, fields};
 use antipode_ui::{Intent, Screen};
-use common::{Game, click, focused, intents, painted, press, type_text, window};
 use egui::{Key, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;

@@ -1,16 +1,8 @@
 //! The console as it is drawn and typed in.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::painted;
 use antipode_language::{Language, Texts};
 use antipode_ui::{Completion, Console, LineKind, apply_theme};
-use common::painted;
 use egui::{Key, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;

@@ -1,20 +1,12 @@
 //! What newcomers meet: the about screen, the backdrop, hints, and toasts that keep off dialogs.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, Painted, click, focused, intents, painted, press, window, world};
 use antipode_language::{Language, Texts};
 use antipode_settings::Value;
 use antipode_ui::{
     Backdrop, CurvatureView, DialKind, HintModel, HudModel, Intent, Screen, SlotView, SpeechModel,
     ToastKind, apply_theme, photo_panel, show_hud,
 };
-use common::{Game, Painted, click, focused, intents, painted, press, window, world};
 use egui::{Key, Pos2, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -167,7 +159,7 @@ fn a_toast_never_lies_on_a_dialog() {
                 let words = format!("Toast {number}: something that takes a whole line to say.");
                 game.shell.toast(words, ToastKind::Problem);
             }
-            let mut harness = common::harness(game, size);
+            let mut harness = crate::common::harness(game, size);
             harness.run_steps(2);
             let (toasts, others) = apart(&harness);
             for toast in &toasts {
@@ -192,7 +184,7 @@ fn a_toast_never_lies_on_the_panel_of_the_photo_mode() {
         game.shell.keep_toasts_off(Some(panel));
         let words = "Toast 0: something that takes a whole line to say.";
         game.shell.toast(words, ToastKind::Info);
-        let mut harness = common::harness(game, size);
+        let mut harness = crate::common::harness(game, size);
         harness.run_steps(2);
         let (toasts, _) = apart(&harness);
         let rect = toasts[0].rect;
@@ -277,7 +269,7 @@ fn a_toast_never_lies_on_the_crosshair() {
             let words = format!("Toast {number}: something that takes a whole line to say.");
             game.shell.toast(words, ToastKind::Info);
         }
-        let mut harness = common::harness(game, size);
+        let mut harness = crate::common::harness(game, size);
         harness.run_steps(2);
         let (toasts, _) = apart(&harness);
         assert_eq!(toasts.len(), 2);
@@ -297,7 +289,7 @@ fn a_toast_without_room_beside_a_dialog_waits_for_its_end() {
         "Toast: something that takes a whole line to say.",
         ToastKind::Info,
     );
-    let mut harness = common::harness(game, vec2(800.0, 600.0));
+    let mut harness = crate::common::harness(game, vec2(800.0, 600.0));
     // A step is a quarter of a second: longer than a toast stays.
     harness.run_steps(40);
     assert!(apart(&harness).0.is_empty());

@@ -1,12 +1,4 @@
 //! A game of two fields round the menus, and what tests read from a frame.
-#![allow(
-    dead_code,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking; no test file uses all of this"
-)]
-
 pub mod hud;
 
 use antipode_language::{Language, Texts};
@@ -117,7 +109,7 @@ fn about() -> AboutModel {
         driver: "radiant 1.2".to_owned(),
         system: "linux, x86_64".to_owned(),
         built_with: "Rust 1.95, wgpu 30, egui 0.37".to_owned(),
-        components: include_str!("../../../../assets/licences/components.txt"),
+        components: include_str!("../../../../../assets/licences/components.txt"),
     }
 }
 

@@ -1,16 +1,8 @@
 //! The backpack by mouse and by keys: what each press, drag and key asks for, in every language and window.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::painted;
 use antipode_language::{Language, Texts};
 use antipode_ui::{Backpack, BackpackModel, BackpackWish, SlotIcon, SlotView, apply_theme};
-use common::painted;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};

@@ -1,16 +1,8 @@
 //! One world's page, what is asked before one is deleted, and worlds from files: by pointer and by keys.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Game, click, focused, intents, painted, press, type_text, window, world};
 use antipode_language::{Language, Texts};
 use antipode_ui::{ArchiveRow, Intent, Screen, WorldsIntent};
-use common::{Game, click, focused, intents, painted, press, type_text, window, world};
 use egui::{Key, Modifiers, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
@@ -310,7 +302,7 @@ fn the_pages_fit_every_window_in_any_language() {
             .into_iter()
             .flat_map(|size| steps.map(|keys| (size, keys)))
         {
-            let mut harness = common::harness(long_words(&texts), size);
+            let mut harness = crate::common::harness(long_words(&texts), size);
             harness.run();
             for key in keys {
                 let label = texts.say_with(key, &[("name", "World 0".into())]);
