@@ -1,5 +1,4 @@
 //! The file on disk: what is read, what is kept aside, what is written and when.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,4 @@
 //! What holds for every file and all settings.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use antipode_settings::{
     Condition, Config, Given, Input, Kind, Lesson, MouseButton, PadButton, actions, fields, read,
