@@ -1,5 +1,4 @@
 //! Reports as others see them: JSON that reads back, a page that needs nothing else, verdicts that count.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use antipode_lab::{Axis, Cell, Plot, Report, Scale, Section, Series, Table, html};
 

@@ -1,5 +1,4 @@
 //! docs/accuracy.md and docs/terrain.md are what the generator makes from the committed measurements, byte for byte.
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::fs;
 use std::path::{Path, PathBuf};

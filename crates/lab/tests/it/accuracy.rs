@@ -1,5 +1,4 @@
 //! The quick accuracy run passes on a software adapter, and says so loudly where there is none.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::collections::HashSet;
 use std::io::Write;

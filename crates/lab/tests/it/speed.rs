@@ -1,8 +1,6 @@
 //! The variants whose speed is compared must compute the same thing, each within its own error, or a wrong formula
 //! would be praised for being quick. Nothing here looks at a clock.
 
-#![allow(clippy::expect_used, clippy::panic, reason = "tests fail by panicking")]
-
 use antipode_lab::speed::{Variant, cpu_section, frontier};
 use antipode_lab::{Cell, Effort, Section, Table};
 
