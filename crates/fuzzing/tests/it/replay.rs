@@ -1,6 +1,5 @@
 //! The corpus and every find, replayed: what once broke something stays cured.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::collections::BTreeSet;
 use std::fs;

@@ -4,7 +4,6 @@
 //! `ANTIPODE_TEST_FUZZ=1000000` is the long form for the targets (a tenth of it for
 //! archives and stores), `ANTIPODE_TEST_ATTACKS=5000` that for the attacks.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::path::Path;
 
