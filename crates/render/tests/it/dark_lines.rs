@@ -1,21 +1,13 @@
 //! Dots and narrow lines on land that are darker than the land about them where the sun shines and no edge is.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::Studio;
+use crate::common::silhouettes::Silhouettes;
+use crate::common::sun_rays::Rays;
+use crate::common::told::told;
+use crate::common::triangles::{Surface, Triangle};
+use crate::common::worlds::World;
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_render::ShadowQuality;
-use common::Studio;
-use common::silhouettes::Silhouettes;
-use common::sun_rays::Rays;
-use common::told::told;
-use common::triangles::{Surface, Triangle};
-use common::worlds::World;
 use image::{Rgba, RgbaImage};
 
 /// So much darker than all of its neighbours is a dot, 255ths.

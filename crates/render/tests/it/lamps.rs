@@ -1,21 +1,13 @@
 //! The light of a lamp on a wall does not depend on where in a closed world they stand.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
+use crate::common::{Studio, frame, noon, space};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
 use antipode_scene::frame::{ChunkChange, Frame, LampLight, Lights, Sky};
 use antipode_terrain::{ChunkMesh, Vertex};
-use common::{Studio, frame, noon, space};
 use glam::{DVec2, DVec3, DVec4};
 use image::RgbaImage;
 

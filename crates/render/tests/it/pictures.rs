@@ -1,22 +1,14 @@
 //! What a frame looks like: nothing black, the horizon's colour, targets of every kind, stores and stats.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::{
+    GEOMETRIES, PLAIN, Studio, difference, frame, land, plates, seen_at, space, standing,
+};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_render::{AdapterChoice, Gpu};
 use antipode_scene::frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_terrain::ChunkMesh;
-use common::{
-    GEOMETRIES, PLAIN, Studio, difference, frame, land, plates, seen_at, space, standing,
-};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 use wgpu::TextureFormat::{Bgra8Unorm, Bgra8UnormSrgb, Rgba8UnormSrgb};

@@ -1,16 +1,8 @@
 //! What is seen in the sky: clouds, the band of stars, and the sun and the moon of a closed world.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{Studio, difference, frame, plates, seen_at, space};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::day::sky;
-use common::{Studio, difference, frame, plates, seen_at, space};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 

@@ -1,19 +1,11 @@
 //! The planner: what it leaves out is not seen, what it changes is under its tolerance.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::{Studio, frame, land, standing};
 use antipode_geometry::{Eye, Geometry, Hemisphere, HyperbolicMap, Strategy, picture};
 use antipode_render::{DrawStats, tolerance_px};
 use antipode_scene::frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
-use common::{Studio, frame, land, standing};
 use image::RgbaImage;
 
 const SIZE: (u32, u32) = (480, 270);

@@ -1,21 +1,13 @@
 //! Shadows of the key light: where geometry says they are, and nowhere else, in every space.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::common::{GEOMETRIES, Studio, difference, frame, seen_at, space};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_render::ShadowQuality;
 use antipode_scene::frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_terrain::{ChunkMesh, Vertex};
-use common::{GEOMETRIES, Studio, difference, frame, seen_at, space};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 

@@ -1,20 +1,12 @@
 //! The picture's shadows of land against rays of the key light that are cast at the same triangles.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::Studio;
+use crate::common::sun_rays::Rays;
+use crate::common::told::told;
+use crate::common::triangles::{Land, Surface};
+use crate::common::worlds::World;
 use antipode_geometry::{ChartPoint, Geometry};
 use antipode_render::ShadowQuality;
-use common::Studio;
-use common::sun_rays::Rays;
-use common::told::told;
-use common::triangles::{Land, Surface};
-use common::worlds::World;
 use image::{Rgba, RgbaImage};
 
 /// Pixels this far from an edge of the rays' shadow are not judged.

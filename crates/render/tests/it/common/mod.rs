@@ -1,12 +1,4 @@
 //! A small studio for the tests: an adapter, a renderer, a picture, and plain frames.
-#![allow(
-    dead_code,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking, and not every test file uses everything"
-)]
-
 pub mod silhouettes;
 pub mod sun_rays;
 pub mod told;

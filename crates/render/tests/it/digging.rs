@@ -1,18 +1,10 @@
 //! Shadows while somebody digs and builds: frames drawn meanwhile show what a single picture of the same land does.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::Studio;
+use crate::common::worlds::World;
 use antipode_geometry::Geometry;
 use antipode_render::ShadowQuality;
 use antipode_scene::Actions;
-use common::Studio;
-use common::worlds::World;
 use image::RgbaImage;
 
 /// Frames between two looks, each after some steps, as where drawing takes long.

@@ -1,17 +1,9 @@
 //! An adapter that is lost, and one that refuses a shader.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{PLAIN, adapter, difference, frame, land, space, standing};
 use antipode_geometry::{Geometry, Hemisphere};
 use antipode_render::{Gpu, Offscreen, Options, RenderError, Renderer, Shaders};
 use antipode_scene::frame::Frame;
-use common::{PLAIN, adapter, difference, frame, land, space, standing};
 use image::RgbaImage;
 
 const SIZE: (u32, u32) = (160, 90);

@@ -1,24 +1,16 @@
 //! What must hold in every space: the marker stands where it points, letters read, nothing is turned inside out,
 //! and crossing the equator changes nothing.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::triangles::Surface;
+use crate::common::worlds::World;
+use crate::common::{
+    GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
+};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
 use antipode_scene::frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_terrain::ChunkMesh;
-use common::triangles::Surface;
-use common::worlds::World;
-use common::{
-    GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
-};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 

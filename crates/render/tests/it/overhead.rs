@@ -1,21 +1,13 @@
 //! The far side of a closed world: things there look larger the farther off they are, and the land has no holes.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::PI;
 
+use crate::common::told::told;
+use crate::common::worlds::World;
+use crate::common::{Studio, frame, space};
 use antipode_geometry::{ChartPoint, Geometry, Projection};
 use antipode_render::ShadowQuality;
 use antipode_scene::frame::{Figure, ModelId};
-use common::told::told;
-use common::worlds::World;
-use common::{Studio, frame, space};
 use glam::DVec3;
 
 const SIZE: (u32, u32) = (320, 320);

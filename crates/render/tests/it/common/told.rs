@@ -6,10 +6,10 @@ use antipode_render::Shaders;
 /// Red is what the maps let through of the light, by the curve of tonemap.wgsl; green is what turns away.
 pub fn told() -> Shaders {
     const FILES: [&str; 4] = [
-        include_str!("../../../../shaders/common.wgsl"),
-        include_str!("../../../../shaders/lights.wgsl"),
-        include_str!("../../../../shaders/shadow.wgsl"),
-        include_str!("../../../../shaders/terrain.wgsl"),
+        include_str!("../../../../../shaders/common.wgsl"),
+        include_str!("../../../../../shaders/lights.wgsl"),
+        include_str!("../../../../../shaders/shadow.wgsl"),
+        include_str!("../../../../../shaders/terrain.wgsl"),
     ];
     let text = [WGSL, &FILES.join("\n")].join("\n");
     let shown = "fn land_colour(";

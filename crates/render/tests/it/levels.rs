@@ -1,19 +1,11 @@
 //! Levels of detail: blends, seams, and what a frame has room for.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::sync::Arc;
 
+use crate::common::{Studio, difference, frame, land, plates, space, standing};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
 use antipode_scene::frame::{ChunkChange, Frame, Quality};
 use antipode_terrain::{ChunkMesh, Level};
-use common::{Studio, difference, frame, land, plates, space, standing};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
@@ -207,7 +199,7 @@ fn one_call_draws_many_chunks_and_where_it_cannot_one_call_draws_one() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    for geometry in common::GEOMETRIES {
+    for geometry in crate::common::GEOMETRIES {
         let space = space(geometry);
         let stand = standing(&space, Hemisphere::A, 5.0, 3.0);
         let mut frame = frame(&space, stand, ASPECT);

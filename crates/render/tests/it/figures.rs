@@ -1,20 +1,12 @@
 //! What figures look like: bent by their joints, with things in their hands, lying, shining; and the player's own hand.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_scene::frame::{
     ChunkChange, Clip, Figure, Frame, Hand, LampLight, ModelId, Posture, Quality,
 };
-use common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
