@@ -1,17 +1,9 @@
 //! What is pointed at and what is handed to the renderer.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{LIMIT, scene, steps};
 use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry};
 use antipode_scene::frame::ChunkChange;
 use antipode_scene::{Actions, CameraMode, Item, Scene};
-use common::{LIMIT, scene, steps};
 use glam::DVec3;
 
 #[test]

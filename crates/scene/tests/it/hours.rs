@@ -1,18 +1,10 @@
 //! What goes by the hour of a place, which in a closed world is not everywhere the same.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::figures::{SECOND, beside, bot, pass};
+use crate::common::{scene, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::tuning::DAY_S;
 use antipode_scene::{Actions, Scene, State};
-use common::figures::{SECOND, beside, bot, pass};
-use common::{scene, steps};
 use glam::DVec3;
 
 /// A world with the player at its middle, or at the far one of a closed world, and when its sun sets there, in seconds

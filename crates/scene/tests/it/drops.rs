@@ -1,19 +1,11 @@
 //! Things that lie about: on the ground, along its slope, in every space.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{scene, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::drops::lying;
 use antipode_scene::frame::{Figure, ModelId};
 use antipode_scene::{Actions, Item, Scene, Stack};
 use antipode_terrain::Field;
-use common::{scene, steps};
 use glam::DVec3;
 
 fn shown(scene: &mut Scene, item: Item) -> Figure {

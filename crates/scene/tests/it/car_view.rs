@@ -1,17 +1,9 @@
 //! How a driver sees the world from the bonnet.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::cars::{ahead, car, driving, still};
+use crate::common::steps;
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, CameraMode, Scene};
-use common::cars::{ahead, car, driving, still};
-use common::steps;
 use glam::DVec3;
 
 /// A car this far from level, as the sine of its lean, leans so that one sees it.

@@ -1,18 +1,10 @@
 //! The car at full speed over the equator of a closed world: nothing jerks that would not jerk elsewhere.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::cars::{ahead, car, enter, stand_beside, still};
+use crate::common::{LIMIT, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_physics::VehicleWheel;
 use antipode_scene::{Actions, CarView, Scene};
-use common::cars::{ahead, car, enter, stand_beside, still};
-use common::{LIMIT, steps};
 use glam::{DQuat, DVec3};
 
 /// A car at the wheel of which the player drives towards the equator along that azimuth, turned aside by an angle.
@@ -20,7 +12,7 @@ fn bound_for_the_equator(seed: u64, azimuth: f64, aside: f64) -> Scene {
     let mut scene = {
         let setup = antipode_scene::WorldSetup {
             seed,
-            ..common::setup(Geometry::Spherical)
+            ..crate::common::setup(Geometry::Spherical)
         };
         let mut scene = Scene::open(setup, None).unwrap();
         assert!(scene.wait_for_step(LIMIT));

@@ -1,16 +1,8 @@
 //! What can be heard of walking, falling and digging.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{scene, steps};
 use antipode_geometry::{ChartPoint, Geometry};
 use antipode_scene::{Actions, Item, Scene, SoundEvent};
-use common::{scene, steps};
 use glam::DVec3;
 
 /// A world whose player stands still and has been heard out.

@@ -1,18 +1,10 @@
 //! What other figures do in peace, as a player would notice it: in every space, and over the equator.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
+use crate::common::steps;
 use antipode_geometry::{Eye, Geometry, equilateral_angle_sum_rad};
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Hint, Line, NpcMode, Scene, State};
-use common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
-use common::steps;
 use glam::DVec3;
 
 #[test]
@@ -82,12 +74,12 @@ fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
         let mut scene = Scene::open(
             antipode_scene::WorldSetup {
                 view_distance: 3,
-                ..common::setup(geometry)
+                ..crate::common::setup(geometry)
             },
             None,
         )
         .unwrap();
-        assert!(scene.wait_for_step(common::LIMIT));
+        assert!(scene.wait_for_step(crate::common::LIMIT));
         scene.set_npcs(NpcMode::On);
         let most = if geometry == Geometry::Spherical {
             7

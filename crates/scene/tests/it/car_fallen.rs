@@ -1,21 +1,13 @@
 //! A car on its side or roof: how it comes to that, what its driver is told, and how it is set upright.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use crate::common::cars::{ahead, at_the_wheel, car, still};
+use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, CarView, Hint, NpcMode, Scene, WorldSetup};
 use antipode_storage::{Batch, WorldStore};
-use common::cars::{ahead, at_the_wheel, car, still};
-use common::{LIMIT, setup, steps};
 use glam::{DQuat, DVec3};
 use tempfile::TempDir;
 

@@ -1,24 +1,16 @@
 //! A world on disk: what is told of a save, of one that fails, and of one that is damaged.
 #![cfg(unix)]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
 use antipode_storage::{
     Batch, CarRecord, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore,
 };
-use common::{LIMIT, setup, steps};
 use tempfile::TempDir;
 
 /// A kept world that can be moved away so that its commits fail, and back.
@@ -107,7 +99,7 @@ fn an_edit_under_way_is_in_the_save_and_a_later_one_asks_for_another() {
 
 #[test]
 fn a_world_that_is_not_kept_never_needs_a_save() {
-    let mut scene = common::scene(Geometry::Euclidean);
+    let mut scene = crate::common::scene(Geometry::Euclidean);
     scene.aim(0.0, -0.6);
     steps(&mut scene, 3, &build());
     assert!(!scene.needs_save());

@@ -1,18 +1,10 @@
 //! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{scene, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::bearings::LandmarkKind;
 use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Actions, Scene};
-use common::{scene, steps};
 use glam::{DVec2, DVec3};
 
 const ALL: usize = 100_000;

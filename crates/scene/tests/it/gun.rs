@@ -1,19 +1,11 @@
 //! The gun as a player has it: what the crosshair covers in the curved picture is hit.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use crate::common::{scene, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap};
 use antipode_scene::tuning::BOT_HEALTH;
 use antipode_scene::{Actions, NpcMode, Scene};
-use common::{scene, steps};
 use glam::DVec3;
 
 /// Targets in each space.

@@ -1,5 +1,5 @@
 //! Worlds for the tests of the scene.
-#![allow(dead_code, reason = "each test program uses its own part")]
+#![allow(dead_code, reason = "a test with a program of its own uses a part")]
 
 pub mod cars;
 pub mod figures;

@@ -1,18 +1,10 @@
 //! What stands on the ground is drawn on it, and seen from behind down to its legs.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::frame::{ChunkChange, Frame, ModelId};
 use antipode_scene::{Actions, CameraMode, NpcMode, Scene, WorldSetup};
 use antipode_terrain::Field;
-use common::{LIMIT, setup, steps};
 use glam::DVec3;
 
 /// What stands is drawn no farther than this off the ground, metres.

@@ -1,16 +1,8 @@
 //! Wherever a walking body is put, it ends up standing on free ground of its world.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{LIMIT, scene, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::{Actions, Hint, Scene, WorldSetup};
-use common::{LIMIT, scene, steps};
 use glam::DVec3;
 
 /// Asserts that the body stands free on the ground below it.
@@ -55,7 +47,7 @@ fn a_body_put_into_rock_comes_out_on_the_ground_in_every_space() {
 fn at_the_bedrock_of_the_largest_closed_world_no_fall_goes_on() {
     let setup = WorldSetup {
         radius_m: 64.0,
-        ..common::setup(Geometry::Spherical)
+        ..crate::common::setup(Geometry::Spherical)
     };
     let mut scene = Scene::open(setup, None).unwrap();
     assert!(scene.wait_for_step(LIMIT));
@@ -204,7 +196,7 @@ fn the_player_of_a_new_world_stands_on_the_ground_before_any_time_has_passed() {
             let setup = WorldSetup {
                 seed,
                 view_distance: 1,
-                ..common::setup(geometry)
+                ..crate::common::setup(geometry)
             };
             let mut scene = Scene::open(setup, None).unwrap();
             assert!(scene.wait_for_step(LIMIT));

@@ -1,20 +1,12 @@
 //! The way home round a closed world: where it leads, and that the first time is told once.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
-
-mod common;
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
+use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::{ChartPoint, Eye, Geometry};
 use antipode_scene::{Actions, Hint, NpcMode, Scene, WorldSetup};
 use antipode_storage::WorldStore;
-use common::{LIMIT, setup, steps};
 use glam::DVec3;
 
 const RADIUS_M: f64 = 16.0;

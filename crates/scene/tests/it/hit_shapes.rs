@@ -1,17 +1,9 @@
 //! The list of shapes that can be hit: who is in it, where, and whether it is awake.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::{scene, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::frame::{HitForm, HitShape};
 use antipode_scene::{Actions, Item, Scene, Stack};
-use common::{scene, steps};
 use glam::DVec3;
 
 /// The player's own body; others may stand about.

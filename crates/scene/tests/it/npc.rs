@@ -1,18 +1,10 @@
 //! What other figures do in a fight, as a player would notice it: in every space, and over the equator.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
+use crate::common::steps;
 use antipode_geometry::Geometry;
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{Actions, Scene, State};
-use common::figures::{SECOND, away_m, beside, bot, look_at, pass, shoot, world};
-use common::steps;
 
 #[test]
 fn hostile_ones_notice_come_keep_their_distance_and_hit() {

@@ -1,18 +1,10 @@
 //! What a player notices of the car: getting in and out, driving, its wheels, its lights, and whom it meets.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
-mod common;
-
+use crate::common::cars::{ahead, car, driving, enter, stand_beside, still, with_car};
+use crate::common::steps;
 use antipode_geometry::{ChartPoint, Geometry};
 use antipode_scene::frame::ModelId;
 use antipode_scene::{Actions, Hint, NpcMode, Scene, State};
-use common::cars::{ahead, car, driving, enter, stand_beside, still, with_car};
-use common::steps;
 use glam::DVec3;
 
 const GEOMETRIES: [Geometry; 3] = [
@@ -279,7 +271,7 @@ fn who_stands_in_its_way_runs_from_it_and_who_stands_by_a_parked_one_does_not() 
         scene.set_npcs(NpcMode::Off);
         let at = on_its_way(geometry, &ahead(), 24.0);
         let id = scene.spawn_bot(at.moved(DVec3::Y * 0.5), 0.0, false);
-        let bot = |scene: &Scene| common::figures::bot(scene, id);
+        let bot = |scene: &Scene| crate::common::figures::bot(scene, id);
         let mut ran = false;
         for _ in 0..240 {
             steps(&mut scene, 1, &ahead());
@@ -298,7 +290,7 @@ fn who_stands_in_its_way_runs_from_it_and_who_stands_by_a_parked_one_does_not() 
     let id = scene.spawn_bot(at, 0.0, false);
     for _ in 0..60 {
         steps(&mut scene, 1, &still());
-        assert_ne!(common::figures::bot(&scene, id).state, State::Aside);
+        assert_ne!(crate::common::figures::bot(&scene, id).state, State::Aside);
     }
 }
 
