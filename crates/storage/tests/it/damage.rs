@@ -1,15 +1,12 @@
 //! Truncated, flipped and foreign files: always a world or a sentence, never a
 //! panic and never a wrong value.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 use std::path::Path;
 use std::sync::OnceLock;
 
+use crate::common::{batch, key, meta, samples, state};
 use antipode_storage::{ChunkKey, SavesDir, StorageError, WORLD_FILE, WorldStore};
-use common::{batch, key, meta, samples, state};
 use proptest::prelude::*;
 use tempfile::TempDir;
 

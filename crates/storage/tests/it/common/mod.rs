@@ -1,9 +1,5 @@
 //! Worlds for the tests of saves.
-#![allow(
-    dead_code,
-    clippy::unwrap_used,
-    reason = "each test file uses a part; tests fail by panicking"
-)]
+#![allow(dead_code, reason = "tests with programs of their own use a part")]
 
 pub mod two;
 

@@ -1,16 +1,13 @@
 //! Worlds exported and imported.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 use std::path::Path;
 
+use crate::common::two::{assert_is_foo, entries, two};
+use crate::common::{batch, meta};
 use antipode_storage::{
     Batch, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldStore, archives_in,
 };
-use common::two::{assert_is_foo, entries, two};
-use common::{batch, meta};
 
 #[test]
 fn what_verify_calls_damaged_is_neither_exported_nor_imported() {

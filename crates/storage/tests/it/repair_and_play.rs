@@ -1,14 +1,11 @@
 //! A world that is repaired and played at once: what is saved stays saved.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 
+use crate::common::{batch, key, meta, samples};
 use antipode_storage::{Batch, SavesDir, StorageError, WORLD_FILE};
-use common::{batch, key, meta, samples};
 
 /// Enough that a repair takes longer than opening waits.
 const CHUNKS: i32 = 1000;

@@ -1,15 +1,12 @@
 //! Worlds written by every version of the schema open for ever, with the values
 //! they were saved with. The files in `tests/saves` are never written again.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::path::Path;
 
+use crate::common::{meta, state};
 use antipode_storage::{
     Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, SlotRecord, WorldMeta, WorldState,
 };
-use common::{meta, state};
 
 const V1: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),

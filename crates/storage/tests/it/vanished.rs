@@ -1,14 +1,11 @@
 //! An open world whose directory is deleted, moved or replaced: no commit may seem
 //! to have succeeded.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 
+use crate::common::{batch, key, meta, samples, state};
 use antipode_storage::{Batch, SavesDir, StorageError, WORLD_FILE, WorldStore};
-use common::{batch, key, meta, samples, state};
 use tempfile::TempDir;
 
 fn opened() -> (TempDir, SavesDir, WorldStore) {

@@ -1,13 +1,10 @@
 //! Worlds renamed and doubled.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 
+use crate::common::two::{assert_is_foo, entries, names, two};
+use crate::common::{batch, key, meta, samples, state};
 use antipode_storage::{Batch, NameError, SavesDir, StorageError, WORLD_FILE};
-use common::two::{assert_is_foo, entries, names, two};
-use common::{batch, key, meta, samples, state};
 
 #[test]
 fn a_world_gets_another_name_and_keeps_its_directory() {

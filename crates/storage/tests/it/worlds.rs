@@ -1,16 +1,13 @@
 //! A world and the directory of worlds, as the game uses them.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::common::{batch, key, meta, samples, state};
 use antipode_storage::{
     Batch, NameError, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldMeta, WorldStore,
 };
-use common::{batch, key, meta, samples, state};
 use tempfile::TempDir;
 
 fn saves() -> (TempDir, SavesDir) {

@@ -1,13 +1,10 @@
 //! Files forged to keep a repair at work for hours.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-
-mod common;
 
 use std::fs;
 use std::time::{Duration, Instant};
 
+use crate::common::meta;
 use antipode_storage::{SavesDir, WORLD_FILE};
-use common::meta;
 
 #[test]
 fn headers_that_lie_about_lengths_do_not_keep_a_repair_at_work() {
