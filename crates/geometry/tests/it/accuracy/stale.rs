@@ -1,8 +1,8 @@
 //! Whether the golden files are those of the script beside them.
 
-use crate::golden::{FUNCTIONS, KERNELS, STRATEGIES};
+use super::golden::{FUNCTIONS, KERNELS, STRATEGIES};
 
-const SCRIPT: &[u8] = include_bytes!("../../../../tests/reference/make_golden.py");
+const SCRIPT: &[u8] = include_bytes!("../../../../../tests/reference/make_golden.py");
 
 /// FNV-1a, 64 bits.
 fn fnv(bytes: &[u8]) -> String {

@@ -1,10 +1,4 @@
 //! What must hold of the curved spaces: golden values, identities and round trips.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 mod common;
 mod crossing;

@@ -7,7 +7,7 @@ use antipode_geometry::{
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, proptest};
 
-use crate::common::{cases, pixel, vector};
+use super::common::{cases, pixel, vector};
 
 const LIFT_M: f64 = 1.62;
 

@@ -1,10 +1,4 @@
 //! How exact the kernels are: against golden files, at branches, at the extremes, and bit for bit.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 mod branches;
 mod coverage;

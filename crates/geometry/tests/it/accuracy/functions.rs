@@ -4,7 +4,7 @@ use antipode_geometry::kernel::linear;
 use antipode_geometry::kernel::parts::Parts;
 use antipode_geometry::{Real, scalar};
 
-use crate::golden::{Check, FUNCTIONS, Unit, failures, one};
+use super::golden::{Check, FUNCTIONS, Unit, failures, one};
 
 fn sinc_cos<T: Real>(x: &[T]) -> Vec<T> {
     T::sinc_cos(x[0]).to_vec()

@@ -6,7 +6,7 @@ use antipode_geometry::{
 };
 use glam::{DVec3, Vec3};
 
-use crate::golden::{KERNELS, rows};
+use super::golden::{KERNELS, rows};
 
 /// A small generator: the same numbers on every run.
 struct Numbers(u64);

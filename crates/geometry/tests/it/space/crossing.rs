@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Euclidean, Eye, Hemisphere, Raised, Spherica
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
-use crate::common::{cases, chart_point, eye, pixel, vector};
+use super::common::{cases, chart_point, eye, pixel, vector};
 
 const RADIUS_M: f64 = 32.0;
 
@@ -131,7 +131,7 @@ fn a_million_crossings_do_not_drift() {
 fn an_f_reads_as_an_f_in_either_hemisphere() {
     // A sign before the eye: foot, top, end of the upper arm (to the right), of the lower.
     let strokes = [(0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (0.6, 0.0)];
-    for space in crate::common::spaces() {
+    for space in super::common::spaces() {
         for hemisphere in [Hemisphere::A, Hemisphere::B] {
             for turn in 0..12 {
                 let pos = DVec3::new(11.0, 8.0, -7.0);

@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3, IVec3};
 use proptest::prelude::{prop_assert, proptest};
 use proptest::strategy::Strategy as _;
 
-use crate::common::{cases, eye, in_space, projection, vector};
+use super::common::{cases, eye, in_space, projection, vector};
 
 fn spaces() -> Vec<Arc<dyn Strategy>> {
     let mut spaces: Vec<Arc<dyn Strategy>> = [16.0, 32.0, 64.0]
@@ -159,7 +159,7 @@ fn kept_and_wasted(space: &dyn Strategy, eye: &Eye, around: i32) -> (u32, u32, u
 
 #[test]
 fn culling_is_worth_its_while() {
-    for space in crate::common::spaces() {
+    for space in super::common::spaces() {
         let (mut all, mut kept, mut wasted) = (0, 0, 0);
         for heading in 0..8 {
             let eye = Eye {

@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy}
 use glam::{DVec2, DVec3};
 use proptest::prelude::{prop_assert, proptest};
 
-use crate::common::{cases, pixel, vector};
+use super::common::{cases, pixel, vector};
 
 fn looking(pos: DVec3) -> Eye {
     Eye {

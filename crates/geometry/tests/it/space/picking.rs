@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy}
 use glam::DVec3;
 use proptest::prelude::{prop_assert, proptest};
 
-use crate::common::{cases, eye, in_space, pixel, projection, spaces, vector};
+use super::common::{cases, eye, in_space, pixel, projection, spaces, vector};
 
 proptest! {
     #![proptest_config(cases(512))]

@@ -76,7 +76,7 @@ impl EyeRow {
 }
 
 fn golden() -> Golden {
-    let text = include_str!("../../../../tests/reference/strategies.json");
+    let text = include_str!("../../../../../tests/reference/strategies.json");
     serde_json::from_str::<File>(text).unwrap().data
 }
 

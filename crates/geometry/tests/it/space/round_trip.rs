@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Geometry, Hemisphere, Spherical, Strategy};
 use glam::DVec3;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
-use crate::common::{cases, chart_point, eye, in_space, spaces, vector};
+use super::common::{cases, chart_point, eye, in_space, spaces, vector};
 
 proptest! {
     #![proptest_config(cases(512))]

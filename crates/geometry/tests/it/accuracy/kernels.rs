@@ -7,8 +7,8 @@ use antipode_geometry::kernel::{
     cylindrical, depth, distance, exponential, frame, sphere, translation,
 };
 
-use crate::functions::{both, double};
-use crate::golden::{Check, KERNELS, Unit, failures, one};
+use super::functions::{both, double};
+use super::golden::{Check, KERNELS, Unit, failures, one};
 
 fn xyz<T: Copy>(x: &[T]) -> [T; 3] {
     [x[0], x[1], x[2]]

@@ -1,52 +1,52 @@
 //! Every public function that takes numbers is held to a golden table, or excused with a reason.
 
-use crate::golden::{FUNCTIONS, KERNELS};
-use crate::{functions, kernels};
+use super::golden::{FUNCTIONS, KERNELS};
+use super::{functions, kernels};
 
 /// Sources of the crate by module name.
 const SOURCES: &[(&str, &str)] = &[
-    ("scalar", include_str!("../../src/scalar.rs")),
-    ("charts", include_str!("../../src/charts.rs")),
-    ("library", include_str!("../../src/kernel/library.rs")),
-    ("series", include_str!("../../src/kernel/series.rs")),
-    ("linear", include_str!("../../src/kernel/linear.rs")),
-    ("parts", include_str!("../../src/kernel/parts.rs")),
+    ("scalar", include_str!("../../../src/scalar.rs")),
+    ("charts", include_str!("../../../src/charts.rs")),
+    ("library", include_str!("../../../src/kernel/library.rs")),
+    ("series", include_str!("../../../src/kernel/series.rs")),
+    ("linear", include_str!("../../../src/kernel/linear.rs")),
+    ("parts", include_str!("../../../src/kernel/parts.rs")),
     (
         "exponential",
-        include_str!("../../src/kernel/exponential.rs"),
+        include_str!("../../../src/kernel/exponential.rs"),
     ),
     (
         "cylindrical",
-        include_str!("../../src/kernel/cylindrical.rs"),
+        include_str!("../../../src/kernel/cylindrical.rs"),
     ),
-    ("raised", include_str!("../../src/kernel/raised.rs")),
-    ("horizon", include_str!("../../src/kernel/horizon.rs")),
-    ("sphere", include_str!("../../src/kernel/sphere.rs")),
-    ("depth", include_str!("../../src/kernel/depth.rs")),
-    ("distance", include_str!("../../src/kernel/distance.rs")),
+    ("raised", include_str!("../../../src/kernel/raised.rs")),
+    ("horizon", include_str!("../../../src/kernel/horizon.rs")),
+    ("sphere", include_str!("../../../src/kernel/sphere.rs")),
+    ("depth", include_str!("../../../src/kernel/depth.rs")),
+    ("distance", include_str!("../../../src/kernel/distance.rs")),
     (
         "translation",
-        include_str!("../../src/kernel/translation.rs"),
+        include_str!("../../../src/kernel/translation.rs"),
     ),
-    ("frame", include_str!("../../src/kernel/frame.rs")),
-    ("Horizon", include_str!("../../src/horizon.rs")),
-    ("Raised", include_str!("../../src/raised.rs")),
-    ("Spherical", include_str!("../../src/spherical.rs")),
-    ("Euclidean", include_str!("../../src/euclidean.rs")),
-    ("Strategy", include_str!("../../src/strategy.rs")),
-    ("Projection", include_str!("../../src/projection.rs")),
-    ("Eye", include_str!("../../src/eye.rs")),
-    ("SightCell", include_str!("../../src/sight.rs")),
-    ("Frustum", include_str!("../../src/frustum.rs")),
-    ("SpaceUniform", include_str!("../../src/uniform.rs")),
-    ("ChartPoint", include_str!("../../src/point.rs")),
-    ("ChunkCoord", include_str!("../../src/chunk.rs")),
-    ("Geometry", include_str!("../../src/kind.rs")),
-    ("real", include_str!("../../src/real.rs")),
-    ("triangle", include_str!("../../src/triangle.rs")),
+    ("frame", include_str!("../../../src/kernel/frame.rs")),
+    ("Horizon", include_str!("../../../src/horizon.rs")),
+    ("Raised", include_str!("../../../src/raised.rs")),
+    ("Spherical", include_str!("../../../src/spherical.rs")),
+    ("Euclidean", include_str!("../../../src/euclidean.rs")),
+    ("Strategy", include_str!("../../../src/strategy.rs")),
+    ("Projection", include_str!("../../../src/projection.rs")),
+    ("Eye", include_str!("../../../src/eye.rs")),
+    ("SightCell", include_str!("../../../src/sight.rs")),
+    ("Frustum", include_str!("../../../src/frustum.rs")),
+    ("SpaceUniform", include_str!("../../../src/uniform.rs")),
+    ("ChartPoint", include_str!("../../../src/point.rs")),
+    ("ChunkCoord", include_str!("../../../src/chunk.rs")),
+    ("Geometry", include_str!("../../../src/kind.rs")),
+    ("real", include_str!("../../../src/real.rs")),
+    ("triangle", include_str!("../../../src/triangle.rs")),
 ];
 
-/// Held by the rows of strategies.json, in tests/space/golden.rs: seen, un-seen, lit, measured.
+/// Held by the rows of strategies.json, in tests/it/space/golden.rs: seen, un-seen, lit, measured.
 const STRATEGIES: &[&str] = &[
     "Strategy::view_point",
     "Strategy::chart_point",
@@ -129,39 +129,39 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     (
         "Strategy::along",
-        "the inverse of eye_distance_m and chart_point: tests/space/picking.rs",
+        "the inverse of eye_distance_m and chart_point: tests/it/space/picking.rs",
     ),
     ("Strategy::curved", "the charts' own rows, at the point"),
     (
         "Strategy::cross",
-        "an exact turn, a million times over: tests/space/crossing.rs",
+        "an exact turn, a million times over: tests/it/space/crossing.rs",
     ),
     (
         "Strategy::carry",
-        "an exact turn, both charts give one point: tests/space/crossing.rs",
+        "an exact turn, both charts give one point: tests/it/space/crossing.rs",
     ),
     (
         "Strategy::noise_point",
-        "continuity over the equator is what counts: tests/space/crossing.rs",
+        "continuity over the equator is what counts: tests/it/space/crossing.rs",
     ),
     ("Strategy::reference", "the eye or the pole"),
     ("Strategy::sight_limit_m", "a constant times the radius"),
-    ("Strategy::trims", "a comparison: tests/space/horizon.rs"),
+    ("Strategy::trims", "a comparison: tests/it/space/horizon.rs"),
     (
         "Strategy::sight_cell",
-        "must hold what is seen, not equal it: tests/space/culling.rs",
+        "must hold what is seen, not equal it: tests/it/space/culling.rs",
     ),
     (
         "Strategy::sight_cell_of",
-        "must hold the cells of what is inside: tests/space/culling.rs",
+        "must hold the cells of what is inside: tests/it/space/culling.rs",
     ),
     (
         "Strategy::viewer",
-        "view_point, bit for bit: tests/space/golden.rs",
+        "view_point, bit for bit: tests/it/space/golden.rs",
     ),
     (
         "Strategy::frustum",
-        "planes of the projection: tests/space/culling.rs",
+        "planes of the projection: tests/it/space/culling.rs",
     ),
     (
         "Strategy::uniform",
@@ -174,26 +174,35 @@ const EXCUSED: &[(&str, &str)] = &[
     ("Projection::screen", "a division"),
     (
         "SightCell::holds",
-        "must hold what is seen: tests/space/culling.rs",
+        "must hold what is seen: tests/it/space/culling.rs",
     ),
     (
         "SightCell::turn",
-        "brings an angle to a half turn: tests/space/culling.rs",
+        "brings an angle to a half turn: tests/it/space/culling.rs",
     ),
-    ("SightCell::square", "a sum: tests/space/culling.rs"),
-    ("SightCell::of_box", "a bound: tests/space/culling.rs"),
-    ("SightCell::slope_range", "a bound: tests/space/culling.rs"),
+    ("SightCell::square", "a sum: tests/it/space/culling.rs"),
+    ("SightCell::of_box", "a bound: tests/it/space/culling.rs"),
+    (
+        "SightCell::slope_range",
+        "a bound: tests/it/space/culling.rs",
+    ),
     (
         "SightCell::new",
-        "constants of an axis: tests/space/culling.rs",
+        "constants of an axis: tests/it/space/culling.rs",
     ),
-    ("SightCell::cell", "a bound: tests/space/culling.rs"),
-    ("SightCell::cell_of_box", "a bound: tests/space/culling.rs"),
+    ("SightCell::cell", "a bound: tests/it/space/culling.rs"),
+    (
+        "SightCell::cell_of_box",
+        "a bound: tests/it/space/culling.rs",
+    ),
     (
         "Frustum::new",
-        "planes of the projection: tests/space/culling.rs",
+        "planes of the projection: tests/it/space/culling.rs",
     ),
-    ("Frustum::cell_seen", "a decision: tests/space/culling.rs"),
+    (
+        "Frustum::cell_seen",
+        "a decision: tests/it/space/culling.rs",
+    ),
     (
         "SpaceUniform::new",
         "casts; the shader's rows on the adapter go through it",
@@ -212,7 +221,7 @@ const EXCUSED: &[(&str, &str)] = &[
     ("ChartPoint::moved", "one sum"),
     (
         "ChartPoint::turn_vector",
-        "a rotation: tests/space/crossing.rs",
+        "a rotation: tests/it/space/crossing.rs",
     ),
 ];
 
