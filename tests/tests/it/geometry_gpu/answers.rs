@@ -4,8 +4,8 @@ use antipode_lab::compute;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
 
-use crate::gpu::GPU;
-use crate::probes::Case;
+use super::gpu::GPU;
+use super::probes::Case;
 
 const TYPES: &str = "
 struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }

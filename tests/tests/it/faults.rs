@@ -1,10 +1,4 @@
 //! Everything that can go wrong round a save: a sentence for the player, and nothing lost that was safe.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fs;
 use std::path::Path;

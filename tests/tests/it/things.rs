@@ -1,11 +1,5 @@
 //! Things and light through the keys of a player, in every space: what each key does to what is carried, lit, fired,
 //! thrown and seen, and what falls do.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use antipode_tests::program::{comparable, field, number, run};
 use serde_json::Value;

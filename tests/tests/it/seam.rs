@@ -1,10 +1,4 @@
 //! Over the equator of a spherical world nothing may show: pictures just before and just after, and while walking.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::f64::consts::PI;
 use std::fmt::Write;

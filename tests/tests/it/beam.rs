@@ -1,10 +1,4 @@
 //! Who stands far off in the beam of a flashlight is lit by it as all else is.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::path::Path;
 

@@ -1,11 +1,5 @@
 //! Ends that nobody asked the game for in its menu: signals, polite and not.
 #![cfg(unix)]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::path::Path;
 use std::thread::sleep;

@@ -1,6 +1,5 @@
 //! A world whose file pretends to be as long as a disk: its repair ends, and fills none.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::fs::{self, File};
 use std::os::unix::fs::MetadataExt;

@@ -5,11 +5,11 @@ use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::{Eye, Geometry, Horizon, HyperbolicMap, Projection, SpaceUniform, picture};
 use glam::{DVec3, DVec4};
 
-use crate::answers::answers;
-use crate::probes::Case;
-use crate::tables::{Worst, rows};
+use super::answers::answers;
+use super::probes::Case;
+use super::tables::{Worst, rows};
 
-const KERNELS: &str = include_str!("../../reference/kernels.json");
+const KERNELS: &str = include_str!("../../../reference/kernels.json");
 
 /// A uniform whose view is the identity: the map alone.
 fn bare(kind: u32, project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {

@@ -1,13 +1,6 @@
 //! `shaders/geometry.wgsl` on a real adapter, against 80-digit numbers and the f64 port.
 //!
 //! Without an adapter the test says so and passes, unless `ANTIPODE_REQUIRE_GPU=1`.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::print_stderr,
-    reason = "tests fail by panicking, and say which adapter they ran on"
-)]
 
 mod answers;
 mod frames;
@@ -20,8 +13,8 @@ mod tables;
 use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry, Projection, strategy};
 use glam::{DVec3, Vec4Swizzles};
 
-use crate::answers::{Answer, answers};
-use crate::probes::{Case, Numbers, Probe, case, dense, golden};
+use super::answers::{Answer, answers};
+use super::probes::{Case, Numbers, Probe, case, dense, golden};
 
 /// The greatest errors of a run.
 #[derive(Default, Debug)]

@@ -1,10 +1,4 @@
 //! Settings and the command line: a script goes by the file it is given and by no other.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fs;
 use std::path::Path;

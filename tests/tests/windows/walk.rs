@@ -1,10 +1,4 @@
 //! Walks through the whole game in its window, with real keys and clicks; what came of them is asked of the disk.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fs;
 use std::path::Path;
@@ -17,8 +11,6 @@ use antipode_tests::window::{Window, display, settings_file, settle_settings};
 use image::RgbImage;
 use tempfile::TempDir;
 
-// Beside this file it would be a test program of its own, and two of them fight for the keyboard.
-#[path = "walk/backpack.rs"]
 mod backpack;
 
 /// Small, so that software draws it quickly; the menu has both its columns.

@@ -1,11 +1,5 @@
 //! A thousand edits at chunk corners: every batch that is shown fits its neighbours edge for edge, and what
 //! one walks on is what one sees.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;

@@ -1,10 +1,4 @@
 //! The car by a player's keys: getting in, driving, lights, getting out, a long drive over the equator, and the save.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fmt::Write as _;
 use std::path::Path;

@@ -1,10 +1,4 @@
 //! The whole path of a first evening, with real clicks and keys: make a world, dig, save, come back, find it.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use antipode_tests::program::{field, may_skip, number, run};
 use antipode_tests::seam::compare;

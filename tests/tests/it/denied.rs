@@ -1,7 +1,6 @@
 //! Folders that nobody may look into, and files longer than the disk: worlds are told apart from what is somebody
 //! else's, and nothing of that is touched.
 #![cfg(unix)]
-#![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
 use std::fs;
 use std::path::Path;

@@ -1,11 +1,5 @@
 //! What can go wrong between the game and the graphics: the world goes on, or is saved and words are said.
 #![cfg(unix)]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::cell::RefCell;
 use std::path::Path;

@@ -1,10 +1,4 @@
 //! The other picture of a space: the horizon map, the bend of a flat world, and what the program tells of them.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fmt::Write;
 use std::path::Path;

@@ -1,10 +1,4 @@
 //! What the crosshair covers: the marker lies on the geodesic through the screen's centre and is drawn there.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::time::Duration;
 

@@ -1,11 +1,5 @@
 //! A player who does everything that there is to do, for a long while: a minute in each space, or as many as
 //! `ANTIPODE_TEST_SOAK_MINUTES` says.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use std::fmt::Write as _;
 

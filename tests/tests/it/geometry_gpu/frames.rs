@@ -5,8 +5,8 @@ use antipode_geometry::{
 };
 use glam::{DMat3, DVec3, DVec4};
 
-use crate::answers::answers;
-use crate::probes::{Numbers, case};
+use super::answers::answers;
+use super::probes::{Numbers, case};
 
 /// How far apart the points of a difference are, metres.
 const STEP_M: f64 = 1e-4;

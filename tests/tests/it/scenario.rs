@@ -1,10 +1,4 @@
 //! Whole games by script: what a player does must come out, and come back after saving.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use antipode_tests::program::{comparable, field, game, number, run};
 use serde_json::Value;

@@ -95,7 +95,7 @@ pub fn case(
 
 /// The committed cases with their 80-digit answers.
 pub fn golden() -> Vec<Probe> {
-    let text = include_str!("../../reference/strategies.json");
+    let text = include_str!("../../../reference/strategies.json");
     let file: Value = serde_json::from_str(text).unwrap();
     let golden = &file["data"];
     let camera = |name: &str| golden["projection"][name].as_f64().unwrap();

@@ -1,10 +1,4 @@
 //! Other figures in whole games by script: the player's keys on one side, what a probe tells of them on the other.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "tests fail by panicking"
-)]
 
 use antipode_tests::program::{Run, comparable, field, number, run};
 use serde_json::Value;

@@ -4,10 +4,10 @@ use antipode_geometry::kernel::library;
 use antipode_lab::compute;
 use bytemuck::{Pod, Zeroable};
 
-use crate::gpu::GPU;
-use crate::tables::{Worst, rows, ulp};
+use super::gpu::GPU;
+use super::tables::{Worst, rows, ulp};
 
-const FUNCTIONS: &str = include_str!("../../reference/functions.json");
+const FUNCTIONS: &str = include_str!("../../../reference/functions.json");
 
 /// Every function at one pair of arguments; those whose domain it leaves are not looked at.
 const BODY: &str = "let t = inputs[i].x;
