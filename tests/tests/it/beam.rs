@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use antipode_tests::program::{field, may_skip, number, run_with};
+use antipode_testing::may_skip;
+use antipode_tests::program::{field, number, run_with};
 use antipode_tests::seam::picture;
 use image::RgbImage;
 

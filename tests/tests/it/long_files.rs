@@ -9,7 +9,8 @@ use std::process::Command;
 use antipode_storage::{
     Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, pack_chunk,
 };
-use antipode_tests::program::{binary, may_skip};
+use antipode_testing::may_skip;
+use antipode_tests::program::binary;
 
 const LONG_BYTES: u64 = 10 << 30;
 

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use antipode_tests::program::{comparable, field, may_skip, number, run, run_with};
+use antipode_testing::may_skip;
+use antipode_tests::program::{comparable, field, number, run, run_with};
 use antipode_tests::seam::{Difference, compare, picture};
 use serde_json::Value;
 

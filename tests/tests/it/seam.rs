@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 use std::fmt::Write;
 use std::path::Path;
 
-use antipode_tests::program::{may_skip, number, run, run_with};
+use antipode_testing::may_skip;
+use antipode_tests::program::{number, run, run_with};
 use antipode_tests::seam::{compare, picture};
 
 const RADIUS_M: f64 = 32.0;

@@ -5,8 +5,9 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
+use antipode_testing::may_skip;
 use antipode_tests::background::{Background, signal};
-use antipode_tests::program::{comparable, game, may_skip, number, run};
+use antipode_tests::program::{comparable, game, number, run};
 use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display};
 use serde_json::Value;

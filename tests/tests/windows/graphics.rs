@@ -6,8 +6,9 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use antipode_testing::may_skip;
 use antipode_tests::background::{Background, signal};
-use antipode_tests::program::{game, may_skip, number, run};
+use antipode_tests::program::{game, number, run};
 use antipode_tests::seam::{colours, compare};
 use antipode_tests::window::{Window, display, settle_settings};
 use image::RgbImage;
@@ -298,6 +299,6 @@ fn without_a_folder_for_wayland_the_drivers_say_nothing() {
     // Who chooses a card has Mesa's layer asked, complaint and all: without it, silence is no merit.
     let asked = said_without_a_folder_for_wayland(Some("1")).unwrap_or_default();
     if !asked.contains(complaint) {
-        eprintln!("SKIPPED: Mesa's device-select layer is missing, so nothing was tested here");
+        antipode_testing::skipped("Mesa's device-select layer is missing");
     }
 }

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::thread::sleep;
 use std::time::Duration;
 
-use antipode_tests::program::{game, may_skip, number, run};
+use antipode_testing::may_skip;
+use antipode_tests::program::{game, number, run};
 use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display, settings_file, settle_settings};
 use image::RgbImage;

@@ -1,6 +1,7 @@
 //! The whole path of a first evening, with real clicks and keys: make a world, dig, save, come back, find it.
 
-use antipode_tests::program::{field, may_skip, number, run};
+use antipode_testing::may_skip;
+use antipode_tests::program::{field, number, run};
 use antipode_tests::seam::compare;
 use antipode_tests::window::{Window, display, settle_settings};
 

@@ -1,7 +1,6 @@
 //! The quick accuracy run passes on a software adapter, and says so loudly where there is none.
 
 use std::collections::HashSet;
-use std::io::Write;
 
 use antipode_lab::accuracy::{Bench, SUITES};
 use antipode_lab::{Cell, Effort, Report, Section};
@@ -10,19 +9,8 @@ use antipode_render::AdapterChoice;
 const QUICK: Effort = Effort { quick: true };
 
 fn bench() -> Option<Bench> {
-    match Bench::open(QUICK, Some(AdapterChoice::Auto)) {
-        Ok(bench) => Some(bench),
-        Err(error) => {
-            let required = std::env::var("ANTIPODE_REQUIRE_GPU").is_ok_and(|v| v == "1");
-            assert!(!required, "ANTIPODE_REQUIRE_GPU=1, and {error}");
-            // Written past the test harness, which would swallow it in a test that passes.
-            let _ = writeln!(
-                std::io::stderr(),
-                "SKIPPED: no adapter; the laboratory was NOT run on one"
-            );
-            None
-        }
-    }
+    let opened = Bench::open(QUICK, Some(AdapterChoice::Auto));
+    antipode_testing::needed("a graphics adapter", opened)
 }
 
 fn run(bench: &Bench) -> Report {

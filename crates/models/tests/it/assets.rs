@@ -321,9 +321,9 @@ fn the_lamp_shines_by_itself() {
 fn the_files_are_what_the_script_makes() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/models/make_models.py");
     match Command::new("python3").arg(&script).arg("--check").output() {
-        Err(e) => eprintln!(
-            "SKIPPED: no python3 ({e}), so the models were not compared with their script"
-        ),
+        Err(e) => antipode_testing::skipped(&format!(
+            "no python3 ({e}), so the models were not compared with their script"
+        )),
         Ok(out) => assert!(
             out.status.success(),
             "{}{}",

@@ -4,7 +4,7 @@ use antipode_lab::compute;
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
 
-use super::gpu::GPU;
+use super::gpu::gpu;
 use super::probes::Case;
 
 const TYPES: &str = "
@@ -32,5 +32,5 @@ pub struct Answer {
 /// Its answers, where there is an adapter.
 pub fn answers(cases: &[Case]) -> Option<Vec<Answer>> {
     let shader = compute::shader(TYPES, "Case", "Answer", BODY);
-    GPU.as_ref().map(|gpu| gpu.compute(&shader, cases))
+    gpu().map(|gpu| gpu.compute(&shader, cases))
 }

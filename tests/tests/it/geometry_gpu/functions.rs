@@ -4,7 +4,7 @@ use antipode_geometry::kernel::library;
 use antipode_lab::compute;
 use bytemuck::{Pod, Zeroable};
 
-use super::gpu::GPU;
+use super::gpu::gpu;
 use super::tables::{Worst, rows, ulp};
 
 const FUNCTIONS: &str = include_str!("../../../reference/functions.json");
@@ -25,7 +25,7 @@ struct Values([f32; 12]);
 fn evaluate(inputs: &[[f32; 2]]) -> Option<Vec<Values>> {
     let row = "struct Row { values: array<f32, 12> }";
     let shader = compute::shader(row, "vec2<f32>", "Row", BODY);
-    GPU.as_ref().map(|gpu| gpu.compute(&shader, inputs))
+    gpu().map(|gpu| gpu.compute(&shader, inputs))
 }
 
 /// What a function's error is a part of.

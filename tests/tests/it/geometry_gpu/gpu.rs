@@ -1,6 +1,5 @@
 //! The adapter that every test of this file computes on, by the laboratory's compute pass.
 
-use std::io::Write;
 use std::sync::LazyLock;
 
 use antipode_lab::compute;
@@ -10,27 +9,16 @@ use bytemuck::Pod;
 /// A device that computes.
 pub struct Gpu(Adapter);
 
-/// One device for every test of this file: they share a process.
-pub static GPU: LazyLock<Option<Gpu>> =
-    LazyLock::new(|| match Adapter::headless(AdapterChoice::Auto) {
-        Ok(adapter) => {
-            eprintln!("adapter: {}", adapter.name());
-            Some(Gpu(adapter))
-        }
-        Err(why) => {
-            let required = std::env::var("ANTIPODE_REQUIRE_GPU").is_ok_and(|v| v == "1");
-            assert!(
-                !required,
-                "ANTIPODE_REQUIRE_GPU=1, and no adapter computes: {why}"
-            );
-            // Written past the test harness, which would swallow it in a test that passes.
-            let _ = writeln!(
-                std::io::stderr(),
-                "SKIPPED: no adapter; the shader's numbers were NOT checked"
-            );
-            None
-        }
-    });
+/// One device for every test of this folder: they share a process.
+static GPU: LazyLock<Result<Gpu, String>> = LazyLock::new(|| {
+    let opened = Adapter::headless(AdapterChoice::Auto);
+    opened.map(Gpu).map_err(|why| why.to_string())
+});
+
+/// The device, or none with a loud word.
+pub fn gpu() -> Option<&'static Gpu> {
+    antipode_testing::needed("a graphics adapter", GPU.as_ref())
+}
 
 impl Gpu {
     /// One `Out` for each `In`.

@@ -34,14 +34,7 @@ pub struct Studio {
 
 /// An adapter, or none with a loud word; none is a failure where `ANTIPODE_REQUIRE_GPU=1`.
 pub fn adapter() -> Option<Gpu> {
-    match Gpu::headless(AdapterChoice::Auto) {
-        Ok(gpu) => Some(gpu),
-        Err(e) if std::env::var("ANTIPODE_REQUIRE_GPU").is_ok_and(|v| v == "1") => panic!("{e}"),
-        Err(e) => {
-            eprintln!("SKIPPED, NOTHING WAS DRAWN: {e}");
-            None
-        }
-    }
+    antipode_testing::needed("a graphics adapter", Gpu::headless(AdapterChoice::Auto))
 }
 
 impl Studio {
