@@ -19,6 +19,10 @@ pub struct Controls {
     /// What went down since the last step: a press shorter than a step still acts in one.
     pressed: Vec<Action>,
     events: Actions,
+    /// How far the view is turned since the last step, and how much of that a picture has shown; radians to the right
+    /// and up.
+    turned_rad: (f64, f64),
+    shown_rad: (f64, f64),
     /// Whether the picture has a dial now.
     has_dial: bool,
     /// Parts of a notch that wait for the rest; touchpads and fine wheels tell the wheel in fractions.
@@ -38,6 +42,8 @@ impl Default for Controls {
             held: HashSet::new(),
             pressed: Vec::new(),
             events: Actions::default(),
+            turned_rad: (0.0, 0.0),
+            shown_rad: (0.0, 0.0),
             has_dial: false,
             notches: 0.0,
         };
@@ -94,8 +100,20 @@ impl Controls {
 
     /// The mouse moved by pixels, right and down positive.
     pub fn motion(&mut self, dx: f64, dy: f64) {
-        self.events.look_yaw += dx * self.look_rad_per_px;
-        self.events.look_pitch -= dy * self.look_rad_per_px * self.look_up;
+        let (right, up) = (dx * self.look_rad_per_px, -dy * self.look_rad_per_px);
+        self.turn((right, up * self.look_up));
+    }
+
+    /// Turns the view by radians to the right and up.
+    pub fn turn(&mut self, (right_rad, up_rad): (f64, f64)) {
+        self.turned_rad.0 += right_rad;
+        self.turned_rad.1 += up_rad;
+    }
+
+    /// How far the next step will turn the view, radians to the right and up, to be shown at once.
+    pub fn show_turn(&mut self) -> (f64, f64) {
+        self.shown_rad = self.turned_rad;
+        self.shown_rad
     }
 
     /// Tells whether the picture has a dial now: what turns both, turns it and not the hotbar.
@@ -137,6 +155,17 @@ impl Controls {
 
     /// The actions of the next step; what is an event happens once.
     pub fn take(&mut self) -> Actions {
+        self.shown_rad = (0.0, 0.0);
+        let (look_yaw, look_pitch) = std::mem::take(&mut self.turned_rad);
+        Actions {
+            look_yaw,
+            look_pitch,
+            ..self.take_keys()
+        }
+    }
+
+    /// As [`Controls::take`], but that the view does not turn: while the world stands still.
+    pub fn take_keys(&mut self) -> Actions {
         let mut pressed = std::mem::take(&mut self.pressed);
         let waits = waiting(&pressed);
         if let Some(action) = waits {
@@ -160,11 +189,13 @@ impl Controls {
         actions
     }
 
-    /// Lets go of everything, as when the menu opens or the window loses focus.
+    /// Lets go of everything, as when the menu opens or the window loses focus. What a picture has shown of a turn is
+    /// not taken back.
     pub fn release_all(&mut self) {
         self.held.clear();
         self.pressed.clear();
         self.events = Actions::default();
+        self.turned_rad = self.shown_rad;
         self.notches = 0.0;
     }
 

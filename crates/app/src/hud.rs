@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
 use antipode_language::Texts;
 use antipode_scene::day::hour;
 use antipode_scene::tuning::FULL_HEALTH;
-use antipode_scene::{CameraMode, Item, Lens, Scene, Stack};
+use antipode_scene::{CameraMode, Item, Lens, Scene, Seen, Stack};
 use antipode_ui::{
     CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, SpeechModel, WoundModel,
 };
@@ -12,8 +12,14 @@ use glam::DVec3;
 
 use crate::wording;
 
-/// What the display shows of a scene, with what drawing it took where the player wants to know.
-pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel>) -> HudModel {
+/// What the display shows of a scene over a picture that was taken so, with what drawing it took where the player wants to know.
+pub fn model(
+    texts: &Texts,
+    scene: &Scene,
+    seen: &Seen,
+    fps: f32,
+    figures: Option<FigureModel>,
+) -> HudModel {
     let feet = scene.feet();
     // Told from the world's origin: from the eye, which never moves in its own space, it would say nothing.
     let origin = Eye {
@@ -59,9 +65,9 @@ pub fn model(texts: &Texts, scene: &Scene, fps: f32, figures: Option<FigureModel
         health: Some((scene.health() / FULL_HEALTH) as f32),
         harm: None,
         struck: false,
-        wounds: wounds(scene),
+        wounds: wounds(scene, seen),
         speech: scene
-            .speech(scene.viewing().fov_y_rad)
+            .speech(seen, scene.viewing().fov_y_rad)
             .map(|speech| SpeechModel {
                 text: wording::said(texts, speech.greets, speech.line),
                 at: speech.at.map(|at| [at.x as f32, at.y as f32]),
@@ -79,8 +85,8 @@ fn slots(texts: &Texts, scene: &Scene) -> Vec<SlotView> {
 }
 
 /// The health of others who are hurt.
-fn wounds(scene: &Scene) -> Vec<WoundModel> {
-    let wounds = scene.wounds(scene.viewing().fov_y_rad);
+fn wounds(scene: &Scene, seen: &Seen) -> Vec<WoundModel> {
+    let wounds = scene.wounds(seen, scene.viewing().fov_y_rad);
     let shown = wounds.iter().map(|wound| WoundModel {
         at: [wound.at.x as f32, wound.at.y as f32],
         half_width: wound.half_width as f32,

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use antipode_geometry::Hemisphere;
-use antipode_scene::Scene;
 use antipode_scene::bearings::{Bearings, LandmarkKind};
 use antipode_scene::survey::{Plan, Survey};
+use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
     CompassModel, EquatorView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief,
@@ -46,11 +46,14 @@ impl Navigator {
     pub fn add_to(
         &mut self,
         model: &mut HudModel,
-        scene: &Scene,
+        (scene, seen): (&Scene, &Seen),
         settings: &Settings,
         surveyed: (u64, usize),
     ) {
-        let bearings = scene.bearings();
+        let bearings = Bearings {
+            heading_rad: seen.eye.yaw,
+            ..scene.bearings()
+        };
         model.compass = settings.compass.then(|| compass(&bearings));
         model.map = settings
             .minimap

@@ -12,7 +12,7 @@ use antipode_geometry::{
 };
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
-use antipode_scene::{NpcMode, Scene, WorldSetup};
+use antipode_scene::{Between, NpcMode, Scene, WorldSetup};
 use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_dir};
 use antipode_streaming::StreamingError;
 use image::{ImageFormat, RgbaImage};
@@ -49,6 +49,8 @@ pub enum Beginning {
 pub struct Session {
     /// The world.
     pub scene: Scene,
+    /// Its pictures between two steps.
+    pub between: Between,
     /// Its directory's name; empty for a world that is not kept.
     pub slug: String,
     /// A picture of it for the menu, written when it is closed.
@@ -93,6 +95,7 @@ impl Session {
         self.scene.close().map_err(|failure| Unclosed {
             session: Box::new(Self {
                 scene: *failure.scene,
+                between: self.between,
                 slug: self.slug,
                 picture: self.picture,
                 store: self.store,
@@ -223,6 +226,7 @@ impl Worlds {
         scene.set_quality(self.quality);
         scene.set_npcs(NpcMode::On);
         Ok(Session {
+            between: Between::default(),
             scene,
             slug,
             picture: None,

@@ -2,10 +2,11 @@
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
+use crate::player::wrap_angle;
 use crate::tuning::{
-    CAMERA_RADIUS_M, THIRD_PERSON_BACK_M, THIRD_PERSON_RISES_M, THIRD_PERSON_UP_M,
+    CAMERA_RADIUS_M, PITCH_LIMIT_RAD, THIRD_PERSON_BACK_M, THIRD_PERSON_RISES_M, THIRD_PERSON_UP_M,
 };
 
 /// From where the player sees the world.
@@ -26,6 +27,47 @@ impl CameraMode {
             Self::Third => "third",
         }
     }
+}
+
+/// An eye, and how it turns with the player's look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CameraPose {
+    /// The eye.
+    pub eye: Eye,
+    /// What it goes round, in the eye's chart; the eye itself in first person.
+    pub about: ChartPoint,
+    /// How far it can still turn down, negative, and up, radians.
+    pub room_rad: (f64, f64),
+}
+
+impl CameraPose {
+    /// A camera in the head.
+    pub fn within(head: Eye) -> Self {
+        Self {
+            eye: head,
+            about: head.point,
+            room_rad: (-PITCH_LIMIT_RAD - head.pitch, PITCH_LIMIT_RAD - head.pitch),
+        }
+    }
+
+    /// Turns by radians to the right and up. Returns the rotation that everything takes that goes round with it.
+    pub fn turn(&mut self, (yaw_rad, pitch_rad): (f64, f64)) -> DMat3 {
+        let before = axes(&self.eye);
+        let up_rad = pitch_rad.clamp(self.room_rad.0.min(0.0), self.room_rad.1.max(0.0));
+        self.eye.yaw = wrap_angle(self.eye.yaw + yaw_rad);
+        self.eye.pitch += up_rad;
+        self.room_rad = (self.room_rad.0 - up_rad, self.room_rad.1 - up_rad);
+        let turn = axes(&self.eye) * before.transpose();
+        let arm = self.eye.point.pos - self.about.pos;
+        self.eye.point.pos = self.about.pos + turn * arm;
+        turn
+    }
+}
+
+/// Right, up and ahead of an eye that does not lean.
+fn axes(eye: &Eye) -> DMat3 {
+    let upright = Eye { roll: 0.0, ..*eye };
+    DMat3::from_cols(upright.right(), upright.up(), upright.front())
 }
 
 /// How the head of a player who has died goes down: it lies so far above the feet, metres, on its side by so much,
@@ -53,16 +95,37 @@ pub fn fallen(head: &Eye, dead_s: f64) -> Eye {
     }
 }
 
-/// The eye a picture is taken from, given the eye in the player's head.
-pub fn place(mode: CameraMode, head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
+/// The camera that pictures are taken with, given the eye in the player's head.
+pub fn place(
+    mode: CameraMode,
+    head: &Eye,
+    strategy: &dyn Strategy,
+    physics: &PhysicsWorld,
+) -> CameraPose {
     match mode {
-        CameraMode::First => *head,
+        CameraMode::First => CameraPose::within(*head),
         CameraMode::Third => behind(head, strategy, physics),
     }
 }
 
+/// Brings a camera that has been turned since it was placed out of the ground, along its arm.
+pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Strategy, physics: &PhysicsWorld) {
+    let arm = camera.eye.point.pos - camera.about.pos;
+    let Some(way) = arm.try_normalize() else {
+        return;
+    };
+    let from = camera.about.pos + strategy.chart_origin_m(camera.about.hemisphere);
+    // What touches from the start is not told from what is in the ground.
+    let free_m = physics
+        .cast_sphere(from, way, CAMERA_RADIUS_M, arm.length())
+        .filter(|free_m| *free_m > 0.0);
+    if let Some(free_m) = free_m {
+        camera.eye.point.pos = camera.about.pos + way * free_m;
+    }
+}
+
 /// Backs away from the head in two legs, up and then back, each as far as a small sphere finds room.
-fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
+fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> CameraPose {
     let origin = strategy.chart_origin_m(head.point.hemisphere);
     let above = leg(
         physics,
@@ -74,10 +137,15 @@ fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Eye {
     let shins = head.point.pos + origin - DVec3::Y * (head.lift_m - SHINS_M);
     let back = over_ground(physics, back, shins);
     let point = ChartPoint::new(head.point.hemisphere, back - origin);
-    Eye {
+    let eye = Eye {
         lift_m: head.lift_m + point.pos.y - head.point.pos.y,
         point,
         ..*head
+    };
+    CameraPose {
+        eye,
+        about: ChartPoint::new(head.point.hemisphere, above - origin),
+        ..CameraPose::within(*head)
     }
 }
 

@@ -14,6 +14,9 @@ use crate::tuning::{DIAL_REMAINDER_PER_S, DIAL_SWAP_AT};
 /// Share of the world's curvature at which maps are swapped: light no longer tells it from none.
 const SHARE_SWAP_AT: f64 = 1e-3;
 
+/// A glide that is this near to its goal is there.
+const ARRIVES: f64 = 1e-4;
+
 /// One way to take pictures of a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum View {
@@ -244,6 +247,21 @@ impl Lens {
         }
     }
 
+    /// Strategy and dial at a share of the way from where the glide was a step before. What was set at once is there.
+    pub(crate) fn between(&self, before: &Self, share: f64) -> (Arc<dyn Strategy>, f64) {
+        let glides = self.value != self.goal() || (self.value - before.value).abs() < ARRIVES;
+        if self.shown != before.shown || !glides {
+            return (Arc::clone(&self.strategy), self.value);
+        }
+        let mix = |from: f64, to: f64| to - (to - from) * (1.0 - share);
+        let strategy = if self.share == before.share {
+            Arc::clone(&self.strategy)
+        } else {
+            self.pictured(self.shown, mix(before.share, self.share))
+        };
+        (strategy, mix(before.value, self.value))
+    }
+
     fn goal_of(&self, view: View) -> f64 {
         match view {
             View::Plain => 0.0,
@@ -281,20 +299,24 @@ impl Lens {
 
     fn show(&mut self, view: View) {
         self.shown = view;
+        self.strategy = self.pictured(view, self.share);
+    }
+
+    fn pictured(&self, view: View, share: f64) -> Arc<dyn Strategy> {
         let (map, bent) = match view {
             View::Plain => (HyperbolicMap::default(), false),
             View::Map(map) => (map, false),
             View::Bent => (HyperbolicMap::default(), true),
         };
-        let radius_m = self.radius_m / self.share.max(SHARE_SWAP_AT);
-        self.strategy = picture(self.geometry, radius_m, map, bent);
+        let radius_m = self.radius_m / share.max(SHARE_SWAP_AT);
+        picture(self.geometry, radius_m, map, bent)
     }
 }
 
 /// One step of the glide from `value` to `goal`.
 fn glided(value: f64, goal: f64, dt_s: f64) -> f64 {
     let next = goal + (value - goal) * DIAL_REMAINDER_PER_S.powf(dt_s);
-    if (next - goal).abs() < 1e-4 {
+    if (next - goal).abs() < ARRIVES {
         goal
     } else {
         next

@@ -3,9 +3,9 @@
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::{DMat3, DVec3, DVec4};
 
-use crate::frame::{BeamLight, LampLight, Lights};
+use crate::frame::{BeamLight, LampLight};
 use crate::item::Item;
-use crate::lamp::Lamp;
+use crate::moment::{Lit, Who};
 use crate::scene::Scene;
 
 /// Lamps that a picture shows.
@@ -31,34 +31,40 @@ const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 
 impl Scene {
     /// The light on what an eye sees: the nearest lamps, and the flashlight.
-    pub(crate) fn lights(&self, eye: &Eye) -> Lights {
+    pub(crate) fn lights(&self, eye: &Eye) -> Lit {
         let strategy = &**self.lens.strategy();
-        let mut lamps: Vec<(f64, ChartPoint)> = self
+        let mut lamps: Vec<(f64, usize, ChartPoint)> = self
             .lamps
             .iter()
-            .map(Lamp::glow)
-            .map(|glow| (strategy.distance_m(eye.point, glow, eye), glow))
+            .enumerate()
+            .map(|(number, lamp)| (number, lamp.glow()))
+            .map(|(number, glow)| (strategy.distance_m(eye.point, glow, eye), number, glow))
             .collect();
         lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let lamp_light = |(_, point)| LampLight {
-            point,
-            colour: LAMP_COLOUR,
-            range_m: LAMP_RANGE_M,
+        let lamp_light = |(_, number, point)| {
+            let light = LampLight {
+                point,
+                colour: LAMP_COLOUR,
+                range_m: LAMP_RANGE_M,
+            };
+            (Who::Lamp(number), light)
         };
-        let (head_lights, tail_lights) = self.car_lights();
-        Lights {
-            lamps: self
-                .shot_light()
+        let of_cars = self.car_lights();
+        let shot = self.shot_light().map(|light| (Who::Shot, light));
+        let in_hand = self.lamp_in_hand().map(|light| (Who::InHand, light));
+        let flashlight = self.flashlight && !self.is_driving();
+        Lit {
+            lamps: shot
                 .into_iter()
-                .chain(self.lamp_in_hand())
-                .chain(tail_lights)
+                .chain(in_hand)
+                .chain(of_cars.lamps)
                 .chain(lamps.into_iter().map(lamp_light))
                 .take(MOST_LIT)
                 .collect(),
-            beams: (self.flashlight && !self.is_driving())
-                .then(|| self.flash_beam())
+            beams: flashlight
+                .then(|| (Who::InHand, self.flash_beam()))
                 .into_iter()
-                .chain(head_lights)
+                .chain(of_cars.beams)
                 .collect(),
         }
     }

@@ -126,24 +126,8 @@ impl Scene {
         aspect: f64,
         world_id: u64,
     ) -> Frame {
-        let figures = if view.figures {
-            self.figures_seen_by(&view.eye, true)
-        } else {
-            Vec::new()
-        };
-        let strategy = view.lens.strategy();
-        let sky = crate::day::sky(view.time_of_day_s, &**strategy, &view.eye);
-        Frame {
-            eye: view.eye,
-            strategy: std::sync::Arc::clone(strategy),
-            sky,
-            figures,
-            hand: None,
-            lights: self.lights(&view.eye),
-            marker: None,
-            fog_distance_m: self.fog_distance_from_m(&view.eye, &**strategy),
-            ..self.frame(fov_y_rad, aspect, world_id)
-        }
+        let moment = self.moment_from(view);
+        self.frame_of(moment, fov_y_rad, aspect, world_id)
     }
 
     /// Has land made around a camera that is elsewhere than the player, or around the player again.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Projection, Strategy, strategy};
+use antipode_geometry::{ChartPoint, Eye, Strategy, strategy};
 use antipode_physics::{CharacterTuning, PhysicsWorld};
 use antipode_storage::{StorageError, WorldState, WorldStore};
 use antipode_streaming::{Config, Streamer};
@@ -10,13 +10,13 @@ use antipode_terrain::{Biome, Field};
 use glam::DVec3;
 use hecs::Entity;
 
-use crate::camera::{self, CameraMode};
+use crate::camera::{self, CameraMode, CameraPose};
 use crate::car::Cars;
 use crate::day;
 use crate::detail::Sight;
 use crate::dip::HeadDip;
 use crate::drops::Drop;
-use crate::frame::{Frame, Marker, Quality};
+use crate::frame::{Marker, Quality};
 use crate::ground::Ground;
 use crate::hand::HandMotion;
 use crate::harm::Condition;
@@ -32,7 +32,7 @@ use crate::round::Round;
 use crate::setup::{SceneError, WorldSetup};
 use crate::sound::Sounds;
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
-use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, NEAR_M, PICTURE_HEIGHT_PX, VIEW_DISTANCE_CHUNKS};
+use crate::tuning::{BRUSH_RADIUS_M, DAY_START_S, PICTURE_HEIGHT_PX, VIEW_DISTANCE_CHUNKS};
 use crate::viewing::Viewing;
 
 /// How many damaged places of a save are told one by one.
@@ -369,8 +369,13 @@ impl Scene {
 
     /// The eye the picture is taken from.
     pub fn eye(&self) -> Eye {
-        if let Some(eye) = self.driver_eye() {
-            return eye;
+        self.camera_pose().eye
+    }
+
+    /// The camera that pictures are taken with.
+    pub(crate) fn camera_pose(&self) -> CameraPose {
+        if let Some(camera) = self.driver_camera() {
+            return camera;
         }
         let mut head = self.head();
         if let Some(dead_s) = self.dead_s().filter(|_| self.camera == CameraMode::First) {
@@ -408,41 +413,6 @@ impl Scene {
     /// Short answers to what the player did that have come up since they were last taken.
     pub fn take_hints(&mut self) -> Vec<Hint> {
         std::mem::take(&mut self.hints)
-    }
-
-    /// The snapshot to draw. Terrain changes are handed over once.
-    pub fn frame(&mut self, fov_y_rad: f64, aspect: f64, world_id: u64) -> Frame {
-        let eye = self.eye();
-        Frame {
-            eye,
-            projection: Projection::new(fov_y_rad, aspect, NEAR_M),
-            strategy: Arc::clone(self.lens.strategy()),
-            sky: day::sky(self.time_of_day_s, &**self.lens.strategy(), &eye),
-            chunk_changes: self.ground.take_changes(),
-            figures: self.figures_seen_by(&eye, self.camera != CameraMode::First),
-            hand: self.hand_seen(),
-            lights: self.lights(&eye),
-            marker: self
-                .marker
-                .filter(|marker| marker.active)
-                .or_else(|| self.lamp_marker()),
-            hit_shapes: Vec::new(),
-            fog_distance_m: self.fog_distance_from_m(&eye, &**self.lens.strategy()),
-            contour_bands: self.viewing.contour_bands,
-            time_s: self.simulated_s as f32,
-            quality: self.quality,
-            loaded_world: world_id,
-        }
-    }
-
-    /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
-    /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
-    pub(crate) fn fog_distance_from_m(&self, eye: &Eye, pictured: &dyn Strategy) -> f32 {
-        let far_m = pictured.sight_limit_m(eye);
-        match self.strategy.rim_m() {
-            Some(rim) => (rim * 3.0) as f32,
-            None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
-        }
     }
 }
 

@@ -4,7 +4,9 @@ use antipode_geometry::{ChartPoint, Eye};
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
+use crate::bot::Bot;
 use crate::frame::{Figure, ModelId};
+use crate::moment::Who;
 use crate::npc::mind::Mind;
 use crate::player::{Appearance, Body, Look, Position};
 use crate::scene::Scene;
@@ -16,16 +18,19 @@ const DEEPEST_SOLES_M: f64 = 0.4;
 
 impl Scene {
     /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
-    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<Figure> {
+    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<(Who, Figure)> {
         let eye = eye.point;
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
-        for (entity, position, look, appearance, body, mind) in
-            &mut self
-                .ecs
-                .query::<(Entity, &Position, &Look, &Appearance, &Body, Option<&Mind>)>()
-        {
+        for (entity, position, look, appearance, body, bot) in &mut self.ecs.query::<(
+            Entity,
+            &Position,
+            &Look,
+            &Appearance,
+            &Body,
+            Option<(&Bot, &Mind)>,
+        )>() {
             if entity == self.player && (!sees_player || inside_own) {
                 continue;
             }
@@ -38,11 +43,19 @@ impl Scene {
                 self.use_in_hand(&mut figure);
                 self.seat_figure(&mut figure);
             }
-            if let Some(mind) = mind {
+            let mut who = Who::Player {
+                drives: self.driven_number(),
+                dead: self.is_dead(),
+            };
+            if let Some((bot, mind)) = bot {
                 mind.show_shot(&mut figure);
                 figure.hostile = figure.held.is_some();
+                who = Who::Bot {
+                    id: bot.id,
+                    dead: bot.dead_s > 0.0,
+                };
             }
-            seen.push(figure);
+            seen.push((who, figure));
         }
         self.show_things(&mut seen);
         self.show_cars(&mut seen);
@@ -66,16 +79,20 @@ impl Scene {
     }
 
     /// Lamps, bullets, and what lies about.
-    fn show_things(&self, seen: &mut Vec<Figure>) {
-        let lamps = self.lamps.iter();
-        seen.extend(lamps.map(|lamp| Figure::standing(ModelId::Lamp, lamp.point, 0.0)));
+    fn show_things(&self, seen: &mut Vec<(Who, Figure)>) {
+        seen.extend(self.lamps.iter().enumerate().map(|(number, lamp)| {
+            let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
+            (Who::Lamp(number), figure)
+        }));
         seen.extend(self.projectiles().iter().map(|bullet| {
             let way = bullet.velocity.normalize_or(DVec3::X);
-            Figure {
+            let figure = Figure {
                 turn: DQuat::from_rotation_arc(DVec3::X, way),
                 ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
-            }
+            };
+            (Who::Bullet(bullet.id), figure)
         }));
-        seen.extend(self.drops.iter().map(|drop| self.show_drop(drop)));
+        let drops = self.drops.iter().enumerate();
+        seen.extend(drops.map(|(number, drop)| (Who::Drop(number), self.show_drop(drop))));
     }
 }

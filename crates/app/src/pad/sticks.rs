@@ -69,15 +69,18 @@ impl Sticks {
         }
     }
 
-    /// Adds what the sticks ask for in a step of `dt_s` seconds: the left one walks, the right one looks.
-    pub fn add_to(&self, actions: &mut Actions, feel: Feel, dt_s: f64) {
+    /// Adds what the left stick asks for in a step: it walks.
+    pub fn add_to(&self, actions: &mut Actions, feel: Feel) {
         let walk = rest_taken_out(self.left, feel.dead_zone);
         actions.forward = (actions.forward + walk.y).clamp(-1.0, 1.0);
         actions.strafe = (actions.strafe + walk.x).clamp(-1.0, 1.0);
+    }
+
+    /// How far the right stick turns the view in `passed_s` seconds, radians to the right and up.
+    pub fn turn(&self, feel: Feel, passed_s: f64) -> (f64, f64) {
         let look = rest_taken_out(self.right, feel.dead_zone);
-        let turn = look * look.length().powi(LOOK_POWER - 1) * (feel.look_rad_per_s * dt_s);
-        actions.look_yaw += turn.x;
-        actions.look_pitch += if feel.inverted { -turn.y } else { turn.y };
+        let turn = look * look.length().powi(LOOK_POWER - 1) * (feel.look_rad_per_s * passed_s);
+        (turn.x, if feel.inverted { -turn.y } else { turn.y })
     }
 
     /// The way the left stick points in a menu, if it is far enough over.
@@ -122,7 +125,8 @@ mod tests {
         for (axis, value) in axes {
             sticks.set(*axis, *value);
         }
-        sticks.add_to(&mut actions, feel, 0.5);
+        sticks.add_to(&mut actions, feel);
+        (actions.look_yaw, actions.look_pitch) = sticks.turn(feel, 0.5);
         actions
     }
 
@@ -173,7 +177,7 @@ mod tests {
             forward: 1.0,
             ..Actions::default()
         };
-        sticks.add_to(&mut actions, FEEL, 0.1);
+        sticks.add_to(&mut actions, FEEL);
         assert_eq!(actions.forward, 1.0);
     }
 

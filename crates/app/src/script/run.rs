@@ -269,8 +269,9 @@ impl Runner {
                 .figures_shown
                 .then(|| drawn.figures(texts, scene, frame_ms, gpu_ms, 0.0));
             (!self.display_hidden).then(|| {
-                let mut model = hud::model(texts, scene, fps, figures);
-                navigator.add_to(&mut model, scene, settings, (id, WHOLE_MAP));
+                let seen = scene.seen();
+                let mut model = hud::model(texts, scene, &seen, fps, figures);
+                navigator.add_to(&mut model, (scene, &seen), settings, (id, WHOLE_MAP));
                 model
             })
         })?;

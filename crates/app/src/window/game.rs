@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use antipode_language::Texts;
+use antipode_scene::Shutter;
 use antipode_scene::frame::Frame;
 use antipode_ui::{Backpack, Screen, Shell};
 
@@ -210,13 +211,15 @@ impl Game {
         }
         let id = self.worlds_opened;
         let photographing = self.is_photographing();
+        let shutter = self.shutter();
         let session = self.phase.session_mut()?;
         session.scene.set_picture_height_px(height_px);
         if photographing {
             return self.photo_frame(aspect, id);
         }
         let fov_y_rad = session.scene.viewing().fov_y_rad;
-        let mut frame = session.scene.frame(fov_y_rad, aspect, id);
+        let scene = &mut session.scene;
+        let mut frame = session.between.frame(scene, shutter, fov_y_rad, aspect, id);
         if self.display_hidden {
             (frame.hand, frame.marker) = (None, None);
         }
@@ -224,6 +227,14 @@ impl Game {
             frame.hit_shapes = session.scene.hit_shapes();
         }
         Some(frame)
+    }
+
+    /// What of the last step the next picture shows, and of the next one's turn.
+    pub(super) fn shutter(&mut self) -> Shutter {
+        Shutter {
+            share: self.pace.share(),
+            turned_rad: self.controls.show_turn(),
+        }
     }
 
     /// A frame was shown.

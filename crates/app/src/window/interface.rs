@@ -124,12 +124,13 @@ impl Game {
                         self.pace.dropped_s(),
                     )
                 });
-                let mut model = hud::model(&self.texts, &session.scene, fps, figures);
+                let seen = session.between.seen(&session.scene);
+                let mut model = hud::model(&self.texts, &session.scene, &seen, fps, figures);
                 let settings = &self.config.settings;
                 let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
                 let surveyed = (self.worlds_opened, columns);
                 self.navigator
-                    .add_to(&mut model, &session.scene, settings, surveyed);
+                    .add_to(&mut model, (&session.scene, &seen), settings, surveyed);
                 Some(HudModel {
                     hint: self.hint().filter(|_| !self.is_packing()),
                     show_crosshair: model.show_crosshair && !self.is_packing(),

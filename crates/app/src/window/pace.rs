@@ -27,7 +27,6 @@ impl Pace {
     /// So much time has passed while playing; how many steps the world takes for it.
     pub fn steps(&mut self, passed: Duration) -> u32 {
         if passed > ASLEEP {
-            self.owed_s = 0.0;
             return 0;
         }
         self.owed_s += passed.as_secs_f64();
@@ -43,9 +42,14 @@ impl Pace {
         steps
     }
 
-    /// The world stands still; what it was owed is owed no more.
+    /// A world begins; what another was owed is owed no more.
     pub fn rest(&mut self) {
         self.owed_s = 0.0;
+    }
+
+    /// How much of the next step's time has passed, 0 to 1: so far is the picture on its way through the last one.
+    pub fn share(&self) -> f64 {
+        (self.owed_s / STEP_S).min(1.0)
     }
 
     /// Time of the world that was left out so far, in seconds.

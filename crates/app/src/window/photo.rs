@@ -110,11 +110,12 @@ impl Game {
 
     pub(super) fn enter_photo_mode(&mut self) {
         self.has_done(Lesson::Photo);
-        let Phase::Playing(session) = &self.phase else {
+        let shutter = self.shutter();
+        let Phase::Playing(session) = &mut self.phase else {
             return;
         };
         let scene = &session.scene;
-        let view = Viewpoint::of(scene);
+        let view = session.between.viewpoint(scene, shutter);
         self.photographer.photo = Some(Photo {
             values: PhotoValues {
                 field_of_view_deg: scene.viewing().fov_y_rad.to_degrees(),
@@ -128,7 +129,6 @@ impl Game {
             fresh: true,
             saving: None,
         });
-        self.pace.rest();
         self.controls.release_all();
     }
 
@@ -166,7 +166,7 @@ impl Game {
 
     /// A moment of the photo mode.
     pub(super) fn photographing(&mut self, mut session: Session, passed: Duration) -> Phase {
-        let actions = self.controls.take();
+        let actions = self.controls.take_keys();
         if let Some(photo) = self
             .photographer
             .photo
@@ -195,8 +195,9 @@ impl Game {
     pub(super) fn photo_frame(&mut self, aspect: f64, id: u64) -> Option<Frame> {
         let photo = self.photographer.photo.as_ref()?;
         let fov_y_rad = photo.values.field_of_view_deg.to_radians();
-        let session = self.phase.session_mut()?;
-        Some(session.scene.frame_from(&photo.view, fov_y_rad, aspect, id))
+        let (share, session) = (self.pace.share(), self.phase.session_mut()?);
+        let (between, scene) = (&session.between, &mut session.scene);
+        Some(between.frame_from(scene, share, &photo.view, fov_y_rad, aspect, id))
     }
 
     /// Draws the panel and does what is asked for there.

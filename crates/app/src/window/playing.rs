@@ -27,7 +27,6 @@ impl Game {
                 self.controls.release_all();
                 session.scene.save();
                 self.since_save_s = 0.0;
-                self.pace.rest();
                 self.wants_picture = true;
                 self.list.refresh();
                 self.shell.open(Screen::Main);
@@ -63,17 +62,29 @@ impl Game {
         let feel = Feel::from(&self.config.settings);
         // The sticks belong to what is up over the world, as the keys do.
         let by_sticks = !self.is_elsewhere();
-        for _ in 0..self.pace.steps(passed) {
+        let share = self.pace.share();
+        let steps = self.pace.steps(passed);
+        if by_sticks {
+            let passed_s = (f64::from(steps) + self.pace.share() - share) * STEP_S;
+            let turn = self.sticks.turn(feel, passed_s);
+            if turn != (0.0, 0.0) {
+                self.hints.use_pad(true);
+            }
+            self.controls.turn(turn);
+        }
+        for left in (0..steps).rev() {
             let mut actions = self.controls.take();
             let by_keys = actions;
             if by_sticks {
-                self.sticks.add_to(&mut actions, feel, STEP_S);
+                self.sticks.add_to(&mut actions, feel);
             }
             if actions != by_keys {
                 self.hints.use_pad(true);
             }
             self.step_hints(&actions, &session.scene);
-            session.scene.step(&actions);
+            session
+                .between
+                .step(&mut session.scene, &actions, left == 0);
             self.console.step(&mut self.controls);
         }
         self.waits.spent_on(Part::Steps);

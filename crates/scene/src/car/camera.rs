@@ -10,7 +10,7 @@ use super::tuning::{
     CHASE_TURN_PER_S, CHASE_UP_M, EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S,
     SEAT_M, STANDS_M_S,
 };
-use crate::camera::CameraMode;
+use crate::camera::{CameraMode, CameraPose};
 use crate::player::wrap_angle;
 use crate::scene::Scene;
 use crate::tuning::CAMERA_RADIUS_M;
@@ -157,14 +157,20 @@ impl Chase {
         self.bonnet.roll.clamp(-LEAN_MOST_RAD, LEAN_MOST_RAD) * self.aside.0.cos()
     }
 
-    /// The eye behind the car, as far back as a small sphere finds room.
-    fn eye(
+    /// How far the player can still look down, negative, and up, radians.
+    fn room_rad(&self) -> (f64, f64) {
+        let (down, up) = LOOK_MOST_RAD;
+        (-down - self.aside.1, up - self.aside.1)
+    }
+
+    /// The camera behind the car, as far back as a small sphere finds room.
+    fn pose(
         &self,
         car: &CarView,
         head: &Eye,
         strategy: &dyn Strategy,
         physics: &PhysicsWorld,
-    ) -> Eye {
+    ) -> CameraPose {
         let (yaw, pitch) = self.look(CameraMode::Third);
         let seen = Eye {
             yaw,
@@ -196,11 +202,15 @@ impl Chase {
             (risen.1, if rise.y > 0.0 { down_rad } else { pitch })
         };
         let pos = pos - origin;
-        Eye {
-            point: ChartPoint::new(car.point.hemisphere, pos),
-            pitch,
-            lift_m: pos.y - car.point.pos.y,
-            ..seen
+        CameraPose {
+            eye: Eye {
+                point: ChartPoint::new(car.point.hemisphere, pos),
+                pitch,
+                lift_m: pos.y - car.point.pos.y,
+                ..seen
+            },
+            about: ChartPoint::new(car.point.hemisphere, looked_at - origin),
+            room_rad: self.room_rad(),
         }
     }
 }
@@ -235,8 +245,8 @@ impl Scene {
         })
     }
 
-    /// The eye that a driver's picture is taken from.
-    pub(crate) fn driver_eye(&self) -> Option<Eye> {
+    /// The camera that a driver's picture is taken with.
+    pub(crate) fn driver_camera(&self) -> Option<CameraPose> {
         let head = self.driver_head()?;
         let car = self.driven_car()?;
         let driving = self.cars.driving.as_ref()?;
@@ -244,14 +254,18 @@ impl Scene {
             CameraMode::First => {
                 let point = car.place(BONNET_M);
                 let levels = self.viewing.reduced_motion;
-                Some(Eye {
+                let eye = Eye {
                     point,
                     roll: if levels { 0.0 } else { driving.chase.lean() },
                     lift_m: point.pos.y - car.point.pos.y,
                     ..head
+                };
+                Some(CameraPose {
+                    room_rad: driving.chase.room_rad(),
+                    ..CameraPose::within(eye)
                 })
             }
-            CameraMode::Third => Some(driving.chase.eye(
+            CameraMode::Third => Some(driving.chase.pose(
                 &car,
                 &head,
                 &*self.strategy,

@@ -5,6 +5,7 @@ use glam::{DQuat, DVec3};
 use super::CarView;
 use super::tuning::{HEAD_LIGHT_M, SEAT_M, TAIL_LIGHT_M};
 use crate::frame::{BeamLight, Figure, LampLight, ModelId};
+use crate::moment::{Lit, Who};
 use crate::posture::{Clip, Posture};
 use crate::scene::Scene;
 
@@ -23,19 +24,21 @@ const BRAKE_COLOUR: [f32; 3] = [0.85, 0.043, 0.027];
 /// Where they have faded away, in metres.
 const TAIL_RANGE_M: f64 = 3.0;
 const BRAKE_RANGE_M: f64 = 5.0;
+/// Left and right.
+const SIDES: [f64; 2] = [-1.0, 1.0];
 /// Cars whose lights are shown, the player's first.
 const MOST_LIT_CARS: usize = 6;
 
 impl Scene {
     /// Bodies and wheels of all cars.
-    pub(crate) fn show_cars(&self, seen: &mut Vec<Figure>) {
-        for car in self.cars() {
+    pub(crate) fn show_cars(&self, seen: &mut Vec<(Who, Figure)>) {
+        for (car_number, car) in self.cars().into_iter().enumerate() {
             let figure = |model, own: DVec3, turn: DQuat| Figure {
                 turn,
                 ..Figure::standing(model, car.place(own), 0.0)
             };
             let body = ModelId::car_body(car.lights, car.brakes);
-            seen.push(figure(body, DVec3::ZERO, car.turn));
+            seen.push((Who::Car(car_number), figure(body, DVec3::ZERO, car.turn)));
             for (number, wheel) in car.wheels.iter().enumerate() {
                 let model = if number % 2 == 0 {
                     ModelId::CarWheelLeft
@@ -45,7 +48,10 @@ impl Scene {
                 let turn = car.turn
                     * DQuat::from_rotation_y(-wheel.steer_rad)
                     * DQuat::from_rotation_z(-wheel.roll_rad);
-                seen.push(figure(model, wheel.hub, turn));
+                seen.push((
+                    Who::Wheel(car_number, number),
+                    figure(model, wheel.hub, turn),
+                ));
             }
         }
     }
@@ -63,21 +69,28 @@ impl Scene {
     }
 
     /// Beams of the head lights, and the glow of the lights behind.
-    pub(crate) fn car_lights(&self) -> (Vec<BeamLight>, Vec<LampLight>) {
-        let mut cars = self.cars();
-        cars.retain(|car| car.lights || car.brakes);
-        cars.sort_by_key(|car| !car.driven);
+    pub(crate) fn car_lights(&self) -> Lit {
+        let mut cars: Vec<_> = self.cars().into_iter().enumerate().collect();
+        cars.retain(|(_, car)| car.lights || car.brakes);
+        cars.sort_by_key(|(_, car)| !car.driven);
         cars.truncate(MOST_LIT_CARS);
         let beams = cars
             .iter()
-            .filter(|car| car.lights)
-            .flat_map(|car| [-1.0, 1.0].map(|side| head_light(car, side)))
+            .filter(|(_, car)| car.lights)
+            .flat_map(|(number, car)| {
+                SIDES.map(|side| (Who::CarLight(*number, side > 0.0), head_light(car, side)))
+            })
             .collect();
         let glows = cars
             .iter()
-            .flat_map(|car| [-1.0, 1.0].map(|side| tail_light(car, side)))
+            .flat_map(|(number, car)| {
+                SIDES.map(|side| (Who::CarLight(*number, side > 0.0), tail_light(car, side)))
+            })
             .collect();
-        (beams, glows)
+        Lit {
+            lamps: glows,
+            beams,
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::bearing::apart_m;
 use super::talk::Line;
+use crate::moment::Seen;
 use crate::scene::Scene;
 
 /// How long words stay, in seconds.
@@ -37,8 +38,8 @@ pub struct Speech {
 }
 
 impl Scene {
-    /// What is being said, in a picture of that vertical field of view in radians.
-    pub fn speech(&self, fov_y_rad: f64) -> Option<Speech> {
+    /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
+    pub fn speech(&self, seen: &Seen, fov_y_rad: f64) -> Option<Speech> {
         let said = self.npcs.said?;
         if self.simulated_s - said.at_s > STAY_S {
             return None;
@@ -50,13 +51,13 @@ impl Scene {
             && !speaker.fights
             && apart_m(&*self.strategy, self.feet(), speaker.point) < HEARD_M;
         is_heard.then(|| {
-            let over = speaker
-                .point
+            let over = seen
+                .place(speaker.bot.id, speaker.point)
                 .moved(DVec3::Y * (self.tuning.height_m + OVER_M));
             Speech {
                 greets: said.greets,
                 line: said.line,
-                at: self.pictured_at(&self.eye(), over, fov_y_rad),
+                at: self.pictured_at(&seen.eye, over, fov_y_rad),
             }
         })
     }

@@ -4,6 +4,7 @@ use antipode_geometry::{ChartPoint, Eye, Projection};
 use glam::{DVec2, DVec3};
 
 use super::senses::sees;
+use crate::moment::Seen;
 use crate::scene::Scene;
 use crate::tuning::{BOT_HEALTH, NEAR_M};
 
@@ -25,16 +26,18 @@ pub struct Wound {
 }
 
 impl Scene {
-    /// The health of living figures that are hurt and in sight, in a picture of that vertical field of view in radians.
-    pub fn wounds(&self, fov_y_rad: f64) -> Vec<Wound> {
-        let eye = self.eye();
+    /// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
+    /// field of view in radians.
+    pub fn wounds(&self, seen: &Seen, fov_y_rad: f64) -> Vec<Wound> {
+        let eye = seen.eye;
         let bots = self.bots();
         let hurt = bots
             .iter()
             .filter(|view| view.health > 0.0 && view.health < BOT_HEALTH);
         hurt.filter_map(|view| {
-            let over = view.point.moved(DVec3::Y * (self.tuning.height_m + OVER_M));
-            let head = view.point.moved(DVec3::Y * self.tuning.eye_height_m());
+            let point = seen.place(view.bot.id, view.point);
+            let over = point.moved(DVec3::Y * (self.tuning.height_m + OVER_M));
+            let head = point.moved(DVec3::Y * self.tuning.eye_height_m());
             let pictured = &**self.lens.strategy();
             let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
             let shown = away_m < SHOWN_M && sees(pictured, &self.physics, &eye, head);

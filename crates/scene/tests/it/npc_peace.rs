@@ -168,7 +168,9 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
                 };
                 assert_eq!(greets, lines.is_empty(), "{geometry:?}: once each");
                 lines.push(line);
-                let speech = scene.speech(1.3).expect("it is seen to speak");
+                let speech = scene
+                    .speech(&scene.seen(), 1.3)
+                    .expect("it is seen to speak");
                 assert_eq!(speech.line, line, "{geometry:?}");
                 let at = speech.at.expect("it is in the picture");
                 let is_over = at.x.abs() < 0.2 && (0.05..0.8).contains(&at.y);
@@ -182,10 +184,16 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
             .point
             .moved(beside(&scene, -9.0, 0.0).pos - bot(&scene, id).point.pos);
         look_at(&mut scene, away);
-        let speech = scene.speech(1.3).expect("it goes on behind one's back");
+        let speech = scene
+            .speech(&scene.seen(), 1.3)
+            .expect("it goes on behind one's back");
         assert_eq!(speech.at, None, "{geometry:?}");
         pass(&mut scene, 10.0);
-        assert_eq!(scene.speech(1.3), None, "{geometry:?}: it is over");
+        assert_eq!(
+            scene.speech(&scene.seen(), 1.3),
+            None,
+            "{geometry:?}: it is over"
+        );
         for line in lines {
             said.push(format!("{geometry:?}: {line}"));
             match line {
@@ -297,11 +305,11 @@ fn who_is_shot_while_he_speaks_says_no_more() {
         ..Actions::default()
     };
     steps(&mut scene, 1, &talk);
-    assert!(scene.speech(1.3).is_some());
+    assert!(scene.speech(&scene.seen(), 1.3).is_some());
     shoot(&mut scene, id);
     pass(&mut scene, 0.5);
     assert!(bot(&scene, id).fights);
-    assert_eq!(scene.speech(1.3), None);
+    assert_eq!(scene.speech(&scene.seen(), 1.3), None);
 }
 
 #[test]

@@ -1,0 +1,388 @@
+//! Pictures between two steps. Beside the simulation, which knows nothing of them, the poses before the last step are
+//! kept, and a frame shows a share of the way from there to the poses after it. What the player turns is seen at once:
+//! the poses before are turned as the step was, and both by what the next step will turn.
+//!
+//! What has not moved there by itself is not shown on the way: what came, went, died, changed its camera or its seat, or
+//! is farther off than anything gets in a step.
+
+use antipode_geometry::{ChartPoint, Crossing, Hemisphere, Strategy};
+use glam::DQuat;
+
+use crate::actions::Actions;
+use crate::camera::{CameraPose, keep_clear};
+use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight};
+use crate::moment::{Mark, Moment, Seen, Who};
+use crate::photo::Viewpoint;
+use crate::player::wrap_angle;
+use crate::posture::{Clip, Posture};
+use crate::scene::Scene;
+use crate::tuning::{DAY_S, STEP_S};
+
+/// Nothing gets farther in a step, in metres: 90 m/s.
+const LEAP_M: f64 = 1.5;
+/// The day gets no farther in a step, in seconds.
+const DAY_LEAP_S: f64 = 2.0 * STEP_S;
+
+/// When a picture is taken, and which way the player looks by then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shutter {
+    /// Share of the last step that is shown, 0 to 1: all of it is the scene as it is.
+    pub share: f64,
+    /// How far the next step is going to turn the view, radians to the right and up.
+    pub turned_rad: (f64, f64),
+}
+
+/// The poses before the last step, and the picture between them and those after it.
+#[derive(Debug, Default)]
+pub struct Between {
+    before: Option<Moment>,
+    /// Those that the last frame went to; the next step begins there.
+    after: Option<Moment>,
+    seen: Option<Seen>,
+}
+
+impl Between {
+    /// Advances the scene by a step. `shown`: whether frames are to come before the next one.
+    pub fn step(&mut self, scene: &mut Scene, actions: &Actions, shown: bool) {
+        if shown {
+            let is_now = |it: &Moment| it.simulated_s == scene.simulated_s();
+            let mut before = self
+                .after
+                .take()
+                .filter(is_now)
+                .unwrap_or_else(|| scene.moment());
+            before.turn((actions.look_yaw, actions.look_pitch));
+            self.before = Some(before);
+        }
+        scene.step(actions);
+    }
+
+    /// The snapshot to draw. Terrain changes are handed over once, as by [`Scene::frame`].
+    pub fn frame(
+        &mut self,
+        scene: &mut Scene,
+        shutter: Shutter,
+        fov_y_rad: f64,
+        aspect: f64,
+        world_id: u64,
+    ) -> Frame {
+        let moment = self.moment(scene, shutter);
+        self.seen = Some(Seen::of(&moment));
+        scene.frame_of(moment, fov_y_rad, aspect, world_id)
+    }
+
+    /// The snapshot to draw from elsewhere while the world stands still between two steps.
+    pub fn frame_from(
+        &self,
+        scene: &mut Scene,
+        share: f64,
+        view: &Viewpoint,
+        fov_y_rad: f64,
+        aspect: f64,
+        world_id: u64,
+    ) -> Frame {
+        let moment = self.on_the_way(&*scene.strategy, scene.moment_from(view), share);
+        scene.frame_of(moment, fov_y_rad, aspect, world_id)
+    }
+
+    /// A camera that sees what the player sees.
+    pub fn viewpoint(&mut self, scene: &Scene, shutter: Shutter) -> Viewpoint {
+        let moment = self.moment(scene, shutter);
+        let view = Viewpoint::of(scene);
+        Viewpoint {
+            eye: antipode_geometry::Eye {
+                dial: view.eye.dial,
+                ..moment.camera.eye
+            },
+            time_of_day_s: moment.time_of_day_s,
+            ..view
+        }
+    }
+
+    /// What the last frame was taken with; that of the last step before there is one.
+    pub fn seen(&self, scene: &Scene) -> Seen {
+        self.seen.clone().unwrap_or_else(|| scene.seen())
+    }
+
+    fn moment(&mut self, scene: &Scene, shutter: Shutter) -> Moment {
+        let after = scene.moment();
+        let mut moment = self.on_the_way(&*scene.strategy, after.clone(), shutter.share);
+        self.after = Some(after);
+        if shutter.turned_rad != (0.0, 0.0) {
+            moment.turn(shutter.turned_rad);
+            keep_clear(&mut moment.camera, &*scene.strategy, &scene.physics);
+        }
+        moment
+    }
+
+    fn on_the_way(&self, world: &dyn Strategy, after: Moment, share: f64) -> Moment {
+        let is_last = |before: &&Moment| {
+            let apart_s = after.simulated_s - before.simulated_s;
+            (0.5 * STEP_S..1.5 * STEP_S).contains(&apart_s)
+        };
+        match self.before.as_ref().filter(is_last) {
+            Some(before) if share < 1.0 => after.coming_from(before, world, share.max(0.0)),
+            _ => after,
+        }
+    }
+}
+
+impl Moment {
+    /// Turns the camera by radians to the right and up, and what the player holds with it.
+    fn turn(&mut self, turned_rad: (f64, f64)) {
+        let about = self.camera.about;
+        let turn = self.camera.turn(turned_rad);
+        let is_own = |who: &Who| matches!(who, Who::Shot | Who::InHand);
+        let go_round = |point: &mut ChartPoint| {
+            if point.hemisphere == about.hemisphere {
+                point.pos = about.pos + turn * (point.pos - about.pos);
+            }
+        };
+        for (_, lamp) in self.lit.lamps.iter_mut().filter(|(who, _)| is_own(who)) {
+            go_round(&mut lamp.point);
+        }
+        for (_, beam) in self.lit.beams.iter_mut().filter(|(who, _)| is_own(who)) {
+            go_round(&mut beam.point);
+            beam.direction = turn * beam.direction;
+        }
+        let is_afoot = |who: &Who| matches!(who, Who::Player { drives: None, .. });
+        for (_, own) in self.figures.iter_mut().filter(|(who, _)| is_afoot(who)) {
+            own.turn = DQuat::from_rotation_y(-turned_rad.0) * own.turn;
+        }
+        self.put_mark();
+    }
+
+    fn put_mark(&mut self) {
+        if let Some(mark) = &mut self.mark {
+            mark.put_before(&self.camera.eye, &*self.strategy);
+        }
+    }
+
+    /// A share of the way here from the moment before.
+    fn coming_from(mut self, before: &Self, world: &dyn Strategy, share: f64) -> Self {
+        let way = Way { world, share };
+        let fewer = (
+            self.things.0 < before.things.0,
+            self.things.1 < before.things.1,
+        );
+        // Their numbers hold no more.
+        let lost = |who: &Who| match who {
+            Who::Lamp(_) => fewer.0,
+            Who::Drop(_) => fewer.1,
+            _ => false,
+        };
+        way.all(&mut self.figures, &before.figures, &lost);
+        way.all(&mut self.lit.lamps, &before.lit.lamps, &lost);
+        way.all(&mut self.lit.beams, &before.lit.beams, &lost);
+        self.simulated_s = mix(before.simulated_s, self.simulated_s, share);
+        if self.taker != before.taker {
+            return self;
+        }
+        if let Some(camera) = way.camera(&before.camera, &self.camera) {
+            self.camera = camera;
+            let (strategy, dial) = self.lens.between(&before.lens, share);
+            self.strategy = strategy;
+            self.camera.eye.dial = dial;
+        }
+        let day_s = self.time_of_day_s - before.time_of_day_s;
+        let day_s = day_s - DAY_S * (day_s / DAY_S).round();
+        if day_s.abs() < DAY_LEAP_S {
+            self.time_of_day_s = (self.time_of_day_s - day_s * (1.0 - share)).rem_euclid(DAY_S);
+        }
+        if let (Some(hand), Some(from)) = (&mut self.hand, &before.hand) {
+            go_hand(hand, from, share as f32);
+        }
+        if let (Some(mark), Some(from)) = (&mut self.mark, &before.mark) {
+            go_mark(mark, from, share);
+        }
+        self.put_mark();
+        self
+    }
+}
+
+/// A share of the way between two poses, in a world.
+struct Way<'a> {
+    world: &'a dyn Strategy,
+    share: f64,
+}
+
+impl Way<'_> {
+    /// Brings each to where it is on the way from its pose before.
+    fn all<T: Pose>(
+        &self,
+        after: &mut [(Who, T)],
+        before: &[(Who, T)],
+        lost: &dyn Fn(&Who) -> bool,
+    ) {
+        // Both are in about the same order.
+        let mut next = 0;
+        for (who, pose) in after {
+            let (passed, coming) = before.split_at(next.min(before.len()));
+            let is_it = |(other, _): &(Who, T)| other == who;
+            let found = coming.iter().position(is_it).map(|at| passed.len() + at);
+            let Some(at) = found.or_else(|| passed.iter().position(is_it)) else {
+                continue;
+            };
+            next = at + 1;
+            if lost(who) {
+                continue;
+            }
+            let from = before[at].1;
+            if let Some((point, turn)) = self.place(from.point(), pose.point()) {
+                pose.go(&from, point, turn, self.share);
+            }
+        }
+    }
+
+    /// A place on the way, and how the pose before is turned into its chart; none where nothing gets in a step.
+    fn place(&self, from: ChartPoint, to: ChartPoint) -> Option<(ChartPoint, DQuat)> {
+        let carried = self.carried(from, to.hemisphere)?;
+        let way = to.pos - carried.point.pos;
+        let is_leap = way.length() > LEAP_M;
+        (!is_leap).then(|| (to.moved(way * (self.share - 1.0)), carried.rotation()))
+    }
+
+    /// A point as it is written in a chart.
+    fn carried(&self, point: ChartPoint, hemisphere: Hemisphere) -> Option<Crossing> {
+        if point.hemisphere == hemisphere {
+            return Some(Crossing {
+                point,
+                turn_rad: 0.0,
+            });
+        }
+        self.world.carry(point)
+    }
+
+    /// A camera on the way. How far the way is tells what it goes round: an arm may grow at once.
+    fn camera(&self, before: &CameraPose, after: &CameraPose) -> Option<CameraPose> {
+        let (about, _) = self.place(before.about, after.about)?;
+        let (from, to) = (before.eye, after.eye);
+        let carried = self.carried(from.point, to.point.hemisphere)?;
+        let mut eye = to;
+        eye.point.pos = carried.point.pos.lerp(to.point.pos, self.share);
+        eye.yaw = mix_angle(from.yaw - carried.turn_rad, to.yaw, self.share);
+        eye.pitch = mix(from.pitch, to.pitch, self.share);
+        eye.roll = mix_angle(from.roll, to.roll, self.share);
+        eye.lift_m = mix(from.lift_m, to.lift_m, self.share);
+        Some(CameraPose {
+            eye,
+            about,
+            ..*after
+        })
+    }
+}
+
+/// What has a place in the chart.
+trait Pose: Copy {
+    fn point(&self) -> ChartPoint;
+
+    /// Goes to a place on the way from another pose, whose directions take a turn to be of the same chart.
+    fn go(&mut self, from: &Self, point: ChartPoint, turn: DQuat, share: f64);
+}
+
+impl Pose for Figure {
+    fn point(&self) -> ChartPoint {
+        self.point
+    }
+
+    fn go(&mut self, from: &Self, point: ChartPoint, turn: DQuat, share: f64) {
+        self.point = point;
+        self.turn = (turn * from.turn).slerp(self.turn, share);
+        go_posture(&mut self.posture, &from.posture, share as f32);
+    }
+}
+
+impl Pose for LampLight {
+    fn point(&self) -> ChartPoint {
+        self.point
+    }
+
+    fn go(&mut self, _: &Self, point: ChartPoint, _: DQuat, _: f64) {
+        self.point = point;
+    }
+}
+
+impl Pose for BeamLight {
+    fn point(&self) -> ChartPoint {
+        self.point
+    }
+
+    fn go(&mut self, from: &Self, point: ChartPoint, turn: DQuat, share: f64) {
+        self.point = point;
+        let way = (turn * from.direction).lerp(self.direction, share);
+        self.direction = way.normalize_or(self.direction);
+    }
+}
+
+/// Moments of clips go on from those before; one that has begun anew is where it is.
+fn go_posture(posture: &mut Posture, from: &Posture, share: f32) {
+    for clip in Clip::ALL {
+        let number = clip as usize;
+        posture.shares[number] = mix_f32(from.shares[number], posture.shares[number], share);
+        let (before, after) = (from.moments[number], posture.moments[number]);
+        posture.moments[number] = match clip {
+            Clip::Walk | Clip::Run => {
+                let by = after - before;
+                (before + (by - by.round()) * share).rem_euclid(1.0)
+            }
+            _ if after >= before => mix_f32(before, after, share),
+            _ => after,
+        };
+    }
+    let twist = f64::from(posture.twist_rad);
+    posture.twist_rad = mix_angle(f64::from(from.twist_rad), twist, f64::from(share)) as f32;
+    posture.pitch_rad = mix_f32(from.pitch_rad, posture.pitch_rad, share);
+    posture.swing = mix_swing(from.swing, posture.swing, share);
+    posture.kick = mix_kick(from.kick, posture.kick, share);
+}
+
+fn go_hand(hand: &mut Hand, from: &Hand, share: f32) {
+    if hand.model != from.model {
+        return;
+    }
+    hand.lowered = mix_f32(from.lowered, hand.lowered, share);
+    for (bob_m, from_m) in hand.bob_m.iter_mut().zip(from.bob_m) {
+        *bob_m = mix_f32(from_m, *bob_m, share);
+    }
+    hand.swing = mix_swing(from.swing, hand.swing, share);
+    hand.kick = mix_kick(from.kick, hand.kick, share);
+}
+
+fn go_mark(mark: &mut Mark, from: &Mark, share: f64) {
+    if mark.marker.shape == from.marker.shape {
+        mark.way = from.way.lerp(mark.way, share).normalize_or(mark.way);
+        mark.away_m = mix(from.away_m, mark.away_m, share);
+        mark.marker.radius_m = mix(from.marker.radius_m, mark.marker.radius_m, share);
+    }
+}
+
+/// A swing begins at once.
+fn mix_swing(from: f32, to: f32, share: f32) -> f32 {
+    if from < 0.0 || to < 0.0 {
+        to
+    } else {
+        mix_f32(from, to, share)
+    }
+}
+
+/// So does a kick.
+fn mix_kick(from: f32, to: f32, share: f32) -> f32 {
+    if to > from {
+        to
+    } else {
+        mix_f32(from, to, share)
+    }
+}
+
+fn mix(from: f64, to: f64, share: f64) -> f64 {
+    to - (to - from) * (1.0 - share)
+}
+
+fn mix_f32(from: f32, to: f32, share: f32) -> f32 {
+    to - (to - from) * (1.0 - share)
+}
+
+/// By the shorter way.
+fn mix_angle(from: f64, to: f64, share: f64) -> f64 {
+    to - wrap_angle(to - from) * (1.0 - share)
+}
