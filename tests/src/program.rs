@@ -126,13 +126,3 @@ pub fn comparable(probe: &Value) -> Value {
     }
     probe
 }
-
-/// Whether this run may pass without an adapter or a display: only where nobody demands one.
-pub fn may_skip(what: &str) -> bool {
-    assert!(
-        std::env::var_os("ANTIPODE_REQUIRE_GPU").is_none_or(|v| v.is_empty() || v == "0"),
-        "{what} is missing, and ANTIPODE_REQUIRE_GPU says it must be there"
-    );
-    eprintln!("SKIPPED: {what} is missing, so nothing was tested here");
-    true
-}

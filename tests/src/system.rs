@@ -13,7 +13,9 @@ use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-use crate::program::{binary, may_skip};
+use antipode_testing::may_skip;
+
+use crate::program::binary;
 
 /// Nobody's number, on every system that has one.
 const NOBODY: u32 = 65_534;

@@ -53,125 +53,12 @@ pub enum Task {
 /// What has come of it.
 #[derive(Debug, Serialize, Deserialize)]
 pub enum Answer {
-    /// The world is repaired.
-    Repaired {
-        /// Its name.
-        world: String,
-        /// Changed chunks that were rescued.
-        chunks: usize,
-        /// Whether the player's state was.
-        has_state: bool,
-        /// What is lost, a sentence each.
-        losses: Vec<String>,
-        /// Where the damaged file is kept.
-        kept: Option<String>,
-    },
+    /// The world is repaired, with what could be rescued.
+    Repaired(RepairReport),
     /// The world is in the directory of this name.
     Imported(String),
     /// It was not done, for this reason.
-    Refused(Refusal),
-}
-
-/// A failure that passes from one process to another.
-#[derive(Debug, Serialize, Deserialize)]
-#[allow(
-    missing_docs,
-    reason = "the variants and fields are those of `StorageError`"
-)]
-pub enum Refusal {
-    InUse {
-        world: String,
-    },
-    Busy {
-        #[serde(with = "lossy")]
-        dir: PathBuf,
-    },
-    Newer {
-        world: String,
-        found: u16,
-    },
-    NotADirectory {
-        #[serde(with = "lossy")]
-        path: PathBuf,
-    },
-    Unsalvageable {
-        #[serde(with = "lossy")]
-        path: PathBuf,
-        reason: String,
-    },
-    NotFound {
-        world: String,
-        #[serde(with = "lossy")]
-        dir: PathBuf,
-    },
-    Archive {
-        #[serde(with = "lossy")]
-        path: PathBuf,
-        reason: String,
-    },
-    DiskFull {
-        what: String,
-    },
-    NotWritable {
-        #[serde(with = "lossy")]
-        path: PathBuf,
-    },
-    NotReadable {
-        #[serde(with = "lossy")]
-        path: PathBuf,
-    },
-    Other(String),
-}
-
-/// Paths as they are shown: one that is no text would keep the whole answer from being one.
-mod lossy {
-    use std::path::{Path, PathBuf};
-
-    use serde::{Deserialize, Deserializer, Serializer};
-
-    pub(super) fn serialize<S: Serializer>(path: &Path, to: S) -> Result<S::Ok, S::Error> {
-        to.serialize_str(&path.to_string_lossy())
-    }
-
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<PathBuf, D::Error> {
-        String::deserialize(from).map(PathBuf::from)
-    }
-}
-
-impl From<StorageError> for Refusal {
-    fn from(error: StorageError) -> Self {
-        match error {
-            StorageError::InUse { world } => Self::InUse { world },
-            StorageError::Busy { dir } => Self::Busy { dir },
-            StorageError::Newer { world, found } => Self::Newer { world, found },
-            StorageError::NotADirectory { path } => Self::NotADirectory { path },
-            StorageError::Unsalvageable { path, reason } => Self::Unsalvageable { path, reason },
-            StorageError::NotFound { world, dir } => Self::NotFound { world, dir },
-            StorageError::Archive { path, reason } => Self::Archive { path, reason },
-            StorageError::DiskFull { what } => Self::DiskFull { what },
-            StorageError::NotWritable { path } => Self::NotWritable { path },
-            StorageError::NotReadable { path } => Self::NotReadable { path },
-            other => Self::Other(other.to_string()),
-        }
-    }
-}
-
-impl From<Refusal> for Failure {
-    fn from(refusal: Refusal) -> Self {
-        Self::Storage(match refusal {
-            Refusal::InUse { world } => StorageError::InUse { world },
-            Refusal::Busy { dir } => StorageError::Busy { dir },
-            Refusal::Newer { world, found } => StorageError::Newer { world, found },
-            Refusal::NotADirectory { path } => StorageError::NotADirectory { path },
-            Refusal::Unsalvageable { path, reason } => StorageError::Unsalvageable { path, reason },
-            Refusal::NotFound { world, dir } => StorageError::NotFound { world, dir },
-            Refusal::Archive { path, reason } => StorageError::Archive { path, reason },
-            Refusal::DiskFull { what } => StorageError::DiskFull { what },
-            Refusal::NotWritable { path } => StorageError::NotWritable { path },
-            Refusal::NotReadable { path } => StorageError::NotReadable { path },
-            Refusal::Other(sentence) => return Self::Runtime(sentence),
-        })
-    }
+    Refused(StorageError),
 }
 
 /// Repairs a world in a process of its own.
@@ -182,20 +69,8 @@ pub fn repair(saves: &SavesDir, slug: &str) -> Result<RepairReport, Failure> {
     let slug = slug.to_owned();
     let task = Task::Repair { slug };
     match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
-        Answer::Repaired {
-            world,
-            chunks,
-            has_state,
-            losses,
-            kept,
-        } => Ok(RepairReport {
-            world,
-            chunks,
-            has_state,
-            losses,
-            kept: kept.map(PathBuf::from),
-        }),
-        Answer::Refused(refusal) => Err(refusal.into()),
+        Answer::Repaired(report) => Ok(report),
+        Answer::Refused(error) => Err(error.into()),
         Answer::Imported(_) => Err(senseless()),
     }
 }
@@ -209,8 +84,8 @@ pub fn import(saves: &SavesDir, file: &Path) -> Result<String, Failure> {
     let task = Task::Import { file };
     match answer_of(myself(&task, saves)?, &task, task.limits(saves))? {
         Answer::Imported(slug) => Ok(slug),
-        Answer::Refused(refusal) => Err(refusal.into()),
-        Answer::Repaired { .. } => Err(senseless()),
+        Answer::Refused(error) => Err(error.into()),
+        Answer::Repaired(_) => Err(senseless()),
     }
 }
 
@@ -223,16 +98,10 @@ pub fn obey(saves: &SavesDir, task: &Task) -> Result<(), Failure> {
     end_after(limits.time)?;
     limit_memory(limits.memory_bytes)?;
     let done = match task {
-        Task::Repair { slug } => saves.repair(slug).map(|report| Answer::Repaired {
-            world: report.world,
-            chunks: report.chunks,
-            has_state: report.has_state,
-            losses: report.losses,
-            kept: report.kept.map(|path| path.display().to_string()),
-        }),
+        Task::Repair { slug } => saves.repair(slug).map(Answer::Repaired),
         Task::Import { file } => saves.import(file).map(Answer::Imported),
     };
-    let answer = done.unwrap_or_else(|error| Answer::Refused(error.into()));
+    let answer = done.unwrap_or_else(Answer::Refused);
     let said = serde_json::to_string(&answer).map_err(|_| senseless())?;
     line(&said)
 }

@@ -1,4 +1,7 @@
 //! The limits of the process that reads files of others, in the built program with its own allocator.
+//!
+//! A program of its own: the children that `program.rs` starts have, for a moment, the locks of all files that are open
+//! in their parent.
 #![cfg(target_os = "linux")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 

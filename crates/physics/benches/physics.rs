@@ -1,7 +1,7 @@
 //! What the physics costs: a chunk's collider, a move of the player, a ray.
 #![allow(clippy::unwrap_used, reason = "a bench fails by panicking")]
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/it/common/mod.rs"]
 mod common;
 
 use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld};

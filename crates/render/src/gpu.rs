@@ -83,6 +83,14 @@ pub struct Gpu {
     watch: Arc<Mutex<Watch>>,
 }
 
+#[cfg(test)]
+impl Gpu {
+    /// An adapter for a test, which says loudly when there is none.
+    pub(crate) fn for_test() -> Option<Self> {
+        antipode_testing::needed("a graphics adapter", Self::headless(AdapterChoice::Auto))
+    }
+}
+
 impl Gpu {
     /// Opens an adapter that draws into memory.
     ///

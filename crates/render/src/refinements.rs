@@ -110,8 +110,8 @@ impl Refinements {
 
     /// Whether the eye is past what the land is refined for, and the thread will not make that good in time.
     fn is_left_behind(&self, frame: &Frame) -> bool {
-        let away_m = |rules: &Arc<RefineRules>| rules.key.way.away_m(&frame.eye.point);
-        self.shown.as_ref().and_then(away_m) > Some(LEFT_BEHIND_M)
+        let shown = self.shown.as_ref();
+        shown.is_some_and(|rules| rules.away_m(frame) > LEFT_BEHIND_M)
     }
 
     /// The eye cannot wait for what is being made: the next is to last longer. What will hold until then is made whole
@@ -237,7 +237,8 @@ impl ChunkStore {
         let has_leapt = self.drop_useless(frame);
         let chosen = plan.chunks.iter().filter(|choice| choice.refine);
         let chosen: Vec<_> = chosen.map(|choice| land[choice.place].coord).collect();
-        self.refinements.lead.frame(&frame.eye.point);
+        let eye = &frame.eye.point;
+        self.refinements.lead.frame(&*frame.strategy, eye);
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }
@@ -404,10 +405,7 @@ impl ChunkStore {
 
     /// Lets go of refinements that were left behind; whether what was shown is among them.
     fn drop_useless(&mut self, frame: &Frame) -> bool {
-        let is_useless = |rules: &RefineRules| {
-            let away_m = rules.key.way.away_m(&frame.eye.point);
-            away_m.is_some_and(|away_m| away_m > OF_NO_USE_M)
-        };
+        let is_useless = |rules: &RefineRules| rules.away_m(frame) > OF_NO_USE_M;
         self.refinements
             .coming
             .take_if(|set| is_useless(&set.rules));

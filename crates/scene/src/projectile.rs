@@ -10,8 +10,8 @@ use hecs::Entity;
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{
-    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M, MOST_BULLETS,
-    SAME_BODY_HARMED_AFTER_S, STEP_S,
+    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIES_BELOW_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M,
+    MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S,
 };
 
 /// What keeps a bullet on its way.
@@ -43,8 +43,8 @@ pub struct Projectile {
     pub velocity: DVec3,
     /// How long ago it was fired, seconds.
     pub age_s: f64,
-    /// How old it was when it first met something.
-    met_at_s: Option<f64>,
+    /// How long it has lain still, seconds.
+    lies_s: f64,
     path: Path,
     /// Who fired it.
     by: Entity,
@@ -149,7 +149,7 @@ impl Projectiles {
             point,
             velocity,
             age_s: 0.0,
-            met_at_s: None,
+            lies_s: 0.0,
             path,
             by,
             struck: None,
@@ -162,7 +162,7 @@ impl Projectiles {
         let mut hits = Hits::default();
         self.flying.retain_mut(|bullet| {
             bullet.age_s += STEP_S;
-            !bullet.has_lain() && bullet.fly(air, &mut hits)
+            bullet.fly(air, &mut hits) && bullet.lies_s < BULLET_LIES_S
         });
         hits
     }
@@ -184,9 +184,8 @@ impl Projectile {
             ..BULLET
         };
         let touch = air.physics.throw_ball(&mut ball, &tuning, STEP_S);
-        if touch.is_some() {
-            self.meet();
-        }
+        let is_still = ball.velocity.length() < BULLET_LIES_BELOW_M_S;
+        self.lies_s = if is_still { self.lies_s + STEP_S } else { 0.0 };
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
         self.hit(air, [before, corner], &mut ball, hits);
         match (goal, touch) {
@@ -216,7 +215,6 @@ impl Projectile {
                 .meets(from, to, BULLET.radius_m)
                 .filter(|(share, _)| someone.is_none_or(|(nearer, _)| *share < nearer));
             if let Some((share, car)) = car {
-                self.meet();
                 hits.knocks.push(Knock {
                     car,
                     at: from.lerp(to, share),
@@ -228,7 +226,6 @@ impl Projectile {
                 break;
             }
             if let Some((_, entity)) = someone {
-                self.meet();
                 self.struck = Some((entity, self.age_s));
                 hits.strikes.push(Strike {
                     entity,
@@ -242,16 +239,6 @@ impl Projectile {
                 break;
             }
         }
-    }
-
-    /// It has met something.
-    fn meet(&mut self) {
-        self.met_at_s.get_or_insert(self.age_s);
-    }
-
-    fn has_lain(&self) -> bool {
-        self.met_at_s
-            .is_some_and(|met_at_s| self.age_s - met_at_s >= BULLET_LIES_S)
     }
 
     fn has_gone_far(&self) -> bool {

@@ -81,8 +81,10 @@ pub const BULLET: BallTuning = BallTuning {
     bounce: 0.25,
     slide: 0.8,
 };
-/// A bullet is gone so many seconds after it has first met something.
+/// A bullet is gone when it has lain on the ground for so many seconds.
 pub const BULLET_LIES_S: f64 = 5.0;
+/// One that stays slower than this lies, in m/s.
+pub const BULLET_LIES_BELOW_M_S: f64 = 0.5;
 /// One that never falls is gone after so many metres.
 pub const BULLET_STRAIGHT_M: f64 = 200.0;
 /// Bullets in flight at once.

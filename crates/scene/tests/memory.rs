@@ -7,6 +7,7 @@
     reason = "tests fail by panicking"
 )]
 
+#[path = "it/common/mod.rs"]
 mod common;
 
 use std::fs;

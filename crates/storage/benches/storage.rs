@@ -119,7 +119,7 @@ fn long_world(dir: &Path, megabytes: u64, dug: Dug) {
     }
 }
 
-/// The bar is half a second for a file of 100 MB.
+/// The bar is half a second for a file of 100 MB; that no page is read twice is a test.
 #[divan::bench(args = [Dug::Little, Dug::Wholly], sample_count = 20)]
 fn check_100_mb(bencher: divan::Bencher<'_, '_>, dug: Dug) {
     let dir = tempfile::tempdir().unwrap();
@@ -136,7 +136,7 @@ fn open_100_mb(bencher: divan::Bencher<'_, '_>, dug: Dug) {
     bencher.bench_local(|| WorldStore::open(dir.path()).unwrap().meta());
 }
 
-/// The bar is half a second.
+/// The bar is half a second; how little is read of each is a test.
 #[divan::bench(sample_count = 20)]
 fn list_200_worlds(bencher: divan::Bencher<'_, '_>) {
     let dir = tempfile::tempdir().unwrap();

@@ -1,20 +1,37 @@
-//! Small files written so that a reader sees the old or the new, never a part.
+//! Files written so that a reader sees the old or the new, never a part.
 
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::Path;
 
+use crate::regular;
 use crate::scratch::Scratch;
 
-/// Replaces `path` by a file of `bytes`. What a killed process leaves of it [`crate::scratch::sweep`]
-/// removes from the directory that it is in.
+/// Replaces `path` by a file of `bytes`.
 pub(crate) fn replace(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    put(path, |whole| whole.write_all(bytes))
+}
+
+/// Puts a copy of the file `from` at `path`; when this returns, a power cut leaves it there.
+pub(crate) fn copy(from: &Path, path: &Path) -> io::Result<()> {
+    let (mut from, _) = regular::open(from)?;
+    put(path, |whole| {
+        io::copy(&mut from, whole)?;
+        whole.set_permissions(from.metadata()?.permissions())
+    })?;
+    path.parent().into_iter().for_each(sync_dir);
+    Ok(())
+}
+
+/// Has a file written elsewhere and puts it at `path` when it is whole and on the disk. What a killed
+/// process leaves of it [`crate::scratch::sweep`] removes from the directory that it is in.
+fn put(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
     let dir = path.parent().ok_or(io::ErrorKind::InvalidInput)?;
     let scratch = Scratch::make(dir, "file")?;
     let whole = scratch.path().join("whole");
     let mut file = File::create_new(&whole)?;
-    file.write_all(bytes)?;
-    file.sync_data()?;
+    write(&mut file)?;
+    file.sync_all()?;
     fs::rename(&whole, path)
 }
 
@@ -60,6 +77,45 @@ mod tests {
             1,
             "no temporary file stays"
         );
+    }
+
+    /// Set for the child only: the directory where it copies.
+    #[cfg(unix)]
+    const COPYING_CHILD: &str = "ANTIPODE_TEST_COPYING_CHILD";
+
+    /// Not a test of its own: what the child process does, which may write less than that.
+    #[cfg(unix)]
+    #[test]
+    fn child_copies_more_than_it_may() {
+        if let Some(dir) = std::env::var_os(COPYING_CHILD) {
+            let dir = Path::new(&dir);
+            let error = copy(&dir.join("long"), &dir.join("copy")).unwrap_err();
+            assert_eq!(error.kind(), io::ErrorKind::FileTooLarge);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_copy_that_finds_no_room_halfway_leaves_nothing() {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("long"), [1; 9999]).unwrap();
+        // As on a full disk: the first part is written, the next write is refused.
+        let ended = std::process::Command::new("sh")
+            .args(["-c", "trap '' XFSZ; ulimit -f 8; exec \"$0\" \"$@\""])
+            .arg(std::env::current_exe().unwrap())
+            .args([
+                "--exact",
+                "atomic_file::tests::child_copies_more_than_it_may",
+            ])
+            .env(COPYING_CHILD, dir.path())
+            .output()
+            .unwrap();
+        assert!(ended.status.success(), "{ended:?}");
+        let left: Vec<_> = fs::read_dir(dir.path()).unwrap().flatten().collect();
+        assert!(left.len() == 1 && left[0].file_name() == "long", "{left:?}");
+        copy(&dir.path().join("long"), &dir.path().join("copy")).unwrap();
+        assert_eq!(fs::read(dir.path().join("copy")).unwrap(), [1; 9999]);
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 2);
     }
 
     /// Set for the child only: where it writes.

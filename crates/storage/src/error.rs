@@ -1,14 +1,17 @@
 //! Everything that can go wrong with a save, each as a sentence for the player:
 //! what happened, to which world or file, and what can be done.
 
+use std::borrow::Cow;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize, Serializer};
 
 use crate::name::NameError;
 use crate::schema::SCHEMA_VERSION;
 
-/// What can go wrong with a save.
-#[derive(Debug, thiserror::Error)]
+/// What can go wrong with a save. It passes from one process to another as the sentence that it is.
+#[derive(Debug, Serialize, Deserialize, thiserror::Error)]
 pub enum StorageError {
     /// Another process, or this one, has the world open.
     #[error(
@@ -22,6 +25,7 @@ pub enum StorageError {
     #[error("Another game is making, renaming or importing a world in {} and does not come to an end. Try again in a moment, or close the other game.", dir.display())]
     Busy {
         /// The directory of worlds.
+        #[serde(serialize_with = "lossy")]
         dir: PathBuf,
     },
     /// The world was written by a newer game.
@@ -50,6 +54,7 @@ pub enum StorageError {
     #[error("The save {} cannot be read: {reason}. `antipode saves repair` salvages what is whole and keeps this file.", path.display())]
     Unreadable {
         /// The file.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
         /// What is wrong with it.
         reason: String,
@@ -58,6 +63,7 @@ pub enum StorageError {
     #[error("The save {} {what}. {}", path.display(), remedy(*rebuildable))]
     NoStore {
         /// Where the file should be.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
         /// What is there instead, such as `is missing`.
         what: String,
@@ -68,18 +74,21 @@ pub enum StorageError {
     #[error("The save {} is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again, or import a copy of the world.", path.display())]
     Vanished {
         /// Where the file was.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
     },
     /// A file stands where a directory of worlds should be.
     #[error("{} is a file, so there can be no worlds in it. Choose a directory with --saves-dir.", path.display())]
     NotADirectory {
         /// The file.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
     },
     /// A repair has found nothing to save.
     #[error("Nothing could be salvaged from {}: {reason}. Nothing was changed; if you have a copy of this world, import it.", path.display())]
     Unsalvageable {
         /// The file.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
         /// What is missing.
         reason: String,
@@ -90,6 +99,7 @@ pub enum StorageError {
         /// What was asked for.
         world: String,
         /// The saves directory.
+        #[serde(serialize_with = "lossy")]
         dir: PathBuf,
     },
     /// The name cannot be used.
@@ -99,12 +109,14 @@ pub enum StorageError {
     #[error("{} exists already and is not overwritten. Choose another name or move it away.", path.display())]
     Exists {
         /// The path in the way.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
     },
     /// A file is no exported world, or a damaged one.
     #[error("{} cannot be imported: {reason}.", path.display())]
     Archive {
         /// The file.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
         /// What is wrong with it.
         reason: String,
@@ -121,22 +133,26 @@ pub enum StorageError {
     #[error("{} cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.", path.display())]
     NotWritable {
         /// What was being written.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
     },
     /// The permissions forbid even to look.
     #[error("{} cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.", path.display())]
     NotReadable {
         /// What was being read.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
     },
     /// Any other failure of the file system.
     #[error("{action} {} failed: {source}. Check the disk and try again.", path.display())]
     Io {
         /// What was being done, such as `Reading`.
-        action: &'static str,
+        action: Cow<'static, str>,
         /// To what.
+        #[serde(serialize_with = "lossy")]
         path: PathBuf,
         /// What the system said.
+        #[serde(with = "as_text")]
         source: io::Error,
     },
     /// A value that the game hands over cannot be stored; a fault of the game.
@@ -169,7 +185,7 @@ impl StorageError {
             }
             ErrorKind::AlreadyExists => Self::Exists { path },
             _ => Self::Io {
-                action,
+                action: action.into(),
                 path,
                 source,
             },
@@ -198,7 +214,7 @@ impl StorageError {
                 Self::io("Writing or reading", path, source).of_world(world, path, path)
             }
             redb::Error::PreviousIo => Self::Io {
-                action: "Writing",
+                action: "Writing".into(),
                 path: path.to_path_buf(),
                 source: io::Error::other("an earlier write failed"),
             },
@@ -273,6 +289,26 @@ impl StorageError {
         result: io::Result<T>,
     ) -> Result<T, Self> {
         result.map_err(|source| Self::io(action, path, source))
+    }
+}
+
+/// A path as it is shown: one that is no text would keep the whole error from being one.
+fn lossy<S: Serializer>(path: &Path, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(&path.to_string_lossy())
+}
+
+/// What the system said, in its words.
+mod as_text {
+    use std::io;
+
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(error: &io::Error, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(error)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<io::Error, D::Error> {
+        String::deserialize(from).map(io::Error::other)
     }
 }
 

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize, Serializer};
+
 use crate::error::StorageError;
 use crate::opening::patiently;
 use crate::page_check::{self, Held};
@@ -32,8 +34,8 @@ impl VerifyReport {
     }
 }
 
-/// What a repair has done.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// What a repair has done. It passes from one process to another.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RepairReport {
     /// Name of the world.
     pub world: String,
@@ -45,7 +47,14 @@ pub struct RepairReport {
     pub losses: Vec<String>,
     /// Where the damaged file is kept; `None` if there was none: nothing needed repair,
     /// or the file was missing, which `losses` tells then.
+    #[serde(serialize_with = "as_shown")]
     pub kept: Option<PathBuf>,
+}
+
+/// A path that is no text would keep the whole report from being one.
+#[expect(clippy::ref_option, reason = "serde calls it so")]
+fn as_shown<S: Serializer>(path: &Option<PathBuf>, to: S) -> Result<S::Ok, S::Error> {
+    path.as_deref().map(Path::to_string_lossy).serialize(to)
 }
 
 /// Reads and decodes every value in the world of `dir`, after the check of every page that
@@ -216,7 +225,7 @@ fn mend_summary(dir: &Path, before: VerifyReport) -> Result<RepairReport, Storag
 }
 
 /// Keeps what is at `path` under a free name beside it and puts `fresh` in its place,
-/// in one step where it is a file and the file system has hard links. Where it is
+/// in one step where it is a file. Where it is
 /// kept; `None` if there was nothing.
 fn put_in_place(path: &Path, entry: Entry, fresh: &Path) -> Result<Option<PathBuf>, StorageError> {
     let kept = match entry {
@@ -225,7 +234,7 @@ fn put_in_place(path: &Path, entry: Entry, fresh: &Path) -> Result<Option<PathBu
         Entry::File { .. } => {
             let kept = free_beside(path);
             if fs::hard_link(path, &kept).is_err() {
-                StorageError::at("Keeping", &kept, fs::copy(path, &kept))?;
+                StorageError::at("Keeping", &kept, atomic_file::copy(path, &kept))?;
             }
             Some(kept)
         }

@@ -1,10 +1,12 @@
 //! What a world may be called.
 
+use serde::{Deserialize, Serialize};
+
 /// The longest name, in Unicode scalar values.
 pub const MAX_NAME_CHARS: usize = 40;
 
 /// Why a name cannot be used, in words for the New Game form.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, thiserror::Error)]
 pub enum NameError {
     /// Nothing was typed.
     #[error("Give the world a name.")]

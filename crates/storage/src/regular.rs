@@ -131,6 +131,12 @@ impl FileId {
     }
 }
 
+/// Whether an open file is what stands at `path` now.
+pub(crate) fn is_named(file: &File, path: &Path) -> bool {
+    let same = || io::Result::Ok(FileId::at(path)? == Some(FileId::of(&file.metadata()?)));
+    same().unwrap_or(false)
+}
+
 #[cfg(test)]
 mod tests {
     #![allow(

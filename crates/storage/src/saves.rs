@@ -12,7 +12,7 @@ use crate::scratch::{self, Scratch};
 use crate::slug::{numbered, slug_of};
 use crate::turn::Turn;
 use crate::world::{self, WorldStore};
-use crate::{THUMBNAIL_FILE, atomic_file, store, summary};
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, page_check, store, summary};
 
 /// A directory of worlds. Need not exist until the first world is made.
 #[derive(Debug, Clone)]
@@ -160,16 +160,31 @@ impl SavesDir {
     /// [`StorageError::NotReadable`] for a directory that nobody can look into, which may be
     /// somebody else's; failures of the file system.
     pub fn delete(&self, slug: &str) -> Result<(), StorageError> {
+        self.delete_while(slug, || {})
+    }
+
+    /// Deletes a world; `meanwhile` is what a test has others do before it is gone.
+    fn delete_while(&self, slug: &str, meanwhile: impl FnOnce()) -> Result<(), StorageError> {
         let dir = self.world_dir(slug)?;
         if !StorageError::at("Reading", &dir, listing::shows_world(&dir))? {
             return Err(self.not_found(slug));
         }
-        refuse_if_in_use(&dir)?;
         let name = world::label(&dir);
+        // Held until it is out of the way, or somebody who opens it now would play in what is being deleted.
+        let held = match page_check::hold(&dir.join(WORLD_FILE), &name) {
+            Ok(held) => Some(held),
+            Err(error @ StorageError::InUse { .. }) => return Err(error),
+            // Any other fault of it is no matter.
+            Err(_) => None,
+        };
+        meanwhile();
         let aside = self.scratch("trash")?;
         let moved = aside.path().join(slug);
         let said = |error| StorageError::io("Deleting", &dir, error).of_world(&name, &dir, &dir);
+        // Windows moves no directory in which a file is open, which keeps it from others as well.
+        let held = held.filter(|_| !cfg!(windows));
         fs::rename(&dir, &moved).map_err(said)?;
+        drop(held);
         atomic_file::sync_dir(&self.path);
         fs::remove_dir_all(&moved).map_err(|error| {
             // Failing, it stays in the hidden directory, which the next sweep tries to remove.
@@ -286,16 +301,6 @@ impl SavesDir {
     }
 }
 
-/// Refuses a world that is open anywhere; any other fault of it is no matter.
-fn refuse_if_in_use(dir: &Path) -> Result<(), StorageError> {
-    let peeked =
-        world::store_path(dir).and_then(|path| store::peek_meta(&path, &world::label(dir)));
-    match peeked {
-        Err(error @ StorageError::InUse { .. }) => Err(error),
-        _ => Ok(()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     #![allow(
@@ -306,7 +311,6 @@ mod tests {
     )]
 
     use super::*;
-    use crate::WORLD_FILE;
 
     #[test]
     fn names_are_checked_against_others_without_a_directory() {
@@ -322,6 +326,27 @@ mod tests {
             SavesDir::check_name_among("other", std::iter::empty()),
             Ok(())
         );
+    }
+
+    #[test]
+    fn nobody_opens_a_world_while_it_is_being_deleted() {
+        let dir = tempfile::tempdir().unwrap();
+        let saves = SavesDir::new(dir.path().join("saves"));
+        let meta = WorldMeta {
+            name: "Going".to_owned(),
+            ..WorldMeta::default()
+        };
+        let (slug, world) = saves.create(&meta).unwrap();
+        drop(world);
+        let mut opened = None;
+        saves
+            .delete_while(&slug, || opened = Some(saves.open(&slug).map(drop)))
+            .unwrap();
+        assert!(
+            matches!(opened, Some(Err(StorageError::InUse { .. }))),
+            "{opened:?}"
+        );
+        assert!(!saves.path().join(slug).exists());
     }
 
     #[test]

@@ -14,11 +14,13 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use crate::error::StorageError;
-use crate::regular::FileId;
+use crate::regular::is_named;
 
 const PREFIX: &str = ".antipode-";
 const MARK: &str = "antipode-scratch.lock";
 const CONTENTS: &str = "contents";
+/// How many names are tried. What killed processes of the same number have left may have some of them.
+const MOST_TRIES: u32 = 1000;
 
 /// A hidden directory for something unfinished.
 pub(crate) struct Scratch {
@@ -38,8 +40,16 @@ impl Scratch {
 
     /// The same, with a refusal as the system gives it.
     pub(crate) fn make(parent: &Path, purpose: &str) -> io::Result<Self> {
+        Self::make_held_by(hold, parent, purpose)
+    }
+
+    fn make_held_by(
+        hold: impl Fn(&Path) -> io::Result<File>,
+        parent: &Path,
+        purpose: &str,
+    ) -> io::Result<Self> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
-        loop {
+        for _ in 0..MOST_TRIES {
             let number = NUMBER.fetch_add(1, Ordering::Relaxed);
             let dir = parent.join(format!("{PREFIX}{purpose}-{}-{number}", std::process::id()));
             match fs::create_dir(&dir) {
@@ -57,16 +67,19 @@ impl Scratch {
                         _held: held,
                     });
                 }
-                // A sweep came between making and locking.
-                Err(error)
-                    if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::WouldBlock)
-                        && parent.exists() => {}
                 Err(error) => {
                     remove(&dir);
-                    return Err(error);
+                    // Otherwise a sweep came between making and locking.
+                    let swept = matches!(error.kind(), ErrorKind::NotFound | ErrorKind::WouldBlock);
+                    if !swept || !parent.exists() {
+                        return Err(error);
+                    }
                 }
             }
         }
+        Err(io::Error::other(
+            "whatever the game makes there for unfinished work is taken away at once",
+        ))
     }
 
     /// Where to work. It may be moved away as a whole.
@@ -93,12 +106,6 @@ fn hold(mark: &Path) -> io::Result<File> {
     } else {
         Err(ErrorKind::WouldBlock.into())
     }
-}
-
-/// Whether an open file is what stands at `path` now.
-fn is_named(file: &File, path: &Path) -> bool {
-    let same = || io::Result::Ok(FileId::at(path)? == Some(FileId::of(&file.metadata()?)));
-    same().unwrap_or(false)
 }
 
 /// Removes what killed processes have left in `parent`: directories with the mark of none that
@@ -208,6 +215,24 @@ mod tests {
         fs::rename(b.path(), dir.path().join("settled")).unwrap();
         drop((a, b));
         assert_eq!(names(dir.path()), ["settled"]);
+    }
+
+    #[test]
+    fn where_none_can_be_kept_it_is_said_and_none_is_left() {
+        let dir = tempfile::tempdir().unwrap();
+        // As where a mark is another file whenever the system is asked which it is.
+        let lost = |mark: &Path| -> io::Result<File> {
+            File::create_new(mark)?;
+            Err(ErrorKind::WouldBlock.into())
+        };
+        let refusal = Scratch::make_held_by(lost, dir.path(), "new").map(drop);
+        let said = StorageError::at("Making", dir.path(), refusal);
+        let said = said.unwrap_err().to_string();
+        assert!(
+            said.contains("taken away at once. Check the disk"),
+            "{said}"
+        );
+        assert_eq!(names(dir.path()), Vec::<String>::new());
     }
 
     #[test]

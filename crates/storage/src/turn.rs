@@ -11,7 +11,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::error::StorageError;
-use crate::regular::Entry;
+use crate::regular::{Entry, is_named};
 
 const LOCK_FILE: &str = ".antipode.lock";
 /// A turn lasts as long as a few commits; one of so many seconds is stuck.
@@ -32,45 +32,56 @@ impl Turn {
 
     fn wait_for(saves: &Path, patience: Duration) -> Result<Self, StorageError> {
         fs::create_dir_all(saves).map_err(|error| StorageError::place("Making", saves, error))?;
-        // A refusal is told of the directory: hidden names mean nothing to a player.
-        let file = StorageError::at("Writing to", saves, open(saves))?;
         let began = Instant::now();
+        let mut file = open(saves)?;
         loop {
-            match file.try_lock() {
-                Ok(()) => return Ok(Self { _held: file }),
-                Err(TryLockError::WouldBlock) if began.elapsed() < patience => {
-                    std::thread::sleep(PAUSE);
-                }
-                Err(TryLockError::WouldBlock) => {
+            match Self::take(file, saves)? {
+                Ok(turn) => return Ok(turn),
+                Err(others) if began.elapsed() < patience => file = others,
+                Err(_) => {
                     let dir = saves.to_path_buf();
                     return Err(StorageError::Busy { dir });
                 }
-                // A file system without locks is no reason to play without worlds.
-                Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {
-                    tracing::warn!(saves = %saves.display(), "this disk has no locks: two games at once may give one name twice");
-                    return Ok(Self { _held: file });
-                }
-                Err(TryLockError::Error(error)) => {
-                    return Err(StorageError::io("Locking", saves, error));
-                }
             }
+            std::thread::sleep(PAUSE);
+        }
+    }
+
+    /// Takes the turn by the lock's file, or gives back the file to try next.
+    fn take(file: File, saves: &Path) -> Result<Result<Self, File>, StorageError> {
+        match file.try_lock() {
+            Ok(()) if is_named(&file, &saves.join(LOCK_FILE)) => Ok(Ok(Self { _held: file })),
+            // Deleted while somebody had it: others go by the one that has come in its place.
+            Ok(()) => Ok(Err(open(saves)?)),
+            Err(TryLockError::WouldBlock) => Ok(Err(file)),
+            // A file system without locks is no reason to play without worlds.
+            Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => {
+                tracing::warn!(saves = %saves.display(), "this disk has no locks: two games at once may give one name twice");
+                Ok(Ok(Self { _held: file }))
+            }
+            Err(TryLockError::Error(error)) => Err(StorageError::io("Locking", saves, error)),
         }
     }
 }
 
-fn open(saves: &Path) -> io::Result<File> {
-    let path = saves.join(LOCK_FILE);
-    match Entry::at(&path)? {
+/// Opens the lock's file, which is made if need be.
+fn open(saves: &Path) -> Result<File, StorageError> {
+    // A refusal is told of the directory: hidden names mean nothing to a player.
+    StorageError::at("Writing to", saves, open_lock(&saves.join(LOCK_FILE)))
+}
+
+fn open_lock(path: &Path) -> io::Result<File> {
+    match Entry::at(path)? {
         Entry::Missing | Entry::File { .. } => {
             let made = File::options()
                 .create(true)
                 .truncate(false)
                 .write(true)
-                .open(&path);
+                .open(path);
             match made {
                 // Another user's lock in a directory of both: reading is enough to take it.
                 Err(error) if error.kind() == ErrorKind::PermissionDenied => {
-                    File::open(&path).map_err(|_| error)
+                    File::open(path).map_err(|_| error)
                 }
                 made => made,
             }
@@ -106,6 +117,19 @@ mod tests {
         );
         drop(turn);
         assert!(Turn::wait_for(&saves, Duration::ZERO).is_ok());
+    }
+
+    #[test]
+    fn a_lock_that_was_deleted_gives_nobody_the_turn() {
+        let dir = tempfile::tempdir().unwrap();
+        // One waits with the old file open, which is deleted, and another has the new one.
+        let old = open(dir.path()).unwrap();
+        fs::remove_file(dir.path().join(LOCK_FILE)).unwrap();
+        let turn = Turn::wait(dir.path()).unwrap();
+        let next = Turn::take(old, dir.path()).unwrap().map(drop).unwrap_err();
+        let next = Turn::take(next, dir.path()).unwrap().map(drop).unwrap_err();
+        drop(turn);
+        assert!(Turn::take(next, dir.path()).unwrap().is_ok());
     }
 
     #[test]

@@ -179,7 +179,7 @@ impl WorldStore {
     pub fn keep_copy(&self) -> Result<PathBuf, StorageError> {
         let file = self.dir.join(WORLD_FILE);
         let kept = free_beside(&file);
-        StorageError::at("Keeping", &kept, fs::copy(&file, &kept))?;
+        StorageError::at("Keeping", &kept, atomic_file::copy(&file, &kept))?;
         self.kept.store(true, Ordering::Relaxed);
         Ok(kept)
     }

@@ -1,7 +1,11 @@
 //! A disk with no room left, played by a limit on the size of files.
+//!
+//! A program of its own: a child that starts has, for a moment, the locks of all files that are open in its parent,
+//! and a world that another test has just closed would be in use.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
+#[path = "it/common/mod.rs"]
 mod common;
 
 use std::path::Path;

@@ -1,6 +1,10 @@
 //! `kill -9` at any moment, and two processes at one world.
+//!
+//! A program of its own: a child that starts has, for a moment, the locks of all files that are open in its parent,
+//! and a world that another test has just closed would be in use.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
+#[path = "it/common/mod.rs"]
 mod common;
 
 use std::io::{BufRead, BufReader, Write};

@@ -1,8 +1,12 @@
 //! Files that are missing, are no files or are absurdly long: nothing waits, and
 //! list, find, verify, repair and open agree.
+//!
+//! A program of its own: a child that starts has, for a moment, the locks of all files that are open in its parent,
+//! and a world that another test has just closed would be in use.
 #![cfg(unix)]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
 
+#[path = "it/common/mod.rs"]
 mod common;
 
 use std::fs::{self, File};

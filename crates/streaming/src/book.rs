@@ -8,7 +8,7 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::error::Error;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
+use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::ChunkEdits;
@@ -70,29 +70,19 @@ struct Pages {
     on_disk: HashSet<ChunkCoord>,
     /// Stored, and told to be out of reach.
     complained: HashSet<ChunkCoord>,
-    /// Changed since they were last taken to be saved.
-    dirty: HashSet<ChunkCoord>,
-    /// As they were last taken to be saved, until they are.
-    leaving: HashMap<ChunkCoord, Arc<ChunkEdits>>,
+    /// Changed, and not on disk as they are.
+    unsaved: Land,
     revision: u64,
     /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
     evictions: u64,
 }
 
-impl Pages {
-    fn take_dirty(&mut self) -> Land {
-        let dirty = std::mem::take(&mut self.dirty);
-        let taken: Land = dirty
-            .into_iter()
-            .filter_map(|coord| Some((coord, Arc::clone(&self.chunks.get(&coord)?.edits))))
-            .collect();
-        self.leaving.extend(
-            taken
-                .iter()
-                .map(|(&coord, edits)| (coord, Arc::clone(edits))),
-        );
-        taken
-    }
+/// A batch that has entered the book.
+#[derive(Default)]
+pub(crate) struct Entered {
+    pub(crate) revision: u64,
+    /// What it has changed, to be saved; nothing in a world that is not kept.
+    pub(crate) land: Land,
 }
 
 impl Book {
@@ -141,10 +131,11 @@ impl Book {
         known.or_else(|| (!pages.on_disk.contains(&coord)).then(ChunkEdits::default))
     }
 
-    /// Enters a batch and returns its revision. Changes too small to be seen are kept, for they
-    /// add up, but there is nothing in them to show or to save.
-    pub(crate) fn enter(&self, batch: Vec<Change>) -> u64 {
+    /// Enters a batch. Changes too small to be seen are kept, for they add up, but there is nothing in them to show or
+    /// to save.
+    pub(crate) fn enter(&self, batch: Vec<Change>) -> Entered {
         let mut pages = self.write();
+        let mut land = Land::new();
         if batch.iter().any(|change| change.visible) {
             pages.revision += 1;
         }
@@ -155,30 +146,20 @@ impl Book {
         } in batch
         {
             pages.on_disk.remove(&coord);
-            pages.chunks.insert(coord, self.page(edits));
-            if visible {
-                pages.dirty.insert(coord);
+            let page = self.page(edits);
+            if visible && self.vault.is_some() {
+                land.insert(coord, Arc::clone(&page.edits));
             }
+            pages.chunks.insert(coord, page);
         }
-        pages.revision
+        pages.unsaved.extend(land.clone());
+        let revision = pages.revision;
+        Entered { revision, land }
     }
 
-    /// Takes what has changed since the last time, whole batches only, to be saved as it is now. `None` if a worker
-    /// has the book at the moment: the game does not wait for it.
-    pub(crate) fn try_take_dirty(&self) -> Option<Land> {
-        match self.pages.try_write() {
-            Ok(mut pages) => Some(pages.take_dirty()),
-            Err(TryLockError::Poisoned(poisoned)) => Some(poisoned.into_inner().take_dirty()),
-            Err(TryLockError::WouldBlock) => None,
-        }
-    }
-
-    /// Takes everything that is not saved yet.
-    pub(crate) fn take_unsaved(&self) -> Land {
-        let mut pages = self.write();
-        let leaving: Vec<_> = pages.leaving.keys().copied().collect();
-        pages.dirty.extend(leaving);
-        pages.take_dirty()
+    /// Everything that is not saved yet.
+    pub(crate) fn unsaved(&self) -> Land {
+        self.read().unsaved.clone()
     }
 
     /// Notes that this is saved.
@@ -186,8 +167,8 @@ impl Book {
         let mut pages = self.write();
         for (coord, saved) in land {
             let is_last = |last: &Arc<ChunkEdits>| Arc::ptr_eq(last, saved);
-            if pages.leaving.get(coord).is_some_and(is_last) {
-                pages.leaving.remove(coord);
+            if pages.unsaved.get(coord).is_some_and(is_last) {
+                pages.unsaved.remove(coord);
             }
         }
     }
@@ -200,9 +181,8 @@ impl Book {
         }
         let mut pages = self.write();
         let pages = &mut *pages;
-        let saved = pages.chunks.iter().filter(|(coord, _)| {
-            !pages.dirty.contains(coord) && !pages.leaving.contains_key(coord)
-        });
+        let is_saved = |coord: &_| !pages.unsaved.contains_key(coord);
+        let saved = pages.chunks.iter().filter(|(coord, _)| is_saved(coord));
         let mut uses: Vec<_> = saved
             .map(|(&coord, page)| (page.used.load(Ordering::Relaxed), coord))
             .collect();
@@ -219,6 +199,12 @@ impl Book {
             pages.chunks.remove(&coord);
             pages.on_disk.insert(coord);
         }
+    }
+
+    /// Keeps the book as a worker does that reads it.
+    #[cfg(test)]
+    pub(crate) fn being_read(&self) -> impl Drop + '_ {
+        self.read()
     }
 
     /// Chunks whose edits are in memory.

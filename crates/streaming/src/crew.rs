@@ -9,7 +9,6 @@ use std::time::Duration;
 
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
-use crate::book::Land;
 use crate::ledger::Make;
 use crate::outcome::Outcome;
 use crate::plan::Request;
@@ -122,6 +121,12 @@ impl Crew {
         Ok(())
     }
 
+    /// What the workers go by.
+    #[cfg(test)]
+    pub(crate) fn shared(&self) -> Arc<Shared> {
+        Arc::clone(&self.shared)
+    }
+
     /// Loads that may be in flight at once.
     pub(crate) fn most_loads(&self) -> usize {
         self.most_loads
@@ -153,14 +158,6 @@ impl Crew {
                 UrgentJob::Begin(batch) => Err(batch),
                 UrgentJob::Help(_) | UrgentJob::Plan(_) => Ok(()),
             })
-    }
-
-    /// The land that is not saved yet, if no worker has the book at the moment; none in a world that is not kept.
-    pub(crate) fn take_land(&self) -> Option<Land> {
-        match self.shared.book.vault() {
-            Some(_) => self.shared.book.try_take_dirty(),
-            None => Some(Land::new()),
-        }
     }
 
     /// Hands over a save, or gives it back if there is no room.

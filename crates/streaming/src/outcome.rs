@@ -3,6 +3,7 @@
 use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
+use crate::book::Land;
 use crate::ledger::Make;
 use crate::plan::Planned;
 use crate::saver::Unsaved;
@@ -41,6 +42,8 @@ pub(crate) struct Edited {
     /// Coarse chunks beside them of which only the borders have changed, and so the normals.
     pub(crate) bordering: Vec<ChunkCoord>,
     pub(crate) revision: u64,
+    /// What is to be saved.
+    pub(crate) land: Land,
     /// False if a chunk was given up; then none may be shown.
     pub(crate) complete: bool,
     pub(crate) problems: Vec<String>,

@@ -10,7 +10,7 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::Stroke;
 
 use crate::api::Chunk;
-use crate::book::Change;
+use crate::book::{Change, Entered};
 use crate::ledger::Make;
 use crate::outcome::Edited;
 use crate::range::around;
@@ -66,7 +66,8 @@ impl Round {
             touched: applied.touched,
             remeshed: applied.remeshed.into_iter().collect(),
             bordering: applied.bordering.into_iter().collect(),
-            revision: applied.revision,
+            revision: applied.entered.revision,
+            land: applied.entered.land,
             complete: true,
             problems,
         };
@@ -143,7 +144,7 @@ struct Applied {
     touched: Vec<ChunkCoord>,
     remeshed: BTreeSet<ChunkCoord>,
     bordering: BTreeSet<ChunkCoord>,
-    revision: u64,
+    entered: Entered,
     problems: Vec<String>,
 }
 
@@ -178,7 +179,7 @@ fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
         touched,
         remeshed: reached,
         bordering,
-        revision: shared.book.enter(changed),
+        entered: shared.book.enter(changed),
         problems,
     }
 }

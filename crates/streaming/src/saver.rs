@@ -48,7 +48,7 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
         let _ = results.send(Outcome::Saved(commit(shared, *parts)));
     }
     let last = Parts {
-        land: shared.book.take_unsaved(),
+        land: shared.book.unsaved(),
         ..Parts::default()
     };
     if let Some(Unsaved { why, .. }) = commit(shared, last) {

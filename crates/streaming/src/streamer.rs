@@ -11,7 +11,7 @@ use antipode_terrain::{Field, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
-use crate::book::Book;
+use crate::book::{Book, Land};
 use crate::crew::Crew;
 use crate::ledger::{Ledger, Verdict};
 use crate::outcome::{Edited, Loaded, Outcome};
@@ -44,6 +44,9 @@ pub struct Streamer {
 /// Where saving stands.
 #[derive(Default)]
 pub(crate) struct Saves {
+    /// What the batches have changed since a save last took it. Their workers hand it over: to look for it in the book
+    /// is to wait for whoever reads that, or for luck.
+    land: Land,
     /// Asked for; strokes made before are not all in the book yet. A save holds the land of its own moment: every
     /// stroke before its mark, and none after. The last gives way to a newer one, the first does not, so that one
     /// comes to its end however much is dug.
@@ -305,9 +308,9 @@ impl Streamer {
         while !self.batch_in_flight
             && let Some((mark, _)) = self.saves.asked.front()
             && self.strokes.has_passed(*mark)
-            && let Some(land) = self.crew.take_land()
             && let Some((_, parts)) = self.saves.asked.pop_front()
         {
+            let land = std::mem::take(&mut self.saves.land);
             let older = self.saves.whole.take().unwrap_or_default();
             self.saves.whole = Some(Parts { land, ..parts }.or(older));
         }
@@ -397,6 +400,7 @@ impl Streamer {
 
     fn take_edited(&mut self, edited: Edited, updates: &mut Vec<Update>) {
         self.batch_in_flight = false;
+        self.saves.land.extend(edited.land);
         updates.extend(edited.problems.into_iter().map(Update::Problem));
         self.ledger
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);

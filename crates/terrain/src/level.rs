@@ -6,7 +6,7 @@ use crate::field::Field;
 
 /// By biome, how far 99 of 100 vertices of the full ground of flat worlds are from the nearest
 /// place of the ground at 2, 4 and 8 m, metres: measured over 40 chunks each and rounded up
-/// (`tests/detail.rs`). Upright, vertices are farther off: ground turns over, and under an edge
+/// (`tests/it/detail.rs`). Upright, vertices are farther off: ground turns over, and under an edge
 /// that moved by little lies nothing for long. Half of the vertices are within a ninth, a
 /// seventh and a sixth to a fifth of this.
 static ERRORS_M: [(&str, [f64; 3]); 5] = [

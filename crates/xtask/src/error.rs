@@ -13,6 +13,8 @@ pub enum Error {
     Start { program: String, source: io::Error },
     /// A step ran and failed; what it ran is a line to try by hand.
     Step { name: String, command: String },
+    /// A part of the checkout could not be read.
+    Unreadable { path: PathBuf, source: io::Error },
     /// A directory or file for the tests could not be made.
     Scratch { path: PathBuf, source: io::Error },
     /// Xvfb started and gave no display; its last words.
@@ -53,6 +55,11 @@ impl fmt::Display for Error {
                     "the step \"{name}\" failed; its messages are above, and `{command}` runs it alone"
                 )
             }
+            Self::Unreadable { path, source } => write!(
+                f,
+                "`{}` of the checkout could not be read ({source}); check it out anew",
+                path.display()
+            ),
             Self::Scratch { path, source } => write!(
                 f,
                 "the tests need `{}`, which could not be made ({source}); set TMPDIR to a writable directory",

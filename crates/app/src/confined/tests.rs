@@ -5,6 +5,8 @@ use std::process::Command;
 
 use clap::Parser;
 
+use antipode_storage::NameError;
+
 use super::*;
 use crate::cli::{Cli, SavesAction};
 
@@ -74,13 +76,23 @@ fn refusals_pass_from_one_process_to_the_other_as_they_are() {
         StorageError::Busy { dir: path.clone() },
         StorageError::NotWritable { path: path.clone() },
         StorageError::NotReadable { path: path.clone() },
-        StorageError::Exists { path },
+        StorageError::Exists { path: path.clone() },
+        StorageError::Name(NameError::TooLong { chars: 99 }),
+        StorageError::Io {
+            action: "Reading".into(),
+            path,
+            source: std::io::ErrorKind::TimedOut.into(),
+        },
     ];
     for error in errors {
         let sentence = error.to_string();
-        let sent = serde_json::to_string(&Refusal::from(error)).unwrap();
-        let received: Refusal = serde_json::from_str(&sent).unwrap();
-        assert_eq!(Failure::from(received).to_string(), sentence);
+        let kind = std::mem::discriminant(&error);
+        let sent = serde_json::to_string(&Answer::Refused(error)).unwrap();
+        let Ok(Answer::Refused(received)) = serde_json::from_str(&sent) else {
+            panic!("{sent}")
+        };
+        assert_eq!(std::mem::discriminant(&received), kind);
+        assert_eq!(received.to_string(), sentence);
     }
 }
 
@@ -91,11 +103,11 @@ fn a_refusal_of_a_path_that_is_no_text_is_told() {
     let path = PathBuf::from(OsString::from_vec(b"saves/\xff.antipode-world".to_vec()));
     let error = StorageError::NotReadable { path };
     let sentence = error.to_string();
-    let sent = serde_json::to_string(&Answer::Refused(error.into())).unwrap();
+    let sent = serde_json::to_string(&Answer::Refused(error)).unwrap();
     let Ok(Answer::Refused(received)) = serde_json::from_str(&sent) else {
         panic!("{sent}")
     };
-    assert_eq!(Failure::from(received).to_string(), sentence);
+    assert_eq!(received.to_string(), sentence);
 }
 
 #[cfg(unix)]
@@ -188,6 +200,29 @@ fn limits_follow_from_the_length_of_the_file() {
     assert_eq!(
         Task::Import { file: path }.limits(&saves).memory_bytes >> 20,
         512
+    );
+}
+
+#[test]
+fn a_repair_that_takes_longer_than_it_may_is_stopped_and_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let saves = SavesDir::new(dir.path());
+    std::fs::create_dir(dir.path().join("w")).unwrap();
+    // As long as a disk, of which nothing is a world.
+    let file = std::fs::File::create(dir.path().join("w").join(WORLD_FILE)).unwrap();
+    file.set_len(10 << 30).unwrap();
+    let task = Task::Repair {
+        slug: "w".to_owned(),
+    };
+    let limits = Limits {
+        time: Duration::ZERO,
+        ..task.limits(&saves)
+    };
+    let failed = answer_of(myself(&task, &saves).unwrap(), &task, limits);
+    let failed = failed.unwrap_err().to_string();
+    assert!(
+        failed.contains("Repairing the world in w took more than 0 seconds"),
+        "{failed}"
     );
 }
 

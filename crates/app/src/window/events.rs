@@ -30,6 +30,10 @@ impl Down {
 impl Open {
     /// The window may be on another monitor, with other pixels.
     fn fit(&mut self) {
+        #[expect(
+            clippy::disallowed_methods,
+            reason = "no event tells it, and windows are seldom moved"
+        )]
         let size = self.stage.window.inner_size();
         self.minimised = size.width == 0 || size.height == 0;
         if (size.width, size.height) != self.stage.size() {

@@ -2,7 +2,6 @@
 
 mod archive;
 mod chunk_codec;
-#[cfg(feature = "script")]
 mod script;
 mod settings;
 pub(crate) mod store;
@@ -22,7 +21,7 @@ pub struct Seen {
 /// Something that reads bytes of others.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// What it is called, here and in `fuzz/`.
+    /// What it is called; in `fuzz/` its folders are called so.
     pub name: &'static str,
     /// Reads an input. A sentence, if something was broken that must hold for any input.
     pub run: fn(&[u8]) -> Result<Seen, String>,
@@ -35,7 +34,6 @@ pub struct Target {
 /// Every target, in the order in which they are run.
 pub static TARGETS: &[Target] = &[
     settings::TARGET,
-    #[cfg(feature = "script")]
     script::TARGET,
     chunk_codec::TARGET,
     summary::TARGET,

@@ -6,7 +6,6 @@ use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap, picture};
 use glam::{IVec3, Vec3};
 
 use super::*;
-use crate::gpu::AdapterChoice;
 use crate::plan::testing;
 
 #[test]
@@ -40,12 +39,8 @@ fn rounded_positions_are_off_by_less_than_a_tenth_of_a_pixel_where_the_eye_can_b
 
 #[test]
 fn land_that_streams_in_beside_an_edit_is_no_part_of_it() {
-    let gpu = match Gpu::headless(AdapterChoice::Auto) {
-        Ok(gpu) => gpu,
-        Err(e) => {
-            assert!(std::env::var("ANTIPODE_REQUIRE_GPU").is_err(), "{e}");
-            return;
-        }
+    let Some(gpu) = Gpu::for_test() else {
+        return;
     };
     let mesh = |height: f32| {
         let corners = [[3.0, height, 3.0], [9.0, height, 3.0], [3.0, height, 9.0]];

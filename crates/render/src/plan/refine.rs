@@ -87,6 +87,11 @@ impl RefineRules {
         }
     }
 
+    /// How far a frame's eye is from those that they are for, metres along their chart.
+    pub fn away_m(&self, frame: &Frame) -> f64 {
+        self.key.way.away_m(&*frame.strategy, &frame.eye.point)
+    }
+
     /// The places of the eye from a chunk's corner; none where they have none in its chart. They are whole parts of a
     /// metre and corners whole metres, so differences from them are exact, and come out the same in every chunk.
     pub fn eyes_from(&self, frame: &Frame, chunk: &ChunkLand) -> Vec<Vec3> {

@@ -1,7 +1,7 @@
 //! The straight way along which an eye is expected to go on: land is refined for all of it at once, so that what is
 //! made for it still holds when it is shown.
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
 use glam::{DVec3, IVec3};
 
 /// A way begins and ends on a grid of this width, metres: an eye that stands, or moves by less, asks for nothing new.
@@ -63,24 +63,33 @@ impl Way {
         CELL_M.hypot(0.5 * STRIDE_M) + 0.5 * 1.733 / PARTS_PER_M
     }
 
-    /// How far an eye is from it, metres along the chart; none in another chart.
-    pub fn away_m(&self, eye: &ChartPoint) -> Option<f64> {
+    /// How far an eye is from it, metres along its chart; infinite from where that does not reach.
+    pub fn away_m(&self, strategy: &dyn Strategy, eye: &ChartPoint) -> f64 {
+        if eye.hemisphere == self.hemisphere {
+            return self.distance_m(eye.pos);
+        }
+        let carried = strategy.carry(*eye);
+        carried.map_or(f64::INFINITY, |crossing| {
+            self.distance_m(crossing.point.pos)
+        })
+    }
+
+    fn distance_m(&self, pos: DVec3) -> f64 {
         let [from, to] = self.ends();
         let along = to - from;
-        let part = (eye.pos - from).dot(along) / along.length_squared();
+        let part = (pos - from).dot(along) / along.length_squared();
         // Of a single place the part is no number.
         let part = if part.is_finite() {
             part.clamp(0.0, 1.0)
         } else {
             0.0
         };
-        let nearest = from + along * part;
-        (eye.hemisphere == self.hemisphere).then(|| nearest.distance(eye.pos))
+        (from + along * part).distance(pos)
     }
 
     /// Whether what is made for it holds for an eye.
     pub fn covers(&self, eye: &ChartPoint) -> bool {
-        self.away_m(eye).is_some_and(|away_m| away_m <= CELL_M)
+        eye.hemisphere == self.hemisphere && self.distance_m(eye.pos) <= CELL_M
     }
 
     /// Whether it is a single place.
@@ -96,6 +105,10 @@ impl Way {
 
 #[cfg(test)]
 mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+    use antipode_geometry::{Geometry, strategy};
+
     use super::super::testing::Numbers;
     use super::*;
 
@@ -127,5 +140,19 @@ mod tests {
             Way::new(&from, DVec3::ZERO)
         );
         assert!(Way::new(&from, DVec3::X * 1e9).places().count() <= 8);
+    }
+
+    #[test]
+    fn a_way_is_as_far_from_an_eye_in_the_other_chart() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let rim_m = sphere.rim_m().unwrap();
+        let at = |x: f64| ChartPoint::a(DVec3::new(x, 4.0, 0.0));
+        let way = Way::new(&at(rim_m - 0.5), DVec3::ZERO);
+        let over = sphere.carry(at(rim_m + 2.0)).unwrap().point;
+        assert_eq!(over.hemisphere, Hemisphere::B);
+        let away_m = way.away_m(&*sphere, &over);
+        assert!((away_m - 2.5).abs() < 0.5, "{away_m}");
+        let antipode = ChartPoint::new(Hemisphere::B, DVec3::new(0.0, 4.0, 0.0));
+        assert!(way.away_m(&*sphere, &antipode) > rim_m);
     }
 }

@@ -1,6 +1,6 @@
 //! How far the eye goes while refinements are made: what is begun now is to hold when it is shown, and until the next.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Strategy};
 use glam::DVec3;
 
 /// An eye that goes farther than this in a frame has not gone but was put there, metres.
@@ -26,11 +26,15 @@ pub struct Lead {
 
 impl Lead {
     /// Another frame, with the eye there.
-    pub fn frame(&mut self, eye: &ChartPoint) {
+    pub fn frame(&mut self, strategy: &dyn Strategy, eye: &ChartPoint) {
         self.age += 1;
-        let last = self.last.replace(*eye);
-        let gone = last.filter(|last| last.hemisphere == eye.hemisphere);
-        let step = gone.map_or(DVec3::ZERO, |last| eye.pos - last.pos);
+        let mut last = self.last.replace(*eye);
+        if let Some(before) = last.filter(|last| last.hemisphere != eye.hemisphere) {
+            let crossing = strategy.carry(before);
+            self.step = crossing.map_or(DVec3::ZERO, |crossing| crossing.rotation() * self.step);
+            last = crossing.map(|crossing| crossing.point);
+        }
+        let step = last.map_or(DVec3::ZERO, |last| eye.pos - last.pos);
         self.step = if step.length() > LEAP_M {
             DVec3::ZERO
         } else {
@@ -71,5 +75,37 @@ impl Lead {
         }
         let way = self.step * f64::from(2 * self.took + 1);
         way.clamp_length_min(LEAST_M)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+
+    use antipode_geometry::{Geometry, strategy};
+
+    use super::*;
+
+    #[test]
+    fn who_runs_over_the_equator_is_led_on_the_same_way() {
+        let sphere = strategy(Geometry::Spherical, 32.0);
+        let rim_m = sphere.rim_m().unwrap();
+        let mut lead = Lead::default();
+        // Past the rim the way goes on in the other chart.
+        let at = |step: i32| {
+            let eye = ChartPoint::a(DVec3::new(rim_m + 0.1 * f64::from(step), 4.0, 3.0));
+            let crossing = (step >= 0).then(|| sphere.carry(eye).unwrap());
+            crossing.map_or(eye, |crossing| crossing.point)
+        };
+        lead.begin();
+        for step in -20..0 {
+            lead.frame(&*sphere, &at(step));
+        }
+        lead.end();
+        for step in 0..3 {
+            lead.frame(&*sphere, &at(step));
+            let off_m = lead.when_made(&at(step)).pos.distance(at(step + 20).pos);
+            assert!(off_m < 0.2, "{step}: {off_m} m");
+        }
     }
 }

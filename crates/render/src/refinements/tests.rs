@@ -7,7 +7,7 @@ use antipode_terrain::{Content, Field, march};
 use glam::{DVec2, DVec3, IVec3};
 
 use super::*;
-use crate::gpu::{AdapterChoice, Gpu};
+use crate::gpu::Gpu;
 use crate::plan::Planner;
 use crate::plan::testing;
 
@@ -102,13 +102,7 @@ struct Run {
 
 impl Run {
     fn begin(map: HyperbolicMap, dial: f64) -> Option<Self> {
-        let gpu = match Gpu::headless(AdapterChoice::Auto) {
-            Ok(gpu) => gpu,
-            Err(e) => {
-                assert!(std::env::var("ANTIPODE_REQUIRE_GPU").is_err(), "{e}");
-                return None;
-            }
-        };
+        let gpu = Gpu::for_test()?;
         let space = picture(Geometry::Hyperbolic, 20.0, map, false);
         let field = Field::new(4, Arc::clone(&space));
         let mut frame = testing::frame(&space);

@@ -11,7 +11,6 @@ use image::RgbaImage;
 use wgpu::TextureFormat;
 
 use super::*;
-use crate::gpu::AdapterChoice;
 use crate::offscreen::Offscreen;
 use crate::plan::testing;
 use crate::shadow::ShadowQuality;
@@ -29,16 +28,6 @@ const OPTIONS: Options = Options {
 const PATIENCE: Duration = Duration::from_mins(1);
 /// So long a map is held that nobody lets go.
 const HELD: Duration = Duration::from_secs(20);
-
-fn adapter() -> Option<Gpu> {
-    match Gpu::headless(AdapterChoice::Auto) {
-        Ok(gpu) => Some(gpu),
-        Err(e) => {
-            assert!(std::env::var("ANTIPODE_REQUIRE_GPU").is_err(), "{e}");
-            None
-        }
-    }
-}
 
 /// A renderer that makes all maps, but this one only when it is told to.
 fn holding(gpu: &Gpu, held: u32) -> (Renderer, Sender<()>) {
@@ -94,7 +83,7 @@ fn drawn_new(gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> RgbaImage {
 
 #[test]
 fn a_frame_whose_map_is_not_made_shows_the_last_picture_of_its_world_and_waits_for_nothing() {
-    let Some(gpu) = adapter() else { return };
+    let Some(gpu) = Gpu::for_test() else { return };
     let (flat, sphere) = (space(Geometry::Euclidean), space(Geometry::Spherical));
     let red = view(&flat, [0.8, 0.1, 0.1]);
     let mut blue = view(&sphere, [0.1, 0.1, 0.8]);
@@ -120,7 +109,7 @@ fn a_frame_whose_map_is_not_made_shows_the_last_picture_of_its_world_and_waits_f
 
 #[test]
 fn other_options_are_taken_when_their_pipelines_are_made_and_no_frame_is_left_out() {
-    let Some(gpu) = adapter() else { return };
+    let Some(gpu) = Gpu::for_test() else { return };
     let (mut renderer, _go) = holding(&gpu, u32::MAX);
     let red = view(&space(Geometry::Euclidean), [0.8, 0.1, 0.1]);
     let (_, before) = draw(&gpu, &mut renderer, &red);

@@ -1,6 +1,8 @@
 //! Bullets without a world.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-use antipode_geometry::{Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChunkCoord, Geometry, Hemisphere, strategy};
+use antipode_physics::TerrainCollider;
+use glam::IVec3;
 
 use super::*;
 
@@ -14,12 +16,21 @@ fn fly(
     standing: &[Standing],
     steps: usize,
 ) -> Vec<Strike> {
-    let physics = PhysicsWorld::new();
+    fly_over(space, &PhysicsWorld::new(), bullets, standing, steps)
+}
+
+fn fly_over(
+    space: &dyn Strategy,
+    physics: &PhysicsWorld,
+    bullets: &mut Projectiles,
+    standing: &[Standing],
+    steps: usize,
+) -> Vec<Strike> {
     let vehicles = Vehicles::default();
     let air = Air {
         strategy: space,
         pictured: space,
-        physics: &physics,
+        physics,
         standing,
         vehicles: &vehicles,
         in_far_ground: &|point| point.pos.y < 0.0,
@@ -54,27 +65,59 @@ fn a_bullet_falls_until_it_lands_however_long_and_room_is_made_for_the_next() {
     assert_eq!(bullets.all()[0].id, 8);
 }
 
+/// A ledge of 2 m by 2 m at the height of 300 m, and ground at that of 4 m.
+fn ledge() -> PhysicsWorld {
+    let square = |from: f32, to: f32, y: f32| {
+        [[from, from], [from, to], [to, from], [to, to]].map(|[x, z]| [x, y, z])
+    };
+    let mut world = PhysicsWorld::new();
+    for (number, positions) in [square(0.0, 2.0, 300.0), square(0.0, 32.0, 4.0)]
+        .into_iter()
+        .enumerate()
+    {
+        let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
+        let coord = ChunkCoord::new(Hemisphere::A, IVec3::splat(number as i32));
+        world.set_terrain(coord, DVec3::ZERO, Some(collider));
+    }
+    world
+}
+
 #[test]
-fn a_bullet_lies_for_five_seconds_and_one_that_never_falls_is_gone_after_some_way() {
+fn a_bullet_that_has_met_something_falls_on_and_lies_where_it_lands_for_five_seconds() {
     let space = strategy(Geometry::Euclidean, 0.0);
     let mut ecs = hecs::World::new();
-    let (by, other) = (entity(&mut ecs), entity(&mut ecs));
     let mut bullets = Projectiles::default();
-    bullets.fire(ChartPoint::a(DVec3::Y * 900.0), DVec3::X * 40.0, by);
-    let in_the_way = Standing {
-        entity: other,
-        feet: DVec3::new(12.0, 899.0, 0.0),
-        height_m: 1.8,
-        radius_m: 0.35,
-    };
-    assert_eq!(fly(&*space, &mut bullets, &[in_the_way], 60).len(), 1);
-    let met_s = bullets.all()[0].met_at_s.unwrap();
-    assert!((0.2..0.4).contains(&met_s), "{met_s}");
-    let left = ((BULLET_LIES_S + met_s) / STEP_S).round() as usize - 60;
-    fly(&*space, &mut bullets, &[], left - 1);
-    assert_eq!(bullets.all().len(), 1);
-    fly(&*space, &mut bullets, &[], 2);
-    assert!(bullets.all().is_empty());
+    let over_the_edge = DVec3::new(1.0, 301.0, 1.0);
+    bullets.fire(
+        ChartPoint::a(over_the_edge),
+        DVec3::new(2.0, -20.0, 0.0),
+        entity(&mut ecs),
+    );
+    let physics = ledge();
+    let mut landed_s = None;
+    let gone_s = (1..60 * 60)
+        .map(|step| f64::from(step) * STEP_S)
+        .find(|now_s| {
+            fly_over(&*space, &physics, &mut bullets, &[], 1);
+            let lies =
+                |bullet: &Projectile| bullet.point.pos.y < 4.1 && bullet.velocity.length() < 0.3;
+            if bullets.all().iter().any(lies) {
+                landed_s.get_or_insert(*now_s);
+            }
+            bullets.all().is_empty()
+        });
+    let landed_s = landed_s.unwrap();
+    assert!(landed_s > 7.0, "it falls for 296 m: {landed_s} s");
+    let lay_s = gone_s.unwrap() - landed_s;
+    assert!((4.5..6.0).contains(&lay_s), "{lay_s}");
+}
+
+#[test]
+fn a_bullet_that_never_falls_is_gone_after_some_way() {
+    let space = strategy(Geometry::Euclidean, 0.0);
+    let mut ecs = hecs::World::new();
+    let by = entity(&mut ecs);
+    let mut bullets = Projectiles::default();
     let eye = Eye {
         point: ChartPoint::a(DVec3::Y * 9.0),
         ..Eye::default()

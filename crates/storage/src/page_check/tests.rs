@@ -6,11 +6,14 @@
     reason = "tests fail by panicking"
 )]
 
+use std::cell::RefCell;
 use std::fs;
-use std::io::Cursor;
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
 use std::path::Path;
+use std::rc::Rc;
 use std::sync::OnceLock;
 
+use super::find::look;
 use super::pages::Pages;
 use super::whole::whole;
 use super::{Checked, Fault, u32_at};
@@ -114,6 +117,59 @@ fn real_stores_pass() {
     assert!(branches.len() > 2, "{branches:?}");
     assert!(check(&Forge::of(closed()).reseal().bytes).is_ok());
     assert_eq!(Forge::of(closed()).reseal().bytes, closed());
+}
+
+/// Notes what of a store is read.
+struct Noting {
+    store: Cursor<Vec<u8>>,
+    /// Where each read began, and its bytes.
+    reads: Rc<RefCell<Vec<(u64, usize)>>>,
+}
+
+impl Read for Noting {
+    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
+        let at = self.store.position();
+        let bytes = self.store.read(into)?;
+        self.reads.borrow_mut().push((at, bytes));
+        Ok(bytes)
+    }
+}
+
+impl Seek for Noting {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.store.seek(to)
+    }
+}
+
+/// Which reads of a store some work takes.
+fn reads<T: std::fmt::Debug>(
+    bytes: &[u8],
+    work: impl FnOnce(&mut Pages<Noting>) -> Result<T, Fault>,
+) -> Vec<(u64, usize)> {
+    let reads = Rc::default();
+    let store = Noting {
+        store: Cursor::new(bytes.to_vec()),
+        reads: Rc::clone(&reads),
+    };
+    let done = Pages::new(store).and_then(|mut pages| work(&mut pages));
+    assert!(done.is_ok(), "{done:?}");
+    reads.take()
+}
+
+/// That a long world opens soon, and many are listed soon, comes of reading no more than this.
+#[test]
+fn the_check_reads_a_page_once_and_the_list_only_the_few_that_lead_to_the_name() {
+    for store in [closed(), killed()] {
+        let mut places: Vec<_> = reads(store, whole).into_iter().map(|(at, _)| at).collect();
+        let count = places.len();
+        places.sort_unstable();
+        places.dedup();
+        assert_eq!(places.len(), count, "some are read again");
+    }
+    for store in [closed(), small(true)] {
+        let bytes: usize = reads(store, look).into_iter().map(|(_, bytes)| bytes).sum();
+        assert!(bytes <= 4 * 4096, "{bytes}");
+    }
 }
 
 #[test]

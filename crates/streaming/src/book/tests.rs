@@ -1,4 +1,4 @@
-//! The book of edits against a vault that fails.
+//! The book of edits against a disk in memory.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, OnceLock};
@@ -34,18 +34,19 @@ fn chunk(x: i32) -> ChunkCoord {
     }
 }
 
-fn enter(book: &Book, x: i32) {
+fn enter(book: &Book, x: i32) -> Land {
     let mut edits = book.edits(chunk(x), &mut Vec::new()).unwrap();
     edits.add(1, 2, 3, 0.5);
-    book.enter(vec![Change {
+    let change = Change {
         coord: chunk(x),
         edits,
         visible: true,
-    }]);
+    };
+    book.enter(vec![change]).land
 }
 
 fn save(book: &Book, disk: &Disk) {
-    let land = book.take_unsaved();
+    let land = book.unsaved();
     for (coord, edits) in &land {
         disk.0
             .lock()
@@ -90,7 +91,7 @@ fn what_is_not_saved_stays_and_so_does_everything_without_a_store() {
         enter(&bare, x);
     }
     book.forget_saved();
-    bare.take_unsaved();
+    assert!(bare.unsaved().is_empty());
     bare.forget_saved();
     assert_eq!(
         (book.held(), bare.held()),
@@ -103,21 +104,17 @@ fn what_is_on_its_way_to_the_disk_stays_in_memory_until_it_is_there() {
     let disk = Arc::new(Disk::default());
     let book = Book::new(Some(Arc::clone(&disk) as Arc<dyn Vault>), HashSet::new());
     let count = MOST_SAVED as i32 + 10;
-    for x in 0..count {
-        enter(&book, x);
-    }
-    let first = book.try_take_dirty().unwrap();
+    let first: Land = (0..count).flat_map(|x| enter(&book, x)).collect();
     assert_eq!(first.len(), count as usize);
     // The second moment has a newer edit of one of them; the first is saved meanwhile.
-    enter(&book, 0);
-    let second = book.try_take_dirty().unwrap();
+    let second = enter(&book, 0);
     assert_eq!(second.len(), 1);
     book.forget_saved();
     assert_eq!(book.held(), count as usize, "nothing is saved yet");
     book.saved(&first);
-    assert_eq!(book.take_unsaved().len(), 1, "the newer edit is not saved");
+    assert_eq!(book.unsaved().len(), 1, "the newer edit is not saved");
     book.saved(&second);
-    assert_eq!(book.take_unsaved().len(), 0);
+    assert!(book.unsaved().is_empty());
 }
 
 /// A disk on which something else happens while it is first read.

@@ -251,6 +251,29 @@ fn a_save_is_of_one_moment_however_many_strokes_are_on_their_way() {
 }
 
 #[test]
+fn digging_goes_on_while_a_save_waits_and_workers_read_the_edits() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let at = game.ground(0.0, 0.0);
+    game.edit(at, 5.0);
+    game.wait(Until::Edits);
+    {
+        let shared = game.streamer.crew.shared();
+        let _reader = shared.book.being_read();
+        game.streamer.save(Some(meta()), None);
+        game.edit(at + DVec3::X, 5.0);
+        assert!(
+            game.streamer.batch_in_flight,
+            "the stroke is with a worker, and the save is of the land before it"
+        );
+    }
+    game.wait(Until::Saved);
+    let first = memory.commits();
+    assert!(first.len() == 1 && !first[0].2.is_empty());
+    assert!(game.streamer.needs_save());
+}
+
+#[test]
 fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_the_next() {
     let memory = Arc::new(Memory::default());
     let mut game = open(&memory);

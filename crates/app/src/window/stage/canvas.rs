@@ -33,6 +33,7 @@ impl Canvas {
         shaders: Shaders,
     ) -> Result<Self, Failure> {
         let (gpu, surface) = Gpu::for_window(Box::new(display), Arc::clone(window), choice)?;
+        #[expect(clippy::disallowed_methods, reason = "no event has told it yet")]
         let size = window.inner_size();
         let most = gpu.device.limits().max_texture_dimension_2d;
         let (width, height) = (size.width.clamp(1, most), size.height.clamp(1, most));

@@ -11,7 +11,6 @@ use image::RgbaImage;
 use wgpu::TextureFormat;
 
 use super::super::*;
-use crate::gpu::AdapterChoice;
 use crate::offscreen::Offscreen;
 use crate::shaders::TERRAIN;
 use crate::shadow::ShadowQuality;
@@ -40,13 +39,7 @@ struct Easel {
 
 impl Easel {
     fn new() -> Option<Self> {
-        let gpu = match Gpu::headless(AdapterChoice::Auto) {
-            Ok(gpu) => gpu,
-            Err(e) => {
-                assert!(std::env::var("ANTIPODE_REQUIRE_GPU").is_err(), "{e}");
-                return None;
-            }
-        };
+        let gpu = Gpu::for_test()?;
         let options = Options {
             samples: 1,
             scale: 1.0,

@@ -1,0 +1,336 @@
+//! Every public function that takes numbers is held to a golden table, or excused with a reason.
+
+use super::golden::{FUNCTIONS, KERNELS};
+use super::{functions, kernels};
+
+/// Sources of the crate by module name.
+const SOURCES: &[(&str, &str)] = &[
+    ("scalar", include_str!("../../../src/scalar.rs")),
+    ("charts", include_str!("../../../src/charts.rs")),
+    ("library", include_str!("../../../src/kernel/library.rs")),
+    ("series", include_str!("../../../src/kernel/series.rs")),
+    ("linear", include_str!("../../../src/kernel/linear.rs")),
+    ("parts", include_str!("../../../src/kernel/parts.rs")),
+    (
+        "exponential",
+        include_str!("../../../src/kernel/exponential.rs"),
+    ),
+    (
+        "cylindrical",
+        include_str!("../../../src/kernel/cylindrical.rs"),
+    ),
+    ("raised", include_str!("../../../src/kernel/raised.rs")),
+    ("horizon", include_str!("../../../src/kernel/horizon.rs")),
+    ("sphere", include_str!("../../../src/kernel/sphere.rs")),
+    ("depth", include_str!("../../../src/kernel/depth.rs")),
+    ("distance", include_str!("../../../src/kernel/distance.rs")),
+    (
+        "translation",
+        include_str!("../../../src/kernel/translation.rs"),
+    ),
+    ("frame", include_str!("../../../src/kernel/frame.rs")),
+    ("Horizon", include_str!("../../../src/horizon.rs")),
+    ("Raised", include_str!("../../../src/raised.rs")),
+    ("Spherical", include_str!("../../../src/spherical.rs")),
+    ("Euclidean", include_str!("../../../src/euclidean.rs")),
+    ("Strategy", include_str!("../../../src/strategy.rs")),
+    ("Projection", include_str!("../../../src/projection.rs")),
+    ("Eye", include_str!("../../../src/eye.rs")),
+    ("SightCell", include_str!("../../../src/sight.rs")),
+    ("Frustum", include_str!("../../../src/frustum.rs")),
+    ("SpaceUniform", include_str!("../../../src/uniform.rs")),
+    ("ChartPoint", include_str!("../../../src/point.rs")),
+    ("ChunkCoord", include_str!("../../../src/chunk.rs")),
+    ("Geometry", include_str!("../../../src/kind.rs")),
+    ("real", include_str!("../../../src/real.rs")),
+    ("triangle", include_str!("../../../src/triangle.rs")),
+];
+
+/// Held by the rows of strategies.json, in tests/it/space/golden.rs: seen, un-seen, lit, measured.
+const STRATEGIES: &[&str] = &[
+    "Strategy::view_point",
+    "Strategy::chart_point",
+    "Strategy::distance_m",
+    "Strategy::eye_distance_m",
+    "Strategy::port_normal",
+    "Strategy::clip_from_view",
+    "Strategy::picture",
+    "Strategy::strategy",
+    "Projection::new",
+    "Projection::clip",
+    "Horizon::kappa",
+    "Horizon::hyperbolic",
+    "Raised::new",
+    "Spherical::new",
+    "Eye::to_view",
+    "Eye::to_chart",
+];
+
+/// Without golden rows, and why.
+const EXCUSED: &[(&str, &str)] = &[
+    (
+        "triangle::equilateral_angle_sum_rad",
+        "told in words to a tenth of a degree; beside it are its values of 40 digits",
+    ),
+    (
+        "linear::dot",
+        "one sum of products; every kernel's rows go through it",
+    ),
+    (
+        "linear::inner",
+        "one sum of products; every distance's rows go through it",
+    ),
+    ("linear::space", "drops a coordinate"),
+    (
+        "linear::along",
+        "one sum of products; every normal's rows go through it",
+    ),
+    (
+        "linear::scaled",
+        "one product; every normal's rows go through it",
+    ),
+    (
+        "linear::drawn_in",
+        "a scaling that points inside the range never meet; the fuzz tests it",
+    ),
+    (
+        "frame::product",
+        "sums of products; the composed moves of extremes.rs go through it",
+    ),
+    (
+        "linear::lacks",
+        "an exact identity: extremes.rs holds it to 1e-9 in both precisions",
+    ),
+    ("library::length_rest", "a length and nothing: extremes.rs"),
+    (
+        "series::length_rest",
+        "an exact identity: extremes.rs holds it to 2^-32 of the length",
+    ),
+    (
+        "parts::product",
+        "sums of products; the charts' rows go through it",
+    ),
+    (
+        "parts::cosine_less_one",
+        "sums of products; the horizon map's rows go through it",
+    ),
+    ("charts::inner", "one sum of products"),
+    (
+        "exponential::bend",
+        "a choice between two tested forms; the normals' rows go through it",
+    ),
+    (
+        "cylindrical::level_normal",
+        "the part of the normals' rows that two maps share",
+    ),
+    (
+        "Strategy::radius_at_m",
+        "1 over the root of a tested curvature",
+    ),
+    (
+        "Strategy::along",
+        "the inverse of eye_distance_m and chart_point: tests/it/space/picking.rs",
+    ),
+    ("Strategy::curved", "the charts' own rows, at the point"),
+    (
+        "Strategy::cross",
+        "an exact turn, a million times over: tests/it/space/crossing.rs",
+    ),
+    (
+        "Strategy::carry",
+        "an exact turn, both charts give one point: tests/it/space/crossing.rs",
+    ),
+    (
+        "Strategy::noise_point",
+        "continuity over the equator is what counts: tests/it/space/crossing.rs",
+    ),
+    ("Strategy::reference", "the eye or the pole"),
+    ("Strategy::sight_limit_m", "a constant times the radius"),
+    ("Strategy::trims", "a comparison: tests/it/space/horizon.rs"),
+    (
+        "Strategy::sight_cell",
+        "must hold what is seen, not equal it: tests/it/space/culling.rs",
+    ),
+    (
+        "Strategy::sight_cell_of",
+        "must hold the cells of what is inside: tests/it/space/culling.rs",
+    ),
+    (
+        "Strategy::viewer",
+        "view_point, bit for bit: tests/it/space/golden.rs",
+    ),
+    (
+        "Strategy::frustum",
+        "planes of the projection: tests/it/space/culling.rs",
+    ),
+    (
+        "Strategy::uniform",
+        "casts; the shader's rows on the adapter go through it",
+    ),
+    (
+        "Strategy::distance_between_views_m",
+        "Strategy::distance_m's rows go through it",
+    ),
+    ("Projection::screen", "a division"),
+    (
+        "SightCell::holds",
+        "must hold what is seen: tests/it/space/culling.rs",
+    ),
+    (
+        "SightCell::turn",
+        "brings an angle to a half turn: tests/it/space/culling.rs",
+    ),
+    ("SightCell::square", "a sum: tests/it/space/culling.rs"),
+    ("SightCell::of_box", "a bound: tests/it/space/culling.rs"),
+    (
+        "SightCell::slope_range",
+        "a bound: tests/it/space/culling.rs",
+    ),
+    (
+        "SightCell::new",
+        "constants of an axis: tests/it/space/culling.rs",
+    ),
+    ("SightCell::cell", "a bound: tests/it/space/culling.rs"),
+    (
+        "SightCell::cell_of_box",
+        "a bound: tests/it/space/culling.rs",
+    ),
+    (
+        "Frustum::new",
+        "planes of the projection: tests/it/space/culling.rs",
+    ),
+    (
+        "Frustum::cell_seen",
+        "a decision: tests/it/space/culling.rs",
+    ),
+    (
+        "SpaceUniform::new",
+        "casts; the shader's rows on the adapter go through it",
+    ),
+    (
+        "SpaceUniform::level",
+        "casts; the shader's rows on the adapter go through it",
+    ),
+    ("Euclidean::rotation", "the eye's axes: Eye::to_view"),
+    (
+        "ChunkCoord::containing",
+        "a whole number: its own unit tests",
+    ),
+    ("ChartPoint::new", "no arithmetic"),
+    ("ChartPoint::a", "no arithmetic"),
+    ("ChartPoint::moved", "one sum"),
+    (
+        "ChartPoint::turn_vector",
+        "a rotation: tests/it/space/crossing.rs",
+    ),
+];
+
+/// Types that carry numbers in a signature.
+const NUMBERS: &[&str] = &[
+    "f64",
+    "f32",
+    "T",
+    "Self",
+    "DVec3",
+    "DVec4",
+    "ChartPoint",
+    "Eye",
+];
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_alphanumeric() && c != '_')
+}
+
+/// Functions of a module that take numbers: name and arguments up to the closing bracket. Of the
+/// trait, its methods too.
+fn public_functions(module: &str, source: &str) -> Vec<String> {
+    let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut out = Vec::new();
+    for line_start in code.match_indices("fn ").map(|(at, _)| at) {
+        let before = code[..line_start]
+            .rsplit('\n')
+            .next()
+            .unwrap_or_default()
+            .trim();
+        let method =
+            module == "Strategy" && before.is_empty() && code[line_start..].contains("&self");
+        if !before.starts_with("pub") && !method {
+            continue;
+        }
+        let rest = &code[line_start + 3..];
+        let name = rest.split(['(', '<']).next().unwrap_or_default();
+        let open = rest.find('(').unwrap();
+        let close = open + rest[open..].find(") ").unwrap_or_default();
+        let arguments = rest[open..close].replace("&self", "").replace("self", "");
+        if words(&arguments).any(|word| NUMBERS.contains(&word)) && !name.contains(' ') {
+            out.push(format!("{module}::{name}"));
+        }
+    }
+    out
+}
+
+#[test]
+fn every_public_function_of_numbers_is_held_or_excused() {
+    let tables = functions::checks().into_iter().chain(kernels::checks());
+    let held: Vec<&str> = tables
+        .flat_map(|check| check.covers.iter().copied())
+        .collect();
+    let excused = |name: &str| EXCUSED.iter().any(|(excused, _)| *excused == name);
+    let mut all = Vec::new();
+    for (module, source) in SOURCES {
+        all.extend(public_functions(module, source));
+    }
+    let missing: Vec<&String> = all
+        .iter()
+        .filter(|name| {
+            !held.contains(&name.as_str()) && !STRATEGIES.contains(&name.as_str()) && !excused(name)
+        })
+        .collect();
+    assert!(missing.is_empty(), "neither held nor excused: {missing:?}");
+    // A list that names what is gone would excuse whatever takes the name next.
+    let known = |name: &str| all.iter().any(|other| other == name);
+    let gone: Vec<&str> = held
+        .iter()
+        .copied()
+        .chain(STRATEGIES.iter().copied())
+        .chain(EXCUSED.iter().map(|(name, _)| *name))
+        .filter(|name| !known(name))
+        .collect();
+    assert!(gone.is_empty(), "listed, but not in the sources: {gone:?}");
+}
+
+#[test]
+fn every_golden_table_is_read_by_a_check() {
+    let names: Vec<&str> = functions::checks()
+        .iter()
+        .chain(&kernels::checks())
+        .map(|check| check.table)
+        .collect();
+    for text in [FUNCTIONS, KERNELS] {
+        for line in text.lines().filter(|line| line.ends_with(": [")) {
+            let name = line.trim_end_matches(": [").trim_matches('"');
+            assert!(names.contains(&name), "{name} is read by nothing");
+        }
+    }
+}
+
+#[test]
+fn every_source_file_is_looked_at() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = 0;
+    for folder in [root.clone(), root.join("kernel")] {
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            // Lists of modules hold no functions.
+            if path.is_file() && name != "lib.rs" && name != "mod.rs" {
+                files += 1;
+            }
+        }
+    }
+    assert_eq!(
+        files,
+        SOURCES.len(),
+        "a file of src is missing from the list"
+    );
+}

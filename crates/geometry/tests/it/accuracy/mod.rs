@@ -1,0 +1,10 @@
+//! How exact the kernels are: against golden files, at branches, at the extremes, and bit for bit.
+
+mod branches;
+mod coverage;
+mod extremes;
+mod functions;
+mod golden;
+mod kernels;
+mod repeatable;
+mod stale;

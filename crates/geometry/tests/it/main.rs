@@ -1,0 +1,10 @@
+//! What must hold of the mathematics of curved spaces.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    reason = "tests fail by panicking"
+)]
+
+mod accuracy;
+mod space;

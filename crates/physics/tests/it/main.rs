@@ -1,0 +1,15 @@
+//! What must hold of walking, driving and flying on any ground.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "tests fail by panicking"
+)]
+
+mod air;
+mod common;
+mod equator;
+mod vehicle;
+mod walking;
+mod wander;
+mod world;

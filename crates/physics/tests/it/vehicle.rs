@@ -1,0 +1,461 @@
+//! What a driver notices of a vehicle on known ground: springs, driving, braking, steering, rolling over and standing up.
+
+use crate::common::{STEP_S, Soup, bumps, plain};
+use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehicleTuning, Vehicles};
+use glam::{DQuat, DVec3, IVec3, Vec3};
+
+struct Driver {
+    world: PhysicsWorld,
+    vehicles: Vehicles,
+}
+
+impl Driver {
+    fn at(world: PhysicsWorld, place: DVec3) -> Self {
+        let mut vehicles = Vehicles::default();
+        vehicles.add(VehicleMotion {
+            place,
+            ..VehicleMotion::default()
+        });
+        Self { world, vehicles }
+    }
+
+    /// On a plain, at rest.
+    fn rested() -> Self {
+        let mut driver = Self::at(plain().world(), DVec3::Y * 0.3);
+        driver.steps(120, VehicleInput::default());
+        driver
+    }
+
+    fn step(&mut self, input: VehicleInput) {
+        self.vehicles.step(&self.world, &[Some(input)], STEP_S);
+    }
+
+    fn steps(&mut self, count: usize, input: VehicleInput) {
+        for _ in 0..count {
+            self.step(input);
+        }
+    }
+
+    fn motion(&self) -> VehicleMotion {
+        self.vehicles.all()[0].motion()
+    }
+
+    fn contacts(&self) -> usize {
+        let wheels = self.vehicles.all()[0].wheels();
+        wheels.iter().filter(|wheel| wheel.contact).count()
+    }
+}
+
+fn ahead() -> VehicleInput {
+    VehicleInput {
+        throttle: 1.0,
+        ..VehicleInput::default()
+    }
+}
+
+fn never(_: DVec3) -> bool {
+    false
+}
+
+#[test]
+fn at_rest_it_stands_on_four_wheels_with_its_springs_pushed_in() {
+    let driver = Driver::rested();
+    let motion = driver.motion();
+    assert_eq!(driver.contacts(), 4);
+    assert!(motion.velocity.length() < 0.01, "{motion:?}");
+    assert!(motion.place.y.abs() < 0.02, "the tyres touch: {motion:?}");
+    assert!(motion.up().y > 0.9999);
+    let droop_m = driver.vehicles.tuning().droop_m;
+    for wheel in driver.vehicles.all()[0].wheels() {
+        assert!((wheel.compression_m - droop_m).abs() < 0.02, "{wheel:?}");
+        assert!((wheel.hub.y - 0.36).abs() < 0.02, "{wheel:?}");
+    }
+}
+
+#[test]
+fn a_drop_pushes_the_springs_in_and_they_swing_out() {
+    let mut driver = Driver::at(plain().world(), DVec3::Y * 0.6);
+    let (mut most_m, mut least_after_m) = (0.0f64, f64::MAX);
+    for _ in 0..180 {
+        driver.step(VehicleInput::default());
+        let now_m = driver.vehicles.all()[0].wheels()[0].compression_m;
+        if now_m < most_m - 0.01 {
+            least_after_m = least_after_m.min(now_m);
+        }
+        most_m = most_m.max(now_m);
+    }
+    let droop_m = driver.vehicles.tuning().droop_m;
+    assert!(most_m > droop_m + 0.05, "{most_m}");
+    assert!(least_after_m < droop_m - 0.005, "{least_after_m}");
+    assert!(driver.motion().velocity.length() < 0.02);
+}
+
+#[test]
+fn it_drives_straight_reaches_its_speed_and_sprint_doubles() {
+    let after_s = |seconds: usize, boost: bool| {
+        let mut driver = Driver::rested();
+        driver.steps(60 * seconds, VehicleInput { boost, ..ahead() });
+        driver.motion()
+    };
+    let slow = after_s(1, false);
+    assert!((6.5..8.5).contains(&slow.speed_m_s()), "{slow:?}");
+    // All four wheels pull, but the front ones have less load the harder they do.
+    let ratio = after_s(1, true).speed_m_s() / slow.speed_m_s();
+    assert!((1.5..2.1).contains(&ratio), "{ratio}");
+    let fast = after_s(4, false);
+    assert!((13.5..15.5).contains(&fast.speed_m_s()), "{fast:?}");
+    assert!(fast.place.z.abs() < 0.05 && fast.up().y > 0.995);
+    let hurried = after_s(3, true);
+    assert!((24.0..31.0).contains(&hurried.speed_m_s()), "{hurried:?}");
+}
+
+#[test]
+fn the_brake_stops_it_and_the_other_pedal_reverses() {
+    let mut driver = Driver::rested();
+    driver.steps(180, ahead());
+    let (from, speed) = (driver.motion().place.x, driver.motion().speed_m_s());
+    let brake = VehicleInput {
+        brake: true,
+        ..VehicleInput::default()
+    };
+    let mut steps = 0;
+    while driver.motion().speed_m_s() > 0.1 {
+        driver.step(brake);
+        assert!(driver.vehicles.all()[0].brakes());
+        steps += 1;
+        assert!(steps < 240, "{:?}", driver.motion());
+    }
+    let way_m = driver.motion().place.x - from;
+    let wanted_m = speed * speed / (2.0 * driver.vehicles.tuning().brake_m_s2);
+    assert!(way_m < 1.6 * wanted_m, "{way_m} {wanted_m}");
+    driver.steps(
+        120,
+        VehicleInput {
+            throttle: -1.0,
+            ..VehicleInput::default()
+        },
+    );
+    let back = driver.motion().speed_m_s();
+    assert!((-7.5..-4.0).contains(&back), "{back}");
+    assert!(!driver.vehicles.all()[0].brakes());
+}
+
+#[test]
+fn let_go_on_the_level_it_slows_down_by_itself_without_brake_lights() {
+    let mut driver = Driver::rested();
+    let rolling = VehicleMotion {
+        velocity: DVec3::X * 14.0,
+        ..driver.motion()
+    };
+    driver.vehicles.set_motion(0, rolling);
+    for _ in 0..300 {
+        driver.step(VehicleInput::default());
+        assert!(!driver.vehicles.all()[0].brakes());
+    }
+    let motion = driver.motion();
+    assert!(
+        motion.speed_m_s() < 2.0 && motion.up().y > 0.995,
+        "{motion:?}"
+    );
+}
+
+#[test]
+fn it_turns_to_the_side_that_is_steered_to_and_stays_on_its_wheels() {
+    for (steer, side) in [(1.0, 1.0), (-1.0, -1.0)] {
+        let mut driver = Driver::rested();
+        driver.steps(120, ahead());
+        driver.steps(90, VehicleInput { steer, ..ahead() });
+        let motion = driver.motion();
+        assert!(motion.place.z * side > 2.0, "{motion:?}");
+        assert!(motion.ahead().z * side > 0.3, "{motion:?}");
+        assert!(motion.up().y > 0.95, "{motion:?}");
+    }
+}
+
+fn parked() -> VehicleInput {
+    VehicleInput {
+        parked: true,
+        ..VehicleInput::default()
+    }
+}
+
+/// On ground that rises by so much for each metre along x, turned by so many degrees, held by its brake for 3 s.
+fn held_on_a_slope(rise: f32, degrees: f64, input: VehicleInput) -> Driver {
+    let mut soup = Soup::default();
+    soup.field(-32, 32, |x, _| rise * x);
+    let mut driver = Driver::at(soup.world(), DVec3::Y * 0.6);
+    let turn = DQuat::from_rotation_y(degrees.to_radians());
+    let motion = driver.motion();
+    driver
+        .vehicles
+        .set_motion(0, VehicleMotion { turn, ..motion });
+    driver.steps(180, input);
+    driver
+}
+
+#[test]
+fn parked_on_a_slope_it_stays_and_sleeps() {
+    for (rise, degrees) in [(0.0, 0.0), (0.4, 0.0), (0.4, 90.0), (0.7, 0.0), (0.7, 60.0)] {
+        let driver = held_on_a_slope(rise, degrees, parked());
+        assert!(
+            driver.vehicles.all()[0].is_asleep(),
+            "{rise} {degrees}: {:?}",
+            driver.motion()
+        );
+    }
+}
+
+#[test]
+fn who_sits_in_it_on_a_slope_without_a_foot_on_a_pedal_does_not_creep_down() {
+    for degrees in [0.0, 45.0, 90.0, 180.0] {
+        let mut driver = held_on_a_slope(0.4, degrees, VehicleInput::default());
+        let before = driver.motion().place;
+        driver.steps(1200, VehicleInput::default());
+        let way_m = driver.motion().place.distance(before);
+        assert!(way_m < 0.005, "{degrees}: {way_m} m in 20 s");
+        assert!(!driver.vehicles.all()[0].brakes());
+    }
+}
+
+#[test]
+fn two_parked_ones_that_touch_on_a_slope_or_lie_on_one_another_come_to_rest() {
+    for rise in [0.0f32, 0.3, 0.6] {
+        for up_m in [0.6, 1.9] {
+            let mut driver = held_on_a_slope(rise, 90.0, parked());
+            let beside = DVec3::new(1.5, 1.5 * f64::from(rise) + up_m, 0.6);
+            let place = driver.motion().place + beside;
+            driver.vehicles.add(VehicleMotion {
+                place,
+                ..VehicleMotion::default()
+            });
+            for _ in 0..600 {
+                driver
+                    .vehicles
+                    .step(&driver.world, &[Some(parked()); 2], STEP_S);
+            }
+            let all = driver.vehicles.all();
+            assert!(
+                all.iter().all(antipode_physics::Vehicle::is_asleep),
+                "{rise} {up_m}: {all:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn on_its_roof_it_lies_and_is_set_upright_with_its_heading() {
+    let mut driver = Driver::at(plain().world(), DVec3::Y * 2.2);
+    let heading = 0.7f64;
+    let turn = DQuat::from_rotation_y(-heading) * DQuat::from_rotation_x(2.9);
+    driver.vehicles.set_motion(
+        0,
+        VehicleMotion {
+            place: DVec3::Y * 2.2,
+            turn,
+            ..VehicleMotion::default()
+        },
+    );
+    driver.steps(240, ahead());
+    assert!(driver.motion().up().y < -0.3, "{:?}", driver.motion());
+    assert_eq!(driver.contacts(), 0);
+    let lies = driver.motion();
+    let upright = driver.vehicles.upright(0, &driver.world, &never).unwrap();
+    driver.vehicles.set_motion(0, upright);
+    driver.steps(120, VehicleInput::default());
+    let stands = driver.motion();
+    assert!(
+        stands.up().y > 0.999 && driver.contacts() == 4,
+        "{stands:?}"
+    );
+    let level = |motion: &VehicleMotion| motion.ahead().with_y(0.0).normalize();
+    assert!(level(&lies).dot(level(&stands)) > 0.999);
+    assert!((stands.place - lies.place).with_y(0.0).length() < 1.0);
+}
+
+/// How upright it is at worst over a ramp under its right-hand wheels, as high and as steep (rise for each metre).
+fn least_up_over_a_ramp(height_m: f32, steep: f32, boost: bool) -> f64 {
+    let mut soup = Soup::default();
+    soup.field(-64, 64, |x, z| {
+        if z > 0.0 {
+            (steep * x).clamp(0.0, height_m)
+        } else {
+            0.0
+        }
+    });
+    let mut driver = Driver::at(soup.world(), DVec3::new(-40.0, 0.3, 0.0));
+    let mut least_up = 1.0f64;
+    for _ in 0..360 {
+        driver.step(VehicleInput { boost, ..ahead() });
+        least_up = least_up.min(driver.motion().up().y);
+    }
+    least_up
+}
+
+#[test]
+fn a_ramp_under_one_side_rolls_it_over_at_a_sprint_and_not_at_its_usual_speed() {
+    for steep in [0.35, 0.7] {
+        for height_m in [1.0, 1.5, 2.0, 2.5, 3.0, 3.5] {
+            let hurried = least_up_over_a_ramp(height_m, steep, true);
+            assert!(hurried < 0.0, "{height_m} m, {steep}: {hurried}");
+            let usual = least_up_over_a_ramp(height_m, steep, false);
+            assert!(usual > 0.4, "{height_m} m, {steep}: {usual}");
+        }
+        let kerb = least_up_over_a_ramp(0.25, steep, true);
+        assert!(kerb > 0.9, "{kerb}");
+    }
+}
+
+/// How far from upright it is 5 s after it was let go at that lean on a plain with somebody in it, in degrees.
+fn ends_leaning_deg(lean_deg: f64) -> f64 {
+    let lean = lean_deg.to_radians();
+    let mut driver = Driver::at(plain().world(), DVec3::Y);
+    let motion = VehicleMotion {
+        place: DVec3::Y * (0.75 * lean.sin() + 0.02),
+        turn: DQuat::from_rotation_x(lean),
+        ..VehicleMotion::default()
+    };
+    driver.vehicles.set_motion(0, motion);
+    driver.steps(300, VehicleInput::default());
+    driver.motion().up().y.acos().to_degrees()
+}
+
+#[test]
+fn what_leans_falls_back_on_its_wheels_and_what_lies_on_its_side_does_not_get_up() {
+    for lean_deg in [30.0, 45.0, 60.0] {
+        let ends = ends_leaning_deg(lean_deg);
+        assert!(ends < 2.0, "{lean_deg}: {ends}");
+    }
+    for lean_deg in [75.0, 82.0, 90.0] {
+        let ends = ends_leaning_deg(lean_deg);
+        assert!(ends > 60.0, "{lean_deg}: {ends}");
+    }
+}
+
+#[test]
+fn over_rough_ground_it_drives_on_and_never_falls_through() {
+    let mut soup = Soup::default();
+    soup.march(IVec3::new(-40, -5, -40), IVec3::new(40, 5, 40), bumps);
+    let mut driver = Driver::at(soup.world(), DVec3::new(0.0, 2.0, 0.0));
+    driver.steps(60, VehicleInput::default());
+    let from = driver.motion().place;
+    let (mut farthest_m, mut lowest) = (0.0f64, f64::MAX);
+    for step in 0..1200 {
+        // Round and round, so that it stays on the patch.
+        let steer = if step % 400 < 100 { 0.3 } else { 1.0 };
+        driver.step(VehicleInput { steer, ..ahead() });
+        let at = driver.motion().place;
+        farthest_m = farthest_m.max(at.distance(from));
+        let middle = driver.vehicles.middle(0).unwrap().as_vec3();
+        lowest = lowest.min(f64::from(bumps(middle)));
+    }
+    assert!(farthest_m > 8.0, "{farthest_m}");
+    assert!(lowest > 0.0, "its middle stays above the ground: {lowest}");
+}
+
+#[test]
+fn however_fast_it_falls_it_does_not_pass_the_ground() {
+    let mut driver = Driver::at(plain().world(), DVec3::Y * 30.0);
+    driver.vehicles.set_motion(
+        0,
+        VehicleMotion {
+            place: DVec3::Y * 30.0,
+            velocity: DVec3::NEG_Y * 55.0,
+            turn: DQuat::from_rotation_z(0.5),
+            ..VehicleMotion::default()
+        },
+    );
+    driver.step(VehicleInput::default());
+    let mut jolt = 0.0f64;
+    for _ in 0..300 {
+        driver.step(VehicleInput::default());
+        jolt = jolt.max(driver.vehicles.all()[0].jolt_m_s());
+        let middle = driver.vehicles.middle(0).unwrap();
+        assert!(middle.y > 0.2, "{middle}");
+    }
+    assert!(jolt > 8.0, "such a fall is felt: {jolt}");
+}
+
+#[test]
+fn the_same_inputs_give_the_same_bits_and_far_from_the_origin_nearly_the_same() {
+    let run = |origin: DVec3| {
+        let mut soup = Soup::default();
+        soup.field(-60, 60, |x, z| 0.4 * (0.5 * x).sin() * (0.4 * z).cos());
+        let mut driver = Driver::at(soup.world_at(origin), origin + DVec3::Y);
+        for step in 0..300 {
+            let steer = if step > 100 { 0.5 } else { 0.0 };
+            driver.step(VehicleInput { steer, ..ahead() });
+        }
+        let motion = driver.motion();
+        (motion.place - origin, motion.velocity)
+    };
+    let (here, again) = (run(DVec3::ZERO), run(DVec3::ZERO));
+    assert_eq!(here, again);
+    let far = run(DVec3::new(32e6, 0.0, -64e6));
+    assert!(here.0.distance(far.0) < 1e-3, "{here:?} {far:?}");
+}
+
+#[test]
+fn without_ground_it_is_held_where_it_is() {
+    let mut driver = Driver::at(PhysicsWorld::new(), DVec3::Y * 5.0);
+    for _ in 0..60 {
+        driver.vehicles.step(&driver.world, &[None], STEP_S);
+    }
+    assert_eq!(driver.motion().place, DVec3::Y * 5.0);
+    driver.steps(30, VehicleInput::default());
+    assert!(driver.motion().place.y < 4.5);
+}
+
+#[test]
+fn a_push_moves_a_sleeper_and_one_vehicle_pushes_another() {
+    let mut driver = Driver::rested();
+    driver.steps(180, parked());
+    assert!(driver.vehicles.all()[0].is_asleep());
+    driver
+        .vehicles
+        .push(0, DVec3::new(0.0, 0.8, -0.7), DVec3::Z * 2700.0);
+    assert!(driver.motion().velocity.z > 1.0, "{:?}", driver.motion());
+    driver.steps(240, parked());
+    let at = driver.motion().place;
+    let other = driver.vehicles.add(VehicleMotion {
+        place: at + DVec3::new(8.0, 0.3, 0.0),
+        ..VehicleMotion::default()
+    });
+    let world = &driver.world;
+    for _ in 0..240 {
+        driver
+            .vehicles
+            .step(world, &[Some(ahead()), Some(parked())], STEP_S);
+    }
+    let pushed = driver.vehicles.all()[other].motion().place - at;
+    assert!(pushed.x > 8.5, "{pushed}");
+}
+
+#[test]
+fn what_characters_meet_is_its_body() {
+    let driver = Driver::rested();
+    let vehicles = &driver.vehicles;
+    let (share, number) = vehicles
+        .meets(DVec3::new(-5.0, 0.6, 0.0), DVec3::new(5.0, 0.6, 0.0), 0.06)
+        .unwrap();
+    assert_eq!(number, 0);
+    assert!((share - 0.342).abs() < 0.02, "{share}");
+    let over = vehicles.meets(DVec3::new(-5.0, 1.7, 0.0), DVec3::new(5.0, 1.7, 0.0), 0.06);
+    assert!(over.is_none());
+    let touches = |x: f64| vehicles.touches_capsule(0, DVec3::new(x, 0.0, 0.0), 1.8, 0.35, 0.1);
+    assert!(touches(1.9).is_some_and(|(away, _)| away.x > 0.99));
+    assert!(touches(2.1).is_none());
+    let mut world = plain().world();
+    world.set_obstacles(vehicles.obstacles());
+    assert!(world.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
+    assert!(!world.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
+    let mut walker = crate::common::Walker::at(&world, 5.0, 0.0, 0.0);
+    walker.steps(180, crate::common::go(-1.0, 0.0));
+    assert!((1.7..2.2).contains(&walker.feet().x), "{}", walker.feet());
+}
+
+#[test]
+fn the_tuning_is_that_of_the_model() {
+    let tuning = VehicleTuning::default();
+    assert!((tuning.wheelbase_m() - 1.98).abs() < 1e-9);
+    assert_eq!(Vec3::splat(0.36).x, tuning.wheel_radius_m as f32);
+}

@@ -1,0 +1,199 @@
+//! The light of a lamp on a wall does not depend on where in a closed world they stand.
+
+use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use crate::common::{Studio, frame, noon, space};
+use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
+use antipode_scene::frame::{ChunkChange, Frame, LampLight, Lights, Sky};
+use antipode_terrain::{ChunkMesh, Vertex};
+use glam::{DVec2, DVec3, DVec4};
+use image::RgbaImage;
+
+const SIZE: (u32, u32) = (160, 90);
+const ASPECT: f64 = 16.0 / 9.0;
+/// Distance of the wall, half its side, and the side of the squares it is made of, metres.
+const WALL_M: f64 = 4.0;
+const HALF_M: f64 = 2.5;
+const SQUARE_M: f64 = 0.25;
+/// The lamp from the eye, metres: to the right, up and ahead.
+const LAMP_M: DVec3 = DVec3::new(0.6, 0.5, 2.4);
+
+/// The point of view coordinates reached from the eye along `way`, metres, by a geodesic.
+fn seen(space: &dyn Strategy, way: DVec3) -> DVec4 {
+    let (radius_m, length) = (space.radius_m(), way.length());
+    let (sin, cos) = (length / radius_m).sin_cos();
+    (way / length * radius_m * sin).extend(cos)
+}
+
+/// A place of the flat wall straight ahead, `at` metres to the right and up of its middle.
+fn on_wall(space: &dyn Strategy, eye: &Eye, at: DVec2) -> ChartPoint {
+    let radius_m = space.radius_m();
+    let middle = seen(space, DVec3::NEG_Z * WALL_M);
+    let length = at.length().max(1e-9);
+    let (sin, cos) = (length / radius_m).sin_cos();
+    let aside = at.extend(0.0) / length * radius_m * sin;
+    space.chart_point(
+        eye,
+        (middle.truncate() * cos + aside).extend(middle.w * cos),
+    )
+}
+
+/// The same place in the given chart.
+fn carried(space: &dyn Strategy, point: ChartPoint, hemisphere: Hemisphere) -> DVec3 {
+    if point.hemisphere == hemisphere {
+        point.pos
+    } else {
+        space.carry(point).unwrap().point.pos
+    }
+}
+
+/// The wall as meshes: in each chart whatever of it lies there, by chunks.
+fn wall(space: &dyn Strategy, eye: &Eye) -> Vec<ChunkChange> {
+    let mut meshes: BTreeMap<ChunkCoord, ChunkMesh> = BTreeMap::new();
+    let squares = (2.0 * HALF_M / SQUARE_M) as i32;
+    let place =
+        |i: i32, j: i32| DVec2::new(f64::from(i), f64::from(j)) * SQUARE_M - DVec2::splat(HALF_M);
+    for (i, j) in (0..squares).flat_map(|i| (0..squares).map(move |j| (i, j))) {
+        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| place(i, j));
+        let points = corners.map(|at| on_wall(space, eye, at));
+        for hemisphere in [Hemisphere::A, Hemisphere::B] {
+            if points.iter().all(|point| point.hemisphere != hemisphere) {
+                continue;
+            }
+            let chart = |at: DVec2| carried(space, on_wall(space, eye, at), hemisphere);
+            let at = corners.map(chart);
+            let middle = at.iter().sum::<DVec3>() / 4.0;
+            let coord = ChunkCoord::containing(ChartPoint::new(hemisphere, middle));
+            let mesh = meshes.entry(coord).or_default();
+            let first = mesh.vertices.len() as u32;
+            for (corner, pos) in corners.iter().zip(at) {
+                // A covector of the chart: square to what leads along the wall there.
+                let step = 1e-3;
+                let right = chart(*corner + DVec2::X * step) - pos;
+                let up = chart(*corner + DVec2::Y * step) - pos;
+                let normal = right.cross(up).normalize();
+                let local = (pos - coord.origin()).as_vec3();
+                mesh.vertices
+                    .push(Vertex::new(local, normal.as_vec3(), [200, 200, 200]));
+            }
+            mesh.indices
+                .extend([0, 1, 2, 0, 2, 3].map(|index| first + index));
+        }
+    }
+    meshes
+        .into_iter()
+        .map(|(coord, mesh)| ChunkChange::Put(coord, Arc::new(mesh)))
+        .collect()
+}
+
+/// Linear light of a level of the display, as the filmic curve and the sRGB curve make it; by bisection.
+fn light(level: f64) -> f64 {
+    let shown = |light: f64| {
+        let x = light * 0.86;
+        let filmic = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+        255.0 * (1.055 * filmic.max(0.003_130_8).powf(1.0 / 2.4) - 0.055)
+    };
+    let (mut low, mut high) = (0.0, 16.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if shown(middle) < level {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low
+}
+
+/// How much brighter the lamp makes the middle of the wall, and how much what is about it.
+fn brightening(studio: &mut Studio, space: &Arc<dyn Strategy>, eye: Eye) -> [f64; 2] {
+    let empty = frame(space, eye.point, ASPECT);
+    let dark = Sky {
+        key_colour: [0.0; 3],
+        ambient_sky: [1.4; 3],
+        ambient_ground: [1.4; 3],
+        orbs: None,
+        ..noon()
+    };
+    let mut frame = Frame {
+        eye,
+        sky: Sky {
+            dome: false,
+            ..dark
+        },
+        fog_distance_m: 1e6,
+        chunk_changes: wall(&**space, &eye),
+        ..empty
+    };
+    let bare = studio.picture(&frame);
+    frame.chunk_changes.clear();
+    let way = DVec3::new(LAMP_M.x, LAMP_M.y, -LAMP_M.z);
+    frame.lights = Lights {
+        lamps: vec![LampLight {
+            point: space.chart_point(&eye, seen(&**space, way)),
+            colour: [1.0; 3],
+            range_m: 12.0,
+        }],
+        beams: Vec::new(),
+    };
+    let lit = studio.picture(&frame);
+    let ratio = |columns: std::ops::Range<u32>| {
+        let mut sum = 0.0;
+        let pixels = || columns.clone().flat_map(|x| (35..55).map(move |y| (x, y)));
+        let level = |picture: &RgbaImage, (x, y)| light(f64::from(picture.get_pixel(x, y).0[1]));
+        for pixel in pixels() {
+            sum += level(&lit, pixel) / level(&bare, pixel);
+        }
+        sum / pixels().count() as f64
+    };
+    [ratio(70..90), ratio(105..115)]
+}
+
+#[test]
+fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let space = space(Geometry::Spherical);
+    let (rim_m, height_m) = (space.rim_m().unwrap(), 0.3 * space.radius_m());
+    let eye = |hemisphere, angle: f64, level_m: f64, yaw: f64| Eye {
+        point: ChartPoint::new(
+            hemisphere,
+            DVec3::new(level_m * angle.cos(), height_m, level_m * angle.sin()),
+        ),
+        yaw,
+        pitch: 0.0,
+        roll: 0.0,
+        dial: 0.0,
+        lift_m: 0.0,
+    };
+    // The height shrinks ways on the ground, so the equator is a little nearer than it is in the chart.
+    let ground = 0.3f64.cos();
+    let places = [
+        ("the centre of A", eye(Hemisphere::A, 0.0, 0.0, 0.3)),
+        ("the centre of B", eye(Hemisphere::B, 0.0, 0.0, -1.2)),
+        (
+            "aslant over the equator",
+            eye(Hemisphere::A, 0.9, rim_m - 4.0 / ground, 0.9 + 0.5),
+        ),
+        (
+            "the lamp in A, the wall in B",
+            eye(Hemisphere::A, -2.0, rim_m - 3.2 / ground, -2.0),
+        ),
+        (
+            "along the equator",
+            eye(Hemisphere::B, 0.4, rim_m - 0.3, 0.4 + FRAC_PI_2),
+        ),
+    ];
+    let found = places.map(|(name, eye)| (name, brightening(&mut studio, &space, eye)));
+    let [middle, aside] = found[0].1;
+    assert!(middle > 1.8 && aside > 1.05 && aside < middle, "{found:?}");
+    for (name, [there, beside]) in &found {
+        for (here, there) in [(middle, there), (aside, beside)] {
+            let off = there / here - 1.0;
+            assert!(off.abs() < 0.01, "{name}: {there} and not {here}");
+        }
+    }
+}

@@ -1,0 +1,24 @@
+//! What must hold of pictures.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+mod dark_lines;
+mod digging;
+mod figures;
+mod lamps;
+mod levels;
+mod lost;
+mod outlines;
+mod overhead;
+mod pictures;
+mod plan;
+mod shadows;
+mod sky;
+mod spaces;
+mod sun_rays;
+mod tiles;

@@ -1,0 +1,44 @@
+//! Worlds for the tests of the scene.
+#![allow(dead_code, reason = "a test with a program of its own uses a part")]
+
+pub mod cars;
+pub mod figures;
+
+use std::time::Duration;
+
+use antipode_geometry::Geometry;
+use antipode_scene::{Actions, Scene, WorldSetup};
+
+/// Far more than any test needs; it only ends a test that would hang.
+pub const LIMIT: Duration = Duration::from_mins(2);
+
+/// What a test world is.
+pub fn setup(geometry: Geometry) -> WorldSetup {
+    let radius_m = if geometry == Geometry::Spherical {
+        32.0
+    } else {
+        20.0
+    };
+    WorldSetup {
+        name: "Test".to_owned(),
+        seed: 3,
+        geometry,
+        radius_m,
+        view_distance: 2,
+    }
+}
+
+/// A world that is not kept, its ground loaded.
+pub fn scene(geometry: Geometry) -> Scene {
+    let mut scene = Scene::open(setup(geometry), None).unwrap();
+    assert!(scene.wait_for_step(LIMIT));
+    scene
+}
+
+/// Steps as a script makes them.
+pub fn steps(scene: &mut Scene, count: usize, actions: &Actions) {
+    for _ in 0..count {
+        scene.step(actions);
+        assert!(scene.wait_for_step(LIMIT));
+    }
+}

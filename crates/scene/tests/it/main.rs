@@ -1,0 +1,26 @@
+//! What must hold of a world and its rules, step by step.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "tests fail by panicking"
+)]
+
+mod bodies;
+mod car;
+mod car_equator;
+mod car_fallen;
+mod car_view;
+mod common;
+mod contact;
+mod drops;
+mod gun;
+mod hit_shapes;
+mod hours;
+mod npc;
+mod npc_peace;
+mod round;
+mod saving;
+mod sounds;
+mod survey;
+mod view;

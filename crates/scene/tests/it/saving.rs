@@ -1,0 +1,365 @@
+//! A world on disk: what is told of a save, of one that fails, and of one that is damaged.
+#![cfg(unix)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::common::{LIMIT, setup, steps};
+use antipode_geometry::Geometry;
+use antipode_scene::{Actions, Scene};
+use antipode_storage::{
+    Batch, CarRecord, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore,
+};
+use tempfile::TempDir;
+
+/// A kept world that can be moved away so that its commits fail, and back.
+struct Kept {
+    dir: TempDir,
+}
+
+impl Kept {
+    fn new() -> (Self, Scene) {
+        let kept = Self {
+            dir: tempfile::tempdir().unwrap(),
+        };
+        let setup = setup(Geometry::Euclidean);
+        let store = WorldStore::create(&kept.here(), &setup.to_meta()).unwrap();
+        let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        (kept, scene)
+    }
+
+    fn here(&self) -> PathBuf {
+        self.dir.path().join("world")
+    }
+
+    fn take_away(&self) {
+        fs::rename(self.here(), self.dir.path().join("away")).unwrap();
+    }
+
+    fn bring_back(&self) {
+        fs::rename(self.dir.path().join("away"), self.here()).unwrap();
+    }
+
+    fn open(&self) -> Scene {
+        let store = WorldStore::open(&self.here()).unwrap();
+        let mut scene = Scene::open(setup(Geometry::Euclidean), Some(Arc::new(store))).unwrap();
+        assert!(scene.wait_for_step(LIMIT));
+        scene
+    }
+}
+
+fn build() -> Actions {
+    Actions {
+        secondary: true,
+        ..Actions::default()
+    }
+}
+
+#[test]
+fn a_failed_save_is_no_save_until_one_succeeds() {
+    let (kept, mut scene) = Kept::new();
+    steps(&mut scene, 3, &Actions::default());
+    assert!(scene.needs_save());
+    kept.take_away();
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(!scene.is_saved() && scene.needs_save());
+    assert!(scene.save_problem().is_some());
+    assert_eq!(scene.take_notices().len(), 1);
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(
+        scene.take_notices().is_empty(),
+        "the same failure is told once"
+    );
+    kept.bring_back();
+    scene.save();
+    assert!(scene.wait_saved(LIMIT));
+    assert!(scene.is_saved() && !scene.needs_save() && scene.save_problem().is_none());
+    scene.close().unwrap();
+}
+
+#[test]
+fn an_edit_under_way_is_in_the_save_and_a_later_one_asks_for_another() {
+    let (_kept, mut scene) = Kept::new();
+    scene.aim(0.0, -0.6);
+    scene.step(&build());
+    scene.save();
+    assert!(!scene.needs_save(), "the save waits for its batch");
+    assert!(scene.wait_for_step(LIMIT) && scene.wait_saved(LIMIT));
+    assert!(!scene.needs_save());
+    scene.step(&build());
+    assert!(scene.needs_save());
+    scene.save();
+    assert!(scene.wait_saved(LIMIT) && scene.is_saved());
+    assert!(!scene.needs_save());
+}
+
+#[test]
+fn a_world_that_is_not_kept_never_needs_a_save() {
+    let mut scene = crate::common::scene(Geometry::Euclidean);
+    scene.aim(0.0, -0.6);
+    steps(&mut scene, 3, &build());
+    assert!(!scene.needs_save());
+    scene.close().unwrap();
+}
+
+#[test]
+fn a_close_that_fails_gives_the_world_back_and_can_be_repeated() {
+    let (kept, mut scene) = Kept::new();
+    scene.aim(0.0, -0.6);
+    steps(&mut scene, 5, &build());
+    kept.take_away();
+    let failure = scene.close().unwrap_err();
+    assert!(!failure.to_string().is_empty());
+    let mut scene = *failure.scene;
+    assert!(scene.save_problem().is_some() && !scene.is_saved());
+    steps(&mut scene, 5, &build());
+    let (edited, feet) = (scene.probe().chunks.edited, scene.feet());
+    assert!(edited > 0);
+    kept.bring_back();
+    scene.close().unwrap();
+    let again = kept.open();
+    assert_eq!((again.probe().chunks.edited, again.feet()), (edited, feet));
+}
+
+#[test]
+fn while_a_script_walks_its_autosaves_are_committed() {
+    let (kept, mut scene) = Kept::new();
+    let walk = Actions {
+        forward: 1.0,
+        ..Actions::default()
+    };
+    // Four seconds: one autosave, whose end is taken by the waits of later steps.
+    steps(&mut scene, 240, &walk);
+    assert!(scene.wait_saved(LIMIT));
+    let copy = kept.dir.path().join("copy");
+    fs::create_dir(&copy).unwrap();
+    fs::copy(kept.here().join(WORLD_FILE), copy.join(WORLD_FILE)).unwrap();
+    let state = WorldStore::open(&copy).unwrap().state().unwrap();
+    assert!(state.is_some_and(|state| state.simulated_s > 2.9));
+}
+
+/// Flips a bit in every copy of the player's state, as a bad disk does. Inside a record the key stands 20 bytes
+/// after its mark.
+fn damage_state(dir: &Path) {
+    let path = dir.join(WORLD_FILE);
+    let mut bytes = fs::read(&path).unwrap();
+    let found: Vec<usize> = (20..bytes.len() - 11)
+        .filter(|&at| bytes[at..].starts_with(b"state") && bytes[at - 20..].starts_with(b"Ap"))
+        .collect();
+    assert!(!found.is_empty());
+    for at in found {
+        bytes[at + 10] ^= 0x10;
+    }
+    fs::write(path, bytes).unwrap();
+}
+
+#[test]
+fn a_damaged_player_costs_the_player_and_not_the_world() {
+    let (kept, mut scene) = Kept::new();
+    let start = scene.feet();
+    scene.aim(0.0, -0.6);
+    let act = Actions {
+        forward: 1.0,
+        ..build()
+    };
+    steps(&mut scene, 60, &act);
+    let edited = scene.probe().chunks.edited;
+    scene.close().unwrap();
+    damage_state(&kept.here());
+    let damaged = fs::metadata(kept.here().join(WORLD_FILE)).unwrap().len();
+    let mut again = kept.open();
+    assert_eq!(again.probe().chunks.edited, edited);
+    let copy = kept.here().join(format!("{WORLD_FILE}.damaged-1"));
+    assert_eq!(fs::metadata(copy).unwrap().len(), damaged, "for a repair");
+    assert!(again.simulated_s() > 0.9, "what was played is known yet");
+    let home_m = (again.feet().pos - start.pos).length();
+    assert!(home_m < 12.0, "a fresh player, {home_m} m from the start");
+    let notices = again.take_notices();
+    assert!(
+        notices
+            .iter()
+            .any(|notice| notice.to_string().contains("damaged")),
+        "{notices:?}"
+    );
+    again.close().unwrap();
+    assert!(kept.open().take_notices().is_empty());
+}
+
+#[test]
+fn the_picture_of_a_world_comes_back_with_it() {
+    let (kept, mut scene) = Kept::new();
+    let turn = Actions {
+        turn_map: true,
+        dial: -7.0,
+        ..Actions::default()
+    };
+    steps(&mut scene, 2, &turn);
+    steps(&mut scene, 1, &turn);
+    let (bend, goals) = (scene.lens().bend(), scene.lens().goals());
+    assert_eq!((bend, goals.bend), (Some(-14.0), -14.0));
+    scene.close().unwrap();
+    let mut again = kept.open();
+    assert_eq!((again.lens().bend(), again.lens().goals()), (bend, goals));
+    assert_eq!(again.eye().dial, -14.0, "at rest at once");
+    assert!(again.take_notices().is_empty() && again.take_hints().is_empty());
+}
+
+#[test]
+fn a_map_this_version_does_not_know_costs_the_map_alone() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let state = WorldState {
+        map: "mercator".to_owned(),
+        ..store.state().unwrap().unwrap()
+    };
+    let batch = Batch {
+        state: Some(state.clone()),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let mut again = kept.open();
+    let notices = again.take_notices();
+    assert!(
+        notices
+            .iter()
+            .any(|said| said.to_string().contains("mercator")),
+        "{notices:?}"
+    );
+    assert_eq!(again.probe().player.pos, state.player.pos);
+}
+
+#[test]
+fn a_player_saved_in_rock_stands_on_it_after_loading() {
+    let (kept, mut scene) = Kept::new();
+    scene.set_flying(true);
+    let mut deep = scene.feet();
+    deep.pos.y -= 30.0;
+    scene.teleport(deep);
+    steps(&mut scene, 2, &Actions::default());
+    scene.set_flying(false);
+    scene.close().unwrap();
+    let mut again = kept.open();
+    assert!(again.feet().pos.y > deep.pos.y + 10.0);
+    steps(&mut again, 60, &Actions::default());
+    assert!(again.probe().player.grounded);
+}
+
+#[test]
+fn a_world_that_says_it_has_an_impossible_radius_is_refused_in_words() {
+    for (geometry, radius_m) in [
+        ("spherical", 1e9),
+        ("spherical", f64::NAN),
+        ("hyperbolic", 0.0),
+    ] {
+        let meta = antipode_storage::WorldMeta {
+            name: "Odd".into(),
+            geometry: geometry.into(),
+            radius_m,
+            ..antipode_storage::WorldMeta::default()
+        };
+        let refused = antipode_scene::WorldSetup::from_meta(&meta, 3).unwrap_err();
+        let words = refused.to_string();
+        assert!(words.contains("radius") && words.contains("Odd"), "{words}");
+    }
+}
+
+#[test]
+fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let mut state = store.state().unwrap().unwrap();
+    state.inventory.push(SlotRecord {
+        slot: 20,
+        item: "warp-core".to_owned(),
+        count: 3,
+    });
+    state.drops.push(DropRecord {
+        hemisphere: 0,
+        pos: [1.0, 2.0, 3.0],
+        item: "portal".to_owned(),
+        count: 2,
+    });
+    let batch = Batch {
+        state: Some(state.clone()),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    for _ in 0..2 {
+        let mut again = kept.open();
+        let notices = again.take_notices();
+        for item in ["warp-core", "portal"] {
+            let told = notices.iter().filter(|it| it.to_string().contains(item));
+            assert_eq!(told.count(), 1, "{notices:?}");
+        }
+        steps(&mut again, 2, &build());
+        again.close().unwrap();
+    }
+    let kept = WorldStore::open(&kept.here())
+        .unwrap()
+        .state()
+        .unwrap()
+        .unwrap();
+    assert_eq!(kept.inventory, state.inventory);
+    assert_eq!(kept.drops, state.drops);
+}
+
+/// A world opened with a state that somebody has changed.
+fn altered(alter: impl FnOnce(&mut WorldState)) -> (Kept, Scene) {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let mut state = store.state().unwrap().unwrap();
+    alter(&mut state);
+    let batch = Batch {
+        state: Some(state),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let again = kept.open();
+    (kept, again)
+}
+
+#[test]
+fn no_speed_in_a_save_is_more_than_ground_can_be_made_for() {
+    let (_kept, mut scene) = altered(|state| {
+        state.player.vel = [1e300, 0.0, -1e300];
+        state.player.flying = true;
+    });
+    let from = scene.feet().pos;
+    steps(&mut scene, 60, &Actions::default());
+    assert!(scene.feet().pos.distance(from) < 150.0);
+}
+
+#[test]
+fn a_world_as_old_as_the_sun_is_still_saved_by_itself() {
+    let (_kept, mut scene) = altered(|state| state.simulated_s = 1e17);
+    let before_s = scene.simulated_s();
+    steps(&mut scene, 60, &Actions::default());
+    assert!((scene.simulated_s() - before_s - 1.0).abs() < 0.01);
+}
+
+#[test]
+fn who_is_far_from_the_car_in_a_save_does_not_drive_it() {
+    let car = |pos| CarRecord {
+        pos,
+        turn: [0.0, 0.0, 0.0, 1.0],
+        ..CarRecord::default()
+    };
+    for (away_m, drives) in [(1.0, true), (500.0, false)] {
+        let (_kept, scene) = altered(|state| {
+            let [x, y, z] = state.player.pos;
+            state.cars = vec![car([x + away_m, y, z])];
+            state.driving = Some(0);
+        });
+        assert_eq!(scene.is_driving(), drives, "{away_m} m away");
+    }
+}

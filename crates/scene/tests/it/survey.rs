@@ -1,0 +1,175 @@
+//! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
+
+use crate::common::{scene, steps};
+use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_scene::bearings::LandmarkKind;
+use antipode_scene::survey::{Plan, Survey};
+use antipode_scene::{Actions, Scene};
+use glam::{DVec2, DVec3};
+
+const ALL: usize = 100_000;
+
+/// Height share of the map at metres from the player, of the node that is nearest.
+fn share_at(plan: &Plan, at: DVec2) -> f32 {
+    let off = |node: [f32; 2]| (DVec2::new(node[0].into(), node[1].into()) - at).length();
+    let nearest = plan
+        .nodes
+        .iter()
+        .min_by(|a, b| off(a.at).total_cmp(&off(b.at)))
+        .unwrap();
+    assert!(off(nearest.at) < 4.0, "nothing at {at}");
+    nearest.share
+}
+
+fn height_m(scene: &Scene, share: f32) -> f64 {
+    let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
+    let (low, high) = field.ground_range_m();
+    low + f64::from(share) * (high - low)
+}
+
+/// Area that the patches cover, square metres.
+fn covered_m2(plan: &Plan) -> f64 {
+    let at = |node: u32| {
+        let [x, z] = plan.nodes[node as usize].at;
+        DVec2::new(x.into(), z.into())
+    };
+    let triangle = |a: u32, b: u32, c: u32| (at(b) - at(a)).perp_dot(at(c) - at(a)).abs() / 2.0;
+    plan.patches
+        .iter()
+        .map(|[a, b, c, d]| triangle(*a, *b, *c) + triangle(*b, *d, *c))
+        .sum()
+}
+
+#[test]
+fn the_map_fills_its_circle_everywhere_and_over_the_equator_too() {
+    for geometry in Geometry::ALL {
+        let mut scene = scene(geometry);
+        let rim_m = scene.strategy().rim_m();
+        for x in [0.0, 31.0, rim_m.map_or(500.0, |rim_m| rim_m - 0.5)] {
+            scene.set_flying(true);
+            scene.teleport(ChartPoint::a(DVec3::new(x, 30.0, 2.0)));
+            steps(&mut scene, 1, &Actions::default());
+            let plan = Survey::default().look(&scene, 1, ALL);
+            let whole = std::f64::consts::PI * plan.reach_m.powi(2);
+            let share = covered_m2(&plan) / whole;
+            // Over the equator strips of both charts may lie on each other.
+            assert!((0.94..1.16).contains(&share), "{geometry} {x}: {share}");
+            let farthest = plan.nodes.iter().map(|it| it.at[0].hypot(it.at[1]));
+            assert!(farthest.fold(0.0, f32::max) <= plan.reach_m as f32 + 1e-3);
+        }
+    }
+}
+
+#[test]
+fn heights_are_those_of_the_land_and_a_pit_shows() {
+    let mut scene = scene(Geometry::Euclidean);
+    steps(&mut scene, 30, &Actions::default());
+    let mut survey = Survey::default();
+    let plan = survey.look(&scene, 1, ALL);
+    let below = height_m(&scene, share_at(&plan, DVec2::ZERO));
+    let feet_m = scene.feet().pos.y;
+    assert!((below - feet_m).abs() < 2.5, "{below} {feet_m}");
+    assert!(!plan.contours.is_empty());
+
+    scene.aim(0.0, -1.5);
+    let dig = Actions {
+        primary: true,
+        slot: Some(3),
+        ..Actions::default()
+    };
+    steps(&mut scene, 240, &dig);
+    steps(&mut scene, 60, &Actions::default());
+    let dug_m = feet_m - scene.feet().pos.y;
+    assert!(dug_m > 4.0, "{dug_m}");
+    for _ in 0..400 {
+        survey.look(&scene, 1, 4);
+    }
+    let after = height_m(&scene, share_at(&survey.look(&scene, 1, 4), DVec2::ZERO));
+    assert!(after < below - 0.5 * dug_m, "{after} after {below}");
+}
+
+#[test]
+fn it_comes_bit_by_bit_and_is_not_made_anew_where_nobody_moves() {
+    let scene = scene(Geometry::Hyperbolic);
+    let mut survey = Survey::default();
+    let first = survey.look(&scene, 1, 20);
+    let mut last = first.clone();
+    for _ in 0..200 {
+        last = survey.look(&scene, 1, 20);
+    }
+    assert!(first.patches.len() < 20 && last.patches.len() > 600);
+    let again = survey.look(&scene, 1, 20);
+    assert!(std::sync::Arc::ptr_eq(&last, &again));
+    let elsewhere = survey.look(&scene, 2, 20);
+    assert!(
+        elsewhere.patches.len() < 20,
+        "another world is surveyed anew"
+    );
+}
+
+#[test]
+fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
+    for geometry in Geometry::ALL {
+        let scene = scene(geometry);
+        let bearings = scene.bearings();
+        assert!((bearings.north_rad.abs() - std::f64::consts::PI).abs() < 1e-9);
+        assert_eq!(bearings.equator.is_some(), geometry == Geometry::Spherical);
+    }
+    let mut scene = scene(Geometry::Spherical);
+    scene.set_flying(true);
+    let rim_m = scene.strategy().rim_m().unwrap();
+    let start = ChartPoint::a(DVec3::new(0.0, 15.0, rim_m - 3.0));
+    scene.teleport(start);
+    scene.aim(std::f64::consts::FRAC_PI_2, 0.0);
+    steps(&mut scene, 1, &Actions::default());
+    let ahead = Actions {
+        forward: 1.0,
+        ..Actions::default()
+    };
+    let relative = |scene: &Scene| {
+        let bearings = scene.bearings();
+        (bearings.north_rad - bearings.heading_rad).rem_euclid(std::f64::consts::TAU)
+    };
+    let mut last = relative(&scene);
+    let equator = scene.bearings().equator.unwrap();
+    assert!((equator.distance_m - 3.0).abs() < 0.3 && equator.hemisphere == Hemisphere::A);
+    assert!((equator.heading_rad - std::f64::consts::FRAC_PI_2).abs() < 1e-6);
+    for _ in 0..90 {
+        steps(&mut scene, 1, &ahead);
+        let now = relative(&scene);
+        assert!(
+            (now - last).abs() < 0.05,
+            "north jumps from {last} to {now}"
+        );
+        last = now;
+    }
+    let equator = scene.bearings().equator.unwrap();
+    assert_eq!(equator.hemisphere, Hemisphere::B);
+}
+
+#[test]
+fn lamps_and_bots_are_marked_where_they_stand() {
+    let mut scene = scene(Geometry::Spherical);
+    scene.set_flying(true);
+    let rim_m = scene.strategy().rim_m().unwrap();
+    scene.teleport(ChartPoint::a(DVec3::new(rim_m - 4.0, 15.0, 0.0)));
+    steps(&mut scene, 1, &Actions::default());
+    let over = ChartPoint::a(DVec3::new(rim_m + 6.0, 9.0, 0.0));
+    let over = scene.strategy().carry(over).unwrap().point;
+    assert!(scene.spawn_lamp(over));
+    scene.spawn_bot(scene.feet().moved(DVec3::new(-8.0, -3.0, 0.0)), 0.0, true);
+    scene.spawn_bot(ChartPoint::a(DVec3::new(-rim_m, 9.0, 0.0)), 0.0, false);
+    // A car beyond the edge is marked there, in its direction.
+    assert!(scene.spawn_car(scene.feet().moved(DVec3::new(-60.0, 0.0, 0.0)), 0.0));
+    let marks = scene.landmarks(45.0);
+    let is_there = |kind: LandmarkKind, x: f64| {
+        let here = |mark: &&antipode_scene::bearings::Landmark| {
+            mark.kind == kind && (mark.at - DVec2::new(x, 0.0)).length() < 1e-6
+        };
+        marks.iter().filter(here).count() == 1
+    };
+    assert!(is_there(LandmarkKind::Lamp, 10.0), "{marks:?}");
+    assert!(is_there(LandmarkKind::Hostile, -8.0), "{marks:?}");
+    assert!(is_there(LandmarkKind::Car, -42.3), "{marks:?}");
+    assert!(marks.iter().all(|mark| mark.at.length() <= 45.0));
+}

@@ -1,0 +1,15 @@
+//! What must hold of fields, edits, meshes and their levels.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    reason = "tests fail by panicking"
+)]
+
+mod common;
+mod detail;
+mod edits;
+mod field;
+mod levels;
+mod mesh;
+mod seams;
