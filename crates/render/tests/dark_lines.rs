@@ -210,6 +210,40 @@ fn looked_at(quality: ShadowQuality) -> Option<Found> {
     Some(all)
 }
 
+/// A sample at the edge of a triangle is shaded at the pixel's middle, which may lie past the edge.
+#[test]
+fn four_samples_of_a_pixel_draw_no_dark_edge_where_one_draws_none() {
+    for (geometry, seed, radius_m, dial, looks) in places() {
+        let mut world = World::new(geometry, seed, radius_m, 4).of_lines(360);
+        world.scene.set_curvature(dial);
+        if let Some((_, time_s, [yaw, pitch])) = looks.first() {
+            world.scene.set_time_of_day_s(*time_s);
+            world.aim(*yaw, *pitch);
+            let frame = world.frame();
+            let size = world.size();
+            let [one, four] = [1, 4].map(|samples| {
+                let studio = Studio::sampled(size, ShadowQuality::High, samples);
+                studio.map(|mut studio| studio.picture(&frame))
+            });
+            let (Some(one), Some(four)) = (one, four) else {
+                return;
+            };
+            let light = |picture: &RgbaImage, (x, y): At| {
+                let pixel = picture.get_pixel(x as u32, y as u32).0;
+                i32::from(pixel[..3].iter().copied().max().unwrap())
+            };
+            let inner = |length: u32| 1..length as i32 - 1;
+            let all = inner(size.1).flat_map(|y| inner(size.0).map(move |x| (x, y)));
+            let darker: Vec<At> = all
+                .filter(|at| {
+                    around(*at, 1).all(|near| light(&one, near) - light(&four, *at) >= DOT)
+                })
+                .collect();
+            assert!(darker.is_empty(), "{geometry} {seed}: {darker:?}");
+        }
+    }
+}
+
 #[test]
 fn a_dot_and_a_line_are_told_from_a_shadows_edge() {
     let grey = |value: u8| Rgba([value, value, value, 255]);

@@ -76,10 +76,15 @@ impl Studio {
 
     /// With shadows of a quality.
     pub fn shadowed(size: (u32, u32), shadows: ShadowQuality) -> Option<Self> {
+        Self::sampled(size, shadows, 1)
+    }
+
+    /// With shadows of a quality, and so many samples of a pixel.
+    pub fn sampled(size: (u32, u32), shadows: ShadowQuality, samples: u32) -> Option<Self> {
         Self::made(
             size,
             Options {
-                samples: 1,
+                samples,
                 scale: 1.0,
                 output_format: PLAIN,
                 shadows,
