@@ -1,5 +1,6 @@
 //! Times of frames and steps, and their percentiles.
 
+use antipode_timing::nearest_rank;
 use serde::Serialize;
 use std::time::Duration;
 
@@ -37,10 +38,7 @@ impl Times {
     pub fn percentiles(&self) -> Option<Percentiles> {
         let mut sorted = self.ms.clone();
         sorted.sort_by(f64::total_cmp);
-        let rank = |share: f64| {
-            let place = (share * sorted.len() as f64).ceil() as usize;
-            sorted.get(place.saturating_sub(1)).copied()
-        };
+        let rank = |share| nearest_rank(&sorted, share);
         Some(Percentiles {
             p50: rank(0.5)?,
             p95: rank(0.95)?,

@@ -268,12 +268,7 @@ fn listen_for_panics() {
 
 /// What this thread has used of the processor, milliseconds.
 fn used_ms() -> u64 {
-    let text = fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    text.split(' ')
-        .next()
-        .and_then(|ns| ns.parse::<u64>().ok())
-        .unwrap_or(0)
-        / 1_000_000
+    antipode_timing::thread_ran().map_or(0, |ran| ran.as_millis() as u64)
 }
 
 /// Most memory that this process had, bytes.

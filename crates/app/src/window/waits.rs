@@ -7,6 +7,7 @@ mod clock;
 
 use std::time::{Duration, Instant};
 
+use antipode_timing::nearest_rank;
 use clock::{Clock, Moment};
 
 /// Time from one line in the log about the frames to the next.
@@ -168,13 +169,7 @@ impl Waits {
 /// Median, 99.9 of 100, and the longest.
 fn spread(mut times: Vec<Duration>) -> String {
     times.sort();
-    let rank = |share: f64| {
-        let place = (share * times.len() as f64).ceil() as usize;
-        ms(times
-            .get(place.saturating_sub(1))
-            .copied()
-            .unwrap_or_default())
-    };
+    let rank = |share| ms(nearest_rank(&times, share).unwrap_or_default());
     format!(
         "{:.1} / {:.1} / {:.1} ms",
         rank(0.5),

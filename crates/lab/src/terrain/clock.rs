@@ -3,6 +3,8 @@
 
 use std::time::{Duration, Instant};
 
+use antipode_timing::{ThreadAccount, nearest_rank, program_ran, thread_ran};
+
 use crate::Effort;
 
 /// Rounds that every rival runs at least.
@@ -78,11 +80,7 @@ impl Spread {
     pub fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
-        let rank = |share: f64| {
-            let place = (share * sorted.len() as f64).ceil() as usize;
-            let value = sorted.get(place.saturating_sub(1)).copied();
-            value.unwrap_or(f64::INFINITY)
-        };
+        let rank = |share| nearest_rank(&sorted, share).unwrap_or(f64::INFINITY);
         Self {
             p50: rank(0.5),
             p99: rank(0.99),
@@ -108,44 +106,42 @@ pub struct Spent {
 #[derive(Clone, Copy, Debug)]
 pub struct Moment {
     wall: Instant,
-    cpu_ns: Option<u64>,
-    queued_ns: Option<u64>,
+    ran: Option<Duration>,
+    queued: Option<Duration>,
 }
 
 /// The clocks of the thread that made it.
 #[derive(Debug)]
 pub struct ThreadClock {
-    tells: imp::Tells,
+    account: ThreadAccount,
 }
 
 impl ThreadClock {
     /// Of this thread.
     pub fn new() -> Self {
         Self {
-            tells: imp::Tells::new(),
+            account: ThreadAccount::of_this_thread(),
         }
     }
 
     /// Now.
     pub fn now(&self) -> Moment {
         // The wall clock is read last here and first in `since`, so that the reading itself is not measured.
-        let (cpu_ns, queued_ns) = (imp::cpu_ns(), self.tells.queued_ns());
+        let (ran, queued) = (thread_ran(), self.account.queued());
         Moment {
             wall: Instant::now(),
-            cpu_ns,
-            queued_ns,
+            ran,
+            queued,
         }
     }
 
     /// What has been spent since then.
     pub fn since(&self, then: Moment) -> Spent {
-        let wall_ms = then.wall.elapsed().as_secs_f64() * 1e3;
-        let between = |now: Option<u64>, then: Option<u64>| {
-            let (now, then) = (now?, then?);
-            Some(now.saturating_sub(then) as f64 * 1e-6)
-        };
-        let cpu_ms = between(imp::cpu_ns(), then.cpu_ns).unwrap_or(wall_ms);
-        let queued_ms = between(self.tells.queued_ns(), then.queued_ns).unwrap_or(0.0);
+        let wall_ms = ms(then.wall.elapsed());
+        let between =
+            |now: Option<Duration>, then: Option<Duration>| Some(ms(now?.saturating_sub(then?)));
+        let cpu_ms = between(thread_ran(), then.ran).unwrap_or(wall_ms);
+        let queued_ms = between(self.account.queued(), then.queued).unwrap_or(0.0);
         Spent {
             wall_ms,
             own_ms: (wall_ms - queued_ms).max(0.0),
@@ -156,79 +152,11 @@ impl ThreadClock {
 
 /// Processor time of all threads of the program so far, milliseconds, where the system tells.
 pub fn program_ms() -> Option<f64> {
-    imp::program_ns().map(|ns| ns as f64 * 1e-6)
+    program_ran().map(ms)
 }
 
-#[cfg(target_os = "linux")]
-mod imp {
-    use std::fs::File;
-    use std::os::unix::fs::FileExt;
-
-    use rustix::time::{ClockId, clock_gettime};
-
-    /// Nanoseconds that this thread has run.
-    pub fn cpu_ns() -> Option<u64> {
-        nanoseconds(ClockId::ThreadCPUTime)
-    }
-
-    /// Nanoseconds that all threads of the program have run.
-    pub fn program_ns() -> Option<u64> {
-        nanoseconds(ClockId::ProcessCPUTime)
-    }
-
-    #[expect(clippy::unnecessary_wraps, reason = "other systems do not tell")]
-    fn nanoseconds(clock: ClockId) -> Option<u64> {
-        let time = clock_gettime(clock);
-        Some(time.tv_sec as u64 * 1_000_000_000 + time.tv_nsec as u64)
-    }
-
-    /// The kernel's account of this thread: nanoseconds run, nanoseconds ready but not running, turns.
-    #[derive(Debug)]
-    pub struct Tells(Option<File>);
-
-    impl Tells {
-        /// Opens this thread's account.
-        pub fn new() -> Self {
-            Self(File::open("/proc/thread-self/schedstat").ok())
-        }
-
-        /// Nanoseconds that the thread was ready and did not run.
-        pub fn queued_ns(&self) -> Option<u64> {
-            let mut text = [0; 64];
-            let length = self.0.as_ref()?.read_at(&mut text, 0).ok()?;
-            let text = std::str::from_utf8(&text[..length]).ok()?;
-            text.split_whitespace().nth(1)?.parse().ok()
-        }
-    }
-}
-
-#[cfg(not(target_os = "linux"))]
-mod imp {
-    /// This system does not tell.
-    pub fn cpu_ns() -> Option<u64> {
-        None
-    }
-
-    /// This system does not tell.
-    pub fn program_ns() -> Option<u64> {
-        None
-    }
-
-    /// No account of a thread is kept here.
-    #[derive(Debug)]
-    pub struct Tells;
-
-    impl Tells {
-        /// Nothing to open.
-        pub fn new() -> Self {
-            Self
-        }
-
-        /// This system does not tell.
-        pub fn queued_ns(&self) -> Option<u64> {
-            None
-        }
-    }
+fn ms(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
 }
 
 #[cfg(test)]
