@@ -16,6 +16,7 @@ mod long_files;
 mod maps;
 mod marker;
 mod npc;
+mod pictures;
 mod saves;
 mod scenario;
 mod seam;

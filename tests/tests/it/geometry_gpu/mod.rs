@@ -13,8 +13,8 @@ mod tables;
 use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry, Projection, strategy};
 use glam::{DVec3, Vec4Swizzles};
 
-use super::answers::{Answer, answers};
-use super::probes::{Case, Numbers, Probe, case, dense, golden};
+use self::answers::{Answer, answers};
+use self::probes::{Case, Numbers, Probe, case, dense, golden};
 
 /// The greatest errors of a run.
 #[derive(Default, Debug)]

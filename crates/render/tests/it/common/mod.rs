@@ -1,4 +1,8 @@
 //! A small studio for the tests: an adapter, a renderer, a picture, and plain frames.
+#![allow(
+    dead_code,
+    reason = "what measures normals of triangles is not asked at present"
+)]
 pub mod silhouettes;
 pub mod sun_rays;
 pub mod told;
