@@ -96,7 +96,7 @@ fn each_expected_picture_is_taken_by_one_scene() {
     let there: BTreeSet<String> = fs::read_dir(scenes())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter(|name| name.ends_with(".png"))
+        .filter(|name| Path::new(name).extension().is_some_and(|it| it == "png"))
         .collect();
     assert_eq!(taken.len(), there.len(), "{there:?}");
     assert!(taken.iter().all(|name| there.contains(*name)), "{taken:?}");
