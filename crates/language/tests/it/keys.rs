@@ -1,8 +1,6 @@
 //! The keys in the program beside those in the locale files: every one that is asked for exists, and every one that
 //! exists is asked for.
 
-mod tokens;
-
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
