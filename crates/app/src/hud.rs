@@ -12,7 +12,8 @@ use glam::DVec3;
 
 use crate::wording;
 
-/// What the display shows of a scene over a picture that was taken so, with what drawing it took where the player wants to know.
+/// What the display shows of a scene over a picture that was taken so, with what drawing it took where the player wants
+/// to know.
 pub fn model(
     texts: &Texts,
     scene: &Scene,
@@ -66,13 +67,17 @@ pub fn model(
         harm: None,
         struck: false,
         wounds: wounds(scene, seen),
-        speech: scene
-            .speech(seen, scene.viewing().fov_y_rad)
-            .map(|speech| SpeechModel {
-                text: wording::said(texts, speech.greets, speech.line),
-                at: speech.at.map(|at| [at.x as f32, at.y as f32]),
-            }),
+        speech: speech(texts, scene, seen),
     }
+}
+
+/// What was said last, and where in the picture it is.
+fn speech(texts: &Texts, scene: &Scene, seen: &Seen) -> Option<SpeechModel> {
+    let said = scene.speech(seen, scene.viewing().fov_y_rad)?;
+    Some(SpeechModel {
+        text: wording::said(texts, said.greets, said.line),
+        at: said.at.map(|at| [at.x as f32, at.y as f32]),
+    })
 }
 
 /// The hotbar; none at the wheel, where nothing of it can be used and the bonnet is to be seen.
