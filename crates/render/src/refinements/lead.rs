@@ -91,9 +91,11 @@ mod tests {
         let sphere = strategy(Geometry::Spherical, 32.0);
         let rim_m = sphere.rim_m().unwrap();
         let mut lead = Lead::default();
-        // Past the rim the way goes on in the other chart.
+        // Past the rim the way goes on in the other chart, whose axes are turned against those of the first.
+        let heading = DVec3::new(0.5, 0.0, 0.75_f64.sqrt());
         let at = |step: i32| {
-            let eye = ChartPoint::a(DVec3::new(rim_m + 0.1 * f64::from(step), 4.0, 3.0));
+            let from_middle_m = rim_m + 0.1 * f64::from(step);
+            let eye = ChartPoint::a(heading * from_middle_m + DVec3::Y * 4.0);
             let crossing = (step >= 0).then(|| sphere.carry(eye).unwrap());
             crossing.map_or(eye, |crossing| crossing.point)
         };
