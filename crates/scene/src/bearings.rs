@@ -105,7 +105,7 @@ impl Scene {
     /// Which way the player looks, and where that is.
     pub fn bearings(&self) -> Bearings {
         let feet = self.feet();
-        let equator = self.strategy.rim_m().map(|rim_m| {
+        let equator = self.world.strategy.rim_m().map(|rim_m| {
             let (x, z) = (feet.pos.x, feet.pos.z);
             Equator {
                 hemisphere: feet.hemisphere,
@@ -121,12 +121,12 @@ impl Scene {
     }
 
     fn north_rad(&self, feet: ChartPoint) -> f64 {
-        let Some(rim_m) = self.strategy.rim_m() else {
+        let Some(rim_m) = self.world.strategy.rim_m() else {
             return OPEN_NORTH_RAD;
         };
         let eye = map_eye(feet);
         let pole = ChartPoint::a(DVec3::NEG_X * rim_m);
-        let at = Locator::new(&*self.strategy, &eye).at(pole);
+        let at = Locator::new(&*self.world.strategy, &eye).at(pole);
         if at == DVec2::ZERO {
             return OPEN_NORTH_RAD;
         }
@@ -137,8 +137,12 @@ impl Scene {
     /// off are marked at the edge in their direction.
     pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
         let eye = map_eye(self.feet());
-        let locator = Locator::new(&*self.strategy, &eye);
-        let lamps = self.lamps.iter().map(|it| (LandmarkKind::Lamp, it.point));
+        let locator = Locator::new(&*self.world.strategy, &eye);
+        let lamps = self
+            .actors
+            .lamps
+            .iter()
+            .map(|it| (LandmarkKind::Lamp, it.point));
         let bots = self.bots().into_iter().filter(|it| it.health > 0.0);
         let bots = bots.map(|it| {
             let kind = if it.fights {

@@ -24,38 +24,42 @@ impl Scene {
 
     /// The point itself where it lies in the world, else one on the world's border.
     pub(crate) fn within_world(&self, point: ChartPoint) -> ChartPoint {
-        within_world(&*self.strategy, point)
+        within_world(&*self.world.strategy, point)
     }
 
     /// Puts the player's body somewhere, within the world.
     pub(crate) fn place_body(&mut self, point: ChartPoint, velocity: DVec3, grounded: bool) {
-        let point = within_world(&*self.strategy, point);
-        let feet = point.pos + self.strategy.chart_origin_m(point.hemisphere);
-        self.physics.recentre(feet);
+        let point = within_world(&*self.world.strategy, point);
+        let feet = point.pos + self.world.strategy.chart_origin_m(point.hemisphere);
+        self.world.physics.recentre(feet);
         if let Ok((position, body)) = self
+            .actors
             .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player)
         {
             position.0 = point;
             body.0 = Character::at(feet);
             body.0.velocity = velocity;
             body.0.grounded = grounded;
         }
-        self.body_unchecked = true;
-        self.changed = true;
+        self.player.body_unchecked = true;
+        self.kept.changed = true;
     }
 
     /// Lifts a walking body that is stuck: any overlap with the ground after it was put somewhere, a body whose
     /// middle is in rock at any time. To be called when the ground around the body is there.
     /// Returns whether the body was moved.
     pub(crate) fn free_body(&mut self) -> bool {
-        if self.flying || self.is_driving() || !(self.body_unchecked || self.is_buried()) {
+        if self.player.flying
+            || self.is_driving()
+            || !(self.player.body_unchecked || self.is_buried())
+        {
             return false;
         }
-        self.body_unchecked = false;
+        self.player.body_unchecked = false;
         let lifted = self.lift_player_out() || self.raise_to_surface();
         // The way up may have ended in ground that was not there yet.
-        self.body_unchecked = lifted;
+        self.player.body_unchecked = lifted;
         if !lifted {
             self.set_down();
         }
@@ -64,10 +68,11 @@ impl Scene {
 
     /// Stands a body on the ground that it was put over.
     fn set_down(&mut self) {
-        let origin = self.strategy.chart_origin_m(self.feet().hemisphere);
+        let origin = self.world.strategy.chart_origin_m(self.feet().hemisphere);
         let parts = self
+            .actors
             .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.player);
+            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player);
         let Ok((position, body)) = parts else {
             return;
         };
@@ -75,36 +80,42 @@ impl Scene {
             return;
         }
         body.0.feet = position.0.pos + origin;
-        if self.physics.set_down(&mut body.0, &self.tuning, SET_DOWN_M) {
+        if self
+            .world
+            .physics
+            .set_down(&mut body.0, &self.actors.tuning, SET_DOWN_M)
+        {
             position.0.pos = body.0.feet - origin;
         }
     }
 
     fn is_buried(&self) -> bool {
         let mut middle = self.feet();
-        middle.pos.y += 0.5 * self.tuning.height_m;
-        self.ground.is_solid(middle)
+        middle.pos.y += 0.5 * self.actors.tuning.height_m;
+        self.world.ground.is_solid(middle)
     }
 
     /// Lifts the player out of ground that was built over it, as far as a lift reaches.
     pub(crate) fn lift_player_out(&mut self) -> bool {
-        if self.flying || self.is_driving() {
+        if self.player.flying || self.is_driving() {
             return false;
         }
         let hemisphere = self.feet().hemisphere;
-        let origin = self.strategy.chart_origin_m(hemisphere);
-        let ground = &self.ground;
+        let origin = self.world.strategy.chart_origin_m(hemisphere);
+        let ground = &self.world.ground;
         let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
         let Ok((position, body)) = self
+            .actors
             .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.player)
+            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player)
         else {
             return false;
         };
         body.0.feet = position.0.pos + origin;
         let lifted = self
+            .world
             .physics
-            .lift_out_sized(&mut body.0, &self.tuning, &solid);
+            .lift_out_sized(&mut body.0, &self.actors.tuning, &solid);
         if lifted {
             position.0.pos = body.0.feet - origin;
         }
@@ -114,7 +125,7 @@ impl Scene {
     /// Puts a buried body that no lift can free on the surface of its column.
     fn raise_to_surface(&mut self) -> bool {
         let feet = self.feet();
-        let surface_m = self.ground.untouched_height(feet) + CLEARANCE_M;
+        let surface_m = self.world.ground.untouched_height(feet) + CLEARANCE_M;
         if !self.is_buried() || surface_m <= feet.pos.y {
             return false;
         }

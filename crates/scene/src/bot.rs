@@ -66,9 +66,9 @@ impl Scene {
         hostile: bool,
         health: f64,
     ) -> u32 {
-        let id = self.next_bot;
-        self.next_bot += 1;
-        let origin = self.strategy.chart_origin_m(point.hemisphere);
+        let id = self.actors.next_bot;
+        self.actors.next_bot += 1;
+        let origin = self.world.strategy.chart_origin_m(point.hemisphere);
         let bot = Bot {
             id,
             hostile,
@@ -78,7 +78,7 @@ impl Scene {
             struck_by: None,
         };
         let mind = self.new_mind(id);
-        self.ecs.spawn((
+        self.actors.ecs.spawn((
             bot,
             mind,
             Position(point),
@@ -90,13 +90,13 @@ impl Scene {
                 ..Appearance::standing(ModelId::AstronautTeal)
             },
         ));
-        self.changed = true;
+        self.kept.changed = true;
         id
     }
 
     /// Says of a bot for how long yet it is angry, seconds, and whether it came by itself.
     pub(crate) fn restore_mind(&mut self, id: u32, angry_s: f64, native: bool) {
-        let found = self.ecs.query_mut::<(&mut Bot, &mut Mind)>();
+        let found = self.actors.ecs.query_mut::<(&mut Bot, &mut Mind)>();
         for (bot, mind) in found.into_iter().filter(|(bot, _)| bot.id == id) {
             bot.native = native;
             mind.angry_s = angry_s;
@@ -106,6 +106,7 @@ impl Scene {
     /// All bots, by their numbers.
     pub fn bots(&self) -> Vec<BotView> {
         let mut bots: Vec<_> = self
+            .actors
             .ecs
             .query::<(&Bot, &Position, &Look, &Health, &Mind)>()
             .iter()
@@ -126,19 +127,21 @@ impl Scene {
     /// Everyone who can be struck, where they stand in physics space; the dead and spectators cannot.
     pub(crate) fn standing(&self) -> Vec<Standing> {
         let mut all: Vec<Standing> = self
+            .actors
             .ecs
             .query::<(Entity, &Position, &Health)>()
             .iter()
             .filter(|(entity, _, health)| {
                 // Who drives is met by what meets the car.
-                let is_there = *entity != self.player || !(self.flying || self.is_driving());
+                let is_there =
+                    *entity != self.actors.player || !(self.player.flying || self.is_driving());
                 health.0 > 0.0 && is_there
             })
             .map(|(entity, position, _)| Standing {
                 entity,
-                feet: position.0.pos + self.strategy.chart_origin_m(position.0.hemisphere),
-                height_m: self.tuning.height_m,
-                radius_m: self.tuning.radius_m,
+                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.hemisphere),
+                height_m: self.actors.tuning.height_m,
+                radius_m: self.actors.tuning.radius_m,
             })
             .collect();
         all.sort_unstable_by_key(|it| it.entity.id());

@@ -76,17 +76,17 @@ impl Drop {
 impl Scene {
     /// Things lying about.
     pub fn drops(&self) -> &[Drop] {
-        &self.drops
+        &self.actors.drops
     }
 
     /// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
     /// finds no room there is thrown all the same.
     pub fn throw_away(&mut self, stack: Stack) {
-        self.changed = true;
+        self.kept.changed = true;
         let mut stack = stack;
-        if self.drops.len() >= MOST_DROPS {
-            self.hints.push(Hint::TooManyDrops);
-            stack.count = self.inventory.give(stack.item, stack.count);
+        if self.actors.drops.len() >= MOST_DROPS {
+            self.outbox.hints.push(Hint::TooManyDrops);
+            stack.count = self.player.inventory.give(stack.item, stack.count);
             if stack.count == 0 {
                 return;
             }
@@ -96,34 +96,36 @@ impl Scene {
         drop.age_s = 0.0;
         drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
         drop.rests = false;
-        self.drops.push(drop);
+        self.actors.drops.push(drop);
     }
 
     /// Throws away one of what is in hand, or all of it.
     pub(crate) fn drop_held(&mut self, whole: bool) {
-        if let Some(stack) = self.inventory.take_held(whole) {
+        if let Some(stack) = self.player.inventory.take_held(whole) {
             self.throw_away(stack);
         }
     }
 
     /// Lets things fall, and the player pick up those that are near.
     pub(crate) fn step_drops(&mut self) {
-        if self.drops.is_empty() {
+        if self.actors.drops.is_empty() {
             return;
         }
-        let mut drops = std::mem::take(&mut self.drops);
-        let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
+        let mut drops = std::mem::take(&mut self.actors.drops);
+        let middle = self
+            .feet()
+            .moved(DVec3::Y * (0.5 * self.actors.tuning.height_m));
         for drop in &mut drops {
             drop.age_s += STEP_S;
-            if drop.is_near(middle) && (!drop.rests || self.drops_unchecked) {
+            if drop.is_near(middle) && (!drop.rests || self.actors.drops_unchecked) {
                 self.let_fall(drop);
             }
         }
         if !self.is_dead() {
             drops.retain_mut(|drop| !self.picks_up(drop, middle));
         }
-        self.drops_unchecked = false;
-        self.drops = drops;
+        self.actors.drops_unchecked = false;
+        self.actors.drops = drops;
     }
 
     /// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
@@ -150,8 +152,8 @@ impl Scene {
     }
 
     fn let_fall(&self, drop: &mut Drop) {
-        let origin = self.strategy.chart_origin_m(drop.point.hemisphere);
-        if self.ground.is_solid(drop.point) {
+        let origin = self.world.strategy.chart_origin_m(drop.point.hemisphere);
+        if self.world.ground.is_solid(drop.point) {
             // Ground was built over it.
             drop.point.pos.y += STEP_S * 4.0;
             drop.rests = false;
@@ -162,7 +164,7 @@ impl Scene {
             velocity: drop.velocity,
         };
         let tuning: &BallTuning = &DROP;
-        let touch = self.physics.throw_ball(&mut ball, tuning, STEP_S);
+        let touch = self.world.physics.throw_ball(&mut ball, tuning, STEP_S);
         drop.point.pos = ball.centre - origin;
         drop.velocity = ball.velocity;
         drop.yaw_rad += TURN_RAD_PER_M * STEP_S * drop.velocity.with_y(0.0).length();
@@ -170,7 +172,7 @@ impl Scene {
         if drop.rests {
             drop.velocity = DVec3::ZERO;
         }
-        if let Some(crossing) = self.strategy.cross(drop.point) {
+        if let Some(crossing) = self.world.strategy.cross(drop.point) {
             drop.point = crossing.point;
             drop.velocity = crossing.turn_vector(drop.velocity);
         }
@@ -180,12 +182,15 @@ impl Scene {
     fn picks_up(&mut self, drop: &mut Drop, middle: ChartPoint) -> bool {
         let is_near = drop.point.hemisphere == middle.hemisphere
             && drop.point.pos.distance(middle.pos) < PICK_UP_M;
-        if !is_near || drop.age_s < PICK_UP_AFTER_S || self.flying {
+        if !is_near || drop.age_s < PICK_UP_AFTER_S || self.player.flying {
             return false;
         }
-        let left = self.inventory.give(drop.stack.item, drop.stack.count);
+        let left = self
+            .player
+            .inventory
+            .give(drop.stack.item, drop.stack.count);
         if left < drop.stack.count {
-            self.sounds.push(SoundEvent::PickedUp);
+            self.outbox.sounds.push(SoundEvent::PickedUp);
             let taken = drop.stack.count - left;
             tracing::debug!("picked up {taken} {}", drop.stack.item.id());
         }

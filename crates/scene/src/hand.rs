@@ -101,67 +101,76 @@ impl HandMotion {
 impl Scene {
     /// Moves what is in the player's hand by one step.
     pub(crate) fn step_hand(&mut self, actions: &Actions) {
-        let held = self.inventory.held();
+        let held = self.player.inventory.held();
         let digs = held.and_then(Item::brush_strength_per_s).is_some();
         let used = digs && actions.primary != actions.secondary;
-        let speed_m_s = self.ecs.get::<&Body>(self.player).map_or(0.0, |body| {
-            let velocity = body.0.velocity;
-            if body.0.grounded {
-                velocity.x.hypot(velocity.z)
-            } else {
-                0.0
-            }
-        });
-        let bob = if self.viewing.reduced_motion {
+        let speed_m_s = self
+            .actors
+            .ecs
+            .get::<&Body>(self.actors.player)
+            .map_or(0.0, |body| {
+                let velocity = body.0.velocity;
+                if body.0.grounded {
+                    velocity.x.hypot(velocity.z)
+                } else {
+                    0.0
+                }
+            });
+        let bob = if self.shown.viewing.reduced_motion {
             0.0
         } else {
             (speed_m_s / BOBS_FULLY_M_S).min(1.3)
         };
-        self.hand.pass(held, used, bob, STEP_S);
+        self.shown.hand.pass(held, used, bob, STEP_S);
     }
 
     /// What the player sees in the own hand.
     pub(crate) fn hand_seen(&self) -> Option<Hand> {
-        let held = self.inventory.held()?;
-        if self.camera != CameraMode::First || self.is_dead() || self.flying || self.is_driving() {
+        let held = self.player.inventory.held()?;
+        if self.shown.camera != CameraMode::First
+            || self.is_dead()
+            || self.player.flying
+            || self.is_driving()
+        {
             return None;
         }
         let cycles = self
+            .actors
             .ecs
-            .get::<&Appearance>(self.player)
+            .get::<&Appearance>(self.actors.player)
             .map_or(0.0, |appearance| appearance.motion.cycles());
         let phase = TAU * cycles;
         let (aside_m, up_m) = BOB_M;
-        let bob = if self.viewing.reduced_motion {
+        let bob = if self.shown.viewing.reduced_motion {
             0.0
         } else {
-            self.hand.bob
+            self.shown.hand.bob
         };
         Some(Hand {
             model: held.into(),
-            lowered: self.hand.lowered(),
+            lowered: self.shown.hand.lowered(),
             // Once to each side in a cycle, and down with each foot.
             bob_m: [
                 (bob * aside_m * phase.sin()) as f32,
                 (-bob * up_m * (2.0 * phase).cos().abs()) as f32,
             ],
-            swing: self.hand.swing(),
-            kick: self.hand.kick as f32,
-            flashes: self.hand.flashes(),
+            swing: self.shown.hand.swing(),
+            kick: self.shown.hand.kick as f32,
+            flashes: self.shown.hand.flashes(),
         })
     }
 
     /// Puts what the player holds and does with it into the own figure's hand.
     pub(crate) fn use_in_hand(&self, figure: &mut Figure) {
-        figure.held = self.inventory.held().map(ModelId::from);
-        figure.posture.swing = self.hand.swing();
-        figure.posture.kick = self.hand.kick as f32;
-        figure.flashes = self.hand.flashes();
+        figure.held = self.player.inventory.held().map(ModelId::from);
+        figure.posture.swing = self.shown.hand.swing();
+        figure.posture.kick = self.shown.hand.kick as f32;
+        figure.flashes = self.shown.hand.flashes();
     }
 
     /// The light of a shot that has just been fired.
     pub(crate) fn shot_light(&self) -> Option<LampLight> {
-        self.hand.flashes().then(|| LampLight {
+        self.shown.hand.flashes().then(|| LampLight {
             point: self.muzzle(),
             colour: FLASH_COLOUR,
             range_m: FLASH_RANGE_M,

@@ -85,22 +85,25 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
 impl Scene {
     /// Whether the player lies dead.
     pub fn is_dead(&self) -> bool {
-        self.condition.dead_left_s.is_some()
+        self.player.condition.dead_left_s.is_some()
     }
 
     /// How long the player has been dead, seconds.
     pub(crate) fn dead_s(&self) -> Option<f64> {
-        self.condition.dead_left_s.map(|left_s| DEAD_S - left_s)
+        self.player
+            .condition
+            .dead_left_s
+            .map(|left_s| DEAD_S - left_s)
     }
 
     /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
     /// radians, if from one.
     pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {
-        let hurt = self.condition.hurt?;
+        let hurt = self.player.condition.hurt?;
         let turned_rad = if hurt.at.hemisphere == self.feet().hemisphere {
             0.0
         } else {
-            let over = self.strategy.carry(hurt.at);
+            let over = self.world.strategy.carry(hurt.at);
             over.map_or(0.0, |crossing| crossing.turn_rad)
         };
         Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
@@ -108,35 +111,35 @@ impl Scene {
 
     /// Seconds since a shot of the player's struck someone.
     pub fn struck_s_ago(&self) -> Option<f64> {
-        self.condition.struck_s_ago
+        self.player.condition.struck_s_ago
     }
 
     /// Seconds since the player was last hurt.
     pub fn unhurt_s(&self) -> f64 {
-        self.condition.unhurt_s
+        self.player.condition.unhurt_s
     }
 
     /// Takes health from the player. Nobody dies twice, and a spectator is not there to be hurt.
     ///
     /// `from`: the way to where it came from, in the player's chart.
     pub(crate) fn hurt_player(&mut self, harm: f64, kind: HarmKind, from: Option<DVec3>) {
-        if harm <= 0.0 || self.flying || self.is_dead() {
+        if harm <= 0.0 || self.player.flying || self.is_dead() {
             return;
         }
         self.set_health(self.health() - harm);
-        self.condition.unhurt_s = 0.0;
-        self.condition.hurt = Some(Hurt {
+        self.player.condition.unhurt_s = 0.0;
+        self.player.condition.hurt = Some(Hurt {
             ago_s: 0.0,
             at: self.feet(),
             from_rad: from.map(|way| way.z.atan2(way.x)),
         });
-        self.sounds.push(SoundEvent::Hurt);
-        if let Ok(mut appearance) = self.ecs.get::<&mut Appearance>(self.player) {
+        self.outbox.sounds.push(SoundEvent::Hurt);
+        if let Ok(mut appearance) = self.actors.ecs.get::<&mut Appearance>(self.actors.player) {
             appearance.motion.strike();
         }
         if self.health() <= 0.0 {
-            self.condition.dead_left_s = Some(DEAD_S);
-            self.hints.push(match kind {
+            self.player.condition.dead_left_s = Some(DEAD_S);
+            self.outbox.hints.push(match kind {
                 HarmKind::Fall => Hint::DiedOfFall,
                 HarmKind::Shot => Hint::DiedOfShot,
                 HarmKind::Crash => Hint::DiedOfCrash,
@@ -147,17 +150,17 @@ impl Scene {
 
     /// Lets a step's time heal the player, or bring the dead back.
     pub(crate) fn heal(&mut self) {
-        self.condition.pass(STEP_S);
-        if let Some(left_s) = self.condition.dead_left_s {
+        self.player.condition.pass(STEP_S);
+        if let Some(left_s) = self.player.condition.dead_left_s {
             let left_s = left_s - STEP_S;
-            self.condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
+            self.player.condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
             if left_s <= 0.0 {
                 self.respawn();
             }
             return;
         }
         let health = self.health();
-        if self.condition.unhurt_s >= HEALS_AFTER_S && health < FULL_HEALTH {
+        if self.player.condition.unhurt_s >= HEALS_AFTER_S && health < FULL_HEALTH {
             self.set_health(health + HEALS_PER_S * STEP_S);
         }
     }
@@ -165,25 +168,25 @@ impl Scene {
     /// Puts the player back to the start with full health; what was carried stays.
     fn respawn(&mut self) {
         self.set_health(FULL_HEALTH);
-        self.condition = Condition {
+        self.player.condition = Condition {
             spared_s: SPARED_S,
             ..Condition::default()
         };
         let start = self.start();
         self.teleport(start);
         self.send_hostile_away();
-        self.hints.push(Hint::BackAgain);
+        self.outbox.hints.push(Hint::BackAgain);
     }
 
     /// Deals out what bullets did in a step.
     pub(crate) fn take_strikes(&mut self, strikes: Vec<Strike>) {
         for Strike { entity, by, way } in strikes {
-            self.sounds.push(SoundEvent::Struck);
-            if entity == self.player {
+            self.outbox.sounds.push(SoundEvent::Struck);
+            if entity == self.actors.player {
                 self.hurt_player(BULLET_HARM, HarmKind::Shot, Some(-way));
             } else {
-                if by == self.player {
-                    self.condition.struck_s_ago = Some(0.0);
+                if by == self.actors.player {
+                    self.player.condition.struck_s_ago = Some(0.0);
                 }
                 self.hurt_bot(entity, by);
             }
@@ -197,6 +200,7 @@ impl Scene {
     /// Takes health from a bot; `by` is who did it, if anybody.
     pub(crate) fn hurt_bot_by(&mut self, entity: Entity, harm: f64, by: Option<Entity>) {
         let parts = self
+            .actors
             .ecs
             .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
         if let Ok((bot, health, appearance, position)) = parts {
@@ -205,8 +209,8 @@ impl Scene {
             bot.struck_by = by.or(bot.struck_by);
             bot.hit_s_ago = 0.0;
             let at = position.0;
-            let by_player = by == Some(self.player);
-            self.npcs.events.push(Event::Hit {
+            let by_player = by == Some(self.actors.player);
+            self.actors.npcs.events.push(Event::Hit {
                 victim: entity,
                 at,
                 by_player,
@@ -237,7 +241,7 @@ mod tests {
     }
 
     fn strike(scene: &mut Scene, way: DVec3) {
-        let (entity, by) = (scene.player, scene.player);
+        let (entity, by) = (scene.actors.player, scene.actors.player);
         scene.take_strikes(vec![Strike { entity, by, way }]);
     }
 
@@ -282,7 +286,10 @@ mod tests {
         assert!((whole - crate::tuning::BOT_HEALTH).abs() < 1e-9);
         assert!(ground.pos.y < low.pos.y + 5.0);
         for (height_m, harm) in [(7.0, 0.0), (8.5, 1.5)] {
-            let found = scene.ecs.query_mut::<(&Bot, &mut Position, &mut Health)>();
+            let found = scene
+                .actors
+                .ecs
+                .query_mut::<(&Bot, &mut Position, &mut Health)>();
             for (_, position, health) in found {
                 position.0.pos.y = ground.pos.y + height_m;
                 health.0 = crate::tuning::BOT_HEALTH;
@@ -321,13 +328,13 @@ mod tests {
     #[test]
     fn over_the_equator_harm_still_comes_from_where_it_came_from() {
         let mut scene = scene(Geometry::Spherical);
-        let rim_m = scene.strategy.rim_m().unwrap();
+        let rim_m = scene.world.strategy.rim_m().unwrap();
         // So near that either chart keeps it.
         let way = DVec3::new(0.6, 0.0, 0.8) * (rim_m - 0.05);
         scene.teleport(ChartPoint::a(way.with_y(20.0)));
         let way = DVec3::new(9.0, 0.0, 31.0);
         strike(&mut scene, way);
-        let over = scene.strategy.carry(scene.feet()).unwrap();
+        let over = scene.world.strategy.carry(scene.feet()).unwrap();
         scene.teleport(over.point);
         assert_eq!(scene.feet().hemisphere, over.point.hemisphere);
         let from = -over.turn_vector(way);

@@ -74,7 +74,7 @@ impl Scene {
             };
             HitShape::upright(form, lamp.glow(), lamp.falls())
         };
-        shapes.extend(self.lamps.iter().map(lamp));
+        shapes.extend(self.actors.lamps.iter().map(lamp));
         let ball =
             |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
         let bullets = self.projectiles().iter();
@@ -82,26 +82,29 @@ impl Scene {
             let flies = it.velocity.length() > RESTS_M_S;
             ball(BULLET.radius_m, it.point, flies)
         }));
-        let drops = self.drops.iter();
+        let drops = self.actors.drops.iter();
         shapes.extend(drops.map(|it| ball(DROP.radius_m, it.point, it.is_awake(self.feet()))));
         shapes
     }
 
     /// Everyone alive, in the order in which they came.
     fn bodies(&self) -> Vec<HitShape> {
-        let sees_own = self.camera != CameraMode::First && !self.flying;
+        let sees_own = self.shown.camera != CameraMode::First && !self.player.flying;
         let mut bodies: Vec<_> = self
+            .actors
             .ecs
             .query::<(Entity, &Position, &Body, &Health)>()
             .iter()
-            .filter(|(entity, _, _, health)| health.0 > 0.0 && (*entity != self.player || sees_own))
+            .filter(|(entity, _, _, health)| {
+                health.0 > 0.0 && (*entity != self.actors.player || sees_own)
+            })
             .map(|(entity, position, body, _)| {
-                let is_there = chunks_near(&*self.strategy, position.0, GROUND_WITHIN_M)
+                let is_there = chunks_near(&*self.world.strategy, position.0, GROUND_WITHIN_M)
                     .into_iter()
-                    .all(|coord| self.streamer.is_ready(coord));
+                    .all(|coord| self.world.streamer.is_ready(coord));
                 let form = HitForm::Capsule {
-                    height_m: self.tuning.height_m,
-                    radius_m: self.tuning.radius_m,
+                    height_m: self.actors.tuning.height_m,
+                    radius_m: self.actors.tuning.radius_m,
                 };
                 let awake = is_there && moves(&body.0);
                 (entity.id(), HitShape::upright(form, position.0, awake))

@@ -81,33 +81,33 @@ impl Lamp {
 impl Scene {
     /// The lamps of the world, in the order in which they were put down.
     pub fn lamps(&self) -> &[Lamp] {
-        &self.lamps
+        &self.actors.lamps
     }
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
     pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
-        let has_room = self.lamps.len() < MOST_LAMPS;
+        let has_room = self.actors.lamps.len() < MOST_LAMPS;
         if has_room {
-            self.lamps.push(Lamp::standing(point));
-            self.changed = true;
+            self.actors.lamps.push(Lamp::standing(point));
+            self.kept.changed = true;
         }
         has_room
     }
 
     /// Whether the player's flashlight is on.
     pub fn flashlight(&self) -> bool {
-        self.flashlight
+        self.player.flashlight
     }
 
     /// The left button puts a lamp down where the crosshair meets the ground, the right one picks up the lamp that it
     /// covers.
     pub(crate) fn use_lamp(&mut self, actions: &Actions) {
-        if self.inventory.held() != Some(Item::Lamp) {
+        if self.player.inventory.held() != Some(Item::Lamp) {
             return;
         }
-        if actions.primary && !self.primary_before {
+        if actions.primary && !self.player.primary_before {
             self.put_lamp_down();
-        } else if actions.secondary && !self.secondary_before {
+        } else if actions.secondary && !self.player.secondary_before {
             self.pick_lamp_up();
         }
     }
@@ -121,7 +121,7 @@ impl Scene {
 
     /// Shows where the lamp in hand would be put down.
     pub(crate) fn lamp_marker(&self) -> Option<Marker> {
-        let held = self.inventory.held().filter(|_| !self.is_driving());
+        let held = self.player.inventory.held().filter(|_| !self.is_driving());
         let place = held
             .filter(|item| *item == Item::Lamp)
             .and_then(|_| self.lamp_place())?;
@@ -135,16 +135,16 @@ impl Scene {
 
     fn put_lamp_down(&mut self) {
         let Some(place) = self.lamp_place() else {
-            self.hints.push(Hint::NoPlaceForLamp);
+            self.outbox.hints.push(Hint::NoPlaceForLamp);
             return;
         };
-        if self.lamps.len() >= MOST_LAMPS {
-            self.hints.push(Hint::TooManyLamps);
+        if self.actors.lamps.len() >= MOST_LAMPS {
+            self.outbox.hints.push(Hint::TooManyLamps);
             return;
         }
-        if self.inventory.spend(Item::Lamp) {
-            self.lamps.push(Lamp::standing(place));
-            self.sounds.push(SoundEvent::LampPlaced);
+        if self.player.inventory.spend(Item::Lamp) {
+            self.actors.lamps.push(Lamp::standing(place));
+            self.outbox.sounds.push(SoundEvent::LampPlaced);
         }
     }
 
@@ -152,40 +152,49 @@ impl Scene {
     /// hotbar that is selected, is enough.
     fn pick_lamp_up(&mut self) {
         let Some(index) = self.lamp_covered() else {
-            self.hints.push(Hint::NoLampThere);
+            self.outbox.hints.push(Hint::NoLampThere);
             return;
         };
-        if self.inventory.give(Item::Lamp, 1) == 0 {
-            self.lamps.remove(index);
-            self.sounds.push(SoundEvent::LampTaken);
+        if self.player.inventory.give(Item::Lamp, 1) == 0 {
+            self.actors.lamps.remove(index);
+            self.outbox.sounds.push(SoundEvent::LampTaken);
         } else {
-            self.hints.push(Hint::NoRoom);
+            self.outbox.hints.push(Hint::NoRoom);
         }
     }
 
     /// The lamp that the crosshair covers, if it is nearer than the ground.
     fn lamp_covered(&self) -> Option<usize> {
-        let strategy = &**self.lens.strategy();
+        let strategy = &**self.player.lens.strategy();
         let eye = self.eye();
-        let past_head_m = match self.camera {
+        let past_head_m = match self.shown.camera {
             CameraMode::First => 0.0,
             CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
         };
         let meets = |a: ChartPoint, b: ChartPoint| {
-            self.lamps
+            self.actors
+                .lamps
                 .iter()
                 .filter_map(|lamp| self.lamp_met(lamp, a, b))
                 .reduce(f64::min)
         };
-        let found = pick_among(strategy, &self.physics, &meets, &eye, past_head_m, REACH_M);
+        let found = pick_among(
+            strategy,
+            &self.world.physics,
+            &meets,
+            &eye,
+            past_head_m,
+            REACH_M,
+        );
         let off_m = |lamp: &Lamp| strategy.distance_m(found.point, lamp.glow(), &eye);
-        let nearest = (0..self.lamps.len())
-            .min_by(|&a, &b| off_m(&self.lamps[a]).total_cmp(&off_m(&self.lamps[b])))?;
-        (found.hit && off_m(&self.lamps[nearest]) < 2.0 * LAMP_TARGET_M).then_some(nearest)
+        let nearest = (0..self.actors.lamps.len()).min_by(|&a, &b| {
+            off_m(&self.actors.lamps[a]).total_cmp(&off_m(&self.actors.lamps[b]))
+        })?;
+        (found.hit && off_m(&self.actors.lamps[nearest]) < 2.0 * LAMP_TARGET_M).then_some(nearest)
     }
 
     fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
-        let glow = crate::pick::over(&*self.strategy, a, lamp.glow()).pos;
+        let glow = crate::pick::over(&*self.world.strategy, a, lamp.glow()).pos;
         let foot = glow - DVec3::Y * LAMP_TARGET_M;
         meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
     }
@@ -193,16 +202,16 @@ impl Scene {
     /// Lets lamps fall whose ground is gone, and those that ground was built over come up.
     pub(crate) fn step_lamps(&mut self) {
         let feet = self.feet();
-        for lamp in &mut self.lamps {
+        for lamp in &mut self.actors.lamps {
             // Ground further off is not changed by anyone, and what is known of it leaves out what once was.
             let is_near = lamp.point.hemisphere != feet.hemisphere
                 || lamp.point.pos.distance(feet.pos) < NEAR_M;
-            if self.lamps_unchecked && is_near {
-                lamp.rests_m = rest(&self.ground, lamp);
+            if self.actors.lamps_unchecked && is_near {
+                lamp.rests_m = rest(&self.world.ground, lamp);
             }
-            lamp.fall(self.tuning.gravity_m_s2);
+            lamp.fall(self.actors.tuning.gravity_m_s2);
         }
-        self.lamps_unchecked = false;
+        self.actors.lamps_unchecked = false;
     }
 }
 

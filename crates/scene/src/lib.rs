@@ -4,6 +4,7 @@
 //! nowhere; the strategy answers where it matters.
 
 pub mod actions;
+mod actors;
 mod aim;
 pub mod bearings;
 mod between;
@@ -24,6 +25,7 @@ mod harm;
 mod hit_shapes;
 pub mod inventory;
 pub mod item;
+mod keeping;
 pub mod lamp;
 pub mod lens;
 mod light;
@@ -31,12 +33,14 @@ mod moment;
 pub mod motion;
 pub mod notice;
 mod npc;
+mod outbox;
 pub mod persist;
 mod photo;
 pub mod pick;
 mod pictured;
 pub mod player;
 pub mod posture;
+mod presentation;
 pub mod probe;
 mod probing;
 pub mod projectile;
@@ -53,6 +57,7 @@ mod stream;
 pub mod survey;
 pub mod tuning;
 mod viewing;
+mod world;
 
 pub use actions::Actions;
 pub use between::{Between, Shutter};

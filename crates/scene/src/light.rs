@@ -32,8 +32,9 @@ const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 impl Scene {
     /// The light on what an eye sees: the nearest lamps, and the flashlight.
     pub(crate) fn lights(&self, eye: &Eye) -> Lit {
-        let strategy = &**self.lens.strategy();
+        let strategy = &**self.player.lens.strategy();
         let mut lamps: Vec<(f64, usize, ChartPoint)> = self
+            .actors
             .lamps
             .iter()
             .enumerate()
@@ -52,7 +53,7 @@ impl Scene {
         let of_cars = self.car_lights();
         let shot = self.shot_light().map(|light| (Who::Shot, light));
         let in_hand = self.lamp_in_hand().map(|light| (Who::InHand, light));
-        let flashlight = self.flashlight && !self.is_driving();
+        let flashlight = self.player.flashlight && !self.is_driving();
         Lit {
             lamps: shot
                 .into_iter()
@@ -71,7 +72,7 @@ impl Scene {
 
     /// The light of a lamp that the player holds.
     fn lamp_in_hand(&self) -> Option<LampLight> {
-        let holds = self.inventory.held() == Some(Item::Lamp) && !self.is_driving();
+        let holds = self.player.inventory.held() == Some(Item::Lamp) && !self.is_driving();
         let head = self.head();
         let (right_m, up_m, front_m) = HELD_LAMP_M;
         let off = head.right() * right_m + head.up() * up_m + head.front() * front_m;
@@ -88,7 +89,7 @@ impl Scene {
         let (right_m, up_m) = FLASH_BESIDE_M;
         let point = head.point.moved(head.right() * right_m + head.up() * up_m);
         let spot = self.covered(FLASH_RANGE_M).point;
-        let way = way_toward(&**self.lens.strategy(), &self.eye(), point, spot);
+        let way = way_toward(&**self.player.lens.strategy(), &self.eye(), point, spot);
         BeamLight {
             point,
             direction: way.unwrap_or(head.front()),

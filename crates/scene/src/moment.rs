@@ -85,16 +85,22 @@ impl Scene {
     pub(crate) fn moment(&self) -> Moment {
         let camera = self.camera_pose();
         let taker = Taker::Player {
-            mode: self.camera,
+            mode: self.shown.camera,
             drives: self.driven_number(),
             dead: self.is_dead(),
         };
-        let marker = self.marker.filter(|marker| marker.active);
+        let marker = self.shown.marker.filter(|marker| marker.active);
         let marker = marker.or_else(|| self.lamp_marker());
         Moment {
             hand: self.hand_seen(),
-            mark: marker.map(|marker| Mark::seen_by(&camera.eye, &**self.lens.strategy(), marker)),
-            ..self.moment_of(taker, camera, &self.lens, self.camera != CameraMode::First)
+            mark: marker
+                .map(|marker| Mark::seen_by(&camera.eye, &**self.player.lens.strategy(), marker)),
+            ..self.moment_of(
+                taker,
+                camera,
+                &self.player.lens,
+                self.shown.camera != CameraMode::First,
+            )
         }
     }
 
@@ -125,9 +131,9 @@ impl Scene {
             lit: self.lights(&camera.eye),
             hand: None,
             mark: None,
-            time_of_day_s: self.time_of_day_s,
-            simulated_s: self.simulated_s,
-            things: (self.lamps.len(), self.drops.len()),
+            time_of_day_s: self.world.time_of_day_s,
+            simulated_s: self.world.simulated_s,
+            things: (self.actors.lamps.len(), self.actors.drops.len()),
         }
     }
 
@@ -151,7 +157,7 @@ impl Scene {
             eye,
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
-            chunk_changes: self.ground.take_changes(),
+            chunk_changes: self.world.ground.take_changes(),
             figures: moment.figures.into_iter().map(without_who).collect(),
             hand: moment.hand,
             lights: Lights {
@@ -161,9 +167,9 @@ impl Scene {
             marker: moment.mark.map(|mark| mark.marker),
             hit_shapes: Vec::new(),
             fog_distance_m: self.fog_distance_m(&eye, &*strategy),
-            contour_bands: self.viewing.contour_bands,
+            contour_bands: self.shown.viewing.contour_bands,
             time_s: moment.simulated_s as f32,
-            quality: self.quality,
+            quality: self.shown.quality,
             loaded_world: world_id,
             strategy,
         }
@@ -173,9 +179,9 @@ impl Scene {
     /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
     fn fog_distance_m(&self, eye: &Eye, pictured: &dyn Strategy) -> f32 {
         let far_m = pictured.sight_limit_m(eye);
-        match self.strategy.rim_m() {
+        match self.world.strategy.rim_m() {
             Some(rim) => (rim * 3.0) as f32,
-            None => ((f64::from(self.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
+            None => ((f64::from(self.world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
         }
     }
 }

@@ -38,18 +38,18 @@ pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
 impl Scene {
     /// The records to commit.
     pub(crate) fn records(&self) -> (WorldMeta, WorldState) {
-        let mut meta = self.setup.to_meta();
-        meta.created_unix_s = self.created_unix_s;
-        meta.played_s = self.simulated_s;
-        meta.cheated = self.cheated;
+        let mut meta = self.world.setup.to_meta();
+        meta.created_unix_s = self.kept.created_unix_s;
+        meta.played_s = self.world.simulated_s;
+        meta.cheated = self.kept.cheated;
         (meta, self.state())
     }
 
     fn state(&self) -> WorldState {
-        let goals = self.lens.goals();
+        let goals = self.player.lens.goals();
         let (position, look, body, _) = self.player_parts();
         let inventory = (0..)
-            .zip(self.inventory.slots())
+            .zip(self.player.inventory.slots())
             .filter_map(|(slot, stack)| {
                 stack.map(|s| SlotRecord {
                     slot,
@@ -57,7 +57,7 @@ impl Scene {
                     count: s.count,
                 })
             })
-            .chain(self.unknown.slots.iter().cloned())
+            .chain(self.kept.unknown.slots.iter().cloned())
             .collect();
         WorldState {
             player: PlayerRecord {
@@ -67,48 +67,51 @@ impl Scene {
                 yaw: look.yaw,
                 pitch: look.pitch,
                 health: self.health(),
-                third_person: self.camera == CameraMode::Third,
-                flying: self.flying,
+                third_person: self.shown.camera == CameraMode::Third,
+                flying: self.player.flying,
                 grounded: body.0.grounded,
             },
-            item_slot: self.inventory.selected(),
+            item_slot: self.player.inventory.selected(),
             inventory,
-            time_of_day_s: self.time_of_day_s,
-            map: self.lens.map().unwrap_or_default().to_string(),
+            time_of_day_s: self.world.time_of_day_s,
+            map: self.player.lens.map().unwrap_or_default().to_string(),
             curvature: goals.raised,
             curvature_horizon: goals.horizon,
-            bent: self.lens.bend().is_some(),
+            bent: self.player.lens.bend().is_some(),
             bend: goals.bend,
-            brush_radius_m: self.brush_radius_m,
-            simulated_s: self.simulated_s,
-            view_distance: self.setup.view_distance,
-            flashlight: self.flashlight,
-            lamps: self.lamps.iter().map(lamp_record).collect(),
+            brush_radius_m: self.player.brush_radius_m,
+            simulated_s: self.world.simulated_s,
+            view_distance: self.world.setup.view_distance,
+            flashlight: self.player.flashlight,
+            lamps: self.actors.lamps.iter().map(lamp_record).collect(),
             drops: self
+                .actors
                 .drops
                 .iter()
                 .map(drop_record)
                 .chain(self.carried_record())
-                .chain(self.unknown.drops.iter().cloned())
+                .chain(self.kept.unknown.drops.iter().cloned())
                 .collect(),
             bots: self.bot_records(),
             cars: self.car_records(),
             driving: self
                 .driven_number()
                 .and_then(|number| u32::try_from(number).ok()),
-            car_given: self.cars.given,
-            start: self.start.map(|start| PlaceRecord {
+            car_given: self.actors.cars.given,
+            start: self.player.start.map(|start| PlaceRecord {
                 hemisphere: hemisphere_record(start),
                 pos: start.pos.to_array(),
             }),
-            been_round: self.round.been,
+            been_round: self.player.round.been,
         }
     }
 
     /// What the pointer holds while the backpack is open lies at the player's feet in a save.
     fn carried_record(&self) -> Option<DropRecord> {
-        let stack = self.inventory.carried()?;
-        let middle = self.feet().moved(DVec3::Y * (0.5 * self.tuning.height_m));
+        let stack = self.player.inventory.carried()?;
+        let middle = self
+            .feet()
+            .moved(DVec3::Y * (0.5 * self.actors.tuning.height_m));
         Some(drop_record(&Drop::lying(stack, middle)))
     }
 
@@ -131,27 +134,33 @@ impl Scene {
     pub(crate) fn restore(&mut self, state: &WorldState) {
         self.restore_player(&state.player);
         let start = state.start.as_ref();
-        self.start = start.and_then(|it| self.restored_point(it.hemisphere, it.pos));
-        self.round.been = state.been_round;
-        self.unknown = Unknown::default();
-        self.inventory = Inventory::empty();
+        self.player.start = start.and_then(|it| self.restored_point(it.hemisphere, it.pos));
+        self.player.round.been = state.been_round;
+        self.kept.unknown = Unknown::default();
+        self.player.inventory = Inventory::empty();
         for record in &state.inventory {
             if let Some(item) = Item::from_id(&record.item) {
                 let count = record.count.max(1);
                 self.restore_slot(record.slot, Stack { item, count });
             } else {
-                self.notices.push(Notice::UnknownItem(record.item.clone()));
-                self.unknown.slots.push(record.clone());
+                self.outbox
+                    .notices
+                    .push(Notice::UnknownItem(record.item.clone()));
+                self.kept.unknown.slots.push(record.clone());
             }
         }
-        self.inventory.select(state.item_slot);
+        self.player.inventory.select(state.item_slot);
         self.restore_things(state);
         let seated = |number: &u32| {
             let car = usize::try_from(*number)
                 .ok()
                 .and_then(|number| state.cars.get(number));
             let car = car.and_then(|car| self.restored_point(car.hemisphere, car.pos));
-            let away_m = |car| self.strategy.distance_m(self.feet(), car, &self.head());
+            let away_m = |car| {
+                self.world
+                    .strategy
+                    .distance_m(self.feet(), car, &self.head())
+            };
             car.is_some_and(|car| away_m(car) <= SEATED_WITHIN_M)
         };
         let driving = state.driving.filter(seated);
@@ -159,22 +168,22 @@ impl Scene {
         self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
         self.restore_lens(state);
         let (least, most, usual) = BRUSH_RADIUS_M;
-        self.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
-        self.simulated_s = finite_or(state.simulated_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
-        self.saved_at_s = self.simulated_s;
+        self.player.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
+        self.world.simulated_s = finite_or(state.simulated_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
+        self.kept.saved_at_s = self.world.simulated_s;
     }
 
     /// Puts a saved stack where it was; one without a place goes wherever there is room.
     fn restore_slot(&mut self, slot: u8, stack: Stack) {
-        if slot < SLOTS && self.inventory.slots()[usize::from(slot)].is_none() {
-            self.inventory.put(slot, stack);
+        if slot < SLOTS && self.player.inventory.slots()[usize::from(slot)].is_none() {
+            self.player.inventory.put(slot, stack);
         } else {
-            self.inventory.give(stack.item, stack.count);
+            self.player.inventory.give(stack.item, stack.count);
         }
     }
 
     fn restore_things(&mut self, state: &WorldState) {
-        self.flashlight = state.flashlight;
+        self.player.flashlight = state.flashlight;
         let point = |hemisphere: u8, pos: [f64; 3]| self.restored_point(hemisphere, pos);
         let lamps = state.lamps.iter().take(MOST_LAMPS);
         let lamps: Vec<_> = lamps
@@ -203,11 +212,11 @@ impl Scene {
             .filter(|it| it.yaw.is_finite())
             .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
             .collect();
-        self.lamps = lamps;
-        self.drops = drops;
+        self.actors.lamps = lamps;
+        self.actors.drops = drops;
         let told = unknown.iter().map(|it| it.item.clone());
-        self.notices.extend(told.map(Notice::UnknownItem));
-        self.unknown.drops = unknown;
+        self.outbox.notices.extend(told.map(Notice::UnknownItem));
+        self.kept.unknown.drops = unknown;
         for (record, at) in bots {
             let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
             let id = self.restore_bot(at, record.yaw, record.hostile, health);
@@ -219,7 +228,7 @@ impl Scene {
     /// A saved place, if it is one of this world.
     pub(crate) fn restored_point(&self, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
         let pos = DVec3::from_array(pos);
-        let hemisphere = if hemisphere == 1 && self.strategy.rim_m().is_some() {
+        let hemisphere = if hemisphere == 1 && self.world.strategy.rim_m().is_some() {
             Hemisphere::B
         } else {
             Hemisphere::A
@@ -230,7 +239,9 @@ impl Scene {
 
     fn restore_lens(&mut self, state: &WorldState) {
         let map = state.map.parse().unwrap_or_else(|_| {
-            self.notices.push(Notice::UnknownMap(state.map.clone()));
+            self.outbox
+                .notices
+                .push(Notice::UnknownMap(state.map.clone()));
             HyperbolicMap::default()
         });
         let goals = DialGoals {
@@ -238,7 +249,7 @@ impl Scene {
             horizon: state.curvature_horizon,
             bend: state.bend,
         };
-        self.lens.restore(map, state.bent, goals);
+        self.player.lens.restore(map, state.bent, goals);
     }
 
     fn restore_player(&mut self, record: &PlayerRecord) {
@@ -248,10 +259,10 @@ impl Scene {
             &record.health,
         ]);
         if !numbers.into_iter().all(|n| n.is_finite()) {
-            self.notices.push(Notice::PlayerDamaged);
+            self.outbox.notices.push(Notice::PlayerDamaged);
             return;
         }
-        let hemisphere = if record.hemisphere == 1 && self.strategy.rim_m().is_some() {
+        let hemisphere = if record.hemisphere == 1 && self.world.strategy.rim_m().is_some() {
             Hemisphere::B
         } else {
             Hemisphere::A
@@ -260,8 +271,9 @@ impl Scene {
         let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
         self.place_body(point, velocity, record.grounded);
         if let Ok((look, health)) = self
+            .actors
             .ecs
-            .query_one_mut::<(&mut Look, &mut Health)>(self.player)
+            .query_one_mut::<(&mut Look, &mut Health)>(self.actors.player)
         {
             *look = Look {
                 yaw: 0.0,
@@ -270,12 +282,12 @@ impl Scene {
             look.turn(record.yaw, record.pitch);
             health.0 = record.health.clamp(0.0, FULL_HEALTH);
         }
-        self.camera = if record.third_person {
+        self.shown.camera = if record.third_person {
             CameraMode::Third
         } else {
             CameraMode::First
         };
-        self.flying = record.flying;
+        self.player.flying = record.flying;
     }
 
     /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
@@ -283,10 +295,10 @@ impl Scene {
     /// happens to be loaded there.
     pub fn ground_height(&self) -> Option<f64> {
         height_below(self.head().point, GROUND_SEARCH_M, |point| {
-            let density = if self.streamer.is_wanted(ChunkCoord::containing(point)) {
-                self.ground.density(point)
+            let density = if self.world.streamer.is_wanted(ChunkCoord::containing(point)) {
+                self.world.ground.density(point)
             } else {
-                self.ground.untouched_density(point)
+                self.world.ground.untouched_density(point)
             };
             density < 0.0
         })

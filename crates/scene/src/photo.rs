@@ -99,20 +99,25 @@ impl Scene {
     /// Moves a camera as far along a leg as is free, and tells how far that is. Over the equator legs turn with it.
     fn go_freely(&self, view: &mut Viewpoint, leg: DVec3) -> DVec3 {
         let free = self.free_leg(view.eye.point, leg);
-        view.go(&*self.strategy, free);
+        view.go(&*self.world.strategy, free);
         free
     }
 
     /// As much of a leg as keeps a camera off the ground.
     fn free_leg(&self, from: ChartPoint, leg: DVec3) -> DVec3 {
         let (length_m, way) = (leg.length(), leg.normalize_or_zero());
-        let at = from.pos + self.strategy.chart_origin_m(from.hemisphere);
+        let at = from.pos + self.world.strategy.chart_origin_m(from.hemisphere);
         let reach_m = length_m + OFF_GROUND_M;
-        match self.physics.cast_sphere(at, way, CAMERA_RADIUS_M, reach_m) {
+        match self
+            .world
+            .physics
+            .cast_sphere(at, way, CAMERA_RADIUS_M, reach_m)
+        {
             None => leg,
             Some(free_m) if free_m > 0.0 => way * (free_m - OFF_GROUND_M).clamp(0.0, length_m),
             Some(_) => {
-                let into = self.ground.is_solid(from.moved(leg)) && !self.ground.is_solid(from);
+                let into = self.world.ground.is_solid(from.moved(leg))
+                    && !self.world.ground.is_solid(from);
                 if into { DVec3::ZERO } else { leg }
             }
         }
@@ -132,7 +137,7 @@ impl Scene {
 
     /// Has land made around a camera that is elsewhere than the player, or around the player again.
     pub fn watch_from(&mut self, eye: Option<Eye>) {
-        self.watched = eye;
+        self.shown.watched = eye;
     }
 }
 
@@ -168,7 +173,7 @@ mod tests {
             let (start, mut nearest) = (view.eye.point, f32::INFINITY);
             for _ in 0..400 {
                 scene.fly_view(&mut view, DVec3::Z * 0.05);
-                nearest = nearest.min(scene.ground.density(view.eye.point));
+                nearest = nearest.min(scene.world.ground.density(view.eye.point));
             }
             assert!(nearest > 0.0, "{geometry:?}: {nearest} in the ground");
             assert!(

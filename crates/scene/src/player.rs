@@ -1,4 +1,5 @@
-//! The player's components and how they are carried over the equator.
+//! What the player is made of: the components that all figures share, how they are carried over the equator, and what he
+//! alone has.
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::Character;
@@ -6,8 +7,59 @@ use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::frame::ModelId;
+use crate::harm::Condition;
+use crate::inventory::Inventory;
+use crate::lens::Lens;
 use crate::motion::{Doing, Motion};
-use crate::tuning::{FULL_HEALTH, PITCH_LIMIT_RAD};
+use crate::round::Round;
+use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH, PITCH_LIMIT_RAD};
+
+/// What the player alone has and does, besides the components of a figure.
+pub(crate) struct Player {
+    pub inventory: Inventory,
+    /// Through which picture the player aims.
+    pub lens: Lens,
+    pub brush_radius_m: f64,
+    pub flying: bool,
+    pub condition: Condition,
+    /// Whether bullets follow the space's geodesics.
+    pub straight_shots: bool,
+    /// Until the gun can be fired again, seconds.
+    pub gun_rests_s: f64,
+    /// Whether each button was down in the step before.
+    pub primary_before: bool,
+    pub secondary_before: bool,
+    pub flashlight: bool,
+    /// No hostile figure comes before that time.
+    pub peace_until_s: f64,
+    /// Where the player stands up again, unless the land alone decides.
+    pub start: Option<ChartPoint>,
+    pub round: Round,
+    /// Whether the body was put where it is and may be stuck there.
+    pub body_unchecked: bool,
+}
+
+impl Player {
+    /// Somebody who has just come, and sees through that lens.
+    pub fn new(lens: Lens) -> Self {
+        Self {
+            inventory: Inventory::default(),
+            lens,
+            brush_radius_m: BRUSH_RADIUS_M.2,
+            flying: false,
+            condition: Condition::default(),
+            straight_shots: false,
+            gun_rests_s: 0.0,
+            primary_before: false,
+            secondary_before: false,
+            flashlight: false,
+            peace_until_s: crate::npc::tuning::PEACE_S,
+            start: None,
+            round: Round::default(),
+            body_unchecked: true,
+        }
+    }
+}
 
 /// Where an entity's feet are, in the chart of the hemisphere it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]

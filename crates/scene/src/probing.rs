@@ -42,38 +42,39 @@ fn car_probe(car: &CarView) -> CarProbe {
 impl Scene {
     /// The player's health.
     pub fn health(&self) -> f64 {
-        self.ecs
-            .get::<&Health>(self.player)
+        self.actors
+            .ecs
+            .get::<&Health>(self.actors.player)
             .map_or(FULL_HEALTH, |health| health.0)
     }
 
     /// The state of the world for a script.
     pub fn probe(&self) -> Probe {
-        let curved_radius = self.strategy.radius_m();
+        let curved_radius = self.world.strategy.radius_m();
         Probe {
-            t: self.simulated_s,
-            world: self.setup.name.clone(),
-            seed: self.setup.seed,
-            geometry: self.setup.geometry.to_string(),
+            t: self.world.simulated_s,
+            world: self.world.setup.name.clone(),
+            seed: self.world.setup.seed,
+            geometry: self.world.setup.geometry.to_string(),
             radius: curved_radius.is_finite().then_some(curved_radius),
-            map: self.lens.map().map(HyperbolicMap::name),
-            curvature: self.lens.curvature(),
-            bend: self.lens.bend(),
-            quality: self.quality.name(),
-            time_of_day: self.time_of_day_s,
+            map: self.player.lens.map().map(HyperbolicMap::name),
+            curvature: self.player.lens.curvature(),
+            bend: self.player.lens.bend(),
+            quality: self.shown.quality.name(),
+            time_of_day: self.world.time_of_day_s,
             hour: self.local_time_s().map(day::hour),
             player: self.player_probe(),
             camera: self.camera_probe(),
-            item: self.inventory.held().map(Item::id),
+            item: self.player.inventory.held().map(Item::id),
             inventory: (0..)
-                .zip(self.inventory.slots())
+                .zip(self.player.inventory.slots())
                 .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
                 .collect(),
             marker: MarkerProbe {
-                pos: self.marker.map(|m| m.point.pos.to_array()),
-                radius: self.brush_radius_m,
+                pos: self.shown.marker.map(|m| m.point.pos.to_array()),
+                radius: self.player.brush_radius_m,
             },
-            flashlight: self.flashlight,
+            flashlight: self.player.flashlight,
             car: self.near_car().map(|car| car_probe(&car)),
             cars: self.cars().iter().map(car_probe).collect(),
             bots: self.bot_probes(),
@@ -81,10 +82,10 @@ impl Scene {
             lamps: self.lamp_probes(),
             drops: self.drop_probes(),
             chunks: ChunkProbe {
-                resident: self.ground.count(),
-                pending: self.streamer.pending(),
-                triangles: self.ground.triangles(),
-                edited: self.streamer.edited_count(),
+                resident: self.world.ground.count(),
+                pending: self.world.streamer.pending(),
+                triangles: self.world.ground.triangles(),
+                edited: self.world.streamer.edited_count(),
             },
             terrain: TerrainProbe {
                 ground_height: self.ground_height(),
@@ -111,8 +112,13 @@ impl Scene {
         let eye = self.eye();
         CameraProbe {
             pos: eye.point.pos.to_array(),
-            mode: self.camera.id(),
-            curved: self.lens.strategy().curved(&eye, eye.point).to_array(),
+            mode: self.shown.camera.id(),
+            curved: self
+                .player
+                .lens
+                .strategy()
+                .curved(&eye, eye.point)
+                .to_array(),
         }
     }
 
@@ -125,11 +131,11 @@ impl Scene {
         if self.is_driving() {
             return "drive";
         }
-        match (self.flying, body.0.grounded) {
+        match (self.player.flying, body.0.grounded) {
             (true, _) => "fly",
             (false, false) => "jump",
             _ if speed < 0.3 => "idle",
-            _ if speed > self.tuning.walk_speed_m_s * 1.2 => "run",
+            _ if speed > self.actors.tuning.walk_speed_m_s * 1.2 => "run",
             _ => "walk",
         }
     }
@@ -137,7 +143,7 @@ impl Scene {
     /// The car that is driven, else the nearest.
     fn near_car(&self) -> Option<CarView> {
         let (head, feet) = (self.head(), self.feet());
-        let distance_m = |car: &CarView| self.strategy.distance_m(feet, car.point, &head);
+        let distance_m = |car: &CarView| self.world.strategy.distance_m(feet, car.point, &head);
         self.driven_car().or_else(|| {
             self.cars()
                 .into_iter()
@@ -173,7 +179,8 @@ impl Scene {
     }
 
     fn lamp_probes(&self) -> Vec<LampProbe> {
-        self.lamps
+        self.actors
+            .lamps
             .iter()
             .map(|lamp| LampProbe {
                 pos: lamp.point.pos.to_array(),
@@ -183,7 +190,8 @@ impl Scene {
     }
 
     fn drop_probes(&self) -> Vec<DropProbe> {
-        self.drops
+        self.actors
+            .drops
             .iter()
             .map(|drop| DropProbe {
                 stack: drop.stack,

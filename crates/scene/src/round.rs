@@ -75,17 +75,19 @@ fn leads_round(way: &[DVec3], at: DVec3) -> bool {
 impl Scene {
     /// Tells the player of the first time round.
     pub(crate) fn notice_round(&mut self) {
-        if self.round.been || self.strategy.rim_m().is_none() {
+        if self.player.round.been || self.world.strategy.rim_m().is_none() {
             return;
         }
-        let at = self.strategy.noise_point(self.feet());
+        let at = self.world.strategy.noise_point(self.feet());
         let Some(at) = at.try_normalize() else {
             return;
         };
-        if self.round.go_on(at) {
-            self.round.been = true;
-            let round_m = TAU * self.strategy.radius_m();
-            self.hints.push(Hint::BeenRound(round_m.round() as u32));
+        if self.player.round.go_on(at) {
+            self.player.round.been = true;
+            let round_m = TAU * self.world.strategy.radius_m();
+            self.outbox
+                .hints
+                .push(Hint::BeenRound(round_m.round() as u32));
         }
     }
 }

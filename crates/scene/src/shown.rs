@@ -23,7 +23,7 @@ impl Scene {
         let inside_own = eye.hemisphere == self.feet().hemisphere
             && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
-        for (entity, position, look, appearance, body, bot) in &mut self.ecs.query::<(
+        for (entity, position, look, appearance, body, bot) in &mut self.actors.ecs.query::<(
             Entity,
             &Position,
             &Look,
@@ -31,7 +31,7 @@ impl Scene {
             &Body,
             Option<(&Bot, &Mind)>,
         )>() {
-            if entity == self.player && (!sees_player || inside_own) {
+            if entity == self.actors.player && (!sees_player || inside_own) {
                 continue;
             }
             let mut figure = Figure {
@@ -39,7 +39,7 @@ impl Scene {
                 held: appearance.held,
                 ..Figure::standing(appearance.model, self.soles(position.0, body), look.yaw)
             };
-            if entity == self.player {
+            if entity == self.actors.player {
                 self.use_in_hand(&mut figure);
                 self.seat_figure(&mut figure);
             }
@@ -69,9 +69,10 @@ impl Scene {
             return feet;
         }
         let from = feet.moved(DVec3::Y * KNEES_M);
-        let origin = self.strategy.chart_origin_m(feet.hemisphere);
+        let origin = self.world.strategy.chart_origin_m(feet.hemisphere);
         let most_m = KNEES_M + DEEPEST_SOLES_M;
         let ground = self
+            .world
             .physics
             .cast_ray(from.pos + origin, DVec3::NEG_Y, most_m);
         let ground_m = ground.map_or(KNEES_M, |hit| hit.distance_m);
@@ -80,7 +81,7 @@ impl Scene {
 
     /// Lamps, bullets, and what lies about.
     fn show_things(&self, seen: &mut Vec<(Who, Figure)>) {
-        seen.extend(self.lamps.iter().enumerate().map(|(number, lamp)| {
+        seen.extend(self.actors.lamps.iter().enumerate().map(|(number, lamp)| {
             let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
             (Who::Lamp(number), figure)
         }));
@@ -92,7 +93,7 @@ impl Scene {
             };
             (Who::Bullet(bullet.id), figure)
         }));
-        let drops = self.drops.iter().enumerate();
+        let drops = self.actors.drops.iter().enumerate();
         seen.extend(drops.map(|(number, drop)| (Who::Drop(number), self.show_drop(drop))));
     }
 }

@@ -125,14 +125,14 @@ impl Sounds {
 impl Scene {
     /// What made a sound since it was last asked, in order.
     pub fn take_sounds(&mut self) -> Vec<SoundEvent> {
-        std::mem::take(&mut self.sounds.events)
+        std::mem::take(&mut self.outbox.sounds.events)
     }
 
     /// What surrounds the player.
     pub fn surroundings(&self) -> Surroundings {
         let (position, _, body, _) = self.player_parts();
-        let (low_m, high_m) = self.ground.height_range_m();
-        let sky = day::sky(self.time_of_day_s, &*self.strategy, &self.eye());
+        let (low_m, high_m) = self.world.ground.height_range_m();
+        let sky = day::sky(self.world.time_of_day_s, &*self.world.strategy, &self.eye());
         Surroundings {
             day: 1.0 - f64::from(sky.stars),
             height_m: position.0.pos.y - low_m,
@@ -143,7 +143,7 @@ impl Scene {
     }
 
     fn drive_heard(&self) -> Option<Drive> {
-        let throttle = self.cars.driving.as_ref()?.throttle;
+        let throttle = self.actors.cars.driving.as_ref()?.throttle;
         let car = self.driven_car()?;
         let down = car.wheels.iter().any(|wheel| wheel.contact);
         let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
@@ -164,12 +164,12 @@ impl Scene {
         let (position, _, body, _) = self.player_parts();
         let impact_m_s = body.0.impact_m_s;
         if impact_m_s >= LANDING_FROM_M_S {
-            self.sounds.push(SoundEvent::Landed {
+            self.outbox.sounds.push(SoundEvent::Landed {
                 cover: self.cover_at(position.0),
                 speed_m_s: impact_m_s,
             });
         } else if foot_down {
-            self.sounds.push(SoundEvent::Step {
+            self.outbox.sounds.push(SoundEvent::Step {
                 cover: self.cover_at(position.0),
                 speed_m_s: body.0.velocity.with_y(0.0).length(),
             });
@@ -178,17 +178,17 @@ impl Scene {
 
     /// Tells what a tool did in a step of `dt_s` seconds: `sign` is 1 for digging, -1 for building and 0 for rest.
     pub(crate) fn hear_tool(&mut self, sign: f32, dt_s: f64) {
-        let marker = self.marker.filter(|_| sign != 0.0);
-        if !self.sounds.stroke_is_due(marker.is_some(), dt_s) {
+        let marker = self.shown.marker.filter(|_| sign != 0.0);
+        if !self.outbox.sounds.stroke_is_due(marker.is_some(), dt_s) {
             return;
         }
         let Some(marker) = marker else { return };
-        let density = f64::from(self.ground.density(marker.point));
+        let density = f64::from(self.world.ground.density(marker.point));
         // In the open air, and deep in rock that is built on, nothing changes that could be heard.
         if density.abs() > marker.radius_m {
             return;
         }
-        self.sounds.push(if sign > 0.0 {
+        self.outbox.sounds.push(if sign > 0.0 {
             SoundEvent::Dug {
                 cover: self.cover_at(marker.point),
             }
@@ -198,12 +198,12 @@ impl Scene {
     }
 
     fn cover_at(&self, point: ChartPoint) -> Cover {
-        self.ground.cover(point, self.ground_normal(point))
+        self.world.ground.cover(point, self.ground_normal(point))
     }
 
     /// The unit normal of the ground at a point: the way in which the field rises fastest.
     pub(crate) fn ground_normal(&self, point: ChartPoint) -> Vec3 {
-        self.ground.normal(point)
+        self.world.ground.normal(point)
     }
 }
 

@@ -51,7 +51,7 @@ impl Scene {
     pub(crate) fn look_at_ground(&mut self, field: &Field) {
         let pitches = (0..=MOST_STEPS).map(|step| FIRST_PITCH_RAD - f64::from(step) * LOWER_BY_RAD);
         let found = pitches.into_iter().find(|pitch| self.sees(field, *pitch));
-        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
             look.pitch = found.unwrap_or(FIRST_PITCH_RAD);
         }
     }

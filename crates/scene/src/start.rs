@@ -99,21 +99,21 @@ impl Scene {
     /// Has a new world begin with a view, in place of its middle: the player, a car and somebody are put there.
     pub fn begin_with_a_view(&mut self) {
         let search = Search {
-            field: self.ground.field(),
-            lens: &self.lens,
-            eye_height_m: self.tuning.eye_height_m(),
-            fov_y_rad: self.viewing.fov_y_rad,
+            field: self.world.ground.field(),
+            lens: &self.player.lens,
+            eye_height_m: self.actors.tuning.eye_height_m(),
+            fov_y_rad: self.shown.viewing.fov_y_rad,
         };
         let Some(start) = search.best() else {
             return;
         };
-        self.start = Some(start.feet);
+        self.player.start = Some(start.feet);
         self.place_body(start.feet, DVec3::ZERO, false);
-        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
             *look = start.look;
         }
         if let Some((place, yaw)) = start.car {
-            self.cars.given = self.spawn_car(place, yaw);
+            self.actors.cars.given = self.spawn_car(place, yaw);
         }
         if let Some((place, yaw)) = start.figure {
             self.let_somebody_wait(place, yaw);
@@ -124,7 +124,9 @@ impl Scene {
 
     /// Where the player stands up again.
     pub(crate) fn start(&self) -> ChartPoint {
-        self.start.unwrap_or_else(|| self.ground.spawn_point())
+        self.player
+            .start
+            .unwrap_or_else(|| self.world.ground.spawn_point())
     }
 }
 

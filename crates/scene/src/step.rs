@@ -32,14 +32,14 @@ impl Scene {
     ///
     /// While the ground around the player is not there yet the body is held still; everything else goes on.
     pub fn step(&mut self, actions: &Actions) {
-        self.changed = true;
+        self.kept.changed = true;
         self.handle_switches(actions);
-        if self.viewing.reduced_motion {
-            self.lens.jump();
+        if self.shown.viewing.reduced_motion {
+            self.player.lens.jump();
         } else {
-            self.lens.glide(STEP_S);
+            self.player.lens.glide(STEP_S);
         }
-        self.dip.pass(STEP_S);
+        self.shown.dip.pass(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
         let actions = &if self.is_dead() {
             Actions::default()
@@ -60,8 +60,8 @@ impl Scene {
         };
         self.step_bots();
         self.heal();
-        self.time_of_day_s = (self.time_of_day_s + STEP_S).rem_euclid(DAY_S);
-        self.simulated_s += STEP_S;
+        self.world.time_of_day_s = (self.world.time_of_day_s + STEP_S).rem_euclid(DAY_S);
+        self.world.simulated_s += STEP_S;
         self.update_marker();
         self.use_tool(actions);
         self.use_gun(actions);
@@ -70,36 +70,36 @@ impl Scene {
         self.step_lamps();
         self.step_drops();
         self.step_hand(actions);
-        self.primary_before = actions.primary;
-        self.secondary_before = actions.secondary;
+        self.player.primary_before = actions.primary;
+        self.player.secondary_before = actions.secondary;
         self.autosave();
     }
 
     /// Whether the ground around the player exists with its colliders.
     pub fn is_ground_ready(&self) -> bool {
-        chunks_near(&*self.strategy, self.feet(), NEEDED_AROUND_M)
+        chunks_near(&*self.world.strategy, self.feet(), NEEDED_AROUND_M)
             .into_iter()
-            .all(|c| self.streamer.is_ready(c))
+            .all(|c| self.world.streamer.is_ready(c))
     }
 
     fn handle_switches(&mut self, actions: &Actions) {
-        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
             look.turn(actions.look_yaw, actions.look_pitch);
         }
-        let in_hand = self.inventory.selected();
+        let in_hand = self.player.inventory.selected();
         if let Some(slot) = actions.slot {
-            self.inventory.select(slot);
+            self.player.inventory.select(slot);
         }
-        self.inventory.step(actions.slot_step);
-        if self.inventory.selected() != in_hand {
-            self.sounds.push(SoundEvent::SlotChanged);
+        self.player.inventory.step(actions.slot_step);
+        if self.player.inventory.selected() != in_hand {
+            self.outbox.sounds.push(SoundEvent::SlotChanged);
         }
         if actions.toggle_light
             && let Some(number) = self.driven_number()
         {
             self.toggle_car_lights(number);
         } else if actions.toggle_light {
-            self.flashlight = !self.flashlight;
+            self.player.flashlight = !self.player.flashlight;
         }
         if actions.drop_one || actions.drop_all {
             self.drop_held(actions.drop_all);
@@ -110,12 +110,12 @@ impl Scene {
         if actions.turn_map {
             self.turn_map();
         }
-        self.lens.turn(actions.dial);
+        self.player.lens.turn(actions.dial);
         let (least, most, _) = BRUSH_RADIUS_M;
-        self.brush_radius_m =
-            (self.brush_radius_m + f64::from(actions.brush_step)).clamp(least, most);
+        self.player.brush_radius_m =
+            (self.player.brush_radius_m + f64::from(actions.brush_step)).clamp(least, most);
         if actions.toggle_camera {
-            self.camera = match self.camera {
+            self.shown.camera = match self.shown.camera {
                 CameraMode::First => CameraMode::Third,
                 CameraMode::Third => CameraMode::First,
             };
@@ -123,13 +123,14 @@ impl Scene {
     }
 
     fn move_player(&mut self, actions: &Actions) {
-        let strategy = std::sync::Arc::clone(&self.strategy);
-        let (flying, dead) = (self.flying, self.is_dead());
-        let holds = self.inventory.held().is_some();
+        let strategy = std::sync::Arc::clone(&self.world.strategy);
+        let (flying, dead) = (self.player.flying, self.is_dead());
+        let holds = self.player.inventory.held().is_some();
         let Ok((position, look, body, appearance)) =
-            self.ecs
+            self.actors
+                .ecs
                 .query_one_mut::<(&mut Position, &mut Look, &mut Body, &mut Appearance)>(
-                    self.player,
+                    self.actors.player,
                 )
         else {
             return;
@@ -145,9 +146,10 @@ impl Scene {
         let origin = strategy.chart_origin_m(position.0.hemisphere);
         let character: &mut Character = &mut body.0;
         character.feet = position.0.pos + origin;
-        self.physics.recentre(character.feet);
-        self.physics
-            .move_character(character, &self.tuning, &input, STEP_S);
+        self.world.physics.recentre(character.feet);
+        self.world
+            .physics
+            .move_character(character, &self.actors.tuning, &input, STEP_S);
         position.0.pos = character.feet - origin;
         if let Some(limits) = strategy.limits() {
             let y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
@@ -157,9 +159,9 @@ impl Scene {
             }
         }
         player::cross(&*strategy, position, look, body);
-        let harm = fall_harm(body.0.hardest_m_s(), self.tuning.gravity_m_s2);
-        if self.viewing.dips() {
-            self.dip.land(body.0.impact_m_s);
+        let harm = fall_harm(body.0.hardest_m_s(), self.actors.tuning.gravity_m_s2);
+        if self.shown.viewing.dips() {
+            self.shown.dip.land(body.0.impact_m_s);
         }
         let doing = Doing {
             flying,
@@ -179,22 +181,22 @@ impl Scene {
 
     /// Points the marker along the geodesic through the crosshair; an empty hand has none.
     pub(crate) fn update_marker(&mut self) {
-        let held = self.inventory.held().filter(|_| !self.is_driving());
+        let held = self.player.inventory.held().filter(|_| !self.is_driving());
         let digs = held.and_then(Item::brush_strength_per_s);
-        self.marker = digs.map(|_| {
-            let strategy = &**self.lens.strategy();
+        self.shown.marker = digs.map(|_| {
+            let strategy = &**self.player.lens.strategy();
             let eye = self.eye();
             // Near a wall the camera stands closer than it would like; what lies beyond the head counts.
-            let past_head_m = match self.camera {
+            let past_head_m = match self.shown.camera {
                 CameraMode::First => 0.0,
                 CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
             };
-            let found: pick::Pick = pick(strategy, &self.physics, &eye, past_head_m, REACH_M);
+            let found: pick::Pick = pick(strategy, &self.world.physics, &eye, past_head_m, REACH_M);
             Marker {
                 point: found.point,
-                radius_m: self.brush_radius_m,
+                radius_m: self.player.brush_radius_m,
                 active: false,
-                shape: if self.viewing.safe_marker {
+                shape: if self.shown.viewing.safe_marker {
                     MarkerShape::SafeRing
                 } else {
                     MarkerShape::Ring
@@ -204,10 +206,14 @@ impl Scene {
     }
 
     fn use_tool(&mut self, actions: &Actions) {
-        let strength = self.inventory.held().and_then(Item::brush_strength_per_s);
+        let strength = self
+            .player
+            .inventory
+            .held()
+            .and_then(Item::brush_strength_per_s);
         let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
         self.hear_tool(sign, STEP_S);
-        let (Some(strength), Some(marker)) = (strength, self.marker.as_mut()) else {
+        let (Some(strength), Some(marker)) = (strength, self.shown.marker.as_mut()) else {
             return;
         };
         if sign == 0.0 {
@@ -216,36 +222,37 @@ impl Scene {
         marker.active = true;
         let centre = marker.point;
         if sign < 0.0 && self.would_immure(centre) {
-            if !self.secondary_before {
-                self.hints.push(Hint::InTheWay);
+            if !self.player.secondary_before {
+                self.outbox.hints.push(Hint::InTheWay);
             }
             return;
         }
         let amount = sign * strength * STEP_S as f32;
         let stroke = Stroke {
             centre,
-            radius_m: self.brush_radius_m,
+            radius_m: self.player.brush_radius_m,
             amount,
         };
-        self.streamer.edit(stroke);
+        self.world.streamer.edit(stroke);
     }
 
     /// Whether building there would fill the place of the player's body under a roof. In the open it is lifted by what
     /// is built; here the nearest free place is on top of the hill.
     fn would_immure(&self, centre: ChartPoint) -> bool {
-        if self.flying || self.is_driving() {
+        if self.player.flying || self.is_driving() {
             return false;
         }
-        let tuning = &self.tuning;
+        let tuning = &self.actors.tuning;
         let middle = self.feet().moved(DVec3::Y * (0.5 * tuning.height_m));
-        let reach_m = self.brush_radius_m + 0.5 * tuning.height_m + BODY_SLACK_M;
-        if self.strategy.distance_m(middle, centre, &self.head()) > reach_m {
+        let reach_m = self.player.brush_radius_m + 0.5 * tuning.height_m + BODY_SLACK_M;
+        if self.world.strategy.distance_m(middle, centre, &self.head()) > reach_m {
             return false;
         }
-        let steps = (self.brush_radius_m / ROOF_STEP_M).ceil() as u32;
+        let steps = (self.player.brush_radius_m / ROOF_STEP_M).ceil() as u32;
         let above = |step| tuning.height_m + f64::from(step) * ROOF_STEP_M;
         (0..=steps).any(|step| {
-            self.ground
+            self.world
+                .ground
                 .is_solid(self.feet().moved(DVec3::Y * above(step)))
         })
     }

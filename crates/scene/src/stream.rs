@@ -38,22 +38,26 @@ pub struct CloseFailure {
 impl Scene {
     /// Tells the workers what is wanted now. Cheap; called every frame.
     pub fn request_ground(&mut self) {
-        let head = self.watched.unwrap_or_else(|| self.head());
+        let head = self.shown.watched.unwrap_or_else(|| self.head());
         let (position, _, body, _) = self.player_parts();
         self.renew_sight();
         let wish = Wish {
             centre: head.point,
             front: head.front(),
-            view_distance: self.setup.view_distance,
+            view_distance: self.world.setup.view_distance,
             bodies: self.reaches(position.0, body.0.velocity),
-            detail: self.sight.clone().map(|sight| sight as Arc<dyn Detail>),
+            detail: self
+                .shown
+                .sight
+                .clone()
+                .map(|sight| sight as Arc<dyn Detail>),
         };
-        self.streamer.wish(&wish);
+        self.world.streamer.wish(&wish);
     }
 
     /// Where the ground must be solid: around the player, and around others and what flies.
     fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
-        let mut reaches = reach::of_body(&*self.strategy, feet, velocity);
+        let mut reaches = reach::of_body(&*self.world.strategy, feet, velocity);
         let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
         let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
         // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
@@ -67,30 +71,34 @@ impl Scene {
 
     /// Takes the sizes of things in the picture anew, if they no longer hold.
     fn renew_sight(&mut self) {
-        let sharpness = Sharpness::of(self.quality, self.picture_height_px, self.viewing.fov_y_rad);
+        let sharpness = Sharpness::of(
+            self.shown.quality,
+            self.shown.picture_height_px,
+            self.shown.viewing.fov_y_rad,
+        );
         let Some(sharpness) = sharpness else {
-            self.sight = None;
+            self.shown.sight = None;
             return;
         };
-        let head = self.watched.unwrap_or_else(|| self.head());
-        let strategy = self.lens.strategy();
-        let sight = self.sight.as_ref();
+        let head = self.shown.watched.unwrap_or_else(|| self.head());
+        let strategy = self.player.lens.strategy();
+        let sight = self.shown.sight.as_ref();
         if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
-            self.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
+            self.shown.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
         }
     }
 
     /// Says how many lines pictures have, which decides how fine far land must be; at least 1.
     pub fn set_picture_height_px(&mut self, lines: u32) {
-        self.picture_height_px = lines.max(1);
+        self.shown.picture_height_px = lines.max(1);
     }
 
     /// Takes finished work in until `budget` is used up. Never blocks.
     pub fn pump(&mut self, budget: Duration) {
         self.request_ground();
-        let updates = self.streamer.poll(budget);
+        let updates = self.world.streamer.poll(budget);
         self.apply(updates);
-        if self.body_unchecked && self.is_ground_ready() {
+        if self.player.body_unchecked && self.is_ground_ready() {
             self.free_body();
         }
     }
@@ -100,11 +108,11 @@ impl Scene {
     /// Returns false when the limit passed first.
     pub fn wait_for_step(&mut self, limit: Duration) -> bool {
         self.request_ground();
-        let updates = self.streamer.wait(Until::Edits, limit);
+        let updates = self.world.streamer.wait(Until::Edits, limit);
         self.apply(updates);
         for _ in 0..MOST_LIFTS {
             self.await_ground(limit);
-            if !(self.body_unchecked && self.is_ground_ready() && self.free_body()) {
+            if !(self.player.body_unchecked && self.is_ground_ready() && self.free_body()) {
                 break;
             }
             self.request_ground();
@@ -114,26 +122,26 @@ impl Scene {
 
     /// Waits for the ground that a step, a probe or a lift may ask about.
     fn await_ground(&mut self, limit: Duration) {
-        let updates = self.streamer.wait(Until::Bodies, limit);
+        let updates = self.world.streamer.wait(Until::Bodies, limit);
         self.apply(updates);
     }
 
     /// Blocks until no chunk work is pending, or `limit` has passed; returns false when it did.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.request_ground();
-        let updates = self.streamer.wait(Until::Idle, limit);
+        let updates = self.world.streamer.wait(Until::Idle, limit);
         self.apply(updates);
         self.update_marker();
-        self.streamer.pending() == 0
+        self.world.streamer.pending() == 0
     }
 
     /// How much of the ground around a new arrival stands, 0 to 1; at 1 the world can be played.
     pub fn loading_progress(&self) -> f32 {
-        let mut needed = chunks_near(&*self.strategy, self.feet(), PLAYABLE_AROUND_M);
-        needed.retain(|coord| self.streamer.is_wanted(*coord));
+        let mut needed = chunks_near(&*self.world.strategy, self.feet(), PLAYABLE_AROUND_M);
+        needed.retain(|coord| self.world.streamer.is_wanted(*coord));
         let there = needed
             .iter()
-            .filter(|c| self.streamer.is_ready(**c))
+            .filter(|c| self.world.streamer.is_ready(**c))
             .count();
         if needed.is_empty() {
             return 1.0;
@@ -143,25 +151,25 @@ impl Scene {
 
     /// Work the chunk workers have not finished.
     pub fn pending(&self) -> usize {
-        self.streamer.pending()
+        self.world.streamer.pending()
     }
 
     /// Commits in the background what changed, if the last commit is [`AUTOSAVE_S`] old.
     pub(crate) fn autosave(&mut self) {
-        if self.stored && self.simulated_s - self.saved_at_s >= AUTOSAVE_S {
+        if self.kept.stored && self.world.simulated_s - self.kept.saved_at_s >= AUTOSAVE_S {
             self.save();
         }
     }
 
     /// Commits everything in the background; a notice tells when it failed.
     pub fn save(&mut self) {
-        if !self.stored {
+        if !self.kept.stored {
             return;
         }
-        self.saved_at_s = self.simulated_s;
-        self.changed = false;
+        self.kept.saved_at_s = self.world.simulated_s;
+        self.kept.changed = false;
         let (meta, state) = self.records();
-        self.streamer.save(Some(meta), Some(state));
+        self.world.streamer.save(Some(meta), Some(state));
     }
 
     /// Commits everything, waits until it is on disk and ends the chunk workers.
@@ -170,10 +178,10 @@ impl Scene {
     /// When the last commit failed; the failure says why and gives the world back.
     pub fn close(mut self) -> Result<(), CloseFailure> {
         self.save();
-        let Err(error) = self.streamer.close() else {
+        let Err(error) = self.world.streamer.close() else {
             return Ok(());
         };
-        let updates = self.streamer.poll(Duration::ZERO);
+        let updates = self.world.streamer.poll(Duration::ZERO);
         self.apply(updates);
         Err(CloseFailure {
             scene: Box::new(self),
@@ -183,31 +191,31 @@ impl Scene {
 
     /// Whether the world is kept on disk at all.
     pub fn is_kept(&self) -> bool {
-        self.stored
+        self.kept.stored
     }
 
     /// Whether every save asked for so far is on disk: none is under way and the last one did not fail.
     pub fn is_saved(&self) -> bool {
-        self.streamer.saves_in_flight() == 0 && self.save_problem.is_none()
+        self.world.streamer.saves_in_flight() == 0 && self.kept.save_problem.is_none()
     }
 
     /// Whether there is anything that no save asked for so far is sure to hold, such as an edit that was still under
     /// way then, or a save that failed. Never so in a world that is not kept.
     pub fn needs_save(&self) -> bool {
-        self.stored && (self.changed || self.streamer.needs_save())
+        self.kept.stored && (self.kept.changed || self.world.streamer.needs_save())
     }
 
     /// Why the last commit failed, if it did.
     pub fn save_problem(&self) -> Option<Notice> {
-        self.save_problem.clone()
+        self.kept.save_problem.clone()
     }
 
     /// Blocks until what was saved so far is on disk, or `limit` has passed; returns false when it was not.
     pub fn wait_saved(&mut self, limit: Duration) -> bool {
-        let updates = self.streamer.wait(Until::Saved, limit);
+        let updates = self.world.streamer.wait(Until::Saved, limit);
         let done = updates.iter().any(|u| matches!(u, Update::Saved));
         self.apply(updates);
-        done || self.streamer.saves_in_flight() == 0
+        done || self.world.streamer.saves_in_flight() == 0
     }
 
     fn apply(&mut self, updates: Vec<Update>) {
@@ -226,46 +234,49 @@ impl Scene {
                     collider,
                     samples,
                 } => {
-                    let physics = &mut self.physics;
-                    let spent = self.ground.set_solid(coord, collider, samples, physics);
+                    let physics = &mut self.world.physics;
+                    let spent = self
+                        .world
+                        .ground
+                        .set_solid(coord, collider, samples, physics);
                     self.discard(spent);
                 }
                 Update::Unloaded(coord) => {
-                    let spent = self.ground.remove(coord, &mut self.physics);
+                    let spent = self.world.ground.remove(coord, &mut self.world.physics);
                     self.discard(spent);
                 }
-                Update::Saved => self.save_problem = None,
+                Update::Saved => self.kept.save_problem = None,
                 Update::SaveFailed(why) => {
                     let problem = Notice::NotSaved(why);
                     // The same failure comes back with every autosave; once told is enough.
-                    if self.save_problem.as_ref() != Some(&problem) {
-                        self.notices.push(problem.clone());
+                    if self.kept.save_problem.as_ref() != Some(&problem) {
+                        self.outbox.notices.push(problem.clone());
                     }
-                    self.save_problem = Some(problem);
+                    self.kept.save_problem = Some(problem);
                 }
-                Update::Problem(sentence) => self.notices.push(Notice::Land(sentence)),
+                Update::Problem(sentence) => self.outbox.notices.push(Notice::Land(sentence)),
             }
         }
         if !edited.is_empty() {
-            self.lamps_unchecked = true;
-            self.drops_unchecked = true;
+            self.actors.lamps_unchecked = true;
+            self.actors.drops_unchecked = true;
             self.wake_cars(&edited);
             let places = edited
                 .iter()
                 .map(|coord| ChartPoint::new(coord.hemisphere, coord.centre()));
-            self.npcs.events.extend(places.map(Event::Ground));
+            self.actors.npcs.events.extend(places.map(Event::Ground));
             self.lift_player_out();
         }
     }
 
     fn put(&mut self, chunk: Chunk) {
-        let spent = self.ground.put(chunk, &mut self.physics);
+        let spent = self.world.ground.put(chunk, &mut self.world.physics);
         self.discard(spent);
     }
 
     fn discard(&self, spent: Spent) {
         if spent.0.is_some() || spent.1.is_some() {
-            self.streamer.discard(spent);
+            self.world.streamer.discard(spent);
         }
     }
 }

@@ -40,14 +40,14 @@ impl Viewing {
 impl Scene {
     /// How the player wants to see the world.
     pub fn viewing(&self) -> Viewing {
-        self.viewing
+        self.shown.viewing
     }
 
     /// Sets how the player wants to see the world, from the next frame on.
     pub fn set_viewing(&mut self, viewing: Viewing) {
-        self.viewing = viewing;
+        self.shown.viewing = viewing;
         if !viewing.dips() {
-            self.dip.rest();
+            self.shown.dip.rest();
         }
         self.update_marker();
     }

@@ -232,15 +232,15 @@ impl Scene {
     /// The driver's own eyes.
     pub(crate) fn driver_head(&self) -> Option<Eye> {
         let car = self.driven_car()?;
-        let driving = self.cars.driving.as_ref()?;
-        let (yaw, pitch) = driving.chase.look(self.camera);
+        let driving = self.actors.cars.driving.as_ref()?;
+        let (yaw, pitch) = driving.chase.look(self.shown.camera);
         let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
         Some(Eye {
             point,
             yaw,
             pitch,
             roll: 0.0,
-            dial: self.lens.value(),
+            dial: self.player.lens.value(),
             lift_m: point.pos.y - car.point.pos.y,
         })
     }
@@ -249,11 +249,11 @@ impl Scene {
     pub(crate) fn driver_camera(&self) -> Option<CameraPose> {
         let head = self.driver_head()?;
         let car = self.driven_car()?;
-        let driving = self.cars.driving.as_ref()?;
-        match self.camera {
+        let driving = self.actors.cars.driving.as_ref()?;
+        match self.shown.camera {
             CameraMode::First => {
                 let point = car.place(BONNET_M);
-                let levels = self.viewing.reduced_motion;
+                let levels = self.shown.viewing.reduced_motion;
                 let eye = Eye {
                     point,
                     roll: if levels { 0.0 } else { driving.chase.lean() },
@@ -268,8 +268,8 @@ impl Scene {
             CameraMode::Third => Some(driving.chase.pose(
                 &car,
                 &head,
-                &*self.strategy,
-                &self.physics,
+                &*self.world.strategy,
+                &self.world.physics,
             )),
         }
     }

@@ -49,7 +49,7 @@ impl Scene {
         if actions.horn
             && let Some(car) = self.driven_car()
         {
-            self.sounds.push(SoundEvent::Horn);
+            self.outbox.sounds.push(SoundEvent::Horn);
             self.scare(car.point, HORN_REACH_M);
         }
         self.tell_of_fallen_car();
@@ -60,38 +60,38 @@ impl Scene {
         let lies = self.driven_car().is_some_and(|car| {
             (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
         });
-        if let Some(driving) = &mut self.cars.driving {
+        if let Some(driving) = &mut self.actors.cars.driving {
             let before_s = driving.lies_s;
             driving.lies_s = if lies { before_s + STEP_S } else { 0.0 };
             if before_s < LIES_S && driving.lies_s >= LIES_S {
-                self.hints.push(Hint::FallenOver);
+                self.outbox.hints.push(Hint::FallenOver);
             }
         }
     }
 
     /// Switches the lights of the car that the player drives.
     pub(crate) fn toggle_car_lights(&mut self, number: usize) {
-        if let Some(state) = self.cars.states.get_mut(number) {
+        if let Some(state) = self.actors.cars.states.get_mut(number) {
             state.lights = !state.lights;
         }
     }
 
     fn enter_car(&mut self) {
-        if self.flying {
+        if self.player.flying {
             return;
         }
         let Some(number) = self.car_in_reach(true) else {
-            self.hints.push(self.why_no_car());
+            self.outbox.hints.push(self.why_no_car());
             return;
         };
-        let before = self.camera;
+        let before = self.shown.camera;
         self.take_wheel(number);
-        self.camera = CameraMode::Third;
-        if let Some(driving) = &mut self.cars.driving {
+        self.shown.camera = CameraMode::Third;
+        if let Some(driving) = &mut self.actors.cars.driving {
             driving.camera_before = before;
         }
-        self.sounds.push(SoundEvent::CarDoor);
-        self.hints.push(Hint::AtTheWheel);
+        self.outbox.sounds.push(SoundEvent::CarDoor);
+        self.outbox.hints.push(Hint::AtTheWheel);
         self.seat_driver(&Actions::default());
     }
 
@@ -100,14 +100,14 @@ impl Scene {
         let Some(car) = self.car(number) else {
             return;
         };
-        self.cars.driving = Some(Driving {
+        self.actors.cars.driving = Some(Driving {
             car: number,
             chase: Chase::behind(&car),
             camera_before: CameraMode::First,
             throttle: 0.0,
             lies_s: 0.0,
         });
-        self.cars.vehicles.wake(number);
+        self.actors.cars.vehicles.wake(number);
     }
 
     /// The nearest car that the player can reach; with `seen`, of those in view.
@@ -131,17 +131,17 @@ impl Scene {
 
     /// Whether nothing hides a car's roof.
     fn sees_car(&self, number: usize) -> bool {
-        let pictured = &**self.lens.strategy();
+        let pictured = &**self.player.lens.strategy();
         self.car(number).is_some_and(|car| {
             let over_roof = car.place(DVec3::Y * ROOF_UP_M);
-            sees(pictured, &self.physics, &self.head(), over_roof)
+            sees(pictured, &self.world.physics, &self.head(), over_roof)
         })
     }
 
     fn car_within(&self, reach_m: f64, seen: bool) -> Option<usize> {
         let head = self.head();
         let feet = self.feet();
-        let pictured = &**self.lens.strategy();
+        let pictured = &**self.player.lens.strategy();
         let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
         self.cars()
             .iter()
@@ -158,27 +158,27 @@ impl Scene {
             return;
         };
         let Some(spot) = self.free_spot(&car) else {
-            self.hints.push(Hint::NoWayOut);
+            self.outbox.hints.push(Hint::NoWayOut);
             return;
         };
         self.get_out();
         self.place_body(spot, car.velocity, false);
-        self.sounds.push(SoundEvent::CarDoor);
+        self.outbox.sounds.push(SoundEvent::CarDoor);
         let harm = fall_harm(
             car.velocity.length() * JUMPED_OFF_SHARE,
-            self.tuning.gravity_m_s2,
+            self.actors.tuning.gravity_m_s2,
         );
         self.hurt_player(harm, HarmKind::Fall, None);
     }
 
     /// The player sits in no car any more, wherever he is then put.
     pub(crate) fn get_out(&mut self) {
-        let Some(driving) = self.cars.driving.take() else {
+        let Some(driving) = self.actors.cars.driving.take() else {
             return;
         };
-        let (yaw, _) = driving.chase.look(self.camera);
-        self.camera = driving.camera_before;
-        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+        let (yaw, _) = driving.chase.look(self.shown.camera);
+        self.shown.camera = driving.camera_before;
+        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
             *look = Look {
                 yaw: 0.0,
                 pitch: 0.0,
@@ -190,20 +190,25 @@ impl Scene {
     /// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
     fn free_spot(&self, car: &CarView) -> Option<ChartPoint> {
         let hemisphere = car.point.hemisphere;
-        let origin = self.strategy.chart_origin_m(hemisphere);
+        let origin = self.world.strategy.chart_origin_m(hemisphere);
         let level = DQuat::from_rotation_y(-car.yaw());
         let inside = middle(car).pos + origin;
-        let (height_m, radius_m) = (self.tuning.height_m, self.tuning.radius_m);
+        let (height_m, radius_m) = (self.actors.tuning.height_m, self.actors.tuning.radius_m);
         DOORS_M.into_iter().find_map(|door| {
             let beside = car.point.pos + origin + level * door;
             let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
             let way = from - inside;
-            let shut = self.physics.cast_ray(inside, way, way.length()).is_some();
+            let shut = self
+                .world
+                .physics
+                .cast_ray(inside, way, way.length())
+                .is_some();
             if shut || self.is_rock(from - origin, car) {
                 return None;
             }
             let most_m = DOOR_RISE_M + DOOR_DROP_M;
             let down_m = self
+                .world
                 .physics
                 .cast_sphere(from, DVec3::NEG_Y, radius_m, most_m)?;
             // On the roof one stands on the car and not on the ground below it.
@@ -215,14 +220,18 @@ impl Scene {
             };
             let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
             let is_free = (on_roof || !self.is_within(car, feet - origin))
-                && !self.physics.overlaps_capsule(feet, height_m, radius_m)
+                && !self
+                    .world
+                    .physics
+                    .overlaps_capsule(feet, height_m, radius_m)
                 && !self.is_rock(feet - origin + DVec3::Y * (0.5 * height_m), car);
             is_free.then(|| self.within_world(ChartPoint::new(hemisphere, feet - origin)))
         })
     }
 
     fn is_rock(&self, pos: DVec3, car: &CarView) -> bool {
-        self.ground
+        self.world
+            .ground
             .is_solid(ChartPoint::new(car.point.hemisphere, pos))
     }
 
@@ -234,11 +243,11 @@ impl Scene {
         let Some(car) = self.car(number) else {
             return;
         };
-        let origin = self.strategy.chart_origin_m(car.point.hemisphere);
+        let origin = self.world.strategy.chart_origin_m(car.point.hemisphere);
         let solid = |at: DVec3| self.is_rock(at - origin, &car);
-        let vehicles = &self.cars.vehicles;
-        if let Some(upright) = vehicles.upright(number, &self.physics, &solid) {
-            self.cars.vehicles.set_motion(number, upright);
+        let vehicles = &self.actors.cars.vehicles;
+        if let Some(upright) = vehicles.upright(number, &self.world.physics, &solid) {
+            self.actors.cars.vehicles.set_motion(number, upright);
             self.make_way(number);
         }
     }
@@ -258,14 +267,14 @@ impl Scene {
     /// Whether who stands with the feet at a place of a car's chart would be in the car, however it lies.
     fn is_within(&self, car: &CarView, feet: DVec3) -> bool {
         let (low_m, high_m) = (
-            self.tuning.radius_m,
-            self.tuning.height_m - self.tuning.radius_m,
+            self.actors.tuning.radius_m,
+            self.actors.tuning.height_m - self.actors.tuning.radius_m,
         );
         (0..=4).any(|part| {
             let up_m = low_m + (high_m - low_m) * f64::from(part) / 4.0;
             let own = car.turn.inverse() * (feet + DVec3::Y * up_m - car.point.pos);
             let (low, high) = BODY_BOX_M;
-            own.distance(own.clamp(low, high)) < self.tuning.radius_m
+            own.distance(own.clamp(low, high)) < self.actors.tuning.radius_m
         })
     }
 }

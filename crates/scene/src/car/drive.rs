@@ -19,20 +19,25 @@ const WHEELS_BELOW_M: f64 = 0.5;
 impl Scene {
     /// Moves all cars by one step, and the player who sits in one.
     pub(crate) fn step_cars(&mut self, actions: &Actions) {
-        if self.cars.states.is_empty() {
+        if self.actors.cars.states.is_empty() {
             return;
         }
         self.put_cars_free();
         let inputs = self.car_inputs(actions);
         if let Some(car) = self.driven_car() {
-            let origin = self.strategy.chart_origin_m(car.point.hemisphere);
-            self.physics.recentre(car.point.pos + origin);
+            let origin = self.world.strategy.chart_origin_m(car.point.hemisphere);
+            self.world.physics.recentre(car.point.pos + origin);
         }
-        self.cars.vehicles.step(&self.physics, &inputs, STEP_S);
+        self.actors
+            .cars
+            .vehicles
+            .step(&self.world.physics, &inputs, STEP_S);
         self.keep_cars_between_limits();
         self.cross_cars();
         self.run_over();
-        self.physics.set_obstacles(self.cars.vehicles.obstacles());
+        self.world
+            .physics
+            .set_obstacles(self.actors.cars.vehicles.obstacles());
         self.seat_driver(actions);
     }
 
@@ -42,10 +47,10 @@ impl Scene {
         let input = |number: usize| {
             let car = self.car(number)?;
             let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * car.velocity.length();
-            let is_ready = !self.cars.states[number].unplaced
-                && chunks_near(&*self.strategy, car.point, reach_m)
+            let is_ready = !self.actors.cars.states[number].unplaced
+                && chunks_near(&*self.world.strategy, car.point, reach_m)
                     .into_iter()
-                    .all(|coord| self.streamer.is_ready(coord));
+                    .all(|coord| self.world.streamer.is_ready(coord));
             is_ready.then(|| match driven {
                 Some(own) if own == number => VehicleInput {
                     throttle: actions.forward,
@@ -60,50 +65,52 @@ impl Scene {
                 },
             })
         };
-        (0..self.cars.states.len()).map(input).collect()
+        (0..self.actors.cars.states.len()).map(input).collect()
     }
 
     /// Brings cars that were put somewhere, or were built over, to the first free place above.
     fn put_cars_free(&mut self) {
-        for number in 0..self.cars.states.len() {
-            let state = self.cars.states[number];
+        for number in 0..self.actors.cars.states.len() {
+            let state = self.actors.cars.states[number];
             let Some(car) = self.car(number) else {
                 continue;
             };
-            let origin = self.strategy.chart_origin_m(state.hemisphere);
-            let middle = self.cars.vehicles.middle(number).unwrap_or_default() - origin;
+            let origin = self.world.strategy.chart_origin_m(state.hemisphere);
+            let middle = self.actors.cars.vehicles.middle(number).unwrap_or_default() - origin;
             let is_there = || {
-                chunks_near(&*self.strategy, car.point, NEEDED_AROUND_M)
+                chunks_near(&*self.world.strategy, car.point, NEEDED_AROUND_M)
                     .into_iter()
-                    .all(|coord| self.streamer.is_ready(coord))
+                    .all(|coord| self.world.streamer.is_ready(coord))
             };
             let is_buried = self
+                .world
                 .ground
                 .is_solid(ChartPoint::new(state.hemisphere, middle));
             if !(state.unplaced || is_buried) || !is_there() {
                 continue;
             }
             let solid = |at: DVec3| {
-                self.ground
+                self.world
+                    .ground
                     .is_solid(ChartPoint::new(state.hemisphere, at - origin))
             };
             let ahead = car.turn * DVec3::X;
             let place = car.point.pos + origin;
-            let vehicles = &self.cars.vehicles;
-            if let Some(free) = vehicles.upright_at(&self.physics, place, ahead, &solid) {
-                self.cars.vehicles.set_motion(number, free);
+            let vehicles = &self.actors.cars.vehicles;
+            if let Some(free) = vehicles.upright_at(&self.world.physics, place, ahead, &solid) {
+                self.actors.cars.vehicles.set_motion(number, free);
             }
-            self.cars.states[number].unplaced = false;
+            self.actors.cars.states[number].unplaced = false;
         }
     }
 
     /// A world has heights that nothing leaves.
     fn keep_cars_between_limits(&mut self) {
-        let Some(limits) = self.strategy.limits() else {
+        let Some(limits) = self.world.strategy.limits() else {
             return;
         };
-        for number in 0..self.cars.states.len() {
-            let Some(vehicle) = self.cars.vehicles.all().get(number) else {
+        for number in 0..self.actors.cars.states.len() {
+            let Some(vehicle) = self.actors.cars.vehicles.all().get(number) else {
                 continue;
             };
             let motion = vehicle.motion();
@@ -117,7 +124,7 @@ impl Scene {
                     velocity: motion.velocity.with_y(0.0),
                     ..motion
                 };
-                self.cars.vehicles.set_motion(number, still);
+                self.actors.cars.vehicles.set_motion(number, still);
             }
         }
     }
@@ -125,21 +132,24 @@ impl Scene {
     /// Carries cars over the equator whole: place, stance, velocity, spin, and the camera behind the player's own.
     fn cross_cars(&mut self) {
         let driven = self.driven_number();
-        for number in 0..self.cars.states.len() {
+        for number in 0..self.actors.cars.states.len() {
             let Some(car) = self.car(number) else {
                 continue;
             };
-            let Some(crossing) = self.strategy.cross(car.point) else {
+            let Some(crossing) = self.world.strategy.cross(car.point) else {
                 continue;
             };
             let hemisphere = crossing.point.hemisphere;
-            let place = crossing.point.pos + self.strategy.chart_origin_m(hemisphere);
-            self.cars.vehicles.carry(number, place, crossing.rotation());
-            self.cars.states[number].hemisphere = hemisphere;
+            let place = crossing.point.pos + self.world.strategy.chart_origin_m(hemisphere);
+            self.actors
+                .cars
+                .vehicles
+                .carry(number, place, crossing.rotation());
+            self.actors.cars.states[number].hemisphere = hemisphere;
             if driven == Some(number)
-                && let Some(driving) = &mut self.cars.driving
+                && let Some(driving) = &mut self.actors.cars.driving
             {
-                driving.chase.carry(&*self.strategy, &crossing);
+                driving.chase.carry(&*self.world.strategy, &crossing);
             }
         }
     }
@@ -150,28 +160,30 @@ impl Scene {
             return;
         };
         let Some(car) = self.car(number) else {
-            self.cars.driving = None;
+            self.actors.cars.driving = None;
             return;
         };
         let jolt_m_s = self
+            .actors
             .cars
             .vehicles
             .all()
             .get(number)
             .map_or(0.0, antipode_physics::Vehicle::jolt_m_s);
         let mut sees = None;
-        if let Some(driving) = &mut self.cars.driving {
+        if let Some(driving) = &mut self.actors.cars.driving {
             driving.throttle = actions.forward;
             driving
                 .chase
                 .pass(&car, (actions.look_yaw, actions.look_pitch), STEP_S);
-            sees = Some(driving.chase.look(self.camera));
+            sees = Some(driving.chase.look(self.shown.camera));
         }
         let seat = car.place(SEAT_M);
-        let origin = self.strategy.chart_origin_m(seat.hemisphere);
+        let origin = self.world.strategy.chart_origin_m(seat.hemisphere);
         if let Ok((position, look, body)) = self
+            .actors
             .ecs
-            .query_one_mut::<(&mut Position, &mut Look, &mut Body)>(self.player)
+            .query_one_mut::<(&mut Position, &mut Look, &mut Body)>(self.actors.player)
         {
             position.0 = seat;
             body.0.feet = seat.pos + origin;
@@ -186,10 +198,10 @@ impl Scene {
             }
         }
         if jolt_m_s >= CRASH_FROM_M_S {
-            self.sounds.push(SoundEvent::Crashed {
+            self.outbox.sounds.push(SoundEvent::Crashed {
                 speed_m_s: jolt_m_s,
             });
-            let harm = fall_harm(jolt_m_s * CRASH_SHARE, self.tuning.gravity_m_s2);
+            let harm = fall_harm(jolt_m_s * CRASH_SHARE, self.actors.tuning.gravity_m_s2);
             self.hurt_player(harm, HarmKind::Crash, Some(car.turn * DVec3::X));
         }
     }

@@ -31,11 +31,13 @@ struct Meeting {
 impl Scene {
     /// Lets cars act on those who stand in their way.
     pub(super) fn run_over(&mut self) {
-        self.cars
+        self.actors
+            .cars
             .hurt
             .iter_mut()
             .for_each(|(_, ago_s)| *ago_s += STEP_S);
-        self.cars
+        self.actors
+            .cars
             .hurt
             .retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
         for meeting in self.meetings() {
@@ -46,11 +48,11 @@ impl Scene {
     fn meetings(&self) -> Vec<Meeting> {
         let mut found = Vec::new();
         let standing = self.standing();
-        for (number, vehicle) in self.cars.vehicles.all().iter().enumerate() {
+        for (number, vehicle) in self.actors.cars.vehicles.all().iter().enumerate() {
             let place = vehicle.motion().place;
             let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
             for it in standing.iter().filter(near) {
-                let touch = self.cars.vehicles.touches_capsule(
+                let touch = self.actors.cars.vehicles.touches_capsule(
                     number,
                     it.feet,
                     it.height_m,
@@ -80,7 +82,7 @@ impl Scene {
         } = *meeting;
         let is_fast = closing_m_s > SHOVES_BELOW_M_S;
         if closing_m_s > 0.0
-            && let Ok(mut body) = self.ecs.get::<&mut Body>(who)
+            && let Ok(mut body) = self.actors.ecs.get::<&mut Body>(who)
         {
             let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
             let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(away);
@@ -90,18 +92,21 @@ impl Scene {
                 body.0.grounded = false;
             }
         }
-        if !is_fast || self.cars.hurt.iter().any(|(last, _)| *last == who) {
+        if !is_fast || self.actors.cars.hurt.iter().any(|(last, _)| *last == who) {
             return;
         }
-        self.cars.hurt.push((who, 0.0));
+        self.actors.cars.hurt.push((who, 0.0));
         let push = away * (-BODY_KG * closing_m_s);
-        self.cars.vehicles.push(meeting.car, meeting.at, push);
-        self.sounds.push(SoundEvent::Struck);
+        self.actors
+            .cars
+            .vehicles
+            .push(meeting.car, meeting.at, push);
+        self.outbox.sounds.push(SoundEvent::Struck);
         let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
-        if who == self.player {
+        if who == self.actors.player {
             self.hurt_player(harm, HarmKind::RunOver, Some(-away));
         } else {
-            let by = (self.driven_number() == Some(meeting.car)).then_some(self.player);
+            let by = (self.driven_number() == Some(meeting.car)).then_some(self.actors.player);
             self.hurt_bot_by(who, harm, by);
         }
     }
@@ -110,8 +115,8 @@ impl Scene {
     pub(crate) fn take_knocks(&mut self, knocks: &[Knock]) {
         for knock in knocks {
             let impulse = knock.velocity * BULLET_PUSH_KG;
-            self.cars.vehicles.push(knock.car, knock.at, impulse);
-            self.sounds.push(SoundEvent::CarHit);
+            self.actors.cars.vehicles.push(knock.car, knock.at, impulse);
+            self.outbox.sounds.push(SoundEvent::CarHit);
         }
     }
 }

@@ -115,17 +115,17 @@ impl CarView {
 impl Scene {
     /// All cars, in the order in which they came.
     pub fn cars(&self) -> Vec<CarView> {
-        (0..self.cars.states.len())
+        (0..self.actors.cars.states.len())
             .filter_map(|number| self.car(number))
             .collect()
     }
 
     /// One car by its number.
     pub fn car(&self, number: usize) -> Option<CarView> {
-        let state = self.cars.states.get(number)?;
-        let vehicle = self.cars.vehicles.all().get(number)?;
+        let state = self.actors.cars.states.get(number)?;
+        let vehicle = self.actors.cars.vehicles.all().get(number)?;
         let motion = vehicle.motion();
-        let origin = self.strategy.chart_origin_m(state.hemisphere);
+        let origin = self.world.strategy.chart_origin_m(state.hemisphere);
         Some(CarView {
             point: ChartPoint::new(state.hemisphere, motion.place - origin),
             turn: motion.turn,
@@ -147,23 +147,23 @@ impl Scene {
     }
 
     pub(crate) fn driven_number(&self) -> Option<usize> {
-        self.cars.driving.as_ref().map(|driving| driving.car)
+        self.actors.cars.driving.as_ref().map(|driving| driving.car)
     }
 
     /// Whether the player sits in a car.
     pub fn is_driving(&self) -> bool {
-        self.cars.driving.is_some()
+        self.actors.cars.driving.is_some()
     }
 
     /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
     /// ground is there. Returns whether there was room for one more.
     pub fn spawn_car(&mut self, point: ChartPoint, yaw: f64) -> bool {
-        if self.cars.states.len() >= MOST_CARS {
+        if self.actors.cars.states.len() >= MOST_CARS {
             return false;
         }
         let point = self.within_world(point);
         let motion = VehicleMotion {
-            place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
+            place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
             turn: DQuat::from_rotation_y(-yaw),
             ..VehicleMotion::default()
         };
@@ -178,27 +178,28 @@ impl Scene {
         lights: bool,
         unplaced: bool,
     ) {
-        self.cars.vehicles.add(motion);
-        self.cars.states.push(CarState {
+        self.actors.cars.vehicles.add(motion);
+        self.actors.cars.states.push(CarState {
             hemisphere,
             lights,
             unplaced,
         });
-        self.changed = true;
+        self.kept.changed = true;
     }
 
     /// Gives the world its first car, near the start, if it has had none yet.
     pub fn give_first_car(&mut self) {
-        if self.cars.given {
+        if self.actors.cars.given {
             return;
         }
-        self.cars.given = true;
+        self.actors.cars.given = true;
         let start = self.start();
         let heights = |at: DVec3| {
             let (x, z) = FOOTPRINT_M;
             [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {
                 let beside = at + DVec3::new(dx, 0.0, dz);
-                self.ground
+                self.world
+                    .ground
                     .untouched_height(ChartPoint::new(start.hemisphere, beside))
             })
         };
@@ -248,7 +249,7 @@ impl Scene {
         driving: Option<u32>,
         given: bool,
     ) {
-        self.cars.given = given;
+        self.actors.cars.given = given;
         let mut driven = None;
         for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
             let turn = DQuat::from_array(record.turn);
@@ -261,17 +262,18 @@ impl Scene {
                 continue;
             };
             if driving == Some(number) {
-                driven = Some(self.cars.states.len());
+                driven = Some(self.actors.cars.states.len());
             }
             let motion = VehicleMotion {
-                place: point.pos + self.strategy.chart_origin_m(point.hemisphere),
+                place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
                 turn: unit(turn),
                 velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
                 spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
             };
             self.add_car(point.hemisphere, motion, record.lights, false);
-            let number = self.cars.states.len() - 1;
-            self.cars
+            let number = self.actors.cars.states.len() - 1;
+            self.actors
+                .cars
                 .vehicles
                 .restore(number, record.steer, record.springs, record.rests);
         }
@@ -283,9 +285,9 @@ impl Scene {
     /// Ground has changed in these chunks: what rests on it is to fall.
     pub(crate) fn wake_cars(&mut self, changed: &[ChunkCoord]) {
         for (number, car) in self.cars().into_iter().enumerate() {
-            let under = chunks_near(&*self.strategy, car.point, STANDS_ON_M);
+            let under = chunks_near(&*self.world.strategy, car.point, STANDS_ON_M);
             if under.iter().any(|coord| changed.contains(coord)) {
-                self.cars.vehicles.wake(number);
+                self.actors.cars.vehicles.wake(number);
             }
         }
     }

@@ -173,7 +173,7 @@ impl Npc {
         self.mind.face = Some(
             known
                 .feet
-                .moved(DVec3::Y * around.scene.tuning.eye_height_m()),
+                .moved(DVec3::Y * around.scene.actors.tuning.eye_height_m()),
         );
         if known.ago_s > 0.3 {
             self.search(around, known);
@@ -262,7 +262,7 @@ impl Npc {
 
     /// Whether it is dusk where the figure is.
     fn is_dusk(&self, around: &Around<'_>) -> bool {
-        let time_s = around.scene.time_of_day_s;
+        let time_s = around.scene.world.time_of_day_s;
         local_time_s(time_s, around.strategy(), self.point)
             .is_some_and(|local_s| (DUSK_S.0..DUSK_S.1).contains(&local_s))
     }
@@ -334,7 +334,7 @@ impl Npc {
 
     /// The highest of some places around.
     fn viewpoint(&mut self, around: &Around<'_>) -> ChartPoint {
-        let ground: &Ground = &around.scene.ground;
+        let ground: &Ground = &around.scene.world.ground;
         let first = self.mind.dice.heading();
         let far_m = self.mind.dice.between(WALKS_M);
         let mut best = (f64::NEG_INFINITY, self.point);
@@ -392,6 +392,7 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
 fn nearest_lamp(around: &Around<'_>, place: ChartPoint) -> Option<(Lamp, f64)> {
     around
         .scene
+        .actors
         .lamps
         .iter()
         .map(|lamp| (*lamp, around.apart_m(place, lamp.point)))

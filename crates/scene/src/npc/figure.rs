@@ -102,14 +102,14 @@ impl Npc {
         }
         // What a plan asks about must be there; else it would depend on how quickly it comes.
         let asked = chunks_near(around.strategy(), self.point, ASKS_M);
-        let streamer = &around.scene.streamer;
+        let streamer = &around.scene.world.streamer;
         if !asked.into_iter().all(|coord| streamer.is_ready(coord)) {
             return;
         }
         let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
         let land = Land {
             strategy: around.strategy(),
-            ground: &around.scene.ground,
+            ground: &around.scene.world.ground,
             blocked: &blocked,
         };
         self.mind.planned_s = 0.0;
@@ -137,7 +137,7 @@ impl Npc {
                     .map(|other| {
                         other
                             .point
-                            .moved(DVec3::Y * around.scene.tuning.eye_height_m())
+                            .moved(DVec3::Y * around.scene.actors.tuning.eye_height_m())
                     });
             }
             _ => {}
@@ -182,7 +182,7 @@ impl Npc {
         if pace > 1.0 && input.wish != DVec3::ZERO {
             // Faster than a walk is a share of a sprint.
             input.sprint = true;
-            input.wish *= pace / around.scene.tuning.sprint_factor;
+            input.wish *= pace / around.scene.actors.tuning.sprint_factor;
         }
         input
     }
@@ -229,7 +229,7 @@ impl Npc {
     fn face(&mut self, around: &Around<'_>) {
         let (heading, rise) = if let Some(place) = self.mind.face {
             let there = way(around.strategy(), self.point, place);
-            let eyes_m = self.point.pos.y + around.scene.tuning.eye_height_m();
+            let eyes_m = self.point.pos.y + around.scene.actors.tuning.eye_height_m();
             let rise = (place.pos.y - eyes_m).atan2(there.level_m.max(0.5));
             (there.heading, rise)
         } else {
@@ -268,7 +268,7 @@ impl Npc {
             self.mind.has_landed = body.grounded;
             return;
         }
-        let harm = fall_harm(body.hardest_m_s(), around.scene.tuning.gravity_m_s2);
+        let harm = fall_harm(body.hardest_m_s(), around.scene.actors.tuning.gravity_m_s2);
         if harm > 0.0 && self.health > 0.0 {
             self.health = (self.health - harm).max(0.0);
             self.bot.hit_s_ago = 0.0;
@@ -278,15 +278,15 @@ impl Npc {
 
     /// Whether its middle is in rock, as when ground was built over it.
     fn is_buried(&self, around: &Around<'_>) -> bool {
-        let middle_m = 0.5 * around.scene.tuning.height_m;
+        let middle_m = 0.5 * around.scene.actors.tuning.height_m;
         let middle = self.point.moved(DVec3::Y * middle_m);
-        around.scene.ground.is_solid(middle)
+        around.scene.world.ground.is_solid(middle)
     }
 
     /// Lets the body stand, go or fall where the ground is there.
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
         let strategy = around.strategy();
-        let streamer = &around.scene.streamer;
+        let streamer = &around.scene.world.streamer;
         let near = chunks_near(strategy, self.point, NEEDED_AROUND_M);
         if !near.into_iter().all(|coord| streamer.is_ready(coord)) {
             // It waits, and what ended its last move does not end another one.
@@ -295,14 +295,14 @@ impl Npc {
         }
         let origin = strategy.chart_origin_m(self.point.hemisphere);
         self.body.0.feet = self.point.pos + origin;
-        let physics = &around.scene.physics;
+        let physics = &around.scene.world.physics;
         if self.is_buried(around) {
             let hemisphere = self.point.hemisphere;
-            let ground = &around.scene.ground;
+            let ground = &around.scene.world.ground;
             let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
-            physics.lift_out_sized(&mut self.body.0, &around.scene.tuning, &solid);
+            physics.lift_out_sized(&mut self.body.0, &around.scene.actors.tuning, &solid);
         }
-        physics.move_character(&mut self.body.0, &around.scene.tuning, input, STEP_S);
+        physics.move_character(&mut self.body.0, &around.scene.actors.tuning, input, STEP_S);
         self.point.pos = self.body.0.feet - origin;
     }
 }

@@ -74,12 +74,12 @@ pub enum NpcMode {
 impl Scene {
     /// Says what other figures may do. Off in a scene that was just opened.
     pub fn set_npcs(&mut self, mode: NpcMode) {
-        self.npcs.mode = mode;
+        self.actors.npcs.mode = mode;
     }
 
     /// Frightens everyone peaceful within `radius_m` metres of a place: they run from it for some seconds.
     pub fn scare(&mut self, from: ChartPoint, radius_m: f64) {
-        self.npcs.events.push(Event::Scare(from, radius_m));
+        self.actors.npcs.events.push(Event::Scare(from, radius_m));
     }
 
     /// Puts somebody peaceful there who came by himself, and waits for the player.
@@ -87,7 +87,7 @@ impl Scene {
         let id = self.spawn_bot(point, yaw, false);
         self.restore_mind(id, 0.0, true);
         let head = self.head().point;
-        let minds = self.ecs.query_mut::<(&Bot, &mut Mind)>();
+        let minds = self.actors.ecs.query_mut::<(&Bot, &mut Mind)>();
         for (_, mind) in minds.into_iter().filter(|(bot, _)| bot.id == id) {
             mind.listen(head);
         }
@@ -95,15 +95,19 @@ impl Scene {
 
     /// A mind for a figure of that number: what it will choose follows from the world, the number and the time.
     pub(crate) fn new_mind(&self, id: u32) -> Mind {
-        let seeds = [self.setup.seed, u64::from(id), self.simulated_s.to_bits()];
+        let seeds = [
+            self.world.setup.seed,
+            u64::from(id),
+            self.world.simulated_s.to_bits(),
+        ];
         Mind::new(Dice::new(&seeds))
     }
 
     /// Lets everyone live one step, the dead lie and go, and others come.
     pub(crate) fn step_bots(&mut self) {
-        self.npcs.steps += 1;
-        let steps = self.npcs.steps;
-        let events = std::mem::take(&mut self.npcs.events);
+        self.actors.npcs.steps += 1;
+        let steps = self.actors.npcs.steps;
+        let events = std::mem::take(&mut self.actors.npcs.events);
         let others = self.others();
         let quarry = self.quarry();
         let cars = self.cars().into_iter();
@@ -128,12 +132,12 @@ impl Scene {
                 self.give_back(npc);
                 if gone {
                     // It was there a moment ago.
-                    let _ = self.ecs.despawn(entity);
+                    let _ = self.actors.ecs.despawn(entity);
                 }
                 continue;
             }
             npc.bot.hit_s_ago += STEP_S;
-            let shot = if self.npcs.mode == NpcMode::Still {
+            let shot = if self.actors.npcs.mode == NpcMode::Still {
                 npc.advance(&around, &CharacterInput::default());
                 None
             } else {
@@ -146,13 +150,14 @@ impl Scene {
                 self.fire_for(entity, shot);
             }
         }
-        if self.npcs.mode == NpcMode::On {
+        if self.actors.npcs.mode == NpcMode::On {
             self.come_and_go(steps);
         }
     }
 
     fn figures_in_order(&self) -> Vec<(u32, Entity)> {
         let mut all: Vec<_> = self
+            .actors
             .ecs
             .query::<(Entity, &Bot)>()
             .iter()
@@ -164,6 +169,7 @@ impl Scene {
 
     fn others(&self) -> Vec<Other> {
         let mut all: Vec<_> = self
+            .actors
             .ecs
             .query::<(Entity, &Bot, &Position, &Health, &Mind)>()
             .iter()
@@ -183,7 +189,8 @@ impl Scene {
     /// The player, unless dead, spared or a spectator.
     fn quarry(&self) -> Option<Quarry> {
         let (position, _, body, _) = self.player_parts();
-        let is_fair = !self.flying && !self.is_dead() && self.condition.spared_s <= 0.0;
+        let is_fair =
+            !self.player.flying && !self.is_dead() && self.player.condition.spared_s <= 0.0;
         is_fair.then(|| Quarry {
             head: self.head(),
             feet: position.0,
@@ -195,6 +202,7 @@ impl Scene {
     fn take_npc(&mut self, entity: Entity) -> Option<Npc> {
         let empty = Mind::new(Dice::new(&[]));
         let (bot, position, look, body, health, appearance, mind) = self
+            .actors
             .ecs
             .query_one_mut::<(
                 &Bot,
@@ -229,7 +237,7 @@ impl Scene {
             npc.mind,
         );
         // It was there a moment ago.
-        let _ = self.ecs.insert(npc.entity, components);
+        let _ = self.actors.ecs.insert(npc.entity, components);
     }
 
     /// The dead leave bullets, more who fought.
@@ -239,7 +247,7 @@ impl Scene {
             .mind
             .dice
             .whole(if npc.fights() { fighters } else { others });
-        if self.drops.len() >= MOST_DROPS {
+        if self.actors.drops.len() >= MOST_DROPS {
             return;
         }
         let stack = Stack {
@@ -249,8 +257,8 @@ impl Scene {
         let point = npc.point.moved(glam::DVec3::Y * LEAVES_AT_M);
         let mut drop = Drop::lying(stack, point);
         drop.rests = false;
-        self.drops.push(drop);
-        self.changed = true;
+        self.actors.drops.push(drop);
+        self.kept.changed = true;
     }
 }
 
@@ -267,7 +275,7 @@ impl Npc {
         };
         self.appearance.motion.pass(&doing, STEP_S);
         self.settle(around, &CharacterInput::default());
-        let strategy = Arc::clone(&around.scene.strategy);
+        let strategy = Arc::clone(&around.scene.world.strategy);
         let mut position = Position(self.point);
         player::cross(&*strategy, &mut position, &mut self.look, &mut self.body);
         self.point = position.0;

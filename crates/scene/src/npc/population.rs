@@ -28,23 +28,23 @@ impl Scene {
         let others = self.others();
         let feet = self.feet();
         let leaves = |point: ChartPoint| {
-            apart_m(&*self.strategy, feet, point) > GOES_M && !self.may_see(point)
+            apart_m(&*self.world.strategy, feet, point) > GOES_M && !self.may_see(point)
         };
         let (gone, left): (Vec<_>, Vec<_>) = others
             .into_iter()
             .partition(|other| other.native && leaves(other.point));
         for other in gone {
             // It was there a moment ago.
-            let _ = self.ecs.despawn(other.entity);
-            self.changed = true;
+            let _ = self.actors.ecs.despawn(other.entity);
+            self.kept.changed = true;
         }
-        let closed = self.strategy.rim_m().is_some();
+        let closed = self.world.strategy.rim_m().is_some();
         let most = if closed { MOST_LIVING.1 } else { MOST_LIVING.0 };
         if left.len() >= most {
             return;
         }
         let hostile = left.iter().filter(|other| other.fights).count();
-        let peaceful = if self.simulated_s < PEACE_S {
+        let peaceful = if self.world.simulated_s < PEACE_S {
             most / 2
         } else {
             // The hostile ones' places are kept for them.
@@ -53,10 +53,10 @@ impl Scene {
         if left.len() - hostile < peaceful {
             self.let_one_come(feet, false);
         } else if hostile < MOST_HOSTILE
-            && self.simulated_s >= self.peace_until_s
+            && self.world.simulated_s >= self.player.peace_until_s
             && self.let_one_come(feet, true)
         {
-            self.peace_until_s = self.simulated_s + HOSTILE_EVERY_S;
+            self.player.peace_until_s = self.world.simulated_s + HOSTILE_EVERY_S;
         }
     }
 
@@ -65,26 +65,30 @@ impl Scene {
         let others = self.others();
         for other in others.iter().filter(|other| other.fights) {
             // It was there a moment ago.
-            let _ = self.ecs.despawn(other.entity);
-            self.changed = true;
+            let _ = self.actors.ecs.despawn(other.entity);
+            self.kept.changed = true;
         }
-        let rest_s = self.simulated_s + HOSTILE_EVERY_S;
-        self.peace_until_s = self.peace_until_s.max(rest_s);
+        let rest_s = self.world.simulated_s + HOSTILE_EVERY_S;
+        self.player.peace_until_s = self.player.peace_until_s.max(rest_s);
     }
 
     /// Tells whether one came.
     fn let_one_come(&mut self, feet: ChartPoint, hostile: bool) -> bool {
-        let seeds = [self.setup.seed, self.simulated_s.to_bits(), 0x9e3d];
+        let seeds = [
+            self.world.setup.seed,
+            self.world.simulated_s.to_bits(),
+            0x9e3d,
+        ];
         let mut dice = Dice::new(&seeds);
-        let loaded_m = f64::from(self.setup.view_distance) * 32.0 - LOADED_SLACK_M;
+        let loaded_m = f64::from(self.world.setup.view_distance) * 32.0 - LOADED_SLACK_M;
         let far_m = APPEARS_M.1.min(loaded_m.max(LOADED_SLACK_M));
         let near_m = APPEARS_M.0 * far_m / APPEARS_M.1;
         for _ in 0..TRIES {
             let heading = toward(dice.heading());
             let away_m = dice.between((near_m, far_m));
-            let mut point = ahead(&*self.strategy, feet, heading, away_m);
-            point.pos.y = self.ground.untouched_height(point) + CLEARANCE_M;
-            let there = self.streamer.is_wanted(ChunkCoord::containing(point));
+            let mut point = ahead(&*self.world.strategy, feet, heading, away_m);
+            point.pos.y = self.world.ground.untouched_height(point) + CLEARANCE_M;
+            let there = self.world.streamer.is_wanted(ChunkCoord::containing(point));
             if there && !self.may_see(point) {
                 let id = self.spawn_bot(point, dice.heading(), hostile);
                 self.restore_mind(id, 0.0, true);
@@ -98,6 +102,7 @@ impl Scene {
     fn may_see(&self, point: ChartPoint) -> bool {
         let eye = self.eye();
         let view = self
+            .player
             .lens
             .strategy()
             .view_point(&eye, point.moved(DVec3::Y))

@@ -72,33 +72,33 @@ pub(crate) struct Around<'a> {
 impl Around<'_> {
     /// The world's own.
     pub fn strategy(&self) -> &dyn Strategy {
-        &*self.scene.strategy
+        &*self.scene.world.strategy
     }
 
     /// Whether the player is in sight of someone whose feet are at a point: just when the player could see that one too,
     /// through whatever picture. Tested from head to head, and from head to belt.
     pub fn sees_player(&self, quarry: &Quarry, point: ChartPoint) -> bool {
-        let tuning = &self.scene.tuning;
-        let pictured = &**self.scene.lens.strategy();
+        let tuning = &self.scene.actors.tuning;
+        let pictured = &**self.scene.player.lens.strategy();
         [tuning.eye_height_m(), 0.5 * tuning.height_m]
             .into_iter()
             .any(|rise_m| {
                 let spot = point.moved(DVec3::Y * rise_m);
-                sees(pictured, &self.scene.physics, &quarry.head, spot)
+                sees(pictured, &self.scene.world.physics, &quarry.head, spot)
             })
     }
 
     /// Whether someone whose feet are at a point sees another place.
     pub fn sees_place(&self, point: ChartPoint, place: ChartPoint) -> bool {
-        let height_m = self.scene.tuning.eye_height_m();
+        let height_m = self.scene.actors.tuning.eye_height_m();
         let eye = Eye {
             point: point.moved(DVec3::Y * height_m),
-            dial: self.scene.lens.value(),
+            dial: self.scene.player.lens.value(),
             lift_m: height_m,
             ..Eye::default()
         };
-        let pictured = &**self.scene.lens.strategy();
-        sees(pictured, &self.scene.physics, &eye, place)
+        let pictured = &**self.scene.player.lens.strategy();
+        sees(pictured, &self.scene.world.physics, &eye, place)
     }
 
     /// Whether a place is where someone looks at a glance, or close enough to be felt.

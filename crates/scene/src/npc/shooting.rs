@@ -77,15 +77,15 @@ impl Npc {
             &Position(self.point),
             &self.look,
             0.0,
-            scene.tuning.eye_height_m(),
+            scene.actors.tuning.eye_height_m(),
         );
         let muzzle = scene.muzzle_of(&eye);
         let middle = quarry
             .feet
-            .moved(DVec3::Y * (AIMS_AT * scene.tuning.height_m));
+            .moved(DVec3::Y * (AIMS_AT * scene.actors.tuning.height_m));
         let aimed = |target| {
             aim(
-                &*scene.strategy,
+                &*scene.world.strategy,
                 muzzle,
                 target,
                 MUZZLE_M_S,
@@ -96,12 +96,16 @@ impl Npc {
         let mut target = middle;
         for _ in 0..LEAD_ROUNDS {
             // Bullets go by the metres of the chart, which near the equator are more than those of the space.
-            let level = over(&*scene.strategy, muzzle, target).pos - muzzle.pos;
+            let level = over(&*scene.world.strategy, muzzle, target).pos - muzzle.pos;
             let speed_m_s = velocity.with_y(0.0).length().max(1.0);
             let flight_s = level.with_y(0.0).length() / speed_m_s;
             // A fall or a jump is not led: who is in the air is soon down again.
             let led = middle.moved(quarry.velocity.with_y(0.0) * flight_s);
-            target = scene.strategy.cross(led).map_or(led, |over| over.point);
+            target = scene
+                .world
+                .strategy
+                .cross(led)
+                .map_or(led, |over| over.point);
             velocity = aimed(target);
         }
         Shot { muzzle, velocity }
@@ -121,7 +125,7 @@ impl Npc {
             let after = ball.fallen(BULLET.gravity_m_s2, TESTED_S);
             let next = ChartPoint::new(at.hemisphere, after.centre);
             gone_m += (after.centre - ball.centre).length();
-            if segment_hit(strategy, &around.scene.physics, at, next).is_some()
+            if segment_hit(strategy, &around.scene.world.physics, at, next).is_some()
                 || self.meets_friend(around, at, next)
             {
                 return false;
@@ -139,7 +143,7 @@ impl Npc {
     }
 
     fn meets_friend(&self, around: &Around<'_>, from: ChartPoint, to: ChartPoint) -> bool {
-        let tuning = &around.scene.tuning;
+        let tuning = &around.scene.actors.tuning;
         around.others.iter().any(|other| {
             let feet = over(around.strategy(), from, other.point).pos;
             other.entity != self.entity
@@ -160,10 +164,10 @@ impl Npc {
 impl Scene {
     /// Fires a shot for a figure.
     pub(super) fn fire_for(&mut self, by: Entity, shot: Shot) {
-        self.projectiles.fire(shot.muzzle, shot.velocity, by);
-        let away_m = apart_m(&*self.strategy, self.feet(), shot.muzzle);
+        self.actors.projectiles.fire(shot.muzzle, shot.velocity, by);
+        let away_m = apart_m(&*self.world.strategy, self.feet(), shot.muzzle);
         if away_m < HEARD_M {
-            self.sounds.push(SoundEvent::Shot);
+            self.outbox.sounds.push(SoundEvent::Shot);
         }
     }
 }

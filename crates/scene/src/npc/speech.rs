@@ -40,8 +40,8 @@ pub struct Speech {
 impl Scene {
     /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
     pub fn speech(&self, seen: &Seen, fov_y_rad: f64) -> Option<Speech> {
-        let said = self.npcs.said?;
-        if self.simulated_s - said.at_s > STAY_S {
+        let said = self.actors.npcs.said?;
+        if self.world.simulated_s - said.at_s > STAY_S {
             return None;
         }
         let bots = self.bots();
@@ -49,11 +49,11 @@ impl Scene {
         // Who is shot at stops talking.
         let is_heard = speaker.health > 0.0
             && !speaker.fights
-            && apart_m(&*self.strategy, self.feet(), speaker.point) < HEARD_M;
+            && apart_m(&*self.world.strategy, self.feet(), speaker.point) < HEARD_M;
         is_heard.then(|| {
             let over = seen
                 .place(speaker.bot.id, speaker.point)
-                .moved(DVec3::Y * (self.tuning.height_m + OVER_M));
+                .moved(DVec3::Y * (self.actors.tuning.height_m + OVER_M));
             Speech {
                 greets: said.greets,
                 line: said.line,

@@ -73,13 +73,13 @@ impl Scene {
         mind.told += 1;
         let greets = told == 0;
         let line = self.line_of(id, told);
-        self.npcs.said = Some(Said {
+        self.actors.npcs.said = Some(Said {
             speaker: id,
             greets,
             line,
-            at_s: self.simulated_s,
+            at_s: self.world.simulated_s,
         });
-        self.hints.push(Hint::Said { greets, line });
+        self.outbox.hints.push(Hint::Said { greets, line });
     }
 
     /// Calls to the peaceful one ahead, who waits if that is heard.
@@ -92,13 +92,13 @@ impl Scene {
         } else {
             Hint::NobodyToTalkTo
         };
-        self.hints.push(hint);
+        self.outbox.hints.push(hint);
     }
 
     /// Has somebody heed the player, sitting where he sits.
     fn heed(&mut self, entity: Entity) -> Option<&mut Mind> {
         let head = self.head().point;
-        let mind = self.ecs.query_one_mut::<&mut Mind>(entity).ok()?;
+        let mind = self.actors.ecs.query_one_mut::<&mut Mind>(entity).ok()?;
         if mind.state != State::Sit {
             mind.listen(head);
         }
@@ -108,12 +108,13 @@ impl Scene {
     /// The nearest living peaceful one that is ahead, within a reach and in sight.
     fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
         let eye = self.head();
-        let pictured = &**self.lens.strategy();
+        let pictured = &**self.player.lens.strategy();
         let is_ahead = |point: ChartPoint| {
             let view = pictured.view_point(&eye, point).truncate();
             -view.normalize_or_zero().z > AHEAD_RAD.cos()
         };
         let mut query = self
+            .actors
             .ecs
             .query::<(Entity, &Bot, &Position, &Health, &Mind)>();
         query
@@ -122,14 +123,16 @@ impl Scene {
                 health.0 > 0.0 && !bot.hostile && mind.angry_s <= 0.0
             })
             .map(|(entity, bot, position, ..)| {
-                let breast = position.0.moved(DVec3::Y * (0.7 * self.tuning.height_m));
-                let away_m = apart_m(&*self.strategy, self.feet(), position.0);
+                let breast = position
+                    .0
+                    .moved(DVec3::Y * (0.7 * self.actors.tuning.height_m));
+                let away_m = apart_m(&*self.world.strategy, self.feet(), position.0);
                 (away_m, bot.id, entity, breast)
             })
             .filter(|(away_m, .., breast)| {
                 *away_m < reach_m
                     && is_ahead(*breast)
-                    && sees(pictured, &self.physics, &eye, *breast)
+                    && sees(pictured, &self.world.physics, &eye, *breast)
             })
             .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
             .map(|(_, id, entity, _)| (entity, id))
@@ -138,13 +141,15 @@ impl Scene {
     /// One line after another, of those that are true here.
     fn line_of(&self, id: u32, told: u32) -> Line {
         let feet = self.feet();
-        let home = way(&*self.strategy, feet, self.start());
-        let first = Dice::new(&[self.setup.seed, u64::from(id)]).whole((0, 2));
+        let home = way(&*self.world.strategy, feet, self.start());
+        let first = Dice::new(&[self.world.setup.seed, u64::from(id)]).whole((0, 2));
         match (first + told) % 3 {
             0 => self.triangle(home.level_m),
             1 => self.horizon(feet),
             // Who is at home need not be told the way.
-            2 if home.level_m < AT_HOME_M && self.strategy.rim_m().is_none() => self.horizon(feet),
+            2 if home.level_m < AT_HOME_M && self.world.strategy.rim_m().is_none() => {
+                self.horizon(feet)
+            }
             _ => self.way_home(feet, home),
         }
     }
@@ -153,9 +158,9 @@ impl Scene {
     /// in one sphere of its radius, however high above the level they begin.
     fn triangle(&self, home_m: f64) -> Line {
         let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
-        let closed = self.strategy.rim_m().is_some();
+        let closed = self.world.strategy.rim_m().is_some();
         let curvature_per_m2 = if closed {
-            self.strategy.curvature_per_m2()
+            self.world.strategy.curvature_per_m2()
         } else {
             0.0
         };
@@ -163,7 +168,7 @@ impl Scene {
         Line::Triangle {
             side_m: side_m as u32,
             sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
-            pictured: !closed && self.lens.value() != 0.0,
+            pictured: !closed && self.player.lens.value() != 0.0,
         }
     }
 
@@ -173,8 +178,13 @@ impl Scene {
             pitch: 0.0,
             ..self.head()
         };
-        let place = ahead(&*self.strategy, feet, level.front(), HORIZON_M);
-        let seen = self.lens.strategy().view_point(&level, place).truncate();
+        let place = ahead(&*self.world.strategy, feet, level.front(), HORIZON_M);
+        let seen = self
+            .player
+            .lens
+            .strategy()
+            .view_point(&level, place)
+            .truncate();
         let rise_rad = seen.y.atan2(seen.x.hypot(seen.z));
         let flat_rad = (feet.pos.y - level.point.pos.y).atan2(HORIZON_M);
         Line::Horizon {
@@ -187,13 +197,14 @@ impl Scene {
     /// closed world.
     fn way_home(&self, feet: ChartPoint, home: Way) -> Line {
         let heading = home.heading.normalize_or(DVec3::X);
-        let pace = ahead(&*self.strategy, feet, heading, PACE_M);
-        let share = apart_m(&*self.strategy, feet, pace) / PACE_M;
+        let pace = ahead(&*self.world.strategy, feet, heading, PACE_M);
+        let share = apart_m(&*self.world.strategy, feet, pace) / PACE_M;
         let there_m = home.level_m * share;
         Line::Home {
             there_m: there_m.round() as u32,
             // From the pole to the equator is a quarter of the way round.
             round_m: self
+                .world
                 .strategy
                 .rim_m()
                 .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),

@@ -1,0 +1,15 @@
+//! What a step has to tell to whoever shows or plays it: taken out by the host, asked for by no rule.
+
+use crate::notice::{Hint, Notice};
+use crate::sound::Sounds;
+
+/// Events since somebody last took them.
+#[derive(Debug, Default)]
+pub(crate) struct Outbox {
+    /// What has gone wrong.
+    pub notices: Vec<Notice>,
+    /// Short answers to what the player did.
+    pub hints: Vec<Hint>,
+    /// What could be heard.
+    pub sounds: Sounds,
+}

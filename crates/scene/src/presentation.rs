@@ -1,0 +1,46 @@
+//! How the world is shown to the player: no part of the simulation, so that no rule may ask for any of it.
+
+use std::sync::Arc;
+
+use antipode_geometry::Eye;
+
+use crate::camera::CameraMode;
+use crate::detail::Sight;
+use crate::dip::HeadDip;
+use crate::frame::{Marker, Quality};
+use crate::hand::HandMotion;
+use crate::tuning::PICTURE_HEIGHT_PX;
+use crate::viewing::Viewing;
+
+/// Camera, hand, marker and what pictures are made for.
+pub(crate) struct Presentation {
+    pub camera: CameraMode,
+    pub marker: Option<Marker>,
+    pub viewing: Viewing,
+    pub dip: HeadDip,
+    pub quality: Quality,
+    /// How what is in the player's hand moves.
+    pub hand: HandMotion,
+    /// Lines of a picture.
+    pub picture_height_px: u32,
+    /// The sizes in the picture that the chunk workers go by; none if everything is to be full.
+    pub sight: Option<Arc<Sight>>,
+    /// A camera that is elsewhere than the player: land is made around it.
+    pub watched: Option<Eye>,
+}
+
+impl Default for Presentation {
+    fn default() -> Self {
+        Self {
+            camera: CameraMode::First,
+            marker: None,
+            viewing: Viewing::default(),
+            dip: HeadDip::default(),
+            quality: Quality::default(),
+            hand: HandMotion::default(),
+            picture_height_px: PICTURE_HEIGHT_PX,
+            sight: None,
+            watched: None,
+        }
+    }
+}
