@@ -1,16 +1,24 @@
-//! Who and what lives, moves or lies about in a world.
+//! Who and what lives, moves or lies about in a world: entities whose components say what they are. Each kind of them but
+//! cars and figures is one component beside an [`ActorId`].
 
+use std::any::TypeId;
+use std::collections::HashMap;
+
+use antipode_geometry::ChartPoint;
 use antipode_physics::CharacterTuning;
 use antipode_terrain::Field;
-use hecs::Entity;
+use glam::DVec3;
+use hecs::{Component, DynamicBundle, Entity};
 
 use crate::car::Cars;
-use crate::drops::Drop;
-use crate::lamp::Lamp;
 use crate::npc::Npcs;
-use crate::player::{self, Look};
-use crate::projectile::Projectiles;
+use crate::player::{self, Look, Position};
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
+
+/// The number of an actor, one among those of its kind and never given twice while a world is open: by it pictures and
+/// saves find it again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ActorId(pub u32);
 
 /// All actors of a world.
 pub(crate) struct Actors {
@@ -18,12 +26,8 @@ pub(crate) struct Actors {
     pub player: Entity,
     pub tuning: CharacterTuning,
     pub cars: Cars,
-    pub projectiles: Projectiles,
-    pub lamps: Vec<Lamp>,
-    pub drops: Vec<Drop>,
-    /// Whether the ground may have changed below lamps, or below things that lie about.
-    pub lamps_unchecked: bool,
-    pub drops_unchecked: bool,
+    /// Of each kind the number that the next one gets.
+    next: HashMap<TypeId, u32>,
     /// The number that the next bot gets.
     pub next_bot: u32,
     /// What other figures have in common.
@@ -33,24 +37,115 @@ pub(crate) struct Actors {
 impl Actors {
     /// A player who has just come, alone.
     pub fn new(field: &Field) -> Self {
-        let mut ecs = hecs::World::new();
         let look = Look {
             yaw: FIRST_YAW_RAD,
             pitch: 0.0,
         };
-        let player = ecs.spawn(player::components(spawn_point(field), look));
+        Self::with_player(player::components(spawn_point(field), look))
+    }
+
+    /// A player of these components, alone.
+    pub fn with_player(components: impl DynamicBundle) -> Self {
+        let mut ecs = hecs::World::new();
+        let player = ecs.spawn(components);
         Self {
             ecs,
             player,
             tuning: CharacterTuning::default(),
             cars: Cars::default(),
-            projectiles: Projectiles::default(),
-            lamps: Vec::new(),
-            drops: Vec::new(),
-            lamps_unchecked: false,
-            drops_unchecked: false,
+            next: HashMap::new(),
             next_bot: 0,
             npcs: Npcs::default(),
         }
+    }
+
+    /// Where the player's feet are.
+    pub fn feet(&self) -> ChartPoint {
+        let position = self.ecs.get::<&Position>(self.player);
+        position.map_or(ChartPoint::a(DVec3::ZERO), |position| position.0)
+    }
+
+    /// Lets one more of a kind in.
+    pub fn enter<T: Component>(&mut self, kind: T) -> ActorId {
+        let next = self.next.entry(TypeId::of::<T>()).or_default();
+        let id = ActorId(*next);
+        *next = next.wrapping_add(1);
+        self.ecs.spawn((id, kind));
+        id
+    }
+
+    /// All of a kind, in the order in which they came.
+    pub fn all<T: Component + Clone>(&self) -> Vec<(ActorId, T)> {
+        let mut query = self.ecs.query::<(&ActorId, &T)>();
+        let mut all: Vec<_> = query.iter().map(|(id, it)| (*id, it.clone())).collect();
+        all.sort_unstable_by_key(|(id, _)| *id);
+        all
+    }
+
+    /// How many of a kind there are.
+    pub fn count<T: Component>(&self) -> usize {
+        self.ecs.query::<&T>().iter().count()
+    }
+
+    /// Removes one; whether it was there.
+    pub fn remove<T: Component>(&mut self, id: ActorId) -> bool {
+        let found = self
+            .ecs
+            .query::<(Entity, &ActorId)>()
+            .with::<&T>()
+            .iter()
+            .find(|(_, it)| **it == id)
+            .map(|(entity, _)| entity);
+        found.is_some_and(|entity| self.ecs.despawn(entity).is_ok())
+    }
+
+    /// Removes all of a kind.
+    pub fn clear<T: Component>(&mut self) {
+        retain::<T>(&mut self.ecs, |_| false);
+    }
+}
+
+/// Goes through all of a kind, in the order in which they came, and removes those that are not to stay.
+pub(crate) fn retain<T: Component>(ecs: &mut hecs::World, mut stays: impl FnMut(&mut T) -> bool) {
+    for entity in in_order::<T>(ecs) {
+        let goes = ecs
+            .query_one_mut::<&mut T>(entity)
+            .is_ok_and(|it| !stays(it));
+        if goes {
+            // It was there a moment ago.
+            let _ = ecs.despawn(entity);
+        }
+    }
+}
+
+fn in_order<T: Component>(ecs: &hecs::World) -> Vec<Entity> {
+    let mut query = ecs.query::<(Entity, &ActorId)>().with::<&T>();
+    let mut all: Vec<_> = query.iter().map(|(entity, id)| (*id, entity)).collect();
+    all.sort_unstable_by_key(|(id, _)| *id);
+    all.into_iter().map(|(_, entity)| entity).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn those_of_a_kind_keep_their_order_and_no_number_is_given_twice() {
+        let mut actors = Actors::with_player(());
+        let ids: Vec<_> = ["a", "b", "c", "d"].map(|name| actors.enter(name)).into();
+        assert_eq!(
+            actors.enter(7u8),
+            ActorId(0),
+            "each kind has its own numbers"
+        );
+        assert!(actors.remove::<&str>(ids[1]) && !actors.remove::<&str>(ids[1]));
+        let names = |actors: &Actors| -> Vec<&str> {
+            actors.all().into_iter().map(|(_, name)| name).collect()
+        };
+        assert_eq!(names(&actors), ["a", "c", "d"]);
+        retain(&mut actors.ecs, |name: &mut &str| *name != "d");
+        assert_eq!(actors.enter("e"), ActorId(4));
+        assert_eq!(names(&actors), ["a", "c", "e"]);
+        assert_eq!((actors.count::<&str>(), actors.count::<u8>()), (3, 1));
     }
 }

@@ -139,9 +139,8 @@ impl Scene {
         let eye = map_eye(self.feet());
         let locator = Locator::new(&*self.world.strategy, &eye);
         let lamps = self
-            .actors
-            .lamps
-            .iter()
+            .lamps()
+            .into_iter()
             .map(|it| (LandmarkKind::Lamp, it.point));
         let bots = self.bots().into_iter().filter(|it| it.health > 0.0);
         let bots = bots.map(|it| {

@@ -165,19 +165,9 @@ impl Moment {
     /// A share of the way here from the moment before.
     fn coming_from(mut self, before: &Self, world: &dyn Strategy, share: f64) -> Self {
         let way = Way { world, share };
-        let fewer = (
-            self.things.0 < before.things.0,
-            self.things.1 < before.things.1,
-        );
-        // Their numbers hold no more.
-        let lost = |who: &Who| match who {
-            Who::Lamp(_) => fewer.0,
-            Who::Drop(_) => fewer.1,
-            _ => false,
-        };
-        way.all(&mut self.figures, &before.figures, &lost);
-        way.all(&mut self.lit.lamps, &before.lit.lamps, &lost);
-        way.all(&mut self.lit.beams, &before.lit.beams, &lost);
+        way.all(&mut self.figures, &before.figures);
+        way.all(&mut self.lit.lamps, &before.lit.lamps);
+        way.all(&mut self.lit.beams, &before.lit.beams);
         self.simulated_s = mix(before.simulated_s, self.simulated_s, share);
         if self.taker != before.taker {
             return self;
@@ -212,12 +202,7 @@ struct Way<'a> {
 
 impl Way<'_> {
     /// Brings each to where it is on the way from its pose before.
-    fn all<T: Pose>(
-        &self,
-        after: &mut [(Who, T)],
-        before: &[(Who, T)],
-        lost: &dyn Fn(&Who) -> bool,
-    ) {
+    fn all<T: Pose>(&self, after: &mut [(Who, T)], before: &[(Who, T)]) {
         // Both are in about the same order.
         let mut next = 0;
         for (who, pose) in after {
@@ -228,9 +213,6 @@ impl Way<'_> {
                 continue;
             };
             next = at + 1;
-            if lost(who) {
-                continue;
-            }
             let from = before[at].1;
             if let Some((point, turn)) = self.place(from.point(), pose.point()) {
                 pose.go(&from, point, turn, self.share);
@@ -389,4 +371,35 @@ fn mix_f32(from: f32, to: f32, share: f32) -> f32 {
 /// By the shorter way.
 fn mix_angle(from: f64, to: f64, share: f64) -> f64 {
     to - wrap_angle(to - from) * (1.0 - share)
+}
+
+#[cfg(test)]
+mod tests {
+    use antipode_geometry::{ChartPoint, Geometry, strategy};
+    use glam::DVec3;
+
+    use super::*;
+    use crate::actors::ActorId;
+    use crate::frame::ModelId;
+
+    #[test]
+    fn what_falls_is_shown_on_its_way_in_the_step_in_which_another_goes() {
+        let lamp = |number, y| {
+            let point = ChartPoint::a(DVec3::new(f64::from(number), y, 0.0));
+            (
+                Who::Lamp(ActorId(number)),
+                Figure::standing(ModelId::Lamp, point, 0.0),
+            )
+        };
+        let before = [lamp(0, 5.0), lamp(1, 5.0), lamp(2, 5.0)];
+        let mut after = [lamp(1, 4.0), lamp(2, 5.0), lamp(3, 9.0)];
+        let world = strategy(Geometry::Euclidean, 0.0);
+        let way = Way {
+            world: &*world,
+            share: 0.25,
+        };
+        way.all(&mut after, &before);
+        let heights = after.map(|(_, figure)| figure.point.pos.y);
+        assert_eq!(heights, [4.75, 5.0, 9.0]);
+    }
 }

@@ -6,13 +6,18 @@ use antipode_geometry::ChartPoint;
 use antipode_physics::{Ball, BallTuning};
 use glam::{DQuat, DVec3};
 
+use crate::actors::{Actors, retain};
 use crate::frame::Figure;
+use crate::ground_changed::OnGround;
 use crate::inventory::Stack;
 use crate::item::Item;
 use crate::notice::Hint;
+use crate::outbox::Outbox;
+use crate::player::Player;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
+use crate::world::World;
 
 /// How a thing of each model lies on level ground: its turn, and how high its origin is over the ground, metres. Lamps
 /// stand, bullets lie as they fly, and what has a grip lies on its side. The heights are half of the models' widths, or
@@ -75,8 +80,9 @@ impl Drop {
 
 impl Scene {
     /// Things lying about.
-    pub fn drops(&self) -> &[Drop] {
-        &self.actors.drops
+    pub fn drops(&self) -> Vec<Drop> {
+        let all = self.actors.all().into_iter();
+        all.map(|(_, drop)| drop).collect()
     }
 
     /// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
@@ -84,7 +90,7 @@ impl Scene {
     pub fn throw_away(&mut self, stack: Stack) {
         self.kept.changed = true;
         let mut stack = stack;
-        if self.actors.drops.len() >= MOST_DROPS {
+        if self.actors.count::<Drop>() >= MOST_DROPS {
             self.outbox.hints.push(Hint::TooManyDrops);
             stack.count = self.player.inventory.give(stack.item, stack.count);
             if stack.count == 0 {
@@ -96,7 +102,7 @@ impl Scene {
         drop.age_s = 0.0;
         drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
         drop.rests = false;
-        self.actors.drops.push(drop);
+        self.actors.enter(drop);
     }
 
     /// Throws away one of what is in hand, or all of it.
@@ -104,28 +110,6 @@ impl Scene {
         if let Some(stack) = self.player.inventory.take_held(whole) {
             self.throw_away(stack);
         }
-    }
-
-    /// Lets things fall, and the player pick up those that are near.
-    pub(crate) fn step_drops(&mut self) {
-        if self.actors.drops.is_empty() {
-            return;
-        }
-        let mut drops = std::mem::take(&mut self.actors.drops);
-        let middle = self
-            .feet()
-            .moved(DVec3::Y * (0.5 * self.actors.tuning.height_m));
-        for drop in &mut drops {
-            drop.age_s += STEP_S;
-            if drop.is_near(middle) && (!drop.rests || self.actors.drops_unchecked) {
-                self.let_fall(drop);
-            }
-        }
-        if !self.is_dead() {
-            drops.retain_mut(|drop| !self.picks_up(drop, middle));
-        }
-        self.actors.drops_unchecked = false;
-        self.actors.drops = drops;
     }
 
     /// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
@@ -150,51 +134,86 @@ impl Scene {
             )
         }
     }
+}
 
-    fn let_fall(&self, drop: &mut Drop) {
-        let origin = self.world.strategy.chart_origin_m(drop.point.hemisphere);
-        if self.world.ground.is_solid(drop.point) {
+/// Lets things fall, and the player pick up those that are near.
+pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
+    let middle = actors
+        .feet()
+        .moved(DVec3::Y * (0.5 * actors.tuning.height_m));
+    for drop in actors.ecs.query_mut::<&mut Drop>() {
+        drop.age_s += STEP_S;
+        if drop.is_awake(middle) {
+            drop.fall(world);
+        }
+    }
+    if player.picks_up() {
+        retain(&mut actors.ecs, |drop: &mut Drop| {
+            !drop.is_picked_up(middle, player, outbox)
+        });
+    }
+}
+
+impl Drop {
+    fn fall(&mut self, world: &World) {
+        let origin = world.strategy.chart_origin_m(self.point.hemisphere);
+        if world.ground.is_solid(self.point) {
             // Ground was built over it.
-            drop.point.pos.y += STEP_S * 4.0;
-            drop.rests = false;
+            self.point.pos.y += STEP_S * 4.0;
             return;
         }
         let mut ball = Ball {
-            centre: drop.point.pos + origin,
-            velocity: drop.velocity,
+            centre: self.point.pos + origin,
+            velocity: self.velocity,
         };
         let tuning: &BallTuning = &DROP;
-        let touch = self.world.physics.throw_ball(&mut ball, tuning, STEP_S);
-        drop.point.pos = ball.centre - origin;
-        drop.velocity = ball.velocity;
-        drop.yaw_rad += TURN_RAD_PER_M * STEP_S * drop.velocity.with_y(0.0).length();
-        drop.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
-        if drop.rests {
-            drop.velocity = DVec3::ZERO;
+        let touch = world.physics.throw_ball(&mut ball, tuning, STEP_S);
+        self.point.pos = ball.centre - origin;
+        self.velocity = ball.velocity;
+        self.yaw_rad += TURN_RAD_PER_M * STEP_S * self.velocity.with_y(0.0).length();
+        self.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
+        if self.rests {
+            self.velocity = DVec3::ZERO;
         }
-        if let Some(crossing) = self.world.strategy.cross(drop.point) {
-            drop.point = crossing.point;
-            drop.velocity = crossing.turn_vector(drop.velocity);
+        if let Some(crossing) = world.strategy.cross(self.point) {
+            self.point = crossing.point;
+            self.velocity = crossing.turn_vector(self.velocity);
         }
     }
 
-    /// Picks a thing up as far as there is room; returns whether nothing of it is left.
-    fn picks_up(&mut self, drop: &mut Drop, middle: ChartPoint) -> bool {
-        let is_near = drop.point.hemisphere == middle.hemisphere
-            && drop.point.pos.distance(middle.pos) < PICK_UP_M;
-        if !is_near || drop.age_s < PICK_UP_AFTER_S || self.player.flying {
+    /// Goes to the player as far as there is room; returns whether nothing of it is left.
+    fn is_picked_up(
+        &mut self,
+        middle: ChartPoint,
+        player: &mut Player,
+        outbox: &mut Outbox,
+    ) -> bool {
+        let is_near = self.point.hemisphere == middle.hemisphere
+            && self.point.pos.distance(middle.pos) < PICK_UP_M;
+        if !is_near || self.age_s < PICK_UP_AFTER_S {
             return false;
         }
-        let left = self
-            .player
-            .inventory
-            .give(drop.stack.item, drop.stack.count);
-        if left < drop.stack.count {
-            self.outbox.sounds.push(SoundEvent::PickedUp);
-            let taken = drop.stack.count - left;
-            tracing::debug!("picked up {taken} {}", drop.stack.item.id());
+        let left = player.inventory.give(self.stack.item, self.stack.count);
+        if left < self.stack.count {
+            outbox.sounds.push(SoundEvent::PickedUp);
+            let taken = self.stack.count - left;
+            tracing::debug!("picked up {taken} {}", self.stack.item.id());
         }
-        drop.stack.count = left;
+        self.stack.count = left;
         left == 0
+    }
+}
+
+impl OnGround for Drop {
+    fn stands_at(&self) -> ChartPoint {
+        self.point
+    }
+
+    fn is_falling(&self) -> bool {
+        !self.rests
+    }
+
+    fn wake(&mut self) {
+        self.rests = false;
     }
 }

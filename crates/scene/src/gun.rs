@@ -4,13 +4,14 @@ use antipode_geometry::{ChartPoint, ChunkCoord, Eye};
 use glam::DVec3;
 
 use crate::actions::Actions;
+use crate::actors::ActorId;
 use crate::aim::aim;
 use crate::camera::CameraMode;
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::npc::Event;
 use crate::pick::{Pick, pick_among};
-use crate::projectile::{Air, Projectile, Standing};
+use crate::projectile::{self, Air, Projectile, Standing};
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{AIM_REACH_M, BULLET, BULLET_SPEED_M_S, MUZZLE_M, SHOT_EVERY_S, STEP_S};
@@ -22,16 +23,15 @@ const DEEPEST_HOLE_M: f64 = 256.0;
 
 impl Scene {
     /// Bullets in flight, the oldest first.
-    pub fn projectiles(&self) -> &[Projectile] {
-        self.actors.projectiles.all()
+    pub fn projectiles(&self) -> Vec<(ActorId, Projectile)> {
+        self.actors.all()
     }
 
     /// Puts a bullet in flight that nobody's gun has fired: it harms everyone but the player, as the player's own do at
     /// first. `point` is its middle, `velocity` in metres a second of the chart.
     pub fn throw_bullet(&mut self, point: ChartPoint, velocity: DVec3) {
-        self.actors
-            .projectiles
-            .fire(point, velocity, self.actors.player);
+        let by = self.actors.player;
+        projectile::fire(&mut self.actors, point, velocity, by);
     }
 
     /// Whether bullets follow the space's geodesics instead of falling in its chart.
@@ -66,6 +66,7 @@ impl Scene {
         self.shown.hand.fire();
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();
+        let by = self.actors.player;
         if self.player.straight_shots {
             let eye = Eye {
                 point: muzzle,
@@ -74,13 +75,8 @@ impl Scene {
                 ..self.head()
             };
             let pictured = &**self.player.lens.strategy();
-            self.actors.projectiles.fire_straight(
-                pictured,
-                eye,
-                target,
-                BULLET_SPEED_M_S,
-                self.actors.player,
-            );
+            let actors = &mut self.actors;
+            projectile::fire_straight(actors, pictured, eye, target, BULLET_SPEED_M_S, by);
         } else {
             let velocity = aim(
                 &*self.world.strategy,
@@ -89,15 +85,13 @@ impl Scene {
                 BULLET_SPEED_M_S,
                 BULLET.gravity_m_s2,
             );
-            self.actors
-                .projectiles
-                .fire(muzzle, velocity, self.actors.player);
+            projectile::fire(&mut self.actors, muzzle, velocity, by);
         }
     }
 
     /// Moves the bullets by one step.
     pub(crate) fn step_projectiles(&mut self) {
-        if self.actors.projectiles.all().is_empty() {
+        if self.actors.count::<Projectile>() == 0 {
             return;
         }
         let standing = self.standing();
@@ -117,7 +111,7 @@ impl Scene {
             vehicles: self.actors.cars.vehicles(),
             in_far_ground: &in_far_ground,
         };
-        let hits = self.actors.projectiles.step(&air);
+        let hits = projectile::step(&mut self.actors.ecs, &air);
         self.take_strikes(hits.strikes);
         self.take_knocks(&hits.knocks);
     }

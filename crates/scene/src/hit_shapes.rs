@@ -74,15 +74,16 @@ impl Scene {
             };
             HitShape::upright(form, lamp.glow(), lamp.falls())
         };
-        shapes.extend(self.actors.lamps.iter().map(lamp));
+        shapes.extend(self.lamps().iter().map(lamp));
         let ball =
             |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
-        let bullets = self.projectiles().iter();
-        shapes.extend(bullets.map(|it| {
+        let bullets = self.projectiles().into_iter();
+        shapes.extend(bullets.map(|(_, it)| {
             let flies = it.velocity.length() > RESTS_M_S;
             ball(BULLET.radius_m, it.point, flies)
         }));
-        let drops = self.actors.drops.iter();
+        let drops = self.drops();
+        let drops = drops.iter();
         shapes.extend(drops.map(|it| ball(DROP.radius_m, it.point, it.is_awake(self.feet()))));
         shapes
     }

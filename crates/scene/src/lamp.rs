@@ -5,15 +5,18 @@ use antipode_physics::meets_capsule;
 use glam::DVec3;
 
 use crate::actions::Actions;
+use crate::actors::{ActorId, Actors};
 use crate::camera::CameraMode;
 use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
+use crate::ground_changed::OnGround;
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::pick::pick_among;
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{LAMP_HEIGHT_M, LAMP_REACH_M, LAMP_TARGET_M, MOST_LAMPS, REACH_M, STEP_S};
+use crate::world::World;
 
 /// Lamps within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;
@@ -43,6 +46,8 @@ pub struct Lamp {
     pub(crate) rests_m: f64,
     /// How fast it falls, m/s.
     pub(crate) fall_m_s: f64,
+    /// Whether the ground may have changed where it stands.
+    unchecked: bool,
 }
 
 impl Lamp {
@@ -52,6 +57,7 @@ impl Lamp {
             point,
             rests_m: point.pos.y,
             fall_m_s: 0.0,
+            unchecked: false,
         }
     }
 
@@ -80,15 +86,16 @@ impl Lamp {
 
 impl Scene {
     /// The lamps of the world, in the order in which they were put down.
-    pub fn lamps(&self) -> &[Lamp] {
-        &self.actors.lamps
+    pub fn lamps(&self) -> Vec<Lamp> {
+        let all = self.actors.all().into_iter();
+        all.map(|(_, lamp)| lamp).collect()
     }
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
     pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
-        let has_room = self.actors.lamps.len() < MOST_LAMPS;
+        let has_room = self.actors.count::<Lamp>() < MOST_LAMPS;
         if has_room {
-            self.actors.lamps.push(Lamp::standing(point));
+            self.actors.enter(Lamp::standing(point));
             self.kept.changed = true;
         }
         has_room
@@ -138,12 +145,12 @@ impl Scene {
             self.outbox.hints.push(Hint::NoPlaceForLamp);
             return;
         };
-        if self.actors.lamps.len() >= MOST_LAMPS {
+        if self.actors.count::<Lamp>() >= MOST_LAMPS {
             self.outbox.hints.push(Hint::TooManyLamps);
             return;
         }
         if self.player.inventory.spend(Item::Lamp) {
-            self.actors.lamps.push(Lamp::standing(place));
+            self.actors.enter(Lamp::standing(place));
             self.outbox.sounds.push(SoundEvent::LampPlaced);
         }
     }
@@ -151,12 +158,12 @@ impl Scene {
     /// The last lamp in hand is used up, and an empty hand picks nothing up; so one lamp kept in hand, or any in the
     /// hotbar that is selected, is enough.
     fn pick_lamp_up(&mut self) {
-        let Some(index) = self.lamp_covered() else {
+        let Some(id) = self.lamp_covered() else {
             self.outbox.hints.push(Hint::NoLampThere);
             return;
         };
         if self.player.inventory.give(Item::Lamp, 1) == 0 {
-            self.actors.lamps.remove(index);
+            self.actors.remove::<Lamp>(id);
             self.outbox.sounds.push(SoundEvent::LampTaken);
         } else {
             self.outbox.hints.push(Hint::NoRoom);
@@ -164,19 +171,19 @@ impl Scene {
     }
 
     /// The lamp that the crosshair covers, if it is nearer than the ground.
-    fn lamp_covered(&self) -> Option<usize> {
+    fn lamp_covered(&self) -> Option<ActorId> {
         let strategy = &**self.player.lens.strategy();
         let eye = self.eye();
         let past_head_m = match self.shown.camera {
             CameraMode::First => 0.0,
             CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
         };
+        let lamps = self.actors.all::<Lamp>();
         let meets = |a: ChartPoint, b: ChartPoint| {
-            self.actors
-                .lamps
+            let met = lamps
                 .iter()
-                .filter_map(|lamp| self.lamp_met(lamp, a, b))
-                .reduce(f64::min)
+                .filter_map(|(_, lamp)| self.lamp_met(lamp, a, b));
+            met.reduce(f64::min)
         };
         let found = pick_among(
             strategy,
@@ -186,11 +193,10 @@ impl Scene {
             past_head_m,
             REACH_M,
         );
-        let off_m = |lamp: &Lamp| strategy.distance_m(found.point, lamp.glow(), &eye);
-        let nearest = (0..self.actors.lamps.len()).min_by(|&a, &b| {
-            off_m(&self.actors.lamps[a]).total_cmp(&off_m(&self.actors.lamps[b]))
-        })?;
-        (found.hit && off_m(&self.actors.lamps[nearest]) < 2.0 * LAMP_TARGET_M).then_some(nearest)
+        let off_m =
+            |(_, lamp): &(ActorId, Lamp)| strategy.distance_m(found.point, lamp.glow(), &eye);
+        let nearest = lamps.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
+        (found.hit && off_m(nearest) < 2.0 * LAMP_TARGET_M).then_some(nearest.0)
     }
 
     fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
@@ -198,20 +204,34 @@ impl Scene {
         let foot = glow - DVec3::Y * LAMP_TARGET_M;
         meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
     }
+}
 
-    /// Lets lamps fall whose ground is gone, and those that ground was built over come up.
-    pub(crate) fn step_lamps(&mut self) {
-        let feet = self.feet();
-        for lamp in &mut self.actors.lamps {
-            // Ground further off is not changed by anyone, and what is known of it leaves out what once was.
-            let is_near = lamp.point.hemisphere != feet.hemisphere
-                || lamp.point.pos.distance(feet.pos) < NEAR_M;
-            if self.actors.lamps_unchecked && is_near {
-                lamp.rests_m = rest(&self.world.ground, lamp);
-            }
-            lamp.fall(self.actors.tuning.gravity_m_s2);
+/// Lets lamps fall whose ground is gone, and those that ground was built over come up.
+pub(crate) fn step(world: &World, actors: &mut Actors) {
+    let feet = actors.feet();
+    for lamp in actors.ecs.query_mut::<&mut Lamp>() {
+        // What is known of ground further off leaves out what once was changed there.
+        let is_near =
+            lamp.point.hemisphere != feet.hemisphere || lamp.point.pos.distance(feet.pos) < NEAR_M;
+        if lamp.unchecked && is_near {
+            lamp.rests_m = rest(&world.ground, lamp);
+            lamp.unchecked = false;
         }
-        self.actors.lamps_unchecked = false;
+        lamp.fall(actors.tuning.gravity_m_s2);
+    }
+}
+
+impl OnGround for Lamp {
+    fn stands_at(&self) -> ChartPoint {
+        self.point
+    }
+
+    fn is_falling(&self) -> bool {
+        self.falls()
+    }
+
+    fn wake(&mut self) {
+        self.unchecked = true;
     }
 }
 

@@ -4,7 +4,7 @@
 //! nowhere; the strategy answers where it matters.
 
 pub mod actions;
-mod actors;
+pub mod actors;
 mod aim;
 pub mod bearings;
 mod between;
@@ -19,6 +19,7 @@ mod dip;
 pub mod drops;
 pub mod frame;
 pub mod ground;
+mod ground_changed;
 mod gun;
 mod hand;
 mod harm;

@@ -3,8 +3,10 @@
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::{DMat3, DVec3, DVec4};
 
+use crate::actors::ActorId;
 use crate::frame::{BeamLight, LampLight};
 use crate::item::Item;
+use crate::lamp::Lamp;
 use crate::moment::{Lit, Who};
 use crate::scene::Scene;
 
@@ -33,22 +35,19 @@ impl Scene {
     /// The light on what an eye sees: the nearest lamps, and the flashlight.
     pub(crate) fn lights(&self, eye: &Eye) -> Lit {
         let strategy = &**self.player.lens.strategy();
-        let mut lamps: Vec<(f64, usize, ChartPoint)> = self
-            .actors
-            .lamps
-            .iter()
-            .enumerate()
-            .map(|(number, lamp)| (number, lamp.glow()))
-            .map(|(number, glow)| (strategy.distance_m(eye.point, glow, eye), number, glow))
+        let all = self.actors.all::<Lamp>().into_iter();
+        let mut lamps: Vec<(f64, ActorId, ChartPoint)> = all
+            .map(|(id, lamp)| (id, lamp.glow()))
+            .map(|(id, glow)| (strategy.distance_m(eye.point, glow, eye), id, glow))
             .collect();
         lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let lamp_light = |(_, number, point)| {
+        let lamp_light = |(_, id, point)| {
             let light = LampLight {
                 point,
                 colour: LAMP_COLOUR,
                 range_m: LAMP_RANGE_M,
             };
-            (Who::Lamp(number), light)
+            (Who::Lamp(id), light)
         };
         let of_cars = self.car_lights();
         let shot = self.shot_light().map(|light| (Who::Shot, light));

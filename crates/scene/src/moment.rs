@@ -5,6 +5,7 @@ use std::sync::Arc;
 use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::DVec3;
 
+use crate::actors::ActorId;
 use crate::camera::{CameraMode, CameraPose};
 use crate::day;
 use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight, Lights, Marker};
@@ -13,8 +14,7 @@ use crate::photo::Viewpoint;
 use crate::scene::Scene;
 use crate::tuning::NEAR_M;
 
-/// Who or what a figure or a light is, so that it is found again after the next step. Lamps and things that lie about
-/// have no names of their own: their numbers hold until one of them goes.
+/// Who or what a figure or a light is, so that it is found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Who {
     Player {
@@ -25,9 +25,9 @@ pub(crate) enum Who {
         id: u32,
         dead: bool,
     },
-    Lamp(usize),
-    Bullet(u32),
-    Drop(usize),
+    Lamp(ActorId),
+    Bullet(ActorId),
+    Drop(ActorId),
     Car(usize),
     Wheel(usize, usize),
     /// Of a car, and whether it is on the right.
@@ -76,8 +76,6 @@ pub(crate) struct Moment {
     pub mark: Option<Mark>,
     pub time_of_day_s: f64,
     pub simulated_s: f64,
-    /// How many lamps stand and how many things lie about.
-    pub things: (usize, usize),
 }
 
 impl Scene {
@@ -133,7 +131,6 @@ impl Scene {
             mark: None,
             time_of_day_s: self.world.time_of_day_s,
             simulated_s: self.world.simulated_s,
-            things: (self.actors.lamps.len(), self.actors.drops.len()),
         }
     }
 

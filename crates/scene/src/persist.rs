@@ -83,10 +83,9 @@ impl Scene {
             simulated_s: self.world.simulated_s,
             view_distance: self.world.setup.view_distance,
             flashlight: self.player.flashlight,
-            lamps: self.actors.lamps.iter().map(lamp_record).collect(),
+            lamps: self.lamps().iter().map(lamp_record).collect(),
             drops: self
-                .actors
-                .drops
+                .drops()
                 .iter()
                 .map(drop_record)
                 .chain(self.carried_record())
@@ -212,8 +211,14 @@ impl Scene {
             .filter(|it| it.yaw.is_finite())
             .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
             .collect();
-        self.actors.lamps = lamps;
-        self.actors.drops = drops;
+        self.actors.clear::<Lamp>();
+        self.actors.clear::<Drop>();
+        for lamp in lamps {
+            self.actors.enter(lamp);
+        }
+        for drop in drops {
+            self.actors.enter(drop);
+        }
         let told = unknown.iter().map(|it| it.item.clone());
         self.outbox.notices.extend(told.map(Notice::UnknownItem));
         self.kept.unknown.drops = unknown;

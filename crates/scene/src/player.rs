@@ -59,6 +59,15 @@ impl Player {
             body_unchecked: true,
         }
     }
+
+    pub fn is_dead(&self) -> bool {
+        self.condition.dead_left_s.is_some()
+    }
+
+    /// Whether things that lie about are picked up by coming near.
+    pub fn picks_up(&self) -> bool {
+        !self.flying && !self.is_dead()
+    }
 }
 
 /// Where an entity's feet are, in the chart of the hemisphere it is in.

@@ -167,9 +167,9 @@ impl Scene {
 
     fn projectile_probes(&self) -> Vec<ProjectileProbe> {
         self.projectiles()
-            .iter()
-            .map(|bullet| ProjectileProbe {
-                id: bullet.id,
+            .into_iter()
+            .map(|(id, bullet)| ProjectileProbe {
+                id: id.0,
                 pos: bullet.point.pos.to_array(),
                 vel: bullet.velocity.to_array(),
                 age: bullet.age_s,
@@ -179,8 +179,7 @@ impl Scene {
     }
 
     fn lamp_probes(&self) -> Vec<LampProbe> {
-        self.actors
-            .lamps
+        self.lamps()
             .iter()
             .map(|lamp| LampProbe {
                 pos: lamp.point.pos.to_array(),
@@ -190,8 +189,7 @@ impl Scene {
     }
 
     fn drop_probes(&self) -> Vec<DropProbe> {
-        self.actors
-            .drops
+        self.drops()
             .iter()
             .map(|drop| DropProbe {
                 stack: drop.stack,

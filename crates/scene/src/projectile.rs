@@ -7,6 +7,7 @@ use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, Vehicles};
 use glam::DVec3;
 use hecs::Entity;
 
+use crate::actors::{Actors, retain};
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{
@@ -35,8 +36,6 @@ enum Path {
 /// A bullet in flight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projectile {
-    /// Its number, never used twice in a session.
-    pub id: u32,
     /// Where its centre is.
     pub point: ChartPoint,
     /// Its velocity in its chart, m/s.
@@ -99,73 +98,58 @@ pub(crate) struct Hits {
     pub knocks: Vec<Knock>,
 }
 
-/// All bullets in flight, the oldest first.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Projectiles {
-    flying: Vec<Projectile>,
-    next_id: u32,
+/// Fires a bullet that falls. The oldest makes room when there are too many.
+pub(crate) fn fire(actors: &mut Actors, point: ChartPoint, velocity: DVec3, by: Entity) {
+    add(actors, point, velocity, Path::Falls, by);
 }
 
-impl Projectiles {
-    /// The oldest first.
-    pub fn all(&self) -> &[Projectile] {
-        &self.flying
-    }
+/// Fires a bullet along the geodesic from the point of `eye` to `target`.
+pub(crate) fn fire_straight(
+    actors: &mut Actors,
+    pictured: &dyn Strategy,
+    eye: Eye,
+    target: ChartPoint,
+    speed_m_s: f64,
+    by: Entity,
+) {
+    let way = pictured
+        .view_point(&eye, target)
+        .truncate()
+        .normalize_or(DVec3::NEG_Z);
+    let velocity = eye.to_chart(way) * speed_m_s;
+    let path = Path::Geodesic {
+        eye,
+        way,
+        gone_m: 0.0,
+        speed_m_s,
+    };
+    add(actors, eye.point, velocity, path, by);
+}
 
-    /// Fires a bullet that falls. The oldest makes room when there are too many.
-    pub fn fire(&mut self, point: ChartPoint, velocity: DVec3, by: Entity) {
-        self.add(point, velocity, Path::Falls, by);
+fn add(actors: &mut Actors, point: ChartPoint, velocity: DVec3, path: Path, by: Entity) {
+    let flying = actors.all::<Projectile>();
+    if let Some((oldest, _)) = flying.first().filter(|_| flying.len() >= MOST_BULLETS) {
+        actors.remove::<Projectile>(*oldest);
     }
+    actors.enter(Projectile {
+        point,
+        velocity,
+        age_s: 0.0,
+        lies_s: 0.0,
+        path,
+        by,
+        struck: None,
+    });
+}
 
-    /// Fires a bullet along the geodesic from the point of `eye` to `target`.
-    pub fn fire_straight(
-        &mut self,
-        pictured: &dyn Strategy,
-        eye: Eye,
-        target: ChartPoint,
-        speed_m_s: f64,
-        by: Entity,
-    ) {
-        let way = pictured
-            .view_point(&eye, target)
-            .truncate()
-            .normalize_or(DVec3::NEG_Z);
-        let velocity = eye.to_chart(way) * speed_m_s;
-        let path = Path::Geodesic {
-            eye,
-            way,
-            gone_m: 0.0,
-            speed_m_s,
-        };
-        self.add(eye.point, velocity, path, by);
-    }
-
-    fn add(&mut self, point: ChartPoint, velocity: DVec3, path: Path, by: Entity) {
-        if self.flying.len() >= MOST_BULLETS {
-            self.flying.remove(0);
-        }
-        self.flying.push(Projectile {
-            id: self.next_id,
-            point,
-            velocity,
-            age_s: 0.0,
-            lies_s: 0.0,
-            path,
-            by,
-            struck: None,
-        });
-        self.next_id = self.next_id.wrapping_add(1);
-    }
-
-    /// Moves every bullet by one step. Returns who and what was struck.
-    pub fn step(&mut self, air: &Air<'_>) -> Hits {
-        let mut hits = Hits::default();
-        self.flying.retain_mut(|bullet| {
-            bullet.age_s += STEP_S;
-            bullet.fly(air, &mut hits) && bullet.lies_s < BULLET_LIES_S
-        });
-        hits
-    }
+/// Moves every bullet by one step. Returns who and what was struck.
+pub(crate) fn step(ecs: &mut hecs::World, air: &Air<'_>) -> Hits {
+    let mut hits = Hits::default();
+    retain::<Projectile>(ecs, |bullet| {
+        bullet.age_s += STEP_S;
+        bullet.fly(air, &mut hits) && bullet.lies_s < BULLET_LIES_S
+    });
+    hits
 }
 
 impl Projectile {

@@ -5,7 +5,9 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::bot::Bot;
+use crate::drops::Drop;
 use crate::frame::{Figure, ModelId};
+use crate::lamp::Lamp;
 use crate::moment::Who;
 use crate::npc::mind::Mind;
 use crate::player::{Appearance, Body, Look, Position};
@@ -81,19 +83,20 @@ impl Scene {
 
     /// Lamps, bullets, and what lies about.
     fn show_things(&self, seen: &mut Vec<(Who, Figure)>) {
-        seen.extend(self.actors.lamps.iter().enumerate().map(|(number, lamp)| {
+        let lamps = self.actors.all::<Lamp>().into_iter();
+        seen.extend(lamps.map(|(id, lamp)| {
             let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
-            (Who::Lamp(number), figure)
+            (Who::Lamp(id), figure)
         }));
-        seen.extend(self.projectiles().iter().map(|bullet| {
+        seen.extend(self.projectiles().into_iter().map(|(id, bullet)| {
             let way = bullet.velocity.normalize_or(DVec3::X);
             let figure = Figure {
                 turn: DQuat::from_rotation_arc(DVec3::X, way),
                 ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
             };
-            (Who::Bullet(bullet.id), figure)
+            (Who::Bullet(id), figure)
         }));
-        let drops = self.actors.drops.iter().enumerate();
-        seen.extend(drops.map(|(number, drop)| (Who::Drop(number), self.show_drop(drop))));
+        let drops = self.actors.all::<Drop>().into_iter();
+        seen.extend(drops.map(|(id, drop)| (Who::Drop(id), self.show_drop(&drop))));
     }
 }

@@ -18,6 +18,7 @@ use crate::player::{self, Appearance, Body, Look, Position};
 use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{BRUSH_RADIUS_M, DAY_S, REACH_M, STEP_S};
+use crate::{drops, lamp};
 
 /// Ground within this distance of a body must be there with its collider before the body moves, in metres.
 const NEEDED_AROUND_M: f64 = 4.0;
@@ -67,8 +68,13 @@ impl Scene {
         self.use_gun(actions);
         self.use_lamp(actions);
         self.step_projectiles();
-        self.step_lamps();
-        self.step_drops();
+        lamp::step(&self.world, &mut self.actors);
+        drops::step(
+            &self.world,
+            &mut self.actors,
+            &mut self.player,
+            &mut self.outbox,
+        );
         self.step_hand(actions);
         self.player.primary_before = actions.primary;
         self.player.secondary_before = actions.secondary;

@@ -11,8 +11,8 @@ use thiserror::Error;
 
 use crate::detail::{Sharpness, Sight};
 use crate::ground::{Spent, chunks_near};
+use crate::ground_changed;
 use crate::notice::Notice;
-use crate::npc::Event;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
 use crate::tuning::AUTOSAVE_S;
@@ -58,7 +58,8 @@ impl Scene {
     /// Where the ground must be solid: around the player, and around others and what flies.
     fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
         let mut reaches = reach::of_body(&*self.world.strategy, feet, velocity);
-        let bullets = self.projectiles().iter().map(|it| (it.point, it.velocity));
+        let bullets = self.projectiles().into_iter();
+        let bullets = bullets.map(|(_, it)| (it.point, it.velocity));
         let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
         // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
         reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
@@ -258,13 +259,7 @@ impl Scene {
             }
         }
         if !edited.is_empty() {
-            self.actors.lamps_unchecked = true;
-            self.actors.drops_unchecked = true;
-            self.wake_cars(&edited);
-            let places = edited
-                .iter()
-                .map(|coord| ChartPoint::new(coord.hemisphere, coord.centre()));
-            self.actors.npcs.events.extend(places.map(Event::Ground));
+            ground_changed::tell(&self.world, &mut self.actors, &edited);
             self.lift_player_out();
         }
     }

@@ -15,10 +15,11 @@ use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
-use crate::ground::chunks_near;
+use crate::ground_changed::may_stand_on;
 use crate::persist::FASTEST_RESTORED_M_S;
 use crate::scene::Scene;
 use crate::spawn::FIRST_YAW_RAD;
+use crate::world::World;
 use camera::Chase;
 use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
 
@@ -26,8 +27,6 @@ use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
 const FIRST_CAR_TURNS: u32 = 12;
 /// A saved car that turns faster was not saved by the game.
 const FASTEST_RESTORED_RAD_S: f64 = 50.0;
-/// Ground within this of a car may be what it stands on, in metres.
-const STANDS_ON_M: f64 = 4.0;
 /// Half of the rectangle that it stands on, in metres.
 const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 
@@ -69,6 +68,23 @@ impl Cars {
     /// Their bodies.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
+    }
+
+    /// Ground has changed in these chunks: what rests on it is to fall.
+    pub fn wake(&mut self, world: &World, changed: &[ChunkCoord]) {
+        let places: Vec<_> = self
+            .vehicles
+            .all()
+            .iter()
+            .map(|vehicle| vehicle.motion().place)
+            .collect();
+        for (number, (place, state)) in places.into_iter().zip(&self.states).enumerate() {
+            let origin = world.strategy.chart_origin_m(state.hemisphere);
+            let point = ChartPoint::new(state.hemisphere, place - origin);
+            if may_stand_on(world, point, changed) {
+                self.vehicles.wake(number);
+            }
+        }
     }
 }
 
@@ -279,16 +295,6 @@ impl Scene {
         }
         if let Some(number) = driven {
             self.take_wheel(number);
-        }
-    }
-
-    /// Ground has changed in these chunks: what rests on it is to fall.
-    pub(crate) fn wake_cars(&mut self, changed: &[ChunkCoord]) {
-        for (number, car) in self.cars().into_iter().enumerate() {
-            let under = chunks_near(&*self.world.strategy, car.point, STANDS_ON_M);
-            if under.iter().any(|coord| changed.contains(coord)) {
-                self.actors.cars.vehicles.wake(number);
-            }
         }
     }
 }

@@ -392,9 +392,8 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
 fn nearest_lamp(around: &Around<'_>, place: ChartPoint) -> Option<(Lamp, f64)> {
     around
         .scene
-        .actors
-        .lamps
-        .iter()
-        .map(|lamp| (*lamp, around.apart_m(place, lamp.point)))
+        .lamps()
+        .into_iter()
+        .map(|lamp| (lamp, around.apart_m(place, lamp.point)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
 }

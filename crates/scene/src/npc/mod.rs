@@ -247,7 +247,7 @@ impl Scene {
             .mind
             .dice
             .whole(if npc.fights() { fighters } else { others });
-        if self.actors.drops.len() >= MOST_DROPS {
+        if self.actors.count::<Drop>() >= MOST_DROPS {
             return;
         }
         let stack = Stack {
@@ -257,7 +257,7 @@ impl Scene {
         let point = npc.point.moved(glam::DVec3::Y * LEAVES_AT_M);
         let mut drop = Drop::lying(stack, point);
         drop.rests = false;
-        self.actors.drops.push(drop);
+        self.actors.enter(drop);
         self.kept.changed = true;
     }
 }

@@ -164,7 +164,7 @@ impl Npc {
 impl Scene {
     /// Fires a shot for a figure.
     pub(super) fn fire_for(&mut self, by: Entity, shot: Shot) {
-        self.actors.projectiles.fire(shot.muzzle, shot.velocity, by);
+        crate::projectile::fire(&mut self.actors, shot.muzzle, shot.velocity, by);
         let away_m = apart_m(&*self.world.strategy, self.feet(), shot.muzzle);
         if away_m < HEARD_M {
             self.outbox.sounds.push(SoundEvent::Shot);

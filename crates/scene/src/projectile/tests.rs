@@ -5,14 +5,20 @@ use antipode_physics::TerrainCollider;
 use glam::IVec3;
 
 use super::*;
+use crate::actors::ActorId;
 
 fn entity(ecs: &mut hecs::World) -> Entity {
     ecs.spawn(())
 }
 
+fn flying(bullets: &Actors) -> Vec<Projectile> {
+    let all = bullets.all().into_iter();
+    all.map(|(_, bullet)| bullet).collect()
+}
+
 fn fly(
     space: &dyn Strategy,
-    bullets: &mut Projectiles,
+    bullets: &mut Actors,
     standing: &[Standing],
     steps: usize,
 ) -> Vec<Strike> {
@@ -22,7 +28,7 @@ fn fly(
 fn fly_over(
     space: &dyn Strategy,
     physics: &PhysicsWorld,
-    bullets: &mut Projectiles,
+    bullets: &mut Actors,
     standing: &[Standing],
     steps: usize,
 ) -> Vec<Strike> {
@@ -36,7 +42,7 @@ fn fly_over(
         in_far_ground: &|point| point.pos.y < 0.0,
     };
     (0..steps)
-        .flat_map(|_| bullets.step(&air).strikes)
+        .flat_map(|_| step(&mut bullets.ecs, &air).strikes)
         .collect()
 }
 
@@ -45,24 +51,29 @@ fn a_bullet_falls_until_it_lands_however_long_and_room_is_made_for_the_next() {
     let space = strategy(Geometry::Euclidean, 0.0);
     let mut ecs = hecs::World::new();
     let by = entity(&mut ecs);
-    let mut bullets = Projectiles::default();
-    bullets.fire(ChartPoint::a(DVec3::Y * 500.0), DVec3::X * 40.0, by);
+    let mut bullets = Actors::with_player(());
+    fire(
+        &mut bullets,
+        ChartPoint::a(DVec3::Y * 500.0),
+        DVec3::X * 40.0,
+        by,
+    );
     fly(&*space, &mut bullets, &[], 60);
-    let at = bullets.all()[0].point.pos;
+    let at = flying(&bullets)[0].point.pos;
     assert!(
         (at - DVec3::new(40.0, 500.0 - 0.5 * BULLET.gravity_m_s2, 0.0)).length() < 1e-6,
         "{at}"
     );
     // From 500 m it falls for 10.1 s.
     fly(&*space, &mut bullets, &[], 540);
-    assert!(bullets.all()[0].point.pos.y > 0.0);
+    assert!(flying(&bullets)[0].point.pos.y > 0.0);
     fly(&*space, &mut bullets, &[], 10);
-    assert!(bullets.all().is_empty());
+    assert!(flying(&bullets).is_empty());
     for _ in 0..MOST_BULLETS + 7 {
-        bullets.fire(ChartPoint::a(DVec3::ZERO), DVec3::ZERO, by);
+        fire(&mut bullets, ChartPoint::a(DVec3::ZERO), DVec3::ZERO, by);
     }
-    assert_eq!(bullets.all().len(), MOST_BULLETS);
-    assert_eq!(bullets.all()[0].id, 8);
+    assert_eq!(flying(&bullets).len(), MOST_BULLETS);
+    assert_eq!(bullets.all::<Projectile>()[0].0, ActorId(8));
 }
 
 /// A ledge of 2 m by 2 m at the height of 300 m, and ground at that of 4 m.
@@ -86,9 +97,10 @@ fn ledge() -> PhysicsWorld {
 fn a_bullet_that_has_met_something_falls_on_and_lies_where_it_lands_for_five_seconds() {
     let space = strategy(Geometry::Euclidean, 0.0);
     let mut ecs = hecs::World::new();
-    let mut bullets = Projectiles::default();
+    let mut bullets = Actors::with_player(());
     let over_the_edge = DVec3::new(1.0, 301.0, 1.0);
-    bullets.fire(
+    fire(
+        &mut bullets,
         ChartPoint::a(over_the_edge),
         DVec3::new(2.0, -20.0, 0.0),
         entity(&mut ecs),
@@ -101,10 +113,10 @@ fn a_bullet_that_has_met_something_falls_on_and_lies_where_it_lands_for_five_sec
             fly_over(&*space, &physics, &mut bullets, &[], 1);
             let lies =
                 |bullet: &Projectile| bullet.point.pos.y < 4.1 && bullet.velocity.length() < 0.3;
-            if bullets.all().iter().any(lies) {
+            if flying(&bullets).iter().any(lies) {
                 landed_s.get_or_insert(*now_s);
             }
-            bullets.all().is_empty()
+            flying(&bullets).is_empty()
         });
     let landed_s = landed_s.unwrap();
     assert!(landed_s > 7.0, "it falls for 296 m: {landed_s} s");
@@ -117,12 +129,13 @@ fn a_bullet_that_never_falls_is_gone_after_some_way() {
     let space = strategy(Geometry::Euclidean, 0.0);
     let mut ecs = hecs::World::new();
     let by = entity(&mut ecs);
-    let mut bullets = Projectiles::default();
+    let mut bullets = Actors::with_player(());
     let eye = Eye {
         point: ChartPoint::a(DVec3::Y * 9.0),
         ..Eye::default()
     };
-    bullets.fire_straight(
+    fire_straight(
+        &mut bullets,
         &*space,
         eye,
         ChartPoint::a(DVec3::new(9.0, 9.0, 0.0)),
@@ -130,9 +143,9 @@ fn a_bullet_that_never_falls_is_gone_after_some_way() {
         by,
     );
     fly(&*space, &mut bullets, &[], 299);
-    assert_eq!(bullets.all().len(), 1);
+    assert_eq!(flying(&bullets).len(), 1);
     fly(&*space, &mut bullets, &[], 2);
-    assert!(bullets.all().is_empty());
+    assert!(flying(&bullets).is_empty());
 }
 
 #[test]
@@ -141,11 +154,11 @@ fn over_the_equator_a_bullet_keeps_its_way() {
     let mut ecs = hecs::World::new();
     let by = entity(&mut ecs);
     let rim_m = space.rim_m().unwrap();
-    let mut bullets = Projectiles::default();
+    let mut bullets = Actors::with_player(());
     let start = ChartPoint::a(DVec3::new(rim_m - 2.0, 10.0, 0.0));
-    bullets.fire(start, DVec3::new(40.0, 6.0, 0.0), by);
+    fire(&mut bullets, start, DVec3::new(40.0, 6.0, 0.0), by);
     fly(&*space, &mut bullets, &[], 12);
-    let bullet = &bullets.all()[0];
+    let bullet = &flying(&bullets)[0];
     assert_eq!(bullet.point.hemisphere, Hemisphere::B);
     assert!((bullet.point.pos.x.hypot(bullet.point.pos.z) - (rim_m - 6.0)).abs() < 0.01);
     assert!((bullet.velocity.with_y(0.0).length() - 40.0).abs() < 1e-9);
@@ -168,14 +181,14 @@ fn along_a_geodesic_a_bullet_goes_straight_through_what_was_aimed_at() {
             ..Eye::default()
         };
         let target = ChartPoint::a(DVec3::new(16.0, 9.0, 8.0));
-        let mut bullets = Projectiles::default();
-        bullets.fire_straight(&*space, eye, target, 40.0, by);
+        let mut bullets = Actors::with_player(());
+        fire_straight(&mut bullets, &*space, eye, target, 40.0, by);
         let mut nearest = f64::MAX;
         let mut last = eye.point.pos;
         for _ in 0..60 {
             fly(&*space, &mut bullets, &[], 1);
             // Nothing stops it, and below all ground it is gone.
-            let Some(bullet) = bullets.all().first() else {
+            let Some(bullet) = flying(&bullets).into_iter().next() else {
                 break;
             };
             let at = bullet.point.pos;
@@ -199,8 +212,13 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
         height_m: 1.8,
         radius_m: 0.35,
     };
-    let mut bullets = Projectiles::default();
-    bullets.fire(ChartPoint::a(DVec3::Y * 100.0), DVec3::X * 40.0, by);
+    let mut bullets = Actors::with_player(());
+    fire(
+        &mut bullets,
+        ChartPoint::a(DVec3::Y * 100.0),
+        DVec3::X * 40.0,
+        by,
+    );
     let strikes = fly(
         &*space,
         &mut bullets,
@@ -211,7 +229,7 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
         matches!(strikes[..], [strike] if strike.entity == other && strike.by == by && strike.way.x > 30.0),
         "{strikes:?}"
     );
-    assert!(bullets.all()[0].point.pos.x < 12.5, "it drops there");
+    assert!(flying(&bullets)[0].point.pos.x < 12.5, "it drops there");
 }
 
 #[test]
@@ -226,9 +244,14 @@ fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
         radius_m: 0.35,
     };
     let near = [stands(by, -0.7), stands(other, 2.3)];
-    let mut bullets = Projectiles::default();
+    let mut bullets = Actors::with_player(());
     for height_m in [99.6, 100.0, 100.4] {
-        bullets.fire(ChartPoint::a(DVec3::Y * height_m), DVec3::X * 40.0, by);
+        fire(
+            &mut bullets,
+            ChartPoint::a(DVec3::Y * height_m),
+            DVec3::X * 40.0,
+            by,
+        );
     }
     let strikes = fly(&*space, &mut bullets, &near, 200);
     assert_eq!(strikes.len(), 3, "{strikes:?}");

@@ -71,7 +71,7 @@ fn who_runs_across_is_led_and_hit() {
                 health = FULL_HEALTH;
             }
             steps(&mut scene, 1, &walk);
-            shots.extend(scene.projectiles().iter().map(|bullet| bullet.id));
+            shots.extend(scene.projectiles().iter().map(|(id, _)| *id));
             hits += usize::from(scene.health() < health);
             health = scene.health();
         }
@@ -129,7 +129,7 @@ fn they_do_not_shoot_through_one_another() {
         for _ in 0..25 * SECOND {
             steps(&mut scene, 1, &Actions::default());
             scene.set_health(FULL_HEALTH);
-            shots.extend(scene.projectiles().iter().map(|bullet| bullet.id));
+            shots.extend(scene.projectiles().iter().map(|(id, _)| *id));
             for (id, last) in ids.iter().zip(&mut health) {
                 let now = bot(&scene, *id).health;
                 hurt += usize::from(now < *last);
