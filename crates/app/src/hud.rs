@@ -66,6 +66,7 @@ pub fn model(
         health: Some((scene.health() / FULL_HEALTH) as f32),
         harm: None,
         struck: false,
+        hidden_foes: Vec::new(),
         wounds: wounds(scene, seen),
         speech: speech(texts, scene, seen),
     }

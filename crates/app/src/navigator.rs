@@ -59,6 +59,10 @@ impl Navigator {
             .minimap
             .then(|| self.map(scene, &bearings, surveyed));
         model.harm = harm(scene, &bearings, settings);
+        let foes = scene.hidden_foes().into_iter();
+        model.hidden_foes = foes
+            .map(|way| (way - bearings.heading_rad).rem_euclid(TAU) as f32)
+            .collect();
         model.struck = scene.struck_s_ago().is_some_and(|ago_s| ago_s < STRUCK_S);
     }
 

@@ -2,6 +2,8 @@
 //!
 //! The simulation is a pure function of the saved world, the seed and the sequence of these.
 
+use crate::aimed::Aim;
+
 /// One step's wishes. Held actions are levels; the rest are events that happened since the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Actions {
@@ -51,4 +53,6 @@ pub struct Actions {
     pub drop_one: bool,
     /// Throw away all of what is in hand.
     pub drop_all: bool,
+    /// The lens that they were aimed by; without one they go by the simulation's own, which glides.
+    pub aimed: Option<Aim>,
 }

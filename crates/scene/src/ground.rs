@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
-use antipode_terrain::{Cover, Field, Samples};
+use antipode_terrain::{ChunkMesh, Cover, Field, Samples};
 use glam::{DVec3, IVec3, Vec3};
 
 use crate::frame::ChunkChange;
@@ -38,6 +38,9 @@ pub struct Ground {
     chunks: HashMap<ChunkCoord, Resident>,
     /// The latest change of each chunk only: a script that takes no picture never takes them.
     changes: BTreeMap<ChunkCoord, ChunkChange>,
+    /// Meshes of chunks that are there for bodies alone, beyond the view: the renderer is told of them when it comes
+    /// to them.
+    unseen: BTreeMap<ChunkCoord, Arc<ChunkMesh>>,
 }
 
 impl Ground {
@@ -48,12 +51,13 @@ impl Ground {
             strategy,
             chunks: HashMap::new(),
             changes: BTreeMap::new(),
+            unseen: BTreeMap::new(),
         }
     }
 
     /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer. Returns what it takes the
-    /// place of.
-    pub fn put(&mut self, chunk: Chunk, physics: &mut PhysicsWorld) -> Spent {
+    /// place of. What is not `seen` is kept from the renderer.
+    pub fn put(&mut self, chunk: Chunk, seen: bool, physics: &mut PhysicsWorld) -> Spent {
         let origin = self.origin(chunk.coord);
         let collider = physics.replace_terrain(chunk.coord, origin, chunk.collider);
         let triangles = chunk.mesh.triangles().len();
@@ -64,8 +68,10 @@ impl Ground {
                 triangles,
             },
         );
-        self.changes
-            .insert(chunk.coord, ChunkChange::Put(chunk.coord, chunk.mesh));
+        self.unseen.insert(chunk.coord, chunk.mesh);
+        if seen {
+            self.show_all(|coord| coord == chunk.coord);
+        }
         (collider, before.and_then(|chunk| chunk.samples))
     }
 
@@ -86,6 +92,13 @@ impl Ground {
         (physics.replace_terrain(coord, origin, collider), before)
     }
 
+    /// Tells the renderer of the chunks that have come into view.
+    pub fn show_all(&mut self, is_seen: impl Fn(ChunkCoord) -> bool) {
+        for (coord, mesh) in self.unseen.extract_if(.., |coord, _| is_seen(*coord)) {
+            self.changes.insert(coord, ChunkChange::Put(coord, mesh));
+        }
+    }
+
     /// Where a chunk stands in physics space.
     fn origin(&self, coord: ChunkCoord) -> DVec3 {
         coord.origin() + self.strategy.chart_origin_m(coord.hemisphere)
@@ -96,6 +109,7 @@ impl Ground {
         let Some(chunk) = self.chunks.remove(&coord) else {
             return (None, None);
         };
+        self.unseen.remove(&coord);
         self.changes.insert(coord, ChunkChange::Remove(coord));
         (
             physics.replace_terrain(coord, coord.origin(), None),
@@ -129,10 +143,10 @@ impl Ground {
         }
     }
 
-    /// Whether a chunk has a surface to see and none to touch: no body is near.
-    pub fn is_only_shown(&self, coord: ChunkCoord) -> bool {
+    /// Whether a chunk has a surface to touch: a body is near.
+    pub fn is_touchable(&self, coord: ChunkCoord) -> bool {
         let chunk = self.chunks.get(&coord);
-        chunk.is_some_and(|chunk| chunk.samples.is_none())
+        chunk.is_some_and(|chunk| chunk.samples.is_some())
     }
 
     /// Whether a point lies inside the ground.
@@ -330,7 +344,7 @@ mod tests {
                     collider: None,
                     samples: Some(Arc::new(samples)),
                 };
-                ground.put(chunk, &mut physics);
+                ground.put(chunk, true, &mut physics);
             }
         }
         ground.remove(coord(1), &mut physics);

@@ -6,7 +6,7 @@ use glam::DVec3;
 use crate::actions::Actions;
 use crate::actors::ActorId;
 use crate::aim::aim;
-use crate::camera::CameraMode;
+use crate::aimed::Optics;
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::npc::Event;
@@ -67,14 +67,15 @@ impl Scene {
         let target = self.covered(AIM_REACH_M).point;
         let muzzle = self.muzzle();
         let by = self.actors.player;
-        if self.player.straight_shots {
+        let optics = self.aiming();
+        if optics.straight_shots {
             let eye = Eye {
                 point: muzzle,
-                dial: self.player.lens.value(),
+                dial: optics.dial,
                 lift_m: self.head().lift_m + muzzle.pos.y - self.head().point.pos.y,
                 ..self.head()
             };
-            let pictured = &**self.player.lens.strategy();
+            let pictured = &*optics.strategy;
             let actors = &mut self.actors;
             projectile::fire_straight(actors, pictured, eye, target, BULLET_SPEED_M_S, by);
         } else {
@@ -96,16 +97,16 @@ impl Scene {
         }
         let standing = self.standing();
         let lowest_m = self.world.ground.height_range_m().0 - DEEPEST_HOLE_M;
-        // More bullets than ground is made solid for end where the land is, as those beyond the view do.
+        // More bullets than ground is made solid for end where the land is, as those beyond where bodies move do.
         let in_far_ground = |point: ChartPoint| {
             let coord = ChunkCoord::containing(point);
-            let is_bare =
-                !self.world.streamer.is_wanted(coord) || self.world.ground.is_only_shown(coord);
+            let is_bare = !self.world.lets_move(coord) || !self.world.ground.is_touchable(coord);
             point.pos.y < lowest_m || is_bare && self.world.ground.untouched_density(point) < 0.0
         };
+        let optics = self.aiming();
         let air = Air {
             strategy: &*self.world.strategy,
-            pictured: &**self.player.lens.strategy(),
+            pictured: &*optics.strategy,
             physics: &self.world.physics,
             standing: &standing,
             vehicles: self.actors.cars.vehicles(),
@@ -118,12 +119,14 @@ impl Scene {
 
     /// What the crosshair covers, of the ground and of others, within `reach_m` metres beyond the head.
     pub(crate) fn covered(&self, reach_m: f64) -> Pick {
-        let strategy = &**self.player.lens.strategy();
-        let eye = self.eye();
-        let past_head_m = match self.shown.camera {
-            CameraMode::First => 0.0,
-            CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
-        };
+        self.covered_through(&self.aiming(), reach_m)
+    }
+
+    /// What the crosshair covers for who looks through that.
+    pub(crate) fn covered_through(&self, optics: &Optics, reach_m: f64) -> Pick {
+        let strategy = &*optics.strategy;
+        let eye = self.camera_through(optics).eye;
+        let past_head_m = self.past_head_m(optics, &eye);
         let others: Vec<Standing> = self
             .standing()
             .into_iter()

@@ -102,7 +102,7 @@ impl Scene {
             .map(|(entity, position, body, _)| {
                 let is_there = chunks_near(&*self.world.strategy, position.0, GROUND_WITHIN_M)
                     .into_iter()
-                    .all(|coord| self.world.streamer.is_ready(coord));
+                    .all(|coord| self.world.is_firm(coord));
                 let form = HitForm::Capsule {
                     height_m: self.actors.tuning.height_m,
                     radius_m: self.actors.tuning.radius_m,

@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::actors::{ActorId, Actors};
-use crate::camera::CameraMode;
 use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
@@ -172,12 +171,10 @@ impl Scene {
 
     /// The lamp that the crosshair covers, if it is nearer than the ground.
     fn lamp_covered(&self) -> Option<ActorId> {
-        let strategy = &**self.player.lens.strategy();
-        let eye = self.eye();
-        let past_head_m = match self.shown.camera {
-            CameraMode::First => 0.0,
-            CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
-        };
+        let optics = self.aiming();
+        let strategy = &*optics.strategy;
+        let eye = self.camera_through(&optics).eye;
+        let past_head_m = self.past_head_m(&optics, &eye);
         let lamps = self.actors.all::<Lamp>();
         let meets = |a: ChartPoint, b: ChartPoint| {
             let met = lamps

@@ -19,7 +19,7 @@ const ARRIVES: f64 = 1e-4;
 
 /// One way to take pictures of a world.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum View {
+pub(crate) enum LensView {
     /// The only picture of a spherical world, and the unbent one of a flat world.
     Plain,
     /// A map of a hyperbolic world.
@@ -28,7 +28,7 @@ enum View {
     Bent,
 }
 
-impl View {
+impl LensView {
     fn dial(self) -> Option<Dial> {
         match self {
             Self::Plain => None,
@@ -65,8 +65,8 @@ impl Default for DialGoals {
 pub struct Lens {
     geometry: Geometry,
     radius_m: f64,
-    shown: View,
-    wanted: View,
+    shown: LensView,
+    wanted: LensView,
     goals: DialGoals,
     value: f64,
     /// Share of the world's own curvature that is shown, 0 to 1; below 1 only while maps change.
@@ -78,9 +78,9 @@ impl Lens {
     /// The picture of a new world, its dial at rest; `radius_m` is the world's radius of curvature in metres.
     pub fn new(geometry: Geometry, radius_m: f64) -> Self {
         let view = if geometry == Geometry::Hyperbolic {
-            View::Map(HyperbolicMap::default())
+            LensView::Map(HyperbolicMap::default())
         } else {
-            View::Plain
+            LensView::Plain
         };
         let mut lens = Self {
             geometry,
@@ -104,8 +104,8 @@ impl Lens {
     /// The map of a hyperbolic world: the one asked for, while the other still gives way to it.
     pub fn map(&self) -> Option<HyperbolicMap> {
         match self.wanted {
-            View::Map(map) => Some(map),
-            View::Plain | View::Bent => None,
+            LensView::Map(map) => Some(map),
+            LensView::Plain | LensView::Bent => None,
         }
     }
 
@@ -116,7 +116,7 @@ impl Lens {
 
     /// Goal of the dial of a flat world whose picture is bent.
     pub fn bend(&self) -> Option<f64> {
-        (self.wanted == View::Bent).then(|| self.goal())
+        (self.wanted == LensView::Bent).then(|| self.goal())
     }
 
     /// Smallest and largest setting of the dial under the wheel, if there is one now.
@@ -151,10 +151,10 @@ impl Lens {
     /// Returns false where there is no other.
     pub fn turn_map(&mut self) -> bool {
         self.wanted = match (self.geometry, self.wanted) {
-            (_, View::Map(map)) => View::Map(map.other()),
-            (_, View::Bent) => View::Plain,
-            (Geometry::Euclidean, View::Plain) => View::Bent,
-            (_, View::Plain) => return false,
+            (_, LensView::Map(map)) => LensView::Map(map.other()),
+            (_, LensView::Bent) => LensView::Plain,
+            (Geometry::Euclidean, LensView::Plain) => LensView::Bent,
+            (_, LensView::Plain) => return false,
         };
         true
     }
@@ -163,27 +163,27 @@ impl Lens {
     pub fn set_map(&mut self, map: HyperbolicMap) -> bool {
         let fits = self.map().is_some();
         if fits {
-            self.arrive(View::Map(map));
+            self.arrive(LensView::Map(map));
         }
         fits
     }
 
     /// Sets the dial of a hyperbolic world at once. Returns false when out of range or there is none.
     pub fn set_curvature(&mut self, value: f64) -> bool {
-        let View::Map(map) = self.wanted else {
+        let LensView::Map(map) = self.wanted else {
             return false;
         };
-        self.set_at_once(View::Map(map), value)
+        self.set_at_once(LensView::Map(map), value)
     }
 
     /// Bends a flat world's picture at once, up to 20 hyperbolic and down to -20 spherical; 0 unbends it.
     /// Returns false when out of range or the world is not flat.
     pub fn set_bend(&mut self, value: f64) -> bool {
-        if self.geometry != Geometry::Euclidean || !self.set_at_once(View::Bent, value) {
+        if self.geometry != Geometry::Euclidean || !self.set_at_once(LensView::Bent, value) {
             return false;
         }
         if value == 0.0 {
-            self.arrive(View::Plain);
+            self.arrive(LensView::Plain);
         }
         true
     }
@@ -191,7 +191,7 @@ impl Lens {
     /// Sets the dial of a bent picture at once; 0 shows it flat, and bent it stays. Returns false when out of range
     /// or the picture is not bent.
     pub(crate) fn set_bend_dial(&mut self, value: f64) -> bool {
-        self.bend().is_some() && self.set_at_once(View::Bent, value)
+        self.bend().is_some() && self.set_at_once(LensView::Bent, value)
     }
 
     /// Shows at once what it glides to.
@@ -201,21 +201,21 @@ impl Lens {
 
     /// Takes over what a save tells; settings out of range are left as they are in a new world.
     pub fn restore(&mut self, map: HyperbolicMap, bent: bool, goals: DialGoals) {
-        let maps = HyperbolicMap::ALL.map(View::Map);
+        let maps = HyperbolicMap::ALL.map(LensView::Map);
         let saved = [goals.raised, goals.horizon];
         for (view, goal) in maps
             .into_iter()
             .zip(saved)
-            .chain([(View::Bent, goals.bend)])
+            .chain([(LensView::Bent, goals.bend)])
         {
             if fits(view, goal) {
                 self.set_goal(view, goal);
             }
         }
         let view = match self.geometry {
-            Geometry::Hyperbolic => View::Map(map),
-            Geometry::Euclidean if bent => View::Bent,
-            _ => View::Plain,
+            Geometry::Hyperbolic => LensView::Map(map),
+            Geometry::Euclidean if bent => LensView::Bent,
+            _ => LensView::Plain,
         };
         self.arrive(view);
     }
@@ -223,7 +223,7 @@ impl Lens {
     /// Glides for `dt_s` seconds; the last ten-thousandth is taken at once so that the dial comes to rest.
     pub fn glide(&mut self, dt_s: f64) {
         let changes = self.shown != self.wanted;
-        let fades = matches!(self.shown, View::Map(_));
+        let fades = matches!(self.shown, LensView::Map(_));
         let faded = !fades || self.share <= SHARE_SWAP_AT;
         if changes && self.value.abs() <= DIAL_SWAP_AT && faded {
             self.value = 0.0;
@@ -239,10 +239,24 @@ impl Lens {
         }
     }
 
+    /// Whether it glides no more.
+    pub(crate) fn rests(&self) -> bool {
+        self.shown == self.wanted && self.value == self.goal() && self.share == 1.0
+    }
+
+    /// Whether the world's own picture is shown.
+    pub(crate) fn is_own(&self) -> bool {
+        is_own(self.shown, self.value, self.share)
+    }
+
+    /// What is shown at this moment: the picture, its dial, and the share of the curvature.
+    pub(crate) fn at(&self) -> (LensView, f64, f64) {
+        (self.shown, self.value, self.share)
+    }
+
     /// Arrives at once where a glide would lead to.
     pub fn jump(&mut self) {
-        let there = self.shown == self.wanted && self.value == self.goal() && self.share == 1.0;
-        if !there {
+        if !self.rests() {
             self.arrive(self.wanted);
         }
     }
@@ -262,25 +276,25 @@ impl Lens {
         (strategy, mix(before.value, self.value))
     }
 
-    fn goal_of(&self, view: View) -> f64 {
+    fn goal_of(&self, view: LensView) -> f64 {
         match view {
-            View::Plain => 0.0,
-            View::Map(HyperbolicMap::Raised) => self.goals.raised,
-            View::Map(HyperbolicMap::Horizon) => self.goals.horizon,
-            View::Bent => self.goals.bend,
+            LensView::Plain => 0.0,
+            LensView::Map(HyperbolicMap::Raised) => self.goals.raised,
+            LensView::Map(HyperbolicMap::Horizon) => self.goals.horizon,
+            LensView::Bent => self.goals.bend,
         }
     }
 
-    fn set_goal(&mut self, view: View, goal: f64) {
+    fn set_goal(&mut self, view: LensView, goal: f64) {
         match view {
-            View::Plain => {}
-            View::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
-            View::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
-            View::Bent => self.goals.bend = goal,
+            LensView::Plain => {}
+            LensView::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
+            LensView::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
+            LensView::Bent => self.goals.bend = goal,
         }
     }
 
-    fn set_at_once(&mut self, view: View, goal: f64) -> bool {
+    fn set_at_once(&mut self, view: LensView, goal: f64) -> bool {
         let fits = fits(view, goal);
         if fits {
             self.set_goal(view, goal);
@@ -290,23 +304,24 @@ impl Lens {
     }
 
     /// Shows a picture with its dial at its goal.
-    fn arrive(&mut self, view: View) {
+    fn arrive(&mut self, view: LensView) {
         self.wanted = view;
         self.value = self.goal();
         self.share = 1.0;
         self.show(view);
     }
 
-    fn show(&mut self, view: View) {
+    fn show(&mut self, view: LensView) {
         self.shown = view;
         self.strategy = self.pictured(view, self.share);
     }
 
-    fn pictured(&self, view: View, share: f64) -> Arc<dyn Strategy> {
+    /// The strategy of a picture of this world, with a share of its curvature.
+    pub(crate) fn pictured(&self, view: LensView, share: f64) -> Arc<dyn Strategy> {
         let (map, bent) = match view {
-            View::Plain => (HyperbolicMap::default(), false),
-            View::Map(map) => (map, false),
-            View::Bent => (HyperbolicMap::default(), true),
+            LensView::Plain => (HyperbolicMap::default(), false),
+            LensView::Map(map) => (map, false),
+            LensView::Bent => (HyperbolicMap::default(), true),
         };
         let radius_m = self.radius_m / share.max(SHARE_SWAP_AT);
         picture(self.geometry, radius_m, map, bent)
@@ -323,8 +338,20 @@ fn glided(value: f64, goal: f64, dt_s: f64) -> f64 {
     }
 }
 
+/// Whether that is a world's own picture: straight where space is flat, and the one that every new hyperbolic world
+/// begins with.
+pub(crate) fn is_own(view: LensView, value: f64, share: f64) -> bool {
+    match view {
+        LensView::Plain => true,
+        LensView::Bent => value == 0.0,
+        LensView::Map(map) => {
+            map == HyperbolicMap::Raised && value == Raised::DIAL.default && share == 1.0
+        }
+    }
+}
+
 /// Whether a dial can be set to a value; no dial can be set to what is no number.
-fn fits(view: View, goal: f64) -> bool {
+fn fits(view: LensView, goal: f64) -> bool {
     view.dial()
         .is_some_and(|dial| (dial.min..=dial.max).contains(&goal))
 }

@@ -6,6 +6,7 @@
 pub mod actions;
 pub mod actors;
 mod aim;
+mod aimed;
 pub mod bearings;
 mod between;
 mod body;
@@ -61,6 +62,7 @@ mod viewing;
 mod world;
 
 pub use actions::Actions;
+pub use aimed::Aim;
 pub use between::{Between, Shutter};
 pub use camera::CameraMode;
 pub use car::CarView;

@@ -34,7 +34,7 @@ const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 impl Scene {
     /// The light on what an eye sees: the nearest lamps, and the flashlight.
     pub(crate) fn lights(&self, eye: &Eye) -> Lit {
-        let strategy = &**self.player.lens.strategy();
+        let strategy = &**self.lens().strategy();
         let all = self.actors.all::<Lamp>().into_iter();
         let mut lamps: Vec<(f64, ActorId, ChartPoint)> = all
             .map(|(id, lamp)| (id, lamp.glow()))
@@ -72,7 +72,7 @@ impl Scene {
     /// The light of a lamp that the player holds.
     fn lamp_in_hand(&self) -> Option<LampLight> {
         let holds = self.player.inventory.held() == Some(Item::Lamp) && !self.is_driving();
-        let head = self.head();
+        let head = self.head_through(&self.picturing());
         let (right_m, up_m, front_m) = HELD_LAMP_M;
         let off = head.right() * right_m + head.up() * up_m + head.front() * front_m;
         holds.then(|| LampLight {
@@ -84,11 +84,12 @@ impl Scene {
 
     /// The flashlight lights what the crosshair covers, from wherever the picture is taken.
     fn flash_beam(&self) -> BeamLight {
-        let head = self.head();
+        let optics = self.picturing();
+        let head = self.head_through(&optics);
         let (right_m, up_m) = FLASH_BESIDE_M;
         let point = head.point.moved(head.right() * right_m + head.up() * up_m);
-        let spot = self.covered(FLASH_RANGE_M).point;
-        let way = way_toward(&**self.player.lens.strategy(), &self.eye(), point, spot);
+        let spot = self.covered_through(&optics, FLASH_RANGE_M).point;
+        let way = way_toward(&*optics.strategy, &self.eye(), point, spot);
         BeamLight {
             point,
             direction: way.unwrap_or(head.front()),

@@ -92,11 +92,11 @@ impl Scene {
         Moment {
             hand: self.hand_seen(),
             mark: marker
-                .map(|marker| Mark::seen_by(&camera.eye, &**self.player.lens.strategy(), marker)),
+                .map(|marker| Mark::seen_by(&camera.eye, &**self.lens().strategy(), marker)),
             ..self.moment_of(
                 taker,
                 camera,
-                &self.player.lens,
+                self.lens(),
                 self.shown.camera != CameraMode::First,
             )
         }

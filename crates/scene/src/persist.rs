@@ -296,11 +296,11 @@ impl Scene {
     }
 
     /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
-    /// the head is in rock with no cave below. Beyond the view distance it is that of untouched ground, whatever
+    /// the head is in rock with no cave below. Beyond where bodies move it is that of untouched ground, whatever
     /// happens to be loaded there.
     pub fn ground_height(&self) -> Option<f64> {
         height_below(self.head().point, GROUND_SEARCH_M, |point| {
-            let density = if self.world.streamer.is_wanted(ChunkCoord::containing(point)) {
+            let density = if self.world.lets_move(ChunkCoord::containing(point)) {
                 self.world.ground.density(point)
             } else {
                 self.world.ground.untouched_density(point)

@@ -6,11 +6,6 @@ use crate::notice::Hint;
 use crate::scene::Scene;
 
 impl Scene {
-    /// Through which picture the world is seen.
-    pub fn lens(&self) -> &crate::lens::Lens {
-        &self.player.lens
-    }
-
     /// Asks for the space's other picture, as the key does: it comes gliding, and the player is told its name.
     pub fn turn_map(&mut self) {
         let hint = if !self.player.lens.turn_map() {
@@ -47,6 +42,8 @@ impl Scene {
 
     fn repicture(&mut self, fits: bool) -> bool {
         self.kept.changed |= fits;
+        self.player.aimed = None;
+        self.renew_picture();
         self.update_marker();
         fits
     }

@@ -6,6 +6,7 @@ use antipode_physics::Character;
 use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
+use crate::aimed::{Aim, Optics};
 use crate::frame::ModelId;
 use crate::harm::Condition;
 use crate::inventory::Inventory;
@@ -17,8 +18,10 @@ use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH, PITCH_LIMIT_RAD};
 /// What the player alone has and does, besides the components of a figure.
 pub(crate) struct Player {
     pub inventory: Inventory,
-    /// Through which picture the player aims.
+    /// Through which picture the player aims, if the actions do not tell.
     pub lens: Lens,
+    /// What the last step's actions were aimed through, if they told.
+    pub aimed: Option<(Aim, Optics)>,
     pub brush_radius_m: f64,
     pub flying: bool,
     pub condition: Condition,
@@ -45,6 +48,7 @@ impl Player {
         Self {
             inventory: Inventory::default(),
             lens,
+            aimed: None,
             brush_radius_m: BRUSH_RADIUS_M.2,
             flying: false,
             condition: Condition::default(),

@@ -9,6 +9,7 @@ use crate::detail::Sight;
 use crate::dip::HeadDip;
 use crate::frame::{Marker, Quality};
 use crate::hand::HandMotion;
+use crate::lens::Lens;
 use crate::tuning::PICTURE_HEIGHT_PX;
 use crate::viewing::Viewing;
 
@@ -17,6 +18,8 @@ pub(crate) struct Presentation {
     pub camera: CameraMode,
     pub marker: Option<Marker>,
     pub viewing: Viewing,
+    /// The picture's lens where it is not the simulation's, which glides.
+    pub jumped: Option<Lens>,
     pub dip: HeadDip,
     pub quality: Quality,
     /// How what is in the player's hand moves.
@@ -35,6 +38,7 @@ impl Default for Presentation {
             camera: CameraMode::First,
             marker: None,
             viewing: Viewing::default(),
+            jumped: None,
             dip: HeadDip::default(),
             quality: Quality::default(),
             hand: HandMotion::default(),

@@ -109,16 +109,12 @@ impl Scene {
     }
 
     fn camera_probe(&self) -> CameraProbe {
-        let eye = self.eye();
+        let optics = self.aiming();
+        let eye = self.camera_through(&optics).eye;
         CameraProbe {
             pos: eye.point.pos.to_array(),
             mode: self.shown.camera.id(),
-            curved: self
-                .player
-                .lens
-                .strategy()
-                .curved(&eye, eye.point)
-                .to_array(),
+            curved: optics.strategy.curved(&eye, eye.point).to_array(),
         }
     }
 

@@ -9,6 +9,7 @@ use antipode_terrain::{Biome, Field};
 use glam::DVec3;
 
 use crate::actors::Actors;
+use crate::aimed::Optics;
 use crate::camera::{self, CameraMode, CameraPose};
 use crate::day;
 use crate::frame::{Marker, Quality};
@@ -233,19 +234,24 @@ impl Scene {
         self.player_parts().0.0
     }
 
-    /// The eye in the player's head.
+    /// The eye in the player's head, as the simulation has it.
     pub fn head(&self) -> Eye {
-        if let Some(head) = self.driver_head() {
+        self.head_through(&self.aiming())
+    }
+
+    /// The eye in the player's head, looking through that.
+    pub(crate) fn head_through(&self, optics: &Optics) -> Eye {
+        if let Some(head) = self.driver_head(optics) {
             return head;
         }
         let (position, look, ..) = self.player_parts();
         // Seen from behind, the body does not dip, and the camera would shake without a cause.
         let dip_m = match self.shown.camera {
-            CameraMode::First => self.shown.dip.depth_m(),
-            CameraMode::Third => 0.0,
+            CameraMode::First if optics.dips => self.shown.dip.depth_m(),
+            CameraMode::First | CameraMode::Third => 0.0,
         };
         let height_m = self.actors.tuning.eye_height_m() - dip_m;
-        player::eye(&position, &look, self.player.lens.value(), height_m)
+        player::eye(&position, &look, optics.dial, height_m)
     }
 
     /// The eye the picture is taken from.
@@ -255,21 +261,32 @@ impl Scene {
 
     /// The camera that pictures are taken with.
     pub(crate) fn camera_pose(&self) -> CameraPose {
-        if let Some(camera) = self.driver_camera() {
+        self.camera_through(&self.picturing())
+    }
+
+    /// The camera, looking through that.
+    pub(crate) fn camera_through(&self, optics: &Optics) -> CameraPose {
+        if let Some(camera) = self.driver_camera(optics) {
             return camera;
         }
-        let mut head = self.head();
+        let mut head = self.head_through(optics);
         if let Some(dead_s) = self
             .dead_s()
             .filter(|_| self.shown.camera == CameraMode::First)
         {
-            let lies = self.shown.viewing.reduced_motion;
-            head = camera::fallen(&head, if lies { f64::INFINITY } else { dead_s });
+            head = camera::fallen(
+                &head,
+                if optics.reduced_motion {
+                    f64::INFINITY
+                } else {
+                    dead_s
+                },
+            );
         }
         camera::place(
             self.shown.camera,
             &head,
-            &**self.player.lens.strategy(),
+            &*optics.strategy,
             &self.world.physics,
         )
     }

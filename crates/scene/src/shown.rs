@@ -23,7 +23,10 @@ impl Scene {
     pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<(Who, Figure)> {
         let eye = eye.point;
         let inside_own = eye.hemisphere == self.feet().hemisphere
-            && eye.pos.distance(self.head().point.pos) < FIGURE_SEEN_FROM_M;
+            && eye
+                .pos
+                .distance(self.head_through(&self.picturing()).point.pos)
+                < FIGURE_SEEN_FROM_M;
         let mut seen = Vec::new();
         for (entity, position, look, appearance, body, bot) in &mut self.actors.ecs.query::<(
             Entity,

@@ -1,6 +1,6 @@
 //! One fixed step of the simulation.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_physics::{Character, CharacterInput};
 use antipode_terrain::Stroke;
 use glam::DVec3;
@@ -34,12 +34,11 @@ impl Scene {
     /// While the ground around the player is not there yet the body is held still; everything else goes on.
     pub fn step(&mut self, actions: &Actions) {
         self.kept.changed = true;
+        self.world.bodies_about = ChunkCoord::containing(self.head().point);
+        self.take_aim(actions.aimed);
         self.handle_switches(actions);
-        if self.shown.viewing.reduced_motion {
-            self.player.lens.jump();
-        } else {
-            self.player.lens.glide(STEP_S);
-        }
+        self.player.lens.glide(STEP_S);
+        self.renew_picture();
         self.shown.dip.pass(STEP_S);
         // A body that has just been lifted waits for the next step: other ground may be near it now.
         let actions = &if self.is_dead() {
@@ -166,9 +165,7 @@ impl Scene {
         }
         player::cross(&*strategy, position, look, body);
         let harm = fall_harm(body.0.hardest_m_s(), self.actors.tuning.gravity_m_s2);
-        if self.shown.viewing.dips() {
-            self.shown.dip.land(body.0.impact_m_s);
-        }
+        self.shown.dip.land(body.0.impact_m_s);
         let doing = Doing {
             flying,
             dead,
@@ -190,14 +187,16 @@ impl Scene {
         let held = self.player.inventory.held().filter(|_| !self.is_driving());
         let digs = held.and_then(Item::brush_strength_per_s);
         self.shown.marker = digs.map(|_| {
-            let strategy = &**self.player.lens.strategy();
-            let eye = self.eye();
-            // Near a wall the camera stands closer than it would like; what lies beyond the head counts.
-            let past_head_m = match self.shown.camera {
-                CameraMode::First => 0.0,
-                CameraMode::Third => strategy.distance_m(eye.point, self.head().point, &eye),
-            };
-            let found: pick::Pick = pick(strategy, &self.world.physics, &eye, past_head_m, REACH_M);
+            let optics = self.aiming();
+            let eye = self.camera_through(&optics).eye;
+            let past_head_m = self.past_head_m(&optics, &eye);
+            let found: pick::Pick = pick(
+                &*optics.strategy,
+                &self.world.physics,
+                &eye,
+                past_head_m,
+                REACH_M,
+            );
             Marker {
                 point: found.point,
                 radius_m: self.player.brush_radius_m,

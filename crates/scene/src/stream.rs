@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_streaming::{Chunk, Detail, Reach, StreamingError, Until, Update, Wish};
 use glam::DVec3;
 use thiserror::Error;
@@ -15,7 +15,7 @@ use crate::ground_changed;
 use crate::notice::Notice;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
-use crate::tuning::AUTOSAVE_S;
+use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
@@ -41,11 +41,13 @@ impl Scene {
         let head = self.shown.watched.unwrap_or_else(|| self.head());
         let (position, _, body, _) = self.player_parts();
         self.renew_sight();
+        self.world.bodies_about = ChunkCoord::containing(self.head().point);
         let wish = Wish {
             centre: head.point,
             front: head.front(),
             view_distance: self.world.setup.view_distance,
             bodies: self.reaches(position.0, body.0.velocity),
+            bodies_distance: BODIES_WITHIN_CHUNKS,
             detail: self
                 .shown
                 .sight
@@ -53,6 +55,10 @@ impl Scene {
                 .map(|sight| sight as Arc<dyn Detail>),
         };
         self.world.streamer.wish(&wish);
+        let streamer = &self.world.streamer;
+        self.world
+            .ground
+            .show_all(|coord| streamer.keeps_in_view(coord));
     }
 
     /// Where the ground must be solid: around the player, and around others and what flies.
@@ -67,7 +73,8 @@ impl Scene {
         let bots = self.bots();
         let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
         reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
-        reaches
+        let within = |reach: &Reach| self.world.within_bodies(reach);
+        reaches.iter().filter_map(within).collect()
     }
 
     /// Takes the sizes of things in the picture anew, if they no longer hold.
@@ -81,8 +88,9 @@ impl Scene {
             self.shown.sight = None;
             return;
         };
-        let head = self.shown.watched.unwrap_or_else(|| self.head());
-        let strategy = self.player.lens.strategy();
+        let watched = self.shown.watched;
+        let head = watched.unwrap_or_else(|| self.head_through(&self.picturing()));
+        let strategy = self.lens().strategy();
         let sight = self.shown.sight.as_ref();
         if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
             self.shown.sight = Some(Arc::new(Sight::new(strategy, &head, sharpness)));
@@ -265,7 +273,9 @@ impl Scene {
     }
 
     fn put(&mut self, chunk: Chunk) {
-        let spent = self.world.ground.put(chunk, &mut self.world.physics);
+        let seen = self.world.streamer.keeps_in_view(chunk.coord);
+        let world = &mut self.world;
+        let spent = world.ground.put(chunk, seen, &mut world.physics);
         self.discard(spent);
     }
 

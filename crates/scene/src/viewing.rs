@@ -46,9 +46,7 @@ impl Scene {
     /// Sets how the player wants to see the world, from the next frame on.
     pub fn set_viewing(&mut self, viewing: Viewing) {
         self.shown.viewing = viewing;
-        if !viewing.dips() {
-            self.shown.dip.rest();
-        }
+        self.renew_picture();
         self.update_marker();
     }
 }

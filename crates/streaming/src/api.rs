@@ -87,8 +87,12 @@ pub struct Wish {
     /// Chunks to load in every direction, 1 to 64; a spherical world is wholly resident and
     /// ignores it.
     pub view_distance: u32,
-    /// Where ground must be solid. Chunks out of range are not made for it.
+    /// Where ground must be solid. Chunks farther off than both `view_distance` and `bodies_distance` are not made for
+    /// it.
     pub bodies: Vec<Reach>,
+    /// Chunks in every direction in which ground is made where bodies need it, though nothing else be loaded so far
+    /// off; up to 64.
+    pub bodies_distance: u32,
     /// How large land is in the picture; without it everything in range is made in full
     /// resolution. The plan is made anew when it is another `Arc`.
     pub detail: Option<Arc<dyn Detail>>,
@@ -101,6 +105,7 @@ impl Wish {
             centre,
             front,
             view_distance,
+            bodies_distance: 0,
             bodies: [Hemisphere::A, Hemisphere::B].map(Reach::whole).to_vec(),
             detail: None,
         }

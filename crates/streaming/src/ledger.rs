@@ -187,9 +187,14 @@ impl Ledger {
         self.is_resident(coord) || self.given_up.contains(&coord)
     }
 
-    /// Is the chunk within the range last wished for?
+    /// Is the chunk within the view last wished for?
     pub(crate) fn is_wanted(&self, coord: ChunkCoord) -> bool {
-        self.wished.range.contains(coord)
+        self.wished.range.views(coord)
+    }
+
+    /// Is the chunk within the view last wished for, or a chunk beyond?
+    pub(crate) fn keeps_in_view(&self, coord: ChunkCoord) -> bool {
+        self.wished.range.keeps_view(coord)
     }
 
     /// Chunks waiting, being made, or still to be looked at after a new plan, and one more while a

@@ -151,17 +151,25 @@ impl Request {
                 }
                 continue;
             }
+            if !self.range.keeps_view(coord) && !self.bodies.keeps(coord) {
+                continue;
+            }
             let span_px = self.span_px(coord);
             if span_px < KEPT_SPAN_PX {
                 continue;
             }
             let look = Look {
                 errors_px: self.errors_px(field, coord),
-                wanted: span_px >= LEAST_SPAN_PX && self.range.contains(coord),
+                wanted: span_px >= LEAST_SPAN_PX && self.is_to_be_loaded(coord),
             };
             looks.insert(coord, look);
         }
         (looks, bare)
+    }
+
+    fn is_to_be_loaded(&self, coord: ChunkCoord) -> bool {
+        let viewed = self.range.views(coord);
+        viewed || self.range.contains(coord) && self.bodies.wants(coord)
     }
 
     /// The levels, and how many times what the quality lets pass they had to be allowed, so that

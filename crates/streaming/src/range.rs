@@ -18,8 +18,12 @@ const LARGEST_DISTANCE: u32 = 64;
 pub(crate) enum Range {
     /// Nothing has been wished yet.
     Nothing,
-    /// All chunks within a Chebyshev distance, in chunks.
-    Around { centre: ChunkCoord, distance: i32 },
+    /// All chunks within a Chebyshev distance, in chunks; those beyond `view`, another such distance, only for bodies.
+    Around {
+        centre: ChunkCoord,
+        distance: i32,
+        view: i32,
+    },
     /// The whole of a closed world.
     Sphere(Closed),
 }
@@ -59,15 +63,38 @@ pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
 }
 
 impl Range {
-    /// The range of a wish in the given space.
-    pub(crate) fn wished(strategy: &dyn Strategy, centre: ChartPoint, distance: u32) -> Self {
+    /// The range of a wish in the given space: what is viewed, and how far ground is made for bodies.
+    pub(crate) fn wished(
+        strategy: &dyn Strategy,
+        centre: ChartPoint,
+        view: u32,
+        bodies: u32,
+    ) -> Self {
         if let Some(closed) = Closed::of(strategy) {
             return Self::Sphere(closed);
         }
-        let distance = distance.clamp(1, LARGEST_DISTANCE) as i32;
+        let view = view.clamp(1, LARGEST_DISTANCE) as i32;
         Self::Around {
             centre: ChunkCoord::containing(centre),
-            distance,
+            distance: view.max(bodies.min(LARGEST_DISTANCE) as i32),
+            view,
+        }
+    }
+
+    /// Is the chunk to be loaded though no body needs it?
+    pub(crate) fn views(&self, coord: ChunkCoord) -> bool {
+        self.viewed(coord, 0)
+    }
+
+    /// Is it to be kept, if it is there already, though no body needs it?
+    pub(crate) fn keeps_view(&self, coord: ChunkCoord) -> bool {
+        self.viewed(coord, KEPT_BEYOND)
+    }
+
+    fn viewed(&self, coord: ChunkCoord, beyond: i32) -> bool {
+        match self {
+            Self::Around { centre, view, .. } => is_around(*centre, coord, view + beyond),
+            Self::Nothing | Self::Sphere(_) => self.contains(coord),
         }
     }
 
@@ -84,11 +111,9 @@ impl Range {
     fn within(&self, coord: ChunkCoord, beyond: i32) -> bool {
         match self {
             Self::Nothing => false,
-            Self::Around { centre, distance } => {
-                let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
-                coord.hemisphere == centre.hemisphere
-                    && apart.abs().max_element() <= i64::from(distance + beyond)
-            }
+            Self::Around {
+                centre, distance, ..
+            } => is_around(*centre, coord, distance + beyond),
             Self::Sphere(closed) => closed.has(coord),
         }
     }
@@ -107,9 +132,9 @@ impl Range {
     fn list(&self, beyond: i32) -> Vec<ChunkCoord> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Around { centre, distance } => {
-                around(*centre, -distance - beyond, distance + beyond).collect()
-            }
+            Self::Around {
+                centre, distance, ..
+            } => around(*centre, -distance - beyond, distance + beyond).collect(),
             Self::Sphere(Closed { reach_m, layers }) => {
                 let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
                 let (low, high) = (
@@ -124,6 +149,11 @@ impl Range {
             }
         }
     }
+}
+
+fn is_around(centre: ChunkCoord, coord: ChunkCoord, distance: i32) -> bool {
+    let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
+    coord.hemisphere == centre.hemisphere && apart.abs().max_element() <= i64::from(distance)
 }
 
 fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
@@ -163,7 +193,7 @@ mod tests {
     #[test]
     fn a_flat_range_is_a_cube_and_keeps_one_chunk_more() {
         let space = strategy(Geometry::Euclidean, f64::INFINITY);
-        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(-1.0, 40.0, 5.0)), 2);
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(-1.0, 40.0, 5.0)), 2, 0);
         assert_eq!(range.all().len(), 125);
         assert!(range.contains(chunk(1, 3, -2)) && !range.contains(chunk(2, 1, 0)));
         assert!(range.keeps(chunk(2, 1, 0)) && !range.keeps(chunk(3, 1, 0)));
@@ -171,11 +201,22 @@ mod tests {
     }
 
     #[test]
+    fn beyond_the_view_chunks_are_there_for_bodies_alone() {
+        let space = strategy(Geometry::Euclidean, f64::INFINITY);
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 2, 4);
+        assert!(range.contains(chunk(4, 0, 0)) && !range.contains(chunk(5, 0, 0)));
+        assert!(range.views(chunk(2, 0, 0)) && !range.views(chunk(3, 0, 0)));
+        assert!(range.keeps_view(chunk(3, 0, 0)) && !range.keeps_view(chunk(4, 0, 0)));
+        let wide = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 8, 4);
+        assert!(wide.views(chunk(8, 0, 0)) && !wide.contains(chunk(9, 0, 0)));
+    }
+
+    #[test]
     fn a_sphere_is_wanted_whole_wherever_the_player_is() {
         let space = strategy(Geometry::Spherical, 32.0);
-        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(3.0, 9.0, 1.0)), 1);
+        let range = Range::wished(&*space, ChartPoint::a(DVec3::new(3.0, 9.0, 1.0)), 1, 0);
         let away = ChartPoint::new(Hemisphere::B, DVec3::new(-40.0, 9.0, 1.0));
-        assert_eq!(range, Range::wished(&*space, away, 7));
+        assert_eq!(range, Range::wished(&*space, away, 7, 0));
         let all = range.all();
         // The equator lies 50.3 m out, the margin ends at 58.3: two chunks on either side.
         assert_eq!(
@@ -190,7 +231,7 @@ mod tests {
     fn at_the_end_of_the_indices_a_range_is_cut_off() {
         let space = strategy(Geometry::Euclidean, f64::INFINITY);
         for far in [1e30, -1e30] {
-            let range = Range::wished(&*space, ChartPoint::a(DVec3::splat(far)), 2);
+            let range = Range::wished(&*space, ChartPoint::a(DVec3::splat(far)), 2, 0);
             assert_eq!(range.all().len(), 27);
             assert!(range.all().iter().all(|&coord| range.keeps(coord)));
             assert!(!range.keeps(chunk(0, 0, 0)));
@@ -203,7 +244,7 @@ mod tests {
     fn a_closed_world_has_exactly_the_chunks_that_are_wanted() {
         for radius_m in [16.0, 26.7, 32.0, 64.0] {
             let space = strategy(Geometry::Spherical, radius_m);
-            let range = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 1);
+            let range = Range::wished(&*space, ChartPoint::a(DVec3::ZERO), 1, 0);
             let all = range.all();
             let cube = around(chunk(0, 0, 0), -6, 6).filter(|&coord| is_in_world(&*space, coord));
             assert_eq!(cube.count() * 2, all.len(), "{radius_m}");

@@ -227,9 +227,14 @@ impl Streamer {
         self.ledger.is_ready(coord)
     }
 
-    /// Is this chunk within the range last wished for?
+    /// Is this chunk within the view last wished for?
     pub fn is_wanted(&self, coord: ChunkCoord) -> bool {
         self.ledger.is_wanted(coord)
+    }
+
+    /// Is this chunk within the view, or the chunk beyond it that is kept so that walking to and fro loads nothing?
+    pub fn keeps_in_view(&self, coord: ChunkCoord) -> bool {
+        self.ledger.keeps_in_view(coord)
     }
 
     /// Number of chunks with a mesh that are there.

@@ -82,6 +82,7 @@ impl Game {
                 self.hints.use_pad(true);
             }
             self.step_hints(&actions, &session.scene);
+            actions.aimed = Some(session.scene.aim_of_picture());
             session
                 .between
                 .step(&mut session.scene, &actions, left == 0);

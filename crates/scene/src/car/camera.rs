@@ -10,6 +10,7 @@ use super::tuning::{
     CHASE_TURN_PER_S, CHASE_UP_M, EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S,
     SEAT_M, STANDS_M_S,
 };
+use crate::aimed::Optics;
 use crate::camera::{CameraMode, CameraPose};
 use crate::player::wrap_angle;
 use crate::scene::Scene;
@@ -230,7 +231,7 @@ fn rest_pitch() -> f64 {
 
 impl Scene {
     /// The driver's own eyes.
-    pub(crate) fn driver_head(&self) -> Option<Eye> {
+    pub(crate) fn driver_head(&self, optics: &Optics) -> Option<Eye> {
         let car = self.driven_car()?;
         let driving = self.actors.cars.driving.as_ref()?;
         let (yaw, pitch) = driving.chase.look(self.shown.camera);
@@ -240,23 +241,26 @@ impl Scene {
             yaw,
             pitch,
             roll: 0.0,
-            dial: self.player.lens.value(),
+            dial: optics.dial,
             lift_m: point.pos.y - car.point.pos.y,
         })
     }
 
     /// The camera that a driver's picture is taken with.
-    pub(crate) fn driver_camera(&self) -> Option<CameraPose> {
-        let head = self.driver_head()?;
+    pub(crate) fn driver_camera(&self, optics: &Optics) -> Option<CameraPose> {
+        let head = self.driver_head(optics)?;
         let car = self.driven_car()?;
         let driving = self.actors.cars.driving.as_ref()?;
         match self.shown.camera {
             CameraMode::First => {
                 let point = car.place(BONNET_M);
-                let levels = self.shown.viewing.reduced_motion;
                 let eye = Eye {
                     point,
-                    roll: if levels { 0.0 } else { driving.chase.lean() },
+                    roll: if optics.reduced_motion {
+                        0.0
+                    } else {
+                        driving.chase.lean()
+                    },
                     lift_m: point.pos.y - car.point.pos.y,
                     ..head
                 };

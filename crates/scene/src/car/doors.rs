@@ -131,7 +131,8 @@ impl Scene {
 
     /// Whether nothing hides a car's roof.
     fn sees_car(&self, number: usize) -> bool {
-        let pictured = &**self.player.lens.strategy();
+        let optics = self.aiming();
+        let pictured = &*optics.strategy;
         self.car(number).is_some_and(|car| {
             let over_roof = car.place(DVec3::Y * ROOF_UP_M);
             sees(pictured, &self.world.physics, &self.head(), over_roof)
@@ -141,7 +142,8 @@ impl Scene {
     fn car_within(&self, reach_m: f64, seen: bool) -> Option<usize> {
         let head = self.head();
         let feet = self.feet();
-        let pictured = &**self.player.lens.strategy();
+        let optics = self.aiming();
+        let pictured = &*optics.strategy;
         let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
         self.cars()
             .iter()

@@ -50,7 +50,7 @@ impl Scene {
             let is_ready = !self.actors.cars.states[number].unplaced
                 && chunks_near(&*self.world.strategy, car.point, reach_m)
                     .into_iter()
-                    .all(|coord| self.world.streamer.is_ready(coord));
+                    .all(|coord| self.world.is_firm(coord));
             is_ready.then(|| match driven {
                 Some(own) if own == number => VehicleInput {
                     throttle: actions.forward,
@@ -80,7 +80,7 @@ impl Scene {
             let is_there = || {
                 chunks_near(&*self.world.strategy, car.point, NEEDED_AROUND_M)
                     .into_iter()
-                    .all(|coord| self.world.streamer.is_ready(coord))
+                    .all(|coord| self.world.is_firm(coord))
             };
             let is_buried = self
                 .world

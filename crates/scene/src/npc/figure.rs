@@ -59,6 +59,7 @@ impl Npc {
         self.notice(around);
         if thinks {
             self.perceive(around);
+            self.hide(around);
             self.choose(around);
             self.plan(around);
         }
@@ -102,8 +103,8 @@ impl Npc {
         }
         // What a plan asks about must be there; else it would depend on how quickly it comes.
         let asked = chunks_near(around.strategy(), self.point, ASKS_M);
-        let streamer = &around.scene.world.streamer;
-        if !asked.into_iter().all(|coord| streamer.is_ready(coord)) {
+        let world = &around.scene.world;
+        if !asked.into_iter().all(|coord| world.is_firm(coord)) {
             return;
         }
         let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
@@ -286,9 +287,9 @@ impl Npc {
     /// Lets the body stand, go or fall where the ground is there.
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
         let strategy = around.strategy();
-        let streamer = &around.scene.world.streamer;
+        let world = &around.scene.world;
         let near = chunks_near(strategy, self.point, NEEDED_AROUND_M);
-        if !near.into_iter().all(|coord| streamer.is_ready(coord)) {
+        if !near.into_iter().all(|coord| world.is_firm(coord)) {
             // It waits, and what ended its last move does not end another one.
             (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;

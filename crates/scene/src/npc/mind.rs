@@ -97,6 +97,8 @@ pub(crate) struct Mind {
     pub angry_s: f64,
     /// What is fled from, and for how long yet, in seconds.
     pub fear: Option<(ChartPoint, f64)>,
+    /// How long the display has pointed to one whom the picture hides, in seconds; none who is to be seen.
+    pub hidden_s: Option<f64>,
     /// Until the next shot, in seconds.
     pub fires_in_s: f64,
     /// Since the last shot, in seconds.
@@ -136,6 +138,7 @@ impl Mind {
             known: None,
             angry_s: 0.0,
             fear: None,
+            hidden_s: None,
             fires_in_s: FIRST_SHOT_S,
             fired_s: f64::INFINITY,
             lasts_s,
@@ -223,6 +226,7 @@ impl Mind {
         self.planned_s += STEP_S;
         self.angry_s = (self.angry_s - STEP_S).max(0.0);
         self.fires_in_s -= STEP_S;
+        self.hidden_s = self.hidden_s.map(|since_s| since_s + STEP_S);
         self.fired_s += STEP_S;
         self.bored_s = (self.bored_s - STEP_S).max(0.0);
         if let Some(known) = &mut self.known {

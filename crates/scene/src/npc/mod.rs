@@ -6,6 +6,7 @@ mod choice;
 mod dice;
 mod dodge;
 mod figure;
+mod hidden;
 pub(crate) mod mind;
 mod navigation;
 mod population;
@@ -110,6 +111,7 @@ impl Scene {
         let events = std::mem::take(&mut self.actors.npcs.events);
         let others = self.others();
         let quarry = self.quarry();
+        let picture = quarry.as_ref().and_then(|_| self.other_picture());
         let cars = self.cars().into_iter();
         let cars: Vec<_> = cars.filter_map(|car| Some((car, car.comes()?))).collect();
         for (id, entity) in self.figures_in_order() {
@@ -119,6 +121,7 @@ impl Scene {
             let around = Around {
                 scene: self,
                 quarry,
+                picture: picture.as_ref(),
                 others: &others,
                 cars: &cars,
                 events: &events,
@@ -192,7 +195,7 @@ impl Scene {
         let is_fair =
             !self.player.flying && !self.is_dead() && self.player.condition.spared_s <= 0.0;
         is_fair.then(|| Quarry {
-            head: self.head(),
+            head: self.head_through(&self.world_optics()),
             feet: position.0,
             velocity: body.0.velocity,
         })

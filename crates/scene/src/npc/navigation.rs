@@ -326,7 +326,7 @@ mod tests {
             collider: None,
             samples: Some(Arc::new(samples)),
         };
-        ground.put(chunk, &mut PhysicsWorld::new());
+        ground.put(chunk, true, &mut PhysicsWorld::new());
         ground
     }
 

@@ -9,6 +9,7 @@ use super::tuning::{
     APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, PEACE_S, UNSEEN_RAD,
 };
 use crate::scene::Scene;
+use crate::tuning::BODIES_WITHIN_CHUNKS;
 
 /// Steps between two looks at who is there.
 const EVERY_STEPS: u64 = 60;
@@ -16,7 +17,7 @@ const EVERY_STEPS: u64 = 60;
 const TRIES: u32 = 4;
 /// Gap left below the feet of who comes, in metres.
 const CLEARANCE_M: f64 = 0.15;
-/// How much nearer than the border of what is loaded someone comes, in metres.
+/// How much nearer than the border of where bodies move someone comes, in metres.
 const LOADED_SLACK_M: f64 = 12.0;
 
 impl Scene {
@@ -80,7 +81,7 @@ impl Scene {
             0x9e3d,
         ];
         let mut dice = Dice::new(&seeds);
-        let loaded_m = f64::from(self.world.setup.view_distance) * 32.0 - LOADED_SLACK_M;
+        let loaded_m = f64::from(BODIES_WITHIN_CHUNKS) * 32.0 - LOADED_SLACK_M;
         let far_m = APPEARS_M.1.min(loaded_m.max(LOADED_SLACK_M));
         let near_m = APPEARS_M.0 * far_m / APPEARS_M.1;
         for _ in 0..TRIES {
@@ -88,7 +89,7 @@ impl Scene {
             let away_m = dice.between((near_m, far_m));
             let mut point = ahead(&*self.world.strategy, feet, heading, away_m);
             point.pos.y = self.world.ground.untouched_height(point) + CLEARANCE_M;
-            let there = self.world.streamer.is_wanted(ChunkCoord::containing(point));
+            let there = self.world.lets_move(ChunkCoord::containing(point));
             if there && !self.may_see(point) {
                 let id = self.spawn_bot(point, dice.heading(), hostile);
                 self.restore_mind(id, 0.0, true);
@@ -100,11 +101,10 @@ impl Scene {
 
     /// Whether a place may be in the picture, whatever is before it.
     fn may_see(&self, point: ChartPoint) -> bool {
-        let eye = self.eye();
-        let view = self
-            .player
-            .lens
-            .strategy()
+        let optics = self.aiming();
+        let eye = self.camera_through(&optics).eye;
+        let view = optics
+            .strategy
             .view_point(&eye, point.moved(DVec3::Y))
             .truncate()
             .normalize_or_zero();

@@ -1,12 +1,16 @@
 //! What a mind knows of the world around it: what it sees along geodesics, what it hears, who is near.
 
+use std::sync::Arc;
+
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 use hecs::Entity;
 
 use super::bearing::{apart_m, way};
+use super::hidden::OtherPicture;
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
+use crate::aimed::Optics;
 use crate::car::CarView;
 use crate::pick::segment_hit;
 use crate::player::Look;
@@ -40,7 +44,7 @@ pub(crate) enum Event {
 /// The player as others may find it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quarry {
-    /// The eye in the player's head, through which the world is seen.
+    /// The eye in the player's head, looking at the world as its own picture has it.
     pub head: Eye,
     /// Where the feet are.
     pub feet: ChartPoint,
@@ -63,6 +67,8 @@ pub(crate) struct Around<'a> {
     pub scene: &'a Scene,
     /// The player, where there is one to be met: neither dead nor a spectator.
     pub quarry: Option<Quarry>,
+    /// The picture that the player aims by, where it is not the world's own.
+    pub picture: Option<&'a OtherPicture>,
     pub others: &'a [Other],
     /// Cars that come, and the level way that each takes, m/s.
     pub cars: &'a [(CarView, DVec3)],
@@ -76,15 +82,24 @@ impl Around<'_> {
     }
 
     /// Whether the player is in sight of someone whose feet are at a point: just when the player could see that one too,
-    /// through whatever picture. Tested from head to head, and from head to belt.
+    /// in the world's own picture. Tested from head to head, and from head to belt.
     pub fn sees_player(&self, quarry: &Quarry, point: ChartPoint) -> bool {
+        self.shows(self.strategy(), &quarry.head, point)
+    }
+
+    /// Whether the player's picture hides someone whose feet are at a point.
+    pub fn hides(&self, point: ChartPoint) -> bool {
+        self.picture
+            .is_some_and(|it| !self.shows(&*it.strategy, &it.head, point))
+    }
+
+    fn shows(&self, strategy: &dyn Strategy, head: &Eye, point: ChartPoint) -> bool {
         let tuning = &self.scene.actors.tuning;
-        let pictured = &**self.scene.player.lens.strategy();
         [tuning.eye_height_m(), 0.5 * tuning.height_m]
             .into_iter()
             .any(|rise_m| {
                 let spot = point.moved(DVec3::Y * rise_m);
-                sees(pictured, &self.scene.world.physics, &quarry.head, spot)
+                sees(strategy, &self.scene.world.physics, head, spot)
             })
     }
 
@@ -93,12 +108,11 @@ impl Around<'_> {
         let height_m = self.scene.actors.tuning.eye_height_m();
         let eye = Eye {
             point: point.moved(DVec3::Y * height_m),
-            dial: self.scene.player.lens.value(),
+            dial: own_dial(self.strategy()),
             lift_m: height_m,
             ..Eye::default()
         };
-        let pictured = &**self.scene.player.lens.strategy();
-        sees(pictured, &self.scene.world.physics, &eye, place)
+        sees(self.strategy(), &self.scene.world.physics, &eye, place)
     }
 
     /// Whether a place is where someone looks at a glance, or close enough to be felt.
@@ -111,6 +125,25 @@ impl Around<'_> {
     pub fn apart_m(&self, a: ChartPoint, b: ChartPoint) -> f64 {
         apart_m(self.strategy(), a, b)
     }
+}
+
+impl Scene {
+    /// The world's own picture, by which others see: no choice of the player's has a part in it.
+    pub(crate) fn world_optics(&self) -> Optics {
+        Optics {
+            strategy: Arc::clone(&self.world.strategy),
+            dial: own_dial(&*self.world.strategy),
+            straight_shots: false,
+            dips: false,
+            reduced_motion: false,
+            own: true,
+        }
+    }
+}
+
+/// The dial at which a world's own picture is taken: that of every new world, wherever the player sets it.
+pub(crate) fn own_dial(strategy: &dyn Strategy) -> f64 {
+    strategy.dial().map_or(0.0, |dial| dial.default)
 }
 
 /// Whether no ground lies on the geodesic from an eye to a place.

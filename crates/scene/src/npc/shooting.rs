@@ -7,6 +7,7 @@ use hecs::Entity;
 
 use super::bearing::{apart_m, way};
 use super::figure::Npc;
+use super::hidden::IN_SIGHT_S;
 use super::mind::State;
 use super::senses::{Around, Quarry};
 use super::tuning::{ASTRAY_RAD, MUZZLE_M_S, SHOOTS_M, SHOTS_EVERY_S};
@@ -47,8 +48,16 @@ impl Npc {
     pub fn shoot(&mut self, around: &Around<'_>) -> Option<Shot> {
         let fights = matches!(self.mind.state, State::Fight | State::Chase);
         let ready = fights && self.mind.fires_in_s <= 0.0;
-        let in_sight = self.mind.known.is_some_and(|known| known.ago_s < 0.2);
+        let in_sight = self
+            .mind
+            .known
+            .is_some_and(|known| known.ago_s < IN_SIGHT_S);
         let quarry = around.quarry.filter(|_| ready && in_sight)?;
+        // The picture may have changed since it last looked.
+        self.hide(around);
+        if self.holds_fire() {
+            return None;
+        }
         let there = way(around.strategy(), self.point, quarry.feet);
         let faces = there.heading.dot(self.look.heading()) > FACES_RAD.cos();
         let near = around.apart_m(self.point, quarry.feet) < SHOOTS_M;

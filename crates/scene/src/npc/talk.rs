@@ -108,7 +108,8 @@ impl Scene {
     /// The nearest living peaceful one that is ahead, within a reach and in sight.
     fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
         let eye = self.head();
-        let pictured = &**self.player.lens.strategy();
+        let optics = self.aiming();
+        let pictured = &*optics.strategy;
         let is_ahead = |point: ChartPoint| {
             let view = pictured.view_point(&eye, point).truncate();
             -view.normalize_or_zero().z > AHEAD_RAD.cos()
@@ -168,7 +169,7 @@ impl Scene {
         Line::Triangle {
             side_m: side_m as u32,
             sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
-            pictured: !closed && self.player.lens.value() != 0.0,
+            pictured: !closed && self.aiming().dial != 0.0,
         }
     }
 
@@ -179,12 +180,7 @@ impl Scene {
             ..self.head()
         };
         let place = ahead(&*self.world.strategy, feet, level.front(), HORIZON_M);
-        let seen = self
-            .player
-            .lens
-            .strategy()
-            .view_point(&level, place)
-            .truncate();
+        let seen = self.aiming().strategy.view_point(&level, place).truncate();
         let rise_rad = seen.y.atan2(seen.x.hypot(seen.z));
         let flat_rad = (feet.pos.y - level.point.pos.y).atan2(HORIZON_M);
         Line::Horizon {

@@ -22,6 +22,8 @@ pub const KEEPS_SLACK_M: f64 = 1.5;
 pub const SHOOTS_M: f64 = 20.0;
 /// From noticing to the first shot, in seconds.
 pub const FIRST_SHOT_S: f64 = 4.0;
+/// How long the display points to one whom the picture hides before he fires, in seconds.
+pub const MARKED_S: f64 = 2.0;
 /// Between two shots at least and at most, in seconds.
 pub const SHOTS_EVERY_S: (f64, f64) = (0.25, 3.0);
 /// Speed of its bullets at the muzzle, in metres per second.

@@ -38,7 +38,7 @@ impl Scene {
             let point = seen.place(view.bot.id, view.point);
             let over = point.moved(DVec3::Y * (self.actors.tuning.height_m + OVER_M));
             let head = point.moved(DVec3::Y * self.actors.tuning.eye_height_m());
-            let pictured = &**self.player.lens.strategy();
+            let pictured = &**self.lens().strategy();
             let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
             let shown = away_m < SHOWN_M && sees(pictured, &self.world.physics, &eye, head);
             let at = self.pictured_at(&eye, over, fov_y_rad);
@@ -62,7 +62,7 @@ impl Scene {
         place: ChartPoint,
         fov_y_rad: f64,
     ) -> Option<DVec2> {
-        let pictured = self.player.lens.strategy();
+        let pictured = self.lens().strategy();
         let view = pictured.view_point(eye, place);
         // With an aspect of one both axes count in halves of the height.
         let projection = Projection::new(fov_y_rad, 1.0, NEAR_M);

@@ -21,7 +21,12 @@ impl Ledger {
     /// once, those after it when [`next_plan`](Self::next_plan) has been carried out.
     pub(crate) fn wish(&mut self, wish: &Wish) -> Vec<ChunkCoord> {
         self.queue.look(wish.centre, wish.front);
-        let range = Range::wished(&*self.strategy, wish.centre, wish.view_distance);
+        let range = Range::wished(
+            &*self.strategy,
+            wish.centre,
+            wish.view_distance,
+            wish.bodies_distance,
+        );
         let bodies = Reaches::of(&wish.bodies);
         let same_detail = match (&self.wished.detail, &wish.detail) {
             (Some(before), Some(now)) => Arc::ptr_eq(before, now),

@@ -37,7 +37,7 @@ fn request(geometry: Geometry, radius_m: f64, flat: Flat, distance: u32) -> (Req
     let field = Field::new(11, Arc::clone(&space));
     let eye = ChartPoint::a(flat.eye);
     let request = Request {
-        range: Range::wished(&*space, eye, distance),
+        range: Range::wished(&*space, eye, distance, 0),
         detail: Some(Arc::new(flat)),
         bodies: Reaches::of(&[Reach::around(eye, 30.0)]),
         near_edits: Arc::default(),
@@ -168,7 +168,7 @@ fn a_plan_tells_what_it_changes() {
     request.before = Arc::new(first.plan);
     assert!(request.plan(&field).changed.is_empty());
     let moved = ChartPoint::a(eye().eye + DVec3::X * 32.0);
-    request.range = Range::wished(&**field.strategy(), moved, 8);
+    request.range = Range::wished(&**field.strategy(), moved, 8, 0);
     let second = request.plan(&field);
     assert!(!second.changed.is_empty() && second.changed.len() < second.plan.targets.len());
 }

@@ -29,7 +29,7 @@ fn chunks_come_nearest_first_and_all_that_have_a_surface() {
         .map(|&coord| middle_distance(coord, at))
         .collect();
     assert!(far.len() >= 25 && far.is_sorted(), "{far:?}");
-    let wanted = Range::wished(&*game.space, ChartPoint::a(at), 2).all();
+    let wanted = Range::wished(&*game.space, ChartPoint::a(at), 2, 0).all();
     for coord in wanted {
         assert!(game.streamer.is_resident(coord));
         assert_eq!(
@@ -109,7 +109,7 @@ fn a_sphere_is_there_whole_and_stays() {
     let mut game = Game::new(Geometry::Spherical, 2, None, None);
     game.wish(DVec3::new(0.0, 8.0, 0.0), 1);
     game.wait(Until::Idle);
-    let all = Range::wished(&*game.space, ChartPoint::a(DVec3::ZERO), 1).all();
+    let all = Range::wished(&*game.space, ChartPoint::a(DVec3::ZERO), 1, 0).all();
     assert!(all.iter().all(|&coord| game.streamer.is_resident(coord)));
     let sides = [Hemisphere::A, Hemisphere::B]
         .map(|h| game.chunks.keys().filter(|c| c.hemisphere == h).count());

@@ -14,6 +14,8 @@ const EDGE_COVER: f32 = 150.0;
 const SOLID_EDGE: f32 = 6.0;
 /// Distance of the mark from the middle, as a share of the shorter side, and half of its arc, radians.
 const MARK: (f32, f32) = (0.22, 0.32);
+/// How far beyond the mark of harm that of a hidden foe begins, in points.
+const HIDDEN_BEYOND: f32 = 18.0;
 /// Lines of the mark's arc.
 const MARK_LINES: u16 = 12;
 
@@ -106,6 +108,26 @@ fn mark(painter: &Painter, screen: Rect, from_rad: f32, strength: f32) {
         opaque(BAD),
         Stroke::new(1.5, opaque(Color32::BLACK)),
     ));
+}
+
+/// A tip on the side where somebody is who could shoot and is not to be seen; beyond the arc of what has hurt.
+pub(super) fn hidden(painter: &Painter, screen: Rect, from_rad: f32) {
+    if !from_rad.is_finite() {
+        return;
+    }
+    let centre = screen.center();
+    let radius = MARK.0 * screen.width().min(screen.height()) + HIDDEN_BEYOND;
+    let at = |bearing: f32, radius: f32| {
+        let (sin, cos) = bearing.sin_cos();
+        pos2(centre.x + radius * sin, centre.y - radius * cos)
+    };
+    let tip = vec![
+        at(from_rad, radius + 18.0),
+        at(from_rad - 0.1, radius),
+        at(from_rad + 0.1, radius),
+    ];
+    let line = Stroke::new(2.0, Color32::BLACK);
+    painter.add(Shape::convex_polygon(tip, BAD, line));
 }
 
 /// Four strokes about the crosshair: a shot of the player's has struck someone.

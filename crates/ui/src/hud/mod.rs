@@ -129,6 +129,8 @@ pub struct HudModel {
     pub health: Option<f32>,
     /// Harm that the player has just taken.
     pub harm: Option<HarmModel>,
+    /// Where those are who could shoot and are not to be seen in the picture, clockwise from straight ahead, radians.
+    pub hidden_foes: Vec<f32>,
     /// Health of others who are hurt.
     pub wounds: Vec<WoundModel>,
     /// What somebody says to the player.
@@ -145,6 +147,9 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     wounds::show(&painter, ctx.content_rect(), &model.wounds);
     if let Some(harm) = model.harm {
         harm::show(&painter, ctx.content_rect(), harm);
+    }
+    for from_rad in &model.hidden_foes {
+        harm::hidden(&painter, ctx.content_rect(), *from_rad);
     }
     if model.show_crosshair {
         crosshair(&painter, ctx.content_rect().center());

@@ -69,6 +69,7 @@ pub fn full_hud() -> HudModel {
             from_rad: Some(2.0),
         }),
         struck: true,
+        hidden_foes: vec![2.0],
         wounds: Vec::new(),
         speech: None,
     }

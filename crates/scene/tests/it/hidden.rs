@@ -1,0 +1,77 @@
+//! Who sees the player and is hidden by the picture is pointed to before he fires.
+
+use antipode_geometry::Geometry;
+use antipode_scene::{Actions, Scene};
+
+use super::common::figures::{SECOND, beside, world};
+use super::common::steps;
+
+/// How long a mark points to one who is hidden before he fires, in steps, but for a rounding.
+const MARKED: usize = 2 * SECOND - 1;
+
+/// What is seen of a fight: steps with somebody hidden, shots of one who was marked long enough, and who was not.
+#[derive(Debug, Default)]
+struct Fight {
+    hidden: usize,
+    late: usize,
+    early: usize,
+}
+
+/// A fight with somebody so far off, some seconds of it seen as the world is and then through another picture.
+fn fight(mut scene: Scene, (dx, dz): (f64, f64), bend: &dyn Fn(&mut Scene)) -> Fight {
+    let at = beside(&scene, dx, dz);
+    let facing = (-dz).atan2(-dx);
+    scene.spawn_bot(at, facing, true);
+    let (mut fight, mut marked, mut newest) = (Fight::default(), 0, None);
+    for step in 0..12 * SECOND {
+        if step == 5 * SECOND {
+            bend(&mut scene);
+        }
+        scene.set_health(20.0);
+        steps(&mut scene, 1, &Actions::default());
+        marked = if scene.hidden_foes().is_empty() {
+            0
+        } else {
+            marked + 1
+        };
+        fight.hidden += usize::from(marked > 0);
+        let last = scene.projectiles().iter().map(|(id, _)| *id).max();
+        if last > newest && marked > 0 {
+            newest = last;
+            *(if marked < MARKED {
+                &mut fight.early
+            } else {
+                &mut fight.late
+            }) += 1;
+        }
+        newest = newest.max(last);
+    }
+    fight
+}
+
+#[test]
+fn whom_the_picture_hides_fires_only_after_the_mark_has_pointed_to_him() {
+    let mut all = Fight::default();
+    for (dx, dz) in [
+        (10.0, 0.0),
+        (-9.0, 4.0),
+        (3.0, -12.0),
+        (0.0, 14.0),
+        (-8.0, -9.0),
+    ] {
+        for bend in [-20.0, 20.0] {
+            let of = fight(world(Geometry::Euclidean), (dx, dz), &|scene| {
+                assert!(scene.set_bend(bend))
+            });
+            assert_eq!(of.early, 0, "{dx} {dz} {bend}: {of:?}");
+            all.hidden += of.hidden;
+            all.late += of.late;
+        }
+        let unbent = fight(world(Geometry::Euclidean), (dx, dz), &|_| {});
+        assert_eq!(
+            unbent.hidden, 0,
+            "nobody is hidden in the world's own picture"
+        );
+    }
+    assert!(all.hidden > 2 * MARKED && all.late > 0, "{all:?}");
+}
