@@ -15,11 +15,6 @@ impl Game {
         self.backpack.is_open()
     }
 
-    /// Whether the backpack is up and an input closes it.
-    pub(super) fn is_backpacks(&self, input: Input) -> bool {
-        self.is_packing() && self.controls.does(input, Action::Backpack)
-    }
-
     pub(super) fn open_backpack(&mut self) {
         self.controls.release_all();
         self.has_done(Lesson::Backpack);

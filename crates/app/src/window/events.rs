@@ -3,11 +3,12 @@
 use std::collections::HashSet;
 use std::time::Instant;
 
-use winit::event::{ElementState, KeyEvent, MouseButton, WindowEvent};
+use winit::event::{ElementState, KeyEvent, WindowEvent};
 use winit::keyboard::{KeyCode, PhysicalKey};
 
+use super::layers::Press;
 use super::open::Open;
-use crate::bindings::{Input, button_input, key_input, wheel_input};
+use crate::bindings::{button_input, key_input};
 
 /// Keys that are down, as far as this window has been told.
 #[derive(Debug, Default)]
@@ -79,22 +80,16 @@ impl Open {
             }
             WindowEvent::MouseWheel { delta, .. } => {
                 let notches = self.wheel.notches(*delta);
-                self.game.wheel(notches);
-                let turned = (notches != 0.0).then(|| wheel_input(notches));
-                if self.game.is_playing() || notches == 0.0 || self.take_for_binding(turned) {
+                if notches == 0.0 || self.game.wheel(notches) {
                     return;
                 }
             }
-            WindowEvent::MouseInput { state, button, .. } if self.game.is_playing() => {
-                self.button(*button, *state == ElementState::Pressed);
-                return;
-            }
-            WindowEvent::MouseInput {
-                state: ElementState::Pressed,
-                button,
-                ..
-            } if self.take_for_binding(button_input(*button)) || self.closes_backpack(*button) => {
-                return;
+            WindowEvent::MouseInput { state, button, .. } => {
+                let down = *state == ElementState::Pressed;
+                let press = Press::of(button_input(*button), down);
+                if !self.game.press(&press).is_heard() {
+                    return;
+                }
             }
             _ => {}
         }
@@ -109,67 +104,20 @@ impl Open {
         self.game.focus(gained);
     }
 
-    /// Whether the backpack was up and this button closes it.
-    fn closes_backpack(&mut self, button: MouseButton) -> bool {
-        let closes = button_input(button).is_some_and(|input| self.game.is_backpacks(input));
-        if closes {
-            self.game.escape();
-        }
-        closes
-    }
-
-    fn button(&mut self, button: MouseButton, pressed: bool) {
-        if let Some(input) = button_input(button) {
-            self.game.input(input, pressed);
-        }
-    }
-
-    /// Gives an input to an action that waits for one. Whether there was an input, and an action that waited.
-    fn take_for_binding(&mut self, input: Option<Input>) -> bool {
-        match input {
-            Some(input) if self.game.shell.wants_input() => {
-                self.game.shell.take_input(input);
-                true
-            }
-            _ => false,
-        }
-    }
-
     /// Keys of the game are routed before the interface sees any, so that Tab cannot give a hidden widget the focus.
     fn key(&mut self, event: &WindowEvent, key: &KeyEvent, synthetic: bool) {
         let PhysicalKey::Code(code) = key.physical_key else {
             return;
         };
-        let pressed = key.state == ElementState::Pressed;
-        let input = key_input(code);
-        let repeats = self.down.repeats(code, pressed, key.repeat);
-        let fresh = pressed && !repeats && !synthetic;
-        if self.take_for_binding(input.filter(|_| fresh && code != KeyCode::Escape)) {
-            return;
-        }
-        let typing = self.game.is_typing() || self.stage.overlay.context().text_edit_focused();
-        if fresh && !self.game.is_playing() && !typing && self.game.is_fullscreen(input) {
-            self.game.turn_fullscreen();
-            return;
-        }
-        if let Some(input) = input
-            && !(synthetic && pressed)
-            && self.game.take_key(input, pressed, repeats)
-        {
-            return;
-        }
-        // The interface hears of every key that comes up: one that went down in a menu would stay down there.
-        let mut for_interface = !pressed;
-        if self.game.is_playing() {
-            if let Some(input) = input.filter(|_| !(repeats || synthetic && pressed)) {
-                self.game.input(input, pressed);
-            }
-        } else if code != KeyCode::Escape {
-            for_interface = true;
-        } else if fresh {
-            self.game.escape();
-        }
-        if for_interface {
+        let down = key.state == ElementState::Pressed;
+        let press = Press {
+            input: key_input(code),
+            down,
+            repeats: self.down.repeats(code, down, key.repeat),
+            synthetic,
+            into_text: self.stage.overlay.context().text_edit_focused(),
+        };
+        if self.game.press(&press).is_heard() {
             let _ = self.stage.input.on_window_event(&self.stage.window, event);
         }
     }

@@ -1,8 +1,9 @@
 //! What the player does to the game in front of it: keys, mouse, wheel and the keyboard's comings and goings.
 
 use super::game::Game;
+use super::layers::Press;
 use super::phase::Phase;
-use crate::bindings::{Action, Input};
+use crate::bindings::{Action, Input, wheel_input};
 
 impl Game {
     /// A key or button; while playing only.
@@ -71,10 +72,13 @@ impl Game {
         }
     }
 
-    /// The wheel, in notches.
-    pub fn wheel(&mut self, notches: f64) {
-        if self.is_elsewhere() {
-            return;
+    /// The wheel, in notches other than none. Whether it is nothing for the interface: in the world it may turn a dial, by
+    /// as much as it is turned; elsewhere it is a press like any other.
+    pub fn wheel(&mut self, notches: f64) -> bool {
+        if !self.is_playing() {
+            return !self
+                .press(&Press::of(wheel_input(notches), true))
+                .is_heard();
         }
         if let Phase::Playing(session) = &self.phase {
             let has_dial = session.scene.lens().range().is_some();
@@ -82,6 +86,7 @@ impl Game {
                 self.do_for_shell(action);
             }
         }
+        true
     }
 
     /// The window has got the keyboard, or lost it.

@@ -15,6 +15,7 @@ mod icon;
 mod injected;
 mod inputs;
 mod interface;
+mod layers;
 mod open;
 mod options;
 mod pace;

@@ -5,7 +5,6 @@ use antipode_settings::{Given, Keeper, Opened, Profiles, Value};
 use antipode_ui::{Intent, ToastKind};
 
 use super::game::Game;
-use crate::bindings::{Action, Input};
 use crate::cli::Common;
 use crate::failure::Failure;
 use crate::options;
@@ -115,11 +114,6 @@ impl Game {
             id: "fullscreen",
             value,
         });
-    }
-
-    /// Whether an input fills the screen.
-    pub(super) fn is_fullscreen(&self, input: Option<Input>) -> bool {
-        input.is_some_and(|input| self.controls.does(input, Action::Fullscreen))
     }
 
     /// Tells that the window could not be made as the settings say.

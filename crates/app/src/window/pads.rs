@@ -8,6 +8,7 @@ use antipode_ui::ToastKind;
 use egui::{Event, Key, Modifiers};
 
 use super::game::Game;
+use super::layers::{Press, Taken};
 use crate::pad::{Direction, PadEvent, PadSource, Sticks};
 
 /// Time a direction is held in a menu until it goes on by itself, and from then on between two lines.
@@ -66,22 +67,9 @@ impl Pads {
         } else {
             self.held.remove(&button);
         }
-        let input = Input::Pad(button);
-        if game.is_playing() {
-            game.input(input, pressed);
-        } else if !pressed {
-        } else if game.shell.wants_input() {
-            game.shell.take_input(input);
-        } else if game.is_packing() {
-            in_backpack(game, button, keys);
-        } else {
-            match button {
-                PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
-                PadButton::East | PadButton::Start => game.escape(),
-                PadButton::LeftBumper => tap(Key::Tab, Modifiers::SHIFT, keys),
-                PadButton::RightBumper => tap(Key::Tab, Modifiers::NONE, keys),
-                _ => {}
-            }
+        let taken = game.press(&Press::of(Input::Pad(button), pressed));
+        if taken == Taken::Not && pressed {
+            in_interface(game, button, keys);
         }
     }
 
@@ -148,18 +136,21 @@ fn key(direction: Direction) -> Key {
     }
 }
 
-/// In the backpack the buttons under the right thumb take and put, take half, send on, and close.
-fn in_backpack(game: &mut Game, button: PadButton, keys: &mut Vec<Event>) {
+/// What no layer of the game takes walks through the interface: the buttons under the right thumb press, and in the
+/// backpack take half and send on, too, or lead back.
+fn in_interface(game: &mut Game, button: PadButton, keys: &mut Vec<Event>) {
+    let packing = game.is_packing();
     match button {
         PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
-        PadButton::West => tap(Key::Enter, Modifiers::CTRL, keys),
-        PadButton::North => tap(Key::Enter, Modifiers::SHIFT, keys),
+        PadButton::West if packing => tap(Key::Enter, Modifiers::CTRL, keys),
+        PadButton::North if packing => tap(Key::Enter, Modifiers::SHIFT, keys),
         PadButton::East | PadButton::Start => game.escape(),
         PadButton::LeftBumper => tap(Key::Tab, Modifiers::SHIFT, keys),
         PadButton::RightBumper => tap(Key::Tab, Modifiers::NONE, keys),
-        _ => {
+        _ if packing => {
             game.backpack_key(Input::Pad(button));
         }
+        _ => {}
     }
 }
 

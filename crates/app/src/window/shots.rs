@@ -9,7 +9,6 @@ use image::RgbaImage;
 
 use super::background::{Progress, Task};
 use super::game::Game;
-use crate::bindings::{Action, Input};
 use crate::screenshots::{Album, Unkept};
 
 /// Most pictures that are asked for and not written yet: a key held down must not fill the memory.
@@ -76,24 +75,6 @@ impl Game {
             self.console
                 .remember_in(settings.with_file_name("console-history.txt"));
         }
-    }
-
-    /// A key, before the world and the menus are asked: those of console and photo mode, and the one for pictures,
-    /// which works in menus too. Returns whether it is nobody else's.
-    pub fn take_key(&mut self, input: Input, pressed: bool, repeats: bool) -> bool {
-        let fresh = pressed && !repeats;
-        let pictures = self.controls.does(input, Action::Screenshot);
-        if pictures && fresh && !self.is_playing() && !self.shell.wants_input() {
-            self.take_screenshot();
-            return true;
-        }
-        if self.is_typing() {
-            return fresh && self.console_key(input);
-        }
-        if self.is_packing() {
-            return fresh && self.backpack_key(input);
-        }
-        self.is_photographing() && self.photo_key(input, pressed, repeats)
     }
 
     /// Keeps the next frame as a picture.

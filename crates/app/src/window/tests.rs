@@ -29,11 +29,23 @@ use clap::Parser;
 use tempfile::TempDir;
 
 use super::game::Game;
+use super::layers::Press;
 use super::phase::{Phase, Request};
 use crate::bindings::Input;
 use crate::cli::{Cli, Common};
 use crate::drawn::Drawn;
 use crate::session::{Beginning, NewWorld, Worlds};
+
+impl Game {
+    /// A key in the window; whether it is nothing for the interface.
+    fn take_key(&mut self, input: Input, down: bool, repeats: bool) -> bool {
+        let press = Press {
+            repeats,
+            ..Press::of(input, down)
+        };
+        !self.press(&press).is_heard()
+    }
+}
 
 fn worlds(dir: &Path) -> Worlds {
     Worlds::new(&worlds_options(dir))

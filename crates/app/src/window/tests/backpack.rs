@@ -47,7 +47,7 @@ impl Packing {
     fn is_all_there(&self) {
         let scene = &self.game.phase.session().unwrap().scene;
         for item in Item::ALL {
-            let about = scene.drops().iter().map(|drop| drop.stack);
+            let about = scene.drops().into_iter().map(|drop| drop.stack);
             let about: u32 = about.filter(|s| s.item == item).map(|s| s.count).sum();
             let all = scene.inventory().count(item) + about;
             assert_eq!(all, item.at_start(), "{item:?}");
