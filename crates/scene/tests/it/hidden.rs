@@ -61,7 +61,7 @@ fn whom_the_picture_hides_fires_only_after_the_mark_has_pointed_to_him() {
     ] {
         for bend in [-20.0, 20.0] {
             let of = fight(world(Geometry::Euclidean), (dx, dz), &|scene| {
-                assert!(scene.set_bend(bend))
+                assert!(scene.set_bend(bend));
             });
             assert_eq!(of.early, 0, "{dx} {dz} {bend}: {of:?}");
             all.hidden += of.hidden;

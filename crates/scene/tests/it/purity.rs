@@ -158,7 +158,7 @@ fn deeds(step: usize) -> Actions {
         ..Actions::default()
     };
     match at {
-        0..120 => (now.forward, now.sprint) = (1.0, true),
+        0..120 | 1740..1900 => (now.forward, now.sprint) = (1.0, true),
         120..540 => {
             now.slot = once(120).then_some(2);
             now.look_pitch = if at < 150 { -0.02 } else { 0.0 };
@@ -189,7 +189,6 @@ fn deeds(step: usize) -> Actions {
         }
         1500..1680 => now.jump = true,
         1690 => now.leave_car = true,
-        1740..1900 => (now.forward, now.sprint) = (1.0, true),
         1980..2400 => {
             now.slot = once(1980).then_some(0);
             now.turn_map = once(2000);
