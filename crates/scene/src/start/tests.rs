@@ -11,6 +11,7 @@ use antipode_physics::CharacterTuning;
 use super::*;
 use crate::tuning::FOV_Y_RAD;
 
+/// Seeds asked of each space and radius.
 const SEEDS: u64 = 50;
 
 struct World {
@@ -107,6 +108,7 @@ fn the_first_picture_of_fifty_seeds_of_each_space_has_a_car_and_somebody() {
     for (geometry, radius_m) in [
         (Geometry::Euclidean, f64::INFINITY),
         (Geometry::Hyperbolic, 20.0),
+        (Geometry::Spherical, 16.0),
         (Geometry::Spherical, 32.0),
         (Geometry::Spherical, 100.0),
         (Geometry::Spherical, 256.0),
@@ -193,14 +195,15 @@ fn the_first_picture_shows_far_land_and_in_closed_worlds_land_overhead() {
         -0.6, -0.4, -0.2, -0.1, 0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8,
     ];
     // Hyperbolic land drops away on all sides: from most heights little of it is far.
-    for (geometry, radius_m, seeds, median_m, most_m) in [
-        (Geometry::Euclidean, f64::INFINITY, 50, 60.0, 100.0),
-        (Geometry::Hyperbolic, 20.0, 50, 10.0, 25.0),
-        (Geometry::Spherical, 32.0, 12, 45.0, 50.0),
-        (Geometry::Spherical, 100.0, 50, 150.0, 150.0),
-        (Geometry::Spherical, 256.0, 12, 400.0, 400.0),
+    for (geometry, radius_m, median_m, most_m) in [
+        (Geometry::Euclidean, f64::INFINITY, 60.0, 100.0),
+        (Geometry::Hyperbolic, 20.0, 10.0, 25.0),
+        (Geometry::Spherical, 16.0, 22.0, 25.0),
+        (Geometry::Spherical, 32.0, 45.0, 50.0),
+        (Geometry::Spherical, 100.0, 150.0, 150.0),
+        (Geometry::Spherical, 256.0, 400.0, 400.0),
     ] {
-        for seed in 0..seeds {
+        for seed in 0..SEEDS {
             let world = World::new(geometry, radius_m, seed);
             let start = world.start();
             let mut far_m = Vec::new();
