@@ -16,6 +16,8 @@ pub(crate) struct World {
     pub setup: WorldSetup,
     pub strategy: Arc<dyn Strategy>,
     pub streamer: Streamer,
+    /// Finished land waits: see [`crate::Scene::hold_land`].
+    pub holds_land: bool,
     pub physics: PhysicsWorld,
     pub ground: Ground,
     pub time_of_day_s: f64,
@@ -31,6 +33,7 @@ impl World {
             ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
             strategy,
             streamer,
+            holds_land: false,
             physics: PhysicsWorld::new(),
             time_of_day_s: DAY_START_S,
             simulated_s: 0.0,
