@@ -51,7 +51,8 @@ pub use plan::{
     Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandBook, PlanStats, Planner, Port, plan,
     tolerance_px,
 };
+pub use refinery::Delivery;
 pub use renderer::{DrawStats, Options, Picture, Renderer};
-pub use shaders::Shaders;
+pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

@@ -23,7 +23,7 @@ use crate::pages::Pages;
 use crate::plan::{
     Bounds, ChunkLand, FramePlan, Halver, RefineKey, RefineRules, Refined, unhalved_error_px,
 };
-use crate::refinery::{Refinery, Task};
+use crate::refinery::{Delivery, Refinery, Task};
 use lead::Lead;
 
 mod lead;
@@ -102,10 +102,19 @@ impl Refinements {
         self.coming = None;
     }
 
+    /// Has frames get what the thread makes at another time than as soon as it is made.
+    pub fn deliver(&mut self, delivery: Delivery) {
+        self.refinery.delivery = delivery;
+    }
+
     /// Lets the thread seem to be at its work still, or done with all of it, whatever it has done.
     #[cfg(test)]
     pub fn hold(&mut self, held: bool) {
-        self.refinery.held = held;
+        self.deliver(if held {
+            Delivery::Held
+        } else {
+            Delivery::Awaited
+        });
     }
 
     /// Whether the eye is past what the land is refined for, and the thread will not make that good in time.

@@ -26,15 +26,35 @@ pub struct Task {
     pub wanted: Weak<()>,
 }
 
+/// When frames get what the thread has made. Another than the first has a test not depend on how fast the machine is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delivery {
+    /// As soon as it is made; no frame waits for it.
+    Soon,
+    /// Not for now: the thread seems to be at its work still, whatever it has done.
+    Held,
+    /// All that is under way, in the next frame, which waits for it.
+    Awaited,
+}
+
+impl Default for Delivery {
+    fn default() -> Self {
+        if cfg!(test) {
+            Self::Awaited
+        } else {
+            Self::Soon
+        }
+    }
+}
+
 /// The thread and what it is at.
 #[derive(Debug, Default)]
 pub struct Refinery {
     thread: Option<Worker>,
     under_way: VecDeque<Task>,
     failed: bool,
-    /// Whether the thread seems to be at its work still, whatever it has done.
-    #[cfg(test)]
-    pub held: bool,
+    /// When frames get what it has made.
+    pub delivery: Delivery,
 }
 
 #[derive(Debug)]
@@ -126,19 +146,15 @@ impl Refinery {
         }
     }
 
-    #[cfg(not(test))]
     fn next(&self) -> Option<Result<(Task, Option<Refined>), TryRecvError>> {
-        Some(self.thread.as_ref()?.done.try_recv())
-    }
-
-    /// As the test says, so that it does not depend on the machine: everything that is under way, or nothing.
-    #[cfg(test)]
-    fn next(&self) -> Option<Result<(Task, Option<Refined>), TryRecvError>> {
-        if self.held || self.under_way.is_empty() {
-            return None;
+        let done = &self.thread.as_ref()?.done;
+        match self.delivery {
+            Delivery::Soon => Some(done.try_recv()),
+            Delivery::Awaited if !self.under_way.is_empty() => {
+                Some(done.recv().map_err(|_| TryRecvError::Disconnected))
+            }
+            Delivery::Held | Delivery::Awaited => None,
         }
-        let done = self.thread.as_ref()?.done.recv();
-        Some(done.map_err(|_| TryRecvError::Disconnected))
     }
 
     fn fail(&mut self, why: &str) {

@@ -18,6 +18,7 @@ use crate::marker::MarkerBalls;
 use crate::outlines::Outlines;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::Planner;
+use crate::refinery::Delivery;
 use crate::shaders::Shaders;
 use crate::shadow::Shadows;
 use crate::targets::Targets;
@@ -197,6 +198,11 @@ impl Renderer {
     /// a step of the eye changes up to date bit by bit.
     pub fn complete_next(&mut self) {
         self.chunks.rush();
+    }
+
+    /// Has frames get refined land at another time than as soon as it is made: for tests of what is shown until then.
+    pub fn deliver_refined(&mut self, delivery: Delivery) {
+        self.chunks.refinements.deliver(delivery);
     }
 
     /// Draws each mesh by a call of its own from now on, as is done on adapters that cannot draw many by one.

@@ -102,9 +102,18 @@ impl Scene {
         self.shown.picture_height_px = lines.max(1);
     }
 
+    /// Lets the workers seem to be at their work still, whatever they have done: for tests of what is shown meanwhile.
+    /// Only [`Scene::pump`] goes by it.
+    pub fn hold_land(&mut self, held: bool) {
+        self.world.holds_land = held;
+    }
+
     /// Takes finished work in until `budget` is used up. Never blocks.
     pub fn pump(&mut self, budget: Duration) {
         self.request_ground();
+        if self.world.holds_land {
+            return;
+        }
         let updates = self.world.streamer.poll(budget);
         self.apply(updates);
         if self.player.body_unchecked && self.is_ground_ready() {

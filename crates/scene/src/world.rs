@@ -20,6 +20,8 @@ pub(crate) struct World {
     pub setup: WorldSetup,
     pub strategy: Arc<dyn Strategy>,
     pub streamer: Streamer,
+    /// Finished land waits: see [`crate::Scene::hold_land`].
+    pub holds_land: bool,
     pub physics: PhysicsWorld,
     pub ground: Ground,
     /// The chunk of the player's head when the step began: bodies move about it.
@@ -37,6 +39,7 @@ impl World {
             ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
             strategy,
             streamer,
+            holds_land: false,
             physics: PhysicsWorld::new(),
             bodies_about: ChunkCoord::containing(ChartPoint::a(DVec3::ZERO)),
             time_of_day_s: DAY_START_S,

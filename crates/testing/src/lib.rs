@@ -1,5 +1,7 @@
 //! What a test does where the machine lacks what it needs: it passes and says loudly that it tested nothing, or fails
-//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there.
+//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. And how far what two pictures show is apart.
+
+pub mod pictures;
 
 use std::ffi::OsStr;
 use std::fmt::Display;

@@ -4,14 +4,13 @@ mod canvas;
 mod input;
 mod pictures;
 mod recovery;
+pub mod world;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use antipode_render::{
-    AdapterChoice, Gpu, Offscreen, Options, Picture, PictureReading, Renderer, Shaders,
-};
+use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
 use antipode_scene::frame::Frame;
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
@@ -26,6 +25,7 @@ use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
 use canvas::Canvas;
 use recovery::Recoveries;
+use world::Pictured;
 
 /// Colour behind the menu when no world is open, linear light.
 const BACKDROP: wgpu::Color = wgpu::Color {
@@ -51,8 +51,7 @@ pub struct Stage {
     config: wgpu::SurfaceConfiguration,
     renderer: Renderer,
     options: Options,
-    drawn: Option<Drawn>,
-    gpu_ms: Option<f64>,
+    pictured: Pictured,
     /// The tile of a larger picture under way.
     tile: Option<PictureReading>,
     /// Pictures of the screen under way, the first asked for first.
@@ -113,8 +112,7 @@ impl Stage {
             config,
             renderer,
             options,
-            drawn: None,
-            gpu_ms: None,
+            pictured: Pictured::default(),
             tile: None,
             screenshots: VecDeque::new(),
             thumbnail: None,
@@ -142,7 +140,7 @@ impl Stage {
 
     /// What the last frame of the world was drawn with, and the adapter's own time in milliseconds.
     pub fn drawn(&self) -> Option<(Drawn, Option<f64>)> {
-        self.drawn.map(|drawn| (drawn, self.gpu_ms))
+        self.pictured.told()
     }
 
     /// Draws, shows and waits as the settings say from the next frame on.
@@ -304,7 +302,10 @@ impl Stage {
             .gpu
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        let shows_world = frame.is_some_and(|frame| self.paint_world(frame, &mut encoder, target));
+        let shows_world = frame.is_some_and(|frame| {
+            let (pictured, renderer) = (&mut self.pictured, &mut self.renderer);
+            pictured.paint(renderer, frame, &mut encoder, target)
+        });
         if !shows_world {
             clear(&mut encoder, target);
         }
@@ -323,22 +324,6 @@ impl Stage {
         self.overlay
             .paint(&self.gpu, &mut encoder, &targets, size, interface);
         Some(encoder.finish())
-    }
-
-    /// Whether there is a picture of the world: none before what it is drawn with is made.
-    fn paint_world(
-        &mut self,
-        frame: &Frame,
-        encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
-    ) -> bool {
-        let stats = self.renderer.draw(frame, encoder, target);
-        // The time of a frame comes some frames later; until then the last one stands.
-        self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
-        if stats.picture == Picture::New {
-            self.drawn = Some(Drawn::new(&stats, frame.quality));
-        }
-        stats.picture != Picture::None
     }
 }
 

@@ -14,6 +14,7 @@ mod flow;
 mod newcomers;
 mod options;
 mod photo;
+mod sprint;
 mod standing;
 mod views;
 
@@ -223,9 +224,13 @@ fn gather(shape: &egui::Shape, into: &mut String) {
 
 /// Everything that the display and the menus write.
 fn words(game: &mut Game) -> String {
+    words_of(game, Drawn::new(&DrawStats::default(), Quality::Fast))
+}
+
+/// As [`words`], after a picture that was drawn with that.
+fn words_of(game: &mut Game, drawn: Drawn) -> String {
     let context = egui::Context::default();
     antipode_ui::apply_theme(&context);
-    let drawn = Drawn::new(&DrawStats::default(), Quality::Fast);
     let mut said = String::new();
     // A toast is laid out in one pass and seen in the next.
     for _ in 0..2 {

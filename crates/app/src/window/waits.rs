@@ -13,7 +13,7 @@ use clock::{Clock, Moment};
 /// Time from one line in the log about the frames to the next.
 const TOLD_EVERY: Duration = Duration::from_secs(10);
 /// Longest that the main thread should wait in one frame besides drawing.
-const LONGEST_WAIT: Duration = Duration::from_millis(5);
+pub const LONGEST_WAIT: Duration = Duration::from_millis(5);
 /// A frame that takes longer than this is told of by itself.
 const LONG_FRAME: Duration = Duration::from_millis(250);
 
@@ -111,6 +111,9 @@ pub struct Waits {
     walls: Vec<Duration>,
     undrawn: Vec<Spent>,
     told: Option<Instant>,
+    /// Of every frame, how long it waited besides drawing, and the whole of it in words.
+    #[cfg(test)]
+    pub waited: Vec<(Duration, String)>,
 }
 
 impl Waits {
@@ -119,6 +122,12 @@ impl Waits {
         if tracing::enabled!(tracing::Level::DEBUG) {
             self.since = Some(self.clock.now());
         }
+    }
+
+    /// As [`Waits::wake`], whatever is in the log.
+    #[cfg(test)]
+    pub fn keep_account(&mut self) {
+        self.since = Some(self.clock.now());
     }
 
     /// The time since the last of these calls went to that part.
@@ -142,6 +151,8 @@ impl Waits {
         if frame.is_worth_telling() {
             tracing::debug!("{}", frame.told());
         }
+        #[cfg(test)]
+        self.waited.push((frame.undrawn().blocked, frame.told()));
         self.walls.push(frame.wall());
         self.undrawn.push(frame.undrawn());
         let told = *self.told.get_or_insert(since.at());

@@ -72,7 +72,7 @@ impl Stage {
         self.gpu = gpu;
         self.config = config;
         self.options = options;
-        self.gpu_ms = None;
+        self.pictured.forget_times();
         Ok(())
     }
 

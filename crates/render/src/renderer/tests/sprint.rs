@@ -7,6 +7,7 @@ use std::time::Duration;
 use antipode_geometry::Geometry;
 use antipode_scene::frame::Quality;
 use antipode_scene::{Actions, Scene, WorldSetup};
+use antipode_testing::pictures::{MOST_OFF, apart, striped_land};
 use image::RgbaImage;
 use wgpu::TextureFormat;
 
@@ -25,10 +26,6 @@ const FRAMES: usize = 20;
 const RUN_UP: usize = 6;
 /// Land may lie so far from where it truly is, pixels.
 const NEAR_PX: usize = 2;
-/// Colours nearer than this are alike, of 255.
-const ALIKE: u8 = 8;
-/// So many pixels may be off in a frame, of nearly a million: where land goes out of sight behind land.
-const MOST_OFF: usize = 100;
 
 /// A renderer with its picture.
 struct Easel {
@@ -77,22 +74,8 @@ impl Easel {
     }
 }
 
-/// Land striped by where in the world it is, in each colour along another axis: whatever lies elsewhere in the picture
-/// than it should is seen to. Stripes are 8 to 16 pixels wide where land is seen from straight above.
 fn striped() -> Shaders {
-    let text = TERRAIN.source();
-    let shown = "fn land_colour(";
-    assert_eq!(text.matches(shown).count(), 1);
-    let own = "fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
-        let octave = log2(max(length(in.place.xyz), 1.0) / 60.0);
-        let fine = exp2(floor(octave));
-        let turns = vec3<f32>(3.14159265) * in.grain / fine;
-        // As fine as can be seen at a distance, without a border; grey where a pixel holds much of a stripe.
-        let plain = smoothstep(vec3<f32>(0.15), vec3<f32>(0.3), fwidth(in.grain) / fine);
-        let stripes = mix(cos(turns), cos(0.5 * turns), fract(octave)) * (1.0 - plain);
-        return vec4<f32>(0.2 + 0.18 * stripes, 1.0);
-    }";
-    let text = text.replace(shown, "fn land_colour_shown(") + own;
+    let text = striped_land(&TERRAIN.source());
     Shaders::with(TERRAIN.name, Box::leak(text.into_boxed_str()))
 }
 
@@ -127,42 +110,6 @@ fn frame(scene: &mut Scene) -> Frame {
     scene.frame(fov_y_rad, aspect, 1)
 }
 
-/// Of every pixel and colour the least, or the most, of all pixels that are no farther than [`NEAR_PX`] from it along
-/// either side of the picture.
-fn of_near(picture: &[u8], choose: impl Fn(u8, u8) -> u8) -> Vec<u8> {
-    let mut chosen = picture.to_vec();
-    for apart in [4, 4 * SIZE.0 as usize] {
-        let from = chosen.clone();
-        for bytes in (1..=NEAR_PX).map(|by| by * apart) {
-            let pairs = chosen[bytes..].iter_mut().zip(&from);
-            pairs.for_each(|(here, there)| *here = choose(*here, *there));
-            let pairs = chosen.iter_mut().zip(&from[bytes..]);
-            pairs.for_each(|(here, there)| *here = choose(*here, *there));
-        }
-    }
-    chosen
-}
-
-/// Pixels whose colour is not between those that the other picture has near them.
-fn misplaced(picture: &RgbaImage, other: &RgbaImage) -> usize {
-    let (least, most) = (
-        of_near(other.as_raw(), u8::min),
-        of_near(other.as_raw(), u8::max),
-    );
-    let is_off = |i: usize, value: u8| {
-        value.saturating_add(ALIKE) < least[i] || value > most[i].saturating_add(ALIKE)
-    };
-    let pixels = picture.as_raw().chunks_exact(4).enumerate();
-    pixels
-        .filter(|(i, pixel)| (0..3).any(|c| is_off(4 * i + c, pixel[c])))
-        .count()
-}
-
-/// As [`misplaced`], whichever of the two is asked of the other.
-fn apart(a: &RgbaImage, b: &RgbaImage) -> usize {
-    misplaced(a, b).max(misplaced(b, a))
-}
-
 #[test]
 fn a_sprint_at_five_frames_a_second_is_drawn_as_it_truly_is_while_the_thread_brings_nothing() {
     let (Some(mut window), Some(mut exact)) = (Easel::new(), Easel::new()) else {
@@ -194,11 +141,11 @@ fn a_sprint_at_five_frames_a_second_is_drawn_as_it_truly_is_while_the_thread_bri
         if number > RUN_UP {
             frame.chunk_changes.append(&mut came);
             truth = exact.draw_exactly(&mut frame);
-            let off = apart(&seen, &truth);
+            let off = apart(&seen, &truth, NEAR_PX);
             assert!(off <= MOST_OFF, "frame {number}: {off} pixels");
         }
     }
     let lower = |x: u32, y: u32| *truth.get_pixel(x, (y + 3).min(SIZE.1 - 1));
-    let off = apart(&RgbaImage::from_fn(SIZE.0, SIZE.1, lower), &truth);
+    let off = apart(&RgbaImage::from_fn(SIZE.0, SIZE.1, lower), &truth, NEAR_PX);
     assert!(off > 100 * MOST_OFF, "three pixels go unnoticed: {off}");
 }
