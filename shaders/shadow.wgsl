@@ -119,7 +119,7 @@ struct Placed {
     texel: vec2<f32>,
     depth: f32,
     slope: vec2<f32>,
-    steepest: f32, // that is followed
+    joined: f32,   // what is seen to slope less is one surface
     turned: f32,   // share of the light that is lost since its surface turns away
 }
 
@@ -145,6 +145,7 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
     let ay = dy.xy * to_texels;
     let area = ax.x * ay.y - ax.y * ay.x;
     let slope = vec2<f32>(ay.y * dx.z - ax.y * dy.z, ax.x * dy.z - ay.x * dx.z);
+    let joined = SHADOW_STEEPEST_HIGH * texel;
     let steepest = select(SHADOW_STEEPEST_HIGH, SHADOW_STEEPEST_LOW, SHADOWS == 1u) * texel;
     let safe = select(area, 1e-12, abs(area) < 1e-12);
     let g = clamp(slope / safe, vec2<f32>(-steepest), vec2<f32>(steepest));
@@ -155,9 +156,9 @@ fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
         // One whose normals face the light strays from them, as seams between levels of detail do and thin triangles,
         // and its plane is none of the land's: it is to look as the land beside it.
         let stray = s.z + SHADOW_STRAY * texel;
-        return Placed(s.xy * to_texels + 0.5 * size, stray, vec2<f32>(0.0), steepest, 1.0 - point.faced);
+        return Placed(s.xy * to_texels + 0.5 * size, stray, vec2<f32>(0.0), joined, 1.0 - point.faced);
     }
-    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, steepest, 0.0);
+    return Placed(s.xy * to_texels + 0.5 * size, s.z + bias, g, joined, 0.0);
 }
 
 // Which of four texels let light through, from below on the left against the clock, as they are gathered; `own` is the
@@ -168,17 +169,15 @@ fn gathered(corner: vec2<f32>, layer: f32, own: f32, away: vec2<f32>, placed: Pl
     let plane = own + vec4<f32>(slope.y, slope.x + slope.y, slope.x, 0.0);
     // Where nothing was drawn the map holds 0, and land may lie deeper than that: under a figure on a cliff.
     var free = max(plane, vec4<f32>(0.0)) >= found;
-    if SHADOWS == 2u {
-        // In a hollow, land beside the point rises over the point's plane and is no roof: continued to the point, as
-        // it is seen to slope between the texels, it passes below. What slopes more is the edge of something else.
-        let across = found.yyzz - found.xxww;
-        let down = found.xyyx - found.wzzw;
-        let ahead = vec4<f32>(away.x, away.x - 1.0, away.x - 1.0, away.x);
-        let below = vec4<f32>(away.y - 1.0, away.y - 1.0, away.y, away.y);
-        let passes = found + across * ahead + down * below <= vec4<f32>(placed.depth);
-        let joined = abs(across) + abs(down) < vec4<f32>(placed.steepest);
-        free = free | (passes & joined);
-    }
+    // In a hollow, land beside the point rises over the point's plane and is no roof: continued to the point, as it is
+    // seen to slope between the texels, it passes below. What slopes more is the edge of something else.
+    let across = found.yyzz - found.xxww;
+    let down = found.xyyx - found.wzzw;
+    let ahead = vec4<f32>(away.x, away.x - 1.0, away.x - 1.0, away.x);
+    let below = vec4<f32>(away.y - 1.0, away.y - 1.0, away.y, away.y);
+    let passes = found + across * ahead + down * below <= vec4<f32>(placed.depth);
+    let joined = abs(across) + abs(down) < vec4<f32>(placed.joined);
+    free = free | (passes & joined);
     return select(vec4<f32>(0.0), vec4<f32>(1.0), free);
 }
 

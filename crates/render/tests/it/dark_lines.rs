@@ -134,8 +134,9 @@ fn looks(seed: u64, count: u32) -> impl Iterator<Item = Look> {
 
 /// Those of every run: creases at feet of slopes, and slivers between levels of detail.
 fn places() -> Vec<Place> {
-    use Geometry::{Hyperbolic, Spherical};
+    use Geometry::{Euclidean, Hyperbolic, Spherical};
     vec![
+        (Euclidean, 5, 32.0, 0.0, looks(5, 2).collect()),
         (Hyperbolic, 4, 32.0, 20.0, vec![(None, 150.0, [30.0, 0.0])]),
         (
             Spherical,
