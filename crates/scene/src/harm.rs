@@ -85,7 +85,7 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
 impl Scene {
     /// Whether the player lies dead.
     pub fn is_dead(&self) -> bool {
-        self.player.condition.dead_left_s.is_some()
+        self.player.is_dead()
     }
 
     /// How long the player has been dead, seconds.

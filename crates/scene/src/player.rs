@@ -64,6 +64,7 @@ impl Player {
         }
     }
 
+    /// Whether he lies dead.
     pub fn is_dead(&self) -> bool {
         self.condition.dead_left_s.is_some()
     }

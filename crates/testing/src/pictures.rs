@@ -77,7 +77,7 @@ mod tests {
 
     /// Stripes of grey, moved to the right by so many pixels.
     fn stripes(by: u32) -> RgbaImage {
-        RgbaImage::from_fn(200, 100, |x, _| {
+        RgbaImage::from_fn(200, 20, |x, _| {
             let grey = (x + 32 - by) % 16 * 12;
             image::Rgba([grey as u8, 0, 0, 255])
         })
