@@ -187,8 +187,9 @@ impl WorldStore {
     pub fn state(&self) -> Result<Option<WorldState>, StorageError> {
         let records = self.records()?;
         let player = RecordKind::Player.single();
-        if let Some(state) = self.known().damaged_records.get(&player.to_bytes()) {
-            let why = SchemaFault::Damaged(state.1.clone());
+        let damaged = self.known().damaged_records.get(&player.to_bytes()).cloned();
+        if let Some((_, reason)) = damaged {
+            let why = SchemaFault::Damaged(reason);
             return Err(fault_in(&self.meta_name(), PLAYERS_STATE, why));
         }
         let is_played = !records.known.is_empty();
