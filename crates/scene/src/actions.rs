@@ -56,3 +56,10 @@ pub struct Actions {
     /// The lens that they were aimed by; without one they go by the simulation's own, which glides.
     pub aimed: Option<Aim>,
 }
+
+impl Actions {
+    /// These, or none where they cannot be done.
+    pub(crate) fn unless(&self, hindered: bool) -> Self {
+        if hindered { Self::default() } else { *self }
+    }
+}

@@ -5,15 +5,16 @@ use std::any::TypeId;
 use std::collections::HashMap;
 
 use antipode_geometry::ChartPoint;
-use antipode_physics::CharacterTuning;
+use antipode_physics::{Character, CharacterTuning};
 use antipode_terrain::Field;
 use glam::DVec3;
 use hecs::{Component, DynamicBundle, Entity};
 
 use crate::car::Cars;
 use crate::npc::Npcs;
-use crate::player::{self, Look, Position};
+use crate::player::{self, Body, Health, Look, Position};
 use crate::spawn::{FIRST_YAW_RAD, spawn_point};
+use crate::tuning::FULL_HEALTH;
 
 /// The number of an actor, one among those of its kind and never given twice while a world is open: by it pictures and
 /// saves find it again.
@@ -65,6 +66,42 @@ impl Actors {
         position.map_or(ChartPoint::a(DVec3::ZERO), |position| position.0)
     }
 
+    /// Where the player's feet are, and the way he looks.
+    pub fn player_stance(&self) -> (Position, Look) {
+        let mut found = self.ecs.query_one::<(&Position, &Look)>(self.player);
+        found.get().map_or_else(
+            |_| (Position(ChartPoint::a(DVec3::ZERO)), Look::LEVEL),
+            |(position, look)| (*position, *look),
+        )
+    }
+
+    /// The player's body.
+    pub fn player_body(&self) -> Character {
+        let body = self.ecs.get::<&Body>(self.player);
+        body.map_or_else(|_| Character::at(DVec3::ZERO), |body| body.0.clone())
+    }
+
+    /// Has the player look that way, radians, keeping short of the vertical.
+    pub fn set_look(&mut self, yaw: f64, pitch: f64) {
+        if let Ok(mut look) = self.ecs.get::<&mut Look>(self.player) {
+            *look = Look::LEVEL;
+            look.turn(yaw, pitch);
+        }
+    }
+
+    /// The player's health.
+    pub fn health(&self) -> f64 {
+        let health = self.ecs.get::<&Health>(self.player);
+        health.map_or(FULL_HEALTH, |health| health.0)
+    }
+
+    /// Sets the player's health, kept within 0 and full.
+    pub fn set_health(&mut self, health: f64) {
+        if let Ok(mut own) = self.ecs.get::<&mut Health>(self.player) {
+            own.0 = health.clamp(0.0, FULL_HEALTH);
+        }
+    }
+
     /// Lets one more of a kind in.
     pub fn enter<T: Component>(&mut self, kind: T) -> ActorId {
         let next = self.next.entry(TypeId::of::<T>()).or_default();
@@ -80,6 +117,11 @@ impl Actors {
         let mut all: Vec<_> = query.iter().map(|(id, it)| (*id, it.clone())).collect();
         all.sort_unstable_by_key(|(id, _)| *id);
         all
+    }
+
+    /// What all of a kind are, in the order in which they came.
+    pub fn each<T: Component + Clone>(&self) -> Vec<T> {
+        self.all().into_iter().map(|(_, it)| it).collect()
     }
 
     /// How many of a kind there are.

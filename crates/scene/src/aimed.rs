@@ -7,11 +7,11 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Eye, Strategy};
+use antipode_geometry::Strategy;
 
 use crate::camera::CameraMode;
+use crate::dip::HeadDip;
 use crate::lens::{Lens, LensView};
-use crate::scene::Scene;
 
 /// The lens that an action was aimed by.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,31 +40,47 @@ pub(crate) struct Optics {
     pub own: bool,
 }
 
-impl Scene {
-    /// The lens of the player's picture, to be told with the actions that are aimed by it.
-    pub fn aim_of_picture(&self) -> Aim {
-        let (view, value, share) = self.lens().at();
-        Aim {
-            view,
-            value,
-            share,
-            straight_shots: self.player.straight_shots,
-            dips: self.shown.viewing.dips(),
+/// What the player looks and aims through, if the actions do not tell.
+#[derive(Debug)]
+pub(crate) struct Gaze {
+    pub camera: CameraMode,
+    pub lens: Lens,
+    /// Whether bullets follow the space's geodesics.
+    pub straight_shots: bool,
+    pub dip: HeadDip,
+    /// What the last step's actions were aimed through, if they told.
+    aimed: Option<(Aim, Optics)>,
+}
+
+impl Gaze {
+    /// Looks through a lens from the head.
+    pub fn through(lens: Lens) -> Self {
+        Self {
+            camera: CameraMode::First,
+            lens,
+            straight_shots: false,
+            dip: HeadDip::default(),
+            aimed: None,
         }
     }
 
     /// Takes over the lens that a step's actions were aimed by; without one they go by the simulation's own.
-    pub(crate) fn take_aim(&mut self, aimed: Option<Aim>) {
-        let kept = self.player.aimed.take();
-        self.player.aimed = aimed.map(|aim| match kept {
+    pub fn take_aim(&mut self, aimed: Option<Aim>) {
+        let kept = self.aimed.take();
+        self.aimed = aimed.map(|aim| match kept {
             Some(kept) if kept.0 == aim => kept,
             _ => (aim, self.optics_of(&aim)),
         });
     }
 
+    /// Lets go of what the last actions were aimed by.
+    pub fn forget_aim(&mut self) {
+        self.aimed = None;
+    }
+
     fn optics_of(&self, aim: &Aim) -> Optics {
         Optics {
-            strategy: self.player.lens.pictured(aim.view, aim.share),
+            strategy: self.lens.pictured(aim.view, aim.share),
             dial: aim.value,
             straight_shots: aim.straight_shots,
             dips: aim.dips,
@@ -74,58 +90,17 @@ impl Scene {
     }
 
     /// What the player aims through.
-    pub(crate) fn aiming(&self) -> Optics {
-        if let Some((_, optics)) = &self.player.aimed {
+    pub fn aiming(&self) -> Optics {
+        if let Some((_, optics)) = &self.aimed {
             return optics.clone();
         }
-        let lens = &self.player.lens;
         Optics {
-            strategy: Arc::clone(lens.strategy()),
-            dial: lens.value(),
-            straight_shots: self.player.straight_shots,
+            strategy: Arc::clone(self.lens.strategy()),
+            dial: self.lens.value(),
+            straight_shots: self.straight_shots,
             dips: true,
             reduced_motion: false,
-            own: lens.is_own(),
+            own: self.lens.is_own(),
         }
-    }
-
-    /// What the player's picture is taken through.
-    pub(crate) fn picturing(&self) -> Optics {
-        let (lens, viewing) = (self.lens(), self.shown.viewing);
-        Optics {
-            strategy: Arc::clone(lens.strategy()),
-            dial: lens.value(),
-            straight_shots: self.player.straight_shots,
-            dips: viewing.dips(),
-            reduced_motion: viewing.reduced_motion,
-            own: lens.is_own(),
-        }
-    }
-
-    /// How far the head lies beyond an eye that looks through that, metres: near a wall the camera stands closer than it
-    /// would like.
-    pub(crate) fn past_head_m(&self, optics: &Optics, eye: &Eye) -> f64 {
-        match self.shown.camera {
-            CameraMode::First => 0.0,
-            CameraMode::Third => {
-                let head = self.head_through(optics);
-                optics.strategy.distance_m(eye.point, head.point, eye)
-            }
-        }
-    }
-
-    /// Keeps the picture's lens up with the simulation's, which glides: with reduced motion it is where that will be.
-    pub(crate) fn renew_picture(&mut self) {
-        let jumps = self.shown.viewing.reduced_motion && !self.player.lens.rests();
-        self.shown.jumped = jumps.then(|| {
-            let mut lens = self.player.lens.clone();
-            lens.jump();
-            lens
-        });
-    }
-
-    /// Through which picture the world is seen.
-    pub fn lens(&self) -> &Lens {
-        self.shown.jumped.as_ref().unwrap_or(&self.player.lens)
     }
 }

@@ -9,7 +9,11 @@ use std::f64::consts::PI;
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy, Viewer};
 use glam::{DVec2, DVec3};
 
-use crate::scene::Scene;
+use crate::actors::Actors;
+use crate::bot;
+use crate::lamp::Lamp;
+use crate::situation::Situation;
+use crate::world::World;
 
 /// North of worlds without an equator, as a heading: the way of -x, about which the stars turn. The sun comes up at
 /// -z, to the right of it.
@@ -101,71 +105,67 @@ impl<'a> Locator<'a> {
     }
 }
 
-impl Scene {
-    /// Which way the player looks, and where that is.
-    pub fn bearings(&self) -> Bearings {
-        let feet = self.feet();
-        let equator = self.world.strategy.rim_m().map(|rim_m| {
-            let (x, z) = (feet.pos.x, feet.pos.z);
-            Equator {
-                hemisphere: feet.hemisphere,
-                distance_m: (rim_m - x.hypot(z)).max(0.0),
-                heading_rad: z.atan2(x),
-            }
-        });
-        Bearings {
-            heading_rad: self.head().yaw,
-            north_rad: self.north_rad(feet),
-            equator,
+/// Which way the player looks, and where that is.
+pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
+    let feet = now.feet();
+    let equator = now.world.strategy.rim_m().map(|rim_m| {
+        let (x, z) = (feet.pos.x, feet.pos.z);
+        Equator {
+            hemisphere: feet.hemisphere,
+            distance_m: (rim_m - x.hypot(z)).max(0.0),
+            heading_rad: z.atan2(x),
         }
+    });
+    Bearings {
+        heading_rad: now.head().yaw,
+        north_rad: north_rad(&*now.world.strategy, feet),
+        equator,
     }
+}
 
-    fn north_rad(&self, feet: ChartPoint) -> f64 {
-        let Some(rim_m) = self.world.strategy.rim_m() else {
-            return OPEN_NORTH_RAD;
+fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
+    let Some(rim_m) = strategy.rim_m() else {
+        return OPEN_NORTH_RAD;
+    };
+    let eye = map_eye(feet);
+    let pole = ChartPoint::a(DVec3::NEG_X * rim_m);
+    let at = Locator::new(strategy, &eye).at(pole);
+    if at == DVec2::ZERO {
+        return OPEN_NORTH_RAD;
+    }
+    at.y.atan2(at.x)
+}
+
+/// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
+/// off are marked at the edge in their direction.
+pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
+    let eye = map_eye(actors.feet());
+    let locator = Locator::new(&*world.strategy, &eye);
+    let lamps = actors.all::<Lamp>().into_iter();
+    let lamps = lamps.map(|(_, it)| (LandmarkKind::Lamp, it.point));
+    let bots = bot::views(actors).into_iter();
+    let bots = bots.filter(|it| it.health > 0.0).map(|it| {
+        let kind = if it.fights {
+            LandmarkKind::Hostile
+        } else {
+            LandmarkKind::Neutral
         };
-        let eye = map_eye(feet);
-        let pole = ChartPoint::a(DVec3::NEG_X * rim_m);
-        let at = Locator::new(&*self.world.strategy, &eye).at(pole);
-        if at == DVec2::ZERO {
-            return OPEN_NORTH_RAD;
-        }
-        at.y.atan2(at.x)
-    }
-
-    /// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
-    /// off are marked at the edge in their direction.
-    pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
-        let eye = map_eye(self.feet());
-        let locator = Locator::new(&*self.world.strategy, &eye);
-        let lamps = self
-            .lamps()
-            .into_iter()
-            .map(|it| (LandmarkKind::Lamp, it.point));
-        let bots = self.bots().into_iter().filter(|it| it.health > 0.0);
-        let bots = bots.map(|it| {
-            let kind = if it.fights {
-                LandmarkKind::Hostile
-            } else {
-                LandmarkKind::Neutral
-            };
-            (kind, it.point)
-        });
-        let cars = self.cars().into_iter().filter(|it| !it.driven);
-        let cars = cars.map(|it| Landmark {
-            kind: LandmarkKind::Car,
-            at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
-        });
-        lamps
-            .chain(bots)
-            .map(|(kind, point)| Landmark {
-                kind,
-                at: locator.at(point),
-            })
-            .filter(|it| it.at.length() <= reach_m)
-            .chain(cars)
-            .collect()
-    }
+        (kind, it.point)
+    });
+    let cars = actors.cars.views(world).into_iter();
+    let cars = cars.filter(|it| !it.driven).map(|it| Landmark {
+        kind: LandmarkKind::Car,
+        at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
+    });
+    lamps
+        .chain(bots)
+        .map(|(kind, point)| Landmark {
+            kind,
+            at: locator.at(point),
+        })
+        .filter(|it| it.at.length() <= reach_m)
+        .chain(cars)
+        .collect()
 }
 
 #[cfg(test)]

@@ -81,7 +81,7 @@ impl Between {
         aspect: f64,
         world_id: u64,
     ) -> Frame {
-        let moment = self.on_the_way(&*scene.world.strategy, scene.moment_from(view), share);
+        let moment = self.on_the_way(&*scene.sim.world.strategy, scene.moment_from(view), share);
         scene.frame_of(moment, fov_y_rad, aspect, world_id)
     }
 
@@ -106,14 +106,14 @@ impl Between {
 
     fn moment(&mut self, scene: &Scene, shutter: Shutter) -> Moment {
         let after = scene.moment();
-        let mut moment = self.on_the_way(&*scene.world.strategy, after.clone(), shutter.share);
+        let mut moment = self.on_the_way(&*scene.sim.world.strategy, after.clone(), shutter.share);
         self.after = Some(after);
         if shutter.turned_rad != (0.0, 0.0) {
             moment.turn(shutter.turned_rad);
             keep_clear(
                 &mut moment.camera,
-                &*scene.world.strategy,
-                &scene.world.physics,
+                &*scene.sim.world.strategy,
+                &scene.sim.world.physics,
             );
         }
         moment

@@ -4,139 +4,128 @@ use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
 use antipode_physics::Character;
 use glam::DVec3;
 
-use crate::player::{Body, Position};
-use crate::scene::Scene;
+use crate::actors::Actors;
+use crate::car::doors::get_out;
+use crate::player::{Body, Player, Position};
 use crate::tuning::FARTHEST_M;
+use crate::world::World;
 
 /// Who is put somewhere at rest, no higher than this over ground to stand on, stands there at once, in metres.
 const SET_DOWN_M: f64 = 0.75;
 /// Gap left below the feet of a body that is put on the surface, in metres.
 const CLEARANCE_M: f64 = 0.15;
 
-impl Scene {
-    /// Moves the player's feet to a point, out of a car, and stops it; a point outside the world is brought to its border, and
-    /// one in rock leads to the free ground above as soon as that is loaded. Ground there is asked for at once.
-    pub fn teleport(&mut self, point: ChartPoint) {
-        self.get_out();
-        self.place_body(point, DVec3::ZERO, false);
-        self.request_ground();
-    }
+/// What of the player is moved.
+type Parts<'a> = (&'a mut Position, &'a mut Body);
 
-    /// The point itself where it lies in the world, else one on the world's border.
-    pub(crate) fn within_world(&self, point: ChartPoint) -> ChartPoint {
-        within_world(&*self.world.strategy, point)
+/// Puts the player's body somewhere, within the world; one in rock leads to the free ground above as soon as that is
+/// loaded.
+pub(crate) fn place(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    point: ChartPoint,
+    velocity: DVec3,
+    grounded: bool,
+) {
+    let point = within_world(&*world.strategy, point);
+    let feet = point.pos + world.strategy.chart_origin_m(point.hemisphere);
+    if let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) {
+        position.0 = point;
+        body.0 = Character::at(feet);
+        body.0.velocity = velocity;
+        body.0.grounded = grounded;
     }
+    player.body_unchecked = true;
+}
 
-    /// Puts the player's body somewhere, within the world.
-    pub(crate) fn place_body(&mut self, point: ChartPoint, velocity: DVec3, grounded: bool) {
-        let point = within_world(&*self.world.strategy, point);
-        let feet = point.pos + self.world.strategy.chart_origin_m(point.hemisphere);
-        self.world.physics.recentre(feet);
-        if let Ok((position, body)) = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player)
-        {
-            position.0 = point;
-            body.0 = Character::at(feet);
-            body.0.velocity = velocity;
-            body.0.grounded = grounded;
-        }
-        self.player.body_unchecked = true;
-        self.kept.changed = true;
+/// Puts the player's body at rest somewhere, out of a car.
+pub(crate) fn teleport(world: &World, actors: &mut Actors, player: &mut Player, point: ChartPoint) {
+    get_out(actors, player);
+    place(world, actors, player, point, DVec3::ZERO, false);
+}
+
+/// Lifts a walking body that is stuck: any overlap with the ground after it was put somewhere, a body whose
+/// middle is in rock at any time. To be called when the ground around the body is there.
+/// Returns whether the body was moved.
+pub(crate) fn free(world: &World, actors: &mut Actors, player: &mut Player) -> bool {
+    let is_afoot = !player.flying && !actors.cars.is_driving();
+    if !is_afoot || !(player.body_unchecked || is_buried(world, actors)) {
+        return false;
     }
-
-    /// Lifts a walking body that is stuck: any overlap with the ground after it was put somewhere, a body whose
-    /// middle is in rock at any time. To be called when the ground around the body is there.
-    /// Returns whether the body was moved.
-    pub(crate) fn free_body(&mut self) -> bool {
-        if self.player.flying
-            || self.is_driving()
-            || !(self.player.body_unchecked || self.is_buried())
-        {
-            return false;
-        }
-        self.player.body_unchecked = false;
-        let lifted = self.lift_player_out() || self.raise_to_surface();
-        // The way up may have ended in ground that was not there yet.
-        self.player.body_unchecked = lifted;
-        if !lifted {
-            self.set_down();
-        }
-        lifted
+    player.body_unchecked = false;
+    let lifted = lift_out(world, actors, player) || raise_to_surface(world, actors, player);
+    // The way up may have ended in ground that was not there yet.
+    player.body_unchecked = lifted;
+    if !lifted {
+        set_down(world, actors);
     }
+    lifted
+}
 
-    /// Stands a body on the ground that it was put over.
-    fn set_down(&mut self) {
-        let origin = self.world.strategy.chart_origin_m(self.feet().hemisphere);
-        let parts = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player);
-        let Ok((position, body)) = parts else {
-            return;
-        };
-        if body.0.grounded || body.0.velocity != DVec3::ZERO {
-            return;
-        }
-        body.0.feet = position.0.pos + origin;
-        if self
-            .world
-            .physics
-            .set_down(&mut body.0, &self.actors.tuning, SET_DOWN_M)
-        {
-            position.0.pos = body.0.feet - origin;
-        }
+/// Lifts the player out of ground that was built over it, as far as a lift reaches.
+pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> bool {
+    if player.flying || actors.cars.is_driving() {
+        return false;
     }
-
-    fn is_buried(&self) -> bool {
-        let mut middle = self.feet();
-        middle.pos.y += 0.5 * self.actors.tuning.height_m;
-        self.world.ground.is_solid(middle)
+    let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) else {
+        return false;
+    };
+    let hemisphere = position.0.hemisphere;
+    let origin = world.strategy.chart_origin_m(hemisphere);
+    let solid = |at: DVec3| {
+        let point = ChartPoint::new(hemisphere, at - origin);
+        world.ground.is_solid(point)
+    };
+    body.0.feet = position.0.pos + origin;
+    let lifted = world
+        .physics
+        .lift_out_sized(&mut body.0, &actors.tuning, &solid);
+    if lifted {
+        position.0.pos = body.0.feet - origin;
     }
+    lifted
+}
 
-    /// Lifts the player out of ground that was built over it, as far as a lift reaches.
-    pub(crate) fn lift_player_out(&mut self) -> bool {
-        if self.player.flying || self.is_driving() {
-            return false;
-        }
-        let hemisphere = self.feet().hemisphere;
-        let origin = self.world.strategy.chart_origin_m(hemisphere);
-        let ground = &self.world.ground;
-        let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
-        let Ok((position, body)) = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Body)>(self.actors.player)
-        else {
-            return false;
-        };
-        body.0.feet = position.0.pos + origin;
-        let lifted = self
-            .world
-            .physics
-            .lift_out_sized(&mut body.0, &self.actors.tuning, &solid);
-        if lifted {
-            position.0.pos = body.0.feet - origin;
-        }
-        lifted
+/// Stands a body on the ground that it was put over.
+fn set_down(world: &World, actors: &mut Actors) {
+    let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) else {
+        return;
+    };
+    if body.0.grounded || body.0.velocity != DVec3::ZERO {
+        return;
     }
-
-    /// Puts a buried body that no lift can free on the surface of its column.
-    fn raise_to_surface(&mut self) -> bool {
-        let feet = self.feet();
-        let surface_m = self.world.ground.untouched_height(feet) + CLEARANCE_M;
-        if !self.is_buried() || surface_m <= feet.pos.y {
-            return false;
-        }
-        let pos = DVec3::new(feet.pos.x, surface_m, feet.pos.z);
-        self.teleport(ChartPoint::new(feet.hemisphere, pos));
-        true
+    let origin = world.strategy.chart_origin_m(position.0.hemisphere);
+    body.0.feet = position.0.pos + origin;
+    let lands = world
+        .physics
+        .set_down(&mut body.0, &actors.tuning, SET_DOWN_M);
+    if lands {
+        position.0.pos = body.0.feet - origin;
     }
 }
 
+/// Puts a buried body that no lift can free on the surface of its column.
+fn raise_to_surface(world: &World, actors: &mut Actors, player: &mut Player) -> bool {
+    let feet = actors.feet();
+    let surface_m = world.ground.untouched_height(feet) + CLEARANCE_M;
+    if !is_buried(world, actors) || surface_m <= feet.pos.y {
+        return false;
+    }
+    let pos = DVec3::new(feet.pos.x, surface_m, feet.pos.z);
+    let surface = ChartPoint::new(feet.hemisphere, pos);
+    teleport(world, actors, player, surface);
+    true
+}
+
+fn is_buried(world: &World, actors: &Actors) -> bool {
+    let mut middle = actors.feet();
+    middle.pos.y += 0.5 * actors.tuning.height_m;
+    world.ground.is_solid(middle)
+}
+
 /// The point itself where it lies in the world, else one on the world's border; the middle for what is no place.
-fn within_world(strategy: &dyn Strategy, point: ChartPoint) -> ChartPoint {
+pub(crate) fn within_world(strategy: &dyn Strategy, point: ChartPoint) -> ChartPoint {
     let mut point = point;
     if !point.pos.is_finite() {
         point.pos = DVec3::ZERO;

@@ -4,13 +4,12 @@ use antipode_geometry::ChartPoint;
 use antipode_physics::Character;
 use hecs::Entity;
 
+use crate::actors::Actors;
 use crate::frame::ModelId;
-use crate::npc::State;
 use crate::npc::mind::Mind;
+use crate::npc::{State, new_mind};
 use crate::player::{Appearance, Body, Health, Look, Position};
-use crate::projectile::Standing;
-use crate::scene::Scene;
-use crate::tuning::{BOT_HEALTH, MOST_BOTS};
+use crate::world::World;
 
 /// A figure that nobody plays.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,103 +47,66 @@ pub struct BotView {
     pub angry_s: f64,
 }
 
-impl Scene {
-    /// Puts a bot with its feet at a point; returns its number.
-    pub fn spawn_bot(&mut self, point: ChartPoint, yaw: f64, hostile: bool) -> u32 {
-        self.restore_bot(point, yaw, hostile, BOT_HEALTH)
-    }
+/// Puts a bot with its feet at a point; returns its number.
+pub(crate) fn spawn(
+    world: &World,
+    actors: &mut Actors,
+    point: ChartPoint,
+    yaw: f64,
+    hostile: bool,
+    health: f64,
+) -> u32 {
+    let id = actors.next_bot;
+    actors.next_bot += 1;
+    let origin = world.strategy.chart_origin_m(point.hemisphere);
+    let bot = Bot {
+        id,
+        hostile,
+        native: false,
+        hit_s_ago: f64::INFINITY,
+        dead_s: 0.0,
+        struck_by: None,
+    };
+    actors.ecs.spawn((
+        bot,
+        new_mind(world, id),
+        Position(point),
+        Look { yaw, pitch: 0.0 },
+        Body(Character::at(point.pos + origin)),
+        Health(health),
+        Appearance {
+            held: hostile.then_some(ModelId::Gun),
+            ..Appearance::standing(ModelId::AstronautTeal)
+        },
+    ));
+    id
+}
 
-    /// Whether the world can have one more figure.
-    pub fn has_room_for_bot(&self) -> bool {
-        self.bots().len() < MOST_BOTS
+/// Says of a bot for how long yet it is angry, seconds, and whether it came by itself.
+pub(crate) fn set_mind(actors: &mut Actors, id: u32, angry_s: f64, native: bool) {
+    let found = actors.ecs.query_mut::<(&mut Bot, &mut Mind)>();
+    for (bot, mind) in found.into_iter().filter(|(bot, _)| bot.id == id) {
+        bot.native = native;
+        mind.angry_s = angry_s;
     }
+}
 
-    pub(crate) fn restore_bot(
-        &mut self,
-        point: ChartPoint,
-        yaw: f64,
-        hostile: bool,
-        health: f64,
-    ) -> u32 {
-        let id = self.actors.next_bot;
-        self.actors.next_bot += 1;
-        let origin = self.world.strategy.chart_origin_m(point.hemisphere);
-        let bot = Bot {
-            id,
-            hostile,
-            native: false,
-            hit_s_ago: f64::INFINITY,
-            dead_s: 0.0,
-            struck_by: None,
-        };
-        let mind = self.new_mind(id);
-        self.actors.ecs.spawn((
-            bot,
-            mind,
-            Position(point),
-            Look { yaw, pitch: 0.0 },
-            Body(Character::at(point.pos + origin)),
-            Health(health),
-            Appearance {
-                held: hostile.then_some(ModelId::Gun),
-                ..Appearance::standing(ModelId::AstronautTeal)
-            },
-        ));
-        self.kept.changed = true;
-        id
-    }
-
-    /// Says of a bot for how long yet it is angry, seconds, and whether it came by itself.
-    pub(crate) fn restore_mind(&mut self, id: u32, angry_s: f64, native: bool) {
-        let found = self.actors.ecs.query_mut::<(&mut Bot, &mut Mind)>();
-        for (bot, mind) in found.into_iter().filter(|(bot, _)| bot.id == id) {
-            bot.native = native;
-            mind.angry_s = angry_s;
-        }
-    }
-
-    /// All bots, by their numbers.
-    pub fn bots(&self) -> Vec<BotView> {
-        let mut bots: Vec<_> = self
-            .actors
-            .ecs
-            .query::<(&Bot, &Position, &Look, &Health, &Mind)>()
-            .iter()
-            .map(|(bot, position, look, health, mind)| BotView {
-                bot: *bot,
-                point: position.0,
-                yaw: look.yaw,
-                health: health.0,
-                state: mind.state,
-                fights: bot.hostile || mind.angry_s > 0.0,
-                angry_s: mind.angry_s,
-            })
-            .collect();
-        bots.sort_unstable_by_key(|view| view.bot.id);
-        bots
-    }
-
-    /// Everyone who can be struck, where they stand in physics space; the dead and spectators cannot.
-    pub(crate) fn standing(&self) -> Vec<Standing> {
-        let mut all: Vec<Standing> = self
-            .actors
-            .ecs
-            .query::<(Entity, &Position, &Health)>()
-            .iter()
-            .filter(|(entity, _, health)| {
-                // Who drives is met by what meets the car.
-                let is_there =
-                    *entity != self.actors.player || !(self.player.flying || self.is_driving());
-                health.0 > 0.0 && is_there
-            })
-            .map(|(entity, position, _)| Standing {
-                entity,
-                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.hemisphere),
-                height_m: self.actors.tuning.height_m,
-                radius_m: self.actors.tuning.radius_m,
-            })
-            .collect();
-        all.sort_unstable_by_key(|it| it.entity.id());
-        all
-    }
+/// All bots, by their numbers.
+pub(crate) fn views(actors: &Actors) -> Vec<BotView> {
+    let mut bots: Vec<_> = actors
+        .ecs
+        .query::<(&Bot, &Position, &Look, &Health, &Mind)>()
+        .iter()
+        .map(|(bot, position, look, health, mind)| BotView {
+            bot: *bot,
+            point: position.0,
+            yaw: look.yaw,
+            health: health.0,
+            state: mind.state,
+            fights: bot.hostile || mind.angry_s > 0.0,
+            angry_s: mind.angry_s,
+        })
+        .collect();
+    bots.sort_unstable_by_key(|view| view.bot.id);
+    bots
 }

@@ -14,7 +14,7 @@ use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::Player;
-use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 use crate::world::World;
@@ -78,61 +78,46 @@ impl Drop {
     }
 }
 
-impl Scene {
-    /// Things lying about.
-    pub fn drops(&self) -> Vec<Drop> {
-        let all = self.actors.all().into_iter();
-        all.map(|(_, drop)| drop).collect()
-    }
-
-    /// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
-    /// finds no room there is thrown all the same.
-    pub fn throw_away(&mut self, stack: Stack) {
-        self.kept.changed = true;
-        let mut stack = stack;
-        if self.actors.count::<Drop>() >= MOST_DROPS {
-            self.outbox.hints.push(Hint::TooManyDrops);
-            stack.count = self.player.inventory.give(stack.item, stack.count);
-            if stack.count == 0 {
-                return;
-            }
-        }
-        let head = self.head();
-        let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
-        drop.age_s = 0.0;
-        drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
-        drop.rests = false;
-        self.actors.enter(drop);
-    }
-
-    /// Throws away one of what is in hand, or all of it.
-    pub(crate) fn drop_held(&mut self, whole: bool) {
-        if let Some(stack) = self.player.inventory.take_held(whole) {
-            self.throw_away(stack);
+/// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
+/// finds no room there is thrown all the same.
+pub(crate) fn throw_away(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    mut stack: Stack,
+) {
+    if actors.count::<Drop>() >= MOST_DROPS {
+        outbox.hints.push(Hint::TooManyDrops);
+        stack.count = player.inventory.give(stack.item, stack.count);
+        if stack.count == 0 {
+            return;
         }
     }
+    let now = Situation::of(world, actors, player);
+    let head = now.head();
+    let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
+    drop.age_s = 0.0;
+    drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
+    drop.rests = false;
+    actors.enter(drop);
+}
 
-    /// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
-    /// looked at, and level while it flies.
-    pub(crate) fn show_drop(&self, drop: &Drop) -> Figure {
-        let item = drop.stack.item;
-        let (turn, height_m) = lying(item);
-        let lies = drop.rests && drop.is_near(self.feet());
-        let up = if lies {
-            self.ground_normal(drop.point).as_dvec3()
-        } else {
-            DVec3::Y
-        };
-        Figure {
-            turn: DQuat::from_rotation_arc(DVec3::Y, up)
-                * DQuat::from_rotation_y(drop.yaw_rad)
-                * turn,
-            ..Figure::standing(
-                item.into(),
-                drop.point.moved(up * (height_m - DROP.radius_m)),
-                0.0,
-            )
-        }
+/// A thing as it is shown: on its ball's lowest point, along the slope of the ground where it lies near enough to be
+/// looked at, and level while it flies.
+pub(crate) fn shown(world: &World, feet: ChartPoint, drop: &Drop) -> Figure {
+    let item = drop.stack.item;
+    let (turn, height_m) = lying(item);
+    let lies = drop.rests && drop.is_near(feet);
+    let up = if lies {
+        world.ground.normal(drop.point).as_dvec3()
+    } else {
+        DVec3::Y
+    };
+    let point = drop.point.moved(up * (height_m - DROP.radius_m));
+    Figure {
+        turn: DQuat::from_rotation_arc(DVec3::Y, up) * DQuat::from_rotation_y(drop.yaw_rad) * turn,
+        ..Figure::standing(item.into(), point, 0.0)
     }
 }
 

@@ -167,9 +167,9 @@ impl Ground {
         self.field.sample(point)
     }
 
-    /// What covers ground with this unit normal at a point.
-    pub fn cover(&self, point: ChartPoint, normal: Vec3) -> Cover {
-        self.field.cover(point, normal)
+    /// What covers the ground at a point.
+    pub fn cover(&self, point: ChartPoint) -> Cover {
+        self.field.cover(point, self.normal(point))
     }
 
     /// The land as it was before any edit.

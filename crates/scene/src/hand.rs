@@ -3,12 +3,14 @@
 
 use std::f64::consts::TAU;
 
-use crate::actions::Actions;
+use antipode_geometry::ChartPoint;
+
 use crate::camera::CameraMode;
 use crate::frame::{Figure, Hand, LampLight, ModelId};
 use crate::item::Item;
-use crate::player::{Appearance, Body};
-use crate::scene::Scene;
+use crate::player::Appearance;
+use crate::simulation::Simulation;
+use crate::situation::Situation;
 use crate::sound::STROKE_S;
 use crate::tuning::{BOB_M, FLASH_S, KICK_S, STEP_S, TAKES_S};
 
@@ -40,9 +42,39 @@ pub(crate) struct HandMotion {
 
 impl HandMotion {
     /// A shot was fired.
-    pub fn fire(&mut self) {
+    fn fire(&mut self) {
         self.kick = 1.0;
         self.flash_left_s = FLASH_S;
+    }
+
+    /// Goes on by a step of the simulation; without a bob for who wants it `still`.
+    pub fn step(&mut self, step: &HandStep, still: bool) {
+        if step.fired {
+            self.fire();
+        }
+        let bob = if still {
+            0.0
+        } else {
+            (step.speed_m_s / BOBS_FULLY_M_S).min(1.3)
+        };
+        self.pass(step.held, step.used, bob, STEP_S);
+    }
+
+    /// Puts what the player holds and does with it into the own figure's hand.
+    pub fn use_in(&self, held: Option<Item>, figure: &mut Figure) {
+        figure.held = held.map(ModelId::from);
+        figure.posture.swing = self.swing();
+        figure.posture.kick = self.kick as f32;
+        figure.flashes = self.flashes();
+    }
+
+    /// The light of a shot that has just been fired.
+    pub fn shot_light(&self, muzzle: impl Fn() -> ChartPoint) -> Option<LampLight> {
+        self.flashes().then(|| LampLight {
+            point: muzzle(),
+            colour: FLASH_COLOUR,
+            range_m: FLASH_RANGE_M,
+        })
     }
 
     /// Lets a step pass with `held` in hand, in use or not, and so much of a bob.
@@ -98,84 +130,58 @@ impl HandMotion {
     }
 }
 
-impl Scene {
-    /// Moves what is in the player's hand by one step.
-    pub(crate) fn step_hand(&mut self, actions: &Actions) {
-        let held = self.player.inventory.held();
+/// What of a step moves what is in the player's hand.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HandStep {
+    held: Option<Item>,
+    used: bool,
+    fired: bool,
+    speed_m_s: f64,
+}
+
+impl HandStep {
+    /// What it was in the step that has just been taken.
+    pub fn of(sim: &Simulation) -> Self {
+        let (player, body) = (&sim.player, sim.actors.player_body());
+        let held = player.inventory.held();
         let digs = held.and_then(Item::brush_strength_per_s).is_some();
-        let used = digs && actions.primary != actions.secondary;
-        let speed_m_s = self
-            .actors
-            .ecs
-            .get::<&Body>(self.actors.player)
-            .map_or(0.0, |body| {
-                let velocity = body.0.velocity;
-                if body.0.grounded {
-                    velocity.x.hypot(velocity.z)
-                } else {
-                    0.0
-                }
-            });
-        let bob = if self.shown.viewing.reduced_motion {
-            0.0
-        } else {
-            (speed_m_s / BOBS_FULLY_M_S).min(1.3)
-        };
-        self.shown.hand.pass(held, used, bob, STEP_S);
-    }
-
-    /// What the player sees in the own hand.
-    pub(crate) fn hand_seen(&self) -> Option<Hand> {
-        let held = self.player.inventory.held()?;
-        if self.shown.camera != CameraMode::First
-            || self.is_dead()
-            || self.player.flying
-            || self.is_driving()
-        {
-            return None;
+        Self {
+            held,
+            used: digs && player.primary_before != player.secondary_before,
+            fired: sim.outbox.fired,
+            speed_m_s: if body.grounded {
+                body.velocity.x.hypot(body.velocity.z)
+            } else {
+                0.0
+            },
         }
-        let cycles = self
-            .actors
-            .ecs
-            .get::<&Appearance>(self.actors.player)
-            .map_or(0.0, |appearance| appearance.motion.cycles());
-        let phase = TAU * cycles;
-        let (aside_m, up_m) = BOB_M;
-        let bob = if self.shown.viewing.reduced_motion {
-            0.0
-        } else {
-            self.shown.hand.bob
-        };
-        Some(Hand {
-            model: held.into(),
-            lowered: self.shown.hand.lowered(),
-            // Once to each side in a cycle, and down with each foot.
-            bob_m: [
-                (bob * aside_m * phase.sin()) as f32,
-                (-bob * up_m * (2.0 * phase).cos().abs()) as f32,
-            ],
-            swing: self.shown.hand.swing(),
-            kick: self.shown.hand.kick as f32,
-            flashes: self.shown.hand.flashes(),
-        })
     }
+}
 
-    /// Puts what the player holds and does with it into the own figure's hand.
-    pub(crate) fn use_in_hand(&self, figure: &mut Figure) {
-        figure.held = self.player.inventory.held().map(ModelId::from);
-        figure.posture.swing = self.shown.hand.swing();
-        figure.posture.kick = self.shown.hand.kick as f32;
-        figure.flashes = self.shown.hand.flashes();
+/// What the player sees in the own hand.
+pub(crate) fn seen(now: Situation<'_>, hand: &HandMotion, still: bool) -> Option<Hand> {
+    let player = now.player;
+    let held = player.inventory.held()?;
+    let from_head = player.gaze.camera == CameraMode::First;
+    if !from_head || player.is_dead() || player.flying || now.actors.cars.is_driving() {
+        return None;
     }
-
-    /// The light of a shot that has just been fired.
-    pub(crate) fn shot_light(&self) -> Option<LampLight> {
-        self.shown.hand.flashes().then(|| LampLight {
-            point: self.muzzle(),
-            colour: FLASH_COLOUR,
-            range_m: FLASH_RANGE_M,
-        })
-    }
+    let appearance = now.actors.ecs.get::<&Appearance>(now.actors.player);
+    let phase = TAU * appearance.map_or(0.0, |appearance| appearance.motion.cycles());
+    let (aside_m, up_m) = BOB_M;
+    let bob = if still { 0.0 } else { hand.bob };
+    Some(Hand {
+        model: held.into(),
+        lowered: hand.lowered(),
+        // Once to each side in a cycle, and down with each foot.
+        bob_m: [
+            (bob * aside_m * phase.sin()) as f32,
+            (-bob * up_m * (2.0 * phase).cos().abs()) as f32,
+        ],
+        swing: hand.swing(),
+        kick: hand.kick as f32,
+        flashes: hand.flashes(),
+    })
 }
 
 #[cfg(test)]

@@ -4,16 +4,20 @@ use antipode_geometry::ChartPoint;
 use glam::DVec3;
 use hecs::Entity;
 
+use crate::actors::Actors;
 use crate::bot::Bot;
 use crate::notice::Hint;
 use crate::npc::Event;
-use crate::player::{Appearance, Health, Position};
+use crate::outbox::Outbox;
+use crate::player::{Appearance, Health, Player, Position};
 use crate::projectile::Strike;
-use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{
     BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S,
 };
+use crate::world::World;
+use crate::{body, npc};
 
 /// How long nobody fights a player who has stood up again from death, seconds: who killed may have come along.
 const SPARED_S: f64 = 8.0;
@@ -58,6 +62,11 @@ pub(crate) struct Condition {
 }
 
 impl Condition {
+    /// How long the player has been dead, seconds.
+    pub fn dead_s(&self) -> Option<f64> {
+        self.dead_left_s.map(|left_s| DEAD_S - left_s)
+    }
+
     fn pass(&mut self, dt_s: f64) {
         self.unhurt_s += dt_s;
         self.spared_s = (self.spared_s - dt_s).max(0.0);
@@ -82,140 +91,121 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
     (height_m - FALL_HURTS_FROM_M).max(0.0) + 1.0
 }
 
-impl Scene {
-    /// Whether the player lies dead.
-    pub fn is_dead(&self) -> bool {
-        self.player.is_dead()
-    }
+/// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
+/// radians, if from one.
+pub(crate) fn last(now: Situation<'_>) -> Option<(f64, Option<f64>)> {
+    let hurt = now.player.condition.hurt?;
+    let turned_rad = if hurt.at.hemisphere == now.feet().hemisphere {
+        0.0
+    } else {
+        let over = now.world.strategy.carry(hurt.at);
+        over.map_or(0.0, |crossing| crossing.turn_rad)
+    };
+    Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
+}
 
-    /// How long the player has been dead, seconds.
-    pub(crate) fn dead_s(&self) -> Option<f64> {
-        self.player
-            .condition
-            .dead_left_s
-            .map(|left_s| DEAD_S - left_s)
+/// Takes health from the player. Nobody dies twice, and a spectator is not there to be hurt.
+///
+/// `from`: the way to where it came from, in the player's chart.
+pub(crate) fn hurt_player(
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    harm: f64,
+    kind: HarmKind,
+    from: Option<DVec3>,
+) {
+    if harm <= 0.0 || player.flying || player.is_dead() {
+        return;
     }
-
-    /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
-    /// radians, if from one.
-    pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {
-        let hurt = self.player.condition.hurt?;
-        let turned_rad = if hurt.at.hemisphere == self.feet().hemisphere {
-            0.0
-        } else {
-            let over = self.world.strategy.carry(hurt.at);
-            over.map_or(0.0, |crossing| crossing.turn_rad)
-        };
-        Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
+    actors.set_health(actors.health() - harm);
+    player.condition.unhurt_s = 0.0;
+    player.condition.hurt = Some(Hurt {
+        ago_s: 0.0,
+        at: actors.feet(),
+        from_rad: from.map(|way| way.z.atan2(way.x)),
+    });
+    outbox.sounds.push(SoundEvent::Hurt);
+    if let Ok(mut appearance) = actors.ecs.get::<&mut Appearance>(actors.player) {
+        appearance.motion.strike();
     }
-
-    /// Seconds since a shot of the player's struck someone.
-    pub fn struck_s_ago(&self) -> Option<f64> {
-        self.player.condition.struck_s_ago
-    }
-
-    /// Seconds since the player was last hurt.
-    pub fn unhurt_s(&self) -> f64 {
-        self.player.condition.unhurt_s
-    }
-
-    /// Takes health from the player. Nobody dies twice, and a spectator is not there to be hurt.
-    ///
-    /// `from`: the way to where it came from, in the player's chart.
-    pub(crate) fn hurt_player(&mut self, harm: f64, kind: HarmKind, from: Option<DVec3>) {
-        if harm <= 0.0 || self.player.flying || self.is_dead() {
-            return;
-        }
-        self.set_health(self.health() - harm);
-        self.player.condition.unhurt_s = 0.0;
-        self.player.condition.hurt = Some(Hurt {
-            ago_s: 0.0,
-            at: self.feet(),
-            from_rad: from.map(|way| way.z.atan2(way.x)),
+    if actors.health() <= 0.0 {
+        player.condition.dead_left_s = Some(DEAD_S);
+        outbox.hints.push(match kind {
+            HarmKind::Fall => Hint::DiedOfFall,
+            HarmKind::Shot => Hint::DiedOfShot,
+            HarmKind::Crash => Hint::DiedOfCrash,
+            HarmKind::RunOver => Hint::DiedOfCar,
         });
-        self.outbox.sounds.push(SoundEvent::Hurt);
-        if let Ok(mut appearance) = self.actors.ecs.get::<&mut Appearance>(self.actors.player) {
-            appearance.motion.strike();
-        }
-        if self.health() <= 0.0 {
-            self.player.condition.dead_left_s = Some(DEAD_S);
-            self.outbox.hints.push(match kind {
-                HarmKind::Fall => Hint::DiedOfFall,
-                HarmKind::Shot => Hint::DiedOfShot,
-                HarmKind::Crash => Hint::DiedOfCrash,
-                HarmKind::RunOver => Hint::DiedOfCar,
-            });
-        }
     }
+}
 
-    /// Lets a step's time heal the player, or bring the dead back.
-    pub(crate) fn heal(&mut self) {
-        self.player.condition.pass(STEP_S);
-        if let Some(left_s) = self.player.condition.dead_left_s {
-            let left_s = left_s - STEP_S;
-            self.player.condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
-            if left_s <= 0.0 {
-                self.respawn();
+/// Lets a step's time heal the player; returns whether it brings the dead back.
+pub(crate) fn heal(actors: &mut Actors, player: &mut Player) -> bool {
+    let condition = &mut player.condition;
+    condition.pass(STEP_S);
+    if let Some(left_s) = condition.dead_left_s {
+        let left_s = left_s - STEP_S;
+        condition.dead_left_s = Some(left_s).filter(|left_s| *left_s > 0.0);
+        return left_s <= 0.0;
+    }
+    let health = actors.health();
+    if condition.unhurt_s >= HEALS_AFTER_S && health < FULL_HEALTH {
+        actors.set_health(health + HEALS_PER_S * STEP_S);
+    }
+    false
+}
+
+/// Puts the player back to the start with full health; what was carried stays.
+pub(crate) fn respawn(world: &World, actors: &mut Actors, player: &mut Player) {
+    actors.set_health(FULL_HEALTH);
+    player.condition = Condition {
+        spared_s: SPARED_S,
+        ..Condition::default()
+    };
+    let now = Situation::of(world, actors, player);
+    let start = now.start();
+    body::teleport(world, actors, player, start);
+    npc::send_hostile_away(world, actors);
+}
+
+/// Deals out what bullets did in a step.
+pub(crate) fn take_strikes(
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    strikes: Vec<Strike>,
+) {
+    for Strike { entity, by, way } in strikes {
+        outbox.sounds.push(SoundEvent::Struck);
+        if entity == actors.player {
+            let from = Some(-way);
+            hurt_player(actors, player, outbox, BULLET_HARM, HarmKind::Shot, from);
+        } else {
+            if by == actors.player {
+                player.condition.struck_s_ago = Some(0.0);
             }
-            return;
-        }
-        let health = self.health();
-        if self.player.condition.unhurt_s >= HEALS_AFTER_S && health < FULL_HEALTH {
-            self.set_health(health + HEALS_PER_S * STEP_S);
+            hurt_bot(actors, entity, BULLET_HARM, Some(by));
         }
     }
+}
 
-    /// Puts the player back to the start with full health; what was carried stays.
-    fn respawn(&mut self) {
-        self.set_health(FULL_HEALTH);
-        self.player.condition = Condition {
-            spared_s: SPARED_S,
-            ..Condition::default()
-        };
-        let start = self.start();
-        self.teleport(start);
-        self.send_hostile_away();
-        self.outbox.hints.push(Hint::BackAgain);
-    }
-
-    /// Deals out what bullets did in a step.
-    pub(crate) fn take_strikes(&mut self, strikes: Vec<Strike>) {
-        for Strike { entity, by, way } in strikes {
-            self.outbox.sounds.push(SoundEvent::Struck);
-            if entity == self.actors.player {
-                self.hurt_player(BULLET_HARM, HarmKind::Shot, Some(-way));
-            } else {
-                if by == self.actors.player {
-                    self.player.condition.struck_s_ago = Some(0.0);
-                }
-                self.hurt_bot(entity, by);
-            }
-        }
-    }
-
-    fn hurt_bot(&mut self, entity: Entity, by: Entity) {
-        self.hurt_bot_by(entity, BULLET_HARM, Some(by));
-    }
-
-    /// Takes health from a bot; `by` is who did it, if anybody.
-    pub(crate) fn hurt_bot_by(&mut self, entity: Entity, harm: f64, by: Option<Entity>) {
-        let parts = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
-        if let Ok((bot, health, appearance, position)) = parts {
-            appearance.motion.strike();
-            health.0 = (health.0 - harm).max(0.0);
-            bot.struck_by = by.or(bot.struck_by);
-            bot.hit_s_ago = 0.0;
-            let at = position.0;
-            let by_player = by == Some(self.actors.player);
-            self.actors.npcs.events.push(Event::Hit {
-                victim: entity,
-                at,
-                by_player,
-            });
-        }
+/// Takes health from a bot; `by` is who did it, if anybody.
+pub(crate) fn hurt_bot(actors: &mut Actors, entity: Entity, harm: f64, by: Option<Entity>) {
+    let parts = actors
+        .ecs
+        .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
+    if let Ok((bot, health, appearance, position)) = parts {
+        appearance.motion.strike();
+        health.0 = (health.0 - harm).max(0.0);
+        bot.struck_by = by.or(bot.struck_by);
+        bot.hit_s_ago = 0.0;
+        let at = position.0;
+        actors.npcs.events.push(Event::Hit {
+            victim: entity,
+            at,
+            by_player: by == Some(actors.player),
+        });
     }
 }
 
@@ -227,6 +217,7 @@ mod tests {
     use antipode_geometry::Geometry;
 
     use super::*;
+    use crate::Scene;
     use crate::setup::WorldSetup;
 
     fn scene(geometry: Geometry) -> Scene {
@@ -241,8 +232,24 @@ mod tests {
     }
 
     fn strike(scene: &mut Scene, way: DVec3) {
-        let (entity, by) = (scene.actors.player, scene.actors.player);
-        scene.take_strikes(vec![Strike { entity, by, way }]);
+        let sim = &mut scene.sim;
+        let (entity, by) = (sim.actors.player, sim.actors.player);
+        let strikes = vec![Strike { entity, by, way }];
+        take_strikes(&mut sim.actors, &mut sim.player, &mut sim.outbox, strikes);
+    }
+
+    fn hurt(scene: &mut Scene, harm: f64, kind: HarmKind) {
+        let sim = &mut scene.sim;
+        let (actors, player, outbox) = (&mut sim.actors, &mut sim.player, &mut sim.outbox);
+        hurt_player(actors, player, outbox, harm, kind, None);
+    }
+
+    /// Heals for a step.
+    fn pass(scene: &mut Scene) {
+        let sim = &mut scene.sim;
+        if heal(&mut sim.actors, &mut sim.player) {
+            respawn(&sim.world, &mut sim.actors, &mut sim.player);
+        }
     }
 
     #[test]
@@ -254,13 +261,13 @@ mod tests {
         let [fighter, peaceful, put_there, angry, put_there_in_peace] =
             [true, false, true, false, false].map(|hostile| scene.spawn_bot(near, 0.0, hostile));
         for id in [fighter, peaceful] {
-            scene.restore_mind(id, 0.0, true);
+            crate::bot::set_mind(&mut scene.sim.actors, id, 0.0, true);
         }
-        scene.restore_mind(angry, 30.0, false);
-        scene.hurt_player(2.0 * FULL_HEALTH, HarmKind::Shot, None);
+        crate::bot::set_mind(&mut scene.sim.actors, angry, 30.0, false);
+        hurt(&mut scene, 2.0 * FULL_HEALTH, HarmKind::Shot);
         assert!(scene.is_dead() && scene.bots().len() == 5);
         for _ in 0..=(DEAD_S / STEP_S).ceil() as usize {
-            scene.heal();
+            pass(&mut scene);
         }
         assert!(!scene.is_dead());
         let left: Vec<_> = scene.bots().iter().map(|view| view.bot.id).collect();
@@ -287,6 +294,7 @@ mod tests {
         assert!(ground.pos.y < low.pos.y + 5.0);
         for (height_m, harm) in [(7.0, 0.0), (8.5, 1.5)] {
             let found = scene
+                .sim
                 .actors
                 .ecs
                 .query_mut::<(&Bot, &mut Position, &mut Health)>();
@@ -313,14 +321,14 @@ mod tests {
         strike(&mut scene, DVec3::new(0.0, 2.0, 12.0));
         assert_eq!(scene.last_hurt(), Some((0.0, Some(-FRAC_PI_2))));
         for _ in 0..30 {
-            scene.heal();
+            pass(&mut scene);
         }
         assert!(
             scene
                 .last_hurt()
                 .is_some_and(|(ago_s, _)| (ago_s - 0.5).abs() < 1e-9)
         );
-        scene.hurt_player(2.0, HarmKind::Fall, None);
+        hurt(&mut scene, 2.0, HarmKind::Fall);
         assert_eq!(scene.last_hurt(), Some((0.0, None)));
         assert_eq!(scene.struck_s_ago(), None, "nobody else was struck");
     }
@@ -328,13 +336,13 @@ mod tests {
     #[test]
     fn over_the_equator_harm_still_comes_from_where_it_came_from() {
         let mut scene = scene(Geometry::Spherical);
-        let rim_m = scene.world.strategy.rim_m().unwrap();
+        let rim_m = scene.sim.world.strategy.rim_m().unwrap();
         // So near that either chart keeps it.
         let way = DVec3::new(0.6, 0.0, 0.8) * (rim_m - 0.05);
         scene.teleport(ChartPoint::a(way.with_y(20.0)));
         let way = DVec3::new(9.0, 0.0, 31.0);
         strike(&mut scene, way);
-        let over = scene.world.strategy.carry(scene.feet()).unwrap();
+        let over = scene.sim.world.strategy.carry(scene.feet()).unwrap();
         scene.teleport(over.point);
         assert_eq!(scene.feet().hemisphere, over.point.hemisphere);
         let from = -over.turn_vector(way);

@@ -6,10 +6,12 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::camera::CameraMode;
+use crate::drops::Drop;
 use crate::ground::chunks_near;
 use crate::lamp::Lamp;
 use crate::player::{Body, Health, Position};
-use crate::scene::Scene;
+use crate::projectile::Projectile;
+use crate::situation::Situation;
 use crate::tuning::{BULLET, DROP, LAMP_TARGET_M};
 
 /// Slower than this a body is at rest, in metres per second.
@@ -63,57 +65,50 @@ impl HitShape {
     }
 }
 
-impl Scene {
-    /// Everything that can be hit or stands on the ground; in first person without the player's own body, inside of
-    /// which one looks.
-    pub fn hit_shapes(&self) -> Vec<HitShape> {
-        let mut shapes = self.bodies();
-        let lamp = |lamp: &Lamp| {
-            let form = HitForm::Ball {
-                radius_m: LAMP_TARGET_M,
-            };
-            HitShape::upright(form, lamp.glow(), lamp.falls())
-        };
-        shapes.extend(self.lamps().iter().map(lamp));
-        let ball =
-            |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
-        let bullets = self.projectiles().into_iter();
-        shapes.extend(bullets.map(|(_, it)| {
-            let flies = it.velocity.length() > RESTS_M_S;
-            ball(BULLET.radius_m, it.point, flies)
-        }));
-        let drops = self.drops();
-        let drops = drops.iter();
-        shapes.extend(drops.map(|it| ball(DROP.radius_m, it.point, it.is_awake(self.feet()))));
-        shapes
-    }
+/// Everything that can be hit or stands on the ground; in first person without the player's own body, inside of
+/// which one looks.
+pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
+    let mut shapes = bodies(now);
+    let ball = |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
+    let lamps = now.actors.all::<Lamp>().into_iter();
+    shapes.extend(lamps.map(|(_, it)| ball(LAMP_TARGET_M, it.glow(), it.falls())));
+    let bullets = now.actors.all::<Projectile>().into_iter();
+    shapes.extend(bullets.map(|(_, it)| {
+        let flies = it.velocity.length() > RESTS_M_S;
+        ball(BULLET.radius_m, it.point, flies)
+    }));
+    let drops = now.actors.all::<Drop>().into_iter();
+    let is_awake = |drop: &Drop| drop.is_awake(now.feet());
+    shapes.extend(drops.map(|(_, it)| ball(DROP.radius_m, it.point, is_awake(&it))));
+    shapes
+}
 
-    /// Everyone alive, in the order in which they came.
-    fn bodies(&self) -> Vec<HitShape> {
-        let sees_own = self.shown.camera != CameraMode::First && !self.player.flying;
-        let mut bodies: Vec<_> = self
-            .actors
-            .ecs
-            .query::<(Entity, &Position, &Body, &Health)>()
-            .iter()
-            .filter(|(entity, _, _, health)| {
-                health.0 > 0.0 && (*entity != self.actors.player || sees_own)
-            })
-            .map(|(entity, position, body, _)| {
-                let is_there = chunks_near(&*self.world.strategy, position.0, GROUND_WITHIN_M)
-                    .into_iter()
-                    .all(|coord| self.world.is_firm(coord));
-                let form = HitForm::Capsule {
-                    height_m: self.actors.tuning.height_m,
-                    radius_m: self.actors.tuning.radius_m,
-                };
-                let awake = is_there && moves(&body.0);
-                (entity.id(), HitShape::upright(form, position.0, awake))
-            })
-            .collect();
-        bodies.sort_unstable_by_key(|(id, _)| *id);
-        bodies.into_iter().map(|(_, shape)| shape).collect()
-    }
+/// Everyone alive, in the order in which they came.
+fn bodies(now: Situation<'_>) -> Vec<HitShape> {
+    let Situation {
+        world,
+        actors,
+        player,
+    } = now;
+    let sees_own = player.gaze.camera != CameraMode::First && !player.flying;
+    let form = HitForm::Capsule {
+        height_m: actors.tuning.height_m,
+        radius_m: actors.tuning.radius_m,
+    };
+    let mut query = actors.ecs.query::<(Entity, &Position, &Body, &Health)>();
+    let mut bodies: Vec<_> = query
+        .iter()
+        .filter(|(entity, _, _, health)| health.0 > 0.0 && (*entity != actors.player || sees_own))
+        .map(|(entity, position, body, _)| {
+            let is_there = chunks_near(&*world.strategy, position.0, GROUND_WITHIN_M)
+                .into_iter()
+                .all(|coord| world.is_firm(coord));
+            let awake = is_there && moves(&body.0);
+            (entity.id(), HitShape::upright(form, position.0, awake))
+        })
+        .collect();
+    bodies.sort_unstable_by_key(|(id, _)| *id);
+    bodies.into_iter().map(|(_, shape)| shape).collect()
 }
 
 fn moves(body: &Character) -> bool {

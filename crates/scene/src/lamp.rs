@@ -1,20 +1,21 @@
 //! Lamps: put down on the ground, picked up again, and falling when the ground below them goes.
 
 use antipode_geometry::ChartPoint;
-use antipode_physics::meets_capsule;
 use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::actors::{ActorId, Actors};
+use crate::crosshair::Crosshair;
 use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
 use crate::item::Item;
 use crate::notice::Hint;
-use crate::pick::pick_among;
-use crate::scene::Scene;
+use crate::outbox::Outbox;
+use crate::player::Player;
+use crate::situation::Situation;
 use crate::sound::SoundEvent;
-use crate::tuning::{LAMP_HEIGHT_M, LAMP_REACH_M, LAMP_TARGET_M, MOST_LAMPS, REACH_M, STEP_S};
+use crate::tuning::{LAMP_HEIGHT_M, LAMP_REACH_M, MOST_LAMPS, REACH_M, STEP_S};
 use crate::world::World;
 
 /// Lamps within this of the player are looked after, in metres: further off nobody changes the ground.
@@ -83,123 +84,88 @@ impl Lamp {
     }
 }
 
-impl Scene {
-    /// The lamps of the world, in the order in which they were put down.
-    pub fn lamps(&self) -> Vec<Lamp> {
-        let all = self.actors.all().into_iter();
-        all.map(|(_, lamp)| lamp).collect()
+/// The left button puts a lamp down where the crosshair meets the ground, the right one picks up the lamp that it
+/// covers.
+pub(crate) fn use_in_hand(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    actions: &Actions,
+) {
+    if player.inventory.held() != Some(Item::Lamp) {
+        return;
     }
-
-    /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
-    pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
-        let has_room = self.actors.count::<Lamp>() < MOST_LAMPS;
-        if has_room {
-            self.actors.enter(Lamp::standing(point));
-            self.kept.changed = true;
-        }
-        has_room
+    let now = Situation::of(world, actors, player);
+    let crosshair = Crosshair::aimed(now);
+    if actions.primary && !player.primary_before {
+        let place = place_under(world, &crosshair);
+        put_down(actors, player, outbox, place);
+    } else if actions.secondary && !player.secondary_before {
+        let lamp = crosshair.lamp(REACH_M);
+        pick_up(actors, player, outbox, lamp);
     }
+}
 
-    /// Whether the player's flashlight is on.
-    pub fn flashlight(&self) -> bool {
-        self.player.flashlight
+/// Where a lamp would be put down: its foot, if there is ground in reach.
+fn place_under(world: &World, crosshair: &Crosshair<'_>) -> Option<ChartPoint> {
+    let spot = crosshair.ground_or_figure(LAMP_REACH_M);
+    let normal = || world.ground.normal(spot.point).as_dvec3();
+    spot.hit.then(|| clear_foot(spot.point, normal()))
+}
+
+/// Shows where the lamp in hand would be put down.
+pub(crate) fn marker(now: Situation<'_>) -> Option<Marker> {
+    let is_free = !now.actors.cars.is_driving();
+    if !is_free || now.player.inventory.held() != Some(Item::Lamp) {
+        return None;
     }
+    let place = place_under(now.world, &Crosshair::aimed(now))?;
+    Some(Marker {
+        point: place.moved(DVec3::Y * LAMP_HEIGHT_M),
+        radius_m: LAMP_MARKER_M,
+        active: false,
+        shape: MarkerShape::Ball,
+    })
+}
 
-    /// The left button puts a lamp down where the crosshair meets the ground, the right one picks up the lamp that it
-    /// covers.
-    pub(crate) fn use_lamp(&mut self, actions: &Actions) {
-        if self.player.inventory.held() != Some(Item::Lamp) {
-            return;
-        }
-        if actions.primary && !self.player.primary_before {
-            self.put_lamp_down();
-        } else if actions.secondary && !self.player.secondary_before {
-            self.pick_lamp_up();
-        }
+/// Whether the world can have one more.
+pub(crate) fn has_room(actors: &Actors) -> bool {
+    actors.count::<Lamp>() < MOST_LAMPS
+}
+
+fn put_down(
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    place: Option<ChartPoint>,
+) {
+    let Some(place) = place else {
+        outbox.hints.push(Hint::NoPlaceForLamp);
+        return;
+    };
+    if !has_room(actors) {
+        outbox.hints.push(Hint::TooManyLamps);
+        return;
     }
-
-    /// Where the lamp in hand would be put down: its foot, if there is ground in reach.
-    fn lamp_place(&self) -> Option<ChartPoint> {
-        let spot = self.covered(LAMP_REACH_M);
-        let normal = || self.ground_normal(spot.point).as_dvec3();
-        spot.hit.then(|| clear_foot(spot.point, normal()))
+    if player.inventory.spend(Item::Lamp) {
+        actors.enter(Lamp::standing(place));
+        outbox.sounds.push(SoundEvent::LampPlaced);
     }
+}
 
-    /// Shows where the lamp in hand would be put down.
-    pub(crate) fn lamp_marker(&self) -> Option<Marker> {
-        let held = self.player.inventory.held().filter(|_| !self.is_driving());
-        let place = held
-            .filter(|item| *item == Item::Lamp)
-            .and_then(|_| self.lamp_place())?;
-        Some(Marker {
-            point: place.moved(DVec3::Y * LAMP_HEIGHT_M),
-            radius_m: LAMP_MARKER_M,
-            active: false,
-            shape: MarkerShape::Ball,
-        })
-    }
-
-    fn put_lamp_down(&mut self) {
-        let Some(place) = self.lamp_place() else {
-            self.outbox.hints.push(Hint::NoPlaceForLamp);
-            return;
-        };
-        if self.actors.count::<Lamp>() >= MOST_LAMPS {
-            self.outbox.hints.push(Hint::TooManyLamps);
-            return;
-        }
-        if self.player.inventory.spend(Item::Lamp) {
-            self.actors.enter(Lamp::standing(place));
-            self.outbox.sounds.push(SoundEvent::LampPlaced);
-        }
-    }
-
-    /// The last lamp in hand is used up, and an empty hand picks nothing up; so one lamp kept in hand, or any in the
-    /// hotbar that is selected, is enough.
-    fn pick_lamp_up(&mut self) {
-        let Some(id) = self.lamp_covered() else {
-            self.outbox.hints.push(Hint::NoLampThere);
-            return;
-        };
-        if self.player.inventory.give(Item::Lamp, 1) == 0 {
-            self.actors.remove::<Lamp>(id);
-            self.outbox.sounds.push(SoundEvent::LampTaken);
-        } else {
-            self.outbox.hints.push(Hint::NoRoom);
-        }
-    }
-
-    /// The lamp that the crosshair covers, if it is nearer than the ground.
-    fn lamp_covered(&self) -> Option<ActorId> {
-        let optics = self.aiming();
-        let strategy = &*optics.strategy;
-        let eye = self.camera_through(&optics).eye;
-        let past_head_m = self.past_head_m(&optics, &eye);
-        let lamps = self.actors.all::<Lamp>();
-        let meets = |a: ChartPoint, b: ChartPoint| {
-            let met = lamps
-                .iter()
-                .filter_map(|(_, lamp)| self.lamp_met(lamp, a, b));
-            met.reduce(f64::min)
-        };
-        let found = pick_among(
-            strategy,
-            &self.world.physics,
-            &meets,
-            &eye,
-            past_head_m,
-            REACH_M,
-        );
-        let off_m =
-            |(_, lamp): &(ActorId, Lamp)| strategy.distance_m(found.point, lamp.glow(), &eye);
-        let nearest = lamps.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
-        (found.hit && off_m(nearest) < 2.0 * LAMP_TARGET_M).then_some(nearest.0)
-    }
-
-    fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
-        let glow = crate::pick::over(&*self.world.strategy, a, lamp.glow()).pos;
-        let foot = glow - DVec3::Y * LAMP_TARGET_M;
-        meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
+/// The last lamp in hand is used up, and an empty hand picks nothing up; so one lamp kept in hand, or any in the
+/// hotbar that is selected, is enough.
+fn pick_up(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, lamp: Option<ActorId>) {
+    let Some(id) = lamp else {
+        outbox.hints.push(Hint::NoLampThere);
+        return;
+    };
+    if player.inventory.give(Item::Lamp, 1) == 0 {
+        actors.remove::<Lamp>(id);
+        outbox.sounds.push(SoundEvent::LampTaken);
+    } else {
+        outbox.hints.push(Hint::NoRoom);
     }
 }
 

@@ -4,11 +4,16 @@ use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::{DMat3, DVec3, DVec4};
 
 use crate::actors::ActorId;
+use crate::aimed::Optics;
+use crate::car;
+use crate::crosshair::Crosshair;
 use crate::frame::{BeamLight, LampLight};
+use crate::gun::muzzle_of;
 use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::moment::{Lit, Who};
 use crate::scene::Scene;
+use crate::situation::Situation;
 
 /// Lamps that a picture shows.
 const MOST_LIT: usize = 64;
@@ -31,72 +36,69 @@ const STEP_M: f64 = 1e-3;
 /// Where a lamp in the hand shines, from the eye: right, up and ahead, metres.
 const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 
-impl Scene {
-    /// The light on what an eye sees: the nearest lamps, and the flashlight.
-    pub(crate) fn lights(&self, eye: &Eye) -> Lit {
-        let strategy = &**self.lens().strategy();
-        let all = self.actors.all::<Lamp>().into_iter();
-        let mut lamps: Vec<(f64, ActorId, ChartPoint)> = all
-            .map(|(id, lamp)| (id, lamp.glow()))
-            .map(|(id, glow)| (strategy.distance_m(eye.point, glow, eye), id, glow))
-            .collect();
-        lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let lamp_light = |(_, id, point)| {
-            let light = LampLight {
-                point,
-                colour: LAMP_COLOUR,
-                range_m: LAMP_RANGE_M,
-            };
-            (Who::Lamp(id), light)
-        };
-        let of_cars = self.car_lights();
-        let shot = self.shot_light().map(|light| (Who::Shot, light));
-        let in_hand = self.lamp_in_hand().map(|light| (Who::InHand, light));
-        let flashlight = self.player.flashlight && !self.is_driving();
-        Lit {
-            lamps: shot
-                .into_iter()
-                .chain(in_hand)
-                .chain(of_cars.lamps)
-                .chain(lamps.into_iter().map(lamp_light))
-                .take(MOST_LIT)
-                .collect(),
-            beams: flashlight
-                .then(|| (Who::InHand, self.flash_beam()))
-                .into_iter()
-                .chain(of_cars.beams)
-                .collect(),
-        }
+/// The light on what an eye sees: the nearest lamps, and the flashlight.
+pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
+    let now = scene.now();
+    let strategy = &**scene.lens().strategy();
+    let all = now.actors.all::<Lamp>().into_iter();
+    let mut lamps: Vec<(f64, ActorId, ChartPoint)> = all
+        .map(|(id, lamp)| (id, lamp.glow()))
+        .map(|(id, glow)| (strategy.distance_m(eye.point, glow, eye), id, glow))
+        .collect();
+    lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let lamp_light = |(_, id, point)| (Who::Lamp(id), shining(point));
+    let of_cars = car::lights::car_lights(&now);
+    let is_free = !now.actors.cars.is_driving();
+    let optics = scene.picturing();
+    let muzzle = || muzzle_of(now.world, &now.head());
+    let shot = scene.shown.hand.shot_light(muzzle);
+    let holds_lamp = is_free && now.player.inventory.held() == Some(Item::Lamp);
+    let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&optics))));
+    let flashlight = is_free && now.player.flashlight;
+    let beam = flashlight.then(|| (Who::InHand, flash_beam(now, &optics, &scene.eye())));
+    Lit {
+        lamps: shot
+            .map(|light| (Who::Shot, light))
+            .into_iter()
+            .chain(in_hand.map(|light| (Who::InHand, light)))
+            .chain(of_cars.lamps)
+            .chain(lamps.into_iter().map(lamp_light))
+            .take(MOST_LIT)
+            .collect(),
+        beams: beam.into_iter().chain(of_cars.beams).collect(),
     }
+}
 
-    /// The light of a lamp that the player holds.
-    fn lamp_in_hand(&self) -> Option<LampLight> {
-        let holds = self.player.inventory.held() == Some(Item::Lamp) && !self.is_driving();
-        let head = self.head_through(&self.picturing());
-        let (right_m, up_m, front_m) = HELD_LAMP_M;
-        let off = head.right() * right_m + head.up() * up_m + head.front() * front_m;
-        holds.then(|| LampLight {
-            point: head.point.moved(off),
-            colour: LAMP_COLOUR,
-            range_m: LAMP_RANGE_M,
-        })
+/// The light of a lamp whose glass is there.
+fn shining(point: ChartPoint) -> LampLight {
+    LampLight {
+        point,
+        colour: LAMP_COLOUR,
+        range_m: LAMP_RANGE_M,
     }
+}
 
-    /// The flashlight lights what the crosshair covers, from wherever the picture is taken.
-    fn flash_beam(&self) -> BeamLight {
-        let optics = self.picturing();
-        let head = self.head_through(&optics);
-        let (right_m, up_m) = FLASH_BESIDE_M;
-        let point = head.point.moved(head.right() * right_m + head.up() * up_m);
-        let spot = self.covered_through(&optics, FLASH_RANGE_M).point;
-        let way = way_toward(&*optics.strategy, &self.eye(), point, spot);
-        BeamLight {
-            point,
-            direction: way.unwrap_or(head.front()),
-            colour: FLASH_COLOUR,
-            range_m: FLASH_RANGE_M,
-            cone_rad: FLASH_CONE_RAD,
-        }
+/// Where a lamp in the hand shines.
+fn held_at(head: &Eye) -> ChartPoint {
+    let (right_m, up_m, front_m) = HELD_LAMP_M;
+    let off = head.right() * right_m + head.up() * up_m + head.front() * front_m;
+    head.point.moved(off)
+}
+
+/// The flashlight lights what the crosshair covers, from wherever the picture is taken.
+fn flash_beam(now: Situation<'_>, optics: &Optics, eye: &Eye) -> BeamLight {
+    let head = now.head_through(optics);
+    let (right_m, up_m) = FLASH_BESIDE_M;
+    let point = head.point.moved(head.right() * right_m + head.up() * up_m);
+    let crosshair = Crosshair::through(now, optics.clone());
+    let spot = crosshair.ground_or_figure(FLASH_RANGE_M).point;
+    let way = way_toward(&*optics.strategy, eye, point, spot);
+    BeamLight {
+        point,
+        direction: way.unwrap_or(head.front()),
+        colour: FLASH_COLOUR,
+        range_m: FLASH_RANGE_M,
+        cone_rad: FLASH_CONE_RAD,
     }
 }
 

@@ -6,13 +6,18 @@ use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::DVec3;
 
 use crate::actors::ActorId;
+use crate::aimed::{Aim, Optics};
 use crate::camera::{CameraMode, CameraPose};
 use crate::day;
-use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight, Lights, Marker};
+use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape};
 use crate::lens::Lens;
+use crate::light::lights;
 use crate::photo::Viewpoint;
 use crate::scene::Scene;
+use crate::shown::figures_seen_by;
 use crate::tuning::NEAR_M;
+use crate::world::World;
+use crate::{hand, lamp};
 
 /// Who or what a figure or a light is, so that it is found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,24 +86,22 @@ pub(crate) struct Moment {
 impl Scene {
     /// What moves in the player's picture.
     pub(crate) fn moment(&self) -> Moment {
+        let now = self.now();
         let camera = self.camera_pose();
+        let mode = now.player.gaze.camera;
         let taker = Taker::Player {
-            mode: self.shown.camera,
-            drives: self.driven_number(),
-            dead: self.is_dead(),
+            mode,
+            drives: now.actors.cars.driven_number(),
+            dead: now.player.is_dead(),
         };
-        let marker = self.shown.marker.filter(|marker| marker.active);
-        let marker = marker.or_else(|| self.lamp_marker());
+        let marker = self.marker().filter(|marker| marker.active);
+        let marker = marker.or_else(|| lamp::marker(now));
+        let still = self.shown.viewing.reduced_motion;
         Moment {
-            hand: self.hand_seen(),
+            hand: hand::seen(now, &self.shown.hand, still),
             mark: marker
                 .map(|marker| Mark::seen_by(&camera.eye, &**self.lens().strategy(), marker)),
-            ..self.moment_of(
-                taker,
-                camera,
-                self.lens(),
-                self.shown.camera != CameraMode::First,
-            )
+            ..self.moment_of(taker, camera, self.lens(), mode != CameraMode::First)
         }
     }
 
@@ -125,18 +128,30 @@ impl Scene {
             camera,
             strategy: Arc::clone(lens.strategy()),
             lens: lens.clone(),
-            figures: self.figures_seen_by(&camera.eye, sees_player),
-            lit: self.lights(&camera.eye),
+            figures: figures_seen_by(self, &camera.eye, sees_player),
+            lit: lights(self, &camera.eye),
             hand: None,
             mark: None,
-            time_of_day_s: self.world.time_of_day_s,
-            simulated_s: self.world.simulated_s,
+            time_of_day_s: self.sim.world.time_of_day_s,
+            simulated_s: self.sim.world.simulated_s,
         }
     }
 
     /// The snapshot to draw. Terrain changes are handed over once.
     pub fn frame(&mut self, fov_y_rad: f64, aspect: f64, world_id: u64) -> Frame {
         let moment = self.moment();
+        self.frame_of(moment, fov_y_rad, aspect, world_id)
+    }
+
+    /// The snapshot to draw from a viewpoint. Terrain changes are handed over once, as by [`Scene::frame`].
+    pub fn frame_from(
+        &mut self,
+        view: &Viewpoint,
+        fov_y_rad: f64,
+        aspect: f64,
+        world_id: u64,
+    ) -> Frame {
+        let moment = self.moment_from(view);
         self.frame_of(moment, fov_y_rad, aspect, world_id)
     }
 
@@ -154,7 +169,7 @@ impl Scene {
             eye,
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
-            chunk_changes: self.world.ground.take_changes(),
+            chunk_changes: self.sim.world.ground.take_changes(),
             figures: moment.figures.into_iter().map(without_who).collect(),
             hand: moment.hand,
             lights: Lights {
@@ -163,7 +178,7 @@ impl Scene {
             },
             marker: moment.mark.map(|mark| mark.marker),
             hit_shapes: Vec::new(),
-            fog_distance_m: self.fog_distance_m(&eye, &*strategy),
+            fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
             contour_bands: self.shown.viewing.contour_bands,
             time_s: moment.simulated_s as f32,
             quality: self.shown.quality,
@@ -172,14 +187,89 @@ impl Scene {
         }
     }
 
-    /// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
-    /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
-    fn fog_distance_m(&self, eye: &Eye, pictured: &dyn Strategy) -> f32 {
-        let far_m = pictured.sight_limit_m(eye);
-        match self.world.strategy.rim_m() {
-            Some(rim) => (rim * 3.0) as f32,
-            None => ((f64::from(self.world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
+    /// What a picture of the last step is taken with.
+    pub fn seen(&self) -> Seen {
+        Seen {
+            eye: self.eye(),
+            bots: Vec::new(),
         }
+    }
+
+    /// Where the brush of a tool in hand would work.
+    pub fn marker(&self) -> Option<Marker> {
+        let mark = self.sim.player.tool?;
+        Some(Marker {
+            point: mark.point,
+            radius_m: self.sim.player.brush_radius_m,
+            active: mark.active,
+            shape: if self.shown.viewing.safe_marker {
+                MarkerShape::SafeRing
+            } else {
+                MarkerShape::Ring
+            },
+        })
+    }
+
+    /// Through which picture the world is seen.
+    pub fn lens(&self) -> &Lens {
+        let own = &self.sim.player.gaze.lens;
+        self.shown.jumped.as_ref().unwrap_or(own)
+    }
+
+    /// Keeps the picture's lens up with the simulation's, which glides: with reduced motion it is where that will be.
+    pub(crate) fn renew_picture(&mut self) {
+        let own = &self.sim.player.gaze.lens;
+        let jumps = self.shown.viewing.reduced_motion && !own.rests();
+        self.shown.jumped = jumps.then(|| {
+            let mut lens = own.clone();
+            lens.jump();
+            lens
+        });
+    }
+
+    /// What the player's picture is taken through.
+    pub(crate) fn picturing(&self) -> Optics {
+        let (lens, viewing) = (self.lens(), self.shown.viewing);
+        Optics {
+            strategy: Arc::clone(lens.strategy()),
+            dial: lens.value(),
+            straight_shots: self.sim.player.gaze.straight_shots,
+            dips: viewing.dips(),
+            reduced_motion: viewing.reduced_motion,
+            own: lens.is_own(),
+        }
+    }
+
+    /// The lens of the player's picture, to be told with the actions that are aimed by it.
+    pub fn aim_of_picture(&self) -> Aim {
+        let (view, value, share) = self.lens().at();
+        Aim {
+            view,
+            value,
+            share,
+            straight_shots: self.sim.player.gaze.straight_shots,
+            dips: self.shown.viewing.dips(),
+        }
+    }
+
+    /// The eye the picture is taken from.
+    pub fn eye(&self) -> Eye {
+        self.camera_pose().eye
+    }
+
+    /// The camera that pictures are taken with.
+    pub(crate) fn camera_pose(&self) -> CameraPose {
+        self.now().camera_through(&self.picturing())
+    }
+}
+
+/// Where nothing further is resident the fog must be complete; a closed space is wholly resident and
+/// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
+fn fog_distance_m(world: &World, eye: &Eye, pictured: &dyn Strategy) -> f32 {
+    let far_m = pictured.sight_limit_m(eye);
+    match world.strategy.rim_m() {
+        Some(rim) => (rim * 3.0) as f32,
+        None => ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
     }
 }
 
@@ -224,15 +314,5 @@ impl Seen {
     pub(crate) fn place(&self, id: u32, otherwise: ChartPoint) -> ChartPoint {
         let found = self.bots.iter().find(|(other, _)| *other == id);
         found.map_or(otherwise, |(_, point)| *point)
-    }
-}
-
-impl Scene {
-    /// What a picture of the last step is taken with.
-    pub fn seen(&self) -> Seen {
-        Seen {
-            eye: self.eye(),
-            bots: Vec::new(),
-        }
     }
 }

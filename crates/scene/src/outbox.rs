@@ -12,4 +12,6 @@ pub(crate) struct Outbox {
     pub hints: Vec<Hint>,
     /// What could be heard.
     pub sounds: Sounds,
+    /// Whether the player fired in the last step.
+    pub fired: bool,
 }

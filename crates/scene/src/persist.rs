@@ -1,23 +1,26 @@
 //! Between the scene and its save: everything the player could change goes out and comes back.
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, HyperbolicMap};
+use antipode_geometry::{ChartPoint, Hemisphere};
 use antipode_storage::{
     BotRecord, DropRecord, LampRecord, PlaceRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 use glam::DVec3;
 
+use crate::actors::Actors;
 use crate::camera::CameraMode;
 use crate::drops::Drop;
-use crate::ground::height_below;
 use crate::inventory::{Inventory, SLOTS, Stack};
 use crate::item::Item;
+use crate::keeping::Keeping;
 use crate::lamp::Lamp;
-use crate::lens::DialGoals;
+use crate::lens::{DialGoals, Lens};
 use crate::notice::Notice;
 use crate::npc::tuning::ANGRY_S;
-use crate::player::{Health, Look};
-use crate::scene::Scene;
+use crate::player::Player;
+use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
+use crate::world::World;
+use crate::{body, bot, car};
 
 /// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
@@ -32,281 +35,277 @@ pub(crate) struct Unknown {
     drops: Vec<DropRecord>,
 }
 
-/// Depth below the player's head searched for ground, in metres.
-pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
+/// The records to commit.
+pub(crate) fn records(now: Situation<'_>, kept: &Keeping) -> (WorldMeta, WorldState) {
+    let mut meta = now.world.setup.to_meta();
+    meta.created_unix_s = kept.created_unix_s;
+    meta.played_s = now.world.simulated_s;
+    meta.cheated = kept.cheated;
+    (meta, state(now, &kept.unknown))
+}
 
-impl Scene {
-    /// The records to commit.
-    pub(crate) fn records(&self) -> (WorldMeta, WorldState) {
-        let mut meta = self.world.setup.to_meta();
-        meta.created_unix_s = self.kept.created_unix_s;
-        meta.played_s = self.world.simulated_s;
-        meta.cheated = self.kept.cheated;
-        (meta, self.state())
-    }
-
-    fn state(&self) -> WorldState {
-        let goals = self.player.lens.goals();
-        let (position, look, body, _) = self.player_parts();
-        let inventory = (0..)
-            .zip(self.player.inventory.slots())
-            .filter_map(|(slot, stack)| {
-                stack.map(|s| SlotRecord {
-                    slot,
-                    item: s.item.id().to_owned(),
-                    count: s.count,
-                })
+fn state(now: Situation<'_>, unknown: &Unknown) -> WorldState {
+    let Situation {
+        world,
+        actors,
+        player,
+    } = now;
+    let lens = &player.gaze.lens;
+    let goals = lens.goals();
+    let inventory = (0..)
+        .zip(player.inventory.slots())
+        .filter_map(|(slot, stack)| {
+            stack.map(|s| SlotRecord {
+                slot,
+                item: s.item.id().to_owned(),
+                count: s.count,
             })
-            .chain(self.kept.unknown.slots.iter().cloned())
-            .collect();
-        WorldState {
-            player: PlayerRecord {
-                hemisphere: hemisphere_record(position.0),
-                pos: position.0.pos.to_array(),
-                vel: body.0.velocity.to_array(),
-                yaw: look.yaw,
-                pitch: look.pitch,
-                health: self.health(),
-                third_person: self.shown.camera == CameraMode::Third,
-                flying: self.player.flying,
-                grounded: body.0.grounded,
-            },
-            item_slot: self.player.inventory.selected(),
-            inventory,
-            time_of_day_s: self.world.time_of_day_s,
-            map: self.player.lens.map().unwrap_or_default().to_string(),
-            curvature: goals.raised,
-            curvature_horizon: goals.horizon,
-            bent: self.player.lens.bend().is_some(),
-            bend: goals.bend,
-            brush_radius_m: self.player.brush_radius_m,
-            simulated_s: self.world.simulated_s,
-            view_distance: self.world.setup.view_distance,
-            flashlight: self.player.flashlight,
-            lamps: self.lamps().iter().map(lamp_record).collect(),
-            drops: self
-                .drops()
-                .iter()
-                .map(drop_record)
-                .chain(self.carried_record())
-                .chain(self.kept.unknown.drops.iter().cloned())
-                .collect(),
-            bots: self.bot_records(),
-            cars: self.car_records(),
-            driving: self
-                .driven_number()
-                .and_then(|number| u32::try_from(number).ok()),
-            car_given: self.actors.cars.given,
-            start: self.player.start.map(|start| PlaceRecord {
-                hemisphere: hemisphere_record(start),
-                pos: start.pos.to_array(),
-            }),
-            been_round: self.player.round.been,
-        }
-    }
-
-    /// What the pointer holds while the backpack is open lies at the player's feet in a save.
-    fn carried_record(&self) -> Option<DropRecord> {
-        let stack = self.player.inventory.carried()?;
-        let middle = self
-            .feet()
-            .moved(DVec3::Y * (0.5 * self.actors.tuning.height_m));
-        Some(drop_record(&Drop::lying(stack, middle)))
-    }
-
-    fn bot_records(&self) -> Vec<BotRecord> {
-        let living = self.bots().into_iter().filter(|view| view.health > 0.0);
-        living
-            .map(|view| BotRecord {
-                hemisphere: hemisphere_record(view.point),
-                pos: view.point.pos.to_array(),
-                yaw: view.yaw,
-                health: view.health,
-                hostile: view.bot.hostile,
-                provoked_s: view.angry_s,
-                native: view.bot.native,
-            })
-            .collect()
-    }
-
-    /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
-    pub(crate) fn restore(&mut self, state: &WorldState) {
-        self.restore_player(&state.player);
-        let start = state.start.as_ref();
-        self.player.start = start.and_then(|it| self.restored_point(it.hemisphere, it.pos));
-        self.player.round.been = state.been_round;
-        self.kept.unknown = Unknown::default();
-        self.player.inventory = Inventory::empty();
-        for record in &state.inventory {
-            if let Some(item) = Item::from_id(&record.item) {
-                let count = record.count.max(1);
-                self.restore_slot(record.slot, Stack { item, count });
-            } else {
-                self.outbox
-                    .notices
-                    .push(Notice::UnknownItem(record.item.clone()));
-                self.kept.unknown.slots.push(record.clone());
-            }
-        }
-        self.player.inventory.select(state.item_slot);
-        self.restore_things(state);
-        let seated = |number: &u32| {
-            let car = usize::try_from(*number)
-                .ok()
-                .and_then(|number| state.cars.get(number));
-            let car = car.and_then(|car| self.restored_point(car.hemisphere, car.pos));
-            let away_m = |car| {
-                self.world
-                    .strategy
-                    .distance_m(self.feet(), car, &self.head())
-            };
-            car.is_some_and(|car| away_m(car) <= SEATED_WITHIN_M)
-        };
-        let driving = state.driving.filter(seated);
-        self.restore_cars(&state.cars, driving, state.car_given);
-        self.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
-        self.restore_lens(state);
-        let (least, most, usual) = BRUSH_RADIUS_M;
-        self.player.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
-        self.world.simulated_s = finite_or(state.simulated_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
-        self.kept.saved_at_s = self.world.simulated_s;
-    }
-
-    /// Puts a saved stack where it was; one without a place goes wherever there is room.
-    fn restore_slot(&mut self, slot: u8, stack: Stack) {
-        if slot < SLOTS && self.player.inventory.slots()[usize::from(slot)].is_none() {
-            self.player.inventory.put(slot, stack);
-        } else {
-            self.player.inventory.give(stack.item, stack.count);
-        }
-    }
-
-    fn restore_things(&mut self, state: &WorldState) {
-        self.player.flashlight = state.flashlight;
-        let point = |hemisphere: u8, pos: [f64; 3]| self.restored_point(hemisphere, pos);
-        let lamps = state.lamps.iter().take(MOST_LAMPS);
-        let lamps: Vec<_> = lamps
-            .filter_map(|it| point(it.hemisphere, it.pos))
-            .map(Lamp::standing)
-            .collect();
-        let mut unknown = Vec::new();
-        let mut drops = Vec::new();
-        for record in state.drops.iter().take(2 * MOST_DROPS) {
-            match (
-                Item::from_id(&record.item),
-                point(record.hemisphere, record.pos),
-            ) {
-                (Some(item), Some(at)) => {
-                    let count = record.count.max(1);
-                    drops.push(Drop::lying(Stack { item, count }, at));
-                }
-                (None, _) => unknown.push(record.clone()),
-                (Some(_), None) => {}
-            }
-        }
-        let bots: Vec<_> = state
-            .bots
-            .iter()
-            .take(MOST_BOTS)
-            .filter(|it| it.yaw.is_finite())
-            .filter_map(|it| point(it.hemisphere, it.pos).map(|at| (it, at)))
-            .collect();
-        self.actors.clear::<Lamp>();
-        self.actors.clear::<Drop>();
-        for lamp in lamps {
-            self.actors.enter(lamp);
-        }
-        for drop in drops {
-            self.actors.enter(drop);
-        }
-        let told = unknown.iter().map(|it| it.item.clone());
-        self.outbox.notices.extend(told.map(Notice::UnknownItem));
-        self.kept.unknown.drops = unknown;
-        for (record, at) in bots {
-            let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
-            let id = self.restore_bot(at, record.yaw, record.hostile, health);
-            let angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
-            self.restore_mind(id, angry_s, record.native);
-        }
-    }
-
-    /// A saved place, if it is one of this world.
-    pub(crate) fn restored_point(&self, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
-        let pos = DVec3::from_array(pos);
-        let hemisphere = if hemisphere == 1 && self.world.strategy.rim_m().is_some() {
-            Hemisphere::B
-        } else {
-            Hemisphere::A
-        };
-        let at = ChartPoint::new(hemisphere, pos);
-        pos.is_finite().then(|| self.within_world(at))
-    }
-
-    fn restore_lens(&mut self, state: &WorldState) {
-        let map = state.map.parse().unwrap_or_else(|_| {
-            self.outbox
-                .notices
-                .push(Notice::UnknownMap(state.map.clone()));
-            HyperbolicMap::default()
-        });
-        let goals = DialGoals {
-            raised: state.curvature,
-            horizon: state.curvature_horizon,
-            bend: state.bend,
-        };
-        self.player.lens.restore(map, state.bent, goals);
-    }
-
-    fn restore_player(&mut self, record: &PlayerRecord) {
-        let numbers = record.pos.iter().chain(&record.vel).chain([
-            &record.yaw,
-            &record.pitch,
-            &record.health,
-        ]);
-        if !numbers.into_iter().all(|n| n.is_finite()) {
-            self.outbox.notices.push(Notice::PlayerDamaged);
-            return;
-        }
-        let hemisphere = if record.hemisphere == 1 && self.world.strategy.rim_m().is_some() {
-            Hemisphere::B
-        } else {
-            Hemisphere::A
-        };
-        let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
-        let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
-        self.place_body(point, velocity, record.grounded);
-        if let Ok((look, health)) = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Look, &mut Health)>(self.actors.player)
-        {
-            *look = Look {
-                yaw: 0.0,
-                pitch: 0.0,
-            };
-            look.turn(record.yaw, record.pitch);
-            health.0 = record.health.clamp(0.0, FULL_HEALTH);
-        }
-        self.shown.camera = if record.third_person {
-            CameraMode::Third
-        } else {
-            CameraMode::First
-        };
-        self.player.flying = record.flying;
-    }
-
-    /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
-    /// the head is in rock with no cave below. Beyond where bodies move it is that of untouched ground, whatever
-    /// happens to be loaded there.
-    pub fn ground_height(&self) -> Option<f64> {
-        height_below(self.head().point, GROUND_SEARCH_M, |point| {
-            let density = if self.world.lets_move(ChunkCoord::containing(point)) {
-                self.world.ground.density(point)
-            } else {
-                self.world.ground.untouched_density(point)
-            };
-            density < 0.0
         })
+        .chain(unknown.slots.iter().cloned())
+        .collect();
+    let lamps = actors.all::<Lamp>().into_iter();
+    let drops = actors.all::<Drop>().into_iter();
+    WorldState {
+        player: player_record(now),
+        item_slot: player.inventory.selected(),
+        inventory,
+        time_of_day_s: world.time_of_day_s,
+        map: lens.map().unwrap_or_default().to_string(),
+        curvature: goals.raised,
+        curvature_horizon: goals.horizon,
+        bent: lens.bend().is_some(),
+        bend: goals.bend,
+        brush_radius_m: player.brush_radius_m,
+        simulated_s: world.simulated_s,
+        view_distance: world.setup.view_distance,
+        flashlight: player.flashlight,
+        lamps: lamps.map(|(_, it)| lamp_record(&it)).collect(),
+        drops: drops
+            .map(|(_, it)| drop_record(&it))
+            .chain(carried_record(now))
+            .chain(unknown.drops.iter().cloned())
+            .collect(),
+        bots: bot_records(actors),
+        cars: car::records(world, &actors.cars),
+        driving: actors
+            .cars
+            .driven_number()
+            .and_then(|number| u32::try_from(number).ok()),
+        car_given: actors.cars.given,
+        start: player.start.map(|start| PlaceRecord {
+            hemisphere: hemisphere_record(start),
+            pos: start.pos.to_array(),
+        }),
+        been_round: player.round.been,
+    }
+}
+
+fn player_record(now: Situation<'_>) -> PlayerRecord {
+    let (position, look) = now.actors.player_stance();
+    let body = now.actors.player_body();
+    PlayerRecord {
+        hemisphere: hemisphere_record(position.0),
+        pos: position.0.pos.to_array(),
+        vel: body.velocity.to_array(),
+        yaw: look.yaw,
+        pitch: look.pitch,
+        health: now.actors.health(),
+        third_person: now.player.gaze.camera == CameraMode::Third,
+        flying: now.player.flying,
+        grounded: body.grounded,
+    }
+}
+
+/// What the pointer holds while the backpack is open lies at the player's feet in a save.
+fn carried_record(now: Situation<'_>) -> Option<DropRecord> {
+    let stack = now.player.inventory.carried()?;
+    let middle_m = 0.5 * now.actors.tuning.height_m;
+    let middle = now.feet().moved(DVec3::Y * middle_m);
+    Some(drop_record(&Drop::lying(stack, middle)))
+}
+
+fn bot_records(actors: &Actors) -> Vec<BotRecord> {
+    let living = bot::views(actors)
+        .into_iter()
+        .filter(|view| view.health > 0.0);
+    living
+        .map(|view| BotRecord {
+            hemisphere: hemisphere_record(view.point),
+            pos: view.point.pos.to_array(),
+            yaw: view.yaw,
+            health: view.health,
+            hostile: view.bot.hostile,
+            provoked_s: view.angry_s,
+            native: view.bot.native,
+        })
+        .collect()
+}
+
+/// Takes in where the player is and how he is; says so where that cannot be.
+pub(crate) fn restore_player(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    record: &PlayerRecord,
+) -> Result<(), Notice> {
+    let numbers =
+        record
+            .pos
+            .iter()
+            .chain(&record.vel)
+            .chain([&record.yaw, &record.pitch, &record.health]);
+    if !numbers.into_iter().all(|n| n.is_finite()) {
+        return Err(Notice::PlayerDamaged);
+    }
+    let hemisphere = hemisphere_of(world, record.hemisphere);
+    let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
+    let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
+    body::place(world, actors, player, point, velocity, record.grounded);
+    actors.set_look(record.yaw, record.pitch);
+    actors.set_health(record.health);
+    player.gaze.camera = if record.third_person {
+        CameraMode::Third
+    } else {
+        CameraMode::First
+    };
+    player.flying = record.flying;
+    Ok(())
+}
+
+/// Takes in what the player has and has chosen. Numbers that no play could have produced are replaced by the start's.
+pub(crate) fn restore_belongings(
+    world: &World,
+    player: &mut Player,
+    unknown: &mut Unknown,
+    state: &WorldState,
+) -> Vec<Notice> {
+    let start = state.start.as_ref();
+    player.start = start.and_then(|it| restored_point(world, it.hemisphere, it.pos));
+    player.round.been = state.been_round;
+    player.flashlight = state.flashlight;
+    let (least, most, usual) = BRUSH_RADIUS_M;
+    player.brush_radius_m = finite_or(state.brush_radius_m, usual).clamp(least, most);
+    player.inventory = Inventory::empty();
+    unknown.slots.clear();
+    let mut notices = Vec::new();
+    for record in &state.inventory {
+        if let Some(item) = Item::from_id(&record.item) {
+            let count = record.count.max(1);
+            restore_slot(&mut player.inventory, record.slot, Stack { item, count });
+        } else {
+            notices.push(Notice::UnknownItem(record.item.clone()));
+            unknown.slots.push(record.clone());
+        }
+    }
+    player.inventory.select(state.item_slot);
+    notices
+}
+
+/// Puts a saved stack where it was; one without a place goes wherever there is room.
+fn restore_slot(inventory: &mut Inventory, slot: u8, stack: Stack) {
+    if slot < SLOTS && inventory.slots()[usize::from(slot)].is_none() {
+        inventory.put(slot, stack);
+    } else {
+        inventory.give(stack.item, stack.count);
+    }
+}
+
+/// Takes in lamps, what lies about, and who is there.
+pub(crate) fn restore_things(
+    world: &World,
+    actors: &mut Actors,
+    unknown: &mut Unknown,
+    state: &WorldState,
+) -> Vec<Notice> {
+    let point = |hemisphere: u8, pos: [f64; 3]| restored_point(world, hemisphere, pos);
+    actors.clear::<Lamp>();
+    let lamps = state.lamps.iter().take(MOST_LAMPS);
+    for at in lamps.filter_map(|it| point(it.hemisphere, it.pos)) {
+        actors.enter(Lamp::standing(at));
+    }
+    actors.clear::<Drop>();
+    unknown.drops.clear();
+    let mut notices = Vec::new();
+    for record in state.drops.iter().take(2 * MOST_DROPS) {
+        let Some(item) = Item::from_id(&record.item) else {
+            notices.push(Notice::UnknownItem(record.item.clone()));
+            unknown.drops.push(record.clone());
+            continue;
+        };
+        if let Some(at) = point(record.hemisphere, record.pos) {
+            let count = record.count.max(1);
+            actors.enter(Drop::lying(Stack { item, count }, at));
+        }
+    }
+    let bots = state.bots.iter().take(MOST_BOTS);
+    for record in bots.filter(|it| it.yaw.is_finite()) {
+        let Some(at) = point(record.hemisphere, record.pos) else {
+            continue;
+        };
+        let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
+        let id = bot::spawn(world, actors, at, record.yaw, record.hostile, health);
+        let angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
+        bot::set_mind(actors, id, angry_s, record.native);
+    }
+    notices
+}
+
+/// Takes in the cars, and the player at the wheel of one if he is close enough to it.
+pub(crate) fn restore_cars(
+    world: &World,
+    actors: &mut Actors,
+    player: &Player,
+    state: &WorldState,
+) {
+    let now = Situation::of(world, actors, player);
+    let seated = |number: &u32| {
+        let car = usize::try_from(*number)
+            .ok()
+            .and_then(|number| state.cars.get(number));
+        let car = car.and_then(|car| restored_point(world, car.hemisphere, car.pos));
+        let away_m = |car| world.strategy.distance_m(now.feet(), car, &now.head());
+        car.is_some_and(|car| away_m(car) <= SEATED_WITHIN_M)
+    };
+    let driving = state.driving.filter(seated);
+    car::restore(
+        world,
+        &mut actors.cars,
+        &state.cars,
+        driving,
+        state.car_given,
+    );
+}
+
+/// Takes in through which picture the player sees; says so where it is not known.
+pub(crate) fn restore_lens(lens: &mut Lens, state: &WorldState) -> Result<(), Notice> {
+    let map = state.map.parse();
+    let goals = DialGoals {
+        raised: state.curvature,
+        horizon: state.curvature_horizon,
+        bend: state.bend,
+    };
+    let known = map.is_ok();
+    lens.restore(map.unwrap_or_default(), state.bent, goals);
+    if known {
+        Ok(())
+    } else {
+        Err(Notice::UnknownMap(state.map.clone()))
+    }
+}
+
+/// A saved place, if it is one of this world.
+pub(crate) fn restored_point(world: &World, hemisphere: u8, pos: [f64; 3]) -> Option<ChartPoint> {
+    let pos = DVec3::from_array(pos);
+    let at = ChartPoint::new(hemisphere_of(world, hemisphere), pos);
+    pos.is_finite()
+        .then(|| body::within_world(&*world.strategy, at))
+}
+
+fn hemisphere_of(world: &World, record: u8) -> Hemisphere {
+    if record == 1 && world.strategy.rim_m().is_some() {
+        Hemisphere::B
+    } else {
+        Hemisphere::A
     }
 }
 

@@ -4,11 +4,11 @@
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::DVec3;
 
-use crate::frame::Frame;
 use crate::lens::Lens;
 use crate::player::wrap_angle;
 use crate::scene::Scene;
 use crate::tuning::{CAMERA_RADIUS_M, PITCH_LIMIT_RAD};
+use crate::world::World;
 
 /// A camera stops so far before it touches the ground, metres: what touches from the start is not told from what is in it.
 const OFF_GROUND_M: f64 = 0.02;
@@ -82,62 +82,40 @@ impl Viewpoint {
     }
 }
 
-impl Scene {
-    /// Moves a camera as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. One that is in
+impl Viewpoint {
+    /// Moves as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. A camera that is in
     /// it, since land came where it was, gets out.
-    pub fn fly_view(&self, view: &mut Viewpoint, by: DVec3) {
-        let way = view.way(by);
+    pub(crate) fn fly_over(&mut self, world: &World, by: DVec3) {
+        let way = self.way(by);
         let level = way.with_y(0.0);
-        let left = level - self.go_freely(view, level);
+        let left = level - self.go_freely(world, level);
         if left != DVec3::ZERO {
-            self.go_freely(view, DVec3::Y * left.length());
-            self.go_freely(view, left);
+            self.go_freely(world, DVec3::Y * left.length());
+            self.go_freely(world, left);
         }
-        self.go_freely(view, DVec3::Y * way.y);
+        self.go_freely(world, DVec3::Y * way.y);
     }
 
-    /// Moves a camera as far along a leg as is free, and tells how far that is. Over the equator legs turn with it.
-    fn go_freely(&self, view: &mut Viewpoint, leg: DVec3) -> DVec3 {
-        let free = self.free_leg(view.eye.point, leg);
-        view.go(&*self.world.strategy, free);
+    /// Moves as far along a leg as is free, and tells how far that is. Over the equator legs turn with it.
+    fn go_freely(&mut self, world: &World, leg: DVec3) -> DVec3 {
+        let free = free_leg(world, self.eye.point, leg);
+        self.go(&*world.strategy, free);
         free
     }
+}
 
-    /// As much of a leg as keeps a camera off the ground.
-    fn free_leg(&self, from: ChartPoint, leg: DVec3) -> DVec3 {
-        let (length_m, way) = (leg.length(), leg.normalize_or_zero());
-        let at = from.pos + self.world.strategy.chart_origin_m(from.hemisphere);
-        let reach_m = length_m + OFF_GROUND_M;
-        match self
-            .world
-            .physics
-            .cast_sphere(at, way, CAMERA_RADIUS_M, reach_m)
-        {
-            None => leg,
-            Some(free_m) if free_m > 0.0 => way * (free_m - OFF_GROUND_M).clamp(0.0, length_m),
-            Some(_) => {
-                let into = self.world.ground.is_solid(from.moved(leg))
-                    && !self.world.ground.is_solid(from);
-                if into { DVec3::ZERO } else { leg }
-            }
+/// As much of a leg as keeps a camera off the ground.
+fn free_leg(world: &World, from: ChartPoint, leg: DVec3) -> DVec3 {
+    let (length_m, way) = (leg.length(), leg.normalize_or_zero());
+    let at = from.pos + world.strategy.chart_origin_m(from.hemisphere);
+    let reach_m = length_m + OFF_GROUND_M;
+    match world.physics.cast_sphere(at, way, CAMERA_RADIUS_M, reach_m) {
+        None => leg,
+        Some(free_m) if free_m > 0.0 => way * (free_m - OFF_GROUND_M).clamp(0.0, length_m),
+        Some(_) => {
+            let into = world.ground.is_solid(from.moved(leg)) && !world.ground.is_solid(from);
+            if into { DVec3::ZERO } else { leg }
         }
-    }
-
-    /// The snapshot to draw from a viewpoint. Terrain changes are handed over once, as by [`Scene::frame`].
-    pub fn frame_from(
-        &mut self,
-        view: &Viewpoint,
-        fov_y_rad: f64,
-        aspect: f64,
-        world_id: u64,
-    ) -> Frame {
-        let moment = self.moment_from(view);
-        self.frame_of(moment, fov_y_rad, aspect, world_id)
-    }
-
-    /// Has land made around a camera that is elsewhere than the player, or around the player again.
-    pub fn watch_from(&mut self, eye: Option<Eye>) {
-        self.shown.watched = eye;
     }
 }
 
@@ -173,7 +151,7 @@ mod tests {
             let (start, mut nearest) = (view.eye.point, f32::INFINITY);
             for _ in 0..400 {
                 scene.fly_view(&mut view, DVec3::Z * 0.05);
-                nearest = nearest.min(scene.world.ground.density(view.eye.point));
+                nearest = nearest.min(scene.sim.world.ground.density(view.eye.point));
             }
             assert!(nearest > 0.0, "{geometry:?}: {nearest} in the ground");
             assert!(

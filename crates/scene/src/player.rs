@@ -6,35 +6,31 @@ use antipode_physics::Character;
 use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
-use crate::aimed::{Aim, Optics};
+use crate::aimed::Gaze;
 use crate::frame::ModelId;
 use crate::harm::Condition;
 use crate::inventory::Inventory;
 use crate::lens::Lens;
 use crate::motion::{Doing, Motion};
 use crate::round::Round;
+use crate::tool::ToolMark;
 use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH, PITCH_LIMIT_RAD};
 
 /// What the player alone has and does, besides the components of a figure.
 pub(crate) struct Player {
     pub inventory: Inventory,
-    /// Through which picture the player aims, if the actions do not tell.
-    pub lens: Lens,
-    /// What the last step's actions were aimed through, if they told.
-    pub aimed: Option<(Aim, Optics)>,
+    pub gaze: Gaze,
+    /// Where the tool in hand works.
+    pub tool: Option<ToolMark>,
     pub brush_radius_m: f64,
     pub flying: bool,
     pub condition: Condition,
-    /// Whether bullets follow the space's geodesics.
-    pub straight_shots: bool,
     /// Until the gun can be fired again, seconds.
     pub gun_rests_s: f64,
     /// Whether each button was down in the step before.
     pub primary_before: bool,
     pub secondary_before: bool,
     pub flashlight: bool,
-    /// No hostile figure comes before that time.
-    pub peace_until_s: f64,
     /// Where the player stands up again, unless the land alone decides.
     pub start: Option<ChartPoint>,
     pub round: Round,
@@ -47,17 +43,15 @@ impl Player {
     pub fn new(lens: Lens) -> Self {
         Self {
             inventory: Inventory::default(),
-            lens,
-            aimed: None,
+            gaze: Gaze::through(lens),
+            tool: None,
             brush_radius_m: BRUSH_RADIUS_M.2,
             flying: false,
             condition: Condition::default(),
-            straight_shots: false,
             gun_rests_s: 0.0,
             primary_before: false,
             secondary_before: false,
             flashlight: false,
-            peace_until_s: crate::npc::tuning::PEACE_S,
             start: None,
             round: Round::default(),
             body_unchecked: true,
@@ -89,6 +83,12 @@ pub struct Look {
 }
 
 impl Look {
+    /// Along +x.
+    pub const LEVEL: Self = Self {
+        yaw: 0.0,
+        pitch: 0.0,
+    };
+
     /// Turns by the angles given in radians, keeping short of the vertical.
     pub fn turn(&mut self, yaw: f64, pitch: f64) {
         self.yaw = wrap_angle(self.yaw + yaw);

@@ -4,23 +4,18 @@ use std::sync::Arc;
 
 use antipode_geometry::Eye;
 
-use crate::camera::CameraMode;
 use crate::detail::Sight;
-use crate::dip::HeadDip;
-use crate::frame::{Marker, Quality};
+use crate::frame::Quality;
 use crate::hand::HandMotion;
 use crate::lens::Lens;
 use crate::tuning::PICTURE_HEIGHT_PX;
 use crate::viewing::Viewing;
 
-/// Camera, hand, marker and what pictures are made for.
+/// The picture's lens, the hand, and what pictures are made for.
 pub(crate) struct Presentation {
-    pub camera: CameraMode,
-    pub marker: Option<Marker>,
     pub viewing: Viewing,
     /// The picture's lens where it is not the simulation's, which glides.
     pub jumped: Option<Lens>,
-    pub dip: HeadDip,
     pub quality: Quality,
     /// How what is in the player's hand moves.
     pub hand: HandMotion,
@@ -35,11 +30,8 @@ pub(crate) struct Presentation {
 impl Default for Presentation {
     fn default() -> Self {
         Self {
-            camera: CameraMode::First,
-            marker: None,
             viewing: Viewing::default(),
             jumped: None,
-            dip: HeadDip::default(),
             quality: Quality::default(),
             hand: HandMotion::default(),
             picture_height_px: PICTURE_HEIGHT_PX,

@@ -1,18 +1,23 @@
-//! What the probe says of the scene at a moment.
+//! What the probe says of the world at a moment.
 
 use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
+use antipode_physics::Character;
 use glam::DVec3;
 
+use crate::actors::ActorId;
+use crate::bot::{self, BotView};
 use crate::car::CarView;
 use crate::day;
+use crate::drops::Drop;
+use crate::frame::Quality;
 use crate::item::Item;
-use crate::player::Health;
+use crate::lamp::Lamp;
 use crate::probe::{
     BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe,
     Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
 };
-use crate::scene::Scene;
-use crate::tuning::FULL_HEALTH;
+use crate::projectile::Projectile;
+use crate::situation::Situation;
 
 fn hemisphere(point: ChartPoint) -> char {
     match point.hemisphere {
@@ -39,159 +44,143 @@ fn car_probe(car: &CarView) -> CarProbe {
     }
 }
 
-impl Scene {
-    /// The player's health.
-    pub fn health(&self) -> f64 {
-        self.actors
-            .ecs
-            .get::<&Health>(self.actors.player)
-            .map_or(FULL_HEALTH, |health| health.0)
+/// The state of the world for a script, and how pictures of it are taken.
+pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
+    let Situation {
+        world,
+        actors,
+        player,
+    } = now;
+    let curved_radius = world.strategy.radius_m();
+    let lens = &player.gaze.lens;
+    let cars = actors.cars.views(world);
+    Probe {
+        t: world.simulated_s,
+        world: world.setup.name.clone(),
+        seed: world.setup.seed,
+        geometry: world.setup.geometry.to_string(),
+        radius: curved_radius.is_finite().then_some(curved_radius),
+        map: lens.map().map(HyperbolicMap::name),
+        curvature: lens.curvature(),
+        bend: lens.bend(),
+        quality: quality.name(),
+        time_of_day: world.time_of_day_s,
+        hour: world.local_time_s(now.feet()).map(day::hour),
+        player: player_probe(now),
+        camera: camera_probe(now),
+        item: player.inventory.held().map(Item::id),
+        inventory: (0..)
+            .zip(player.inventory.slots())
+            .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
+            .collect(),
+        marker: MarkerProbe {
+            pos: player.tool.map(|mark| mark.point.pos.to_array()),
+            radius: player.brush_radius_m,
+        },
+        flashlight: player.flashlight,
+        car: near_car(now, &cars).map(car_probe),
+        cars: cars.iter().map(car_probe).collect(),
+        bots: bot::views(actors).iter().map(bot_probe).collect(),
+        projectiles: actors.all().into_iter().map(projectile_probe).collect(),
+        lamps: actors.all().into_iter().map(lamp_probe).collect(),
+        drops: actors.all().into_iter().map(drop_probe).collect(),
+        chunks: ChunkProbe {
+            resident: world.ground.count(),
+            pending: world.streamer.pending(),
+            triangles: world.ground.triangles(),
+            edited: world.streamer.edited_count(),
+        },
+        terrain: TerrainProbe {
+            ground_height: world.ground_height(now.head().point),
+        },
     }
+}
 
-    /// The state of the world for a script.
-    pub fn probe(&self) -> Probe {
-        let curved_radius = self.world.strategy.radius_m();
-        Probe {
-            t: self.world.simulated_s,
-            world: self.world.setup.name.clone(),
-            seed: self.world.setup.seed,
-            geometry: self.world.setup.geometry.to_string(),
-            radius: curved_radius.is_finite().then_some(curved_radius),
-            map: self.player.lens.map().map(HyperbolicMap::name),
-            curvature: self.player.lens.curvature(),
-            bend: self.player.lens.bend(),
-            quality: self.shown.quality.name(),
-            time_of_day: self.world.time_of_day_s,
-            hour: self.local_time_s().map(day::hour),
-            player: self.player_probe(),
-            camera: self.camera_probe(),
-            item: self.player.inventory.held().map(Item::id),
-            inventory: (0..)
-                .zip(self.player.inventory.slots())
-                .filter_map(|(slot, stack)| stack.map(|stack| SlotProbe { slot, stack }))
-                .collect(),
-            marker: MarkerProbe {
-                pos: self.shown.marker.map(|m| m.point.pos.to_array()),
-                radius: self.player.brush_radius_m,
-            },
-            flashlight: self.player.flashlight,
-            car: self.near_car().map(|car| car_probe(&car)),
-            cars: self.cars().iter().map(car_probe).collect(),
-            bots: self.bot_probes(),
-            projectiles: self.projectile_probes(),
-            lamps: self.lamp_probes(),
-            drops: self.drop_probes(),
-            chunks: ChunkProbe {
-                resident: self.world.ground.count(),
-                pending: self.world.streamer.pending(),
-                triangles: self.world.ground.triangles(),
-                edited: self.world.streamer.edited_count(),
-            },
-            terrain: TerrainProbe {
-                ground_height: self.ground_height(),
-            },
-        }
+fn player_probe(now: Situation<'_>) -> PlayerProbe {
+    let (position, look) = now.actors.player_stance();
+    let body = now.actors.player_body();
+    PlayerProbe {
+        pos: position.0.pos.to_array(),
+        vel: body.velocity.to_array(),
+        yaw: look.yaw.to_degrees(),
+        pitch: look.pitch.to_degrees(),
+        grounded: body.grounded,
+        health: now.actors.health(),
+        hemisphere: hemisphere(position.0),
+        in_car: now.actors.cars.is_driving(),
+        animation: animation(now, &body),
     }
+}
 
-    fn player_probe(&self) -> PlayerProbe {
-        let (position, look, body, _) = self.player_parts();
-        PlayerProbe {
-            pos: position.0.pos.to_array(),
-            vel: body.0.velocity.to_array(),
-            yaw: look.yaw.to_degrees(),
-            pitch: look.pitch.to_degrees(),
-            grounded: body.0.grounded,
-            health: self.health(),
-            hemisphere: hemisphere(position.0),
-            in_car: self.is_driving(),
-            animation: self.animation(),
-        }
+fn camera_probe(now: Situation<'_>) -> CameraProbe {
+    let optics = now.aiming();
+    let eye = now.camera_through(&optics).eye;
+    CameraProbe {
+        pos: eye.point.pos.to_array(),
+        mode: now.player.gaze.camera.id(),
+        curved: optics.strategy.curved(&eye, eye.point).to_array(),
     }
+}
 
-    fn camera_probe(&self) -> CameraProbe {
-        let optics = self.aiming();
-        let eye = self.camera_through(&optics).eye;
-        CameraProbe {
-            pos: eye.point.pos.to_array(),
-            mode: self.shown.camera.id(),
-            curved: optics.strategy.curved(&eye, eye.point).to_array(),
-        }
+fn animation(now: Situation<'_>, body: &Character) -> &'static str {
+    let speed = body.velocity.x.hypot(body.velocity.z);
+    if now.player.is_dead() {
+        return "die";
     }
-
-    fn animation(&self) -> &'static str {
-        let (_, _, body, _) = self.player_parts();
-        let speed = body.0.velocity.x.hypot(body.0.velocity.z);
-        if self.is_dead() {
-            return "die";
-        }
-        if self.is_driving() {
-            return "drive";
-        }
-        match (self.player.flying, body.0.grounded) {
-            (true, _) => "fly",
-            (false, false) => "jump",
-            _ if speed < 0.3 => "idle",
-            _ if speed > self.actors.tuning.walk_speed_m_s * 1.2 => "run",
-            _ => "walk",
-        }
+    if now.actors.cars.is_driving() {
+        return "drive";
     }
-
-    /// The car that is driven, else the nearest.
-    fn near_car(&self) -> Option<CarView> {
-        let (head, feet) = (self.head(), self.feet());
-        let distance_m = |car: &CarView| self.world.strategy.distance_m(feet, car.point, &head);
-        self.driven_car().or_else(|| {
-            self.cars()
-                .into_iter()
-                .min_by(|a, b| distance_m(a).total_cmp(&distance_m(b)))
-        })
+    match (now.player.flying, body.grounded) {
+        (true, _) => "fly",
+        (false, false) => "jump",
+        _ if speed < 0.3 => "idle",
+        _ if speed > now.actors.tuning.walk_speed_m_s * 1.2 => "run",
+        _ => "walk",
     }
+}
 
-    fn bot_probes(&self) -> Vec<BotProbe> {
-        self.bots()
-            .iter()
-            .map(|view| BotProbe {
-                id: view.bot.id,
-                pos: view.point.pos.to_array(),
-                health: view.health,
-                hostile: view.fights,
-                hemisphere: hemisphere(view.point),
-                state: view.state.name(),
-            })
-            .collect()
+/// The car that is driven, else the nearest.
+fn near_car<'c>(now: Situation<'_>, cars: &'c [CarView]) -> Option<&'c CarView> {
+    let (head, feet) = (now.head(), now.feet());
+    let distance_m = |car: &CarView| now.world.strategy.distance_m(feet, car.point, &head);
+    cars.iter().find(|car| car.driven).or_else(|| {
+        cars.iter()
+            .min_by(|a, b| distance_m(a).total_cmp(&distance_m(b)))
+    })
+}
+
+fn bot_probe(view: &BotView) -> BotProbe {
+    BotProbe {
+        id: view.bot.id,
+        pos: view.point.pos.to_array(),
+        health: view.health,
+        hostile: view.fights,
+        hemisphere: hemisphere(view.point),
+        state: view.state.name(),
     }
+}
 
-    fn projectile_probes(&self) -> Vec<ProjectileProbe> {
-        self.projectiles()
-            .into_iter()
-            .map(|(id, bullet)| ProjectileProbe {
-                id: id.0,
-                pos: bullet.point.pos.to_array(),
-                vel: bullet.velocity.to_array(),
-                age: bullet.age_s,
-                hemisphere: hemisphere(bullet.point),
-            })
-            .collect()
+fn projectile_probe((id, bullet): (ActorId, Projectile)) -> ProjectileProbe {
+    ProjectileProbe {
+        id: id.0,
+        pos: bullet.point.pos.to_array(),
+        vel: bullet.velocity.to_array(),
+        age: bullet.age_s,
+        hemisphere: hemisphere(bullet.point),
     }
+}
 
-    fn lamp_probes(&self) -> Vec<LampProbe> {
-        self.lamps()
-            .iter()
-            .map(|lamp| LampProbe {
-                pos: lamp.point.pos.to_array(),
-                hemisphere: hemisphere(lamp.point),
-            })
-            .collect()
+fn lamp_probe((_, lamp): (ActorId, Lamp)) -> LampProbe {
+    LampProbe {
+        pos: lamp.point.pos.to_array(),
+        hemisphere: hemisphere(lamp.point),
     }
+}
 
-    fn drop_probes(&self) -> Vec<DropProbe> {
-        self.drops()
-            .iter()
-            .map(|drop| DropProbe {
-                stack: drop.stack,
-                pos: drop.point.pos.to_array(),
-                hemisphere: hemisphere(drop.point),
-            })
-            .collect()
+fn drop_probe((_, drop): (ActorId, Drop)) -> DropProbe {
+    DropProbe {
+        stack: drop.stack,
+        pos: drop.point.pos.to_array(),
+        hemisphere: hemisphere(drop.point),
     }
 }

@@ -6,10 +6,12 @@
 
 use std::f64::consts::TAU;
 
+use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
 use crate::notice::Hint;
-use crate::scene::Scene;
+use crate::outbox::Outbox;
+use crate::world::World;
 
 /// The way is kept by places so far apart, as an angle about the world's middle, in radians.
 const PACE_RAD: f64 = 3.0 * TAU / 360.0;
@@ -72,23 +74,18 @@ fn leads_round(way: &[DVec3], at: DVec3) -> bool {
         && since.iter().any(|place| away_rad(&place) > OPPOSITE_RAD)
 }
 
-impl Scene {
-    /// Tells the player of the first time round.
-    pub(crate) fn notice_round(&mut self) {
-        if self.player.round.been || self.world.strategy.rim_m().is_none() {
-            return;
-        }
-        let at = self.world.strategy.noise_point(self.feet());
-        let Some(at) = at.try_normalize() else {
-            return;
-        };
-        if self.player.round.go_on(at) {
-            self.player.round.been = true;
-            let round_m = TAU * self.world.strategy.radius_m();
-            self.outbox
-                .hints
-                .push(Hint::BeenRound(round_m.round() as u32));
-        }
+/// Tells the player of the first time round.
+pub(crate) fn notice(world: &World, feet: ChartPoint, round: &mut Round, outbox: &mut Outbox) {
+    if round.been || world.strategy.rim_m().is_none() {
+        return;
+    }
+    let Some(at) = world.strategy.noise_point(feet).try_normalize() else {
+        return;
+    };
+    if round.go_on(at) {
+        round.been = true;
+        let round_m = TAU * world.strategy.radius_m();
+        outbox.hints.push(Hint::BeenRound(round_m.round() as u32));
     }
 }
 

@@ -2,27 +2,27 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Strategy, strategy};
+use antipode_geometry::strategy;
 use antipode_storage::{StorageError, WorldState, WorldStore};
 use antipode_streaming::{Config, Streamer};
-use antipode_terrain::{Biome, Field};
-use glam::DVec3;
+use antipode_terrain::Field;
 
+use crate::actions::Actions;
 use crate::actors::Actors;
-use crate::aimed::Optics;
-use crate::camera::{self, CameraMode, CameraPose};
-use crate::day;
-use crate::frame::{Marker, Quality};
-use crate::inventory::Inventory;
+use crate::hand::HandStep;
 use crate::keeping::Keeping;
 use crate::lens::Lens;
-use crate::notice::{Hint, Notice};
+use crate::notice::Notice;
 use crate::outbox::Outbox;
-use crate::persist::{LONGEST_PLAYED_S, finite_or};
-use crate::player::{self, Appearance, Body, Health, Look, Player, Position};
+use crate::persist::{self, finite_or};
+use crate::player::{Look, Player};
 use crate::presentation::Presentation;
 use crate::setup::{SceneError, WorldSetup};
-use crate::tuning::VIEW_DISTANCE_CHUNKS;
+use crate::simulation::Simulation;
+use crate::situation::Situation;
+use crate::spawn::first_pitch_rad;
+#[cfg(doc)]
+use crate::tuning::STEP_S;
 use crate::world::World;
 
 /// How many damaged places of a save are told one by one.
@@ -30,19 +30,16 @@ const MOST_PROBLEMS_TOLD: usize = 3;
 
 /// One world being played.
 pub struct Scene {
-    pub(crate) world: World,
-    pub(crate) actors: Actors,
-    pub(crate) player: Player,
+    pub(crate) sim: Simulation,
     pub(crate) shown: Presentation,
     pub(crate) kept: Keeping,
-    pub(crate) outbox: Outbox,
 }
 
 impl std::fmt::Debug for Scene {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Scene")
-            .field("setup", &self.world.setup)
-            .field("simulated_s", &self.world.simulated_s)
+            .field("setup", &self.sim.world.setup)
+            .field("simulated_s", &self.sim.world.simulated_s)
             .finish_non_exhaustive()
     }
 }
@@ -64,7 +61,7 @@ impl Scene {
         let stored = store.is_some();
         let streamer = Streamer::start(Arc::clone(&field), strategy, store, Config::default())?;
         let mut scene = Self::fresh(setup, &field, streamer);
-        scene.outbox.notices = notices;
+        scene.sim.outbox.notices = notices;
         scene.kept.stored = stored;
         scene.kept.created_unix_s = meta.created_unix_s;
         scene.kept.cheated = meta.cheated;
@@ -72,10 +69,14 @@ impl Scene {
             scene.restore(&state);
         } else {
             // Of a world whose state is damaged that much is known.
-            scene.world.simulated_s = finite_or(meta.played_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
-            scene.kept.saved_at_s = scene.world.simulated_s;
-            scene.look_at_ground(&field);
+            scene.sim.world.set_simulated_s(meta.played_s);
+            let pitch = first_pitch_rad(&field, &scene.head(), &**scene.lens().strategy());
+            let actors = &mut scene.sim.actors;
+            if let Ok(mut look) = actors.ecs.get::<&mut Look>(actors.player) {
+                look.pitch = pitch;
+            }
         }
+        scene.kept.saved_at_s = scene.sim.world.simulated_s;
         scene.kept.changed = false;
         scene.request_ground();
         Ok(scene)
@@ -85,240 +86,55 @@ impl Scene {
     fn fresh(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
         let lens = Lens::new(setup.geometry, setup.radius_m);
         Self {
-            world: World::new(setup.within_range(), field, streamer),
-            actors: Actors::new(field),
-            player: Player::new(lens),
+            sim: Simulation {
+                world: World::new(setup.within_range(), field, streamer),
+                actors: Actors::new(field),
+                player: Player::new(lens),
+                outbox: Outbox::default(),
+            },
             shown: Presentation::default(),
             kept: Keeping::default(),
-            outbox: Outbox::default(),
         }
     }
 
-    /// What makes this world the one it is.
-    pub fn setup(&self) -> &WorldSetup {
-        &self.world.setup
+    /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
+    fn restore(&mut self, state: &WorldState) {
+        let Simulation {
+            world,
+            actors,
+            player,
+            outbox,
+        } = &mut self.sim;
+        let unknown = &mut self.kept.unknown;
+        let placed = persist::restore_player(world, actors, player, &state.player);
+        outbox.notices.extend(placed.err());
+        world.centre_on_body(actors.feet());
+        let notices = persist::restore_belongings(world, player, unknown, state);
+        outbox.notices.extend(notices);
+        let notices = persist::restore_things(world, actors, unknown, state);
+        outbox.notices.extend(notices);
+        persist::restore_cars(world, actors, player, state);
+        world.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
+        let pictured = persist::restore_lens(&mut player.gaze.lens, state);
+        outbox.notices.extend(pictured.err());
+        world.set_simulated_s(state.simulated_s);
     }
 
-    /// Name of the biome of this seed.
-    pub fn biome(&self) -> &'static str {
-        Biome::from_seed(self.world.setup.seed).name()
+    /// How things stand.
+    pub(crate) fn now(&self) -> Situation<'_> {
+        self.sim.now()
     }
 
-    /// The strategy of the world itself; pictures are taken with that of [`Scene::lens`].
-    pub fn strategy(&self) -> &Arc<dyn Strategy> {
-        &self.world.strategy
-    }
-
-    /// The player's hotbar.
-    pub fn inventory(&self) -> &Inventory {
-        &self.player.inventory
-    }
-
-    /// The player's hotbar, to change it.
-    pub fn inventory_mut(&mut self) -> &mut Inventory {
+    /// Advances the world by one step of [`STEP_S`] seconds.
+    ///
+    /// While the ground around the player is not there yet the body is held still; everything else goes on.
+    pub fn step(&mut self, actions: &Actions) {
         self.kept.changed = true;
-        &mut self.player.inventory
-    }
-
-    /// Radius of the brush in metres.
-    pub fn brush_radius_m(&self) -> f64 {
-        self.player.brush_radius_m
-    }
-
-    /// Time of day in seconds, 0 to 600.
-    pub fn time_of_day_s(&self) -> f64 {
-        self.world.time_of_day_s
-    }
-
-    /// The time of day where the player is, in seconds, 0 to 600; none at the poles of the sun's way.
-    pub fn local_time_s(&self) -> Option<f64> {
-        day::local_time_s(self.world.time_of_day_s, &*self.world.strategy, self.feet())
-    }
-
-    /// Sets the time of day in seconds; it wraps at a day's length.
-    pub fn set_time_of_day_s(&mut self, time_s: f64) {
-        self.world.time_of_day_s = time_s.rem_euclid(crate::tuning::DAY_S);
-        self.kept.changed = true;
-    }
-
-    /// Simulated time since the world was made, in seconds.
-    pub fn simulated_s(&self) -> f64 {
-        self.world.simulated_s
-    }
-
-    /// Whether a command that cheats was ever used in this world.
-    pub fn cheated(&self) -> bool {
-        self.kept.cheated
-    }
-
-    /// Marks the world as one in which a command that cheats was used, for ever.
-    pub fn mark_cheated(&mut self) {
-        self.kept.cheated = true;
-        self.kept.changed = true;
-    }
-
-    /// Whether the player flies as a spectator.
-    pub fn flying(&self) -> bool {
-        self.player.flying
-    }
-
-    /// Lets the player fly as a spectator, out of a car, through everything and without weight, or walk again. Whose
-    /// flight ends inside the ground is lifted out of it in the next step.
-    pub fn set_flying(&mut self, flying: bool) {
-        if flying {
-            self.get_out();
-        }
-        self.player.body_unchecked |= self.player.flying && !flying;
-        self.player.flying = flying;
-        self.kept.changed = true;
-    }
-
-    /// How far chunks are loaded.
-    pub fn view_distance(&self) -> u32 {
-        self.world.setup.view_distance
-    }
-
-    /// Sets how far chunks are loaded, within the allowed range.
-    pub fn set_view_distance(&mut self, chunks: u32) {
-        let (least, most, _) = VIEW_DISTANCE_CHUNKS;
-        self.world.setup.view_distance = chunks.clamp(least, most);
-        self.kept.changed = true;
-        self.request_ground();
-    }
-
-    /// Sets the player's health, kept within 0 and full.
-    pub fn set_health(&mut self, health: f64) {
-        if let Ok(mut own) = self.actors.ecs.get::<&mut Health>(self.actors.player) {
-            own.0 = health.clamp(0.0, crate::tuning::FULL_HEALTH);
-        }
-        self.kept.changed = true;
-    }
-
-    /// Points the view, in radians.
-    pub fn aim(&mut self, yaw_rad: f64, pitch_rad: f64) {
-        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
-            *look = Look {
-                yaw: 0.0,
-                pitch: 0.0,
-            };
-            look.turn(yaw_rad, pitch_rad);
-        }
-        if let Some(driving) = &mut self.actors.cars.driving {
-            driving.chase.aim(yaw_rad, pitch_rad);
-        }
-        self.kept.changed = true;
-        self.update_marker();
-    }
-
-    /// The player's feet, view and body.
-    pub(crate) fn player_parts(&self) -> (Position, Look, Body, Appearance) {
-        let fallback = || {
-            let (p, l, b, _, a) = player::components(
-                ChartPoint::a(DVec3::ZERO),
-                Look {
-                    yaw: 0.0,
-                    pitch: 0.0,
-                },
-            );
-            (p, l, b, a)
-        };
-        self.actors
-            .ecs
-            .query_one::<(&Position, &Look, &Body, &Appearance)>(self.actors.player)
-            .get()
-            .map_or_else(|_| fallback(), |(p, l, b, a)| (*p, *l, b.clone(), *a))
-    }
-
-    /// Where the player's feet are.
-    pub fn feet(&self) -> ChartPoint {
-        self.player_parts().0.0
-    }
-
-    /// The eye in the player's head, as the simulation has it.
-    pub fn head(&self) -> Eye {
-        self.head_through(&self.aiming())
-    }
-
-    /// The eye in the player's head, looking through that.
-    pub(crate) fn head_through(&self, optics: &Optics) -> Eye {
-        if let Some(head) = self.driver_head(optics) {
-            return head;
-        }
-        let (position, look, ..) = self.player_parts();
-        // Seen from behind, the body does not dip, and the camera would shake without a cause.
-        let dip_m = match self.shown.camera {
-            CameraMode::First if optics.dips => self.shown.dip.depth_m(),
-            CameraMode::First | CameraMode::Third => 0.0,
-        };
-        let height_m = self.actors.tuning.eye_height_m() - dip_m;
-        player::eye(&position, &look, optics.dial, height_m)
-    }
-
-    /// The eye the picture is taken from.
-    pub fn eye(&self) -> Eye {
-        self.camera_pose().eye
-    }
-
-    /// The camera that pictures are taken with.
-    pub(crate) fn camera_pose(&self) -> CameraPose {
-        self.camera_through(&self.picturing())
-    }
-
-    /// The camera, looking through that.
-    pub(crate) fn camera_through(&self, optics: &Optics) -> CameraPose {
-        if let Some(camera) = self.driver_camera(optics) {
-            return camera;
-        }
-        let mut head = self.head_through(optics);
-        if let Some(dead_s) = self
-            .dead_s()
-            .filter(|_| self.shown.camera == CameraMode::First)
-        {
-            head = camera::fallen(
-                &head,
-                if optics.reduced_motion {
-                    f64::INFINITY
-                } else {
-                    dead_s
-                },
-            );
-        }
-        camera::place(
-            self.shown.camera,
-            &head,
-            &*optics.strategy,
-            &self.world.physics,
-        )
-    }
-
-    /// From where the player sees the world.
-    pub fn camera_mode(&self) -> CameraMode {
-        self.shown.camera
-    }
-
-    /// Where the brush of a tool in hand would work.
-    pub fn marker(&self) -> Option<Marker> {
-        self.shown.marker
-    }
-
-    /// How much exactness pictures trade for speed.
-    pub fn quality(&self) -> Quality {
-        self.shown.quality
-    }
-
-    /// Sets how much exactness pictures trade for speed; no part of the world, so nothing of it is saved.
-    pub fn set_quality(&mut self, quality: Quality) {
-        self.shown.quality = quality;
-    }
-
-    /// What has gone wrong since they were last taken.
-    pub fn take_notices(&mut self) -> Vec<Notice> {
-        std::mem::take(&mut self.outbox.notices)
-    }
-
-    /// Short answers to what the player did that have come up since they were last taken.
-    pub fn take_hints(&mut self) -> Vec<Hint> {
-        std::mem::take(&mut self.outbox.hints)
+        self.sim.step(actions);
+        self.renew_picture();
+        let still = self.shown.viewing.reduced_motion;
+        self.shown.hand.step(&HandStep::of(&self.sim), still);
+        self.autosave();
     }
 }
 

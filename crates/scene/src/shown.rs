@@ -5,101 +5,108 @@ use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::bot::Bot;
-use crate::drops::Drop;
+use crate::car::lights::{seat_figure, show_cars};
+use crate::drops::{self, Drop};
 use crate::frame::{Figure, ModelId};
 use crate::lamp::Lamp;
 use crate::moment::Who;
 use crate::npc::mind::Mind;
 use crate::player::{Appearance, Body, Look, Position};
+use crate::projectile::Projectile;
 use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::tuning::FIGURE_SEEN_FROM_M;
+use crate::world::World;
 
 /// Ground is looked for from so far above a body's feet, and so far below them, metres.
 const KNEES_M: f64 = 0.5;
 const DEEPEST_SOLES_M: f64 = 0.4;
 
-impl Scene {
-    /// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
-    pub(crate) fn figures_seen_by(&self, eye: &Eye, sees_player: bool) -> Vec<(Who, Figure)> {
-        let eye = eye.point;
-        let inside_own = eye.hemisphere == self.feet().hemisphere
-            && eye
-                .pos
-                .distance(self.head_through(&self.picturing()).point.pos)
-                < FIGURE_SEEN_FROM_M;
-        let mut seen = Vec::new();
-        for (entity, position, look, appearance, body, bot) in &mut self.actors.ecs.query::<(
-            Entity,
-            &Position,
-            &Look,
-            &Appearance,
-            &Body,
-            Option<(&Bot, &Mind)>,
-        )>() {
-            if entity == self.actors.player && (!sees_player || inside_own) {
-                continue;
-            }
-            let mut figure = Figure {
-                posture: appearance.motion.posture(),
-                held: appearance.held,
-                ..Figure::standing(appearance.model, self.soles(position.0, body), look.yaw)
-            };
-            if entity == self.actors.player {
-                self.use_in_hand(&mut figure);
-                self.seat_figure(&mut figure);
-            }
-            let mut who = Who::Player {
-                drives: self.driven_number(),
-                dead: self.is_dead(),
-            };
-            if let Some((bot, mind)) = bot {
-                mind.show_shot(&mut figure);
-                figure.hostile = figure.held.is_some();
-                who = Who::Bot {
-                    id: bot.id,
-                    dead: bot.dead_s > 0.0,
-                };
-            }
-            seen.push((who, figure));
+/// Everyone but who looks: in first person one does not see oneself, nor from inside one's own suit.
+pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Vec<(Who, Figure)> {
+    let now = scene.now();
+    let actors = now.actors;
+    let head = now.head_through(&scene.picturing()).point;
+    let inside_own = eye.point.hemisphere == actors.feet().hemisphere
+        && eye.point.pos.distance(head.pos) < FIGURE_SEEN_FROM_M;
+    let mut seen = Vec::new();
+    for (entity, position, look, appearance, body, bot) in &mut actors.ecs.query::<(
+        Entity,
+        &Position,
+        &Look,
+        &Appearance,
+        &Body,
+        Option<(&Bot, &Mind)>,
+    )>() {
+        if entity == actors.player && (!sees_player || inside_own) {
+            continue;
         }
-        self.show_things(&mut seen);
-        self.show_cars(&mut seen);
-        seen
-    }
-
-    /// Where the soles of a body are drawn. Its capsule is wider than its feet: on a slope or in a hollow it is carried at
-    /// its sides, and the ground under its middle is lower.
-    fn soles(&self, feet: ChartPoint, body: &Body) -> ChartPoint {
-        if !body.0.grounded {
-            return feet;
+        let mut figure = Figure {
+            posture: appearance.motion.posture(),
+            held: appearance.held,
+            ..Figure::standing(
+                appearance.model,
+                soles(now.world, position.0, body),
+                look.yaw,
+            )
+        };
+        if entity == actors.player {
+            let held = now.player.inventory.held();
+            scene.shown.hand.use_in(held, &mut figure);
+            seat_figure(&now, &mut figure);
         }
-        let from = feet.moved(DVec3::Y * KNEES_M);
-        let origin = self.world.strategy.chart_origin_m(feet.hemisphere);
-        let most_m = KNEES_M + DEEPEST_SOLES_M;
-        let ground = self
-            .world
-            .physics
-            .cast_ray(from.pos + origin, DVec3::NEG_Y, most_m);
-        let ground_m = ground.map_or(KNEES_M, |hit| hit.distance_m);
-        from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
-    }
-
-    /// Lamps, bullets, and what lies about.
-    fn show_things(&self, seen: &mut Vec<(Who, Figure)>) {
-        let lamps = self.actors.all::<Lamp>().into_iter();
-        seen.extend(lamps.map(|(id, lamp)| {
-            let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
-            (Who::Lamp(id), figure)
-        }));
-        seen.extend(self.projectiles().into_iter().map(|(id, bullet)| {
-            let way = bullet.velocity.normalize_or(DVec3::X);
-            let figure = Figure {
-                turn: DQuat::from_rotation_arc(DVec3::X, way),
-                ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
+        let mut who = Who::Player {
+            drives: actors.cars.driven_number(),
+            dead: now.player.is_dead(),
+        };
+        if let Some((bot, mind)) = bot {
+            mind.show_shot(&mut figure);
+            figure.hostile = figure.held.is_some();
+            who = Who::Bot {
+                id: bot.id,
+                dead: bot.dead_s > 0.0,
             };
-            (Who::Bullet(id), figure)
-        }));
-        let drops = self.actors.all::<Drop>().into_iter();
-        seen.extend(drops.map(|(id, drop)| (Who::Drop(id), self.show_drop(&drop))));
+        }
+        seen.push((who, figure));
     }
+    show_things(now, &mut seen);
+    show_cars(&now, &mut seen);
+    seen
+}
+
+/// Where the soles of a body are drawn. Its capsule is wider than its feet: on a slope or in a hollow it is carried at
+/// its sides, and the ground under its middle is lower.
+fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
+    if !body.0.grounded {
+        return feet;
+    }
+    let from = feet.moved(DVec3::Y * KNEES_M);
+    let origin = world.strategy.chart_origin_m(feet.hemisphere);
+    let most_m = KNEES_M + DEEPEST_SOLES_M;
+    let ground = world
+        .physics
+        .cast_ray(from.pos + origin, DVec3::NEG_Y, most_m);
+    let ground_m = ground.map_or(KNEES_M, |hit| hit.distance_m);
+    from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
+}
+
+/// Lamps, bullets, and what lies about.
+fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
+    let lamps = now.actors.all::<Lamp>().into_iter();
+    seen.extend(lamps.map(|(id, lamp)| {
+        let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
+        (Who::Lamp(id), figure)
+    }));
+    let bullets = now.actors.all::<Projectile>().into_iter();
+    seen.extend(bullets.map(|(id, bullet)| {
+        let way = bullet.velocity.normalize_or(DVec3::X);
+        let figure = Figure {
+            turn: DQuat::from_rotation_arc(DVec3::X, way),
+            ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
+        };
+        (Who::Bullet(id), figure)
+    }));
+    let drops = now.actors.all::<Drop>().into_iter();
+    let show = |(id, drop)| (Who::Drop(id), drops::shown(now.world, now.feet(), &drop));
+    seen.extend(drops.map(show));
 }

@@ -1,12 +1,17 @@
 //! What can be heard in the world: events of each step, and what surrounds the player. Plain data; nothing here
 //! makes a sound, and nothing of it is saved.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Eye};
+use antipode_physics::Character;
 use antipode_terrain::Cover;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
+use crate::car::Cars;
 use crate::day;
-use crate::scene::Scene;
+use crate::ground::Ground;
+use crate::outbox::Outbox;
+use crate::situation::Situation;
+use crate::world::World;
 
 /// Something that makes a sound once.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,8 +116,13 @@ impl Sounds {
         }
     }
 
+    /// What has happened since it was last taken, in order.
+    pub(crate) fn take(&mut self) -> Vec<SoundEvent> {
+        std::mem::take(&mut self.events)
+    }
+
     /// Whether a tool in use sounds in this step of `dt_s` seconds.
-    fn stroke_is_due(&mut self, used: bool, dt_s: f64) -> bool {
+    pub(crate) fn stroke_is_due(&mut self, used: bool, dt_s: f64) -> bool {
         self.stroke_left_s = (self.stroke_left_s - dt_s).max(0.0);
         if !used || self.stroke_left_s > 0.0 {
             return false;
@@ -122,88 +132,56 @@ impl Sounds {
     }
 }
 
-impl Scene {
-    /// What made a sound since it was last asked, in order.
-    pub fn take_sounds(&mut self) -> Vec<SoundEvent> {
-        std::mem::take(&mut self.outbox.sounds.events)
+/// What surrounds the player, whose picture is taken by that eye.
+pub(crate) fn surroundings(now: Situation<'_>, eye: &Eye) -> Surroundings {
+    let world = now.world;
+    let (low_m, high_m) = world.ground.height_range_m();
+    let sky = day::sky(world.time_of_day_s, &*world.strategy, eye);
+    Surroundings {
+        day: 1.0 - f64::from(sky.stars),
+        height_m: now.feet().pos.y - low_m,
+        relief_m: high_m - low_m,
+        speed_m_s: now.actors.player_body().velocity.length(),
+        drive: drive_heard(world, &now.actors.cars),
     }
+}
 
-    /// What surrounds the player.
-    pub fn surroundings(&self) -> Surroundings {
-        let (position, _, body, _) = self.player_parts();
-        let (low_m, high_m) = self.world.ground.height_range_m();
-        let sky = day::sky(self.world.time_of_day_s, &*self.world.strategy, &self.eye());
-        Surroundings {
-            day: 1.0 - f64::from(sky.stars),
-            height_m: position.0.pos.y - low_m,
-            relief_m: high_m - low_m,
-            speed_m_s: body.0.velocity.length(),
-            drive: self.drive_heard(),
-        }
-    }
+fn drive_heard(world: &World, cars: &Cars) -> Option<Drive> {
+    let throttle = cars.driving.as_ref()?.throttle;
+    let car = cars.driven(world)?;
+    let down = car.wheels.iter().any(|wheel| wheel.contact);
+    let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
+    let braked_m_s = if car.brakes {
+        BRAKED_SHARE * car.speed_m_s.abs()
+    } else {
+        0.0
+    };
+    Some(Drive {
+        throttle,
+        speed_m_s: car.speed_m_s,
+        slide_m_s: if down { aside_m_s.max(braked_m_s) } else { 0.0 },
+    })
+}
 
-    fn drive_heard(&self) -> Option<Drive> {
-        let throttle = self.actors.cars.driving.as_ref()?.throttle;
-        let car = self.driven_car()?;
-        let down = car.wheels.iter().any(|wheel| wheel.contact);
-        let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
-        let braked_m_s = if car.brakes {
-            BRAKED_SHARE * car.speed_m_s.abs()
-        } else {
-            0.0
-        };
-        Some(Drive {
-            throttle,
-            speed_m_s: car.speed_m_s,
-            slide_m_s: if down { aside_m_s.max(braked_m_s) } else { 0.0 },
-        })
-    }
-
-    /// Tells what the player's own body did in a step; `foot_down`: whether a foot came down.
-    pub(crate) fn hear_body(&mut self, foot_down: bool) {
-        let (position, _, body, _) = self.player_parts();
-        let impact_m_s = body.0.impact_m_s;
-        if impact_m_s >= LANDING_FROM_M_S {
-            self.outbox.sounds.push(SoundEvent::Landed {
-                cover: self.cover_at(position.0),
-                speed_m_s: impact_m_s,
-            });
-        } else if foot_down {
-            self.outbox.sounds.push(SoundEvent::Step {
-                cover: self.cover_at(position.0),
-                speed_m_s: body.0.velocity.with_y(0.0).length(),
-            });
-        }
-    }
-
-    /// Tells what a tool did in a step of `dt_s` seconds: `sign` is 1 for digging, -1 for building and 0 for rest.
-    pub(crate) fn hear_tool(&mut self, sign: f32, dt_s: f64) {
-        let marker = self.shown.marker.filter(|_| sign != 0.0);
-        if !self.outbox.sounds.stroke_is_due(marker.is_some(), dt_s) {
-            return;
-        }
-        let Some(marker) = marker else { return };
-        let density = f64::from(self.world.ground.density(marker.point));
-        // In the open air, and deep in rock that is built on, nothing changes that could be heard.
-        if density.abs() > marker.radius_m {
-            return;
-        }
-        self.outbox.sounds.push(if sign > 0.0 {
-            SoundEvent::Dug {
-                cover: self.cover_at(marker.point),
-            }
-        } else {
-            SoundEvent::Built
+/// Tells what the player's own body did in a step; `foot_down`: whether a foot came down.
+pub(crate) fn hear_body(
+    ground: &Ground,
+    feet: ChartPoint,
+    body: &Character,
+    foot_down: bool,
+    outbox: &mut Outbox,
+) {
+    let impact_m_s = body.impact_m_s;
+    if impact_m_s >= LANDING_FROM_M_S {
+        outbox.sounds.push(SoundEvent::Landed {
+            cover: ground.cover(feet),
+            speed_m_s: impact_m_s,
         });
-    }
-
-    fn cover_at(&self, point: ChartPoint) -> Cover {
-        self.world.ground.cover(point, self.ground_normal(point))
-    }
-
-    /// The unit normal of the ground at a point: the way in which the field rises fastest.
-    pub(crate) fn ground_normal(&self, point: ChartPoint) -> Vec3 {
-        self.world.ground.normal(point)
+    } else if foot_down {
+        outbox.sounds.push(SoundEvent::Step {
+            cover: ground.cover(feet),
+            speed_m_s: body.velocity.with_y(0.0).length(),
+        });
     }
 }
 

@@ -2,12 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere};
+use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use antipode_terrain::Field;
 use glam::DVec3;
-
-use crate::player::Look;
-use crate::scene::Scene;
 
 /// Heading of a new player: along -z, towards the sunrise.
 pub const FIRST_YAW_RAD: f64 = -FRAC_PI_2;
@@ -46,30 +43,27 @@ pub fn spawn_point(field: &Field) -> ChartPoint {
     ChartPoint::a(best.map_or(DVec3::ZERO, |(_, point)| point))
 }
 
-impl Scene {
-    /// Turns a new player's view to the ground ahead.
-    pub(crate) fn look_at_ground(&mut self, field: &Field) {
-        let pitches = (0..=MOST_STEPS).map(|step| FIRST_PITCH_RAD - f64::from(step) * LOWER_BY_RAD);
-        let found = pitches.into_iter().find(|pitch| self.sees(field, *pitch));
-        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
-            look.pitch = found.unwrap_or(FIRST_PITCH_RAD);
-        }
-    }
-
-    /// Whether ground in reach is under the crosshair with this elevation.
-    fn sees(&self, field: &Field, pitch: f64) -> bool {
+/// The elevation at which a new player's view, by that eye through that picture, has the ground ahead.
+pub(crate) fn first_pitch_rad(field: &Field, head: &Eye, pictured: &dyn Strategy) -> f64 {
+    let mut pitches = (0..=MOST_STEPS).map(|step| FIRST_PITCH_RAD - f64::from(step) * LOWER_BY_RAD);
+    let found = pitches.find(|pitch| {
         let eye = Eye {
-            pitch,
-            ..self.head()
+            pitch: *pitch,
+            ..*head
         };
-        let strategy = self.lens().strategy();
-        let (step_m, most_m) = LOOK_M;
-        let steps = (most_m / step_m) as u32;
-        (1..=steps).any(|step| {
-            let at = strategy.along(&eye, DVec3::NEG_Z, f64::from(step) * step_m);
-            field.sample(at) < 0.0
-        })
-    }
+        sees_ground(field, &eye, pictured)
+    });
+    found.unwrap_or(FIRST_PITCH_RAD)
+}
+
+/// Whether ground in reach is under an eye's crosshair.
+fn sees_ground(field: &Field, eye: &Eye, pictured: &dyn Strategy) -> bool {
+    let (step_m, most_m) = LOOK_M;
+    let steps = (most_m / step_m) as u32;
+    (1..=steps).any(|step| {
+        let at = pictured.along(eye, DVec3::NEG_Z, f64::from(step) * step_m);
+        field.sample(at) < 0.0
+    })
 }
 
 /// Feet on untouched ground at a place of hemisphere A.

@@ -17,7 +17,6 @@ use glam::{DVec2, DVec3};
 use crate::lens::Lens;
 use crate::npc::way_to;
 use crate::player::{self, Look, Position};
-use crate::scene::Scene;
 use crate::spawn::standing_at;
 use crate::tuning::NEAR_M;
 
@@ -95,39 +94,20 @@ struct Spot {
     ground: ChartPoint,
 }
 
-impl Scene {
-    /// Has a new world begin with a view, in place of its middle: the player, a car and somebody are put there.
-    pub fn begin_with_a_view(&mut self) {
-        let search = Search {
-            field: self.world.ground.field(),
-            lens: &self.player.lens,
-            eye_height_m: self.actors.tuning.eye_height_m(),
-            fov_y_rad: self.shown.viewing.fov_y_rad,
-        };
-        let Some(start) = search.best() else {
-            return;
-        };
-        self.player.start = Some(start.feet);
-        self.place_body(start.feet, DVec3::ZERO, false);
-        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
-            *look = start.look;
-        }
-        if let Some((place, yaw)) = start.car {
-            self.actors.cars.given = self.spawn_car(place, yaw);
-        }
-        if let Some((place, yaw)) = start.figure {
-            self.let_somebody_wait(place, yaw);
-        }
-        self.request_ground();
-        self.update_marker();
-    }
-
-    /// Where the player stands up again.
-    pub(crate) fn start(&self) -> ChartPoint {
-        self.player
-            .start
-            .unwrap_or_else(|| self.world.ground.spawn_point())
-    }
+/// Where a new world begins with a view, seen through that lens by that vertical field of view in radians.
+pub(crate) fn with_a_view(
+    field: &Field,
+    lens: &Lens,
+    eye_height_m: f64,
+    fov_y_rad: f64,
+) -> Option<Start> {
+    let search = Search {
+        field,
+        lens,
+        eye_height_m,
+        fov_y_rad,
+    };
+    search.best()
 }
 
 impl Search<'_> {

@@ -4,18 +4,22 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
-use antipode_streaming::{Chunk, Detail, Reach, StreamingError, Until, Update, Wish};
+use antipode_geometry::ChunkCoord;
+use antipode_streaming::{Detail, Reach, StreamingError, Until, Update, Wish};
 use glam::DVec3;
 use thiserror::Error;
 
+use crate::actors::Actors;
+use crate::bot;
 use crate::detail::{Sharpness, Sight};
-use crate::ground::{Spent, chunks_near};
-use crate::ground_changed;
+use crate::ground::chunks_near;
 use crate::notice::Notice;
+use crate::persist;
+use crate::projectile::Projectile;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
+use crate::world::World;
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
@@ -38,43 +42,25 @@ pub struct CloseFailure {
 impl Scene {
     /// Tells the workers what is wanted now. Cheap; called every frame.
     pub fn request_ground(&mut self) {
-        let head = self.shown.watched.unwrap_or_else(|| self.head());
-        let (position, _, body, _) = self.player_parts();
         self.renew_sight();
-        self.world.bodies_about = ChunkCoord::containing(self.head().point);
+        let head = self.head();
+        self.sim.world.bodies_about = ChunkCoord::containing(head.point);
+        let eye = self.shown.watched.unwrap_or(head);
+        let sight = self.shown.sight.clone();
+        let world = &self.sim.world;
         let wish = Wish {
-            centre: head.point,
-            front: head.front(),
-            view_distance: self.world.setup.view_distance,
-            bodies: self.reaches(position.0, body.0.velocity),
+            centre: eye.point,
+            front: eye.front(),
+            view_distance: world.setup.view_distance,
+            bodies: reaches(world, &self.sim.actors),
             bodies_distance: BODIES_WITHIN_CHUNKS,
-            detail: self
-                .shown
-                .sight
-                .clone()
-                .map(|sight| sight as Arc<dyn Detail>),
+            detail: sight.map(|sight| sight as Arc<dyn Detail>),
         };
-        self.world.streamer.wish(&wish);
-        let streamer = &self.world.streamer;
-        self.world
-            .ground
-            .show_all(|coord| streamer.keeps_in_view(coord));
-    }
-
-    /// Where the ground must be solid: around the player, and around others and what flies.
-    fn reaches(&self, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
-        let mut reaches = reach::of_body(&*self.world.strategy, feet, velocity);
-        let bullets = self.projectiles().into_iter();
-        let bullets = bullets.map(|(_, it)| (it.point, it.velocity));
-        let cars = self.cars().into_iter().map(|it| (it.point, it.velocity));
-        // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
-        reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
-        reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
-        let bots = self.bots();
-        let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
-        reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
-        let within = |reach: &Reach| self.world.within_bodies(reach);
-        reaches.iter().filter_map(within).collect()
+        let World {
+            streamer, ground, ..
+        } = &mut self.sim.world;
+        streamer.wish(&wish);
+        ground.show_all(|coord| streamer.keeps_in_view(coord));
     }
 
     /// Takes the sizes of things in the picture anew, if they no longer hold.
@@ -89,7 +75,7 @@ impl Scene {
             return;
         };
         let watched = self.shown.watched;
-        let head = watched.unwrap_or_else(|| self.head_through(&self.picturing()));
+        let head = watched.unwrap_or_else(|| self.now().head_through(&self.picturing()));
         let strategy = self.lens().strategy();
         let sight = self.shown.sight.as_ref();
         if !sight.is_some_and(|sight| sight.holds(&**strategy, &head, sharpness)) {
@@ -97,28 +83,21 @@ impl Scene {
         }
     }
 
-    /// Says how many lines pictures have, which decides how fine far land must be; at least 1.
-    pub fn set_picture_height_px(&mut self, lines: u32) {
-        self.shown.picture_height_px = lines.max(1);
-    }
-
     /// Lets the workers seem to be at their work still, whatever they have done: for tests of what is shown meanwhile.
     /// Only [`Scene::pump`] goes by it.
     pub fn hold_land(&mut self, held: bool) {
-        self.world.holds_land = held;
+        self.sim.world.holds_land = held;
     }
 
     /// Takes finished work in until `budget` is used up. Never blocks.
     pub fn pump(&mut self, budget: Duration) {
         self.request_ground();
-        if self.world.holds_land {
+        if self.sim.world.holds_land {
             return;
         }
-        let updates = self.world.streamer.poll(budget);
+        let updates = self.sim.world.streamer.poll(budget);
         self.apply(updates);
-        if self.player.body_unchecked && self.is_ground_ready() {
-            self.free_body();
-        }
+        self.free_body();
     }
 
     /// Blocks until every edit made so far shows and the ground around the player stands, or `limit` has passed.
@@ -126,11 +105,11 @@ impl Scene {
     /// Returns false when the limit passed first.
     pub fn wait_for_step(&mut self, limit: Duration) -> bool {
         self.request_ground();
-        let updates = self.world.streamer.wait(Until::Edits, limit);
+        let updates = self.sim.world.streamer.wait(Until::Edits, limit);
         self.apply(updates);
         for _ in 0..MOST_LIFTS {
             self.await_ground(limit);
-            if !(self.player.body_unchecked && self.is_ground_ready() && self.free_body()) {
+            if !self.free_body() {
                 break;
             }
             self.request_ground();
@@ -138,28 +117,33 @@ impl Scene {
         self.is_ground_ready()
     }
 
+    /// Frees a body that was put somewhere, once its ground is there; returns whether that moved it.
+    fn free_body(&mut self) -> bool {
+        self.sim.player.body_unchecked && self.is_ground_ready() && self.sim.free_body()
+    }
+
     /// Waits for the ground that a step, a probe or a lift may ask about.
     fn await_ground(&mut self, limit: Duration) {
-        let updates = self.world.streamer.wait(Until::Bodies, limit);
+        let updates = self.sim.world.streamer.wait(Until::Bodies, limit);
         self.apply(updates);
     }
 
     /// Blocks until no chunk work is pending, or `limit` has passed; returns false when it did.
     pub fn settle(&mut self, limit: Duration) -> bool {
         self.request_ground();
-        let updates = self.world.streamer.wait(Until::Idle, limit);
+        let updates = self.sim.world.streamer.wait(Until::Idle, limit);
         self.apply(updates);
-        self.update_marker();
-        self.world.streamer.pending() == 0
+        self.refresh_marker();
+        self.sim.world.streamer.pending() == 0
     }
 
     /// How much of the ground around a new arrival stands, 0 to 1; at 1 the world can be played.
     pub fn loading_progress(&self) -> f32 {
-        let mut needed = chunks_near(&*self.world.strategy, self.feet(), PLAYABLE_AROUND_M);
-        needed.retain(|coord| self.world.streamer.is_wanted(*coord));
+        let mut needed = chunks_near(&*self.sim.world.strategy, self.feet(), PLAYABLE_AROUND_M);
+        needed.retain(|coord| self.sim.world.streamer.is_wanted(*coord));
         let there = needed
             .iter()
-            .filter(|c| self.world.streamer.is_ready(**c))
+            .filter(|c| self.sim.world.streamer.is_ready(**c))
             .count();
         if needed.is_empty() {
             return 1.0;
@@ -169,12 +153,12 @@ impl Scene {
 
     /// Work the chunk workers have not finished.
     pub fn pending(&self) -> usize {
-        self.world.streamer.pending()
+        self.sim.world.streamer.pending()
     }
 
     /// Commits in the background what changed, if the last commit is [`AUTOSAVE_S`] old.
     pub(crate) fn autosave(&mut self) {
-        if self.kept.stored && self.world.simulated_s - self.kept.saved_at_s >= AUTOSAVE_S {
+        if self.kept.stored && self.sim.world.simulated_s - self.kept.saved_at_s >= AUTOSAVE_S {
             self.save();
         }
     }
@@ -184,10 +168,10 @@ impl Scene {
         if !self.kept.stored {
             return;
         }
-        self.kept.saved_at_s = self.world.simulated_s;
+        self.kept.saved_at_s = self.sim.world.simulated_s;
         self.kept.changed = false;
-        let (meta, state) = self.records();
-        self.world.streamer.save(Some(meta), Some(state));
+        let (meta, state) = persist::records(self.now(), &self.kept);
+        self.sim.world.streamer.save(Some(meta), Some(state));
     }
 
     /// Commits everything, waits until it is on disk and ends the chunk workers.
@@ -196,10 +180,10 @@ impl Scene {
     /// When the last commit failed; the failure says why and gives the world back.
     pub fn close(mut self) -> Result<(), CloseFailure> {
         self.save();
-        let Err(error) = self.world.streamer.close() else {
+        let Err(error) = self.sim.world.streamer.close() else {
             return Ok(());
         };
-        let updates = self.world.streamer.poll(Duration::ZERO);
+        let updates = self.sim.world.streamer.poll(Duration::ZERO);
         self.apply(updates);
         Err(CloseFailure {
             scene: Box::new(self),
@@ -214,13 +198,13 @@ impl Scene {
 
     /// Whether every save asked for so far is on disk: none is under way and the last one did not fail.
     pub fn is_saved(&self) -> bool {
-        self.world.streamer.saves_in_flight() == 0 && self.kept.save_problem.is_none()
+        self.sim.world.streamer.saves_in_flight() == 0 && self.kept.save_problem.is_none()
     }
 
     /// Whether there is anything that no save asked for so far is sure to hold, such as an edit that was still under
     /// way then, or a save that failed. Never so in a world that is not kept.
     pub fn needs_save(&self) -> bool {
-        self.kept.stored && (self.kept.changed || self.world.streamer.needs_save())
+        self.kept.stored && (self.kept.changed || self.sim.world.streamer.needs_save())
     }
 
     /// Why the last commit failed, if it did.
@@ -230,67 +214,63 @@ impl Scene {
 
     /// Blocks until what was saved so far is on disk, or `limit` has passed; returns false when it was not.
     pub fn wait_saved(&mut self, limit: Duration) -> bool {
-        let updates = self.world.streamer.wait(Until::Saved, limit);
+        let updates = self.sim.world.streamer.wait(Until::Saved, limit);
         let done = updates.iter().any(|u| matches!(u, Update::Saved));
         self.apply(updates);
-        done || self.world.streamer.saves_in_flight() == 0
+        done || self.sim.world.streamer.saves_in_flight() == 0
     }
 
     fn apply(&mut self, updates: Vec<Update>) {
         let mut edited = Vec::new();
         for update in updates {
             match update {
-                Update::Loaded(chunk) => self.put(chunk),
+                Update::Loaded(chunk) => self.sim.world.put(chunk),
                 Update::Edited(chunks) => {
                     for chunk in chunks {
                         edited.push(chunk.coord);
-                        self.put(chunk);
+                        self.sim.world.put(chunk);
                     }
                 }
                 Update::Solid {
                     coord,
                     collider,
                     samples,
-                } => {
-                    let physics = &mut self.world.physics;
-                    let spent = self
-                        .world
-                        .ground
-                        .set_solid(coord, collider, samples, physics);
-                    self.discard(spent);
-                }
-                Update::Unloaded(coord) => {
-                    let spent = self.world.ground.remove(coord, &mut self.world.physics);
-                    self.discard(spent);
-                }
+                } => self.sim.world.set_solid(coord, collider, samples),
+                Update::Unloaded(coord) => self.sim.world.remove(coord),
                 Update::Saved => self.kept.save_problem = None,
                 Update::SaveFailed(why) => {
                     let problem = Notice::NotSaved(why);
                     // The same failure comes back with every autosave; once told is enough.
                     if self.kept.save_problem.as_ref() != Some(&problem) {
-                        self.outbox.notices.push(problem.clone());
+                        self.sim.outbox.notices.push(problem.clone());
                     }
                     self.kept.save_problem = Some(problem);
                 }
-                Update::Problem(sentence) => self.outbox.notices.push(Notice::Land(sentence)),
+                Update::Problem(sentence) => {
+                    self.sim.outbox.notices.push(Notice::Land(sentence));
+                }
             }
         }
         if !edited.is_empty() {
-            ground_changed::tell(&self.world, &mut self.actors, &edited);
-            self.lift_player_out();
+            self.sim.tell_of_changed_ground(&edited);
         }
     }
+}
 
-    fn put(&mut self, chunk: Chunk) {
-        let seen = self.world.streamer.keeps_in_view(chunk.coord);
-        let world = &mut self.world;
-        let spent = world.ground.put(chunk, seen, &mut world.physics);
-        self.discard(spent);
-    }
-
-    fn discard(&self, spent: Spent) {
-        if spent.0.is_some() || spent.1.is_some() {
-            self.world.streamer.discard(spent);
-        }
-    }
+/// Where the ground must be solid: around the player, and around others and what flies.
+fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
+    let velocity = actors.player_body().velocity;
+    let mut reaches = reach::of_body(&*world.strategy, actors.feet(), velocity);
+    let bullets = actors.all::<Projectile>().into_iter();
+    let bullets = bullets.map(|(_, it)| (it.point, it.velocity));
+    let cars = actors.cars.views(world).into_iter();
+    let cars = cars.map(|it| (it.point, it.velocity));
+    // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
+    reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
+    reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
+    let bots = bot::views(actors);
+    let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
+    reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
+    let within = |reach: &Reach| world.within_bodies(reach);
+    reaches.iter().filter_map(within).collect()
 }

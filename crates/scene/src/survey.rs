@@ -106,7 +106,7 @@ impl Survey {
         let feet = scene.feet();
         let mut sheet = match self.sheet.take() {
             Some(sheet) if sheet.about == node_of(feet) => sheet,
-            _ => self.sheet_about(&*scene.world.strategy, feet),
+            _ => self.sheet_about(&*scene.sim.world.strategy, feet),
         };
         let changed = self.measure(scene, &mut sheet, columns);
         let plan = match self.drawn.take() {
@@ -236,7 +236,7 @@ fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
 /// Height of the topmost ground of a column, metres; of untouched ground where no body is near. What is thinner than
 /// a step may be missed.
 fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
-    let (mut low, mut high) = scene.world.ground.height_range_m();
+    let (mut low, mut high) = scene.sim.world.ground.height_range_m();
     let feet = scene.feet();
     let touched = column.hemisphere == feet.hemisphere
         && (column.pos - feet.pos).with_y(0.0).length() < 2.0 * CHANGES_M;
@@ -244,7 +244,7 @@ fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
         low = low.min(feet.pos.y - CHANGES_M);
         high = high.max(feet.pos.y + CHANGES_M);
     }
-    let is_solid = |y: f64| scene.world.ground.is_solid(column.moved(DVec3::Y * y));
+    let is_solid = |y: f64| scene.sim.world.ground.is_solid(column.moved(DVec3::Y * y));
     let mut air = high + STEP_M;
     while air > low && !is_solid(air - STEP_M) {
         air -= STEP_M;
@@ -263,9 +263,9 @@ fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
 
 fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
     let eye = map_eye(feet);
-    let locator = Locator::new(&*scene.world.strategy, &eye);
-    let reach_m = reach_m(&*scene.world.strategy);
-    let (low, high) = scene.world.ground.height_range_m();
+    let locator = Locator::new(&*scene.sim.world.strategy, &eye);
+    let reach_m = reach_m(&*scene.sim.world.strategy);
+    let (low, high) = scene.sim.world.ground.height_range_m();
     let (low, span) = (low as f32, (high - low).max(1.0) as f32);
     let mut nodes: Vec<PlanNode> = sheet
         .nodes

@@ -1,6 +1,5 @@
 //! How the player wants to see the world: no part of it, so nothing of this is saved with it.
 
-use crate::scene::Scene;
 use crate::tuning::FOV_Y_RAD;
 
 /// What a player can choose about the picture.
@@ -34,19 +33,5 @@ impl Viewing {
     /// Whether the head dips after all.
     pub(crate) fn dips(&self) -> bool {
         self.head_dip && !self.reduced_motion
-    }
-}
-
-impl Scene {
-    /// How the player wants to see the world.
-    pub fn viewing(&self) -> Viewing {
-        self.shown.viewing
-    }
-
-    /// Sets how the player wants to see the world, from the next frame on.
-    pub fn set_viewing(&mut self, viewing: Viewing) {
-        self.shown.viewing = viewing;
-        self.renew_picture();
-        self.update_marker();
     }
 }

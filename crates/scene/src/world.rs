@@ -3,17 +3,22 @@
 use std::sync::Arc;
 
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
-use antipode_physics::PhysicsWorld;
-use antipode_streaming::{Reach, Streamer};
-use antipode_terrain::Field;
+use antipode_physics::{PhysicsWorld, TerrainCollider};
+use antipode_streaming::{Chunk, Reach, Streamer};
+use antipode_terrain::{Field, Samples, Stroke};
 use glam::DVec3;
 
-use crate::ground::Ground;
+use crate::day;
+use crate::ground::{Ground, Spent, height_below};
+use crate::persist::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
-use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_START_S};
+use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_S, DAY_START_S};
 
 /// A reach that ends where a chunk does ends short of it by so much, metres.
 const SHORT_OF_NEXT_M: f64 = 1e-3;
+
+/// Depth below somebody's head searched for ground, in metres.
+pub(crate) const GROUND_SEARCH_M: f64 = 128.0;
 
 /// A space with land in it.
 pub(crate) struct World {
@@ -47,6 +52,31 @@ impl World {
         }
     }
 
+    /// Has bodies move about the player's head, and be exact about the feet.
+    pub fn centre_on(&mut self, head: ChartPoint, feet: ChartPoint) {
+        self.bodies_about = ChunkCoord::containing(head);
+        self.centre_on_body(feet);
+    }
+
+    /// Has bodies be exact about a place.
+    pub fn centre_on_body(&mut self, point: ChartPoint) {
+        let origin = self.strategy.chart_origin_m(point.hemisphere);
+        self.physics.recentre(point.pos + origin);
+    }
+
+    /// Lets time pass.
+    pub fn pass(&mut self, dt_s: f64) {
+        self.time_of_day_s = (self.time_of_day_s + dt_s).rem_euclid(DAY_S);
+        self.simulated_s += dt_s;
+    }
+
+    /// Gives a stroke of the brush to the chunk workers.
+    pub fn edit(&mut self, stroke: Option<Stroke>) {
+        if let Some(stroke) = stroke {
+            self.streamer.edit(stroke);
+        }
+    }
+
     /// Whether bodies move in a chunk: in an open world within a distance of the player that is always the same, however
     /// far the view is; in a closed one everywhere.
     pub fn lets_move(&self, coord: ChunkCoord) -> bool {
@@ -74,5 +104,66 @@ impl World {
         let (min, max) = (reach.min.max(low), reach.max.min(high));
         let there = reach.hemisphere == self.bodies_about.hemisphere && min.cmple(max).all();
         there.then_some(Reach { min, max, ..*reach })
+    }
+
+    /// The time of day at a place, in seconds, 0 to 600; none at the poles of the sun's way.
+    pub fn local_time_s(&self, at: ChartPoint) -> Option<f64> {
+        day::local_time_s(self.time_of_day_s, &*self.strategy, at)
+    }
+
+    /// Height of the ground under somebody's head, in metres of the chart; `None` where none is near, or where
+    /// the head is in rock with no cave below. Beyond where bodies move it is that of untouched ground, whatever
+    /// happens to be loaded there.
+    pub fn ground_height(&self, head: ChartPoint) -> Option<f64> {
+        height_below(head, GROUND_SEARCH_M, |point| {
+            let density = if self.lets_move(ChunkCoord::containing(point)) {
+                self.ground.density(point)
+            } else {
+                self.ground.untouched_density(point)
+            };
+            density < 0.0
+        })
+    }
+
+    /// Takes in a finished chunk.
+    pub fn put(&mut self, chunk: Chunk) {
+        let seen = self.streamer.keeps_in_view(chunk.coord);
+        let spent = self.ground.put(chunk, seen, &mut self.physics);
+        self.discard(spent);
+    }
+
+    /// Takes in what makes a chunk solid, or what it is without.
+    pub fn set_solid(
+        &mut self,
+        coord: ChunkCoord,
+        collider: Option<TerrainCollider>,
+        samples: Option<Arc<Samples>>,
+    ) {
+        let physics = &mut self.physics;
+        let spent = self.ground.set_solid(coord, collider, samples, physics);
+        self.discard(spent);
+    }
+
+    /// Lets a chunk go.
+    pub fn remove(&mut self, coord: ChunkCoord) {
+        let spent = self.ground.remove(coord, &mut self.physics);
+        self.discard(spent);
+    }
+
+    /// What is needed no more is freed by a worker.
+    fn discard(&self, spent: Spent) {
+        if spent.0.is_some() || spent.1.is_some() {
+            self.streamer.discard(spent);
+        }
+    }
+
+    /// Sets the time of day in seconds; it wraps at a day's length.
+    pub fn set_time_of_day_s(&mut self, time_s: f64) {
+        self.time_of_day_s = time_s.rem_euclid(DAY_S);
+    }
+
+    /// Sets the simulated time in seconds, as far as anybody can have played; no time at all where it is no number.
+    pub fn set_simulated_s(&mut self, time_s: f64) {
+        self.simulated_s = finite_or(time_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
     }
 }

@@ -13,7 +13,7 @@ use super::tuning::{
 use crate::aimed::Optics;
 use crate::camera::{CameraMode, CameraPose};
 use crate::player::wrap_angle;
-use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::tuning::CAMERA_RADIUS_M;
 
 /// The camera's spring is stretched no farther than this, in metres.
@@ -229,52 +229,50 @@ fn rest_pitch() -> f64 {
     -(CHASE_UP_M - CHASE_LOOKS_UP_M).atan2(CHASE_BACK_M)
 }
 
-impl Scene {
-    /// The driver's own eyes.
-    pub(crate) fn driver_head(&self, optics: &Optics) -> Option<Eye> {
-        let car = self.driven_car()?;
-        let driving = self.actors.cars.driving.as_ref()?;
-        let (yaw, pitch) = driving.chase.look(self.shown.camera);
-        let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
-        Some(Eye {
-            point,
-            yaw,
-            pitch,
-            roll: 0.0,
-            dial: optics.dial,
-            lift_m: point.pos.y - car.point.pos.y,
-        })
-    }
+/// The driver's own eyes.
+pub(crate) fn driver_head(now: &Situation<'_>, optics: &Optics) -> Option<Eye> {
+    let cars = &now.actors.cars;
+    let car = cars.driven(now.world)?;
+    let driving = cars.driving.as_ref()?;
+    let (yaw, pitch) = driving.chase.look(now.player.gaze.camera);
+    let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
+    Some(Eye {
+        point,
+        yaw,
+        pitch,
+        roll: 0.0,
+        dial: optics.dial,
+        lift_m: point.pos.y - car.point.pos.y,
+    })
+}
 
-    /// The camera that a driver's picture is taken with.
-    pub(crate) fn driver_camera(&self, optics: &Optics) -> Option<CameraPose> {
-        let head = self.driver_head(optics)?;
-        let car = self.driven_car()?;
-        let driving = self.actors.cars.driving.as_ref()?;
-        match self.shown.camera {
-            CameraMode::First => {
-                let point = car.place(BONNET_M);
-                let eye = Eye {
-                    point,
-                    roll: if optics.reduced_motion {
-                        0.0
-                    } else {
-                        driving.chase.lean()
-                    },
-                    lift_m: point.pos.y - car.point.pos.y,
-                    ..head
-                };
-                Some(CameraPose {
-                    room_rad: driving.chase.room_rad(),
-                    ..CameraPose::within(eye)
-                })
-            }
-            CameraMode::Third => Some(driving.chase.pose(
-                &car,
-                &head,
-                &*self.world.strategy,
-                &self.world.physics,
-            )),
+/// The camera that a driver's picture is taken with.
+pub(crate) fn driver_camera(now: &Situation<'_>, optics: &Optics) -> Option<CameraPose> {
+    let head = driver_head(now, optics)?;
+    let cars = &now.actors.cars;
+    let car = cars.driven(now.world)?;
+    let chase = &cars.driving.as_ref()?.chase;
+    match now.player.gaze.camera {
+        CameraMode::First => {
+            let point = car.place(BONNET_M);
+            let eye = Eye {
+                point,
+                roll: if optics.reduced_motion {
+                    0.0
+                } else {
+                    chase.lean()
+                },
+                lift_m: point.pos.y - car.point.pos.y,
+                ..head
+            };
+            Some(CameraPose {
+                room_rad: chase.room_rad(),
+                ..CameraPose::within(eye)
+            })
+        }
+        CameraMode::Third => {
+            let world = now.world;
+            Some(chase.pose(&car, &head, &*world.strategy, &world.physics))
         }
     }
 }

@@ -1,25 +1,27 @@
 //! Getting in and out of a car, setting it upright, its lights and its horn.
 
 use antipode_geometry::ChartPoint;
+use antipode_physics::CharacterTuning;
 use glam::{DQuat, DVec3};
 
 use super::camera::Chase;
-use super::tuning::{
-    DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, IN_VIEW, JUMPED_OFF_SHARE, REACH_M,
-};
-use super::{CarView, Driving};
+use super::tuning::{DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, JUMPED_OFF_SHARE, REACH_M};
+use super::{CarView, Cars, Driving, drive};
 use crate::actions::Actions;
+use crate::actors::Actors;
+use crate::body;
 use crate::camera::CameraMode;
-use crate::harm::{HarmKind, fall_harm};
+use crate::crosshair::Crosshair;
+use crate::harm::{HarmKind, fall_harm, hurt_player};
 use crate::notice::Hint;
-use crate::npc::sees;
-use crate::player::Look;
-use crate::scene::Scene;
+use crate::npc::scare;
+use crate::outbox::Outbox;
+use crate::player::Player;
+use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::STEP_S;
+use crate::world::World;
 
-/// Height of a car's middle over the ground, in metres.
-const MIDDLE_UP_M: f64 = 0.8;
 /// Height just over its roof, in metres: a way to the roof itself would end at the body.
 const ROOF_UP_M: f64 = 1.7;
 /// The box that holds a car's body, in its axes, in metres.
@@ -35,258 +37,208 @@ const LIES_S: f64 = 1.2;
 /// A car in view that is no farther than this is meant by who wants to get in, in metres.
 const CALLS_M: f64 = 25.0;
 
-impl Scene {
-    /// Does what was asked for with a car.
-    pub(crate) fn use_doors(&mut self, actions: &Actions) {
-        match self.driven_number() {
-            None if actions.enter_car => self.enter_car(),
-            Some(_) if actions.leave_car => self.leave_car(),
-            _ => {}
-        }
-        if actions.flip_car {
-            self.flip_car();
-        }
-        if actions.horn
-            && let Some(car) = self.driven_car()
-        {
-            self.outbox.sounds.push(SoundEvent::Horn);
-            self.scare(car.point, HORN_REACH_M);
-        }
-        self.tell_of_fallen_car();
+/// Does what was asked for with a car.
+pub(crate) fn step(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    actions: &Actions,
+) {
+    match actors.cars.driven_number() {
+        None if actions.enter_car => enter_car(world, actors, player, outbox),
+        Some(_) if actions.leave_car => leave_car(world, actors, player, outbox),
+        _ => {}
     }
-
-    /// Tells a driver whose car has come to lie on its side or roof.
-    fn tell_of_fallen_car(&mut self) {
-        let lies = self.driven_car().is_some_and(|car| {
-            (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
-        });
-        if let Some(driving) = &mut self.actors.cars.driving {
-            let before_s = driving.lies_s;
-            driving.lies_s = if lies { before_s + STEP_S } else { 0.0 };
-            if before_s < LIES_S && driving.lies_s >= LIES_S {
-                self.outbox.hints.push(Hint::FallenOver);
-            }
-        }
+    if actions.flip_car {
+        flip_car(world, actors, player);
     }
+    if actions.horn
+        && let Some(car) = actors.cars.driven(world)
+    {
+        outbox.sounds.push(SoundEvent::Horn);
+        scare(actors, car.point, HORN_REACH_M);
+    }
+    tell_of_fallen_car(world, &mut actors.cars, outbox);
+}
 
-    /// Switches the lights of the car that the player drives.
-    pub(crate) fn toggle_car_lights(&mut self, number: usize) {
-        if let Some(state) = self.actors.cars.states.get_mut(number) {
-            state.lights = !state.lights;
+/// Tells a driver whose car has come to lie on its side or roof.
+fn tell_of_fallen_car(world: &World, cars: &mut Cars, outbox: &mut Outbox) {
+    let lies = cars.driven(world).is_some_and(|car| {
+        (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
+    });
+    if let Some(driving) = &mut cars.driving {
+        let before_s = driving.lies_s;
+        driving.lies_s = if lies { before_s + STEP_S } else { 0.0 };
+        if before_s < LIES_S && driving.lies_s >= LIES_S {
+            outbox.hints.push(Hint::FallenOver);
         }
     }
+}
 
-    fn enter_car(&mut self) {
-        if self.player.flying {
-            return;
+/// Switches the lights of the car that the player drives.
+pub(crate) fn toggle_lights(cars: &mut Cars, number: usize) {
+    if let Some(state) = cars.states.get_mut(number) {
+        state.lights = !state.lights;
+    }
+}
+
+fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
+    if player.flying {
+        return;
+    }
+    let now = Situation::of(world, actors, player);
+    let crosshair = Crosshair::aimed(now);
+    let Some(number) = crosshair.car(REACH_M, true) else {
+        outbox.hints.push(why_no_car(&now, &crosshair));
+        return;
+    };
+    take_wheel(world, &mut actors.cars, number, player.gaze.camera);
+    player.gaze.camera = CameraMode::Third;
+    outbox.sounds.push(SoundEvent::CarDoor);
+    outbox.hints.push(Hint::AtTheWheel);
+    drive::seat_driver(world, actors, player, outbox, &Actions::default());
+}
+
+/// Puts the player at the wheel of a car; `camera_before` is from where the world is seen again on foot.
+pub(super) fn take_wheel(world: &World, cars: &mut Cars, number: usize, camera_before: CameraMode) {
+    let Some(car) = cars.view(world, number) else {
+        return;
+    };
+    cars.driving = Some(Driving {
+        car: number,
+        chase: Chase::behind(&car),
+        camera_before,
+        throttle: 0.0,
+        lies_s: 0.0,
+    });
+    cars.vehicles.wake(number);
+}
+
+/// What keeps the player from getting into a car.
+fn why_no_car(now: &Situation<'_>, crosshair: &Crosshair<'_>) -> Hint {
+    let is_seen = |number| {
+        let car = now.actors.cars.view(now.world, number);
+        car.is_some_and(|car| crosshair.sees(car.place(DVec3::Y * ROOF_UP_M)))
+    };
+    if crosshair.car(REACH_M, false).is_some() {
+        Hint::LookAtCar
+    } else if crosshair.car(CALLS_M, true).is_some_and(is_seen) {
+        Hint::CarTooFar
+    } else {
+        Hint::NoCarNear
+    }
+}
+
+fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
+    let Some(car) = actors.cars.driven(world) else {
+        return;
+    };
+    let Some(spot) = free_spot(world, &actors.tuning, &car) else {
+        outbox.hints.push(Hint::NoWayOut);
+        return;
+    };
+    get_out(actors, player);
+    body::place(world, actors, player, spot, car.velocity, false);
+    outbox.sounds.push(SoundEvent::CarDoor);
+    let harm = fall_harm(
+        car.velocity.length() * JUMPED_OFF_SHARE,
+        actors.tuning.gravity_m_s2,
+    );
+    hurt_player(actors, player, outbox, harm, HarmKind::Fall, None);
+}
+
+/// The player sits in no car any more, wherever he is then put.
+pub(crate) fn get_out(actors: &mut Actors, player: &mut Player) {
+    let Some(driving) = actors.cars.driving.take() else {
+        return;
+    };
+    let (yaw, _) = driving.chase.look(player.gaze.camera);
+    player.gaze.camera = driving.camera_before;
+    actors.set_look(yaw, 0.0);
+}
+
+/// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
+fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<ChartPoint> {
+    let hemisphere = car.point.hemisphere;
+    let physics = &world.physics;
+    let origin = world.strategy.chart_origin_m(hemisphere);
+    let level = DQuat::from_rotation_y(-car.yaw());
+    let inside = car.middle().pos + origin;
+    let (height_m, radius_m) = (tuning.height_m, tuning.radius_m);
+    DOORS_M.into_iter().find_map(|door| {
+        let beside = car.point.pos + origin + level * door;
+        let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
+        let way = from - inside;
+        let shut = physics.cast_ray(inside, way, way.length()).is_some();
+        if shut || is_rock(world, from - origin, car) {
+            return None;
         }
-        let Some(number) = self.car_in_reach(true) else {
-            self.outbox.hints.push(self.why_no_car());
-            return;
-        };
-        let before = self.shown.camera;
-        self.take_wheel(number);
-        self.shown.camera = CameraMode::Third;
-        if let Some(driving) = &mut self.actors.cars.driving {
-            driving.camera_before = before;
-        }
-        self.outbox.sounds.push(SoundEvent::CarDoor);
-        self.outbox.hints.push(Hint::AtTheWheel);
-        self.seat_driver(&Actions::default());
-    }
-
-    /// Puts the player at the wheel of a car.
-    pub(super) fn take_wheel(&mut self, number: usize) {
-        let Some(car) = self.car(number) else {
-            return;
-        };
-        self.actors.cars.driving = Some(Driving {
-            car: number,
-            chase: Chase::behind(&car),
-            camera_before: CameraMode::First,
-            throttle: 0.0,
-            lies_s: 0.0,
-        });
-        self.actors.cars.vehicles.wake(number);
-    }
-
-    /// The nearest car that the player can reach; with `seen`, of those in view.
-    fn car_in_reach(&self, seen: bool) -> Option<usize> {
-        self.car_within(REACH_M, seen)
-    }
-
-    /// What keeps the player from getting into a car.
-    fn why_no_car(&self) -> Hint {
-        if self.car_in_reach(false).is_some() {
-            Hint::LookAtCar
-        } else if self
-            .car_within(CALLS_M, true)
-            .is_some_and(|it| self.sees_car(it))
-        {
-            Hint::CarTooFar
+        let most_m = DOOR_RISE_M + DOOR_DROP_M;
+        let down_m = physics.cast_sphere(from, DVec3::NEG_Y, radius_m, most_m)?;
+        // On the roof one stands on the car and not on the ground below it.
+        let on_roof = door.y > 0.0;
+        let down_m = if on_roof {
+            down_m.min(DOOR_RISE_M)
         } else {
-            Hint::NoCarNear
-        }
-    }
-
-    /// Whether nothing hides a car's roof.
-    fn sees_car(&self, number: usize) -> bool {
-        let optics = self.aiming();
-        let pictured = &*optics.strategy;
-        self.car(number).is_some_and(|car| {
-            let over_roof = car.place(DVec3::Y * ROOF_UP_M);
-            sees(pictured, &self.world.physics, &self.head(), over_roof)
-        })
-    }
-
-    fn car_within(&self, reach_m: f64, seen: bool) -> Option<usize> {
-        let head = self.head();
-        let feet = self.feet();
-        let optics = self.aiming();
-        let pictured = &*optics.strategy;
-        let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
-        self.cars()
-            .iter()
-            .enumerate()
-            .filter(|(_, car)| !seen || is_in_view(pictured.view_point(&head, middle(car))))
-            .map(|(number, car)| (distance_m(car), number))
-            .filter(|(far_m, _)| *far_m <= reach_m)
-            .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, number)| number)
-    }
-
-    fn leave_car(&mut self) {
-        let Some(car) = self.driven_car() else {
-            return;
+            down_m
         };
-        let Some(spot) = self.free_spot(&car) else {
-            self.outbox.hints.push(Hint::NoWayOut);
-            return;
-        };
-        self.get_out();
-        self.place_body(spot, car.velocity, false);
-        self.outbox.sounds.push(SoundEvent::CarDoor);
-        let harm = fall_harm(
-            car.velocity.length() * JUMPED_OFF_SHARE,
-            self.actors.tuning.gravity_m_s2,
-        );
-        self.hurt_player(harm, HarmKind::Fall, None);
-    }
+        let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
+        let is_free = (on_roof || !is_within(tuning, car, feet - origin))
+            && !physics.overlaps_capsule(feet, height_m, radius_m)
+            && !is_rock(world, feet - origin + DVec3::Y * (0.5 * height_m), car);
+        let spot = ChartPoint::new(hemisphere, feet - origin);
+        is_free.then(|| body::within_world(&*world.strategy, spot))
+    })
+}
 
-    /// The player sits in no car any more, wherever he is then put.
-    pub(crate) fn get_out(&mut self) {
-        let Some(driving) = self.actors.cars.driving.take() else {
-            return;
-        };
-        let (yaw, _) = driving.chase.look(self.shown.camera);
-        self.shown.camera = driving.camera_before;
-        if let Ok(mut look) = self.actors.ecs.get::<&mut Look>(self.actors.player) {
-            *look = Look {
-                yaw: 0.0,
-                pitch: 0.0,
-            };
-            look.turn(yaw, 0.0);
-        }
-    }
+fn is_rock(world: &World, pos: DVec3, car: &CarView) -> bool {
+    world
+        .ground
+        .is_solid(ChartPoint::new(car.point.hemisphere, pos))
+}
 
-    /// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
-    fn free_spot(&self, car: &CarView) -> Option<ChartPoint> {
-        let hemisphere = car.point.hemisphere;
-        let origin = self.world.strategy.chart_origin_m(hemisphere);
-        let level = DQuat::from_rotation_y(-car.yaw());
-        let inside = middle(car).pos + origin;
-        let (height_m, radius_m) = (self.actors.tuning.height_m, self.actors.tuning.radius_m);
-        DOORS_M.into_iter().find_map(|door| {
-            let beside = car.point.pos + origin + level * door;
-            let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
-            let way = from - inside;
-            let shut = self
-                .world
-                .physics
-                .cast_ray(inside, way, way.length())
-                .is_some();
-            if shut || self.is_rock(from - origin, car) {
-                return None;
-            }
-            let most_m = DOOR_RISE_M + DOOR_DROP_M;
-            let down_m = self
-                .world
-                .physics
-                .cast_sphere(from, DVec3::NEG_Y, radius_m, most_m)?;
-            // On the roof one stands on the car and not on the ground below it.
-            let on_roof = door.y > 0.0;
-            let down_m = if on_roof {
-                down_m.min(DOOR_RISE_M)
-            } else {
-                down_m
-            };
-            let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
-            let is_free = (on_roof || !self.is_within(car, feet - origin))
-                && !self
-                    .world
-                    .physics
-                    .overlaps_capsule(feet, height_m, radius_m)
-                && !self.is_rock(feet - origin + DVec3::Y * (0.5 * height_m), car);
-            is_free.then(|| self.within_world(ChartPoint::new(hemisphere, feet - origin)))
-        })
-    }
-
-    fn is_rock(&self, pos: DVec3, car: &CarView) -> bool {
-        self.world
-            .ground
-            .is_solid(ChartPoint::new(car.point.hemisphere, pos))
-    }
-
-    /// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
-    fn flip_car(&mut self) {
-        let Some(number) = self.driven_number().or_else(|| self.car_in_reach(false)) else {
-            return;
-        };
-        let Some(car) = self.car(number) else {
-            return;
-        };
-        let origin = self.world.strategy.chart_origin_m(car.point.hemisphere);
-        let solid = |at: DVec3| self.is_rock(at - origin, &car);
-        let vehicles = &self.actors.cars.vehicles;
-        if let Some(upright) = vehicles.upright(number, &self.world.physics, &solid) {
-            self.actors.cars.vehicles.set_motion(number, upright);
-            self.make_way(number);
-        }
-    }
-
-    /// Puts a player on foot beside a car that was set upright about him.
-    fn make_way(&mut self, number: usize) {
-        let feet = self.feet();
-        let Some(car) = self.car(number) else { return };
-        let is_caught = !self.is_driving()
-            && feet.hemisphere == car.point.hemisphere
-            && self.is_within(&car, feet.pos);
-        if let Some(spot) = self.free_spot(&car).filter(|_| is_caught) {
-            self.place_body(spot, DVec3::ZERO, false);
-        }
-    }
-
-    /// Whether who stands with the feet at a place of a car's chart would be in the car, however it lies.
-    fn is_within(&self, car: &CarView, feet: DVec3) -> bool {
-        let (low_m, high_m) = (
-            self.actors.tuning.radius_m,
-            self.actors.tuning.height_m - self.actors.tuning.radius_m,
-        );
-        (0..=4).any(|part| {
-            let up_m = low_m + (high_m - low_m) * f64::from(part) / 4.0;
-            let own = car.turn.inverse() * (feet + DVec3::Y * up_m - car.point.pos);
-            let (low, high) = BODY_BOX_M;
-            own.distance(own.clamp(low, high)) < self.actors.tuning.radius_m
-        })
+/// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
+fn flip_car(world: &World, actors: &mut Actors, player: &mut Player) {
+    let now = Situation::of(world, actors, player);
+    let number = now.actors.cars.driven_number();
+    let Some(number) = number.or_else(|| Crosshair::aimed(now).car(REACH_M, false)) else {
+        return;
+    };
+    let Some(car) = actors.cars.view(world, number) else {
+        return;
+    };
+    let origin = world.strategy.chart_origin_m(car.point.hemisphere);
+    let solid = |at: DVec3| is_rock(world, at - origin, &car);
+    let vehicles = &mut actors.cars.vehicles;
+    if let Some(upright) = vehicles.upright(number, &world.physics, &solid) {
+        vehicles.set_motion(number, upright);
+        make_way(world, actors, player, number);
     }
 }
 
-fn middle(car: &CarView) -> ChartPoint {
-    car.place(DVec3::Y * MIDDLE_UP_M)
+/// Puts a player on foot beside a car that was set upright about him.
+fn make_way(world: &World, actors: &mut Actors, player: &mut Player, number: usize) {
+    let feet = actors.feet();
+    let Some(car) = actors.cars.view(world, number) else {
+        return;
+    };
+    let is_caught = !actors.cars.is_driving()
+        && feet.hemisphere == car.point.hemisphere
+        && is_within(&actors.tuning, &car, feet.pos);
+    if is_caught && let Some(spot) = free_spot(world, &actors.tuning, &car) {
+        body::place(world, actors, player, spot, DVec3::ZERO, false);
+    }
 }
 
-/// Whether a point in view coordinates is about in the picture.
-fn is_in_view(view: glam::DVec4) -> bool {
-    let (aside, up) = IN_VIEW;
-    view.z < 0.0 && view.x.abs() <= aside * -view.z && view.y.abs() <= up * -view.z
+/// Whether who stands with the feet at a place of a car's chart would be in the car, however it lies.
+fn is_within(tuning: &CharacterTuning, car: &CarView, feet: DVec3) -> bool {
+    let radius_m = tuning.radius_m;
+    let (low_m, high_m) = (radius_m, tuning.height_m - radius_m);
+    (0..=4).any(|part| {
+        let up_m = low_m + (high_m - low_m) * f64::from(part) / 4.0;
+        let own = car.turn.inverse() * (feet + DVec3::Y * up_m - car.point.pos);
+        let (low, high) = BODY_BOX_M;
+        own.distance(own.clamp(low, high)) < radius_m
+    })
 }

@@ -1,208 +1,181 @@
 //! One step of the cars: what their drivers ask for, over the equator, out of ground, and with the player at the wheel.
 
 use antipode_geometry::ChartPoint;
-use antipode_physics::{VehicleInput, VehicleMotion};
+use antipode_physics::{Vehicle, VehicleInput, VehicleMotion};
 use glam::DVec3;
 
+use super::Cars;
+use super::harm::run_over;
 use super::tuning::{CRASH_FROM_M_S, CRASH_SHARE, NEEDED_AHEAD_S, NEEDED_AROUND_M, SEAT_M};
 use crate::actions::Actions;
+use crate::actors::Actors;
 use crate::ground::chunks_near;
-use crate::harm::{HarmKind, fall_harm};
-use crate::player::{Body, Look, Position};
-use crate::scene::Scene;
+use crate::harm::{HarmKind, fall_harm, hurt_player};
+use crate::outbox::Outbox;
+use crate::player::{Body, Player, Position};
 use crate::sound::SoundEvent;
 use crate::tuning::STEP_S;
+use crate::world::World;
 
 /// How far below bedrock the wheels of a car may reach, in metres.
 const WHEELS_BELOW_M: f64 = 0.5;
 
-impl Scene {
-    /// Moves all cars by one step, and the player who sits in one.
-    pub(crate) fn step_cars(&mut self, actions: &Actions) {
-        if self.actors.cars.states.is_empty() {
-            return;
-        }
-        self.put_cars_free();
-        let inputs = self.car_inputs(actions);
-        if let Some(car) = self.driven_car() {
-            let origin = self.world.strategy.chart_origin_m(car.point.hemisphere);
-            self.world.physics.recentre(car.point.pos + origin);
-        }
-        self.actors
-            .cars
-            .vehicles
-            .step(&self.world.physics, &inputs, STEP_S);
-        self.keep_cars_between_limits();
-        self.cross_cars();
-        self.run_over();
-        self.world
-            .physics
-            .set_obstacles(self.actors.cars.vehicles.obstacles());
-        self.seat_driver(actions);
+/// Moves all cars by one step, and the player who sits in one.
+pub(crate) fn step(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    actions: &Actions,
+) {
+    let cars = &mut actors.cars;
+    if cars.states.is_empty() {
+        return;
     }
+    put_free(world, cars);
+    let inputs = inputs(world, cars, actions);
+    cars.vehicles.step(&world.physics, &inputs, STEP_S);
+    keep_between_limits(world, cars);
+    cross(world, cars);
+    run_over(world, actors, player, outbox);
+    seat_driver(world, actors, player, outbox, actions);
+}
 
-    /// What is asked of each car; nothing where its ground is not there, which holds it.
-    fn car_inputs(&self, actions: &Actions) -> Vec<Option<VehicleInput>> {
-        let driven = self.driven_number();
-        let input = |number: usize| {
-            let car = self.car(number)?;
-            let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * car.velocity.length();
-            let is_ready = !self.actors.cars.states[number].unplaced
-                && chunks_near(&*self.world.strategy, car.point, reach_m)
-                    .into_iter()
-                    .all(|coord| self.world.is_firm(coord));
-            is_ready.then(|| match driven {
-                Some(own) if own == number => VehicleInput {
+/// What is asked of each car; nothing where its ground is not there, which holds it.
+fn inputs(world: &World, cars: &Cars, actions: &Actions) -> Vec<Option<VehicleInput>> {
+    let input = |number: usize| {
+        let car = cars.view(world, number)?;
+        let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * car.velocity.length();
+        let is_ready = !cars.states[number].unplaced && is_firm_around(world, car.point, reach_m);
+        is_ready.then(|| {
+            if car.driven {
+                VehicleInput {
                     throttle: actions.forward,
                     steer: actions.strafe,
                     brake: actions.jump,
                     boost: actions.sprint,
                     parked: false,
-                },
-                _ => VehicleInput {
+                }
+            } else {
+                VehicleInput {
                     parked: true,
                     ..VehicleInput::default()
-                },
-            })
-        };
-        (0..self.actors.cars.states.len()).map(input).collect()
-    }
+                }
+            }
+        })
+    };
+    (0..cars.states.len()).map(input).collect()
+}
 
-    /// Brings cars that were put somewhere, or were built over, to the first free place above.
-    fn put_cars_free(&mut self) {
-        for number in 0..self.actors.cars.states.len() {
-            let state = self.actors.cars.states[number];
-            let Some(car) = self.car(number) else {
-                continue;
-            };
-            let origin = self.world.strategy.chart_origin_m(state.hemisphere);
-            let middle = self.actors.cars.vehicles.middle(number).unwrap_or_default() - origin;
-            let is_there = || {
-                chunks_near(&*self.world.strategy, car.point, NEEDED_AROUND_M)
-                    .into_iter()
-                    .all(|coord| self.world.is_firm(coord))
-            };
-            let is_buried = self
-                .world
+fn is_firm_around(world: &World, point: ChartPoint, reach_m: f64) -> bool {
+    chunks_near(&*world.strategy, point, reach_m)
+        .into_iter()
+        .all(|coord| world.is_firm(coord))
+}
+
+/// Brings cars that were put somewhere, or were built over, to the first free place above.
+fn put_free(world: &World, cars: &mut Cars) {
+    for (number, car) in cars.views(world).into_iter().enumerate() {
+        let hemisphere = car.point.hemisphere;
+        let origin = world.strategy.chart_origin_m(hemisphere);
+        let solid = |at: DVec3| {
+            world
                 .ground
-                .is_solid(ChartPoint::new(state.hemisphere, middle));
-            if !(state.unplaced || is_buried) || !is_there() {
-                continue;
-            }
-            let solid = |at: DVec3| {
-                self.world
-                    .ground
-                    .is_solid(ChartPoint::new(state.hemisphere, at - origin))
-            };
-            let ahead = car.turn * DVec3::X;
-            let place = car.point.pos + origin;
-            let vehicles = &self.actors.cars.vehicles;
-            if let Some(free) = vehicles.upright_at(&self.world.physics, place, ahead, &solid) {
-                self.actors.cars.vehicles.set_motion(number, free);
-            }
-            self.actors.cars.states[number].unplaced = false;
-        }
-    }
-
-    /// A world has heights that nothing leaves.
-    fn keep_cars_between_limits(&mut self) {
-        let Some(limits) = self.world.strategy.limits() else {
-            return;
+                .is_solid(ChartPoint::new(hemisphere, at - origin))
         };
-        for number in 0..self.actors.cars.states.len() {
-            let Some(vehicle) = self.actors.cars.vehicles.all().get(number) else {
-                continue;
-            };
-            let motion = vehicle.motion();
-            let y = motion
-                .place
-                .y
-                .clamp(limits.bedrock_m - WHEELS_BELOW_M, limits.ceiling_m);
-            if y != motion.place.y {
-                let still = VehicleMotion {
-                    place: motion.place.with_y(y),
-                    velocity: motion.velocity.with_y(0.0),
-                    ..motion
-                };
-                self.actors.cars.vehicles.set_motion(number, still);
-            }
-        }
-    }
-
-    /// Carries cars over the equator whole: place, stance, velocity, spin, and the camera behind the player's own.
-    fn cross_cars(&mut self) {
-        let driven = self.driven_number();
-        for number in 0..self.actors.cars.states.len() {
-            let Some(car) = self.car(number) else {
-                continue;
-            };
-            let Some(crossing) = self.world.strategy.cross(car.point) else {
-                continue;
-            };
-            let hemisphere = crossing.point.hemisphere;
-            let place = crossing.point.pos + self.world.strategy.chart_origin_m(hemisphere);
-            self.actors
-                .cars
-                .vehicles
-                .carry(number, place, crossing.rotation());
-            self.actors.cars.states[number].hemisphere = hemisphere;
-            if driven == Some(number)
-                && let Some(driving) = &mut self.actors.cars.driving
-            {
-                driving.chase.carry(&*self.world.strategy, &crossing);
-            }
-        }
-    }
-
-    /// The player goes with the car that he sits in, and feels what it runs into.
-    pub(crate) fn seat_driver(&mut self, actions: &Actions) {
-        let Some(number) = self.driven_number() else {
-            return;
-        };
-        let Some(car) = self.car(number) else {
-            self.actors.cars.driving = None;
-            return;
-        };
-        let jolt_m_s = self
-            .actors
-            .cars
-            .vehicles
-            .all()
-            .get(number)
-            .map_or(0.0, antipode_physics::Vehicle::jolt_m_s);
-        let mut sees = None;
-        if let Some(driving) = &mut self.actors.cars.driving {
-            driving.throttle = actions.forward;
-            driving
-                .chase
-                .pass(&car, (actions.look_yaw, actions.look_pitch), STEP_S);
-            sees = Some(driving.chase.look(self.shown.camera));
-        }
-        let seat = car.place(SEAT_M);
-        let origin = self.world.strategy.chart_origin_m(seat.hemisphere);
-        if let Ok((position, look, body)) = self
-            .actors
-            .ecs
-            .query_one_mut::<(&mut Position, &mut Look, &mut Body)>(self.actors.player)
+        let is_buried = solid(cars.vehicles.middle(number).unwrap_or_default());
+        if !(cars.states[number].unplaced || is_buried)
+            || !is_firm_around(world, car.point, NEEDED_AROUND_M)
         {
-            position.0 = seat;
-            body.0.feet = seat.pos + origin;
-            body.0.velocity = car.velocity;
-            body.0.grounded = true;
-            if let Some((yaw, pitch)) = sees {
-                *look = Look {
-                    yaw: 0.0,
-                    pitch: 0.0,
-                };
-                look.turn(yaw, pitch);
-            }
+            continue;
         }
-        if jolt_m_s >= CRASH_FROM_M_S {
-            self.outbox.sounds.push(SoundEvent::Crashed {
-                speed_m_s: jolt_m_s,
-            });
-            let harm = fall_harm(jolt_m_s * CRASH_SHARE, self.actors.tuning.gravity_m_s2);
-            self.hurt_player(harm, HarmKind::Crash, Some(car.turn * DVec3::X));
+        let ahead = car.turn * DVec3::X;
+        let place = car.point.pos + origin;
+        let free = cars
+            .vehicles
+            .upright_at(&world.physics, place, ahead, &solid);
+        if let Some(free) = free {
+            cars.vehicles.set_motion(number, free);
         }
+        cars.states[number].unplaced = false;
+    }
+}
+
+/// A world has heights that nothing leaves.
+fn keep_between_limits(world: &World, cars: &mut Cars) {
+    let Some(limits) = world.strategy.limits() else {
+        return;
+    };
+    for number in 0..cars.states.len() {
+        let motion = cars.vehicles.all()[number].motion();
+        let y = motion
+            .place
+            .y
+            .clamp(limits.bedrock_m - WHEELS_BELOW_M, limits.ceiling_m);
+        if y != motion.place.y {
+            let still = VehicleMotion {
+                place: motion.place.with_y(y),
+                velocity: motion.velocity.with_y(0.0),
+                ..motion
+            };
+            cars.vehicles.set_motion(number, still);
+        }
+    }
+}
+
+/// Carries cars over the equator whole: place, stance, velocity, spin, and the camera behind the player's own.
+fn cross(world: &World, cars: &mut Cars) {
+    for (number, car) in cars.views(world).into_iter().enumerate() {
+        let Some(crossing) = world.strategy.cross(car.point) else {
+            continue;
+        };
+        let hemisphere = crossing.point.hemisphere;
+        let place = crossing.point.pos + world.strategy.chart_origin_m(hemisphere);
+        cars.vehicles.carry(number, place, crossing.rotation());
+        cars.states[number].hemisphere = hemisphere;
+        if let Some(driving) = cars.driving.as_mut().filter(|_| car.driven) {
+            driving.chase.carry(&*world.strategy, &crossing);
+        }
+    }
+}
+
+/// The player goes with the car that he sits in, and feels what it runs into.
+pub(super) fn seat_driver(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+    actions: &Actions,
+) {
+    let cars = &mut actors.cars;
+    let car = cars.driven(world);
+    let (Some(car), Some(driving)) = (car, &mut cars.driving) else {
+        return;
+    };
+    driving.throttle = actions.forward;
+    driving
+        .chase
+        .pass(&car, (actions.look_yaw, actions.look_pitch), STEP_S);
+    let (yaw, pitch) = driving.chase.look(player.gaze.camera);
+    let vehicle = cars.vehicles.all().get(driving.car);
+    let jolt_m_s = vehicle.map_or(0.0, Vehicle::jolt_m_s);
+    let seat = car.place(SEAT_M);
+    if let Ok((position, body)) = actors
+        .ecs
+        .query_one_mut::<(&mut Position, &mut Body)>(actors.player)
+    {
+        position.0 = seat;
+        body.0.feet = seat.pos + world.strategy.chart_origin_m(seat.hemisphere);
+        body.0.velocity = car.velocity;
+        body.0.grounded = true;
+    }
+    actors.set_look(yaw, pitch);
+    if jolt_m_s >= CRASH_FROM_M_S {
+        outbox.sounds.push(SoundEvent::Crashed {
+            speed_m_s: jolt_m_s,
+        });
+        let harm = fall_harm(jolt_m_s * CRASH_SHARE, actors.tuning.gravity_m_s2);
+        let from = Some(car.turn * DVec3::X);
+        hurt_player(actors, player, outbox, harm, HarmKind::Crash, from);
     }
 }

@@ -3,16 +3,20 @@
 use glam::DVec3;
 use hecs::Entity;
 
+use super::Cars;
 use super::tuning::{
     BODY_KG, BULLET_PUSH_KG, HARM_PER_M_S, HURTS_AGAIN_AFTER_S, SHOVES_BELOW_M_S, THROWN,
     TOUCH_GAP_M,
 };
-use crate::harm::HarmKind;
-use crate::player::Body;
+use crate::actors::Actors;
+use crate::harm::{HarmKind, hurt_bot, hurt_player};
+use crate::outbox::Outbox;
+use crate::player::{Body, Player};
 use crate::projectile::{Knock, Standing};
-use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::STEP_S;
+use crate::world::World;
 
 /// A car farther than this from someone's feet cannot touch them, in metres.
 const FAR_M: f64 = 5.0;
@@ -28,95 +32,89 @@ struct Meeting {
     closing_m_s: f64,
 }
 
-impl Scene {
-    /// Lets cars act on those who stand in their way.
-    pub(super) fn run_over(&mut self) {
-        self.actors
-            .cars
-            .hurt
-            .iter_mut()
-            .for_each(|(_, ago_s)| *ago_s += STEP_S);
-        self.actors
-            .cars
-            .hurt
-            .retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
-        for meeting in self.meetings() {
-            self.meet(&meeting);
-        }
+/// Lets cars act on those who stand in their way.
+pub(super) fn run_over(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    outbox: &mut Outbox,
+) {
+    let hurt = &mut actors.cars.hurt;
+    for (_, ago_s) in hurt.iter_mut() {
+        *ago_s += STEP_S;
     }
+    hurt.retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
+    let now = Situation::of(world, actors, player);
+    for meeting in meetings(&now) {
+        meet(actors, player, outbox, &meeting);
+    }
+}
 
-    fn meetings(&self) -> Vec<Meeting> {
-        let mut found = Vec::new();
-        let standing = self.standing();
-        for (number, vehicle) in self.actors.cars.vehicles.all().iter().enumerate() {
-            let place = vehicle.motion().place;
-            let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
-            for it in standing.iter().filter(near) {
-                let touch = self.actors.cars.vehicles.touches_capsule(
-                    number,
-                    it.feet,
-                    it.height_m,
-                    it.radius_m,
-                    TOUCH_GAP_M,
-                );
-                if let Some((away, velocity)) = touch {
-                    found.push(Meeting {
-                        car: number,
-                        who: it.entity,
-                        at: it.feet + DVec3::Y * (0.5 * it.height_m),
-                        away,
-                        closing_m_s: velocity.dot(away),
-                    });
-                }
+fn meetings(now: &Situation<'_>) -> Vec<Meeting> {
+    let mut found = Vec::new();
+    let standing = now.standing();
+    let vehicles = &now.actors.cars.vehicles;
+    for (number, vehicle) in vehicles.all().iter().enumerate() {
+        let place = vehicle.motion().place;
+        let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
+        for it in standing.iter().filter(near) {
+            let touch =
+                vehicles.touches_capsule(number, it.feet, it.height_m, it.radius_m, TOUCH_GAP_M);
+            if let Some((away, velocity)) = touch {
+                found.push(Meeting {
+                    car: number,
+                    who: it.entity,
+                    at: it.feet + DVec3::Y * (0.5 * it.height_m),
+                    away,
+                    closing_m_s: velocity.dot(away),
+                });
             }
         }
-        found
     }
+    found
+}
 
-    fn meet(&mut self, meeting: &Meeting) {
-        let Meeting {
-            who,
-            away,
-            closing_m_s,
-            ..
-        } = *meeting;
-        let is_fast = closing_m_s > SHOVES_BELOW_M_S;
-        if closing_m_s > 0.0
-            && let Ok(mut body) = self.actors.ecs.get::<&mut Body>(who)
-        {
-            let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
-            let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(away);
-            body.0.velocity += away * missing.max(0.0);
-            if is_fast {
-                body.0.velocity.y = body.0.velocity.y.max(closing_m_s * up);
-                body.0.grounded = false;
-            }
-        }
-        if !is_fast || self.actors.cars.hurt.iter().any(|(last, _)| *last == who) {
-            return;
-        }
-        self.actors.cars.hurt.push((who, 0.0));
-        let push = away * (-BODY_KG * closing_m_s);
-        self.actors
-            .cars
-            .vehicles
-            .push(meeting.car, meeting.at, push);
-        self.outbox.sounds.push(SoundEvent::Struck);
-        let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
-        if who == self.actors.player {
-            self.hurt_player(harm, HarmKind::RunOver, Some(-away));
-        } else {
-            let by = (self.driven_number() == Some(meeting.car)).then_some(self.actors.player);
-            self.hurt_bot_by(who, harm, by);
+fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: &Meeting) {
+    let Meeting {
+        who,
+        away,
+        closing_m_s,
+        ..
+    } = *meeting;
+    let is_fast = closing_m_s > SHOVES_BELOW_M_S;
+    if closing_m_s > 0.0
+        && let Ok(body) = actors.ecs.query_one_mut::<&mut Body>(who)
+    {
+        let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
+        let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(away);
+        body.0.velocity += away * missing.max(0.0);
+        if is_fast {
+            body.0.velocity.y = body.0.velocity.y.max(closing_m_s * up);
+            body.0.grounded = false;
         }
     }
+    let cars = &mut actors.cars;
+    if !is_fast || cars.hurt.iter().any(|(last, _)| *last == who) {
+        return;
+    }
+    cars.hurt.push((who, 0.0));
+    let push = away * (-BODY_KG * closing_m_s);
+    cars.vehicles.push(meeting.car, meeting.at, push);
+    outbox.sounds.push(SoundEvent::Struck);
+    let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
+    if who == actors.player {
+        hurt_player(actors, player, outbox, harm, HarmKind::RunOver, Some(-away));
+    } else {
+        let by = (cars.driven_number() == Some(meeting.car)).then_some(actors.player);
+        hurt_bot(actors, who, harm, by);
+    }
+}
 
-    /// Deals out what bullets did to cars in a step.
-    pub(crate) fn take_knocks(&mut self, knocks: &[Knock]) {
-        for knock in knocks {
-            let impulse = knock.velocity * BULLET_PUSH_KG;
-            self.actors.cars.vehicles.push(knock.car, knock.at, impulse);
-            self.outbox.sounds.push(SoundEvent::CarHit);
-        }
+/// Deals out what bullets did to cars in a step.
+pub(crate) fn take_knocks(cars: &mut Cars, outbox: &mut Outbox, knocks: &[Knock]) {
+    for knock in knocks {
+        let impulse = knock.velocity * BULLET_PUSH_KG;
+        cars.vehicles.push(knock.car, knock.at, impulse);
+        outbox.sounds.push(SoundEvent::CarHit);
     }
 }

@@ -7,7 +7,7 @@ use super::tuning::{HEAD_LIGHT_M, SEAT_M, TAIL_LIGHT_M};
 use crate::frame::{BeamLight, Figure, LampLight, ModelId};
 use crate::moment::{Lit, Who};
 use crate::posture::{Clip, Posture};
-use crate::scene::Scene;
+use crate::situation::Situation;
 
 /// Colour times strength of a head light: nearly white.
 const HEAD_COLOUR: [f32; 3] = [7.0, 6.6, 5.6];
@@ -29,68 +29,67 @@ const SIDES: [f64; 2] = [-1.0, 1.0];
 /// Cars whose lights are shown, the player's first.
 const MOST_LIT_CARS: usize = 6;
 
-impl Scene {
-    /// Bodies and wheels of all cars.
-    pub(crate) fn show_cars(&self, seen: &mut Vec<(Who, Figure)>) {
-        for (car_number, car) in self.cars().into_iter().enumerate() {
-            let figure = |model, own: DVec3, turn: DQuat| Figure {
-                turn,
-                ..Figure::standing(model, car.place(own), 0.0)
-            };
-            let body = ModelId::car_body(car.lights, car.brakes);
-            seen.push((Who::Car(car_number), figure(body, DVec3::ZERO, car.turn)));
-            for (number, wheel) in car.wheels.iter().enumerate() {
-                let model = if number % 2 == 0 {
-                    ModelId::CarWheelLeft
-                } else {
-                    ModelId::CarWheelRight
-                };
-                let turn = car.turn
-                    * DQuat::from_rotation_y(-wheel.steer_rad)
-                    * DQuat::from_rotation_z(-wheel.roll_rad);
-                seen.push((
-                    Who::Wheel(car_number, number),
-                    figure(model, wheel.hub, turn),
-                ));
-            }
-        }
-    }
-
-    /// Seats the player's own figure in the car that is driven.
-    pub(crate) fn seat_figure(&self, figure: &mut Figure) {
-        let Some(car) = self.driven_car() else {
-            return;
+/// Bodies and wheels of all cars.
+pub(crate) fn show_cars(now: &Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
+    for (car_number, car) in now.actors.cars.views(now.world).into_iter().enumerate() {
+        let figure = |model, own: DVec3, turn: DQuat| Figure {
+            turn,
+            ..Figure::standing(model, car.place(own), 0.0)
         };
-        figure.point = car.place(SEAT_M);
-        figure.turn = car.turn;
-        figure.posture = Posture::of(Clip::Sit, 0.0);
-        figure.held = None;
-        figure.flashes = false;
-    }
-
-    /// Beams of the head lights, and the glow of the lights behind.
-    pub(crate) fn car_lights(&self) -> Lit {
-        let mut cars: Vec<_> = self.cars().into_iter().enumerate().collect();
-        cars.retain(|(_, car)| car.lights || car.brakes);
-        cars.sort_by_key(|(_, car)| !car.driven);
-        cars.truncate(MOST_LIT_CARS);
-        let beams = cars
-            .iter()
-            .filter(|(_, car)| car.lights)
-            .flat_map(|(number, car)| {
-                SIDES.map(|side| (Who::CarLight(*number, side > 0.0), head_light(car, side)))
-            })
-            .collect();
-        let glows = cars
-            .iter()
-            .flat_map(|(number, car)| {
-                SIDES.map(|side| (Who::CarLight(*number, side > 0.0), tail_light(car, side)))
-            })
-            .collect();
-        Lit {
-            lamps: glows,
-            beams,
+        let body = ModelId::car_body(car.lights, car.brakes);
+        seen.push((Who::Car(car_number), figure(body, DVec3::ZERO, car.turn)));
+        for (number, wheel) in car.wheels.iter().enumerate() {
+            let model = if number % 2 == 0 {
+                ModelId::CarWheelLeft
+            } else {
+                ModelId::CarWheelRight
+            };
+            let turn = car.turn
+                * DQuat::from_rotation_y(-wheel.steer_rad)
+                * DQuat::from_rotation_z(-wheel.roll_rad);
+            seen.push((
+                Who::Wheel(car_number, number),
+                figure(model, wheel.hub, turn),
+            ));
         }
+    }
+}
+
+/// Seats the player's own figure in the car that is driven.
+pub(crate) fn seat_figure(now: &Situation<'_>, figure: &mut Figure) {
+    let Some(car) = now.actors.cars.driven(now.world) else {
+        return;
+    };
+    figure.point = car.place(SEAT_M);
+    figure.turn = car.turn;
+    figure.posture = Posture::of(Clip::Sit, 0.0);
+    figure.held = None;
+    figure.flashes = false;
+}
+
+/// Beams of the head lights, and the glow of the lights behind.
+pub(crate) fn car_lights(now: &Situation<'_>) -> Lit {
+    let cars = now.actors.cars.views(now.world);
+    let mut cars: Vec<_> = cars.into_iter().enumerate().collect();
+    cars.retain(|(_, car)| car.lights || car.brakes);
+    cars.sort_by_key(|(_, car)| !car.driven);
+    cars.truncate(MOST_LIT_CARS);
+    let beams = cars
+        .iter()
+        .filter(|(_, car)| car.lights)
+        .flat_map(|(number, car)| {
+            SIDES.map(|side| (Who::CarLight(*number, side > 0.0), head_light(car, side)))
+        })
+        .collect();
+    let glows = cars
+        .iter()
+        .flat_map(|(number, car)| {
+            SIDES.map(|side| (Who::CarLight(*number, side > 0.0), tail_light(car, side)))
+        })
+        .collect();
+    Lit {
+        lamps: glows,
+        beams,
     }
 }
 

@@ -1,10 +1,10 @@
 //! Cars: those of the world, where they stand, and what others may know of them.
 
 pub(crate) mod camera;
-mod doors;
-mod drive;
-mod harm;
-mod lights;
+pub(crate) mod doors;
+pub(crate) mod drive;
+pub(crate) mod harm;
+pub(crate) mod lights;
 pub mod tuning;
 
 use std::f64::consts::TAU;
@@ -15,9 +15,10 @@ use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
+use crate::body;
+use crate::camera::CameraMode;
 use crate::ground_changed::may_stand_on;
-use crate::persist::FASTEST_RESTORED_M_S;
-use crate::scene::Scene;
+use crate::persist::{FASTEST_RESTORED_M_S, restored_point};
 use crate::spawn::FIRST_YAW_RAD;
 use crate::world::World;
 use camera::Chase;
@@ -27,6 +28,8 @@ use tuning::{FIRST_CAR_RINGS_M, MOST_CARS};
 const FIRST_CAR_TURNS: u32 = 12;
 /// A saved car that turns faster was not saved by the game.
 const FASTEST_RESTORED_RAD_S: f64 = 50.0;
+/// Height of its middle over the ground, in metres.
+const MIDDLE_UP_M: f64 = 0.8;
 /// Half of the rectangle that it stands on, in metres.
 const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 
@@ -45,7 +48,7 @@ pub(crate) struct Driving {
     pub car: usize,
     pub chase: Chase,
     /// From where the player saw the world before.
-    pub camera_before: crate::camera::CameraMode,
+    pub camera_before: CameraMode,
     /// What the pedals ask for, -1 to 1; for the sound of the engine.
     pub throttle: f64,
     /// For how long the car has lain on its side or roof, seconds.
@@ -68,6 +71,81 @@ impl Cars {
     /// Their bodies.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
+    }
+
+    /// All cars, in the order in which they came.
+    pub fn views(&self, world: &World) -> Vec<CarView> {
+        (0..self.states.len())
+            .filter_map(|number| self.view(world, number))
+            .collect()
+    }
+
+    /// One car by its number.
+    pub fn view(&self, world: &World, number: usize) -> Option<CarView> {
+        let state = self.states.get(number)?;
+        let vehicle = self.vehicles.all().get(number)?;
+        let motion = vehicle.motion();
+        let origin = world.strategy.chart_origin_m(state.hemisphere);
+        Some(CarView {
+            point: ChartPoint::new(state.hemisphere, motion.place - origin),
+            turn: motion.turn,
+            velocity: motion.velocity,
+            spin: motion.spin,
+            speed_m_s: motion.speed_m_s(),
+            steer_rad: vehicle.steer_rad(),
+            lights: state.lights,
+            brakes: vehicle.brakes(),
+            driven: self.driven_number() == Some(number),
+            rests: vehicle.is_asleep(),
+            wheels: *vehicle.wheels(),
+        })
+    }
+
+    /// The car that the player drives.
+    pub fn driven(&self, world: &World) -> Option<CarView> {
+        self.view(world, self.driven_number()?)
+    }
+
+    /// Its number.
+    pub fn driven_number(&self) -> Option<usize> {
+        self.driving.as_ref().map(|driving| driving.car)
+    }
+
+    /// Whether the player sits in a car.
+    pub fn is_driving(&self) -> bool {
+        self.driving.is_some()
+    }
+
+    /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
+    /// ground is there. Returns whether there was room for one more.
+    pub fn spawn(&mut self, world: &World, point: ChartPoint, yaw: f64) -> bool {
+        if self.states.len() >= MOST_CARS {
+            return false;
+        }
+        let point = body::within_world(&*world.strategy, point);
+        let motion = VehicleMotion {
+            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+            turn: DQuat::from_rotation_y(-yaw),
+            ..VehicleMotion::default()
+        };
+        self.add(point.hemisphere, motion, false, true);
+        true
+    }
+
+    /// Returns the number of the car.
+    fn add(
+        &mut self,
+        hemisphere: Hemisphere,
+        motion: VehicleMotion,
+        lights: bool,
+        unplaced: bool,
+    ) -> usize {
+        self.states.push(CarState {
+            hemisphere,
+            lights,
+            unplaced,
+        });
+        self.vehicles.add(motion)
     }
 
     /// Ground has changed in these chunks: what rests on it is to fall.
@@ -122,179 +200,100 @@ impl CarView {
         ahead.z.atan2(ahead.x)
     }
 
+    /// Its middle, in the chart.
+    pub(crate) fn middle(&self) -> ChartPoint {
+        self.place(DVec3::Y * MIDDLE_UP_M)
+    }
+
     /// A place of the car's own axes (m) in the chart.
     pub fn place(&self, own: DVec3) -> ChartPoint {
         self.point.moved(self.turn * own)
     }
 }
 
-impl Scene {
-    /// All cars, in the order in which they came.
-    pub fn cars(&self) -> Vec<CarView> {
-        (0..self.actors.cars.states.len())
-            .filter_map(|number| self.car(number))
-            .collect()
+/// Gives the world its first car, near the start, if it has had none yet.
+pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) {
+    if cars.given {
+        return;
     }
-
-    /// One car by its number.
-    pub fn car(&self, number: usize) -> Option<CarView> {
-        let state = self.actors.cars.states.get(number)?;
-        let vehicle = self.actors.cars.vehicles.all().get(number)?;
-        let motion = vehicle.motion();
-        let origin = self.world.strategy.chart_origin_m(state.hemisphere);
-        Some(CarView {
-            point: ChartPoint::new(state.hemisphere, motion.place - origin),
-            turn: motion.turn,
-            velocity: motion.velocity,
-            spin: motion.spin,
-            speed_m_s: motion.speed_m_s(),
-            steer_rad: vehicle.steer_rad(),
-            lights: state.lights,
-            brakes: vehicle.brakes(),
-            driven: self.driven_number() == Some(number),
-            rests: vehicle.is_asleep(),
-            wheels: *vehicle.wheels(),
+    cars.given = true;
+    let heights = |at: DVec3| {
+        let (x, z) = FOOTPRINT_M;
+        [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {
+            let beside = at + DVec3::new(dx, 0.0, dz);
+            world
+                .ground
+                .untouched_height(ChartPoint::new(start.hemisphere, beside))
         })
-    }
-
-    /// The car that the player drives.
-    pub fn driven_car(&self) -> Option<CarView> {
-        self.car(self.driven_number()?)
-    }
-
-    pub(crate) fn driven_number(&self) -> Option<usize> {
-        self.actors.cars.driving.as_ref().map(|driving| driving.car)
-    }
-
-    /// Whether the player sits in a car.
-    pub fn is_driving(&self) -> bool {
-        self.actors.cars.driving.is_some()
-    }
-
-    /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
-    /// ground is there. Returns whether there was room for one more.
-    pub fn spawn_car(&mut self, point: ChartPoint, yaw: f64) -> bool {
-        if self.actors.cars.states.len() >= MOST_CARS {
-            return false;
+    };
+    let mut best: Option<(f64, DVec3)> = None;
+    for ring_m in FIRST_CAR_RINGS_M {
+        for turn in 0..FIRST_CAR_TURNS {
+            // From a little to the right of where a new player looks, so that the car is seen at once.
+            let angle = FIRST_YAW_RAD + 0.35 + TAU * f64::from(turn) / f64::from(FIRST_CAR_TURNS);
+            let at = start.pos + DVec3::new(angle.cos(), 0.0, angle.sin()) * ring_m;
+            let heights = heights(at);
+            let high = heights.into_iter().fold(f64::MIN, f64::max);
+            let low = heights.into_iter().fold(f64::MAX, f64::min);
+            let steep = high - low + 0.3 * (high - start.pos.y).abs();
+            if best.is_none_or(|(least, _)| steep < least - 0.2) {
+                best = Some((steep, at.with_y(high)));
+            }
         }
-        let point = self.within_world(point);
+    }
+    if let Some((_, at)) = best {
+        cars.spawn(world, ChartPoint::new(start.hemisphere, at), FIRST_YAW_RAD);
+    }
+}
+
+/// The records of all cars.
+pub(crate) fn records(world: &World, cars: &Cars) -> Vec<CarRecord> {
+    cars.views(world)
+        .iter()
+        .map(|car| CarRecord {
+            hemisphere: u8::from(car.point.hemisphere == Hemisphere::B),
+            pos: car.point.pos.to_array(),
+            turn: car.turn.to_array(),
+            vel: car.velocity.to_array(),
+            spin: car.spin.to_array(),
+            lights: car.lights,
+            steer: car.steer_rad,
+            springs: car.wheels.map(|wheel| wheel.compression_m),
+            rests: car.rests,
+        })
+        .collect()
+}
+
+/// Puts saved cars where they were. One whose numbers are not fit to be used is left out.
+pub(crate) fn restore(
+    world: &World,
+    cars: &mut Cars,
+    records: &[CarRecord],
+    driving: Option<u32>,
+    given: bool,
+) {
+    cars.given = given;
+    for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
+        let turn = DQuat::from_array(record.turn);
+        let velocity = DVec3::from_array(record.vel);
+        let spin = DVec3::from_array(record.spin);
+        let is_sound =
+            turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
+        let point = restored_point(world, record.hemisphere, record.pos);
+        let Some(point) = point.filter(|_| is_sound) else {
+            continue;
+        };
         let motion = VehicleMotion {
-            place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
-            turn: DQuat::from_rotation_y(-yaw),
-            ..VehicleMotion::default()
+            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+            turn: unit(turn),
+            velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
+            spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
         };
-        self.add_car(point.hemisphere, motion, false, true);
-        true
-    }
-
-    fn add_car(
-        &mut self,
-        hemisphere: Hemisphere,
-        motion: VehicleMotion,
-        lights: bool,
-        unplaced: bool,
-    ) {
-        self.actors.cars.vehicles.add(motion);
-        self.actors.cars.states.push(CarState {
-            hemisphere,
-            lights,
-            unplaced,
-        });
-        self.kept.changed = true;
-    }
-
-    /// Gives the world its first car, near the start, if it has had none yet.
-    pub fn give_first_car(&mut self) {
-        if self.actors.cars.given {
-            return;
-        }
-        self.actors.cars.given = true;
-        let start = self.start();
-        let heights = |at: DVec3| {
-            let (x, z) = FOOTPRINT_M;
-            [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {
-                let beside = at + DVec3::new(dx, 0.0, dz);
-                self.world
-                    .ground
-                    .untouched_height(ChartPoint::new(start.hemisphere, beside))
-            })
-        };
-        let mut best: Option<(f64, DVec3)> = None;
-        for ring_m in FIRST_CAR_RINGS_M {
-            for turn in 0..FIRST_CAR_TURNS {
-                // From a little to the right of where a new player looks, so that the car is seen at once.
-                let angle =
-                    FIRST_YAW_RAD + 0.35 + TAU * f64::from(turn) / f64::from(FIRST_CAR_TURNS);
-                let at = start.pos + DVec3::new(angle.cos(), 0.0, angle.sin()) * ring_m;
-                let heights = heights(at);
-                let high = heights.into_iter().fold(f64::MIN, f64::max);
-                let low = heights.into_iter().fold(f64::MAX, f64::min);
-                let steep = high - low + 0.3 * (high - start.pos.y).abs();
-                if best.is_none_or(|(least, _)| steep < least - 0.2) {
-                    best = Some((steep, at.with_y(high)));
-                }
-            }
-        }
-        if let Some((_, at)) = best {
-            self.spawn_car(ChartPoint::new(start.hemisphere, at), FIRST_YAW_RAD);
-        }
-    }
-
-    /// The records of all cars.
-    pub(crate) fn car_records(&self) -> Vec<CarRecord> {
-        self.cars()
-            .iter()
-            .map(|car| CarRecord {
-                hemisphere: u8::from(car.point.hemisphere == Hemisphere::B),
-                pos: car.point.pos.to_array(),
-                turn: car.turn.to_array(),
-                vel: car.velocity.to_array(),
-                spin: car.spin.to_array(),
-                lights: car.lights,
-                steer: car.steer_rad,
-                springs: car.wheels.map(|wheel| wheel.compression_m),
-                rests: car.rests,
-            })
-            .collect()
-    }
-
-    /// Puts saved cars where they were. One whose numbers are not fit to be used is left out.
-    pub(crate) fn restore_cars(
-        &mut self,
-        records: &[CarRecord],
-        driving: Option<u32>,
-        given: bool,
-    ) {
-        self.actors.cars.given = given;
-        let mut driven = None;
-        for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
-            let turn = DQuat::from_array(record.turn);
-            let velocity = DVec3::from_array(record.vel);
-            let spin = DVec3::from_array(record.spin);
-            let is_sound =
-                turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
-            let point = self.restored_point(record.hemisphere, record.pos);
-            let Some(point) = point.filter(|_| is_sound) else {
-                continue;
-            };
-            if driving == Some(number) {
-                driven = Some(self.actors.cars.states.len());
-            }
-            let motion = VehicleMotion {
-                place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
-                turn: unit(turn),
-                velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
-                spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
-            };
-            self.add_car(point.hemisphere, motion, record.lights, false);
-            let number = self.actors.cars.states.len() - 1;
-            self.actors
-                .cars
-                .vehicles
-                .restore(number, record.steer, record.springs, record.rests);
-        }
-        if let Some(number) = driven {
-            self.take_wheel(number);
+        let added = cars.add(point.hemisphere, motion, record.lights, false);
+        cars.vehicles
+            .restore(added, record.steer, record.springs, record.rests);
+        if driving == Some(number) {
+            doors::take_wheel(world, cars, added, CameraMode::First);
         }
     }
 }

@@ -13,7 +13,6 @@ use super::tuning::{
     SCARED_S, SEES_FRIENDS_M, SITS_M, STROLL_PACE, WALKS_M, WATCHES_M, WATCHES_S,
 };
 use crate::day::local_time_s;
-use crate::ground::Ground;
 use crate::lamp::Lamp;
 
 /// How near to a goal is there, in metres.
@@ -33,7 +32,7 @@ const VIEWS: u32 = 5;
 /// The golden angle, in radians: it spreads those who sit around a lamp.
 const GOLDEN_RAD: f64 = 2.399_963;
 
-impl Npc {
+impl Npc<'_> {
     /// Whether it fights the player.
     pub fn fights(&self) -> bool {
         self.bot.hostile || self.mind.angry_s > 0.0
@@ -43,7 +42,7 @@ impl Npc {
     pub fn notice(&mut self, around: &Around<'_>) {
         for event in around.events {
             match *event {
-                Event::Shot(at) if around.apart_m(self.point, at) < HEARS_SHOTS_M => {
+                Event::Shot(at) if around.apart_m(self.position.0, at) < HEARS_SHOTS_M => {
                     self.hear_shot(at);
                 }
                 Event::Hit {
@@ -52,7 +51,7 @@ impl Npc {
                     by_player,
                 } => self.notice_hit(around, victim == self.entity, at, by_player),
                 Event::Scare(at, radius_m) => {
-                    if !self.fights() && around.apart_m(self.point, at) < radius_m {
+                    if !self.fights() && around.apart_m(self.position.0, at) < radius_m {
                         self.mind.fear = Some((at, SCARED_S));
                     }
                 }
@@ -86,8 +85,8 @@ impl Npc {
         }
         let Some(quarry) = &around.quarry else { return };
         let angers = own
-            || around.apart_m(self.point, at) < SEES_FRIENDS_M
-                && around.sees_place(self.point, at.moved(DVec3::Y));
+            || around.apart_m(self.position.0, at) < SEES_FRIENDS_M
+                && around.sees_place(self.position.0, at.moved(DVec3::Y));
         if !angers {
             return;
         }
@@ -108,12 +107,12 @@ impl Npc {
             self.mind.known = None;
             return;
         };
-        let away_m = around.apart_m(self.point, quarry.feet);
+        let away_m = around.apart_m(self.position.0, quarry.feet);
         let alert = self.mind.state.is_combat() || self.mind.known.is_some();
         let far_m = if alert { KEEPS_SIGHT_M } else { NOTICES_M };
         let seen = away_m < far_m
-            && (alert || around.is_before(self.point, &self.look, quarry.feet))
-            && around.sees_player(quarry, self.point);
+            && (alert || around.is_before(self.position.0, self.look, quarry.feet))
+            && around.sees_player(quarry, self.position.0);
         if seen {
             self.mind.known = Some(Known {
                 feet: quarry.feet,
@@ -147,7 +146,7 @@ impl Npc {
 
     /// What it runs from: a scare, or with little health whom it fights.
     fn feared(&self) -> Option<ChartPoint> {
-        let weak = self.health <= FLEES_AT_HEALTH && self.bot.hit_s_ago < FLEES_S;
+        let weak = self.health.0 <= FLEES_AT_HEALTH && self.bot.hit_s_ago < FLEES_S;
         let foe = self.mind.known.map(|known| known.feet);
         self.mind
             .fear
@@ -161,25 +160,21 @@ impl Npc {
         if self.mind.goal.is_some() && self.mind.planned_s < 1.5 {
             return;
         }
-        let away = -way(around.strategy(), self.point, from).heading;
+        let away = -way(around.strategy(), self.position.0, from).heading;
         // Straight away at first; who finds no way so tries more and more to a side.
         let turn = 0.6 * f64::from(self.mind.stuck) * self.mind.side;
         let heading = glam::DQuat::from_rotation_y(turn) * away;
-        let point = ahead(around.strategy(), self.point, heading, FLEES_BY_M);
+        let point = ahead(around.strategy(), self.position.0, heading, FLEES_BY_M);
         self.mind.go(at_pace(point, FLEE_PACE));
     }
 
     fn fight(&mut self, around: &Around<'_>, known: Known, quarry: &Quarry) {
-        self.mind.face = Some(
-            known
-                .feet
-                .moved(DVec3::Y * around.scene.actors.tuning.eye_height_m()),
-        );
+        self.mind.face = Some(known.feet.moved(DVec3::Y * around.tuning.eye_height_m()));
         if known.ago_s > 0.3 {
             self.search(around, known);
             return;
         }
-        let away_m = around.apart_m(self.point, quarry.feet);
+        let away_m = around.apart_m(self.position.0, quarry.feet);
         let (near_m, far_m) = KEEPS_M;
         let chases = self.mind.state == State::Chase;
         let far_m = if chases { far_m - KEEPS_SLACK_M } else { far_m };
@@ -194,11 +189,11 @@ impl Npc {
             return;
         }
         self.mind.enter(State::Fight);
-        let toward = way(around.strategy(), self.point, quarry.feet).heading;
+        let toward = way(around.strategy(), self.position.0, quarry.feet).heading;
         if away_m < near_m {
             let point = ahead(
                 around.strategy(),
-                self.point,
+                self.position.0,
                 -toward,
                 near_m - away_m + 2.0,
             );
@@ -209,7 +204,7 @@ impl Npc {
                 self.mind.side = -self.mind.side;
             }
             let aside = DVec3::new(-toward.z, 0.0, toward.x) * self.mind.side;
-            let point = ahead(around.strategy(), self.point, aside, ROUND_M);
+            let point = ahead(around.strategy(), self.position.0, aside, ROUND_M);
             self.mind.go(at_pace(point, FIGHT_PACE));
         }
     }
@@ -217,7 +212,7 @@ impl Npc {
     /// Goes where the player was last known to be, and looks around there.
     fn search(&mut self, around: &Around<'_>, known: Known) {
         self.mind.enter(State::Search);
-        if around.apart_m(self.point, known.feet) > 2.0 {
+        if around.apart_m(self.position.0, known.feet) > 2.0 {
             self.mind.follow(Goal {
                 point: known.feet,
                 within_m: 1.5,
@@ -227,7 +222,7 @@ impl Npc {
             return;
         }
         let angle = f64::from((self.mind.since_s / 1.2) as u32) * GOLDEN_RAD;
-        self.mind.face = Some(self.point.moved(toward(angle) * 4.0 + DVec3::Y * 1.6));
+        self.mind.face = Some(self.position.0.moved(toward(angle) * 4.0 + DVec3::Y * 1.6));
     }
 
     fn live_in_peace(&mut self, around: &Around<'_>) {
@@ -262,8 +257,8 @@ impl Npc {
 
     /// Whether it is dusk where the figure is.
     fn is_dusk(&self, around: &Around<'_>) -> bool {
-        let time_s = around.scene.world.time_of_day_s;
-        local_time_s(time_s, around.strategy(), self.point)
+        let time_s = around.world.time_of_day_s;
+        local_time_s(time_s, around.strategy(), self.position.0)
             .is_some_and(|local_s| (DUSK_S.0..DUSK_S.1).contains(&local_s))
     }
 
@@ -272,14 +267,14 @@ impl Npc {
         let Some(quarry) = around.quarry.as_ref().filter(|_| !self.fights()) else {
             return false;
         };
-        let there = way(around.strategy(), quarry.feet, self.point);
-        let away_m = around.apart_m(self.point, quarry.feet);
+        let there = way(around.strategy(), quarry.feet, self.position.0);
+        let away_m = around.apart_m(self.position.0, quarry.feet);
         let comes_m_s = quarry.velocity.dot(there.heading);
         if away_m < ASIDE_M && comes_m_s > COMES_M_S && self.mind.state != State::Aside {
-            let back = way(around.strategy(), self.point, quarry.feet).heading;
+            let back = way(around.strategy(), self.position.0, quarry.feet).heading;
             let side = DVec3::new(-back.z, 0.0, back.x) * self.mind.side;
             let heading = (side - back * 0.3).normalize_or(side);
-            let point = ahead(around.strategy(), self.point, heading, ASIDE_BY_M);
+            let point = ahead(around.strategy(), self.position.0, heading, ASIDE_BY_M);
             self.mind.enter(State::Aside);
             self.mind.face = Some(quarry.head.point);
             self.mind.go(at_pace(point, FIGHT_PACE));
@@ -289,8 +284,8 @@ impl Npc {
         if rests
             && self.mind.bored_s <= 0.0
             && away_m < WATCHES_M
-            && around.is_before(self.point, &self.look, quarry.feet)
-            && around.sees_player(quarry, self.point)
+            && around.is_before(self.position.0, self.look, quarry.feet)
+            && around.sees_player(quarry, self.position.0)
         {
             self.mind.watch(quarry.head.point);
             return true;
@@ -329,19 +324,19 @@ impl Npc {
     fn somewhere(&mut self, around: &Around<'_>) -> ChartPoint {
         let heading = toward(self.mind.dice.heading());
         let far_m = self.mind.dice.between(WALKS_M);
-        ahead(around.strategy(), self.point, heading, far_m)
+        ahead(around.strategy(), self.position.0, heading, far_m)
     }
 
     /// The highest of some places around.
     fn viewpoint(&mut self, around: &Around<'_>) -> ChartPoint {
-        let ground: &Ground = &around.scene.world.ground;
+        let ground = &around.world.ground;
         let first = self.mind.dice.heading();
         let far_m = self.mind.dice.between(WALKS_M);
-        let mut best = (f64::NEG_INFINITY, self.point);
+        let mut best = (f64::NEG_INFINITY, self.position.0);
         for index in 0..VIEWS {
             let heading =
                 toward(first + f64::from(index) * std::f64::consts::TAU / f64::from(VIEWS));
-            let point = ahead(around.strategy(), self.point, heading, far_m);
+            let point = ahead(around.strategy(), self.position.0, heading, far_m);
             let height_m = ground.untouched_height(point);
             if height_m > best.0 {
                 best = (height_m, point);
@@ -356,7 +351,7 @@ impl Npc {
             .others
             .iter()
             .filter(|other| other.entity != self.entity && !other.fights && !self.fights())
-            .map(|other| (around.apart_m(self.point, other.point), other.point))
+            .map(|other| (around.apart_m(self.position.0, other.point), other.point))
             .filter(|(away_m, _)| (2.0 * MEETS_M..LAMP_M).contains(away_m))
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .map(|(_, point)| Goal {
@@ -367,7 +362,8 @@ impl Npc {
 
     /// The nearest lamp's glass, and a seat by it of this one's own.
     fn seat(&self, around: &Around<'_>) -> Option<(ChartPoint, ChartPoint)> {
-        let (lamp, _) = nearest_lamp(around, self.point).filter(|(_, away_m)| *away_m < LAMP_M)?;
+        let (lamp, _) =
+            nearest_lamp(around, self.position.0).filter(|(_, away_m)| *away_m < LAMP_M)?;
         let heading = toward(f64::from(self.bot.id) * GOLDEN_RAD);
         let seat = ahead(around.strategy(), lamp.point, heading, SITS_M);
         Some((lamp.glow(), seat))
@@ -390,10 +386,8 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
 
 /// The lamp nearest to a place, and how far it is.
 fn nearest_lamp(around: &Around<'_>, place: ChartPoint) -> Option<(Lamp, f64)> {
-    around
-        .scene
-        .lamps()
-        .into_iter()
+    let lamps = around.lamps.iter().copied();
+    lamps
         .map(|lamp| (lamp, around.apart_m(place, lamp.point)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
 }

@@ -36,7 +36,7 @@ impl CarView {
     }
 }
 
-impl Npc {
+impl Npc<'_> {
     /// Runs out of the way of a car that comes; whether one does.
     pub(super) fn dodges(&mut self, around: &Around<'_>) -> bool {
         let spot = around
@@ -54,7 +54,7 @@ impl Npc {
     /// by parts in a hundred over such distances, and nobody runs so exactly.
     fn way_out(&self, around: &Around<'_>, car: &CarView, way: DVec3) -> Option<ChartPoint> {
         let strategy = around.strategy();
-        let own = over(strategy, car.point, self.point);
+        let own = over(strategy, car.point, self.position.0);
         let off = own.pos - car.point.pos;
         let (speed_m_s, ahead) = (way.length(), way.normalize_or_zero());
         let along_m = off.dot(ahead);

@@ -3,7 +3,7 @@
 use antipode_geometry::ChartPoint;
 use antipode_physics::CharacterInput;
 use glam::DVec3;
-use hecs::Entity;
+use hecs::{Entity, Query};
 
 use super::bearing::{ahead, way};
 use super::mind::{Mind, State};
@@ -16,7 +16,7 @@ use crate::ground::chunks_near;
 use crate::harm::fall_harm;
 use crate::motion::Doing;
 use crate::pick::over;
-use crate::player::{self, Appearance, Body, Look, Position, wrap_angle};
+use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
 use crate::tuning::{BOT_HEALTH, STEP_S};
 
 /// Ground within this distance must be there before one moves, in metres.
@@ -39,19 +39,20 @@ const STUCK_TIMES: u32 = 3;
 /// Nearer than this others are kept away from, in metres.
 const ROOM_M: f64 = 0.9;
 
-/// A figure taken out of the world for a step.
-pub(crate) struct Npc {
+/// A figure that lives its step.
+#[derive(Query)]
+pub(crate) struct Npc<'a> {
     pub entity: Entity,
-    pub bot: Bot,
-    pub point: ChartPoint,
-    pub look: Look,
-    pub body: Body,
-    pub health: f64,
-    pub appearance: Appearance,
-    pub mind: Mind,
+    pub bot: &'a mut Bot,
+    pub position: &'a mut Position,
+    pub look: &'a mut Look,
+    pub body: &'a mut Body,
+    pub health: &'a mut Health,
+    pub appearance: &'a mut Appearance,
+    pub mind: &'a mut Mind,
 }
 
-impl Npc {
+impl Npc<'_> {
     /// Lives one step; `thinks`: whether it is its turn to.
     pub fn live(&mut self, around: &Around<'_>, thinks: bool) {
         self.mind.pass();
@@ -70,15 +71,15 @@ impl Npc {
     }
 
     fn heal(&mut self) {
-        if self.bot.hit_s_ago > HEALS_AFTER_S && self.health < BOT_HEALTH {
-            self.health = (self.health + HEALS_PER_S * STEP_S).min(BOT_HEALTH);
+        if self.bot.hit_s_ago > HEALS_AFTER_S && self.health.0 < BOT_HEALTH {
+            self.health.0 = (self.health.0 + HEALS_PER_S * STEP_S).min(BOT_HEALTH);
         }
     }
 
     /// Finds a way to the goal when there is none yet, or it is old.
     fn plan(&mut self, around: &Around<'_>) {
         let Some(goal) = self.mind.goal else { return };
-        let there = way(around.strategy(), self.point, goal.point);
+        let there = way(around.strategy(), self.position.0, goal.point);
         if there.level_m < goal.within_m {
             self.arrive(around, goal.lamp);
             return;
@@ -91,7 +92,7 @@ impl Npc {
         let changed = around
             .events
             .iter()
-            .any(|event| matches!(*event, Event::Ground(at) if around.apart_m(self.point, at) < CHANGED_M));
+            .any(|event| matches!(*event, Event::Ground(at) if around.apart_m(self.position.0, at) < CHANGED_M));
         // While somebody digs the ground changes many times a second.
         let stale_s = if changed {
             PLANS_EVERY_S.0.min(0.25)
@@ -102,19 +103,19 @@ impl Npc {
             return;
         }
         // What a plan asks about must be there; else it would depend on how quickly it comes.
-        let asked = chunks_near(around.strategy(), self.point, ASKS_M);
-        let world = &around.scene.world;
+        let asked = chunks_near(around.strategy(), self.position.0, ASKS_M);
+        let world = around.world;
         if !asked.into_iter().all(|coord| world.is_firm(coord)) {
             return;
         }
         let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
         let land = Land {
             strategy: around.strategy(),
-            ground: &around.scene.world.ground,
+            ground: &world.ground,
             blocked: &blocked,
         };
         self.mind.planned_s = 0.0;
-        match land.route(self.point, goal.point) {
+        match land.route(self.position.0, goal.point) {
             Some(route) => self.mind.steps = route.steps,
             None => self.find_no_way(),
         }
@@ -134,12 +135,8 @@ impl Npc {
                     .others
                     .iter()
                     .filter(|other| other.entity != self.entity)
-                    .find(|other| around.apart_m(self.point, other.point) < 3.0)
-                    .map(|other| {
-                        other
-                            .point
-                            .moved(DVec3::Y * around.scene.actors.tuning.eye_height_m())
-                    });
+                    .find(|other| around.apart_m(self.position.0, other.point) < 3.0)
+                    .map(|other| other.point.moved(DVec3::Y * around.tuning.eye_height_m()));
             }
             _ => {}
         }
@@ -166,7 +163,7 @@ impl Npc {
         let room = self.room(around);
         let pace = self.mind.goal.map_or(0.0, |goal| goal.pace);
         while let Some(step) = self.mind.steps.last().copied() {
-            let there = way(around.strategy(), self.point, step);
+            let there = way(around.strategy(), self.position.0, step);
             if there.level_m < STEP_THERE_M {
                 self.mind.steps.pop();
                 continue;
@@ -183,7 +180,7 @@ impl Npc {
         if pace > 1.0 && input.wish != DVec3::ZERO {
             // Faster than a walk is a share of a sprint.
             input.sprint = true;
-            input.wish *= pace / around.scene.actors.tuning.sprint_factor;
+            input.wish *= pace / around.tuning.sprint_factor;
         }
         input
     }
@@ -194,7 +191,7 @@ impl Npc {
         let others = around.others.iter().filter(|it| it.entity != self.entity);
         let mut push = DVec3::ZERO;
         for point in others.map(|it| it.point).chain(player) {
-            let away = self.point.pos - over(around.strategy(), self.point, point).pos;
+            let away = self.position.0.pos - over(around.strategy(), self.position.0, point).pos;
             let level_m = away.with_y(0.0).length();
             if level_m < ROOM_M && away.y.abs() < 1.8 {
                 push += away.with_y(0.0).normalize_or(DVec3::X) * (0.6 * (1.0 - level_m / ROOM_M));
@@ -205,9 +202,9 @@ impl Npc {
 
     /// Notes whether it gets on. Who does not looks for a way round the next step, and gives up in the end.
     fn watch_progress(&mut self, around: &Around<'_>) {
-        let anchor = *self.mind.anchor.get_or_insert(self.point);
-        if around.apart_m(anchor, self.point) > GETS_ON_M {
-            self.mind.anchor = Some(self.point);
+        let anchor = *self.mind.anchor.get_or_insert(self.position.0);
+        if around.apart_m(anchor, self.position.0) > GETS_ON_M {
+            self.mind.anchor = Some(self.position.0);
             self.mind.stuck_s = 0.0;
             return;
         }
@@ -218,8 +215,8 @@ impl Npc {
         self.mind.stuck_s = 0.0;
         self.mind.anchor = None;
         if let Some(step) = self.mind.steps.last() {
-            let heading = way(around.strategy(), self.point, *step).heading;
-            let before = ahead(around.strategy(), self.point, heading, BLOCKED_AHEAD_M);
+            let heading = way(around.strategy(), self.position.0, *step).heading;
+            let before = ahead(around.strategy(), self.position.0, heading, BLOCKED_AHEAD_M);
             self.mind.blocked.push((before, BLOCKED_S));
         }
         self.mind.planned_s = f64::INFINITY;
@@ -229,8 +226,8 @@ impl Npc {
     /// Turns towards what it looks at, or goes to.
     fn face(&mut self, around: &Around<'_>) {
         let (heading, rise) = if let Some(place) = self.mind.face {
-            let there = way(around.strategy(), self.point, place);
-            let eyes_m = self.point.pos.y + around.scene.actors.tuning.eye_height_m();
+            let there = way(around.strategy(), self.position.0, place);
+            let eyes_m = self.position.0.pos.y + around.tuning.eye_height_m();
             let rise = (place.pos.y - eyes_m).atan2(there.level_m.max(0.5));
             (there.heading, rise)
         } else {
@@ -252,14 +249,12 @@ impl Npc {
         let doing = Doing {
             holds: self.appearance.held.is_some(),
             sits: self.mind.state == State::Sit,
-            ..player::doing(&self.look, &self.body)
+            ..player::doing(self.look, self.body)
         };
         self.appearance.motion.pass(&doing, STEP_S);
         self.settle(around, input);
         self.bear_fall(around);
-        let mut position = Position(self.point);
-        player::cross(strategy, &mut position, &mut self.look, &mut self.body);
-        self.point = position.0;
+        player::cross(strategy, self.position, self.look, self.body);
     }
 
     /// Falls hurt it as they hurt the player, but for the one it came by: who sets a figure down need not know the ground.
@@ -269,9 +264,9 @@ impl Npc {
             self.mind.has_landed = body.grounded;
             return;
         }
-        let harm = fall_harm(body.hardest_m_s(), around.scene.actors.tuning.gravity_m_s2);
-        if harm > 0.0 && self.health > 0.0 {
-            self.health = (self.health - harm).max(0.0);
+        let harm = fall_harm(body.hardest_m_s(), around.tuning.gravity_m_s2);
+        if harm > 0.0 && self.health.0 > 0.0 {
+            self.health.0 = (self.health.0 - harm).max(0.0);
             self.bot.hit_s_ago = 0.0;
             self.appearance.motion.strike();
         }
@@ -279,31 +274,31 @@ impl Npc {
 
     /// Whether its middle is in rock, as when ground was built over it.
     fn is_buried(&self, around: &Around<'_>) -> bool {
-        let middle_m = 0.5 * around.scene.actors.tuning.height_m;
-        let middle = self.point.moved(DVec3::Y * middle_m);
-        around.scene.world.ground.is_solid(middle)
+        let middle_m = 0.5 * around.tuning.height_m;
+        let middle = self.position.0.moved(DVec3::Y * middle_m);
+        around.world.ground.is_solid(middle)
     }
 
     /// Lets the body stand, go or fall where the ground is there.
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
         let strategy = around.strategy();
-        let world = &around.scene.world;
-        let near = chunks_near(strategy, self.point, NEEDED_AROUND_M);
+        let world = around.world;
+        let near = chunks_near(strategy, self.position.0, NEEDED_AROUND_M);
         if !near.into_iter().all(|coord| world.is_firm(coord)) {
             // It waits, and what ended its last move does not end another one.
             (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;
         }
-        let origin = strategy.chart_origin_m(self.point.hemisphere);
-        self.body.0.feet = self.point.pos + origin;
-        let physics = &around.scene.world.physics;
+        let origin = strategy.chart_origin_m(self.position.0.hemisphere);
+        self.body.0.feet = self.position.0.pos + origin;
+        let physics = &world.physics;
         if self.is_buried(around) {
-            let hemisphere = self.point.hemisphere;
-            let ground = &around.scene.world.ground;
+            let hemisphere = self.position.0.hemisphere;
+            let ground = &world.ground;
             let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
-            physics.lift_out_sized(&mut self.body.0, &around.scene.actors.tuning, &solid);
+            physics.lift_out_sized(&mut self.body.0, around.tuning, &solid);
         }
-        physics.move_character(&mut self.body.0, &around.scene.actors.tuning, input, STEP_S);
-        self.point.pos = self.body.0.feet - origin;
+        physics.move_character(&mut self.body.0, around.tuning, input, STEP_S);
+        self.position.0.pos = self.body.0.feet - origin;
     }
 }

@@ -11,7 +11,7 @@ use super::mind::{Mind, State};
 use super::senses::Around;
 use super::tuning::{MARKED_S, SHOOTS_M};
 use crate::player::{Health, Position};
-use crate::scene::Scene;
+use crate::situation::Situation;
 
 /// Who was in sight so long ago still is, in seconds: everyone looks every tenth of one.
 pub(super) const IN_SIGHT_S: f64 = 0.2;
@@ -23,7 +23,7 @@ pub(crate) struct OtherPicture {
     pub head: Eye,
 }
 
-impl Npc {
+impl Npc<'_> {
     /// Looks whether the picture hides one who could shoot.
     pub(super) fn hide(&mut self, around: &Around<'_>) {
         let fights = matches!(self.mind.state, State::Fight | State::Chase);
@@ -34,8 +34,8 @@ impl Npc {
         let hidden = around.quarry.as_ref().is_some_and(|quarry| {
             fights
                 && sees
-                && around.apart_m(self.point, quarry.feet) < SHOOTS_M
-                && around.hides(self.point)
+                && around.apart_m(self.position.0, quarry.feet) < SHOOTS_M
+                && around.hides(self.position.0)
         });
         self.mind.hidden_s = hidden.then(|| self.mind.hidden_s.unwrap_or(0.0));
     }
@@ -46,29 +46,27 @@ impl Npc {
     }
 }
 
-impl Scene {
-    /// The picture that the player aims by, unless it is the world's own.
-    pub(super) fn other_picture(&self) -> Option<OtherPicture> {
-        let optics = self.aiming();
-        (!optics.own).then(|| OtherPicture {
-            head: self.head_through(&optics),
-            strategy: optics.strategy,
-        })
-    }
+/// The picture that the player aims by, unless it is the world's own.
+pub(super) fn other_picture(now: &Situation<'_>) -> Option<OtherPicture> {
+    let optics = now.aiming();
+    (!optics.own).then(|| OtherPicture {
+        head: now.head_through(&optics),
+        strategy: optics.strategy,
+    })
+}
 
-    /// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the
-    /// picture.
-    pub fn hidden_foes(&self) -> Vec<f64> {
-        let feet = self.feet();
-        let mut query = self.actors.ecs.query::<(&Mind, &Position, &Health)>();
-        let hidden = query
-            .iter()
-            .filter(|(mind, _, health)| mind.hidden_s.is_some() && health.0 > 0.0);
-        hidden
-            .map(|(_, position, _)| {
-                let heading = way(&*self.world.strategy, feet, position.0).heading;
-                heading.z.atan2(heading.x)
-            })
-            .collect()
-    }
+/// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the
+/// picture.
+pub(crate) fn hidden_foes(now: &Situation<'_>) -> Vec<f64> {
+    let feet = now.feet();
+    let mut query = now.actors.ecs.query::<(&Mind, &Position, &Health)>();
+    let hidden = query
+        .iter()
+        .filter(|(mind, _, health)| mind.hidden_s.is_some() && health.0 > 0.0);
+    hidden
+        .map(|(_, position, _)| {
+            let heading = way(&*now.world.strategy, feet, position.0).heading;
+            heading.z.atan2(heading.x)
+        })
+        .collect()
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
-use antipode_physics::PhysicsWorld;
+use antipode_physics::{CharacterTuning, PhysicsWorld};
 use glam::DVec3;
 use hecs::Entity;
 
@@ -12,9 +12,10 @@ use super::hidden::OtherPicture;
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
 use crate::aimed::Optics;
 use crate::car::CarView;
+use crate::lamp::Lamp;
 use crate::pick::segment_hit;
 use crate::player::Look;
-use crate::scene::Scene;
+use crate::world::World;
 
 /// Length of a tested piece of a line of sight, in metres.
 const SEGMENT_M: f64 = 1.0;
@@ -64,7 +65,8 @@ pub(crate) struct Other {
 
 /// The world around a mind, as it was when the step began.
 pub(crate) struct Around<'a> {
-    pub scene: &'a Scene,
+    pub world: &'a World,
+    pub tuning: &'a CharacterTuning,
     /// The player, where there is one to be met: neither dead nor a spectator.
     pub quarry: Option<Quarry>,
     /// The picture that the player aims by, where it is not the world's own.
@@ -72,13 +74,14 @@ pub(crate) struct Around<'a> {
     pub others: &'a [Other],
     /// Cars that come, and the level way that each takes, m/s.
     pub cars: &'a [(CarView, DVec3)],
+    pub lamps: &'a [Lamp],
     pub events: &'a [Event],
 }
 
 impl Around<'_> {
     /// The world's own.
     pub fn strategy(&self) -> &dyn Strategy {
-        &*self.scene.world.strategy
+        &*self.world.strategy
     }
 
     /// Whether the player is in sight of someone whose feet are at a point: just when the player could see that one too,
@@ -94,25 +97,24 @@ impl Around<'_> {
     }
 
     fn shows(&self, strategy: &dyn Strategy, head: &Eye, point: ChartPoint) -> bool {
-        let tuning = &self.scene.actors.tuning;
-        [tuning.eye_height_m(), 0.5 * tuning.height_m]
+        [self.tuning.eye_height_m(), 0.5 * self.tuning.height_m]
             .into_iter()
             .any(|rise_m| {
                 let spot = point.moved(DVec3::Y * rise_m);
-                sees(strategy, &self.scene.world.physics, head, spot)
+                sees(strategy, &self.world.physics, head, spot)
             })
     }
 
     /// Whether someone whose feet are at a point sees another place.
     pub fn sees_place(&self, point: ChartPoint, place: ChartPoint) -> bool {
-        let height_m = self.scene.actors.tuning.eye_height_m();
+        let height_m = self.tuning.eye_height_m();
         let eye = Eye {
             point: point.moved(DVec3::Y * height_m),
             dial: own_dial(self.strategy()),
             lift_m: height_m,
             ..Eye::default()
         };
-        sees(self.strategy(), &self.scene.world.physics, &eye, place)
+        sees(self.strategy(), &self.world.physics, &eye, place)
     }
 
     /// Whether a place is where someone looks at a glance, or close enough to be felt.
@@ -127,22 +129,20 @@ impl Around<'_> {
     }
 }
 
-impl Scene {
-    /// The world's own picture, by which others see: no choice of the player's has a part in it.
-    pub(crate) fn world_optics(&self) -> Optics {
-        Optics {
-            strategy: Arc::clone(&self.world.strategy),
-            dial: own_dial(&*self.world.strategy),
-            straight_shots: false,
-            dips: false,
-            reduced_motion: false,
-            own: true,
-        }
+/// The world's own picture, by which others see: no choice of the player's has a part in it.
+pub(crate) fn world_optics(world: &World) -> Optics {
+    Optics {
+        strategy: Arc::clone(&world.strategy),
+        dial: own_dial(&*world.strategy),
+        straight_shots: false,
+        dips: false,
+        reduced_motion: false,
+        own: true,
     }
 }
 
 /// The dial at which a world's own picture is taken: that of every new world, wherever the player sets it.
-pub(crate) fn own_dial(strategy: &dyn Strategy) -> f64 {
+fn own_dial(strategy: &dyn Strategy) -> f64 {
     strategy.dial().map_or(0.0, |dial| dial.default)
 }
 

@@ -11,12 +11,15 @@ use super::hidden::IN_SIGHT_S;
 use super::mind::State;
 use super::senses::{Around, Quarry};
 use super::tuning::{ASTRAY_RAD, MUZZLE_M_S, SHOOTS_M, SHOTS_EVERY_S};
+use crate::actors::Actors;
 use crate::aim::aim;
+use crate::gun::muzzle_of;
+use crate::outbox::Outbox;
 use crate::pick::{over, segment_hit};
-use crate::player::{self, Position};
-use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::BULLET;
+use crate::world::World;
+use crate::{player, projectile};
 
 /// A look this far off the aim hinders a shot, in radians.
 const FACES_RAD: f64 = 0.35;
@@ -43,7 +46,7 @@ pub(crate) struct Shot {
     velocity: DVec3,
 }
 
-impl Npc {
+impl Npc<'_> {
     /// Shoots when it is time and the way is clear.
     pub fn shoot(&mut self, around: &Around<'_>) -> Option<Shot> {
         let fights = matches!(self.mind.state, State::Fight | State::Chase);
@@ -58,9 +61,9 @@ impl Npc {
         if self.holds_fire() {
             return None;
         }
-        let there = way(around.strategy(), self.point, quarry.feet);
+        let there = way(around.strategy(), self.position.0, quarry.feet);
         let faces = there.heading.dot(self.look.heading()) > FACES_RAD.cos();
-        let near = around.apart_m(self.point, quarry.feet) < SHOOTS_M;
+        let near = around.apart_m(self.position.0, quarry.feet) < SHOOTS_M;
         if !(faces && near) {
             return None;
         }
@@ -81,40 +84,24 @@ impl Npc {
 
     /// A shot that meets the player where it will be when the bullet comes.
     fn aimed(&self, around: &Around<'_>, quarry: &Quarry) -> Shot {
-        let scene = around.scene;
-        let eye = player::eye(
-            &Position(self.point),
-            &self.look,
-            0.0,
-            scene.actors.tuning.eye_height_m(),
-        );
-        let muzzle = scene.muzzle_of(&eye);
+        let strategy = around.strategy();
+        let height_m = around.tuning.eye_height_m();
+        let eye = player::eye(self.position, self.look, 0.0, height_m);
+        let muzzle = muzzle_of(around.world, &eye);
         let middle = quarry
             .feet
-            .moved(DVec3::Y * (AIMS_AT * scene.actors.tuning.height_m));
-        let aimed = |target| {
-            aim(
-                &*scene.world.strategy,
-                muzzle,
-                target,
-                MUZZLE_M_S,
-                BULLET.gravity_m_s2,
-            )
-        };
+            .moved(DVec3::Y * (AIMS_AT * around.tuning.height_m));
+        let aimed = |target| aim(strategy, muzzle, target, MUZZLE_M_S, BULLET.gravity_m_s2);
         let mut velocity = aimed(middle);
         let mut target = middle;
         for _ in 0..LEAD_ROUNDS {
             // Bullets go by the metres of the chart, which near the equator are more than those of the space.
-            let level = over(&*scene.world.strategy, muzzle, target).pos - muzzle.pos;
+            let level = over(strategy, muzzle, target).pos - muzzle.pos;
             let speed_m_s = velocity.with_y(0.0).length().max(1.0);
             let flight_s = level.with_y(0.0).length() / speed_m_s;
             // A fall or a jump is not led: who is in the air is soon down again.
             let led = middle.moved(quarry.velocity.with_y(0.0) * flight_s);
-            target = scene
-                .world
-                .strategy
-                .cross(led)
-                .map_or(led, |over| over.point);
+            target = strategy.cross(led).map_or(led, |over| over.point);
             velocity = aimed(target);
         }
         Shot { muzzle, velocity }
@@ -134,7 +121,7 @@ impl Npc {
             let after = ball.fallen(BULLET.gravity_m_s2, TESTED_S);
             let next = ChartPoint::new(at.hemisphere, after.centre);
             gone_m += (after.centre - ball.centre).length();
-            if segment_hit(strategy, &around.scene.world.physics, at, next).is_some()
+            if segment_hit(strategy, &around.world.physics, at, next).is_some()
                 || self.meets_friend(around, at, next)
             {
                 return false;
@@ -152,7 +139,7 @@ impl Npc {
     }
 
     fn meets_friend(&self, around: &Around<'_>, from: ChartPoint, to: ChartPoint) -> bool {
-        let tuning = &around.scene.actors.tuning;
+        let tuning = around.tuning;
         around.others.iter().any(|other| {
             let feet = over(around.strategy(), from, other.point).pos;
             other.entity != self.entity
@@ -170,13 +157,17 @@ impl Npc {
     }
 }
 
-impl Scene {
-    /// Fires a shot for a figure.
-    pub(super) fn fire_for(&mut self, by: Entity, shot: Shot) {
-        crate::projectile::fire(&mut self.actors, shot.muzzle, shot.velocity, by);
-        let away_m = apart_m(&*self.world.strategy, self.feet(), shot.muzzle);
-        if away_m < HEARD_M {
-            self.outbox.sounds.push(SoundEvent::Shot);
-        }
+/// Fires a shot for a figure.
+pub(super) fn fire(
+    world: &World,
+    actors: &mut Actors,
+    outbox: &mut Outbox,
+    by: Entity,
+    shot: Shot,
+) {
+    projectile::fire(actors, shot.muzzle, shot.velocity, by);
+    let away_m = apart_m(&*world.strategy, actors.feet(), shot.muzzle);
+    if away_m < HEARD_M {
+        outbox.sounds.push(SoundEvent::Shot);
     }
 }

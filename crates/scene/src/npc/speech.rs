@@ -1,11 +1,14 @@
 //! What somebody says just now, and where in the picture that is.
 
+use antipode_geometry::Strategy;
 use glam::{DVec2, DVec3};
 
 use super::bearing::apart_m;
 use super::talk::Line;
+use super::wounds::pictured_at;
+use crate::bot;
 use crate::moment::Seen;
-use crate::scene::Scene;
+use crate::situation::Situation;
 
 /// How long words stay, in seconds.
 const STAY_S: f64 = 8.0;
@@ -37,28 +40,31 @@ pub struct Speech {
     pub at: Option<DVec2>,
 }
 
-impl Scene {
-    /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
-    pub fn speech(&self, seen: &Seen, fov_y_rad: f64) -> Option<Speech> {
-        let said = self.actors.npcs.said?;
-        if self.world.simulated_s - said.at_s > STAY_S {
-            return None;
-        }
-        let bots = self.bots();
-        let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
-        // Who is shot at stops talking.
-        let is_heard = speaker.health > 0.0
-            && !speaker.fights
-            && apart_m(&*self.world.strategy, self.feet(), speaker.point) < HEARD_M;
-        is_heard.then(|| {
-            let over = seen
-                .place(speaker.bot.id, speaker.point)
-                .moved(DVec3::Y * (self.actors.tuning.height_m + OVER_M));
-            Speech {
-                greets: said.greets,
-                line: said.line,
-                at: self.pictured_at(&seen.eye, over, fov_y_rad),
-            }
-        })
+/// What is being said, in a picture that was taken so, of that vertical field of view in radians.
+pub(crate) fn speech(
+    now: &Situation<'_>,
+    pictured: &dyn Strategy,
+    seen: &Seen,
+    fov_y_rad: f64,
+) -> Option<Speech> {
+    let said = now.actors.npcs.said?;
+    if now.world.simulated_s - said.at_s > STAY_S {
+        return None;
     }
+    let bots = bot::views(now.actors);
+    let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
+    // Who is shot at stops talking.
+    let is_heard = speaker.health > 0.0
+        && !speaker.fights
+        && apart_m(&*now.world.strategy, now.feet(), speaker.point) < HEARD_M;
+    is_heard.then(|| {
+        let over = seen
+            .place(speaker.bot.id, speaker.point)
+            .moved(DVec3::Y * (now.actors.tuning.height_m + OVER_M));
+        Speech {
+            greets: said.greets,
+            line: said.line,
+            at: pictured_at(pictured, &seen.eye, over, fov_y_rad),
+        }
+    })
 }

@@ -2,27 +2,27 @@
 
 use std::fmt;
 
-use antipode_geometry::{ChartPoint, Eye, equilateral_angle_sum_rad};
+use antipode_geometry::{ChartPoint, Eye, Strategy, equilateral_angle_sum_rad};
 use glam::DVec3;
 use hecs::Entity;
 
 use super::bearing::{Way, ahead, apart_m, way};
 use super::dice::Dice;
 use super::mind::{Mind, State};
-use super::senses::sees;
 use super::speech::Said;
 use super::tuning::{HAILS_M, TALKS_M};
-use crate::bot::Bot;
+use crate::actors::Actors;
+use crate::crosshair::Crosshair;
 use crate::notice::Hint;
-use crate::player::{Health, Position};
-use crate::scene::Scene;
+use crate::outbox::Outbox;
+use crate::player::Player;
+use crate::situation::Situation;
+use crate::world::World;
 
 /// Sides of the triangle whose angles are told, in metres: the way home if it lies between.
 const SIDE_M: (f64, f64) = (5.0, 20.0);
 /// How far off the ground is looked for that shows where the horizon lies, in metres.
 const HORIZON_M: f64 = 20.0;
-/// Angle from the middle of the view within which one is talked to, in radians.
-const AHEAD_RAD: f64 = 40.0 * std::f64::consts::PI / 180.0;
 /// Who is farther than this is not meant, in metres.
 const CALLS_M: f64 = 60.0;
 /// Nearer than this one is at home, in metres.
@@ -59,152 +59,111 @@ pub enum Line {
     },
 }
 
-impl Scene {
-    /// Talks to the peaceful one ahead, if there is one close by; one that is farther off waits.
-    pub(crate) fn talk(&mut self) {
-        let Some((entity, id)) = self.listener(TALKS_M) else {
-            self.hail();
-            return;
-        };
-        let Some(mind) = self.heed(entity) else {
-            return;
-        };
-        let told = mind.told;
-        mind.told += 1;
-        let greets = told == 0;
-        let line = self.line_of(id, told);
-        self.actors.npcs.said = Some(Said {
-            speaker: id,
-            greets,
-            line,
-            at_s: self.world.simulated_s,
-        });
-        self.outbox.hints.push(Hint::Said { greets, line });
-    }
-
-    /// Calls to the peaceful one ahead, who waits if that is heard.
-    fn hail(&mut self) {
-        let hint = if let Some((entity, _)) = self.listener(HAILS_M) {
-            self.heed(entity);
+/// Talks to the peaceful one ahead, if there is one close by; one that is farther off waits.
+pub(crate) fn talk(world: &World, actors: &mut Actors, player: &Player, outbox: &mut Outbox) {
+    let now = Situation::of(world, actors, player);
+    let head = now.head().point;
+    let crosshair = Crosshair::aimed(now);
+    let Some((entity, id)) = crosshair.listener(TALKS_M) else {
+        let hint = if let Some((entity, _)) = crosshair.listener(HAILS_M) {
+            heed(actors, entity, head);
             Hint::WaitsToTalk
-        } else if self.listener(CALLS_M).is_some() {
+        } else if crosshair.listener(CALLS_M).is_some() {
             Hint::TooFarToTalk
         } else {
             Hint::NobodyToTalkTo
         };
-        self.outbox.hints.push(hint);
-    }
+        outbox.hints.push(hint);
+        return;
+    };
+    let Some(mind) = heed(actors, entity, head) else {
+        return;
+    };
+    let told = mind.told;
+    mind.told += 1;
+    let greets = told == 0;
+    let now = Situation::of(world, actors, player);
+    let line = line_of(&now, id, told);
+    actors.npcs.said = Some(Said {
+        speaker: id,
+        greets,
+        line,
+        at_s: world.simulated_s,
+    });
+    outbox.hints.push(Hint::Said { greets, line });
+}
 
-    /// Has somebody heed the player, sitting where he sits.
-    fn heed(&mut self, entity: Entity) -> Option<&mut Mind> {
-        let head = self.head().point;
-        let mind = self.actors.ecs.query_one_mut::<&mut Mind>(entity).ok()?;
-        if mind.state != State::Sit {
-            mind.listen(head);
-        }
-        Some(mind)
+/// Has somebody heed the player whose head is there, sitting where he sits.
+fn heed(actors: &mut Actors, entity: Entity, head: ChartPoint) -> Option<&mut Mind> {
+    let mind = actors.ecs.query_one_mut::<&mut Mind>(entity).ok()?;
+    if mind.state != State::Sit {
+        mind.listen(head);
     }
+    Some(mind)
+}
 
-    /// The nearest living peaceful one that is ahead, within a reach and in sight.
-    fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
-        let eye = self.head();
-        let optics = self.aiming();
-        let pictured = &*optics.strategy;
-        let is_ahead = |point: ChartPoint| {
-            let view = pictured.view_point(&eye, point).truncate();
-            -view.normalize_or_zero().z > AHEAD_RAD.cos()
-        };
-        let mut query = self
-            .actors
-            .ecs
-            .query::<(Entity, &Bot, &Position, &Health, &Mind)>();
-        query
-            .iter()
-            .filter(|(_, bot, _, health, mind)| {
-                health.0 > 0.0 && !bot.hostile && mind.angry_s <= 0.0
-            })
-            .map(|(entity, bot, position, ..)| {
-                let breast = position
-                    .0
-                    .moved(DVec3::Y * (0.7 * self.actors.tuning.height_m));
-                let away_m = apart_m(&*self.world.strategy, self.feet(), position.0);
-                (away_m, bot.id, entity, breast)
-            })
-            .filter(|(away_m, .., breast)| {
-                *away_m < reach_m
-                    && is_ahead(*breast)
-                    && sees(pictured, &self.world.physics, &eye, *breast)
-            })
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
-            .map(|(_, id, entity, _)| (entity, id))
+/// One line after another, of those that are true here.
+fn line_of(now: &Situation<'_>, id: u32, told: u32) -> Line {
+    let strategy = &*now.world.strategy;
+    let home = way(strategy, now.feet(), now.start());
+    let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole((0, 2));
+    match (first + told) % 3 {
+        0 => triangle(now, home.level_m),
+        1 => horizon(now),
+        // Who is at home need not be told the way.
+        2 if home.level_m < AT_HOME_M && strategy.rim_m().is_none() => horizon(now),
+        _ => way_home(strategy, now.feet(), home),
     }
+}
 
-    /// One line after another, of those that are true here.
-    fn line_of(&self, id: u32, told: u32) -> Line {
-        let feet = self.feet();
-        let home = way(&*self.world.strategy, feet, self.start());
-        let first = Dice::new(&[self.world.setup.seed, u64::from(id)]).whole((0, 2));
-        match (first + told) % 3 {
-            0 => self.triangle(home.level_m),
-            1 => self.horizon(feet),
-            // Who is at home need not be told the way.
-            2 if home.level_m < AT_HOME_M && self.world.strategy.rim_m().is_none() => {
-                self.horizon(feet)
-            }
-            _ => self.way_home(feet, home),
-        }
+/// The triangle whose sides are as long as the way home. Straight lines between three points of a closed space lie
+/// in one sphere of its radius, however high above the level they begin.
+fn triangle(now: &Situation<'_>, home_m: f64) -> Line {
+    let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
+    let strategy = &*now.world.strategy;
+    let closed = strategy.rim_m().is_some();
+    let curvature_per_m2 = if closed {
+        strategy.curvature_per_m2()
+    } else {
+        0.0
+    };
+    let sum_rad = equilateral_angle_sum_rad(curvature_per_m2, side_m);
+    Line::Triangle {
+        side_m: side_m as u32,
+        sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
+        pictured: !closed && now.aiming().dial != 0.0,
     }
+}
 
-    /// The triangle whose sides are as long as the way home. Straight lines between three points of a closed space lie
-    /// in one sphere of its radius, however high above the level they begin.
-    fn triangle(&self, home_m: f64) -> Line {
-        let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
-        let closed = self.world.strategy.rim_m().is_some();
-        let curvature_per_m2 = if closed {
-            self.world.strategy.curvature_per_m2()
-        } else {
-            0.0
-        };
-        let sum_rad = equilateral_angle_sum_rad(curvature_per_m2, side_m);
-        Line::Triangle {
-            side_m: side_m as u32,
-            sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
-            pictured: !closed && self.aiming().dial != 0.0,
-        }
+/// Where ground as high as one's own is seen some way off, beside where a flat space shows it.
+fn horizon(now: &Situation<'_>) -> Line {
+    let level = Eye {
+        pitch: 0.0,
+        ..now.head()
+    };
+    let place = ahead(&*now.world.strategy, now.feet(), level.front(), HORIZON_M);
+    let seen = now.aiming().strategy.view_point(&level, place).truncate();
+    let rise_rad = seen.y.atan2(seen.x.hypot(seen.z));
+    let flat_rad = (now.feet().pos.y - level.point.pos.y).atan2(HORIZON_M);
+    Line::Horizon {
+        away_m: HORIZON_M as u32,
+        lower_decidegrees: ((flat_rad - rise_rad).to_degrees() * 10.0).round() as i32,
     }
+}
 
-    /// Where ground as high as one's own is seen some way off, beside where a flat space shows it.
-    fn horizon(&self, feet: ChartPoint) -> Line {
-        let level = Eye {
-            pitch: 0.0,
-            ..self.head()
-        };
-        let place = ahead(&*self.world.strategy, feet, level.front(), HORIZON_M);
-        let seen = self.aiming().strategy.view_point(&level, place).truncate();
-        let rise_rad = seen.y.atan2(seen.x.hypot(seen.z));
-        let flat_rad = (feet.pos.y - level.point.pos.y).atan2(HORIZON_M);
-        Line::Horizon {
-            away_m: HORIZON_M as u32,
-            lower_decidegrees: ((flat_rad - rise_rad).to_degrees() * 10.0).round() as i32,
-        }
-    }
-
-    /// The way home, as far as it is where one stands: high above the level that ways are told by they are shorter in a
-    /// closed world.
-    fn way_home(&self, feet: ChartPoint, home: Way) -> Line {
-        let heading = home.heading.normalize_or(DVec3::X);
-        let pace = ahead(&*self.world.strategy, feet, heading, PACE_M);
-        let share = apart_m(&*self.world.strategy, feet, pace) / PACE_M;
-        let there_m = home.level_m * share;
-        Line::Home {
-            there_m: there_m.round() as u32,
-            // From the pole to the equator is a quarter of the way round.
-            round_m: self
-                .world
-                .strategy
-                .rim_m()
-                .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),
-        }
+/// The way home, as far as it is where one stands: high above the level that ways are told by they are shorter in a
+/// closed world.
+fn way_home(strategy: &dyn Strategy, feet: ChartPoint, home: Way) -> Line {
+    let heading = home.heading.normalize_or(DVec3::X);
+    let pace = ahead(strategy, feet, heading, PACE_M);
+    let share = apart_m(strategy, feet, pace) / PACE_M;
+    let there_m = home.level_m * share;
+    Line::Home {
+        there_m: there_m.round() as u32,
+        // From the pole to the equator is a quarter of the way round.
+        round_m: strategy
+            .rim_m()
+            .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),
     }
 }
 

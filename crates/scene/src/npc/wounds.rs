@@ -1,11 +1,12 @@
 //! Where in the picture the health of those who are hurt is shown.
 
-use antipode_geometry::{ChartPoint, Eye, Projection};
+use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::{DVec2, DVec3};
 
 use super::senses::sees;
+use crate::bot;
 use crate::moment::Seen;
-use crate::scene::Scene;
+use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, NEAR_M};
 
 /// Farther off than this no health is shown, in metres.
@@ -25,47 +26,48 @@ pub struct Wound {
     pub share: f64,
 }
 
-impl Scene {
-    /// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
-    /// field of view in radians.
-    pub fn wounds(&self, seen: &Seen, fov_y_rad: f64) -> Vec<Wound> {
-        let eye = seen.eye;
-        let bots = self.bots();
-        let hurt = bots
-            .iter()
-            .filter(|view| view.health > 0.0 && view.health < BOT_HEALTH);
-        hurt.filter_map(|view| {
-            let point = seen.place(view.bot.id, view.point);
-            let over = point.moved(DVec3::Y * (self.actors.tuning.height_m + OVER_M));
-            let head = point.moved(DVec3::Y * self.actors.tuning.eye_height_m());
-            let pictured = &**self.lens().strategy();
-            let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
-            let shown = away_m < SHOWN_M && sees(pictured, &self.world.physics, &eye, head);
-            let at = self.pictured_at(&eye, over, fov_y_rad);
-            let side = over.moved(eye.right() * HALF_WIDTH_M);
-            let end = self.pictured_at(&eye, side, fov_y_rad);
-            let (at, end) = at.zip(end).filter(|_| shown)?;
-            Some(Wound {
-                at,
-                half_width: at.distance(end),
-                share: view.health / BOT_HEALTH,
-            })
+/// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
+/// field of view in radians.
+pub(crate) fn wounds(
+    now: &Situation<'_>,
+    pictured: &dyn Strategy,
+    seen: &Seen,
+    fov_y_rad: f64,
+) -> Vec<Wound> {
+    let eye = seen.eye;
+    let tuning = &now.actors.tuning;
+    let bots = bot::views(now.actors);
+    let hurt = bots
+        .iter()
+        .filter(|view| view.health > 0.0 && view.health < BOT_HEALTH);
+    hurt.filter_map(|view| {
+        let point = seen.place(view.bot.id, view.point);
+        let over = point.moved(DVec3::Y * (tuning.height_m + OVER_M));
+        let head = point.moved(DVec3::Y * tuning.eye_height_m());
+        let away_m = pictured.eye_distance_m(&eye, pictured.view_point(&eye, over));
+        let shown = away_m < SHOWN_M && sees(pictured, &now.world.physics, &eye, head);
+        let at = pictured_at(pictured, &eye, over, fov_y_rad);
+        let side = over.moved(eye.right() * HALF_WIDTH_M);
+        let end = pictured_at(pictured, &eye, side, fov_y_rad);
+        let (at, end) = at.zip(end).filter(|_| shown)?;
+        Some(Wound {
+            at,
+            half_width: at.distance(end),
+            share: view.health / BOT_HEALTH,
         })
-        .collect()
-    }
+    })
+    .collect()
+}
 
-    /// Where a place is in the picture, from its middle to the right and up, in halves of its height; none behind the
-    /// eye.
-    pub(super) fn pictured_at(
-        &self,
-        eye: &Eye,
-        place: ChartPoint,
-        fov_y_rad: f64,
-    ) -> Option<DVec2> {
-        let pictured = self.lens().strategy();
-        let view = pictured.view_point(eye, place);
-        // With an aspect of one both axes count in halves of the height.
-        let projection = Projection::new(fov_y_rad, 1.0, NEAR_M);
-        Projection::screen(pictured.clip_from_view(eye, &projection, view))
-    }
+/// Where a place is in the picture, from its middle to the right and up, in halves of its height; none behind the eye.
+pub(super) fn pictured_at(
+    pictured: &dyn Strategy,
+    eye: &Eye,
+    place: ChartPoint,
+    fov_y_rad: f64,
+) -> Option<DVec2> {
+    let view = pictured.view_point(eye, place);
+    // With an aspect of one both axes count in halves of the height.
+    let projection = Projection::new(fov_y_rad, 1.0, NEAR_M);
+    Projection::screen(pictured.clip_from_view(eye, &projection, view))
 }

@@ -1,0 +1,265 @@
+//! What a host may ask of a scene: answers that change nothing.
+
+use std::sync::Arc;
+
+use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_terrain::Biome;
+
+use crate::actors::ActorId;
+use crate::bearings::{self, Bearings, Landmark};
+use crate::bot::{self, BotView};
+use crate::camera::CameraMode;
+use crate::car::CarView;
+use crate::drops::Drop;
+use crate::frame::Quality;
+use crate::harm;
+use crate::hit_shapes::{self, HitShape};
+use crate::inventory::Inventory;
+use crate::lamp::Lamp;
+use crate::moment::Seen;
+use crate::npc::{self, Speech, Wound};
+use crate::photo::Viewpoint;
+use crate::probe::Probe;
+use crate::probing;
+use crate::projectile::Projectile;
+use crate::scene::Scene;
+use crate::setup::WorldSetup;
+use crate::situation::is_ground_ready;
+use crate::sound::{self, Surroundings};
+use crate::tuning::MOST_BOTS;
+use crate::viewing::Viewing;
+
+/// The world.
+impl Scene {
+    /// What makes this world the one it is.
+    pub fn setup(&self) -> &WorldSetup {
+        &self.sim.world.setup
+    }
+
+    /// Name of the biome of this seed.
+    pub fn biome(&self) -> &'static str {
+        Biome::from_seed(self.sim.world.setup.seed).name()
+    }
+
+    /// The strategy of the world itself; pictures are taken with that of [`Scene::lens`].
+    pub fn strategy(&self) -> &Arc<dyn Strategy> {
+        &self.sim.world.strategy
+    }
+
+    /// Time of day in seconds, 0 to 600.
+    pub fn time_of_day_s(&self) -> f64 {
+        self.sim.world.time_of_day_s
+    }
+
+    /// The time of day where the player is, in seconds, 0 to 600; none at the poles of the sun's way.
+    pub fn local_time_s(&self) -> Option<f64> {
+        self.sim.world.local_time_s(self.feet())
+    }
+
+    /// Simulated time since the world was made, in seconds.
+    pub fn simulated_s(&self) -> f64 {
+        self.sim.world.simulated_s
+    }
+
+    /// Whether a command that cheats was ever used in this world.
+    pub fn cheated(&self) -> bool {
+        self.kept.cheated
+    }
+
+    /// How far chunks are loaded.
+    pub fn view_distance(&self) -> u32 {
+        self.sim.world.setup.view_distance
+    }
+
+    /// Whether the ground around the player exists with its colliders.
+    pub fn is_ground_ready(&self) -> bool {
+        is_ground_ready(&self.sim.world, &self.sim.actors)
+    }
+
+    /// Height of the ground under the player's head, in metres of the chart; `None` where none is near, or where
+    /// the head is in rock with no cave below. Beyond where bodies move it is that of untouched ground, whatever
+    /// happens to be loaded there.
+    pub fn ground_height(&self) -> Option<f64> {
+        self.sim.world.ground_height(self.head().point)
+    }
+
+    /// The state of the world for a script.
+    pub fn probe(&self) -> Probe {
+        probing::probe(self.now(), self.shown.quality)
+    }
+}
+
+/// The player.
+impl Scene {
+    /// Where the player's feet are.
+    pub fn feet(&self) -> ChartPoint {
+        self.sim.actors.feet()
+    }
+
+    /// The eye in the player's head, as the simulation has it.
+    pub fn head(&self) -> Eye {
+        self.now().head()
+    }
+
+    /// The player's hotbar.
+    pub fn inventory(&self) -> &Inventory {
+        &self.sim.player.inventory
+    }
+
+    /// Radius of the brush in metres.
+    pub fn brush_radius_m(&self) -> f64 {
+        self.sim.player.brush_radius_m
+    }
+
+    /// Whether the player's flashlight is on.
+    pub fn flashlight(&self) -> bool {
+        self.sim.player.flashlight
+    }
+
+    /// Whether the player flies as a spectator.
+    pub fn flying(&self) -> bool {
+        self.sim.player.flying
+    }
+
+    /// Whether bullets follow the space's geodesics.
+    pub fn straight_shots(&self) -> bool {
+        self.sim.player.gaze.straight_shots
+    }
+
+    /// The player's health.
+    pub fn health(&self) -> f64 {
+        self.sim.actors.health()
+    }
+
+    /// Whether the player lies dead.
+    pub fn is_dead(&self) -> bool {
+        self.sim.player.is_dead()
+    }
+
+    /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
+    /// radians, if from one.
+    pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {
+        harm::last(self.now())
+    }
+
+    /// Seconds since a shot of the player's struck someone.
+    pub fn struck_s_ago(&self) -> Option<f64> {
+        self.sim.player.condition.struck_s_ago
+    }
+
+    /// Seconds since the player was last hurt.
+    pub fn unhurt_s(&self) -> f64 {
+        self.sim.player.condition.unhurt_s
+    }
+
+    /// Which way the player looks, and where that is.
+    pub fn bearings(&self) -> Bearings {
+        bearings::bearings(self.now())
+    }
+
+    /// What surrounds the player.
+    pub fn surroundings(&self) -> Surroundings {
+        sound::surroundings(self.now(), &self.eye())
+    }
+}
+
+/// Everyone and everything else.
+impl Scene {
+    /// All bots, by their numbers.
+    pub fn bots(&self) -> Vec<BotView> {
+        bot::views(&self.sim.actors)
+    }
+
+    /// Whether the world can have one more figure.
+    pub fn has_room_for_bot(&self) -> bool {
+        self.bots().len() < MOST_BOTS
+    }
+
+    /// All cars, in the order in which they came.
+    pub fn cars(&self) -> Vec<CarView> {
+        self.sim.actors.cars.views(&self.sim.world)
+    }
+
+    /// One car by its number.
+    pub fn car(&self, number: usize) -> Option<CarView> {
+        self.sim.actors.cars.view(&self.sim.world, number)
+    }
+
+    /// The car that the player drives.
+    pub fn driven_car(&self) -> Option<CarView> {
+        self.sim.actors.cars.driven(&self.sim.world)
+    }
+
+    /// Whether the player sits in a car.
+    pub fn is_driving(&self) -> bool {
+        self.sim.actors.cars.is_driving()
+    }
+
+    /// The lamps of the world, in the order in which they were put down.
+    pub fn lamps(&self) -> Vec<Lamp> {
+        self.sim.actors.each()
+    }
+
+    /// Things lying about.
+    pub fn drops(&self) -> Vec<Drop> {
+        self.sim.actors.each()
+    }
+
+    /// Bullets in flight, the oldest first.
+    pub fn projectiles(&self) -> Vec<(ActorId, Projectile)> {
+        self.sim.actors.all()
+    }
+
+    /// Everything that can be hit or stands on the ground; in first person without the player's own body, inside of
+    /// which one looks.
+    pub fn hit_shapes(&self) -> Vec<HitShape> {
+        hit_shapes::hit_shapes(self.now())
+    }
+
+    /// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
+    /// off are marked at the edge in their direction.
+    pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
+        bearings::landmarks(&self.sim.world, &self.sim.actors, reach_m)
+    }
+
+    /// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the
+    /// picture.
+    pub fn hidden_foes(&self) -> Vec<f64> {
+        npc::hidden_foes(&self.now())
+    }
+}
+
+/// What is laid over pictures, and how they are taken.
+impl Scene {
+    /// From where the player sees the world.
+    pub fn camera_mode(&self) -> CameraMode {
+        self.sim.player.gaze.camera
+    }
+
+    /// How much exactness pictures trade for speed.
+    pub fn quality(&self) -> Quality {
+        self.shown.quality
+    }
+
+    /// How the player wants to see the world.
+    pub fn viewing(&self) -> Viewing {
+        self.shown.viewing
+    }
+
+    /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
+    pub fn speech(&self, seen: &Seen, fov_y_rad: f64) -> Option<Speech> {
+        npc::speech(&self.now(), &**self.lens().strategy(), seen, fov_y_rad)
+    }
+
+    /// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
+    /// field of view in radians.
+    pub fn wounds(&self, seen: &Seen, fov_y_rad: f64) -> Vec<Wound> {
+        npc::wounds(&self.now(), &**self.lens().strategy(), seen, fov_y_rad)
+    }
+
+    /// Moves a camera as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. One that is in
+    /// it, since land came where it was, gets out.
+    pub fn fly_view(&self, view: &mut Viewpoint, by: glam::DVec3) {
+        view.fly_over(&self.sim.world, by);
+    }
+}

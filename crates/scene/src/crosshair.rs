@@ -1,0 +1,167 @@
+//! What is under the crosshair: the one answer by which the player digs and builds, shoots, puts lamps down and takes
+//! them up, gets into cars and talks. What else is to be aimed at gets its question here.
+
+use std::f64::consts::PI;
+
+use antipode_geometry::{ChartPoint, Eye};
+use antipode_physics::meets_capsule;
+use glam::{DVec3, DVec4};
+use hecs::Entity;
+
+use crate::actors::ActorId;
+use crate::aimed::Optics;
+use crate::bot::Bot;
+use crate::car::CarView;
+use crate::car::tuning::IN_VIEW;
+use crate::lamp::Lamp;
+use crate::npc::mind::Mind;
+use crate::npc::{apart_m, sees};
+use crate::pick::{Meets, Pick, over, pick, pick_among};
+use crate::player::{Health, Position};
+use crate::projectile::Standing;
+use crate::situation::Situation;
+use crate::tuning::LAMP_TARGET_M;
+
+/// Angle from the middle of the view within which one is talked to, in radians.
+const AHEAD_RAD: f64 = 40.0 * PI / 180.0;
+/// What of somebody has to be in sight, as a share of the height from the feet.
+const BREAST: f64 = 0.7;
+
+/// The crosshair of who looks through a picture.
+pub(crate) struct Crosshair<'a> {
+    now: Situation<'a>,
+    optics: Optics,
+}
+
+impl<'a> Crosshair<'a> {
+    /// That by which the player aims.
+    pub fn aimed(now: Situation<'a>) -> Self {
+        Self::through(now, now.aiming())
+    }
+
+    /// That of a picture which is taken through `optics`.
+    pub fn through(now: Situation<'a>, optics: Optics) -> Self {
+        Self { now, optics }
+    }
+
+    /// The first ground within `reach_m` metres beyond the head.
+    pub fn ground(&self, reach_m: f64) -> Pick {
+        let (eye, past_head_m) = self.eye();
+        let physics = &self.now.world.physics;
+        pick(&*self.optics.strategy, physics, &eye, past_head_m, reach_m)
+    }
+
+    /// The first of the ground and of others.
+    pub fn ground_or_figure(&self, reach_m: f64) -> Pick {
+        let others: Vec<Standing> = self
+            .now
+            .standing()
+            .into_iter()
+            .filter(|it| it.entity != self.now.actors.player)
+            .collect();
+        self.first(self.eye(), reach_m, &|a, b| {
+            let origin = self.now.world.strategy.chart_origin_m(a.hemisphere);
+            let (a, b) = (a.pos + origin, b.pos + origin);
+            let meets = |it: &Standing| meets_capsule(a, b, 0.0, it.feet, it.height_m, it.radius_m);
+            others.iter().filter_map(meets).reduce(f64::min)
+        })
+    }
+
+    /// The lamp, if it is nearer than the ground.
+    pub fn lamp(&self, reach_m: f64) -> Option<ActorId> {
+        let eye = self.eye();
+        let lamps = self.now.actors.all::<Lamp>();
+        let found = self.first(eye, reach_m, &|a, b| {
+            let met = lamps
+                .iter()
+                .filter_map(|(_, lamp)| self.lamp_met(lamp, a, b));
+            met.reduce(f64::min)
+        });
+        let off_m = |(_, lamp): &(ActorId, Lamp)| {
+            let strategy = &self.optics.strategy;
+            strategy.distance_m(found.point, lamp.glow(), &eye.0)
+        };
+        let nearest = lamps.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
+        (found.hit && off_m(nearest) < 2.0 * LAMP_TARGET_M).then_some(nearest.0)
+    }
+
+    /// The nearest car about the middle of the view, or about the player where it need not be in view.
+    pub fn car(&self, reach_m: f64, in_view: bool) -> Option<usize> {
+        let (head, feet) = (self.now.head(), self.now.feet());
+        let pictured = &*self.optics.strategy;
+        let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
+        self.now
+            .actors
+            .cars
+            .views(self.now.world)
+            .iter()
+            .enumerate()
+            .filter(|(_, car)| !in_view || is_in_view(pictured.view_point(&head, car.middle())))
+            .map(|(number, car)| (distance_m(car), number))
+            .filter(|(far_m, _)| *far_m <= reach_m)
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map(|(_, number)| number)
+    }
+
+    /// Whether nothing hides a place from the player.
+    pub fn sees(&self, place: ChartPoint) -> bool {
+        let physics = &self.now.world.physics;
+        sees(&*self.optics.strategy, physics, &self.now.head(), place)
+    }
+
+    /// The nearest living peaceful one ahead and in sight, and its number.
+    pub fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
+        let Situation { world, actors, .. } = self.now;
+        let (eye, feet) = (self.now.head(), self.now.feet());
+        let pictured = &*self.optics.strategy;
+        let is_ahead = |point: ChartPoint| {
+            let view = pictured.view_point(&eye, point).truncate();
+            -view.normalize_or_zero().z > AHEAD_RAD.cos()
+        };
+        let mut query = actors
+            .ecs
+            .query::<(Entity, &Bot, &Position, &Health, &Mind)>();
+        query
+            .iter()
+            .filter(|(_, bot, _, health, mind)| {
+                health.0 > 0.0 && !bot.hostile && mind.angry_s <= 0.0
+            })
+            .map(|(entity, bot, position, ..)| {
+                let breast = position
+                    .0
+                    .moved(DVec3::Y * (BREAST * actors.tuning.height_m));
+                let away_m = apart_m(&*world.strategy, feet, position.0);
+                (away_m, bot.id, entity, breast)
+            })
+            .filter(|(away_m, .., breast)| {
+                *away_m < reach_m
+                    && is_ahead(*breast)
+                    && sees(pictured, &world.physics, &eye, *breast)
+            })
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+            .map(|(_, id, entity, _)| (entity, id))
+    }
+
+    /// The eye of the picture, and how far the head lies beyond it, in metres.
+    fn eye(&self) -> (Eye, f64) {
+        let eye = self.now.camera_through(&self.optics).eye;
+        (eye, self.now.past_head_m(&self.optics, &eye))
+    }
+
+    fn first(&self, (eye, past_head_m): (Eye, f64), reach_m: f64, meets: Meets<'_>) -> Pick {
+        let (strategy, physics) = (&*self.optics.strategy, &self.now.world.physics);
+        pick_among(strategy, physics, meets, &eye, past_head_m, reach_m)
+    }
+
+    fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
+        let glow = over(&*self.now.world.strategy, a, lamp.glow()).pos;
+        let foot = glow - DVec3::Y * LAMP_TARGET_M;
+        meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
+    }
+}
+
+/// Whether a point in view coordinates is about in the picture.
+fn is_in_view(view: DVec4) -> bool {
+    let (aside, up) = IN_VIEW;
+    view.z < 0.0 && view.x.abs() <= aside * -view.z && view.y.abs() <= up * -view.z
+}

@@ -1,0 +1,132 @@
+//! How things stand: what a rule may ask about the world, its actors and the player before it changes anything. The eyes
+//! of the player are here; what they meet is in `crosshair`.
+
+use antipode_geometry::{ChartPoint, Eye};
+use hecs::Entity;
+
+use crate::actors::Actors;
+use crate::aimed::Optics;
+use crate::camera::{self, CameraMode, CameraPose};
+use crate::car::camera as car_camera;
+use crate::ground::chunks_near;
+use crate::player::{self, Health, Player, Position};
+use crate::projectile::Standing;
+use crate::world::World;
+
+/// Ground within this distance of a body must be there with its collider before the body moves, in metres.
+const NEEDED_AROUND_M: f64 = 4.0;
+
+/// The world, its actors and the player, to be looked at.
+#[derive(Clone, Copy)]
+pub(crate) struct Situation<'a> {
+    pub world: &'a World,
+    pub actors: &'a Actors,
+    pub player: &'a Player,
+}
+
+impl<'a> Situation<'a> {
+    pub fn of(world: &'a World, actors: &'a Actors, player: &'a Player) -> Self {
+        Self {
+            world,
+            actors,
+            player,
+        }
+    }
+
+    /// Where the player's feet are.
+    pub fn feet(&self) -> ChartPoint {
+        self.actors.feet()
+    }
+
+    /// What the player aims through.
+    pub fn aiming(&self) -> Optics {
+        self.player.gaze.aiming()
+    }
+
+    /// The eye in the player's head, as the simulation has it.
+    pub fn head(&self) -> Eye {
+        self.head_through(&self.aiming())
+    }
+
+    /// The eye in the player's head, looking through that.
+    pub fn head_through(&self, optics: &Optics) -> Eye {
+        if let Some(head) = car_camera::driver_head(self, optics) {
+            return head;
+        }
+        let (position, look) = self.actors.player_stance();
+        // Seen from behind, the body does not dip, and the camera would shake without a cause.
+        let dip_m = match self.player.gaze.camera {
+            CameraMode::First if optics.dips => self.player.gaze.dip.depth_m(),
+            CameraMode::First | CameraMode::Third => 0.0,
+        };
+        let height_m = self.actors.tuning.eye_height_m() - dip_m;
+        player::eye(&position, &look, optics.dial, height_m)
+    }
+
+    /// The camera, looking through that.
+    pub fn camera_through(&self, optics: &Optics) -> CameraPose {
+        if let Some(camera) = car_camera::driver_camera(self, optics) {
+            return camera;
+        }
+        let mut head = self.head_through(optics);
+        let dead_s = self.player.condition.dead_s();
+        if let Some(dead_s) = dead_s.filter(|_| self.player.gaze.camera == CameraMode::First) {
+            let lies_at_once = optics.reduced_motion;
+            head = camera::fallen(&head, if lies_at_once { f64::INFINITY } else { dead_s });
+        }
+        camera::place(
+            self.player.gaze.camera,
+            &head,
+            &*optics.strategy,
+            &self.world.physics,
+        )
+    }
+
+    /// How far the head lies beyond an eye that looks through that, metres: near a wall the camera stands closer than it
+    /// would like.
+    pub fn past_head_m(&self, optics: &Optics, eye: &Eye) -> f64 {
+        match self.player.gaze.camera {
+            CameraMode::First => 0.0,
+            CameraMode::Third => {
+                let head = self.head_through(optics);
+                optics.strategy.distance_m(eye.point, head.point, eye)
+            }
+        }
+    }
+
+    /// Everyone who can be struck, where they stand in physics space; the dead and spectators cannot.
+    pub fn standing(&self) -> Vec<Standing> {
+        let (actors, tuning) = (self.actors, &self.actors.tuning);
+        let mut query = actors.ecs.query::<(Entity, &Position, &Health)>();
+        let mut all: Vec<Standing> = query
+            .iter()
+            .filter(|(entity, _, health)| {
+                // Who drives is met by what meets the car.
+                let is_there =
+                    *entity != actors.player || !(self.player.flying || actors.cars.is_driving());
+                health.0 > 0.0 && is_there
+            })
+            .map(|(entity, position, _)| Standing {
+                entity,
+                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.hemisphere),
+                height_m: tuning.height_m,
+                radius_m: tuning.radius_m,
+            })
+            .collect();
+        all.sort_unstable_by_key(|it| it.entity.id());
+        all
+    }
+
+    /// Where the player stands up again.
+    pub fn start(&self) -> ChartPoint {
+        let start = self.player.start;
+        start.unwrap_or_else(|| self.world.ground.spawn_point())
+    }
+}
+
+/// Whether the ground around the player exists with its colliders.
+pub(crate) fn is_ground_ready(world: &World, actors: &Actors) -> bool {
+    chunks_near(&*world.strategy, actors.feet(), NEEDED_AROUND_M)
+        .into_iter()
+        .all(|coord| world.streamer.is_ready(coord))
+}

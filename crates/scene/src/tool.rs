@@ -1,0 +1,121 @@
+//! The tools that dig and build: where they work, what they do to the ground, and what they may not do.
+
+use antipode_geometry::ChartPoint;
+use antipode_terrain::Stroke;
+use glam::DVec3;
+
+use crate::actions::Actions;
+use crate::crosshair::Crosshair;
+use crate::item::Item;
+use crate::notice::Hint;
+use crate::outbox::Outbox;
+use crate::player::Player;
+use crate::situation::Situation;
+use crate::sound::SoundEvent;
+use crate::tuning::{REACH_M, STEP_S};
+use crate::world::World;
+
+/// What is built may not come nearer to the player's body than this below a roof, in metres.
+const BODY_SLACK_M: f64 = 0.5;
+/// Apart from each other, places above the head at which a roof is looked for, in metres.
+const ROOF_STEP_M: f64 = 0.5;
+
+/// Where a tool works.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ToolMark {
+    pub point: ChartPoint,
+    /// Whether it is being used.
+    pub active: bool,
+}
+
+/// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
+pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
+    strength_in_hand(&now)?;
+    Some(ToolMark {
+        point: Crosshair::aimed(now).ground(REACH_M).point,
+        active: false,
+    })
+}
+
+/// What the tool in a free hand digs, per second.
+fn strength_in_hand(now: &Situation<'_>) -> Option<f32> {
+    let held = now.player.inventory.held();
+    let held = held.filter(|_| !now.actors.cars.is_driving());
+    held.and_then(Item::brush_strength_per_s)
+}
+
+/// Uses the tool in hand, where it was last marked; returns what that does to the ground.
+pub(crate) fn work(
+    now: Situation<'_>,
+    actions: &Actions,
+    mark: &mut Option<ToolMark>,
+    outbox: &mut Outbox,
+) -> Option<Stroke> {
+    let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
+    let radius_m = now.player.brush_radius_m;
+    hear(now.world, *mark, radius_m, sign, outbox);
+    let strength = now.player.inventory.held()?.brush_strength_per_s()?;
+    let mark = mark.as_mut()?;
+    if sign == 0.0 {
+        return None;
+    }
+    mark.active = true;
+    let centre = mark.point;
+    if sign < 0.0 && would_immure(&now, centre) {
+        if !now.player.secondary_before {
+            outbox.hints.push(Hint::InTheWay);
+        }
+        return None;
+    }
+    Some(Stroke {
+        centre,
+        radius_m,
+        amount: sign * strength * STEP_S as f32,
+    })
+}
+
+/// Tells what a tool did in a step: `sign` is 1 for digging, -1 for building and 0 for rest.
+fn hear(world: &World, mark: Option<ToolMark>, radius_m: f64, sign: f32, outbox: &mut Outbox) {
+    let mark = mark.filter(|_| sign != 0.0);
+    if !outbox.sounds.stroke_is_due(mark.is_some(), STEP_S) {
+        return;
+    }
+    let Some(mark) = mark else { return };
+    // In the open air, and deep in rock that is built on, nothing changes that could be heard.
+    if f64::from(world.ground.density(mark.point)).abs() > radius_m {
+        return;
+    }
+    outbox.sounds.push(if sign > 0.0 {
+        SoundEvent::Dug {
+            cover: world.ground.cover(mark.point),
+        }
+    } else {
+        SoundEvent::Built
+    });
+}
+
+/// Whether building there would fill the place of the player's body under a roof. In the open it is lifted by what
+/// is built; here the nearest free place is on top of the hill.
+fn would_immure(now: &Situation<'_>, centre: ChartPoint) -> bool {
+    let Player {
+        flying,
+        brush_radius_m,
+        ..
+    } = *now.player;
+    if flying || now.actors.cars.is_driving() {
+        return false;
+    }
+    let tuning = &now.actors.tuning;
+    let feet = now.feet();
+    let middle = feet.moved(DVec3::Y * (0.5 * tuning.height_m));
+    let reach_m = brush_radius_m + 0.5 * tuning.height_m + BODY_SLACK_M;
+    if now.world.strategy.distance_m(middle, centre, &now.head()) > reach_m {
+        return false;
+    }
+    let steps = (brush_radius_m / ROOF_STEP_M).ceil() as u32;
+    let above = |step| tuning.height_m + f64::from(step) * ROOF_STEP_M;
+    (0..=steps).any(|step| {
+        let at = feet.moved(DVec3::Y * above(step));
+        now.world.ground.is_solid(at)
+    })
+}
