@@ -4,9 +4,9 @@
 
 use std::time::{Duration, Instant};
 
+use antipode_frame::{ChunkChange, Frame, Quality};
 use antipode_geometry::{Eye, Geometry, HyperbolicMap, picture};
 use antipode_render::{ChunkLand, LandBook, Planner};
-use antipode_scene::frame::{ChunkChange, Frame, Quality};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Scene, WorldSetup};
 use glam::DVec3;

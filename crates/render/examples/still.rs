@@ -7,15 +7,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
+use antipode_frame::{
+    ChunkChange, Clip, Figure, Frame, Lights, Marker, MarkerShape, ModelId, Posture, Quality,
+};
 use antipode_geometry::{
     CHUNK_CELLS, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye,
     Geometry, Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, RenderError, Renderer};
 use antipode_scene::day::sky;
-use antipode_scene::frame::{
-    ChunkChange, Clip, Figure, Frame, Lights, Marker, MarkerShape, ModelId, Posture, Quality,
-};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec3, IVec3};
 

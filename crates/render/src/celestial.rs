@@ -2,7 +2,7 @@
 
 use std::f32::consts::TAU;
 
-use antipode_scene::frame::Sky;
+use antipode_frame::Sky;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use antipode_frame::{ChunkChange, Frame};
 use antipode_geometry::ChunkCoord;
-use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 
 use crate::blend::BlendClock;

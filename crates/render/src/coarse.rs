@@ -55,7 +55,7 @@ fn main_joint(skin: &SkinVertex) -> u8 {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use antipode_scene::frame::ModelId;
+    use antipode_frame::ModelId;
 
     use super::*;
 

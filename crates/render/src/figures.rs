@@ -1,7 +1,7 @@
 //! Figures: one mesh for each model, an instance for each figure and for what it holds.
 
+use antipode_frame::{Figure, Frame, ModelId};
 use antipode_geometry::ChartPoint;
-use antipode_scene::frame::{Figure, Frame, ModelId};
 use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 

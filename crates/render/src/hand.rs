@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
+use antipode_frame::{Frame, Hand, ModelId};
 use antipode_geometry::ChartPoint;
-use antipode_scene::frame::{Frame, Hand, ModelId};
 use glam::{Quat, Vec3};
 
 use crate::lamps::{BEAMS, LAMPS, lights_near};

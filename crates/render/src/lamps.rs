@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use antipode_frame::{BeamLight, Frame, LampLight};
 use antipode_geometry::{ChartPoint, Hemisphere};
-use antipode_scene::frame::{BeamLight, Frame, LampLight};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
 

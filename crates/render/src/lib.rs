@@ -1,7 +1,7 @@
 //! Draws a frame of a scene into a texture view with wgpu.
 //!
 //! [`Gpu`] opens an adapter, [`Renderer`] keeps the terrain's meshes on it and draws one
-//! [`Frame`](antipode_scene::frame::Frame) after another, [`Offscreen`] is a target that can be read back.
+//! [`Frame`](antipode_frame::Frame) after another, [`Offscreen`] is a target that can be read back.
 //! Nothing here opens a window, loads a world or asks which space the world is in.
 
 mod ball;

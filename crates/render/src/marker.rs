@@ -1,8 +1,8 @@
 //! What shows where tools work: a thin ring on the land about what is dug or built, and a small ball where the lamp in
 //! hand would hang.
 
+use antipode_frame::{Frame, Marker, MarkerShape};
 use antipode_geometry::{ChartPoint, Geometry};
-use antipode_scene::frame::{Frame, Marker, MarkerShape};
 use glam::{DMat3, DVec3, DVec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};

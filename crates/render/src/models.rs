@@ -1,7 +1,7 @@
 //! The game's models as the adapter takes them: vertices and indices in the game's axes, x ahead, y up, z to the right.
 
+use antipode_frame::ModelId;
 use antipode_models::{GAME_FROM_FILE, Material, Mesh, Model, Vertex};
-use antipode_scene::frame::ModelId;
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
 

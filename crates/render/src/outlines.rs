@@ -2,7 +2,7 @@
 
 use std::f32::consts::TAU;
 
-use antipode_scene::frame::{Frame, HitForm, HitShape};
+use antipode_frame::{Frame, HitForm, HitShape};
 use bytemuck::{Pod, Zeroable};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};

@@ -13,8 +13,8 @@
 
 use std::sync::Arc;
 
+use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
-use antipode_scene::frame::Frame;
 use glam::DVec3;
 
 use crate::chunk_store::{ChunkStore, GpuChunk};

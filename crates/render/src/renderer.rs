@@ -1,6 +1,6 @@
 //! Draws one frame after another: the scene as light, then the light as a picture.
 
-use antipode_scene::frame::Frame;
+use antipode_frame::Frame;
 use wgpu::{
     BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
     RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,

@@ -1,7 +1,7 @@
 //! A model's skeleton: from how a body is held to where its joints are, what it reaches to, and where its hand is.
 
+use antipode_frame::{Clip, Posture};
 use antipode_models::{GAME_FROM_FILE, Mask, Model, Pose, Skeleton, Skin};
-use antipode_scene::frame::{Clip, Posture};
 use glam::{Mat4, Quat, Vec3};
 
 use crate::error::RenderError;

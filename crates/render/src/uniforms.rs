@@ -1,7 +1,7 @@
 //! What the shaders are told each frame, laid out as they read it.
 
+use antipode_frame::{Frame, Orbs};
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
-use antipode_scene::frame::{Frame, Orbs};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};

@@ -11,10 +11,10 @@ use glam::DQuat;
 use crate::actions::Actions;
 use crate::camera::{CameraPose, keep_clear};
 use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight};
+use crate::frame::{Clip, Posture};
 use crate::moment::{Mark, Moment, Seen, Who};
 use crate::photo::Viewpoint;
 use crate::player::wrap_angle;
-use crate::posture::{Clip, Posture};
 use crate::scene::Scene;
 use crate::tuning::{DAY_S, STEP_S};
 

@@ -1,12 +1,11 @@
 //! The shapes by which things are hit and stand on the ground, as a list to be drawn.
 
-use antipode_geometry::ChartPoint;
 use antipode_physics::Character;
-use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::camera::CameraMode;
 use crate::drops::Drop;
+use crate::frame::{HitForm, HitShape};
 use crate::ground::chunks_near;
 use crate::lamp::Lamp;
 use crate::player::{Body, Health, Position};
@@ -18,52 +17,6 @@ use crate::tuning::{BULLET, DROP, LAMP_TARGET_M};
 const RESTS_M_S: f64 = 0.02;
 /// A body whose ground within this distance is not there waits for it, in metres.
 const GROUND_WITHIN_M: f64 = 2.0;
-
-/// What kind of shape, and how large.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HitForm {
-    /// An upright capsule, about the middle of its foot.
-    Capsule {
-        /// From foot to crown, metres; at least twice the radius.
-        height_m: f64,
-        /// Radius, metres.
-        radius_m: f64,
-    },
-    /// A ball about its middle.
-    Ball {
-        /// Radius, metres.
-        radius_m: f64,
-    },
-    /// A box about its middle.
-    Box {
-        /// Half of its sides, metres.
-        half_m: DVec3,
-    },
-}
-
-/// A shape in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HitShape {
-    /// Kind and size.
-    pub form: HitForm,
-    /// Where it is.
-    pub point: ChartPoint,
-    /// How it is turned in the chart.
-    pub turn: DQuat,
-    /// Whether it moves: what rests, or waits for the ground below it, does not.
-    pub awake: bool,
-}
-
-impl HitShape {
-    fn upright(form: HitForm, point: ChartPoint, awake: bool) -> Self {
-        Self {
-            form,
-            point,
-            turn: DQuat::IDENTITY,
-            awake,
-        }
-    }
-}
 
 /// Everything that can be hit or stands on the ground; in first person without the player's own body, inside of
 /// which one looks.

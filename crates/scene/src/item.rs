@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::frame::ModelId;
+
 /// A kind of thing the player can hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Item {
@@ -78,6 +80,19 @@ impl Item {
             Self::Bullet => 64,
             Self::Lamp => 10,
             _ => 1,
+        }
+    }
+}
+
+impl From<Item> for ModelId {
+    fn from(item: Item) -> Self {
+        match item {
+            Item::Gun => Self::Gun,
+            Item::PickaxeWood => Self::PickaxeWood,
+            Item::PickaxeIron => Self::PickaxeIron,
+            Item::PickaxeDiamond => Self::PickaxeDiamond,
+            Item::Bullet => Self::Bullet,
+            Item::Lamp => Self::Lamp,
         }
     }
 }

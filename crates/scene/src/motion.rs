@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use crate::frame::{Clip, Posture};
 use crate::player::wrap_angle;
-use crate::posture::{Clip, Posture};
 use crate::tuning::{LANDS_FROM_M_S, RUN_STRIDE_M, RUNS_FROM_M_S, WALK_STRIDE_M};
 
 /// Slower than this, in m/s, the feet stand.

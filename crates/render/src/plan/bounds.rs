@@ -3,8 +3,8 @@
 //! An edge strays by `bend L^2` (see [`Bend`]), and a first-order frame about the middle of something of diameter L by
 //! no more at its ends.
 
+use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy};
-use antipode_scene::frame::Frame;
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;

@@ -1,7 +1,7 @@
 //! How one chunk is drawn: port, trimming, refinement and depth, from the frame's bounds.
 
+use antipode_frame::Frame;
 use antipode_geometry::SightCell;
-use antipode_scene::frame::Frame;
 
 use super::ChunkLand;
 use super::bounds::{Affine, Bounds};

@@ -22,8 +22,8 @@ mod way;
 
 use std::sync::Arc;
 
+use antipode_frame::{Frame, Quality};
 use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Eye, SightCell, Strategy};
-use antipode_scene::frame::{Frame, Quality};
 pub use book::LandBook;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};

@@ -1,6 +1,6 @@
 //! The three points on the frontier between speed and accuracy that a player can choose.
 
-use antipode_scene::frame::Quality;
+use antipode_frame::Quality;
 
 /// What a quality lets pass.
 #[derive(Clone, Copy, Debug, PartialEq)]

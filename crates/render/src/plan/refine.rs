@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use antipode_frame::{Frame, Quality};
 use antipode_geometry::ChartPoint;
-use antipode_scene::frame::{Frame, Quality};
 use glam::{DVec3, Vec3};
 
 use super::bend::{BANDS, BendSteps, band, sines};

@@ -6,8 +6,8 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
+use antipode_frame::Frame;
 use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Hemisphere, SightCell, azimuth_spread};
-use antipode_scene::frame::Frame;
 use glam::{DVec2, DVec3, IVec2, IVec3};
 
 use super::bounds::PictureScale;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
+use antipode_frame::{Frame, Quality, Sky};
 use antipode_geometry::{Eye, Geometry, HyperbolicMap, Projection, Strategy, picture};
-use antipode_scene::frame::{Frame, Quality, Sky};
 use glam::DVec2;
 
 /// The same numbers on every run.
@@ -93,7 +93,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
         chunk_changes: Vec::new(),
         figures: Vec::new(),
         hand: None,
-        lights: antipode_scene::frame::Lights::default(),
+        lights: antipode_frame::Lights::default(),
         marker: None,
         hit_shapes: Vec::new(),
         fog_distance_m: 400.0,

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, HashSet};
 
+use antipode_frame::Quality;
 use antipode_geometry::Hemisphere;
-use antipode_scene::frame::Quality;
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::{DVec3, IVec2, IVec3, Vec3};
 

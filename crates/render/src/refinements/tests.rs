@@ -1,8 +1,8 @@
 //! What is drawn while the eye runs, against where it truly is.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
+use antipode_frame::{ChunkChange, Frame};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap, picture};
-use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec2, DVec3, IVec3};
 

@@ -1,6 +1,6 @@
 //! What frames are drawn with, and what becomes of one for which it is not made yet.
 
-use antipode_scene::frame::Frame;
+use antipode_frame::Frame;
 use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
 
 use super::{DrawStats, Options, Picture, Renderer, check};

@@ -1,6 +1,6 @@
 //! What the scene's shaders are told of a frame and read from, and the passes into the shadow maps before theirs.
 
-use antipode_scene::frame::Frame;
+use antipode_frame::Frame;
 use wgpu::{BindGroup, BindGroupLayout, Buffer, CommandEncoder, Device};
 
 use super::{DrawStats, Renderer};

@@ -1,7 +1,7 @@
 //! The map of figures: what is on it, and on which land it may matter.
 
+use antipode_frame::Frame;
 use antipode_geometry::ChartPoint;
-use antipode_scene::frame::Frame;
 use glam::DVec4;
 
 use super::levels::{Shot, near_crop};

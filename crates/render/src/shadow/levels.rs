@@ -6,8 +6,8 @@
 
 use std::f64::consts::SQRT_2;
 
+use antipode_frame::Frame;
 use antipode_geometry::ChartPoint;
-use antipode_scene::frame::Frame;
 use glam::{DMat4, DVec2};
 
 use super::light::{Caster, Crop, DEPTH_SLACK_M, FACES, Light};

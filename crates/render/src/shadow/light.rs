@@ -7,8 +7,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
-use antipode_scene::frame::Frame;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::plan::ChunkLand;

@@ -1,7 +1,7 @@
 //! Maps that are drawn anew, some triangles each frame.
 
+use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
-use antipode_scene::frame::Frame;
 use glam::{DVec3, DVec4};
 
 use super::levels::{Shot, wanted};

@@ -5,7 +5,7 @@
 //! again at once, from the land as it is. That is done to the finest map that the place is read from, and to the next
 //! where it may be read as well; others are drawn anew as for any land that comes.
 
-use antipode_scene::frame::Frame;
+use antipode_frame::Frame;
 
 use super::levels::Shot;
 use super::light::{Caster, Crop, Light, Rectangle};

@@ -12,7 +12,7 @@ mod maps;
 mod mending;
 mod uniform;
 
-use antipode_scene::frame::Frame;
+use antipode_frame::Frame;
 use wgpu::{Backend, CommandEncoder, Device, Queue};
 
 use levels::{Level, Shot, count};

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use antipode_frame::Frame;
 use antipode_geometry::Eye;
-use antipode_scene::frame::Frame;
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec4};
 

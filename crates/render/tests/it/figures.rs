@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
-use antipode_scene::frame::{
+use antipode_frame::{
     ChunkChange, Clip, Figure, Frame, Hand, LampLight, ModelId, Posture, Quality,
 };
+use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 

@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use crate::common::{Studio, frame, noon, space};
+use antipode_frame::{ChunkChange, Frame, LampLight, Lights, Sky};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
-use antipode_scene::frame::{ChunkChange, Frame, LampLight, Lights, Sky};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec2, DVec3, DVec4};
 use image::RgbaImage;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::common::{Studio, difference, frame, land, plates, space, standing};
+use antipode_frame::{ChunkChange, Frame, Quality};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
-use antipode_scene::frame::{ChunkChange, Frame, Quality};
 use antipode_terrain::{ChunkMesh, Level};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;

@@ -1,9 +1,9 @@
 //! An adapter that is lost, and one that refuses a shader.
 
 use crate::common::{PLAIN, adapter, difference, frame, land, space, standing};
+use antipode_frame::Frame;
 use antipode_geometry::{Geometry, Hemisphere};
 use antipode_render::{Gpu, Offscreen, Options, RenderError, Renderer, Shaders};
-use antipode_scene::frame::Frame;
 use image::RgbaImage;
 
 const SIZE: (u32, u32) = (160, 90);

@@ -1,8 +1,8 @@
 //! Outlines of hit shapes: where the shapes are, in every space, green awake and red asleep, and seen through land.
 
 use crate::common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
+use antipode_frame::{ChunkChange, Frame, HitForm, HitShape};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
-use antipode_scene::frame::{ChunkChange, Frame, HitForm, HitShape};
 use glam::{DQuat, DVec3, Vec3};
 use image::RgbaImage;
 

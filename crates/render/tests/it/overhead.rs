@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use crate::common::told::told;
 use crate::common::worlds::World;
 use crate::common::{Studio, frame, space};
+use antipode_frame::{Figure, ModelId};
 use antipode_geometry::{ChartPoint, Geometry, Projection};
 use antipode_render::ShadowQuality;
-use antipode_scene::frame::{Figure, ModelId};
 use glam::DVec3;
 
 const SIZE: (u32, u32) = (320, 320);

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use crate::common::{
     GEOMETRIES, PLAIN, Studio, difference, frame, land, plates, seen_at, space, standing,
 };
+use antipode_frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_render::{AdapterChoice, Gpu};
-use antipode_scene::frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_terrain::ChunkMesh;
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;

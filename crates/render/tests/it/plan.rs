@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::common::{Studio, frame, land, standing};
+use antipode_frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use antipode_geometry::{Eye, Geometry, Hemisphere, HyperbolicMap, Strategy, picture};
 use antipode_render::{DrawStats, tolerance_px};
-use antipode_scene::frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use image::RgbaImage;
 
 const SIZE: (u32, u32) = (480, 270);

@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::common::{GEOMETRIES, Studio, difference, frame, seen_at, space};
+use antipode_frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_render::ShadowQuality;
-use antipode_scene::frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -69,7 +69,7 @@ fn scene(geometry: Geometry) -> Frame {
     if let Some(orbs) = scene.sky.orbs {
         // Lower than at its noon, so that the pillar throws a shadow to the side.
         let sun = ChartPoint::a(orbs.sun.pos + DVec3::new(-5.0, 0.0, 34.0));
-        scene.sky.orbs = Some(antipode_scene::frame::Orbs { sun, ..orbs });
+        scene.sky.orbs = Some(antipode_frame::Orbs { sun, ..orbs });
     }
     scene
 }

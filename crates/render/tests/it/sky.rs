@@ -6,8 +6,8 @@ use antipode_scene::day::sky;
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
+use antipode_frame::ChunkChange;
 use antipode_geometry::ChunkCoord;
-use antipode_scene::frame::ChunkChange;
 
 const SIZE: (u32, u32) = (160, 90);
 const ASPECT: f64 = 16.0 / 9.0;

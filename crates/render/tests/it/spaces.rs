@@ -8,8 +8,8 @@ use crate::common::worlds::World;
 use crate::common::{
     GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
 };
+use antipode_frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
-use antipode_scene::frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_terrain::ChunkMesh;
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -34,7 +34,7 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
         ] {
             let point = space.along(&frame.eye, direction.normalize(), distance_m);
             let marked = Frame {
-                lights: antipode_scene::frame::Lights::default(),
+                lights: antipode_frame::Lights::default(),
                 marker: Some(Marker {
                     point,
                     radius_m: 0.8,

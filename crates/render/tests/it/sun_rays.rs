@@ -42,7 +42,7 @@ fn compare(name: &str, world: &mut World, shadows: ShadowQuality) -> Option<Foun
 
 fn judge(
     name: &str,
-    frame: &antipode_scene::frame::Frame,
+    frame: &antipode_frame::Frame,
     land: &Land,
     size: (u32, u32),
     shadows: ShadowQuality,

@@ -1,9 +1,9 @@
 //! A picture made of tiles is the one that is drawn at once.
 
 use crate::common::{GEOMETRIES, PLAIN, Studio, frame, land, space, standing};
+use antipode_frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use antipode_geometry::{Eye, Geometry, Hemisphere};
 use antipode_render::{Offscreen, Tile};
-use antipode_scene::frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use image::{RgbaImage, imageops};
 
 const SIZE: (u32, u32) = (120, 68);

@@ -5,8 +5,8 @@ use glam::{DQuat, DVec3};
 use super::CarView;
 use super::tuning::{HEAD_LIGHT_M, SEAT_M, TAIL_LIGHT_M};
 use crate::frame::{BeamLight, Figure, LampLight, ModelId};
+use crate::frame::{Clip, Posture};
 use crate::moment::{Lit, Who};
-use crate::posture::{Clip, Posture};
 use crate::situation::Situation;
 
 /// Colour times strength of a head light: nearly white.

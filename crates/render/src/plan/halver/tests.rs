@@ -3,10 +3,10 @@
 
 use std::collections::HashMap;
 
+use antipode_frame::{Frame, Quality, Sky};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, picture,
 };
-use antipode_scene::frame::{Frame, Quality, Sky};
 use antipode_terrain::Level;
 use glam::{DVec3, IVec3};
 
@@ -66,7 +66,7 @@ fn frame() -> Frame {
         chunk_changes: Vec::new(),
         figures: Vec::new(),
         hand: None,
-        lights: antipode_scene::frame::Lights::default(),
+        lights: antipode_frame::Lights::default(),
         marker: None,
         hit_shapes: Vec::new(),
         fog_distance_m: 100.0,

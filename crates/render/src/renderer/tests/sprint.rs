@@ -4,8 +4,8 @@
 
 use std::time::Duration;
 
+use antipode_frame::Quality;
 use antipode_geometry::Geometry;
-use antipode_scene::frame::Quality;
 use antipode_scene::{Actions, Scene, WorldSetup};
 use antipode_testing::pictures::{MOST_OFF, apart, striped_land};
 use image::RgbaImage;

@@ -11,6 +11,7 @@ pub mod worlds;
 
 use std::sync::Arc;
 
+use antipode_frame::{ChunkChange, Frame, Quality, Sky};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
     Hemisphere, Projection, Strategy, strategy,
@@ -18,7 +19,6 @@ use antipode_geometry::{
 use antipode_render::{
     AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders, ShadowQuality,
 };
-use antipode_scene::frame::{ChunkChange, Frame, Quality, Sky};
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -194,7 +194,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         chunk_changes: Vec::new(),
         figures: Vec::new(),
         hand: None,
-        lights: antipode_scene::frame::Lights::default(),
+        lights: antipode_frame::Lights::default(),
         marker: None,
         hit_shapes: Vec::new(),
         fog_distance_m: 150.0,

@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
+use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Hemisphere};
-use antipode_scene::frame::Frame;
 use glam::{DVec2, DVec3, DVec4};
 
 use super::triangles::{Surface, Triangle};

@@ -5,8 +5,8 @@
 //! three coordinates of X across the light and X.s the fourth, a triangle covers X if X' is a sum of its corners' with
 //! no negative share, and comes first if it is the nearer, by the cotangent X.s / |X'|.
 
+use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Eye};
-use antipode_scene::frame::Frame;
 use glam::{DMat3, DVec2, DVec3, DVec4};
 
 use super::triangles::Triangle;

@@ -1,8 +1,8 @@
 //! The triangles that a picture of the land shows, in the chart, and which of them each pixel shows: by the formulas of
 //! the geometry crate in 64 bits, without the adapter.
 
+use antipode_frame::{ChunkChange, Frame};
 use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
-use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_terrain::{ChunkMesh, Level};
 use glam::{DVec2, DVec3, DVec4, IVec3};
 use std::collections::BTreeMap;

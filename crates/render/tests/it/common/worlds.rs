@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 
+use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
-use antipode_scene::frame::Frame;
 use antipode_scene::{Actions, Scene, WorldSetup};
 use glam::DVec3;
 

@@ -1,6 +1,9 @@
-//! The snapshot of one moment that the scene fills and the renderer draws: plain data, no behaviour of the game.
+//! What a picture is made of: plain data that the simulation fills and the renderer draws. Nothing here knows either.
 //!
 //! Directions and positions are in chart coordinates; colours are linear light, not sRGB.
+
+mod hit_shapes;
+mod posture;
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,9 +14,8 @@ use antipode_terrain::ChunkMesh;
 use glam::{DQuat, DVec3};
 use thiserror::Error;
 
-pub use crate::hit_shapes::{HitForm, HitShape};
-use crate::item::Item;
-pub use crate::posture::{Clip, Posture};
+pub use hit_shapes::{HitForm, HitShape};
+pub use posture::{Clip, Posture};
 
 /// Everything needed to draw one picture.
 #[derive(Clone, Debug)]
@@ -218,19 +220,6 @@ impl ModelId {
             self,
             Self::CarBody | Self::CarBodyLit | Self::CarBodyBraking | Self::CarBodyLitBraking
         )
-    }
-}
-
-impl From<Item> for ModelId {
-    fn from(item: Item) -> Self {
-        match item {
-            Item::Gun => Self::Gun,
-            Item::PickaxeWood => Self::PickaxeWood,
-            Item::PickaxeIron => Self::PickaxeIron,
-            Item::PickaxeDiamond => Self::PickaxeDiamond,
-            Item::Bullet => Self::Bullet,
-            Item::Lamp => Self::Lamp,
-        }
     }
 }
 
