@@ -14,7 +14,7 @@ use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{BOT_HEALTH, VIEW_DISTANCE_CHUNKS};
 use crate::viewing::Viewing;
-use crate::{body, bot, car, drops, projectile, start, step};
+use crate::{body, bot, car, drops, projectile, start, step, tool};
 
 /// The world.
 impl Scene {
@@ -257,7 +257,7 @@ impl Scene {
 
     /// Points the marker anew, as after the view was set from outside a step.
     pub fn refresh_marker(&mut self) {
-        self.sim.mark_tool();
+        self.sim.player.tool = tool::mark(self.now());
     }
 }
 

@@ -18,8 +18,11 @@ use crate::persist;
 use crate::projectile::Projectile;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
+use crate::simulation::Simulation;
+use crate::situation::is_ground_ready;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
 use crate::world::World;
+use crate::{body, ground_changed};
 
 /// Ground within this distance of the player stands before a world counts as playable, in metres, as far as it is to be
 /// loaded at all: a hole so near would be seen.
@@ -119,7 +122,13 @@ impl Scene {
 
     /// Frees a body that was put somewhere, once its ground is there; returns whether that moved it.
     fn free_body(&mut self) -> bool {
-        self.sim.player.body_unchecked && self.is_ground_ready() && self.sim.free_body()
+        let Simulation {
+            world,
+            actors,
+            player,
+            ..
+        } = &mut self.sim;
+        player.body_unchecked && is_ground_ready(world, actors) && body::free(world, actors, player)
     }
 
     /// Waits for the ground that a step, a probe or a lift may ask about.
@@ -252,7 +261,14 @@ impl Scene {
             }
         }
         if !edited.is_empty() {
-            self.sim.tell_of_changed_ground(&edited);
+            let Simulation {
+                world,
+                actors,
+                player,
+                ..
+            } = &mut self.sim;
+            ground_changed::tell(world, actors, &edited);
+            body::lift_out(world, actors, player);
         }
     }
 }
