@@ -51,6 +51,18 @@ impl Scene {
     /// # Errors
     /// When the store cannot be read at all or the chunk workers cannot start.
     pub fn open(setup: WorldSetup, store: Option<Arc<WorldStore>>) -> Result<Self, SceneError> {
+        Self::open_with(setup, store, Config::default().workers)
+    }
+
+    /// As [`Scene::open`], with so many chunk workers.
+    ///
+    /// # Errors
+    /// As [`Scene::open`].
+    pub fn open_with(
+        setup: WorldSetup,
+        store: Option<Arc<WorldStore>>,
+        workers: usize,
+    ) -> Result<Self, SceneError> {
         let strategy = strategy(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
         let (saved, notices) = match &store {
@@ -59,7 +71,11 @@ impl Scene {
         };
         let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
         let stored = store.is_some();
-        let streamer = Streamer::start(Arc::clone(&field), strategy, store, Config::default())?;
+        let config = Config {
+            workers,
+            ..Config::default()
+        };
+        let streamer = Streamer::start(Arc::clone(&field), strategy, store, config)?;
         let mut scene = Self::fresh(setup, &field, streamer);
         scene.sim.outbox.notices = notices;
         scene.kept.stored = stored;

@@ -47,14 +47,22 @@ pub fn car(scene: &Scene) -> CarView {
 
 /// Puts the player so many metres to the car's left, and looks at it.
 pub fn stand_beside(scene: &mut Scene, far_m: f64) {
-    let car = car(scene);
-    let left = (car.turn * DVec3::NEG_Z).with_y(0.0).normalize();
-    let at = car.point.moved(left * far_m + DVec3::Y * 0.3);
-    scene.teleport(at);
+    go_beside(scene, far_m);
     assert!(scene.wait_for_step(LIMIT));
     steps(scene, 60, &still());
-    let feet = scene.feet();
-    let way = car.point.pos - feet.pos;
+    look_at_car(scene);
+}
+
+/// Puts the player so many metres to the car's left.
+pub fn go_beside(scene: &mut Scene, far_m: f64) {
+    let car = car(scene);
+    let left = (car.turn * DVec3::NEG_Z).with_y(0.0).normalize();
+    scene.teleport(car.point.moved(left * far_m + DVec3::Y * 0.3));
+}
+
+/// Turns the view to the car.
+pub fn look_at_car(scene: &mut Scene) {
+    let way = car(scene).point.pos - scene.feet().pos;
     scene.aim(way.z.atan2(way.x), -0.2);
 }
 
