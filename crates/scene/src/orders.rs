@@ -40,13 +40,10 @@ impl Scene {
 
     /// Has a new world begin with a view, in place of its middle: the player, a car and somebody are put there.
     pub fn begin_with_a_view(&mut self) {
-        let (eye_m, fov_rad) = (
-            self.sim.actors.tuning.eye_height_m(),
-            self.shown.viewing.fov_y_rad,
-        );
+        let eye_m = self.sim.actors.tuning.eye_height_m();
         let lens = &self.sim.player.gaze.lens;
         let field = self.sim.world.ground.field();
-        let Some(start) = start::with_a_view(field, lens, eye_m, fov_rad) else {
+        let Some(start) = start::with_a_view(field, lens, eye_m) else {
             return;
         };
         self.sim.player.start = Some(start.feet);

@@ -86,7 +86,7 @@ impl Scene {
         } else {
             // Of a world whose state is damaged that much is known.
             scene.sim.world.set_simulated_s(meta.played_s);
-            let pitch = first_pitch_rad(&field, &scene.head(), &**scene.lens().strategy());
+            let pitch = first_pitch_rad(&field, &scene.head(), &*scene.now().aiming().strategy);
             let actors = &mut scene.sim.actors;
             if let Ok(mut look) = actors.ecs.get::<&mut Look>(actors.player) {
                 look.pitch = pitch;

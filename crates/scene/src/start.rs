@@ -18,7 +18,7 @@ use crate::lens::Lens;
 use crate::npc::way_to;
 use crate::player::{self, Look, Position};
 use crate::spawn::standing_at;
-use crate::tuning::NEAR_M;
+use crate::tuning::{FOV_Y_RAD, NEAR_M};
 
 /// Widest that places are looked for about the middle, in metres, and as a share of the way to the equator.
 const SEARCH: (f64, f64) = (96.0, 0.4);
@@ -94,18 +94,13 @@ struct Spot {
     ground: ChartPoint,
 }
 
-/// Where a new world begins with a view, seen through that lens by that vertical field of view in radians.
-pub(crate) fn with_a_view(
-    field: &Field,
-    lens: &Lens,
-    eye_height_m: f64,
-    fov_y_rad: f64,
-) -> Option<Start> {
+/// Where a new world begins with a view, seen through that lens by the usual field of view.
+pub(crate) fn with_a_view(field: &Field, lens: &Lens, eye_height_m: f64) -> Option<Start> {
     let search = Search {
         field,
         lens,
         eye_height_m,
-        fov_y_rad,
+        fov_y_rad: FOV_Y_RAD,
     };
     search.best()
 }

@@ -89,7 +89,7 @@ impl World {
 
     /// Whether a body may move in a chunk now: it is near enough, and all that it has of ground is there.
     pub fn is_firm(&self, coord: ChunkCoord) -> bool {
-        self.lets_move(coord) && self.streamer.is_ready(coord)
+        self.lets_move(coord) && self.streamer.is_firm(coord)
     }
 
     /// What of a reach lies where bodies move.

@@ -148,7 +148,8 @@ impl fmt::Debug for Chunk {
 pub enum Update {
     /// A chunk to show, in place of what was shown of it.
     Loaded(Chunk),
-    /// All chunks of one edit batch, to be shown in one frame.
+    /// All chunks that one edit batch has changed, to be shown in one frame. Coarse ones beside them of which only the
+    /// normals have changed come with them as [`Update::Loaded`].
     Edited(Vec<Chunk>),
     /// A chunk that is shown has become solid, since a body came near, or is no longer: then both
     /// are `None`.

@@ -187,6 +187,13 @@ impl Ledger {
         self.is_resident(coord) || self.given_up.contains(&coord)
     }
 
+    /// May bodies move in the chunk? What is there of it for the picture alone does not tell.
+    pub(crate) fn is_firm(&self, coord: ChunkCoord) -> bool {
+        let solid = |shown: &Shown| shown.solid || self.given_up.contains(&coord);
+        let shown = self.resident.get(&coord);
+        shown.map_or_else(|| self.is_ready(coord), solid)
+    }
+
     /// Is the chunk within the view last wished for?
     pub(crate) fn is_wanted(&self, coord: ChunkCoord) -> bool {
         self.wished.range.views(coord)

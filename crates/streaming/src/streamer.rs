@@ -227,6 +227,11 @@ impl Streamer {
         self.ledger.is_ready(coord)
     }
 
+    /// May bodies move in this chunk? It is solid, has no surface or was given up, whatever the view has made of it.
+    pub fn is_firm(&self, coord: ChunkCoord) -> bool {
+        self.ledger.is_firm(coord)
+    }
+
     /// Is this chunk within the view last wished for?
     pub fn is_wanted(&self, coord: ChunkCoord) -> bool {
         self.ledger.is_wanted(coord)
@@ -416,10 +421,14 @@ impl Streamer {
             self.overdue.retain(|coord| !done.contains(coord));
             let made = edited.chunks.into_iter();
             let shown = made.filter(|(make, _)| self.ledger.show_edited(*make));
-            let chunks: Vec<_> = shown.map(|(_, chunk)| chunk).collect();
+            let shown = shown.map(|(_, chunk)| chunk);
+            // Which these are hangs on the levels of the picture; their ground is as it was.
+            let (beside, chunks): (Vec<_>, Vec<_>) =
+                shown.partition(|chunk| !edited.remeshed.contains(&chunk.coord));
             if !chunks.is_empty() {
                 updates.push(Update::Edited(chunks));
             }
+            updates.extend(beside.into_iter().map(Update::Loaded));
         } else {
             self.overdue.extend(edited.remeshed);
             self.overdue.extend(edited.bordering);

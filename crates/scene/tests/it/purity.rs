@@ -6,9 +6,11 @@
 mod play;
 
 use antipode_geometry::{Geometry, HyperbolicMap};
-use antipode_scene::{Probe, Scene};
+use antipode_scene::{Actions, NpcMode, Probe, Scene};
 
-use play::{How, calm, is_long, played, replayed, sharp, usual, within, worked_by};
+use super::common::figures::beside;
+use super::common::{LIMIT, steps};
+use play::{How, calm, is_long, opened, played, replayed, sharp, usual, within, worked_by};
 
 /// In short everything is chosen at once, twice.
 fn ways() -> Vec<How> {
@@ -122,4 +124,23 @@ fn recorded_actions_make_the_same_hyperbolic_world_through_whatever_picture() {
 #[test]
 fn recorded_actions_make_the_same_closed_world_through_whatever_picture() {
     plays_again(Geometry::Spherical);
+}
+
+/// More figures than ground is made solid for, far apart: each stands, or waits where it was put, however far the view is.
+#[test]
+fn nobody_of_a_crowd_falls_through_ground_that_only_a_view_has_made() {
+    let places = |view_distance| {
+        let mut scene = opened(Geometry::Euclidean, &within(view_distance, ""));
+        scene.set_npcs(NpcMode::Still);
+        for cell in 0..144 {
+            let away_m = |cell: i32| f64::from(cell - 6) * 19.0;
+            let at = beside(&scene, away_m(cell % 12), away_m(cell / 12));
+            scene.spawn_bot(at, 0.0, false);
+        }
+        assert!(scene.settle(LIMIT));
+        steps(&mut scene, 60, &Actions::default());
+        let bots = scene.bots().into_iter().map(|bot| bot.point.pos.to_array());
+        bots.collect::<Vec<_>>()
+    };
+    assert_eq!(places(2), places(8));
 }

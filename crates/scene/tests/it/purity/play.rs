@@ -153,7 +153,8 @@ pub fn replayed(
     played
 }
 
-fn opened(geometry: Geometry, how: &How) -> Scene {
+/// A world that nobody has played, its ground loaded, seen so.
+pub fn opened(geometry: Geometry, how: &How) -> Scene {
     let mut setup = setup(geometry);
     setup.view_distance = how.view_distance;
     let mut scene = Scene::open_with(setup, None, how.workers).unwrap();
