@@ -171,7 +171,7 @@ impl App {
         let stage = self.open_stage(&Arc::new(window), events)?;
         tracing::info!("drawing with {}", stage.adapter_name());
         let mut game = Game::new(self.worlds.clone(), stage.software(), None);
-        game.about = super::about::about(&stage.adapter_info());
+        game.menus.about = super::about::about(&stage.adapter_info());
         game.enable_backdrop(stage.software().is_some());
         if let Some(opened) = self.settings.take() {
             game.begin_with(opened, &self.common);
@@ -180,8 +180,8 @@ impl App {
             game.open(request);
         }
         match self.after.take() {
-            Some(After::Crash(report)) => game.tell_crash(&report),
-            Some(After::Graphics(trouble)) => game.tell_graphics(&trouble),
+            Some(After::Crash(report)) => game.menus.tell_crash(&report),
+            Some(After::Graphics(trouble)) => game.menus.tell_graphics(&trouble),
             None => {}
         }
         let album = Album::new(&self.common, self.worlds.saves().path());

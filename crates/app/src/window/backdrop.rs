@@ -185,7 +185,7 @@ impl Game {
     pub(super) fn wants_backdrop(&self) -> bool {
         matches!(self.phase, Phase::Menu)
             && !self.config.settings.reduced_motion
-            && !matches!(self.shell.screen(), Screen::Busy { .. })
+            && !matches!(self.menus.shell.screen(), Screen::Busy { .. })
     }
 
     /// Whether no other world is to come up behind the menu for the moment, since none can be drawn.
@@ -210,7 +210,7 @@ impl Game {
     pub fn frame_time(&self) -> Duration {
         let wanted = crate::options::frame_time(&self.config.settings);
         let least = match self.phase {
-            Phase::Menu if self.software.is_none() => Duration::ZERO,
+            Phase::Menu if self.menus.software.is_none() => Duration::ZERO,
             Phase::Menu if self.is_player_elsewhere() => UNWATCHED_FRAME,
             Phase::Menu => SOFTWARE_FRAME,
             _ => Duration::ZERO,

@@ -66,11 +66,11 @@ impl Game {
             return;
         };
         let inventory = session.scene.inventory();
-        let view = |stack| hud::slot(&self.texts, stack);
+        let view = |stack| hud::slot(&self.menus.texts, stack);
         let slots: Vec<SlotView> = inventory.slots().iter().copied().map(view).collect();
         let carried = inventory.carried().map(|stack| view(Some(stack)));
         let model = BackpackModel {
-            texts: &self.texts,
+            texts: &self.menus.texts,
             slots: &slots,
             selected: inventory.selected(),
             carried: carried.as_ref(),

@@ -95,11 +95,11 @@ impl Game {
         if !self.is_typing() {
             return;
         }
-        let worlds = self.list.names();
+        let worlds = self.menus.list.names();
         let entered = self
             .console
             .view
-            .show(context, &self.texts, &|line| complete(line, &worlds));
+            .show(context, &self.menus.texts, &|line| complete(line, &worlds));
         if let Some(line) = entered {
             self.enter(&line);
         }
@@ -110,7 +110,7 @@ impl Game {
         let mut words = line.split_whitespace();
         let name = words.next().unwrap_or_default();
         if name == HELP.name {
-            match help(&self.texts, words.next()) {
+            match help(&self.menus.texts, words.next()) {
                 Ok(words) => self.answer(&words),
                 Err(words) => self.refuse(&words),
             }
@@ -122,7 +122,11 @@ impl Game {
             Err(what) => {
                 let known = command_named(name);
                 let words = known.map_or_else(
-                    || help(&self.texts, Some(name)).err().unwrap_or_default(),
+                    || {
+                        help(&self.menus.texts, Some(name))
+                            .err()
+                            .unwrap_or_default()
+                    },
                     |_| self.sentence(&what),
                 );
                 self.refuse(&words);
@@ -135,7 +139,7 @@ impl Game {
         let was_marked = self.is_marked();
         match obey(self, &order) {
             Ok(()) if !was_marked && self.is_marked() => {
-                self.answer(&self.texts.say("console-marked"));
+                self.answer(&self.menus.texts.say("console-marked"));
             }
             Ok(()) => {}
             Err(Failure::Usage(what) | Failure::Script(what)) => {
@@ -143,7 +147,7 @@ impl Game {
                 self.refuse(&words);
             }
             Err(failure) => {
-                let words = wording::failure(&self.texts, &failure, self.list.worlds());
+                let words = wording::failure(&self.menus.texts, &failure, self.menus.list.worlds());
                 self.refuse(&words);
             }
         }
@@ -157,7 +161,8 @@ impl Game {
 
     fn sentence(&self, what: &str) -> String {
         let details = what.trim_end_matches('.').into();
-        self.texts
+        self.menus
+            .texts
             .say_with("console-refused", &[("details", details)])
     }
 
@@ -197,6 +202,7 @@ impl Game {
         let slug = self.worlds.saves().find(name)?.slug;
         if self.open_slug() == Some(&slug) {
             let words = self
+                .menus
                 .texts
                 .say_with("console-open-already", &[("name", name.into())]);
             self.answer(&words);
@@ -209,7 +215,7 @@ impl Game {
     fn list_worlds(&mut self) -> Result<(), Failure> {
         let worlds = self.worlds.list()?;
         if worlds.is_empty() {
-            self.answer(&self.texts.say("console-no-worlds"));
+            self.answer(&self.menus.texts.say("console-no-worlds"));
         }
         for world in worlds {
             let words = match &world.meta {
@@ -217,14 +223,14 @@ impl Game {
                     let space = meta.geometry.parse();
                     let space = space.map_or_else(
                         |_| meta.geometry.clone(),
-                        |space| wording::geometry(&self.texts, space),
+                        |space| wording::geometry(&self.menus.texts, space),
                     );
                     let values = [
                         ("name", legible_name(world.name(), &world.slug).into()),
                         ("space", space.into()),
                         ("seed", meta.seed.to_string().into()),
                     ];
-                    self.texts.say_with("console-world", &values)
+                    self.menus.texts.say_with("console-world", &values)
                 }
                 None => legible_name(world.name(), &world.slug).into_owned(),
             };
@@ -260,6 +266,7 @@ impl Game {
         }
         let dir = self.shots.album.dir().display().to_string();
         let words = self
+            .menus
             .texts
             .say_with("console-shot-name", &[("dir", dir.into())]);
         self.refuse(&words);
@@ -267,8 +274,9 @@ impl Game {
 
     fn settled(&mut self) -> Result<(), Failure> {
         let words = match self.scene()?.pending() {
-            0 => self.texts.say("console-settled"),
+            0 => self.menus.texts.say("console-settled"),
             count => self
+                .menus
                 .texts
                 .say_with("console-unsettled", &[("count", count.into())]),
         };
@@ -279,9 +287,9 @@ impl Game {
     fn save_now(&mut self) -> Result<(), Failure> {
         if self.scene()?.is_kept() {
             self.follow(Intent::Save);
-            self.answer(&self.texts.say("console-saving"));
+            self.answer(&self.menus.texts.say("console-saving"));
         } else {
-            self.refuse(&self.texts.say("console-not-kept"));
+            self.refuse(&self.menus.texts.say("console-not-kept"));
         }
         Ok(())
     }
@@ -340,7 +348,7 @@ impl Host for Game {
                 Ok(())
             }
             Order::Wait(_) => {
-                self.refuse(&self.texts.say("console-no-wait"));
+                self.refuse(&self.menus.texts.say("console-no-wait"));
                 Ok(())
             }
             Order::Settle(_) => self.settled(),
@@ -350,7 +358,7 @@ impl Host for Game {
                 Ok(())
             }
             Order::Perf(_) => {
-                self.refuse(&self.texts.say("console-no-perf"));
+                self.refuse(&self.menus.texts.say("console-no-perf"));
                 Ok(())
             }
             // The rest is carried out alike everywhere.

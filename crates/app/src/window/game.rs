@@ -2,15 +2,15 @@
 
 use std::time::{Duration, Instant};
 
-use antipode_language::Texts;
 use antipode_scene::Shutter;
 use antipode_scene::frame::Frame;
-use antipode_ui::{Backpack, Screen, Shell};
+use antipode_ui::Backpack;
 
 use super::backdrop::Backdrop;
 use super::console::Desk;
 use super::framerate::FrameRate;
 use super::hints::Hints;
+use super::menus::Menus;
 use super::options::Options;
 use super::pace::Pace;
 use super::phase::{Next, Phase, Request};
@@ -19,7 +19,6 @@ use super::portrait::LastPicture;
 use super::shots::Shots;
 use super::veil::Veil;
 use super::waits::Waits;
-use super::worldlist::WorldList;
 use crate::controls::Controls;
 use crate::navigator::Navigator;
 use crate::pad::Sticks;
@@ -33,16 +32,11 @@ pub(super) const CHUNK_BUDGET: Duration = Duration::from_millis(2);
 pub struct Game {
     pub(super) phase: Phase,
     pub(super) worlds: Worlds,
-    pub(super) list: WorldList,
-    pub(super) shell: Shell,
-    /// The words of the player's language.
-    pub(super) texts: Texts,
+    pub(super) menus: Menus,
     pub(super) controls: Controls,
     /// Settings and key bindings.
     pub(super) config: antipode_settings::Config,
     pub(super) options: Options,
-    /// The name of the adapter, where it draws in software.
-    pub(super) software: Option<String>,
     pub(super) display_hidden: bool,
     pub(super) figures_shown: bool,
     pub(super) hit_shapes_shown: bool,
@@ -71,12 +65,9 @@ pub struct Game {
     pub(super) photographer: Photographer,
     /// Where the sticks of the gamepads stand.
     pub(super) sticks: Sticks,
-    /// Key of the words for a player who hears nothing.
-    pub(super) sound_trouble: Option<&'static str>,
     pub(super) backdrop: Backdrop,
     pub(super) veil: Veil,
     pub(super) hints: Hints,
-    pub(super) about: antipode_ui::AboutModel,
     pub(super) waits: Waits,
 }
 
@@ -91,20 +82,14 @@ impl std::fmt::Debug for Game {
 impl Game {
     /// A game that shows the menu, or opens a world at once. `software` names the adapter if it draws in software.
     pub fn new(worlds: Worlds, software: Option<String>, first: Option<Request>) -> Self {
-        let mut shell = Shell::new();
-        shell.open(Screen::Main);
-        let list = WorldList::new(worlds.clone());
         let album = Album::at(worlds.saves().path().with_file_name("screenshots"));
         let mut game = Self {
             phase: Phase::Menu,
+            menus: Menus::new(worlds.clone(), software),
             worlds,
-            list,
-            shell,
-            texts: Texts::default(),
             controls: Controls::default(),
             config: antipode_settings::Config::default(),
             options: Options::default(),
-            software,
             display_hidden: false,
             figures_shown: false,
             hit_shapes_shown: false,
@@ -126,14 +111,11 @@ impl Game {
             shots: Shots::new(album),
             photographer: Photographer::default(),
             sticks: Sticks::default(),
-            sound_trouble: None,
             backdrop: Backdrop::default(),
             veil: Veil::default(),
             hints: Hints::default(),
-            about: antipode_ui::AboutModel::default(),
             waits: Waits::default(),
         };
-        game.list.refresh();
         if let Some(request) = first {
             game.open(request);
         }
@@ -172,10 +154,7 @@ impl Game {
             .map_or(Duration::ZERO, |last| now.saturating_duration_since(last));
         self.last_tick = Some(now);
         self.watch_options();
-        self.list.poll();
-        while let Some((words, kind)) = self.list.take_news(&self.texts) {
-            self.shell.toast(words, kind);
-        }
+        self.menus.tick();
         self.tell_pictures();
         self.watch_hints();
         self.tick_backdrop(passed);

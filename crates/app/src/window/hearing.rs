@@ -62,7 +62,7 @@ impl Ears {
             self.audio.set_muted(self.muted);
         }
         self.audio.hear(game.take_heard());
-        game.sound_trouble = trouble(self.audio.status());
+        game.menus.sound_trouble = trouble(self.audio.status());
     }
 
     /// Lets the interface be heard: at most one sound for a frame.

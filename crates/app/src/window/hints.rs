@@ -273,7 +273,7 @@ impl Game {
     /// What a newcomer is to be told now.
     pub(super) fn hint(&self) -> Option<HintModel> {
         let hints = self.config.settings.hints.then_some(&self.hints)?;
-        hints.model(&self.texts, &self.config.profiles, self.place())
+        hints.model(&self.menus.texts, &self.config.profiles, self.place())
     }
 
     /// Notes which device an input comes from.

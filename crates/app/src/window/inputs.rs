@@ -58,8 +58,8 @@ impl Game {
             return;
         }
         let running = matches!(self.phase, Phase::Paused(_));
-        self.shell.escape(running);
-        if running && !self.shell.is_open() {
+        self.menus.shell.escape(running);
+        if running && !self.menus.shell.is_open() {
             self.resume();
         }
     }

@@ -1,12 +1,12 @@
 //! What the interface shows of the game, and what the player asks for there.
 
 use antipode_geometry::Geometry;
-use antipode_scene::tuning::walk_speed_m_s;
 use antipode_ui::{
-    Backpack, Console, GeometryChoice, HudModel, Intent, MenuModel, Screen, ToastKind, legible_name,
+    Backpack, Console, GeometryChoice, HudModel, Intent, Screen, ToastKind, legible_name,
 };
 
 use super::game::Game;
+use super::menus::Running;
 use super::phase::{Next, Phase, Request};
 use crate::drawn::Drawn;
 use crate::hud;
@@ -21,13 +21,13 @@ impl Game {
         self.show_veil(context);
         let display = self.display(drawn);
         let instruments = display.map_or(egui::Rect::NOTHING, |model| {
-            antipode_ui::show_hud(context, &self.texts, &model)
+            antipode_ui::show_hud(context, &self.menus.texts, &model)
         });
-        self.shell.keep_toasts_above(instruments);
+        self.menus.shell.keep_toasts_above(instruments);
         self.show_backpack(context);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
-            if (self.display_hidden || self.is_photographing()) && !self.shell.is_open() {
+            if (self.display_hidden || self.is_photographing()) && !self.menus.shell.is_open() {
                 return;
             }
         } else {
@@ -35,53 +35,15 @@ impl Game {
             self.show_photo_panel(context);
         }
         let covered = self.covered(context.content_rect());
-        self.shell.keep_toasts_off(covered);
+        self.menus.shell.keep_toasts_off(covered);
         let running = self.running();
-        self.list.show_pictures(context);
-        let (rows, files) = if self.shell.is_open() {
-            let running = running.as_ref().map(|(slug, _)| slug.as_str());
-            (
-                self.list.rows(&self.texts, running),
-                self.list.files(&self.texts),
-            )
-        } else {
-            Default::default()
-        };
-        let check = |name: &str| self.list.check_name(&self.texts, name);
-        let check_rename = |slug: &str, name: &str| self.list.check_rename(&self.texts, slug, name);
-        let notice = self.software_notice();
-        let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
-        let model = MenuModel {
-            texts: &self.texts,
-            running_world: running
-                .as_ref()
-                .filter(|_| !matches!(self.phase, Phase::Loading(_)))
-                .map(|(_, name)| name.as_str()),
-            backdrop: self.backdrop.model(),
-            worlds: &rows,
-            config: &self.config,
-            check_name: &check,
-            walk_m_s: walk_speed_m_s(),
-            check_rename: &check_rename,
-            world_files: &files,
-            adapter_notice: notice.as_deref(),
-            sound_notice: sound_notice.as_deref(),
-            version: env!("CARGO_PKG_VERSION"),
-            about: &self.about,
-        };
-        let intents = self.shell.show(context, &model);
+        let backdrop = self.backdrop.model();
+        let intents = self
+            .menus
+            .show(context, &self.config, running.as_ref(), backdrop);
         for intent in intents {
             self.follow(intent);
         }
-    }
-
-    /// What the menu says of an adapter that is software.
-    fn software_notice(&self) -> Option<String> {
-        let adapter = self.software.as_ref()?;
-        let share = self.config.settings.render_scale.share(true);
-        let percent = (share * 100.0).round() as u32;
-        let values = [("adapter", adapter.into()), ("percent", percent.into())];
-        Some(self.texts.say_with("adapter-software", &values))
     }
 
     /// What lies on the world while no menu does.
@@ -96,18 +58,21 @@ impl Game {
         }
     }
 
-    fn running(&self) -> Option<(String, String)> {
+    fn running(&self) -> Option<Running> {
         let session = self.phase.session()?;
         let setup = session.scene.setup();
         let values = [
             ("name", legible_name(&setup.name, &session.slug).into()),
             ("seed", setup.seed.to_string().into()),
         ];
-        let mut title = self.texts.say_with("running-world", &values);
+        let mut title = self.menus.texts.say_with("running-world", &values);
         if session.scene.cheated() {
-            title = format!("{title} · {}", self.texts.say("cheats-used"));
+            title = format!("{title} · {}", self.menus.texts.say("cheats-used"));
         }
-        Some((session.slug.clone(), title))
+        Some(Running {
+            slug: session.slug.clone(),
+            title: (!matches!(self.phase, Phase::Loading(_))).then_some(title),
+        })
     }
 
     fn display(&mut self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
@@ -117,7 +82,7 @@ impl Game {
                 let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
                 let figures = drawn.filter(|_| self.figures_shown).map(|(drawn, gpu_ms)| {
                     drawn.figures(
-                        &self.texts,
+                        &self.menus.texts,
                         &session.scene,
                         frame_ms,
                         gpu_ms,
@@ -125,7 +90,7 @@ impl Game {
                     )
                 });
                 let seen = session.between.seen(&session.scene);
-                let mut model = hud::model(&self.texts, &session.scene, &seen, fps, figures);
+                let mut model = hud::model(&self.menus.texts, &session.scene, &seen, fps, figures);
                 let settings = &self.config.settings;
                 let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
                 let surveyed = (self.worlds_opened, columns);
@@ -164,16 +129,16 @@ impl Game {
                 radius_m,
                 start: Beginning::View,
             }))),
-            Intent::Load { slug } => match self.list.work_on(&self.texts, &slug) {
+            Intent::Load { slug } => match self.menus.list.work_on(&self.menus.texts, &slug) {
                 // It would be called in use by somebody else.
-                Some(work) => self.shell.toast(work, ToastKind::State),
+                Some(work) => self.menus.shell.toast(work, ToastKind::State),
                 None => self.leave(Next::Open(Request::Load(slug))),
             },
             Intent::Set { id, value } => self.set_option(id, value),
             Intent::ResetSetting(id) => self.reset_option(id),
             Intent::Bind(profiles) => self.bind(*profiles),
-            Intent::Delete { slug } => self.list.delete(slug),
-            Intent::Worlds(intent) => self.list.follow(intent),
+            Intent::Delete { slug } => self.menus.list.delete(slug),
+            Intent::Worlds(intent) => self.menus.list.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
             Intent::TrySavingAgain => {
                 let next = self.held_up.take().unwrap_or(Next::Menu);
@@ -182,8 +147,8 @@ impl Game {
             Intent::LeaveUnsaved => self.abandon(),
             Intent::DismissMessage => {
                 self.held_up = None;
-                if matches!(self.phase, Phase::Paused(_)) && !self.shell.is_open() {
-                    self.shell.open(Screen::Main);
+                if matches!(self.phase, Phase::Paused(_)) && !self.menus.shell.is_open() {
+                    self.menus.shell.open(Screen::Main);
                 }
             }
         }

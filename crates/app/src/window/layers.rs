@@ -83,10 +83,10 @@ fn binding(game: &mut Game, press: &Press) -> Taken {
     let input = press
         .input
         .filter(|input| *input != ESCAPE && press.is_fresh());
-    let Some(input) = input.filter(|_| game.shell.wants_input()) else {
+    let Some(input) = input.filter(|_| game.menus.shell.wants_input()) else {
         return Taken::Not;
     };
-    game.shell.take_input(input);
+    game.menus.shell.take_input(input);
     Taken::Wholly
 }
 
@@ -95,7 +95,8 @@ fn everywhere(game: &mut Game, press: &Press) -> Taken {
     let fresh = press
         .input
         .filter(|input| press.is_fresh() && is_key(*input));
-    let Some(input) = fresh.filter(|_| !game.is_playing() && !game.shell.wants_input()) else {
+    let Some(input) = fresh.filter(|_| !game.is_playing() && !game.menus.shell.wants_input())
+    else {
         return Taken::Not;
     };
     let typing = press.into_text || game.is_typing();

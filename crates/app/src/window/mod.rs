@@ -16,6 +16,7 @@ mod injected;
 mod inputs;
 mod interface;
 mod layers;
+mod menus;
 mod open;
 mod options;
 mod pace;

@@ -57,7 +57,7 @@ impl Open {
 
     /// Whether to draw a frame now: not of a window that nobody sees, nor of what stands still.
     pub fn is_worth_drawing(&mut self, now: Instant) -> bool {
-        let changed = self.game.shell.take_changed();
+        let changed = self.game.menus.shell.take_changed();
         if changed || !self.game.is_still() || self.stage.is_busy() {
             self.redraw.touch(now);
         }
@@ -100,7 +100,7 @@ impl Open {
         self.followed = Some(settings.clone());
         self.redraw.touch(Instant::now());
         if let Err(why) = self.stage.follow(settings) {
-            self.game.tell_not_applied(&why);
+            self.game.menus.tell_not_applied(&why);
         }
     }
 
@@ -153,7 +153,7 @@ impl Open {
         // What it draws with may be another, and be followed otherwise.
         self.followed = None;
         self.follow_settings();
-        self.game.tell_reopened(self.stage.software());
+        self.game.menus.tell_reopened(self.stage.software());
         tracing::warn!("drawing goes on with {}", self.stage.adapter_name());
         Ok(())
     }

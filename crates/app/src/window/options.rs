@@ -6,7 +6,6 @@ use antipode_ui::{Intent, ToastKind};
 
 use super::game::Game;
 use crate::cli::Common;
-use crate::failure::Failure;
 use crate::options;
 use crate::session::Session;
 use crate::wording;
@@ -54,11 +53,11 @@ impl Game {
                 view_distance: common.view_distance,
             },
         };
-        self.texts = options::texts(&self.config.settings);
+        self.menus.texts = options::texts(&self.config.settings);
         self.follow_settings();
         for notice in notices.iter().take(MOST_TOLD) {
-            let words = wording::settings_notice(&self.texts, notice);
-            self.shell.toast(words, ToastKind::Problem);
+            let words = wording::settings_notice(&self.menus.texts, notice);
+            self.menus.shell.toast(words, ToastKind::Problem);
         }
         if let Some(more) = notices
             .len()
@@ -66,17 +65,20 @@ impl Game {
             .filter(|more| *more > 0)
         {
             let values = [("count", more.into())];
-            let words = self.texts.say_with("settings-file-more", &values);
-            self.shell.toast(words, ToastKind::Problem);
+            self.menus
+                .toast(ToastKind::Problem, "settings-file-more", &values);
         }
     }
 
     /// Tells why settings could not be written.
     pub(super) fn watch_options(&mut self) {
         if let Some(problem) = self.options.keeper.take_problem() {
-            let words =
-                wording::texts_with(&self.texts, problem.text_key(), problem.text_arguments());
-            self.shell.toast(words, ToastKind::Problem);
+            let words = wording::texts_with(
+                &self.menus.texts,
+                problem.text_key(),
+                problem.text_arguments(),
+            );
+            self.menus.shell.toast(words, ToastKind::Problem);
         }
     }
 
@@ -116,14 +118,6 @@ impl Game {
         });
     }
 
-    /// Tells that the window could not be made as the settings say.
-    pub(super) fn tell_not_applied(&mut self, why: &Failure) {
-        tracing::warn!("settings could not be applied: {why}");
-        let values = [("reason", wording::failure(&self.texts, why, &[]).into())];
-        let words = self.texts.say_with("settings-not-applied", &values);
-        self.shell.toast(words, ToastKind::Problem);
-    }
-
     /// Gives an opened world what the player has chosen for all.
     pub(super) fn fit(&self, session: &mut Session) {
         options::fit(&mut session.scene, &self.config.settings);
@@ -133,7 +127,7 @@ impl Game {
         match id {
             "quality" => self.options.fixed.quality = None,
             "view-distance" => self.options.fixed.view_distance = None,
-            "language" => self.texts = options::texts(&self.config.settings),
+            "language" => self.menus.texts = options::texts(&self.config.settings),
             "hyperbolic-map" => self.turn_to_map(),
             _ => {}
         }

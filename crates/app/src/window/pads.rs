@@ -39,10 +39,10 @@ impl Pads {
         let mut keys = Vec::new();
         while let Some(event) = self.source.next() {
             match event {
-                PadEvent::Connected { name } => game.tell_of_pad("pad-connected", &name),
+                PadEvent::Connected { name } => tell(game, "pad-connected", &name),
                 PadEvent::Disconnected { name } => {
                     self.let_go(game);
-                    game.tell_of_pad("pad-disconnected", &name);
+                    tell(game, "pad-disconnected", &name);
                 }
                 // Pads are told to everybody, whichever window has the keyboard.
                 PadEvent::Button { pressed: true, .. } | PadEvent::Stick { .. }
@@ -120,11 +120,9 @@ impl Pads {
     }
 }
 
-impl Game {
-    fn tell_of_pad(&mut self, key: &str, name: &str) {
-        let words = self.texts.say_with(key, &[("name", name.into())]);
-        self.shell.toast(words, ToastKind::Info);
-    }
+fn tell(game: &mut Game, key: &str, name: &str) {
+    let values = [("name", name.into())];
+    game.menus.toast(ToastKind::Info, key, &values);
 }
 
 fn key(direction: Direction) -> Key {

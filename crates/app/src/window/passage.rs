@@ -1,6 +1,5 @@
 //! How the game gets into worlds and out of them again, without losing one on the way.
 
-use std::path::Path;
 use std::time::Duration;
 
 use antipode_ui::{Screen, ToastKind};
@@ -12,7 +11,6 @@ use super::portrait::LastPicture;
 use super::veil::Veil;
 use crate::failure::Failure;
 use crate::session::{Session, Unclosed};
-use crate::trouble::Trouble;
 use crate::wording;
 
 /// Longest time that a world which is closed waits for its picture; it is saved already then.
@@ -30,7 +28,7 @@ impl Game {
             Phase::Opening(task) => {
                 // A world being opened is closed again as soon as it is there; nothing of it is lost.
                 self.worlds_opened += 1;
-                self.say_saving();
+                self.menus.say_saving();
                 let closing = Task::start("close", move || match task.finish() {
                     Some(Ok(session)) => session.close(),
                     _ => Ok(()),
@@ -79,7 +77,7 @@ impl Game {
         let next = self.held_up.take().unwrap_or(Next::Menu);
         match std::mem::replace(&mut self.phase, Phase::Menu) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.busy(self.texts.say("busy-leaving"), None, "");
+                self.menus.busy("busy-leaving", None, String::new());
                 let task = Task::start("leave", move || {
                     drop(session);
                     Ok(())
@@ -97,7 +95,7 @@ impl Game {
         self.leave_photo_mode();
         self.saving = false;
         self.held_up = None;
-        self.say_saving();
+        self.menus.say_saving();
         let picture = self.last_picture.as_mut().map(LastPicture::comes_later);
         let close = move || {
             if let Some(picture) = picture {
@@ -110,17 +108,11 @@ impl Game {
         self.phase = Phase::Closing(Task::start("close", close), next);
     }
 
-    fn say_saving(&mut self) {
-        let detail = self.texts.say("busy-saving-about");
-        self.busy(self.texts.say("busy-saving"), None, &detail);
-    }
-
     fn go_on(&mut self, next: Next) {
         match next {
             Next::Menu => {
                 self.phase = Phase::Menu;
-                self.list.refresh();
-                self.shell.open(Screen::Main);
+                self.menus.open_main();
             }
             Next::Open(request) => self.open(request),
             Next::Quit => self.phase = Phase::Over,
@@ -129,8 +121,8 @@ impl Game {
 
     pub(super) fn open(&mut self, request: Request) {
         let worlds = self.worlds.clone();
-        let detail = self.texts.say("busy-opening-about");
-        self.busy(self.texts.say("busy-opening"), None, &detail);
+        let detail = self.menus.texts.say("busy-opening-about");
+        self.menus.busy("busy-opening", None, detail);
         let work = move || match request {
             Request::New(wanted) => worlds.create(&wanted),
             Request::Load(name) => worlds.load(&name),
@@ -151,14 +143,14 @@ impl Game {
             }
             Progress::Done(Err(failure)) => {
                 tracing::error!("a world could not be opened: {failure}");
-                wording::failure(&self.texts, &failure, self.list.worlds())
+                wording::failure(&self.menus.texts, &failure, self.menus.list.worlds())
             }
             Progress::Died => {
                 tracing::error!("a world could not be opened: its thread died");
-                self.texts.say("open-died")
+                self.menus.texts.say("open-died")
             }
         };
-        self.fail(self.texts.say("open-failed"), why);
+        self.menus.fail("open-failed", why);
         Phase::Menu
     }
 
@@ -172,17 +164,17 @@ impl Game {
         if self.veil == Veil::Down {
             let name = &session.scene.setup().name;
             let name = antipode_ui::legible_name(name, &session.slug).into_owned();
-            self.busy(self.texts.say("busy-land"), Some(progress), &name);
+            self.menus.busy("busy-land", Some(progress), name);
             return Phase::Loading(session);
         }
         self.pace.rest();
         self.since_save_s = 0.0;
         if self.is_player_elsewhere() {
             // Somebody who is busy elsewhere should not have the pointer taken away.
-            self.shell.open(Screen::Main);
+            self.menus.shell.open(Screen::Main);
             return Phase::Paused(session);
         }
-        self.shell.open(Screen::Hidden);
+        self.menus.shell.open(Screen::Hidden);
         Phase::Playing(session)
     }
 
@@ -194,7 +186,8 @@ impl Game {
             Progress::Died if self.unseen => self.last_words = Some(CLOSE_DIED.to_owned()),
             Progress::Died => {
                 tracing::error!("{CLOSE_DIED}");
-                self.fail(self.texts.say("save-failed"), self.texts.say("close-died"));
+                let why = self.menus.texts.say("close-died");
+                self.menus.fail("save-failed", why);
                 return Phase::Menu;
             }
         }
@@ -209,51 +202,20 @@ impl Game {
             self.last_words = Some(why.to_string());
             return Phase::Over;
         }
-        let text = wording::streaming(&self.texts, &why);
+        let text = wording::streaming(&self.menus.texts, &why);
         self.held_up = Some(next);
         self.since_save_s = 0.0;
-        self.shell.open(Screen::Unsaved { text });
+        self.menus.shell.open(Screen::Unsaved { text });
         let mut session = *unclosed.session;
         // The question says already what these would say of the save.
         let told = session.scene.save_problem();
         for notice in session.scene.take_notices() {
             if told.as_ref() != Some(&notice) {
-                let words = wording::notice(&self.texts, &notice);
-                self.shell.toast(words, ToastKind::Problem);
+                let words = wording::notice(&self.menus.texts, &notice);
+                self.menus.shell.toast(words, ToastKind::Problem);
             }
         }
         Phase::Paused(session)
-    }
-
-    fn busy(&mut self, title: String, progress: Option<f32>, detail: &str) {
-        self.shell.open(Screen::Busy {
-            title,
-            progress,
-            detail: detail.to_owned(),
-        });
-    }
-
-    /// Says that the game before this one crashed, and where it wrote what is known.
-    pub fn tell_crash(&mut self, report: &Path) {
-        let report = report.display().to_string();
-        let title = self.texts.say("crash-title");
-        let text = self.texts.say_with("crash", &[("report", report.into())]);
-        self.shell.open(Screen::Message { title, text });
-    }
-
-    /// Says that the graphics of the game before this one failed for good, and what draws now.
-    pub fn tell_graphics(&mut self, trouble: &Trouble) {
-        let mut text = wording::trouble(&self.texts, trouble);
-        if self.software.is_some() {
-            text = format!("{text} {}", self.texts.say("graphics-software"));
-        }
-        let title = self.texts.say("graphics-title");
-        self.shell.open(Screen::Message { title, text });
-    }
-
-    fn fail(&mut self, title: String, text: String) {
-        self.list.refresh();
-        self.shell.open(Screen::Message { title, text });
     }
 }
 

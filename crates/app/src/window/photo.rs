@@ -138,7 +138,7 @@ impl Game {
             return;
         };
         if photo.saving.is_some() {
-            let reason = self.texts.say("photo-left");
+            let reason = self.menus.texts.say("photo-left");
             self.picture_failed(&reason);
         }
         self.controls.release_all();
@@ -217,7 +217,7 @@ impl Game {
         let (pictured, place) = (lens.strategy(), photo.view.eye.point);
         let clock_there = |time_s: f64| clock(local_time_s(time_s, &**pictured, place));
         let model = PhotoModel {
-            texts: &self.texts,
+            texts: &self.menus.texts,
             dial: lens.range().map(|(min, max)| (kind, min, max)),
             day_s: Some(DAY_S),
             clock: &clock_there,
@@ -264,7 +264,8 @@ impl Game {
             Action::Jump,
             Action::Sink,
         ];
-        let labels = ways.map(|way| first_input_label(&self.texts, &self.config.profiles, way));
+        let labels =
+            ways.map(|way| first_input_label(&self.menus.texts, &self.config.profiles, way));
         labels.join(" ")
     }
 

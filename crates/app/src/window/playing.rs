@@ -28,8 +28,7 @@ impl Game {
                 session.scene.save();
                 self.since_save_s = 0.0;
                 self.wants_picture = true;
-                self.list.refresh();
-                self.shell.open(Screen::Main);
+                self.menus.open_main();
                 Phase::Paused(session)
             }
             other => other,
@@ -40,7 +39,7 @@ impl Game {
         self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
             Phase::Paused(session) => {
                 self.controls.release_all();
-                self.shell.open(Screen::Hidden);
+                self.menus.shell.open(Screen::Hidden);
                 // Closing may have failed while the land was still being made.
                 if self.veil == Veil::Down {
                     Phase::Loading(session)
@@ -116,23 +115,23 @@ impl Game {
         if self.saving && session.scene.wait_saved(Duration::ZERO) {
             self.saving = false;
             match session.scene.save_problem() {
-                None => self.shell.toast(self.texts.say("saved"), ToastKind::Info),
+                None => self.menus.toast(ToastKind::Info, "saved", &[]),
                 // The scene tells a failure that comes again only once, but here somebody has asked.
                 Some(problem) if !notices.contains(&problem) => notices.push(problem),
                 Some(_) => {}
             }
         }
         for notice in notices {
-            let words = wording::notice(&self.texts, &notice);
-            self.shell.toast(words, ToastKind::Problem);
+            let words = wording::notice(&self.menus.texts, &notice);
+            self.menus.shell.toast(words, ToastKind::Problem);
         }
         for hint in session.scene.take_hints() {
             // Who speaks is seen to do so, but with the display hidden.
             if matches!(hint, Hint::Said { .. }) && !self.display_hidden {
                 continue;
             }
-            let words = wording::hint(&self.texts, &self.config.profiles, hint);
-            self.shell.toast(words, ToastKind::State);
+            let words = wording::hint(&self.menus.texts, &self.config.profiles, hint);
+            self.menus.shell.toast(words, ToastKind::State);
         }
     }
 }

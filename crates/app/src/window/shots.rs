@@ -105,10 +105,9 @@ impl Game {
     /// There is no picture, for that reason.
     pub(super) fn picture_failed(&mut self, reason: &str) {
         tracing::error!("no picture was taken: {reason}");
-        let words = self
-            .texts
-            .say_with("picture-not-taken", &[("reason", reason.into())]);
-        self.shell.toast(words, ToastKind::Problem);
+        let values = [("reason", reason.into())];
+        self.menus
+            .toast(ToastKind::Problem, "picture-not-taken", &values);
     }
 
     /// Tells of pictures that have been written.
@@ -122,15 +121,14 @@ impl Game {
                 }
                 Progress::Done(Ok(file)) => {
                     let file = file.display().to_string();
-                    let words = self
-                        .texts
-                        .say_with("picture-kept", &[("file", file.into())]);
-                    self.shell.toast(words, ToastKind::Info);
+                    let values = [("file", file.into())];
+                    self.menus.toast(ToastKind::Info, "picture-kept", &values);
                 }
                 Progress::Done(Err(unkept)) => {
                     tracing::error!("{unkept:?}");
-                    self.shell
-                        .toast(unkept.words(&self.texts), ToastKind::Problem);
+                    self.menus
+                        .shell
+                        .toast(unkept.words(&self.menus.texts), ToastKind::Problem);
                 }
                 Progress::Died => self.picture_failed("the thread that writes it ended"),
             }

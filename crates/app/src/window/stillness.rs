@@ -1,7 +1,5 @@
 //! Whether the picture can change by itself.
 
-use antipode_ui::ToastKind;
-
 use super::game::Game;
 use super::phase::Phase;
 use super::veil::Veil;
@@ -18,18 +16,11 @@ impl Game {
             Phase::Menu => !self.wants_backdrop(),
             _ => false,
         };
-        rests && self.list.is_idle() && self.shots.is_idle()
+        rests && self.menus.list.is_idle() && self.shots.is_idle()
     }
 
     /// Whether what is drawn is an open world.
     pub fn shows_world(&self) -> bool {
         matches!(self.phase, Phase::Playing(_) | Phase::Paused(_))
-    }
-
-    /// The adapter was lost, and drawing goes on with one that draws in software if it has this name.
-    pub fn tell_reopened(&mut self, software: Option<String>) {
-        self.software = software;
-        let words = self.texts.say("adapter-reopened");
-        self.shell.toast(words, ToastKind::State);
     }
 }

@@ -109,7 +109,7 @@ fn a_world_that_cannot_be_saved_is_kept_open_until_it_can() {
     let (aside, home) = take_away(&dir);
     game.follow(Intent::SaveAndQuitToMenu);
     tick_until(&mut game, is_paused);
-    assert!(matches!(game.shell.screen(), Screen::Unsaved { .. }));
+    assert!(matches!(game.menus.shell.screen(), Screen::Unsaved { .. }));
     fs::rename(aside, home).unwrap();
     game.follow(Intent::TrySavingAgain);
     tick_until(&mut game, |game| matches!(game.phase, Phase::Menu));
@@ -139,7 +139,7 @@ fn staying_in_an_unsaved_world_leads_to_its_pause_menu() {
     tick_until(&mut game, is_paused);
     game.escape();
     game.follow(Intent::DismissMessage);
-    assert!(!matches!(game.shell.screen(), Screen::Unsaved { .. }));
+    assert!(!matches!(game.menus.shell.screen(), Screen::Unsaved { .. }));
     fs::rename(aside, home).unwrap();
     game.finish();
     assert_eq!(game.last_words(), None);
@@ -171,7 +171,7 @@ fn a_world_that_loads_while_the_player_is_elsewhere_waits_in_the_menu() {
     game.focus(true);
     game.focus(false);
     tick_until(&mut game, is_paused);
-    assert_eq!(game.shell.screen(), &Screen::Main);
+    assert_eq!(game.menus.shell.screen(), &Screen::Main);
     game.focus(true);
     assert!(is_paused(&game));
     game.follow(Intent::Resume);

@@ -214,9 +214,9 @@ fn in_menus_the_cross_and_the_stick_move_and_buttons_press_and_lead_back() {
         play.pass(16, &[button(PadButton::RightBumper, true)]),
         [Key::Tab]
     );
-    play.game.shell.open(Screen::Controls);
+    play.game.menus.shell.open(Screen::Controls);
     assert_eq!(play.pass(16, &[button(PadButton::East, true)]), []);
-    assert_eq!(play.game.shell.screen(), &Screen::Main);
+    assert_eq!(play.game.menus.shell.screen(), &Screen::Main);
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
         (2, Quality::Exact),
         "only what was changed gives way"
     );
-    assert_eq!(game.texts.language(), Language::Polish);
+    assert_eq!(game.menus.texts.language(), Language::Polish);
     game.follow(Intent::ResetSetting("contour-bands"));
     assert!(!scene(&game).0.contour_bands);
     let mut profiles = game.config.profiles.clone();

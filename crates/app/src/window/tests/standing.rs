@@ -18,13 +18,13 @@ fn a_paused_world_stands_still_once_its_land_is_there_and_no_sooner() {
     assert!(!game.is_still(), "its picture is still to be taken");
     assert!(game.take_wants_picture());
     tick_until(&mut game, Game::is_still);
-    assert!(game.shell.take_changed());
+    assert!(game.menus.shell.take_changed());
     game.tick(Instant::now());
-    assert!(!game.shell.take_changed());
+    assert!(!game.menus.shell.take_changed());
     game.follow(Intent::Save);
     assert!(!game.is_still(), "somebody waits for an answer");
     tick_until(&mut game, Game::is_still);
-    assert!(game.shell.take_changed(), "the answer is to be seen");
+    assert!(game.menus.shell.take_changed(), "the answer is to be seen");
     game.follow(Intent::Resume);
     assert!(!game.is_still());
     game.finish();
@@ -111,7 +111,7 @@ fn a_world_that_is_closed_says_so_at_once_and_gets_its_last_picture_later() {
     let mut game = playing(&dir);
     let world = game.expect_picture();
     game.close_window();
-    assert!(matches!(game.shell.screen(), Screen::Busy { .. }));
+    assert!(matches!(game.menus.shell.screen(), Screen::Busy { .. }));
     assert!(matches!(game.phase, Phase::Closing(..)));
     let red = image::Rgba([200, 30, 40, 255]);
     game.keep_picture(world, RgbaImage::from_pixel(4, 4, red));
@@ -137,10 +137,10 @@ fn closing_the_window_while_a_world_is_opened_says_that_it_is_saved() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = begun(&dir);
     game.close_window();
-    let Screen::Busy { title, .. } = game.shell.screen() else {
-        panic!("{:?}", game.shell.screen());
+    let Screen::Busy { title, .. } = game.menus.shell.screen() else {
+        panic!("{:?}", game.menus.shell.screen());
     };
-    assert_eq!(*title, game.texts.say("busy-saving"));
+    assert_eq!(*title, game.menus.texts.say("busy-saving"));
     tick_until(&mut game, Game::is_over);
     worlds(dir.path()).load("x").unwrap().close().unwrap();
 }
