@@ -146,8 +146,10 @@ impl App {
     /// Waits until what is open is on disk; why the program ended, and what it could not save.
     pub fn ended(mut self) -> (Option<Failure>, Option<String>) {
         self.finish();
-        let unsaved = self.open.as_ref().and_then(|open| open.game.last_words());
-        let unsaved = unsaved.map(str::to_owned);
+        let unsaved = self
+            .open
+            .as_ref()
+            .and_then(|open| open.game.play.last_words.clone());
         (self.failure, unsaved)
     }
 
@@ -172,12 +174,12 @@ impl App {
         tracing::info!("drawing with {}", stage.adapter_name());
         let mut game = Game::new(self.worlds.clone(), stage.software(), None);
         game.menus.about = super::about::about(&stage.adapter_info());
-        game.enable_backdrop(stage.software().is_some());
+        game.backdrop.enable(stage.software().is_some());
         if let Some(opened) = self.settings.take() {
             game.begin_with(opened, &self.common);
         }
         if let Some(request) = self.first.take() {
-            game.open(request);
+            game.play.open(request, &mut game.menus);
         }
         match self.after.take() {
             Some(After::Crash(report)) => game.menus.tell_crash(&report),

@@ -1,121 +1,119 @@
 //! What the interface shows of the game, and what the player asks for there.
 
 use antipode_geometry::Geometry;
-use antipode_ui::{
-    Backpack, Console, GeometryChoice, HudModel, Intent, Screen, ToastKind, legible_name,
-};
+use antipode_settings::Value;
+use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind, legible_name};
 
 use super::game::Game;
+use super::hints::Place;
 use super::menus::Running;
 use super::phase::{Next, Phase, Request};
 use crate::drawn::Drawn;
-use crate::hud;
-use crate::navigator::columns_for;
+use crate::options;
 use crate::session::{Beginning, NewWorld};
 
 impl Game {
     /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
     /// with, and the adapter's own time in milliseconds where it can tell.
     pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
-        self.console.drawn = drawn.map(|(drawn, _)| drawn);
-        self.show_veil(context);
-        let display = self.display(drawn);
-        let instruments = display.map_or(egui::Rect::NOTHING, |model| {
-            antipode_ui::show_hud(context, &self.menus.texts, &model)
-        });
+        self.overlays.console.drawn = drawn.map(|(drawn, _)| drawn);
+        self.play.veil.show(context);
+        let instruments = self.show_display(context, drawn);
         self.menus.shell.keep_toasts_above(instruments);
-        self.show_backpack(context);
+        let (texts, devices, play) = (&self.menus.texts, &mut self.devices, &mut self.play);
+        let backpack = &mut self.overlays.backpack;
+        backpack.show(context, texts, devices, play);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
-            if (self.display_hidden || self.is_photographing()) && !self.menus.shell.is_open() {
+            let is_bare = self.display.hidden || self.overlays.is_photographing();
+            if is_bare && !self.menus.shell.is_open() {
                 return;
             }
         } else {
             self.show_console(context);
             self.show_photo_panel(context);
         }
-        let covered = self.covered(context.content_rect());
+        let covered = self.overlays.covered(context.content_rect());
         self.menus.shell.keep_toasts_off(covered);
-        let running = self.running();
+        let (config, running) = (&self.options.config, self.running());
         let backdrop = self.backdrop.model();
-        let intents = self
-            .menus
-            .show(context, &self.config, running.as_ref(), backdrop);
+        let intents = self.menus.show(context, config, running.as_ref(), backdrop);
         for intent in intents {
             self.follow(intent);
         }
     }
 
-    /// What lies on the world while no menu does.
-    fn covered(&self, screen: egui::Rect) -> Option<egui::Rect> {
-        if self.is_typing() {
-            Some(Console::panel(screen))
-        } else if self.is_packing() {
-            Some(Backpack::panel(screen))
+    /// Shows the display. Returns where its instruments are.
+    fn show_display(
+        &mut self,
+        context: &egui::Context,
+        drawn: Option<(Drawn, Option<f64>)>,
+    ) -> egui::Rect {
+        let (texts, settings) = (&self.menus.texts, &self.options.config.settings);
+        let model = self.display.model(texts, settings, &self.play, drawn);
+        let Some(mut model) = model.filter(|_| !self.overlays.is_photographing()) else {
+            return egui::Rect::NOTHING;
+        };
+        if self.overlays.is_packing() {
+            model.show_crosshair = false;
         } else {
-            self.is_photographing()
-                .then(|| antipode_ui::photo_panel(screen))
+            model.hint = self.hint();
+        }
+        antipode_ui::show_hud(context, texts, &model)
+    }
+
+    /// What a newcomer is to be told now.
+    pub(super) fn hint(&self) -> Option<HintModel> {
+        let config = &self.options.config;
+        let hints = config.settings.hints.then_some(&self.hints)?;
+        let place = Place::in_phase(&self.play.phase);
+        hints.model(&self.menus.texts, &config.profiles, place)
+    }
+
+    fn show_console(&mut self, context: &egui::Context) {
+        if !self.overlays.is_typing() {
+            return;
+        }
+        let (console, worlds) = (&mut self.overlays.console, self.menus.list.names());
+        if let Some(line) = console.show(context, &self.menus.texts, &worlds) {
+            self.enter(&line);
+        }
+    }
+
+    fn show_photo_panel(&mut self, context: &egui::Context) {
+        let (photo, texts) = (&mut self.overlays.photo, &self.menus.texts);
+        let wishes = photo.show(context, texts, &self.options.config);
+        let wishes = wishes.unwrap_or_default();
+        if wishes.save {
+            photo.begin(&mut self.play);
+        }
+        if wishes.leave {
+            photo.leave(&mut self.devices, &mut self.play, &mut self.menus);
         }
     }
 
     fn running(&self) -> Option<Running> {
-        let session = self.phase.session()?;
-        let setup = session.scene.setup();
+        let session = self.play.phase.session()?;
+        let (texts, setup) = (&self.menus.texts, session.scene.setup());
         let values = [
             ("name", legible_name(&setup.name, &session.slug).into()),
             ("seed", setup.seed.to_string().into()),
         ];
-        let mut title = self.menus.texts.say_with("running-world", &values);
+        let mut title = texts.say_with("running-world", &values);
         if session.scene.cheated() {
-            title = format!("{title} · {}", self.menus.texts.say("cheats-used"));
+            title = format!("{title} · {}", texts.say("cheats-used"));
         }
         Some(Running {
             slug: session.slug.clone(),
-            title: (!matches!(self.phase, Phase::Loading(_))).then_some(title),
+            title: (!matches!(self.play.phase, Phase::Loading(_))).then_some(title),
         })
     }
 
-    fn display(&mut self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
-        match &self.phase {
-            Phase::Playing(session) if !self.display_hidden && !self.is_photographing() => {
-                let fps = self.fps.value();
-                let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
-                let figures = drawn.filter(|_| self.figures_shown).map(|(drawn, gpu_ms)| {
-                    drawn.figures(
-                        &self.menus.texts,
-                        &session.scene,
-                        frame_ms,
-                        gpu_ms,
-                        self.pace.dropped_s(),
-                    )
-                });
-                let seen = session.between.seen(&session.scene);
-                let mut model = hud::model(&self.menus.texts, &session.scene, &seen, fps, figures);
-                let settings = &self.config.settings;
-                let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
-                let surveyed = (self.worlds_opened, columns);
-                self.navigator
-                    .add_to(&mut model, (&session.scene, &seen), settings, surveyed);
-                Some(HudModel {
-                    hint: self.hint().filter(|_| !self.is_packing()),
-                    show_crosshair: model.show_crosshair && !self.is_packing(),
-                    ..model
-                })
-            }
-            _ => None,
-        }
-    }
-
+    /// Does what the player asks for in the menus.
     pub(super) fn follow(&mut self, intent: Intent) {
         match intent {
             Intent::Resume => self.resume(),
-            Intent::Save => {
-                if let Some(session) = self.phase.session_mut() {
-                    session.scene.save();
-                    self.since_save_s = 0.0;
-                    self.saving = true;
-                }
-            }
+            Intent::Save => self.play.save(),
             Intent::SaveAndQuitToMenu => self.leave(Next::Menu),
             Intent::NewGame {
                 name,
@@ -135,23 +133,54 @@ impl Game {
                 None => self.leave(Next::Open(Request::Load(slug))),
             },
             Intent::Set { id, value } => self.set_option(id, value),
-            Intent::ResetSetting(id) => self.reset_option(id),
-            Intent::Bind(profiles) => self.bind(*profiles),
+            Intent::ResetSetting(id) => {
+                if self.options.config.settings.reset(id) {
+                    self.option_changed(id);
+                }
+            }
+            Intent::Bind(profiles) => {
+                self.options.config.profiles = *profiles;
+                self.hold_options();
+            }
             Intent::Delete { slug } => self.menus.list.delete(slug),
             Intent::Worlds(intent) => self.menus.list.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
             Intent::TrySavingAgain => {
-                let next = self.held_up.take().unwrap_or(Next::Menu);
+                let next = self.play.held_up.take().unwrap_or(Next::Menu);
                 self.leave(next);
             }
-            Intent::LeaveUnsaved => self.abandon(),
+            Intent::LeaveUnsaved => self.play.abandon(&mut self.menus),
             Intent::DismissMessage => {
-                self.held_up = None;
-                if matches!(self.phase, Phase::Paused(_)) && !self.menus.shell.is_open() {
+                self.play.held_up = None;
+                if matches!(self.play.phase, Phase::Paused(_)) && !self.menus.shell.is_open() {
                     self.menus.shell.open(Screen::Main);
                 }
             }
         }
+    }
+
+    /// Gives a setting a value.
+    pub(super) fn set_option(&mut self, id: &'static str, value: Value) {
+        if self.options.set(id, value) {
+            self.option_changed(id);
+        }
+    }
+
+    fn option_changed(&mut self, id: &str) {
+        self.options.let_go(id);
+        let settings = &self.options.config.settings;
+        match id {
+            "language" => self.menus.texts = options::texts(settings),
+            "hyperbolic-map" => self.play.turn_to(options::map(settings)),
+            _ => {}
+        }
+        self.hold_options();
+    }
+
+    fn hold_options(&mut self) {
+        let controls = &mut self.devices.controls;
+        self.options.hold(controls, &mut self.play);
+        self.options.keep();
     }
 }
 

@@ -5,14 +5,18 @@ use std::path::Path;
 
 use antipode_language::{Texts, Value};
 use antipode_scene::tuning::walk_speed_m_s;
-use antipode_settings::{Config, Settings};
+use antipode_settings::{Config, Notice, Settings};
 use antipode_ui::{AboutModel, Backdrop, Intent, MenuModel, Screen, Shell, ToastKind};
 
+use super::layers::{ESCAPE, Press, Taken};
 use super::worldlist::WorldList;
 use crate::failure::Failure;
 use crate::session::Worlds;
 use crate::trouble::Trouble;
 use crate::wording;
+
+/// Most sentences about the file of the settings that are told one by one.
+const MOST_TOLD: usize = 3;
 
 /// What the player is told outside of the world.
 pub struct Menus {
@@ -62,6 +66,16 @@ impl Menus {
         while let Some((words, kind)) = self.list.take_news(&self.texts) {
             self.shell.toast(words, kind);
         }
+    }
+
+    /// The layer of an action that waits for its key: it takes whatever it is, but Escape.
+    pub fn press_to_bind(&mut self, press: &Press) -> Taken {
+        let input = press.fresh().filter(|input| *input != ESCAPE);
+        let Some(input) = input.filter(|_| self.shell.wants_input()) else {
+            return Taken::Not;
+        };
+        self.shell.take_input(input);
+        Taken::Wholly
     }
 
     /// Puts the message of that key up for some seconds.
@@ -117,12 +131,32 @@ impl Menus {
         self.toast(ToastKind::State, "adapter-reopened", &[]);
     }
 
+    /// Tells what there is to tell of the file of the settings.
+    pub fn tell_settings(&mut self, notices: &[Notice]) {
+        for notice in notices.iter().take(MOST_TOLD) {
+            let words = wording::settings_notice(&self.texts, notice);
+            self.shell.toast(words, ToastKind::Problem);
+        }
+        let more = notices.len().saturating_sub(MOST_TOLD);
+        if more > 0 {
+            let values = [("count", more.into())];
+            self.toast(ToastKind::Problem, "settings-file-more", &values);
+        }
+    }
+
     /// Tells that the window could not be made as the settings say.
     pub fn tell_not_applied(&mut self, why: &Failure) {
         tracing::warn!("settings could not be applied: {why}");
         let reason = wording::failure(&self.texts, why, &[]);
         let values = [("reason", reason.into())];
         self.toast(ToastKind::Problem, "settings-not-applied", &values);
+    }
+
+    /// There is no picture, for that reason.
+    pub fn tell_no_picture(&mut self, reason: &str) {
+        tracing::error!("no picture was taken: {reason}");
+        let values = [("reason", reason.into())];
+        self.toast(ToastKind::Problem, "picture-not-taken", &values);
     }
 
     /// Draws what is up. Returns what the player asked for there.

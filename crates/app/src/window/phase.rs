@@ -25,7 +25,7 @@ pub enum Next {
 }
 
 /// What the game is doing.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub enum Phase {
     /// Showing the main menu; no world is open.
     Menu,
@@ -40,6 +40,7 @@ pub enum Phase {
     /// Saving a world that is being left.
     Closing(Task<Result<(), Unclosed>>, Next),
     /// Ended.
+    #[default]
     Over,
 }
 
@@ -62,5 +63,16 @@ impl Phase {
             }
             _ => None,
         }
+    }
+
+    /// Directory of the open world's save; empty where no world is open, or it is not kept.
+    pub fn slug(&self) -> &str {
+        self.session().map_or("", |session| &session.slug)
+    }
+
+    /// Whether the wheel turns a dial in the open world.
+    pub fn has_dial(&self) -> bool {
+        self.session()
+            .is_some_and(|session| session.scene.lens().range().is_some())
     }
 }

@@ -25,7 +25,7 @@ impl Run {
             waits.spent_on(Part::Record);
         });
         let is_whole = !self.easel.renderer.is_land_coming();
-        self.game.drawn(is_whole);
+        self.game.play.drawn(is_whole);
         self.game.waits.spent_on(Part::Drawing);
         self.game.waits.shown();
         self.game.waits.rest();
