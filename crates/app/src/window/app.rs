@@ -146,10 +146,8 @@ impl App {
     /// Waits until what is open is on disk; why the program ended, and what it could not save.
     pub fn ended(mut self) -> (Option<Failure>, Option<String>) {
         self.finish();
-        let unsaved = self
-            .open
-            .as_ref()
-            .and_then(|open| open.game.play.last_words.clone());
+        let open = self.open.as_ref();
+        let unsaved = open.and_then(|open| open.game.play.last_words.clone());
         (self.failure, unsaved)
     }
 

@@ -14,14 +14,9 @@ use crate::hud;
 
 /// The backpack, up or not.
 #[derive(Default)]
-pub struct Backpack(antipode_ui::Backpack);
+pub struct Backpack(pub(super) antipode_ui::Backpack);
 
 impl Backpack {
-    /// Whether it is up and has keys and pointer.
-    pub fn is_open(&self) -> bool {
-        self.0.is_open()
-    }
-
     /// Brings it up.
     pub fn open(&mut self, devices: &mut Devices) {
         devices.release_all();
@@ -31,7 +26,7 @@ impl Backpack {
     /// Takes it down, and returns whether it was up. What is at the pointer goes back into the slots; what finds no room
     /// there is thrown away, and can be picked up again.
     pub fn close(&mut self, devices: &mut Devices, play: &mut Play) -> bool {
-        if !self.is_open() {
+        if !self.0.is_open() {
             return false;
         }
         self.0.close();
@@ -58,7 +53,7 @@ impl Backpack {
     /// A key or button goes down. Returns whether it was meant for the backpack, which is up, and is nobody else's.
     pub fn input(&mut self, input: Input, devices: &mut Devices, play: &mut Play) -> bool {
         let does = |action| devices.controls.does(input, action);
-        if !self.is_open() {
+        if !self.0.is_open() {
             return false;
         }
         if does(Action::Backpack) || does(Action::Menu) {
@@ -85,12 +80,10 @@ impl Backpack {
         devices: &mut Devices,
         play: &mut Play,
     ) {
-        let Phase::Playing(session) = &mut play.phase else {
-            return;
+        let session = match &mut play.phase {
+            Phase::Playing(session) if self.0.is_open() => session,
+            _ => return,
         };
-        if !self.is_open() {
-            return;
-        }
         let inventory = session.scene.inventory();
         let view = |stack| hud::slot(texts, stack);
         let slots: Vec<SlotView> = inventory.slots().iter().copied().map(view).collect();

@@ -2,14 +2,12 @@
 
 use std::path::PathBuf;
 
-use antipode_language::Texts;
 use antipode_ui::Console;
 
-use super::layers::{Press, Taken, is_key};
+use super::layers::{Press, Taken};
 use crate::bindings::Action;
-use crate::console::{complete, read_history, write_history};
+use crate::console::{read_history, write_history};
 use crate::controls::Controls;
-use crate::drawn::Drawn;
 
 /// The console, and what its answers tell of.
 #[derive(Default)]
@@ -17,8 +15,6 @@ pub struct Desk {
     pub(super) view: Console,
     /// The number of the world that was answered in.
     world: u64,
-    /// What the last frame was drawn with.
-    pub(super) drawn: Option<Drawn>,
     /// The adapter's name.
     pub(super) adapter: String,
     /// Where what was entered is kept for later runs.
@@ -54,24 +50,12 @@ impl Desk {
 
     /// The layer of the console: what closes it is nobody else's.
     pub fn press(&mut self, press: &Press, controls: &Controls) -> Taken {
-        let key = press.fresh().filter(|input| is_key(*input));
-        let closes = key.filter(|_| self.view.is_open()).is_some_and(|key| {
-            controls.does(key, Action::Menu) || controls.does(key, Action::Console)
-        });
+        let key = press.fresh_key().filter(|_| self.view.is_open());
+        let does = |action| key.is_some_and(|key| controls.does(key, action));
+        let closes = does(Action::Menu) || does(Action::Console);
         if closes {
             self.view.close();
         }
         Taken::if_true(closes)
-    }
-
-    /// Draws it if it is up. Returns the line that was entered.
-    pub fn show(
-        &mut self,
-        context: &egui::Context,
-        texts: &Texts,
-        worlds: &[String],
-    ) -> Option<String> {
-        self.view
-            .show(context, texts, &|line| complete(line, worlds))
     }
 }

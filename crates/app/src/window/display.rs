@@ -20,29 +20,22 @@ pub struct Display {
     pub(super) figures: bool,
     pub(super) hit_shapes: bool,
     pub(super) fps: FrameRate,
+    /// What the last frame was drawn with, and the adapter's own time in milliseconds where it can tell.
+    pub(super) drawn: Option<(Drawn, Option<f64>)>,
     navigator: Navigator,
 }
 
 impl Display {
-    /// What it shows of a world that is played. `drawn` is what the last frame was drawn with, and the adapter's own time
-    /// in milliseconds where it can tell.
-    pub fn model(
-        &mut self,
-        texts: &Texts,
-        settings: &Settings,
-        play: &Play,
-        drawn: Option<(Drawn, Option<f64>)>,
-    ) -> Option<HudModel> {
-        let Phase::Playing(session) = &play.phase else {
-            return None;
+    /// What it shows of a world that is played.
+    pub fn model(&mut self, texts: &Texts, settings: &Settings, play: &Play) -> Option<HudModel> {
+        let session = match &play.phase {
+            Phase::Playing(session) if !self.hidden => session,
+            _ => return None,
         };
-        if self.hidden {
-            return None;
-        }
         let scene = &session.scene;
         let fps = self.fps.value();
         let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
-        let figures = drawn.filter(|_| self.figures).map(|(drawn, gpu_ms)| {
+        let figures = self.drawn.filter(|_| self.figures).map(|(drawn, gpu_ms)| {
             drawn.figures(texts, scene, frame_ms, gpu_ms, play.pace.dropped_s())
         });
         let seen = session.between.seen(scene);

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use antipode_scene::Shutter;
 use antipode_scene::frame::Frame;
-use antipode_settings::{Opened, Value};
+use antipode_settings::{Config, Keeper, Opened, Value};
 use antipode_ui::Screen;
 
 use super::backdrop::Backdrop;
@@ -17,7 +17,6 @@ use super::options::Options;
 use super::overlays::Overlays;
 use super::phase::{Next, Phase, Request};
 use super::play::{CHUNK_BUDGET, Play};
-use super::portrait;
 use super::shots::Shots;
 use super::waits::Waits;
 use crate::cli::Common;
@@ -29,6 +28,9 @@ use crate::session::Worlds;
 const SOFTWARE_FRAME: Duration = Duration::from_millis(50);
 /// The same while the player is at another window.
 const UNWATCHED_FRAME: Duration = Duration::from_millis(200);
+
+/// Width over height of the menu's pictures of worlds.
+const PORTRAIT_ASPECT: f64 = 16.0 / 9.0;
 
 /// The game.
 pub struct Game {
@@ -49,14 +51,6 @@ pub struct Game {
     last_tick: Option<Instant>,
 }
 
-impl std::fmt::Debug for Game {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Game")
-            .field("play", &self.play)
-            .finish_non_exhaustive()
-    }
-}
-
 impl Game {
     /// A game that shows the menu, or opens a world at once. `software` names the adapter if it draws in software.
     pub fn new(worlds: Worlds, software: Option<String>, first: Option<Request>) -> Self {
@@ -65,7 +59,7 @@ impl Game {
             menus: Menus::new(worlds.clone(), software),
             play: Play::new(worlds),
             overlays: Overlays::default(),
-            options: Options::default(),
+            options: Options::new(Config::default(), Keeper::idle(), None),
             devices: Devices::default(),
             display: Display::default(),
             hints: Hints::default(),
@@ -93,7 +87,7 @@ impl Game {
 
     /// Takes over the settings to begin with, and tells what there is to tell of their file.
     pub fn begin_with(&mut self, opened: Opened, common: &Common) {
-        self.options = Options::new(opened.config, opened.keeper, common);
+        self.options = Options::new(opened.config, opened.keeper, Some(common));
         let config = &self.options.config;
         self.hints.go_on(&config.learnt);
         self.menus.texts = crate::options::texts(&config.settings);
@@ -142,13 +136,10 @@ impl Game {
     /// The window has got the keyboard, or lost it.
     pub fn focus(&mut self, gained: bool) {
         self.devices.focus(gained);
-        if gained {
-            return;
-        }
-        if self.overlays.is_photographing() {
+        if !gained && self.overlays.is_photographing() {
             // The world stands still there already, and the picture that was being composed is not given up.
             self.devices.release_all();
-        } else {
+        } else if !gained {
             self.pause();
         }
     }
@@ -276,10 +267,14 @@ impl Game {
         Some(frame)
     }
 
-    /// A picture of the open world for the menu.
+    /// What a picture of the open world for the menu shows: the world, and nothing that the player is told of it.
     pub fn portrait(&mut self, height_px: u32) -> Option<Frame> {
-        let frame = self.frame(portrait::ASPECT, height_px)?;
-        Some(portrait::of_world(frame))
+        Some(Frame {
+            hand: None,
+            marker: None,
+            hit_shapes: Vec::new(),
+            ..self.frame(PORTRAIT_ASPECT, height_px)?
+        })
     }
 
     /// What of the last step the next picture shows, and of the next one's turn.

@@ -91,19 +91,16 @@ impl Hints {
     /// Remembers that all was told, and begins anew where the hints are not `shown`. Once a frame. Returns whether all was
     /// told just now.
     pub fn watch(&mut self, shown: bool, phase: &Phase) -> bool {
-        match phase {
-            _ if !shown => {}
-            Phase::Playing(_) => {}
+        if shown && matches!(phase, Phase::Paused(_)) {
             // Whoever is here has found the menu.
-            Phase::Paused(_) => self.finish(Lesson::Menu),
-            _ => return false,
+            self.finish(Lesson::Menu);
         }
         // Of what this world lacks, such as a dial, the next one that has it tells.
         let all = self.learnt().len() == Lesson::ALL.len();
         if all || !shown {
             self.begin_anew();
         }
-        all && shown
+        all
     }
 
     fn begin_anew(&mut self) {

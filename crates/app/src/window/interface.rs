@@ -2,23 +2,22 @@
 
 use antipode_geometry::Geometry;
 use antipode_settings::Value;
-use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind, legible_name};
+use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind};
 
 use super::game::Game;
 use super::hints::Place;
-use super::menus::Running;
 use super::phase::{Next, Phase, Request};
+use crate::console::complete;
 use crate::drawn::Drawn;
-use crate::options;
 use crate::session::{Beginning, NewWorld};
 
 impl Game {
     /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
     /// with, and the adapter's own time in milliseconds where it can tell.
     pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
-        self.overlays.console.drawn = drawn.map(|(drawn, _)| drawn);
+        self.display.drawn = drawn;
         self.play.veil.show(context);
-        let instruments = self.show_display(context, drawn);
+        let instruments = self.show_display(context);
         self.menus.shell.keep_toasts_above(instruments);
         let (texts, devices, play) = (&self.menus.texts, &mut self.devices, &mut self.play);
         let backpack = &mut self.overlays.backpack;
@@ -35,22 +34,18 @@ impl Game {
         }
         let covered = self.overlays.covered(context.content_rect());
         self.menus.shell.keep_toasts_off(covered);
-        let (config, running) = (&self.options.config, self.running());
+        let (config, phase) = (&self.options.config, &self.play.phase);
         let backdrop = self.backdrop.model();
-        let intents = self.menus.show(context, config, running.as_ref(), backdrop);
+        let intents = self.menus.show(context, config, phase, backdrop);
         for intent in intents {
             self.follow(intent);
         }
     }
 
     /// Shows the display. Returns where its instruments are.
-    fn show_display(
-        &mut self,
-        context: &egui::Context,
-        drawn: Option<(Drawn, Option<f64>)>,
-    ) -> egui::Rect {
+    fn show_display(&mut self, context: &egui::Context) -> egui::Rect {
         let (texts, settings) = (&self.menus.texts, &self.options.config.settings);
-        let model = self.display.model(texts, settings, &self.play, drawn);
+        let model = self.display.model(texts, settings, &self.play);
         let Some(mut model) = model.filter(|_| !self.overlays.is_photographing()) else {
             return egui::Rect::NOTHING;
         };
@@ -74,8 +69,9 @@ impl Game {
         if !self.overlays.is_typing() {
             return;
         }
-        let (console, worlds) = (&mut self.overlays.console, self.menus.list.names());
-        if let Some(line) = console.show(context, &self.menus.texts, &worlds) {
+        let (view, texts) = (&mut self.overlays.console.view, &self.menus.texts);
+        let worlds = self.menus.list.names();
+        if let Some(line) = view.show(context, texts, &|line| complete(line, &worlds)) {
             self.enter(&line);
         }
     }
@@ -90,23 +86,6 @@ impl Game {
         if wishes.leave {
             photo.leave(&mut self.devices, &mut self.play, &mut self.menus);
         }
-    }
-
-    fn running(&self) -> Option<Running> {
-        let session = self.play.phase.session()?;
-        let (texts, setup) = (&self.menus.texts, session.scene.setup());
-        let values = [
-            ("name", legible_name(&setup.name, &session.slug).into()),
-            ("seed", setup.seed.to_string().into()),
-        ];
-        let mut title = texts.say_with("running-world", &values);
-        if session.scene.cheated() {
-            title = format!("{title} · {}", texts.say("cheats-used"));
-        }
-        Some(Running {
-            slug: session.slug.clone(),
-            title: (!matches!(self.play.phase, Phase::Loading(_))).then_some(title),
-        })
     }
 
     /// Does what the player asks for in the menus.
@@ -140,7 +119,7 @@ impl Game {
             }
             Intent::Bind(profiles) => {
                 self.options.config.profiles = *profiles;
-                self.hold_options();
+                self.option_changed("bindings");
             }
             Intent::Delete { slug } => self.menus.list.delete(slug),
             Intent::Worlds(intent) => self.menus.list.follow(intent),
@@ -167,20 +146,8 @@ impl Game {
     }
 
     fn option_changed(&mut self, id: &str) {
-        self.options.let_go(id);
-        let settings = &self.options.config.settings;
-        match id {
-            "language" => self.menus.texts = options::texts(settings),
-            "hyperbolic-map" => self.play.turn_to(options::map(settings)),
-            _ => {}
-        }
-        self.hold_options();
-    }
-
-    fn hold_options(&mut self) {
-        let controls = &mut self.devices.controls;
-        self.options.hold(controls, &mut self.play);
-        self.options.keep();
+        let (menus, controls) = (&mut self.menus, &mut self.devices.controls);
+        self.options.changed(id, menus, controls, &mut self.play);
     }
 }
 

@@ -40,6 +40,11 @@ impl Press {
             .filter(|_| self.down && !self.repeats && !self.synthetic)
     }
 
+    /// As [`Press::fresh`], where it is a key.
+    pub fn fresh_key(&self) -> Option<Input> {
+        self.fresh().filter(|input| is_key(*input))
+    }
+
     /// What it is, where somebody did it.
     pub fn by_hand(&self) -> Option<Input> {
         self.input.filter(|_| !(self.synthetic && self.down))
@@ -75,13 +80,11 @@ type Layer = fn(&mut Game, &Press) -> Taken;
 const LAYERS: [Layer; 7] = [
     |game, press| game.menus.press_to_bind(press),
     everywhere,
+    |game, press| game.overlays.console.press(press, &game.devices.controls),
     |game, press| {
-        let console = &mut game.overlays.console;
-        console.press(press, &game.devices.controls)
-    },
-    |game, press| {
-        let backpack = &mut game.overlays.backpack;
-        backpack.press(press, &mut game.devices, &mut game.play)
+        game.overlays
+            .backpack
+            .press(press, &mut game.devices, &mut game.play)
     },
     |game, press| {
         let photo = &mut game.overlays.photo;
@@ -127,7 +130,7 @@ impl Game {
                 self.overlays.console.open(self.play.opened);
             }
             Action::PhotoMode => {
-                self.learn(Lesson::Photo);
+                self.hints.finish(Lesson::Photo);
                 let shutter = self.shutter();
                 if let Phase::Playing(session) = &mut self.play.phase {
                     self.overlays.photo.enter(session, shutter);
@@ -136,17 +139,10 @@ impl Game {
             }
             Action::SkipHint => self.hints.skip(Place::in_phase(&self.play.phase)),
             Action::Backpack => {
-                self.learn(Lesson::Backpack);
+                self.hints.finish(Lesson::Backpack);
                 self.overlays.backpack.open(&mut self.devices);
             }
             _ => {}
-        }
-    }
-
-    /// What was done of a lesson that no action of the simulation shows.
-    fn learn(&mut self, lesson: Lesson) {
-        if self.options.config.settings.hints {
-            self.hints.finish(lesson);
         }
     }
 
@@ -187,8 +183,8 @@ impl Game {
 
 /// The keys that mean the same in menus as in the world.
 fn everywhere(game: &mut Game, press: &Press) -> Taken {
-    let key = press.fresh().filter(|input| is_key(*input));
-    let Some(key) = key.filter(|_| !game.is_playing() && !game.menus.shell.wants_input()) else {
+    let elsewhere = !game.is_playing() && !game.menus.shell.wants_input();
+    let Some(key) = press.fresh_key().filter(|_| elsewhere) else {
         return Taken::Not;
     };
     let does = |action| game.devices.controls.does(key, action);

@@ -6,9 +6,12 @@ use std::path::Path;
 use antipode_language::{Texts, Value};
 use antipode_scene::tuning::walk_speed_m_s;
 use antipode_settings::{Config, Notice, Settings};
-use antipode_ui::{AboutModel, Backdrop, Intent, MenuModel, Screen, Shell, ToastKind};
+use antipode_ui::{
+    AboutModel, Backdrop, Intent, MenuModel, Screen, Shell, ToastKind, legible_name,
+};
 
 use super::layers::{ESCAPE, Press, Taken};
+use super::phase::Phase;
 use super::worldlist::WorldList;
 use crate::failure::Failure;
 use crate::session::Worlds;
@@ -29,14 +32,6 @@ pub struct Menus {
     pub(super) software: Option<String>,
     /// Key of the words for a player who hears nothing.
     pub(super) sound_trouble: Option<&'static str>,
-}
-
-/// The open world, as the menus name it.
-pub struct Running {
-    /// Directory of its save.
-    pub slug: String,
-    /// None until it can be gone back to.
-    pub title: Option<String>,
 }
 
 impl Menus {
@@ -71,10 +66,10 @@ impl Menus {
     /// The layer of an action that waits for its key: it takes whatever it is, but Escape.
     pub fn press_to_bind(&mut self, press: &Press) -> Taken {
         let input = press.fresh().filter(|input| *input != ESCAPE);
-        let Some(input) = input.filter(|_| self.shell.wants_input()) else {
-            return Taken::Not;
-        };
-        self.shell.take_input(input);
+        match input.filter(|_| self.shell.wants_input()) {
+            Some(input) => self.shell.take_input(input),
+            None => return Taken::Not,
+        }
         Taken::Wholly
     }
 
@@ -159,27 +154,27 @@ impl Menus {
         self.toast(ToastKind::Problem, "picture-not-taken", &values);
     }
 
-    /// Draws what is up. Returns what the player asked for there.
+    /// Draws what is up, in that phase of the game. Returns what the player asked for there.
     pub fn show(
         &mut self,
         context: &egui::Context,
         config: &Config,
-        running: Option<&Running>,
+        phase: &Phase,
         backdrop: Backdrop,
     ) -> Vec<Intent> {
         self.list.show_pictures(context);
         let (texts, list) = (&self.texts, &self.list);
         let (worlds, files) = if self.shell.is_open() {
-            let running = running.map(|running| running.slug.as_str());
-            (list.rows(texts, running), list.files(texts))
+            (list.rows(texts, Some(phase.slug())), list.files(texts))
         } else {
             Default::default()
         };
+        let running = running(texts, phase);
         let notice = self.software_notice(&config.settings);
         let sound_notice = self.sound_trouble.map(|key| texts.say(key));
         let model = MenuModel {
             texts,
-            running_world: running.and_then(|running| running.title.as_deref()),
+            running_world: running.as_deref(),
             backdrop,
             worlds: &worlds,
             config,
@@ -202,4 +197,21 @@ impl Menus {
         let values = [("adapter", adapter.into()), ("percent", percent.into())];
         Some(self.texts.say_with("adapter-software", &values))
     }
+}
+
+/// What the open world is called, where it can be gone back to.
+fn running(texts: &Texts, phase: &Phase) -> Option<String> {
+    let (Phase::Playing(session) | Phase::Paused(session)) = phase else {
+        return None;
+    };
+    let setup = session.scene.setup();
+    let values = [
+        ("name", legible_name(&setup.name, &session.slug).into()),
+        ("seed", setup.seed.to_string().into()),
+    ];
+    let title = texts.say_with("running-world", &values);
+    if session.scene.cheated() {
+        return Some(format!("{title} · {}", texts.say("cheats-used")));
+    }
+    Some(title)
 }

@@ -83,7 +83,10 @@ impl Open {
         self.game.backdrop.held = !self.stage.are_maps_ready();
         self.game.tick(now);
         self.follow_settings();
-        self.be_heard();
+        let game = &mut self.game;
+        let (settings, elsewhere) = (&game.options.config.settings, game.devices.are_elsewhere());
+        let heard = game.play.take_heard();
+        game.menus.sound_trouble = self.ears.listen(settings, elsewhere, heard);
         if !self.game.is_playing() {
             self.pointer.free(&self.stage.window);
         } else if self.pointer.catch(&self.stage.window, self.stage.size()) {
@@ -183,13 +186,6 @@ impl Open {
         }
     }
 
-    fn be_heard(&mut self) {
-        let game = &mut self.game;
-        let (settings, elsewhere) = (&game.options.config.settings, game.devices.are_elsewhere());
-        let heard = game.play.take_heard();
-        game.menus.sound_trouble = self.ears.listen(settings, elsewhere, heard);
-    }
-
     /// One pass of the interface.
     fn interface(&mut self) -> egui::FullOutput {
         let input = self.stage.take_input();
@@ -216,7 +212,8 @@ impl Open {
     /// Has a picture of the open world drawn for the menu.
     pub(super) fn begin_picture(&mut self) {
         if let Some(frame) = self.game.portrait(self.stage.height_px()) {
-            let world = self.game.play.expect_picture();
+            let play = &mut self.game.play;
+            let world = play.portrait.expect(play.opened);
             self.stage.begin_thumbnail(world, &frame);
         }
     }

@@ -13,41 +13,24 @@ use crate::controls::Controls;
 use crate::options;
 use crate::wording;
 
-/// What the command line fixes until the player changes that very setting.
-#[derive(Clone, Copy, Debug, Default)]
-struct Fixed {
-    quality: Option<Quality>,
-    view_distance: Option<u32>,
-}
-
 /// Settings and key bindings, their file, and what stands above it.
 #[derive(Debug)]
 pub struct Options {
     pub(super) config: Config,
     keeper: Keeper,
-    fixed: Fixed,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            config: Config::default(),
-            keeper: Keeper::idle(),
-            fixed: Fixed::default(),
-        }
-    }
+    /// What the command line fixes until the player changes that very setting.
+    quality: Option<Quality>,
+    view_distance: Option<u32>,
 }
 
 impl Options {
     /// Those of a file, below what the command line fixes.
-    pub fn new(config: Config, keeper: Keeper, common: &Common) -> Self {
+    pub fn new(config: Config, keeper: Keeper, common: Option<&Common>) -> Self {
         Self {
             config,
             keeper,
-            fixed: Fixed {
-                quality: common.quality,
-                view_distance: common.view_distance,
-            },
+            quality: common.and_then(|common| common.quality),
+            view_distance: common.and_then(|common| common.view_distance),
         }
     }
 
@@ -66,38 +49,40 @@ impl Options {
         set.inspect_err(|error| tracing::warn!("{error}")).is_ok()
     }
 
-    /// The player has changed a setting, which the command line fixes no longer.
-    pub fn let_go(&mut self, id: &str) {
+    /// Something was changed: it holds at once, whatever the command line fixes, and is kept.
+    pub fn changed(
+        &mut self,
+        id: &str,
+        menus: &mut Menus,
+        controls: &mut Controls,
+        play: &mut Play,
+    ) {
+        let settings = &self.config.settings;
         match id {
-            "quality" => self.fixed.quality = None,
-            "view-distance" => self.fixed.view_distance = None,
+            "quality" => self.quality = None,
+            "view-distance" => self.view_distance = None,
+            "language" => menus.texts = options::texts(settings),
+            "hyperbolic-map" => play.turn_to(options::map(settings)),
             _ => {}
         }
+        self.hold(controls, play);
+        self.keeper.save(&self.config);
     }
 
     /// Everything here holds from now on.
     pub fn hold(&self, controls: &mut Controls, play: &mut Play) {
         controls.set_config(&self.config);
         let settings = &self.config.settings;
-        let quality = self.fixed.quality;
-        let chunks = self.fixed.view_distance;
-        play.follow(
-            settings,
-            quality.unwrap_or_else(|| options::quality(settings)),
-            chunks.unwrap_or(settings.view_distance_chunks),
-        );
-    }
-
-    /// Has the file keep what holds now.
-    pub fn keep(&self) {
-        self.keeper.save(&self.config);
+        let quality = self.quality.unwrap_or_else(|| options::quality(settings));
+        let chunks = self.view_distance.unwrap_or(settings.view_distance_chunks);
+        play.follow(settings, quality, chunks);
     }
 
     /// Has the file keep what was learnt, where that is something else than before.
     pub fn keep_learnt(&mut self, learnt: BTreeSet<Lesson>) {
         if learnt != self.config.learnt {
             self.config.learnt = learnt;
-            self.keep();
+            self.keeper.save(&self.config);
         }
     }
 }

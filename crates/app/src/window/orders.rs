@@ -5,7 +5,8 @@ use std::path::Path;
 use antipode_language::{Texts, Value};
 use antipode_scene::Scene;
 use antipode_storage::{StorageError, WorldSummary};
-use antipode_ui::{LineKind, legible_name};
+use antipode_ui::LineKind::{self, Answer, Problem};
+use antipode_ui::legible_name;
 
 use super::game::Game;
 use super::phase::{Next, Phase, Request};
@@ -24,41 +25,36 @@ impl Game {
         let name = words.next().unwrap_or_default();
         let texts = &self.menus.texts;
         if name == HELP.name {
-            match help(texts, words.next()) {
-                Ok(words) => self.write(LineKind::Answer, &words),
-                Err(words) => self.write(LineKind::Problem, &words),
-            }
-            return;
+            return match help(texts, words.next()) {
+                Ok(words) => self.write(Answer, &words),
+                Err(words) => self.write(Problem, &words),
+            };
         }
         let order = match parse_line(line) {
             Ok(Some(order)) => order,
             Ok(None) => return,
             Err(what) => {
-                let known = command_named(name);
-                let words = known.map_or_else(
-                    || help(texts, Some(name)).err().unwrap_or_default(),
-                    |_| sentence(texts, &what),
-                );
-                self.write(LineKind::Problem, &words);
-                if let Some(command) = known {
-                    let usage = format!("{} {}", command.name, command.usage);
-                    self.write(LineKind::Answer, &usage);
-                }
-                return;
+                let Some(command) = command_named(name) else {
+                    let words = help(texts, Some(name)).err().unwrap_or_default();
+                    return self.write(Problem, &words);
+                };
+                let (words, usage) = (sentence(texts, &what), command.usage);
+                self.write(Problem, &words);
+                return self.write(Answer, &format!("{name} {usage}"));
             }
         };
         let was_marked = self.is_marked();
         match obey(self, &order) {
-            Ok(()) if !was_marked && self.is_marked() => self.answer("console-marked", &[]),
+            Ok(()) if !was_marked && self.is_marked() => self.reply(Answer, "console-marked", &[]),
             Ok(()) => {}
             Err(Failure::Usage(what) | Failure::Script(what)) => {
                 let words = sentence(&self.menus.texts, &what);
-                self.write(LineKind::Problem, &words);
+                self.write(Problem, &words);
             }
             Err(failure) => {
                 let worlds = self.menus.list.worlds();
                 let words = wording::failure(&self.menus.texts, &failure, worlds);
-                self.write(LineKind::Problem, &words);
+                self.write(Problem, &words);
             }
         }
     }
@@ -72,34 +68,19 @@ impl Game {
         self.overlays.console.view.say(words, kind);
     }
 
-    fn answer(&mut self, key: &str, values: &[(&str, Value<'_>)]) {
+    fn reply(&mut self, kind: LineKind, key: &str, values: &[(&str, Value<'_>)]) {
         let words = self.menus.texts.say_with(key, values);
-        self.write(LineKind::Answer, &words);
-    }
-
-    fn refuse(&mut self, key: &str) {
-        let words = self.menus.texts.say(key);
-        self.write(LineKind::Problem, &words);
-    }
-
-    fn change_to(&mut self, name: &str) -> Result<(), Failure> {
-        let slug = self.play.worlds.saves().find(name)?.slug;
-        if self.open_slug() == Some(&slug) {
-            self.answer("console-open-already", &[("name", name.into())]);
-        } else {
-            self.leave(Next::Open(Request::Load(slug)));
-        }
-        Ok(())
+        self.write(kind, &words);
     }
 
     fn list_worlds(&mut self) -> Result<(), Failure> {
         let worlds = self.play.worlds.list()?;
         if worlds.is_empty() {
-            self.answer("console-no-worlds", &[]);
+            self.reply(Answer, "console-no-worlds", &[]);
         }
         for world in worlds {
             let words = told(&self.menus.texts, &world);
-            self.write(LineKind::Answer, &words);
+            self.write(Answer, &words);
         }
         Ok(())
     }
@@ -112,10 +93,10 @@ impl Game {
             &probe,
             (fps > 0.0).then_some(fps),
             &console.adapter,
-            console.drawn.as_ref(),
+            self.display.drawn.map(|(drawn, _)| drawn).as_ref(),
             self.play.pace.dropped_s(),
         )?;
-        self.write(LineKind::Answer, &words);
+        self.write(Answer, &words);
         Ok(())
     }
 
@@ -127,8 +108,7 @@ impl Game {
             return;
         }
         let values = [("dir", self.shots.album.dir().display().to_string().into())];
-        let words = self.menus.texts.say_with("console-shot-name", &values);
-        self.write(LineKind::Problem, &words);
+        self.reply(Problem, "console-shot-name", &values);
     }
 }
 
@@ -174,26 +154,34 @@ impl Host for Game {
                 let request = named(&self.play.worlds, wanted)?;
                 self.leave(Next::Open(request));
             }
-            Order::Load(name) => self.change_to(name)?,
+            Order::Load(name) => {
+                let slug = self.play.worlds.saves().find(name)?.slug;
+                if self.open_slug() == Some(&slug) {
+                    let values = [("name", name.into())];
+                    self.reply(Answer, "console-open-already", &values);
+                } else {
+                    self.leave(Next::Open(Request::Load(slug)));
+                }
+            }
             Order::Save if self.scene()?.is_kept() => {
                 self.play.save();
-                self.answer("console-saving", &[]);
+                self.reply(Answer, "console-saving", &[]);
             }
-            Order::Save => self.refuse("console-not-kept"),
+            Order::Save => self.reply(Problem, "console-not-kept", &[]),
             Order::List => self.list_worlds()?,
             Order::Quit => self.leave(Next::Quit),
             Order::Hold(input, time_s) => {
                 self.press_input(*input);
                 self.devices.hold_for(*input, steps_in(*time_s).max(1));
             }
-            Order::Wait(_) => self.refuse("console-no-wait"),
+            Order::Wait(_) => self.reply(Problem, "console-no-wait", &[]),
             Order::Settle(_) => match self.scene()?.pending() {
-                0 => self.answer("console-settled", &[]),
-                count => self.answer("console-unsettled", &[("count", count.into())]),
+                0 => self.reply(Answer, "console-settled", &[]),
+                count => self.reply(Answer, "console-unsettled", &[("count", count.into())]),
             },
             Order::Probe => self.probe_here()?,
             Order::Shot(file) => self.shoot_as(file),
-            Order::Perf(_) => self.refuse("console-no-perf"),
+            Order::Perf(_) => self.reply(Problem, "console-no-perf", &[]),
             // The rest is carried out alike everywhere.
             _ => {}
         }

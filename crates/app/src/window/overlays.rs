@@ -1,8 +1,7 @@
 //! What can be up over the open world and has keys and pointer then: console, backpack and photo mode.
 
-use egui::Rect;
-
 use antipode_ui::{Console, photo_panel};
+use egui::Rect;
 
 use super::backpack::Backpack;
 use super::console::Desk;
@@ -32,7 +31,7 @@ impl Overlays {
 
     /// Whether the backpack is up.
     pub fn is_packing(&self) -> bool {
-        self.backpack.is_open()
+        self.backpack.0.is_open()
     }
 
     /// Whether anything is up.

@@ -9,6 +9,7 @@ use egui::{Event, Key, Modifiers};
 
 use super::game::Game;
 use super::layers::{Press, Taken};
+use super::menus::Menus;
 use crate::pad::{Direction, PadEvent, PadSource, Sticks};
 
 /// Time a direction is held in a menu until it goes on by itself, and from then on between two lines.
@@ -39,10 +40,10 @@ impl Pads {
         let mut keys = Vec::new();
         while let Some(event) = self.source.next() {
             match event {
-                PadEvent::Connected { name } => tell(game, "pad-connected", &name),
+                PadEvent::Connected { name } => tell(&mut game.menus, "pad-connected", &name),
                 PadEvent::Disconnected { name } => {
                     self.let_go(game);
-                    tell(game, "pad-disconnected", &name);
+                    tell(&mut game.menus, "pad-disconnected", &name);
                 }
                 // Pads are told to everybody, whichever window has the keyboard.
                 PadEvent::Button { pressed: true, .. } | PadEvent::Stick { .. }
@@ -120,9 +121,8 @@ impl Pads {
     }
 }
 
-fn tell(game: &mut Game, key: &str, name: &str) {
-    let values = [("name", name.into())];
-    game.menus.toast(ToastKind::Info, key, &values);
+fn tell(menus: &mut Menus, key: &str, name: &str) {
+    menus.toast(ToastKind::Info, key, &[("name", name.into())]);
 }
 
 fn key(direction: Direction) -> Key {

@@ -7,10 +7,9 @@ use antipode_ui::{Screen, ToastKind, legible_name};
 
 use super::background::{Progress, Task};
 use super::menus::Menus;
-use super::phase::{Next, Phase, Request};
+use super::phase::{Closing, Next, Opening, Phase, Request};
 use super::play::{CHUNK_BUDGET, Play};
 use super::veil::Veil;
-use crate::failure::Failure;
 use crate::options;
 use crate::session::{Session, Unclosed};
 use crate::wording;
@@ -130,7 +129,7 @@ impl Play {
 
     fn opening(
         &mut self,
-        task: Task<Result<Session, Failure>>,
+        task: Opening,
         menus: &mut Menus,
         settings: &Settings,
         elsewhere: bool,
@@ -178,12 +177,7 @@ impl Play {
         Phase::Playing(session)
     }
 
-    fn closing(
-        &mut self,
-        task: Task<Result<(), Unclosed>>,
-        next: Next,
-        menus: &mut Menus,
-    ) -> Phase {
+    fn closing(&mut self, task: Closing, next: Next, menus: &mut Menus) -> Phase {
         match task.poll() {
             Progress::Running => Phase::Closing(task, next),
             Progress::Done(Ok(())) => self.go_on(next, menus),

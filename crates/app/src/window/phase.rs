@@ -24,13 +24,18 @@ pub enum Next {
     Quit,
 }
 
+/// A world on its way to being open.
+pub type Opening = Task<Result<Session, Failure>>;
+/// A world on its way to being closed.
+pub type Closing = Task<Result<(), Unclosed>>;
+
 /// What the game is doing.
 #[derive(Debug, Default)]
 pub enum Phase {
     /// Showing the main menu; no world is open.
     Menu,
     /// Reading or making a world.
-    Opening(Task<Result<Session, Failure>>),
+    Opening(Opening),
     /// Waiting for the land around the player.
     Loading(Session),
     /// Playing.
@@ -38,7 +43,7 @@ pub enum Phase {
     /// Showing the pause menu over a world.
     Paused(Session),
     /// Saving a world that is being left.
-    Closing(Task<Result<(), Unclosed>>, Next),
+    Closing(Closing, Next),
     /// Ended.
     #[default]
     Over,

@@ -32,19 +32,22 @@ const MOST_TIMES: u32 = 4;
 const SPEED_M_S: (f64, f64) = (6.0, 24.0);
 /// Longest time that the camera flies in one frame, seconds: a slow moment is no leap.
 const LONGEST_S: f64 = 0.1;
-/// What flies the camera; all other keys are for the panel.
+/// What flies the camera; all other keys are for the panel, which names the first of these.
 const FLYING: [Action; 7] = [
     Action::Forward,
-    Action::Backward,
     Action::Left,
+    Action::Backward,
     Action::Right,
     Action::Jump,
     Action::Sink,
     Action::Sprint,
 ];
 
+/// How many of them the panel names: all ways to fly.
+const NAMED: usize = 6;
+
 /// The photo mode, entered or not.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Photographer {
     photo: Option<Photo>,
     /// Size of the window, pixels.
@@ -73,22 +76,6 @@ struct Saving {
     done: Vec<RgbaImage>,
     /// The next tile is being drawn.
     under_way: bool,
-}
-
-impl Default for Photographer {
-    fn default() -> Self {
-        Self {
-            photo: None,
-            size: (1, 1),
-            largest_px: 1,
-        }
-    }
-}
-
-impl Saving {
-    fn part(&self) -> f32 {
-        self.done.len() as f32 / self.tiles.len().max(1) as f32
-    }
 }
 
 impl Photographer {
@@ -165,15 +152,11 @@ impl Photographer {
     /// A moment of the photo mode.
     pub fn fly(&mut self, session: &mut Session, devices: &mut Devices, passed: Duration) {
         let actions = devices.controls.take_keys();
-        let photo = self.photo.as_mut().filter(|photo| photo.saving.is_none());
-        let Some(photo) = photo else {
+        let Some(photo) = self.photo.as_mut().filter(|photo| photo.saving.is_none()) else {
             return;
         };
-        let speed = if actions.sprint {
-            SPEED_M_S.1
-        } else {
-            SPEED_M_S.0
-        };
+        let (slow, fast) = SPEED_M_S;
+        let speed = if actions.sprint { fast } else { slow };
         let up = f64::from(i8::from(actions.jump) - i8::from(actions.sink));
         let way = DVec3::new(actions.strafe, up, actions.forward).clamp_length_max(1.0);
         let by = way * speed * passed.as_secs_f64().min(LONGEST_S);
@@ -210,6 +193,9 @@ impl Photographer {
         };
         let (pictured, place) = (lens.strategy(), photo.view.eye.point);
         let clock_there = |time_s: f64| clock(local_time_s(time_s, &**pictured, place));
+        let keys = FLYING.iter().take(NAMED);
+        let keys = keys.map(|way| first_input_label(texts, &config.profiles, *way));
+        let saving = photo.saving.as_ref();
         let model = PhotoModel {
             texts,
             dial: lens.range().map(|(min, max)| (kind, min, max)),
@@ -217,8 +203,8 @@ impl Photographer {
             clock: &clock_there,
             size: self.size,
             most_times,
-            keys: flying_keys(texts, config),
-            saving: photo.saving.as_ref().map(Saving::part),
+            keys: keys.collect::<Vec<_>>().join(" "),
+            saving: saving.map(|it| it.done.len() as f32 / it.tiles.len().max(1) as f32),
         };
         let fresh = std::mem::take(&mut photo.fresh);
         let wishes = show_photo(context, &model, &mut photo.values, fresh);
@@ -226,7 +212,8 @@ impl Photographer {
         let view = &mut photo.view;
         view.time_of_day_s = values.time_of_day_s;
         view.figures = !values.hide_figures;
-        if lens_dial(view) != Some(values.dial) {
+        let dial = view.lens.range().map(|_| view.lens.value());
+        if dial != Some(values.dial) {
             view.set_dial(values.dial);
         }
         // The view follows the mouse as it does in play: across the picture's height by the field of view.
@@ -292,43 +279,21 @@ impl Photographer {
         let Some(photo) = &mut self.photo else {
             return;
         };
-        let Some(saving) = &mut photo.saving else {
+        let Some(mut saving) = photo.saving.take() else {
             return;
         };
-        saving.under_way = false;
         match tile {
             Ok(tile) => saving.done.push(tile),
-            Err(error) => {
-                photo.saving = None;
-                menus.tell_no_picture(&error.to_string());
-                return;
-            }
+            Err(error) => return menus.tell_no_picture(&error.to_string()),
         }
-        if saving.done.len() == saving.tiles.len()
-            && let Some(Saving {
-                stem, tiles, done, ..
-            }) = photo.saving.take()
-        {
-            shots.write(stem, move || joined(&tiles, done));
+        saving.under_way = false;
+        if saving.done.len() < saving.tiles.len() {
+            photo.saving = Some(saving);
+        } else {
+            let Saving { tiles, done, .. } = saving;
+            shots.write(saving.stem, move || joined(&tiles, done));
         }
     }
-}
-
-fn flying_keys(texts: &Texts, config: &Config) -> String {
-    let ways = [
-        Action::Forward,
-        Action::Left,
-        Action::Backward,
-        Action::Right,
-        Action::Jump,
-        Action::Sink,
-    ];
-    let labels = ways.map(|way| first_input_label(texts, &config.profiles, way));
-    labels.join(" ")
-}
-
-fn lens_dial(view: &Viewpoint) -> Option<f64> {
-    view.lens.range().map(|_| view.lens.value())
 }
 
 /// One picture of its tiles; each is let go as soon as it is in its place.

@@ -243,11 +243,11 @@ impl Play {
 
     /// A picture of what the game is doing was drawn; `whole`: no land that has been made is missing in it.
     pub fn drawn(&mut self, whole: bool) {
-        let is_made = match &self.phase {
-            Phase::Loading(session) => session.scene.loading_progress() >= 1.0,
-            _ => false,
-        };
-        if whole && is_made && self.veil == Veil::Down {
+        if let Phase::Loading(session) = &self.phase
+            && whole
+            && session.scene.loading_progress() >= 1.0
+            && self.veil == Veil::Down
+        {
             self.veil = Veil::Drawn;
         }
     }
@@ -270,13 +270,6 @@ impl Play {
         };
         let lifts = matches!(self.veil, Veil::Drawn | Veil::Lifting(_));
         session.scene.pending() == 0 && !self.saving && !self.portrait.is_wanted && !lifts
-    }
-
-    /// A picture of the open world is being drawn: its number among the worlds opened so far, of which none has the
-    /// same. [`Play::keep_picture`] or [`Portrait::miss`] is to follow.
-    pub fn expect_picture(&mut self) -> u64 {
-        self.portrait.expect(self.opened);
-        self.opened
     }
 
     /// Keeps a picture of the world with that number if it is still open, or being closed, and writes it in the

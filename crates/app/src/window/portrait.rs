@@ -1,11 +1,7 @@
 //! A world's picture for the menu: drawn while the game goes on, even while the world is being closed.
 
-use antipode_scene::frame::Frame;
 use crossbeam_channel::{Receiver, Sender, bounded};
 use image::RgbaImage;
-
-/// Width over height of the menu's pictures.
-pub const ASPECT: f64 = 16.0 / 9.0;
 
 /// What becomes of the picture of the open world.
 #[derive(Debug, Default)]
@@ -26,9 +22,11 @@ struct LastPicture {
 }
 
 impl Portrait {
-    /// A picture of the world with that number is being drawn.
-    pub fn expect(&mut self, world: u64) {
+    /// A picture of the world is being drawn: its number among the worlds opened so far, of which none has the same. A call
+    /// of [`Portrait::hand_over`] or [`Portrait::miss`] is to follow.
+    pub fn expect(&mut self, world: u64) -> u64 {
         self.last = Some(LastPicture { world, to: None });
+        world
     }
 
     /// The world is being closed; the picture that is being drawn, or word that there is none, comes here.
@@ -52,15 +50,5 @@ impl Portrait {
     /// There will be no picture.
     pub fn miss(&mut self) {
         self.last = None;
-    }
-}
-
-/// What a picture for the menu shows: the world, and nothing that the player is told of it.
-pub fn of_world(frame: Frame) -> Frame {
-    Frame {
-        hand: None,
-        marker: None,
-        hit_shapes: Vec::new(),
-        ..frame
     }
 }

@@ -113,7 +113,7 @@ fn picture_of(dir: &TempDir) -> Option<image::RgbImage> {
 fn a_world_that_is_closed_says_so_at_once_and_gets_its_last_picture_later() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    let world = game.play.expect_picture();
+    let world = game.play.portrait.expect(game.play.opened);
     game.close_window();
     assert!(matches!(game.menus.shell.screen(), Screen::Busy { .. }));
     assert!(matches!(game.play.phase, Phase::Closing(..)));
@@ -130,7 +130,7 @@ fn a_world_that_is_closed_says_so_at_once_and_gets_its_last_picture_later() {
 fn a_world_that_is_closed_does_without_a_picture_that_never_comes() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.play.expect_picture();
+    game.play.portrait.expect(game.play.opened);
     game.close_window();
     game.play.portrait.miss();
     tick_until(&mut game, Game::is_over);
