@@ -137,7 +137,8 @@ impl Run {
     fn paint(&mut self, frame: &Frame) {
         let pictured = &mut self.pictured;
         self.easel.submit(|renderer, encoder, target| {
-            assert!(pictured.paint(renderer, frame, encoder, target));
+            let stats = renderer.draw(frame, encoder, target);
+            assert!(pictured.note(&stats, frame.quality));
         });
         let is_whole = !self.easel.renderer.is_land_coming();
         self.game.play.drawn(is_whole);

@@ -21,7 +21,8 @@ impl Run {
         self.game.waits.spent_on(Part::Interface);
         let (pictured, waits) = (&mut self.pictured, &mut self.game.waits);
         self.easel.submit(|renderer, encoder, target| {
-            assert!(pictured.paint(renderer, &frame, encoder, target));
+            let stats = renderer.draw(&frame, encoder, target);
+            assert!(pictured.note(&stats, frame.quality));
             waits.spent_on(Part::Record);
         });
         let is_whole = !self.easel.renderer.is_land_coming();
