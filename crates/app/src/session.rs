@@ -75,8 +75,8 @@ impl Session {
         let copy = picture.clone();
         self.picture = Some(picture);
         move || {
-            if let Some(Err(why)) = store.map(|store| write_picture(&store, &copy)) {
-                tracing::info!("the menu's picture could not be written: {why}");
+            if let Some(store) = store {
+                write_picture(&store, &copy);
             }
         }
     }
@@ -87,10 +87,7 @@ impl Session {
     /// When the last commit failed; the world comes back, open as it was.
     pub fn close(self) -> Result<(), Unclosed> {
         if let (Some(store), Some(picture)) = (&self.store, &self.picture) {
-            // A world without a picture is a whole world; the log is enough.
-            if let Err(why) = write_picture(store, picture) {
-                tracing::info!("the menu's picture could not be written: {why}");
-            }
+            write_picture(store, picture);
         }
         self.scene.close().map_err(|failure| Unclosed {
             session: Box::new(Self {
@@ -105,14 +102,19 @@ impl Session {
     }
 }
 
-fn write_picture(store: &WorldStore, picture: &RgbaImage) -> Result<(), String> {
+/// A world without a picture is a whole world; the log is enough.
+fn write_picture(store: &WorldStore, picture: &RgbaImage) {
     let mut png = Cursor::new(Vec::new());
-    picture
-        .write_to(&mut png, ImageFormat::Png)
-        .map_err(|error| error.to_string())?;
-    store
-        .write_thumbnail(png.get_ref())
-        .map_err(|error| error.to_string())
+    let written = match picture.write_to(&mut png, ImageFormat::Png) {
+        Ok(()) => store
+            .write_thumbnail(png.get_ref())
+            .err()
+            .map(|why| why.to_string()),
+        Err(why) => Some(why.to_string()),
+    };
+    if let Some(why) = written {
+        tracing::info!("the menu's picture could not be written: {why}");
+    }
 }
 
 /// The place where worlds are kept, and the view distance and quality that new sessions get.

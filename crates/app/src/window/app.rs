@@ -146,8 +146,8 @@ impl App {
     /// Waits until what is open is on disk; why the program ended, and what it could not save.
     pub fn ended(mut self) -> (Option<Failure>, Option<String>) {
         self.finish();
-        let unsaved = self.open.as_ref().and_then(|open| open.game.last_words());
-        let unsaved = unsaved.map(str::to_owned);
+        let open = self.open.as_ref();
+        let unsaved = open.and_then(|open| open.game.play.last_words.clone());
         (self.failure, unsaved)
     }
 
@@ -171,17 +171,17 @@ impl App {
         let stage = self.open_stage(&Arc::new(window), events)?;
         tracing::info!("drawing with {}", stage.adapter_name());
         let mut game = Game::new(self.worlds.clone(), stage.software(), None);
-        game.about = super::about::about(&stage.adapter_info());
-        game.enable_backdrop(stage.software().is_some());
+        game.menus.about = super::about::about(&stage.adapter_info());
+        game.backdrop.enable(stage.software().is_some());
         if let Some(opened) = self.settings.take() {
             game.begin_with(opened, &self.common);
         }
         if let Some(request) = self.first.take() {
-            game.open(request);
+            game.play.open(request, &mut game.menus);
         }
         match self.after.take() {
-            Some(After::Crash(report)) => game.tell_crash(&report),
-            Some(After::Graphics(trouble)) => game.tell_graphics(&trouble),
+            Some(After::Crash(report)) => game.menus.tell_crash(&report),
+            Some(After::Graphics(trouble)) => game.menus.tell_graphics(&trouble),
             None => {}
         }
         let album = Album::new(&self.common, self.worlds.saves().path());

@@ -10,11 +10,9 @@ mod tests;
 use std::time::Duration;
 
 use antipode_scene::frame::{Frame, Quality};
-use antipode_ui::Screen;
 
 use super::background::{Progress, Task};
-use super::game::{CHUNK_BUDGET, Game};
-use super::phase::Phase;
+use super::play::CHUNK_BUDGET;
 use flight::{Flight, WORLDS};
 
 /// How long a world is shown, seconds.
@@ -27,10 +25,6 @@ const FADE_S: f64 = 0.8;
 const WAIT_S: f64 = 10.0;
 /// Longest that a world flies on in one frame, seconds: a slow moment is no leap.
 const LONGEST_S: f64 = 0.1;
-/// Shortest time between two pictures of the menu where the processor draws them.
-const SOFTWARE_FRAME: Duration = Duration::from_millis(50);
-/// The same while the player is at another window.
-const UNWATCHED_FRAME: Duration = Duration::from_millis(200);
 /// Numbers of worlds here begin at this one and go down, so that they are never those of worlds that are played.
 const FIRST_NUMBER: u64 = u64::MAX;
 
@@ -41,7 +35,7 @@ pub struct Backdrop {
     enabled: Option<bool>,
     shown: Option<Flight>,
     /// No other world is shown for the moment: what its pictures are drawn with may not be made yet.
-    held: bool,
+    pub(super) held: bool,
     next: Next,
     /// How many worlds have been begun.
     begun: u64,
@@ -81,7 +75,7 @@ impl Backdrop {
     }
 
     /// Lets time pass. Where no world is `wanted` all are dropped, on a thread: their workers have to end.
-    fn tick(&mut self, passed: Duration, wanted: bool) {
+    pub fn tick(&mut self, passed: Duration, wanted: bool) {
         let Some(software) = self.enabled.filter(|_| wanted) else {
             self.drop_all();
             return;
@@ -167,54 +161,10 @@ impl Backdrop {
     }
 
     /// The picture to draw, after the flight of the time that has passed.
-    fn frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
+    pub fn frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
         let by_s = std::mem::take(&mut self.owed_s);
         let shown = self.shown.as_mut()?;
         shown.fly(by_s);
         Some(shown.frame(aspect, height_px))
-    }
-}
-
-impl Game {
-    /// Shows live worlds behind the menu from now on. `software`: whether the processor draws them.
-    pub fn enable_backdrop(&mut self, software: bool) {
-        self.backdrop.enable(software);
-    }
-
-    /// Whether the player looks at menus with no world open, and wants things to move.
-    pub(super) fn wants_backdrop(&self) -> bool {
-        matches!(self.phase, Phase::Menu)
-            && !self.config.settings.reduced_motion
-            && !matches!(self.shell.screen(), Screen::Busy { .. })
-    }
-
-    /// Whether no other world is to come up behind the menu for the moment, since none can be drawn.
-    pub fn hold_backdrop(&mut self, held: bool) {
-        self.backdrop.held = held;
-    }
-
-    pub(super) fn tick_backdrop(&mut self, passed: Duration) {
-        let wanted = self.wants_backdrop();
-        self.backdrop.tick(passed, wanted);
-    }
-
-    /// The picture behind the menu, if a world is shown there.
-    pub(super) fn backdrop_frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
-        if !self.wants_backdrop() {
-            return None;
-        }
-        self.backdrop.frame(aspect, height_px)
-    }
-
-    /// Shortest time from frame to frame. Where the processor draws, a menu leaves it something to do besides.
-    pub fn frame_time(&self) -> Duration {
-        let wanted = crate::options::frame_time(&self.config.settings);
-        let least = match self.phase {
-            Phase::Menu if self.software.is_none() => Duration::ZERO,
-            Phase::Menu if self.is_player_elsewhere() => UNWATCHED_FRAME,
-            Phase::Menu => SOFTWARE_FRAME,
-            _ => Duration::ZERO,
-        };
-        wanted.max(least)
     }
 }

@@ -1,88 +1,106 @@
 //! The backpack in the game: the world goes on behind it while keys and pointer move what is carried.
 
+use antipode_language::Texts;
 use antipode_scene::Scene;
-use antipode_settings::Lesson;
+use antipode_scene::inventory::HOTBAR_SLOTS;
 use antipode_ui::{BackpackModel, BackpackWish, SlotView};
 
-use super::game::Game;
+use super::devices::Devices;
+use super::layers::{Press, Taken};
 use super::phase::Phase;
+use super::play::Play;
 use crate::bindings::{Action, Input};
 use crate::hud;
 
-impl Game {
-    /// Whether the backpack is up and has keys and pointer.
-    pub fn is_packing(&self) -> bool {
-        self.backpack.is_open()
+/// The backpack, up or not.
+#[derive(Default)]
+pub struct Backpack(pub(super) antipode_ui::Backpack);
+
+impl Backpack {
+    /// Brings it up.
+    pub fn open(&mut self, devices: &mut Devices) {
+        devices.release_all();
+        self.0.open();
     }
 
-    pub(super) fn open_backpack(&mut self) {
-        self.controls.release_all();
-        self.has_done(Lesson::Backpack);
-        self.backpack.open();
-    }
-
-    /// Takes the backpack down. What is at the pointer goes back into the slots; what finds no room there is thrown
-    /// away, and can be picked up again.
-    pub(super) fn close_backpack(&mut self) {
-        if !self.is_packing() {
-            return;
+    /// Takes it down, and returns whether it was up. What is at the pointer goes back into the slots; what finds no room
+    /// there is thrown away, and can be picked up again.
+    pub fn close(&mut self, devices: &mut Devices, play: &mut Play) -> bool {
+        if !self.0.is_open() {
+            return false;
         }
-        self.backpack.close();
-        self.controls.release_all();
-        if let Some(session) = self.phase.session_mut()
+        self.0.close();
+        devices.release_all();
+        if let Some(session) = play.phase.session_mut()
             && let Some(left) = session.scene.inventory_mut().put_back()
         {
             session.scene.throw_away(left);
         }
+        true
     }
 
-    /// A key or button while the backpack is up. Returns whether it was meant for it and is nobody else's.
-    pub fn backpack_key(&mut self, input: Input) -> bool {
-        let does = |action| self.controls.does(input, action);
+    /// The layer of the backpack. The buttons of a mouse work in it, but for one that closes it; a pad's are translated to
+    /// keys.
+    pub fn press(&mut self, press: &Press, devices: &mut Devices, play: &mut Play) -> Taken {
+        let input = press.fresh().filter(|input| match input {
+            Input::Key(_) => true,
+            Input::Mouse(_) => devices.controls.does(*input, Action::Backpack),
+            _ => false,
+        });
+        Taken::if_true(input.is_some_and(|input| self.input(input, devices, play)))
+    }
+
+    /// A key or button goes down. Returns whether it was meant for the backpack, which is up, and is nobody else's.
+    pub fn input(&mut self, input: Input, devices: &mut Devices, play: &mut Play) -> bool {
+        let does = |action| devices.controls.does(input, action);
+        if !self.0.is_open() {
+            return false;
+        }
         if does(Action::Backpack) || does(Action::Menu) {
-            self.close_backpack();
-            return true;
+            return self.close(devices, play);
         }
         if does(Action::Drop) {
-            let session = self.phase.session();
+            let session = play.phase.session();
             let carried = session.and_then(|session| session.scene.inventory().carried());
-            self.backpack.throw_one(carried.is_some());
+            self.0.throw_one(carried.is_some());
             return true;
         }
-        let slot = (0..antipode_scene::inventory::HOTBAR_SLOTS)
-            .find(|slot| self.controls.does(input, Action::Slot(*slot)));
+        let slot = (0..HOTBAR_SLOTS).find(|slot| does(Action::Slot(*slot)));
         if let Some(slot) = slot {
-            self.backpack.swap_with(slot);
+            self.0.swap_with(slot);
         }
         slot.is_some()
     }
 
-    /// Draws the backpack and does what is asked for there.
-    pub(super) fn show_backpack(&mut self, context: &egui::Context) {
-        if !self.is_packing() {
-            return;
-        }
-        let Phase::Playing(session) = &mut self.phase else {
-            return;
+    /// Draws it and does what is asked for there.
+    pub fn show(
+        &mut self,
+        context: &egui::Context,
+        texts: &Texts,
+        devices: &mut Devices,
+        play: &mut Play,
+    ) {
+        let session = match &mut play.phase {
+            Phase::Playing(session) if self.0.is_open() => session,
+            _ => return,
         };
         let inventory = session.scene.inventory();
-        let view = |stack| hud::slot(&self.texts, stack);
+        let view = |stack| hud::slot(texts, stack);
         let slots: Vec<SlotView> = inventory.slots().iter().copied().map(view).collect();
         let carried = inventory.carried().map(|stack| view(Some(stack)));
         let model = BackpackModel {
-            texts: &self.texts,
+            texts,
             slots: &slots,
             selected: inventory.selected(),
             carried: carried.as_ref(),
         };
-        let wishes = self.backpack.show(context, &model);
-        let mut closes = false;
+        let wishes = self.0.show(context, &model);
+        let closes = wishes.contains(&BackpackWish::Close);
         for wish in wishes {
-            closes |= wish == BackpackWish::Close;
             follow(&mut session.scene, wish);
         }
         if closes {
-            self.close_backpack();
+            self.close(devices, play);
         }
     }
 }

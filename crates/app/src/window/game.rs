@@ -1,244 +1,287 @@
-//! The game around the worlds: menu, opening, playing, pausing, closing. Knows no window and no adapter.
+//! The game: what it is made of, and the order of things in a frame. Knows no window and no adapter.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-use antipode_language::Texts;
 use antipode_scene::Shutter;
 use antipode_scene::frame::Frame;
-use antipode_ui::{Backpack, Screen, Shell};
+use antipode_settings::{Config, Keeper, Opened, Value};
+use antipode_ui::Screen;
 
 use super::backdrop::Backdrop;
-use super::console::Desk;
-use super::framerate::FrameRate;
+use super::devices::Devices;
+use super::display::Display;
 use super::hints::Hints;
+use super::menus::Menus;
 use super::options::Options;
-use super::pace::Pace;
+use super::overlays::Overlays;
 use super::phase::{Next, Phase, Request};
-use super::photo::Photographer;
-use super::portrait::LastPicture;
+use super::play::{CHUNK_BUDGET, Play};
 use super::shots::Shots;
-use super::veil::Veil;
 use super::waits::Waits;
-use super::worldlist::WorldList;
-use crate::controls::Controls;
-use crate::navigator::Navigator;
-use crate::pad::Sticks;
+use crate::cli::Common;
+use crate::pad::Feel;
 use crate::screenshots::Album;
 use crate::session::Worlds;
 
-/// Time a frame gives to finished chunks.
-pub(super) const CHUNK_BUDGET: Duration = Duration::from_millis(2);
+/// Shortest time between two pictures of the menu where the processor draws them.
+const SOFTWARE_FRAME: Duration = Duration::from_millis(50);
+/// The same while the player is at another window.
+const UNWATCHED_FRAME: Duration = Duration::from_millis(200);
+
+/// Width over height of the menu's pictures of worlds.
+const PORTRAIT_ASPECT: f64 = 16.0 / 9.0;
 
 /// The game.
 pub struct Game {
-    pub(super) phase: Phase,
-    pub(super) worlds: Worlds,
-    pub(super) list: WorldList,
-    pub(super) shell: Shell,
-    /// The words of the player's language.
-    pub(super) texts: Texts,
-    pub(super) controls: Controls,
+    /// Worlds, and the one that is open.
+    pub(super) play: Play,
+    /// What can be up over the open world.
+    pub(super) overlays: Overlays,
+    pub(super) menus: Menus,
     /// Settings and key bindings.
-    pub(super) config: antipode_settings::Config,
     pub(super) options: Options,
-    /// The name of the adapter, where it draws in software.
-    pub(super) software: Option<String>,
-    pub(super) display_hidden: bool,
-    pub(super) figures_shown: bool,
-    pub(super) hit_shapes_shown: bool,
-    pub(super) navigator: Navigator,
-    last_tick: Option<Instant>,
-    pub(super) pace: Pace,
-    pub(super) fps: FrameRate,
-    pub(super) worlds_opened: u64,
-    /// The player has asked for a save and is owed an answer.
-    pub(super) saving: bool,
-    /// Since the open world was last given to be saved, in seconds of the wall clock.
-    pub(super) since_save_s: f64,
-    /// Where the player was going when the world could not be saved.
-    pub(super) held_up: Option<Next>,
-    /// Whether the window has the keyboard; nothing is known before it has had it for the first time.
-    pub(super) focused: Option<bool>,
-    /// Nothing can be shown any more, so nothing can be asked either.
-    pub(super) unseen: bool,
-    pub(super) last_words: Option<String>,
-    pub(super) wants_picture: bool,
-    /// The picture that is being drawn for the menu.
-    pub(super) last_picture: Option<LastPicture>,
-    pub(super) console: Desk,
-    pub(super) backpack: Backpack,
-    pub(super) shots: Shots,
-    pub(super) photographer: Photographer,
-    /// Where the sticks of the gamepads stand.
-    pub(super) sticks: Sticks,
-    /// Key of the words for a player who hears nothing.
-    pub(super) sound_trouble: Option<&'static str>,
-    pub(super) backdrop: Backdrop,
-    pub(super) veil: Veil,
+    pub(super) devices: Devices,
+    pub(super) display: Display,
     pub(super) hints: Hints,
-    pub(super) about: antipode_ui::AboutModel,
+    pub(super) shots: Shots,
+    /// The world behind the menu.
+    pub(super) backdrop: Backdrop,
     pub(super) waits: Waits,
-}
-
-impl std::fmt::Debug for Game {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Game")
-            .field("phase", &self.phase)
-            .finish_non_exhaustive()
-    }
+    last_tick: Option<Instant>,
 }
 
 impl Game {
     /// A game that shows the menu, or opens a world at once. `software` names the adapter if it draws in software.
     pub fn new(worlds: Worlds, software: Option<String>, first: Option<Request>) -> Self {
-        let mut shell = Shell::new();
-        shell.open(Screen::Main);
-        let list = WorldList::new(worlds.clone());
         let album = Album::at(worlds.saves().path().with_file_name("screenshots"));
         let mut game = Self {
-            phase: Phase::Menu,
-            worlds,
-            list,
-            shell,
-            texts: Texts::default(),
-            controls: Controls::default(),
-            config: antipode_settings::Config::default(),
-            options: Options::default(),
-            software,
-            display_hidden: false,
-            figures_shown: false,
-            hit_shapes_shown: false,
-            navigator: Navigator::default(),
-            last_tick: None,
-            pace: Pace::default(),
-            fps: FrameRate::default(),
-            worlds_opened: 0,
-            saving: false,
-            since_save_s: 0.0,
-            held_up: None,
-            focused: None,
-            unseen: false,
-            last_words: None,
-            wants_picture: false,
-            last_picture: None,
-            console: Desk::default(),
-            backpack: Backpack::default(),
-            shots: Shots::new(album),
-            photographer: Photographer::default(),
-            sticks: Sticks::default(),
-            sound_trouble: None,
-            backdrop: Backdrop::default(),
-            veil: Veil::default(),
+            menus: Menus::new(worlds.clone(), software),
+            play: Play::new(worlds),
+            overlays: Overlays::default(),
+            options: Options::new(Config::default(), Keeper::idle(), None),
+            devices: Devices::default(),
+            display: Display::default(),
             hints: Hints::default(),
-            about: antipode_ui::AboutModel::default(),
+            shots: Shots::new(album),
+            backdrop: Backdrop::default(),
             waits: Waits::default(),
+            last_tick: None,
         };
-        game.list.refresh();
         if let Some(request) = first {
-            game.open(request);
+            game.play.open(request, &mut game.menus);
         }
         game
     }
 
+    /// Takes over what only the window knows: the adapter's name, and where pictures go.
+    /// And what was entered in the console before, which lies beside the settings.
+    pub fn begin_in(&mut self, adapter: &str, album: Album, settings: Option<&Path>) {
+        let console = &mut self.overlays.console;
+        adapter.clone_into(&mut console.adapter);
+        if let Some(settings) = settings {
+            console.remember_in(settings.with_file_name("console-history.txt"));
+        }
+        self.shots.album = album;
+    }
+
+    /// Takes over the settings to begin with, and tells what there is to tell of their file.
+    pub fn begin_with(&mut self, opened: Opened, common: &Common) {
+        self.options = Options::new(opened.config, opened.keeper, Some(common));
+        let config = &self.options.config;
+        self.hints.go_on(&config.learnt);
+        self.menus.texts = crate::options::texts(&config.settings);
+        let controls = &mut self.devices.controls;
+        self.options.hold(controls, &mut self.play);
+        self.menus.tell_settings(&opened.notices);
+    }
+
     /// Whether the game has ended and the window may go.
     pub fn is_over(&self) -> bool {
-        matches!(self.phase, Phase::Over)
+        matches!(self.play.phase, Phase::Over)
     }
 
     /// Whether the mouse turns the view and keys act in the world.
     pub fn is_playing(&self) -> bool {
-        matches!(self.phase, Phase::Playing(_)) && !self.is_elsewhere()
+        matches!(self.play.phase, Phase::Playing(_)) && !self.overlays.are_up()
     }
 
-    /// Whether keys and pointer are for something that is up over the open world.
-    pub(super) fn is_elsewhere(&self) -> bool {
-        self.is_typing() || self.is_photographing() || self.is_packing()
+    /// Whether what is drawn is an open world.
+    pub fn shows_world(&self) -> bool {
+        matches!(self.play.phase, Phase::Playing(_) | Phase::Paused(_))
     }
 
-    /// What could not be saved when nothing could be shown any more.
-    pub fn last_words(&self) -> Option<&str> {
-        self.last_words.as_deref()
+    /// Whether nothing moves until somebody does something: a paused world, or a menu that no world flies by behind, and
+    /// no work is under way that has something to show when it ends.
+    pub fn is_still(&self) -> bool {
+        let rests = match self.play.phase {
+            Phase::Menu => !self.wants_backdrop(),
+            _ => self.play.is_still(),
+        };
+        rests && self.menus.list.is_idle() && self.shots.is_idle()
     }
 
-    /// Frames shown in a second of late; 0 while nothing is known.
-    pub(super) fn frames_per_second(&self) -> f32 {
-        self.fps.value()
+    /// Shortest time from frame to frame. Where the processor draws, a menu leaves it something to do besides.
+    pub fn frame_time(&self) -> Duration {
+        let wanted = crate::options::frame_time(&self.options.config.settings);
+        let least = match self.play.phase {
+            Phase::Menu if self.menus.software.is_none() => Duration::ZERO,
+            Phase::Menu if self.devices.are_elsewhere() => UNWATCHED_FRAME,
+            Phase::Menu => SOFTWARE_FRAME,
+            _ => Duration::ZERO,
+        };
+        wanted.max(least)
+    }
+
+    /// The window has got the keyboard, or lost it.
+    pub fn focus(&mut self, gained: bool) {
+        self.devices.focus(gained);
+        if !gained && self.overlays.is_photographing() {
+            // The world stands still there already, and the picture that was being composed is not given up.
+            self.devices.release_all();
+        } else if !gained {
+            self.pause();
+        }
+    }
+
+    /// Pauses the world, if one is played.
+    pub(super) fn pause(&mut self) {
+        self.take_down();
+        self.play.pause(&mut self.menus);
+    }
+
+    /// Plays on, if the world is paused.
+    pub(super) fn resume(&mut self) {
+        self.devices.release_all();
+        self.play.resume(&mut self.menus);
+    }
+
+    /// Closes what is open, then goes on.
+    pub(super) fn leave(&mut self, next: Next) {
+        self.take_down();
+        self.play.leave(next, &mut self.menus);
+    }
+
+    /// The player closes the window: what is open is committed first.
+    pub fn close_window(&mut self) {
+        self.leave(Next::Quit);
+    }
+
+    /// Nothing can be shown any more: saves what is open and ends without asking.
+    pub fn end_unseen(&mut self) {
+        self.take_down();
+        self.play.end_unseen(&mut self.menus);
+    }
+
+    /// Ends at once, but not before what is open is on disk.
+    pub fn finish(&mut self) {
+        self.end_unseen();
+        self.overlays.console.keep_history();
+        self.shots.finish();
+        self.play.finish();
+    }
+
+    /// The world is left or paused: nothing is held, and nothing is up over it.
+    fn take_down(&mut self) {
+        let (devices, play) = (&mut self.devices, &mut self.play);
+        self.overlays.take_down(devices, play, &mut self.menus);
+        self.devices.release_all();
     }
 
     /// Lets time pass: simulated steps while playing, finished background work in every phase.
     pub fn tick(&mut self, now: Instant) {
-        let passed = self
-            .last_tick
-            .map_or(Duration::ZERO, |last| now.saturating_duration_since(last));
-        self.last_tick = Some(now);
-        self.watch_options();
-        self.list.poll();
-        while let Some((words, kind)) = self.list.take_news(&self.texts) {
-            self.shell.toast(words, kind);
-        }
-        self.tell_pictures();
+        let last = self.last_tick.replace(now).unwrap_or(now);
+        let passed = now.saturating_duration_since(last);
+        self.options.watch(&mut self.menus);
+        self.menus.tick();
+        self.shots.tell(&mut self.menus);
         self.watch_hints();
-        self.tick_backdrop(passed);
-        self.lift_veil(passed);
-        self.phase = match std::mem::replace(&mut self.phase, Phase::Over) {
-            Phase::Opening(task) => self.opening(task),
-            Phase::Loading(session) => self.loading(session),
-            Phase::Playing(session) if self.is_photographing() => {
-                self.photographing(session, passed)
+        let wants_backdrop = self.wants_backdrop();
+        self.backdrop.tick(passed, wants_backdrop);
+        let settings = &self.options.config.settings;
+        self.play.lift_veil(passed, settings.reduced_motion);
+        match &mut self.play.phase {
+            Phase::Playing(session) if self.overlays.is_photographing() => {
+                let photo = &mut self.overlays.photo;
+                photo.fly(session, &mut self.devices, passed);
+                self.play.keep_saved(passed, true);
             }
-            Phase::Playing(session) => self.playing(session, passed),
-            Phase::Paused(mut session) => {
+            Phase::Playing(_) => {
+                // The sticks belong to what is up over the world, as the keys do.
+                let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
+                let hints = settings.hints.then_some(&mut self.hints);
+                let (devices, waits) = (&mut self.devices, &mut self.waits);
+                self.play.pass(passed, devices, feel, hints, waits);
+            }
+            Phase::Paused(session) => {
                 session.scene.pump(CHUNK_BUDGET);
-                self.keep_saved(&mut session, passed, true);
-                self.tell(&mut session);
-                Phase::Paused(session)
+                self.play.keep_saved(passed, true);
             }
-            Phase::Closing(task, next) => self.closing(task, next),
-            other => other,
-        };
+            _ => {
+                let elsewhere = self.devices.are_elsewhere();
+                self.play.get_on(&mut self.menus, settings, elsewhere);
+            }
+        }
+        let profiles = &self.options.config.profiles;
+        self.play
+            .tell(&mut self.menus, profiles, self.display.hidden);
+    }
+
+    fn watch_hints(&mut self) {
+        self.hints.use_pad(self.devices.by_pad);
+        let shown = self.options.config.settings.hints;
+        if self.hints.watch(shown, &self.play.phase) {
+            self.set_option("hints", Value::Switch(false));
+        }
+        self.options.keep_learnt(self.hints.learnt());
+    }
+
+    /// Whether the player looks at menus with no world open, and wants things to move.
+    fn wants_backdrop(&self) -> bool {
+        matches!(self.play.phase, Phase::Menu)
+            && !self.options.config.settings.reduced_motion
+            && !matches!(self.menus.shell.screen(), Screen::Busy { .. })
     }
 
     /// The picture to draw, if a world is open.
     pub fn frame(&mut self, aspect: f64, height_px: u32) -> Option<Frame> {
+        if matches!(self.play.phase, Phase::Menu) {
+            let wanted = self.wants_backdrop();
+            return wanted.then(|| self.backdrop.frame(aspect, height_px))?;
+        }
+        let (id, shutter) = (self.play.opened, self.shutter());
+        let is_loading = matches!(self.play.phase, Phase::Loading(_));
+        let session = self.play.phase.session_mut()?;
+        let scene = &mut session.scene;
         // Behind the loading screen nothing is seen; what drawing would cost goes into making the land.
-        if let Phase::Loading(session) = &self.phase
-            && session.scene.loading_progress() < 1.0
-        {
+        if is_loading && scene.loading_progress() < 1.0 {
             return None;
         }
-        if matches!(self.phase, Phase::Menu) {
-            return self.backdrop_frame(aspect, height_px);
+        scene.set_picture_height_px(height_px);
+        if self.overlays.is_photographing() {
+            return self.overlays.photo.frame(&mut self.play, aspect);
         }
-        let id = self.worlds_opened;
-        let photographing = self.is_photographing();
-        let shutter = self.shutter();
-        let session = self.phase.session_mut()?;
-        session.scene.set_picture_height_px(height_px);
-        if photographing {
-            return self.photo_frame(aspect, id);
-        }
-        let fov_y_rad = session.scene.viewing().fov_y_rad;
-        let scene = &mut session.scene;
+        let fov_y_rad = scene.viewing().fov_y_rad;
         let mut frame = session.between.frame(scene, shutter, fov_y_rad, aspect, id);
-        if self.display_hidden {
-            (frame.hand, frame.marker) = (None, None);
-        }
-        if self.hit_shapes_shown {
-            frame.hit_shapes = session.scene.hit_shapes();
-        }
+        self.display.apply_to(&mut frame, &session.scene);
         Some(frame)
+    }
+
+    /// What a picture of the open world for the menu shows: the world, and nothing that the player is told of it.
+    pub fn portrait(&mut self, height_px: u32) -> Option<Frame> {
+        Some(Frame {
+            hand: None,
+            marker: None,
+            hit_shapes: Vec::new(),
+            ..self.frame(PORTRAIT_ASPECT, height_px)?
+        })
     }
 
     /// What of the last step the next picture shows, and of the next one's turn.
     pub(super) fn shutter(&mut self) -> Shutter {
         Shutter {
-            share: self.pace.share(),
-            turned_rad: self.controls.show_turn(),
+            share: self.play.pace.share(),
+            turned_rad: self.devices.controls.show_turn(),
         }
-    }
-
-    /// A frame was shown.
-    pub fn shown(&mut self, now: Instant) {
-        self.fps.shown(now);
     }
 }

@@ -1,35 +1,8 @@
 //! What the game sounds like in its window: hands over what there is to hear, and follows the settings.
 
-use antipode_audio::{Audio, Cue, Heard, Place, Status, Volumes};
+use antipode_audio::{Audio, Cue, Heard, Status, Volumes};
 use antipode_settings::Settings;
 use egui::output::OutputEvent;
-
-use super::game::Game;
-use super::phase::Phase;
-
-impl Game {
-    /// What there was to hear since it was last asked.
-    pub fn take_heard(&mut self) -> Heard {
-        let place = match &self.phase {
-            Phase::Playing(_) => Place::World,
-            Phase::Paused(_) => Place::Paused,
-            _ => Place::Menu,
-        };
-        let Some(session) = self.phase.session_mut() else {
-            return Heard::default();
-        };
-        Heard {
-            place,
-            surroundings: Some(session.scene.surroundings()),
-            events: session.scene.take_sounds(),
-        }
-    }
-
-    /// Whether nothing is to be heard because the player has turned to another window.
-    fn is_muted(&self) -> bool {
-        self.config.settings.mute_elsewhere && self.is_player_elsewhere()
-    }
-}
 
 /// The game's ears.
 #[derive(Debug)]
@@ -50,19 +23,25 @@ impl Ears {
         }
     }
 
-    /// Lets the game be heard; to be called once a frame. Never waits.
-    pub fn listen(&mut self, game: &mut Game) {
-        let volumes = volumes(&game.config.settings);
+    /// Lets be heard what there is to hear; to be called once a frame. Never waits. `elsewhere`: the player has turned to
+    /// another window. Returns the key of the words for a player who hears nothing.
+    pub fn listen(
+        &mut self,
+        settings: &Settings,
+        elsewhere: bool,
+        heard: Heard,
+    ) -> Option<&'static str> {
+        let volumes = volumes(settings);
         if volumes != self.volumes {
             self.volumes = volumes;
             self.audio.set_volumes(volumes);
         }
-        if game.is_muted() != self.muted {
+        if (settings.mute_elsewhere && elsewhere) != self.muted {
             self.muted = !self.muted;
             self.audio.set_muted(self.muted);
         }
-        self.audio.hear(game.take_heard());
-        game.sound_trouble = trouble(self.audio.status());
+        self.audio.hear(heard);
+        trouble(self.audio.status())
     }
 
     /// Lets the interface be heard: at most one sound for a frame.

@@ -8,12 +8,11 @@ use std::collections::BTreeSet;
 use antipode_language::Texts;
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, Scene};
-use antipode_settings::{Lesson, Profiles, Value};
+use antipode_settings::{Lesson, Profiles};
 use antipode_ui::{HintModel, first_input_label, pad_input_label};
 
-use super::game::Game;
 use super::phase::Phase;
-use crate::bindings::{Action, Input};
+use crate::bindings::Action;
 
 /// How far the view has to be turned in all, radians.
 const TURN_RAD: f64 = 0.7;
@@ -42,12 +41,18 @@ pub struct Place {
 
 impl Place {
     /// Of an open world.
-    fn of(scene: &Scene) -> Self {
+    pub fn of(scene: &Scene) -> Self {
         Self {
             has_dial: scene.lens().range().is_some(),
             closed: scene.strategy().rim_m().is_some(),
             pitch_rad: scene.head().pitch,
         }
+    }
+
+    /// Of the world that is open, if there is one.
+    pub fn in_phase(phase: &Phase) -> Self {
+        let session = phase.session();
+        session.map_or_else(Self::default, |session| Self::of(&session.scene))
     }
 
     /// Whether what a lesson is about is there.
@@ -83,6 +88,21 @@ impl Hints {
         self.by_pad = by_pad;
     }
 
+    /// Remembers that all was told, and begins anew where the hints are not `shown`. Once a frame. Returns whether all was
+    /// told just now.
+    pub fn watch(&mut self, shown: bool, phase: &Phase) -> bool {
+        if shown && matches!(phase, Phase::Paused(_)) {
+            // Whoever is here has found the menu.
+            self.finish(Lesson::Menu);
+        }
+        // Of what this world lacks, such as a dial, the next one that has it tells.
+        let all = self.learnt().len() == Lesson::ALL.len();
+        if all || !shown {
+            self.begin_anew();
+        }
+        all
+    }
+
     fn begin_anew(&mut self) {
         *self = Self {
             by_pad: self.by_pad,
@@ -99,14 +119,14 @@ impl Hints {
     }
 
     /// What was done, skipped or seen long enough.
-    fn learnt(&self) -> BTreeSet<Lesson> {
+    pub fn learnt(&self) -> BTreeSet<Lesson> {
         let all = Lesson::ALL.into_iter().zip(self.done);
         all.filter_map(|(lesson, done)| done.then_some(lesson))
             .collect()
     }
 
     /// Takes in what the player asked for in one step of the simulation, and where.
-    fn step(&mut self, actions: &Actions, place: Place) {
+    pub fn step(&mut self, actions: &Actions, place: Place) {
         self.rest_s = (self.rest_s - STEP_S).max(0.0);
         let current = self.current(place).map(|(lesson, ..)| lesson);
         let read = current.filter(|lesson| matches!(lesson, Lesson::Home | Lesson::Menu));
@@ -141,7 +161,8 @@ impl Hints {
         }
     }
 
-    fn finish(&mut self, lesson: Lesson) {
+    /// A lesson is done.
+    pub fn finish(&mut self, lesson: Lesson) {
         let Some(done) = self.done.get_mut(lesson as usize) else {
             return;
         };
@@ -149,6 +170,13 @@ impl Hints {
             tracing::debug!("learnt {lesson:?}");
             self.rest_s = REST_S;
             self.read_s = 0.0;
+        }
+    }
+
+    /// Goes on from the hint that is shown.
+    pub fn skip(&mut self, place: Place) {
+        if let Some((lesson, ..)) = self.current(place) {
+            self.finish(lesson);
         }
     }
 
@@ -162,7 +190,7 @@ impl Hints {
     }
 
     /// The words to show now, if any.
-    fn model(&self, texts: &Texts, profiles: &Profiles, place: Place) -> Option<HintModel> {
+    pub fn model(&self, texts: &Texts, profiles: &Profiles, place: Place) -> Option<HintModel> {
         let (lesson, step, count) = self.current(place).filter(|_| self.rest_s <= 0.0)?;
         let key = |action| {
             let pad = pad_input_label(texts, profiles, action).filter(|_| self.by_pad);
@@ -215,74 +243,5 @@ impl Hints {
             Lesson::Backpack => say("hints-backpack", key(Action::Backpack)),
             Lesson::Menu => say("hints-menu", key(Action::Menu)),
         }
-    }
-}
-
-impl Game {
-    /// Takes in one step of play.
-    pub(super) fn step_hints(&mut self, actions: &Actions, scene: &Scene) {
-        if self.config.settings.hints {
-            self.hints.step(actions, Place::of(scene));
-        }
-    }
-
-    /// Goes on from the hint that is shown.
-    pub(super) fn skip_hint(&mut self) {
-        if let Some((lesson, ..)) = self.hints.current(self.place()) {
-            self.hints.finish(lesson);
-        }
-    }
-
-    /// Remembers that all was told; begins anew when the player has asked for it. Once a frame.
-    pub(super) fn watch_hints(&mut self) {
-        if !self.config.settings.hints {
-            self.hints.begin_anew();
-            self.keep_learnt();
-            return;
-        }
-        match &self.phase {
-            Phase::Playing(_) => {}
-            // Whoever is here has found the menu.
-            Phase::Paused(_) => self.hints.finish(Lesson::Menu),
-            _ => return,
-        }
-        // Of what this world lacks, such as a dial, the next one that has it tells.
-        if self.hints.learnt().len() == Lesson::ALL.len() {
-            self.hints.begin_anew();
-            self.set_option("hints", Value::Switch(false));
-        }
-        self.keep_learnt();
-    }
-
-    /// Has the file keep what was learnt, where that is something else than before.
-    fn keep_learnt(&mut self) {
-        let learnt = self.hints.learnt();
-        if learnt != self.config.learnt {
-            self.config.learnt = learnt;
-            self.keep_config();
-        }
-    }
-
-    /// What was done of a lesson that no action of the simulation shows.
-    pub(super) fn has_done(&mut self, lesson: Lesson) {
-        if self.config.settings.hints {
-            self.hints.finish(lesson);
-        }
-    }
-
-    /// What a newcomer is to be told now.
-    pub(super) fn hint(&self) -> Option<HintModel> {
-        let hints = self.config.settings.hints.then_some(&self.hints)?;
-        hints.model(&self.texts, &self.config.profiles, self.place())
-    }
-
-    /// Notes which device an input comes from.
-    pub(super) fn note_device(&mut self, input: Input) {
-        self.hints.use_pad(matches!(input, Input::Pad(_)));
-    }
-
-    fn place(&self) -> Place {
-        let session = self.phase.session();
-        session.map_or_else(Place::default, |session| Place::of(&session.scene))
     }
 }

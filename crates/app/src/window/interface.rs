@@ -1,156 +1,98 @@
 //! What the interface shows of the game, and what the player asks for there.
 
 use antipode_geometry::Geometry;
-use antipode_scene::tuning::walk_speed_m_s;
-use antipode_ui::{
-    Backpack, Console, GeometryChoice, HudModel, Intent, MenuModel, Screen, ToastKind, legible_name,
-};
+use antipode_settings::Value;
+use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind};
 
 use super::game::Game;
+use super::hints::Place;
 use super::phase::{Next, Phase, Request};
+use crate::console::complete;
 use crate::drawn::Drawn;
-use crate::hud;
-use crate::navigator::columns_for;
 use crate::session::{Beginning, NewWorld};
 
 impl Game {
     /// Shows display and menu, and does what the player asks for there. `drawn` is what the last frame was drawn
     /// with, and the adapter's own time in milliseconds where it can tell.
     pub fn interface(&mut self, context: &egui::Context, drawn: Option<(Drawn, Option<f64>)>) {
-        self.console.drawn = drawn.map(|(drawn, _)| drawn);
-        self.show_veil(context);
-        let display = self.display(drawn);
-        let instruments = display.map_or(egui::Rect::NOTHING, |model| {
-            antipode_ui::show_hud(context, &self.texts, &model)
-        });
-        self.shell.keep_toasts_above(instruments);
-        self.show_backpack(context);
+        self.display.drawn = drawn;
+        self.play.veil.show(context);
+        let instruments = self.show_display(context);
+        self.menus.shell.keep_toasts_above(instruments);
+        let (texts, devices, play) = (&self.menus.texts, &mut self.devices, &mut self.play);
+        let backpack = &mut self.overlays.backpack;
+        backpack.show(context, texts, devices, play);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
-            if (self.display_hidden || self.is_photographing()) && !self.shell.is_open() {
+            let is_bare = self.display.hidden || self.overlays.is_photographing();
+            if is_bare && !self.menus.shell.is_open() {
                 return;
             }
         } else {
             self.show_console(context);
             self.show_photo_panel(context);
         }
-        let covered = self.covered(context.content_rect());
-        self.shell.keep_toasts_off(covered);
-        let running = self.running();
-        self.list.show_pictures(context);
-        let (rows, files) = if self.shell.is_open() {
-            let running = running.as_ref().map(|(slug, _)| slug.as_str());
-            (
-                self.list.rows(&self.texts, running),
-                self.list.files(&self.texts),
-            )
-        } else {
-            Default::default()
-        };
-        let check = |name: &str| self.list.check_name(&self.texts, name);
-        let check_rename = |slug: &str, name: &str| self.list.check_rename(&self.texts, slug, name);
-        let notice = self.software_notice();
-        let sound_notice = self.sound_trouble.map(|key| self.texts.say(key));
-        let model = MenuModel {
-            texts: &self.texts,
-            running_world: running
-                .as_ref()
-                .filter(|_| !matches!(self.phase, Phase::Loading(_)))
-                .map(|(_, name)| name.as_str()),
-            backdrop: self.backdrop.model(),
-            worlds: &rows,
-            config: &self.config,
-            check_name: &check,
-            walk_m_s: walk_speed_m_s(),
-            check_rename: &check_rename,
-            world_files: &files,
-            adapter_notice: notice.as_deref(),
-            sound_notice: sound_notice.as_deref(),
-            version: env!("CARGO_PKG_VERSION"),
-            about: &self.about,
-        };
-        let intents = self.shell.show(context, &model);
+        let covered = self.overlays.covered(context.content_rect());
+        self.menus.shell.keep_toasts_off(covered);
+        let (config, phase) = (&self.options.config, &self.play.phase);
+        let backdrop = self.backdrop.model();
+        let intents = self.menus.show(context, config, phase, backdrop);
         for intent in intents {
             self.follow(intent);
         }
     }
 
-    /// What the menu says of an adapter that is software.
-    fn software_notice(&self) -> Option<String> {
-        let adapter = self.software.as_ref()?;
-        let share = self.config.settings.render_scale.share(true);
-        let percent = (share * 100.0).round() as u32;
-        let values = [("adapter", adapter.into()), ("percent", percent.into())];
-        Some(self.texts.say_with("adapter-software", &values))
-    }
-
-    /// What lies on the world while no menu does.
-    fn covered(&self, screen: egui::Rect) -> Option<egui::Rect> {
-        if self.is_typing() {
-            Some(Console::panel(screen))
-        } else if self.is_packing() {
-            Some(Backpack::panel(screen))
+    /// Shows the display. Returns where its instruments are.
+    fn show_display(&mut self, context: &egui::Context) -> egui::Rect {
+        let (texts, settings) = (&self.menus.texts, &self.options.config.settings);
+        let model = self.display.model(texts, settings, &self.play);
+        let Some(mut model) = model.filter(|_| !self.overlays.is_photographing()) else {
+            return egui::Rect::NOTHING;
+        };
+        if self.overlays.is_packing() {
+            model.show_crosshair = false;
         } else {
-            self.is_photographing()
-                .then(|| antipode_ui::photo_panel(screen))
+            model.hint = self.hint();
+        }
+        antipode_ui::show_hud(context, texts, &model)
+    }
+
+    /// What a newcomer is to be told now.
+    pub(super) fn hint(&self) -> Option<HintModel> {
+        let config = &self.options.config;
+        let hints = config.settings.hints.then_some(&self.hints)?;
+        let place = Place::in_phase(&self.play.phase);
+        hints.model(&self.menus.texts, &config.profiles, place)
+    }
+
+    fn show_console(&mut self, context: &egui::Context) {
+        if !self.overlays.is_typing() {
+            return;
+        }
+        let (view, texts) = (&mut self.overlays.console.view, &self.menus.texts);
+        let worlds = self.menus.list.names();
+        if let Some(line) = view.show(context, texts, &|line| complete(line, &worlds)) {
+            self.enter(&line);
         }
     }
 
-    fn running(&self) -> Option<(String, String)> {
-        let session = self.phase.session()?;
-        let setup = session.scene.setup();
-        let values = [
-            ("name", legible_name(&setup.name, &session.slug).into()),
-            ("seed", setup.seed.to_string().into()),
-        ];
-        let mut title = self.texts.say_with("running-world", &values);
-        if session.scene.cheated() {
-            title = format!("{title} · {}", self.texts.say("cheats-used"));
+    fn show_photo_panel(&mut self, context: &egui::Context) {
+        let (photo, texts) = (&mut self.overlays.photo, &self.menus.texts);
+        let wishes = photo.show(context, texts, &self.options.config);
+        let wishes = wishes.unwrap_or_default();
+        if wishes.save {
+            photo.begin(&mut self.play);
         }
-        Some((session.slug.clone(), title))
-    }
-
-    fn display(&mut self, drawn: Option<(Drawn, Option<f64>)>) -> Option<HudModel> {
-        match &self.phase {
-            Phase::Playing(session) if !self.display_hidden && !self.is_photographing() => {
-                let fps = self.fps.value();
-                let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
-                let figures = drawn.filter(|_| self.figures_shown).map(|(drawn, gpu_ms)| {
-                    drawn.figures(
-                        &self.texts,
-                        &session.scene,
-                        frame_ms,
-                        gpu_ms,
-                        self.pace.dropped_s(),
-                    )
-                });
-                let seen = session.between.seen(&session.scene);
-                let mut model = hud::model(&self.texts, &session.scene, &seen, fps, figures);
-                let settings = &self.config.settings;
-                let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
-                let surveyed = (self.worlds_opened, columns);
-                self.navigator
-                    .add_to(&mut model, (&session.scene, &seen), settings, surveyed);
-                Some(HudModel {
-                    hint: self.hint().filter(|_| !self.is_packing()),
-                    show_crosshair: model.show_crosshair && !self.is_packing(),
-                    ..model
-                })
-            }
-            _ => None,
+        if wishes.leave {
+            photo.leave(&mut self.devices, &mut self.play, &mut self.menus);
         }
     }
 
+    /// Does what the player asks for in the menus.
     pub(super) fn follow(&mut self, intent: Intent) {
         match intent {
             Intent::Resume => self.resume(),
-            Intent::Save => {
-                if let Some(session) = self.phase.session_mut() {
-                    session.scene.save();
-                    self.since_save_s = 0.0;
-                    self.saving = true;
-                }
-            }
+            Intent::Save => self.play.save(),
             Intent::SaveAndQuitToMenu => self.leave(Next::Menu),
             Intent::NewGame {
                 name,
@@ -164,29 +106,48 @@ impl Game {
                 radius_m,
                 start: Beginning::View,
             }))),
-            Intent::Load { slug } => match self.list.work_on(&self.texts, &slug) {
+            Intent::Load { slug } => match self.menus.list.work_on(&self.menus.texts, &slug) {
                 // It would be called in use by somebody else.
-                Some(work) => self.shell.toast(work, ToastKind::State),
+                Some(work) => self.menus.shell.toast(work, ToastKind::State),
                 None => self.leave(Next::Open(Request::Load(slug))),
             },
             Intent::Set { id, value } => self.set_option(id, value),
-            Intent::ResetSetting(id) => self.reset_option(id),
-            Intent::Bind(profiles) => self.bind(*profiles),
-            Intent::Delete { slug } => self.list.delete(slug),
-            Intent::Worlds(intent) => self.list.follow(intent),
+            Intent::ResetSetting(id) => {
+                if self.options.config.settings.reset(id) {
+                    self.option_changed(id);
+                }
+            }
+            Intent::Bind(profiles) => {
+                self.options.config.profiles = *profiles;
+                self.option_changed("bindings");
+            }
+            Intent::Delete { slug } => self.menus.list.delete(slug),
+            Intent::Worlds(intent) => self.menus.list.follow(intent),
             Intent::Quit => self.leave(Next::Quit),
             Intent::TrySavingAgain => {
-                let next = self.held_up.take().unwrap_or(Next::Menu);
+                let next = self.play.held_up.take().unwrap_or(Next::Menu);
                 self.leave(next);
             }
-            Intent::LeaveUnsaved => self.abandon(),
+            Intent::LeaveUnsaved => self.play.abandon(&mut self.menus),
             Intent::DismissMessage => {
-                self.held_up = None;
-                if matches!(self.phase, Phase::Paused(_)) && !self.shell.is_open() {
-                    self.shell.open(Screen::Main);
+                self.play.held_up = None;
+                if matches!(self.play.phase, Phase::Paused(_)) && !self.menus.shell.is_open() {
+                    self.menus.shell.open(Screen::Main);
                 }
             }
         }
+    }
+
+    /// Gives a setting a value.
+    pub(super) fn set_option(&mut self, id: &'static str, value: Value) {
+        if self.options.set(id, value) {
+            self.option_changed(id);
+        }
+    }
+
+    fn option_changed(&mut self, id: &str) {
+        let (menus, controls) = (&mut self.menus, &mut self.devices.controls);
+        self.options.changed(id, menus, controls, &mut self.play);
     }
 }
 

@@ -1,8 +1,12 @@
 //! Who is asked about a press: the layers of the game in one list, the topmost first. Each takes the press or passes it
 //! on; what all pass is for the interface.
 
+use antipode_settings::{Lesson, Value};
+
 use super::game::Game;
-use crate::bindings::{Action, Input};
+use super::hints::Place;
+use super::phase::Phase;
+use crate::bindings::{Action, Input, wheel_input};
 
 /// Something that a hand does: a key, a button or a notch of the wheel goes down or comes up.
 #[derive(Clone, Copy, Debug)]
@@ -30,13 +34,19 @@ impl Press {
         }
     }
 
-    /// Whether it goes down just now.
-    fn is_fresh(&self) -> bool {
-        self.down && !self.repeats && !self.synthetic
+    /// What it is, where it goes down just now.
+    pub fn fresh(&self) -> Option<Input> {
+        self.input
+            .filter(|_| self.down && !self.repeats && !self.synthetic)
+    }
+
+    /// As [`Press::fresh`], where it is a key.
+    pub fn fresh_key(&self) -> Option<Input> {
+        self.fresh().filter(|input| is_key(*input))
     }
 
     /// What it is, where somebody did it.
-    fn by_hand(&self) -> Option<Input> {
+    pub fn by_hand(&self) -> Option<Input> {
         self.input.filter(|_| !(self.synthetic && self.down))
     }
 }
@@ -53,7 +63,8 @@ pub enum Taken {
 }
 
 impl Taken {
-    fn if_true(taken: bool) -> Self {
+    /// Wholly, or not.
+    pub fn if_true(taken: bool) -> Self {
         if taken { Self::Wholly } else { Self::Not }
     }
 
@@ -65,8 +76,23 @@ impl Taken {
 
 type Layer = fn(&mut Game, &Press) -> Taken;
 
-/// All layers, the topmost first.
-const LAYERS: [Layer; 7] = [binding, everywhere, console, backpack, photo, world, menu];
+/// All layers, the topmost first, each with what it needs of the game.
+const LAYERS: [Layer; 7] = [
+    |game, press| game.menus.press_to_bind(press),
+    everywhere,
+    |game, press| game.overlays.console.press(press, &game.devices.controls),
+    |game, press| {
+        game.overlays
+            .backpack
+            .press(press, &mut game.devices, &mut game.play)
+    },
+    |game, press| {
+        let photo = &mut game.overlays.photo;
+        photo.press(press, &mut game.devices, &mut game.play, &mut game.menus)
+    },
+    world,
+    menu,
+];
 
 impl Game {
     /// Gives a press to the topmost layer that takes it.
@@ -76,76 +102,116 @@ impl Game {
             .find(|taken| *taken != Taken::Not)
             .unwrap_or(Taken::Not)
     }
-}
 
-/// An action that waits for its key takes whatever it is, but Escape.
-fn binding(game: &mut Game, press: &Press) -> Taken {
-    let input = press
-        .input
-        .filter(|input| *input != ESCAPE && press.is_fresh());
-    let Some(input) = input.filter(|_| game.shell.wants_input()) else {
-        return Taken::Not;
-    };
-    game.shell.take_input(input);
-    Taken::Wholly
+    /// Presses an input, whoever asks for it, and does what it asks of the game around the world.
+    pub(super) fn press_input(&mut self, input: Input) {
+        let controls = &mut self.devices.controls;
+        controls.set_has_dial(self.play.phase.has_dial());
+        if let Some(action) = controls.input(input, true) {
+            self.act(action);
+        }
+    }
+
+    /// Does what concerns the game around the world.
+    fn act(&mut self, action: Action) {
+        let display = &mut self.display;
+        match action {
+            Action::Menu => self.pause(),
+            Action::HideDisplay => display.hidden = !display.hidden,
+            Action::HitShapes => display.hit_shapes = !display.hit_shapes,
+            Action::FrameFigures => display.figures = !display.figures,
+            Action::Fullscreen => {
+                let value = !self.options.config.settings.fullscreen;
+                self.set_option("fullscreen", Value::Switch(value));
+            }
+            Action::Screenshot => self.shots.want_of(&self.play.phase),
+            Action::Console => {
+                self.devices.release_all();
+                self.overlays.console.open(self.play.opened);
+            }
+            Action::PhotoMode => {
+                self.hints.finish(Lesson::Photo);
+                let shutter = self.shutter();
+                if let Phase::Playing(session) = &mut self.play.phase {
+                    self.overlays.photo.enter(session, shutter);
+                    self.devices.release_all();
+                }
+            }
+            Action::SkipHint => self.hints.skip(Place::in_phase(&self.play.phase)),
+            Action::Backpack => {
+                self.hints.finish(Lesson::Backpack);
+                self.overlays.backpack.open(&mut self.devices);
+            }
+            _ => {}
+        }
+    }
+
+    /// Escape while the world is not played: one level back.
+    pub fn escape(&mut self) {
+        let (devices, play) = (&mut self.devices, &mut self.play);
+        if self.overlays.escape(devices, play, &mut self.menus) {
+            return;
+        }
+        let running = matches!(self.play.phase, Phase::Paused(_));
+        self.menus.shell.escape(running);
+        if running && !self.menus.shell.is_open() {
+            self.resume();
+        }
+    }
+
+    /// Mouse motion in pixels.
+    pub fn motion(&mut self, dx: f64, dy: f64) {
+        if self.is_playing() {
+            self.devices.motion(dx, dy);
+        }
+    }
+
+    /// The wheel, in notches other than none. Whether it is nothing for the interface: in the world it may turn a dial, by
+    /// as much as it is turned; elsewhere it is a press like any other.
+    pub fn wheel(&mut self, notches: f64) -> bool {
+        if !self.is_playing() {
+            let press = Press::of(wheel_input(notches), true);
+            return !self.press(&press).is_heard();
+        }
+        let has_dial = self.play.phase.has_dial();
+        if let Some(action) = self.devices.controls.wheel(notches, has_dial) {
+            self.act(action);
+        }
+        true
+    }
 }
 
 /// The keys that mean the same in menus as in the world.
 fn everywhere(game: &mut Game, press: &Press) -> Taken {
-    let fresh = press
-        .input
-        .filter(|input| press.is_fresh() && is_key(*input));
-    let Some(input) = fresh.filter(|_| !game.is_playing() && !game.shell.wants_input()) else {
+    let elsewhere = !game.is_playing() && !game.menus.shell.wants_input();
+    let Some(key) = press.fresh_key().filter(|_| elsewhere) else {
         return Taken::Not;
     };
-    let typing = press.into_text || game.is_typing();
-    if game.controls.does(input, Action::Fullscreen) && !typing {
-        game.turn_fullscreen();
-    } else if game.controls.does(input, Action::Screenshot) {
-        game.take_screenshot();
+    let does = |action| game.devices.controls.does(key, action);
+    let typing = press.into_text || game.overlays.is_typing();
+    if does(Action::Fullscreen) && !typing {
+        game.act(Action::Fullscreen);
+    } else if does(Action::Screenshot) {
+        game.act(Action::Screenshot);
     } else {
         return Taken::Not;
     }
     Taken::Wholly
 }
 
-fn console(game: &mut Game, press: &Press) -> Taken {
-    let input = press
-        .input
-        .filter(|input| press.is_fresh() && is_key(*input));
-    Taken::if_true(input.is_some_and(|input| game.is_typing() && game.console_key(input)))
-}
-
-fn backpack(game: &mut Game, press: &Press) -> Taken {
-    let Some(input) = press
-        .input
-        .filter(|_| press.is_fresh() && game.is_packing())
-    else {
-        return Taken::Not;
-    };
-    Taken::if_true(match input {
-        Input::Key(_) => game.backpack_key(input),
-        // The buttons of a mouse work in it, but for one that closes it. A pad's are translated to keys.
-        Input::Mouse(_) if game.controls.does(input, Action::Backpack) => {
-            game.close_backpack();
-            true
-        }
-        _ => false,
-    })
-}
-
-fn photo(game: &mut Game, press: &Press) -> Taken {
-    let input = press.by_hand().filter(|input| is_key(*input));
-    let is_photos = |game: &mut Game, input| game.photo_key(input, press.down, press.repeats);
-    Taken::if_true(input.is_some_and(|input| game.is_photographing() && is_photos(game, input)))
-}
-
 fn world(game: &mut Game, press: &Press) -> Taken {
     if !game.is_playing() {
         return Taken::Not;
     }
-    if let Some(input) = press.by_hand().filter(|_| !press.repeats) {
-        game.input(input, press.down);
+    match press.by_hand().filter(|_| !press.repeats) {
+        Some(input) if press.down => {
+            game.devices.by_pad = matches!(input, Input::Pad(_));
+            game.press_input(input);
+        }
+        Some(input) => {
+            game.devices.controls.input(input, false);
+        }
+        None => {}
     }
     if press.down || !press.input.is_none_or(is_key) {
         Taken::Wholly
@@ -159,15 +225,16 @@ fn menu(game: &mut Game, press: &Press) -> Taken {
     if press.input != Some(ESCAPE) || !press.down {
         return Taken::Not;
     }
-    if press.is_fresh() {
+    if press.fresh().is_some() {
         game.escape();
     }
     Taken::Wholly
 }
 
 /// The key that leads back, whatever is bound to it.
-const ESCAPE: Input = Input::Key("Escape");
+pub(super) const ESCAPE: Input = Input::Key("Escape");
 
-fn is_key(input: Input) -> bool {
+/// Whether it is a key of the keyboard.
+pub(super) fn is_key(input: Input) -> bool {
     matches!(input, Input::Key(_))
 }

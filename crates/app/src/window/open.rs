@@ -34,7 +34,7 @@ pub struct Open {
 impl Open {
     /// A game on a stage.
     pub fn new(stage: Stage, game: Game) -> Self {
-        let ears = Ears::new(&game.config.settings);
+        let ears = Ears::new(&game.options.config.settings);
         Self {
             stage,
             game,
@@ -57,7 +57,7 @@ impl Open {
 
     /// Whether to draw a frame now: not of a window that nobody sees, nor of what stands still.
     pub fn is_worth_drawing(&mut self, now: Instant) -> bool {
-        let changed = self.game.shell.take_changed();
+        let changed = self.game.menus.shell.take_changed();
         if changed || !self.game.is_still() || self.stage.is_busy() {
             self.redraw.touch(now);
         }
@@ -80,10 +80,13 @@ impl Open {
             self.redraw.touch(Instant::now());
         }
         self.stage.input.egui_input_mut().events.extend(keys);
-        self.game.hold_backdrop(!self.stage.are_maps_ready());
+        self.game.backdrop.held = !self.stage.are_maps_ready();
         self.game.tick(now);
         self.follow_settings();
-        self.ears.listen(&mut self.game);
+        let game = &mut self.game;
+        let (settings, elsewhere) = (&game.options.config.settings, game.devices.are_elsewhere());
+        let heard = game.play.take_heard();
+        game.menus.sound_trouble = self.ears.listen(settings, elsewhere, heard);
         if !self.game.is_playing() {
             self.pointer.free(&self.stage.window);
         } else if self.pointer.catch(&self.stage.window, self.stage.size()) {
@@ -93,14 +96,14 @@ impl Open {
 
     /// Has the stage go by the settings, where they have changed.
     fn follow_settings(&mut self) {
-        let settings = &self.game.config.settings;
+        let settings = &self.game.options.config.settings;
         if self.followed.as_ref() == Some(settings) {
             return;
         }
         self.followed = Some(settings.clone());
         self.redraw.touch(Instant::now());
         if let Err(why) = self.stage.follow(settings) {
-            self.game.tell_not_applied(&why);
+            self.game.menus.tell_not_applied(&why);
         }
     }
 
@@ -126,7 +129,7 @@ impl Open {
         self.game.waits.spent_on(Part::Interface);
         let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
-        let keeps = self.game.begin_screenshot();
+        let keeps = self.game.shots.begin();
         self.stage.show(
             texture,
             (frame.as_ref(), output),
@@ -134,10 +137,11 @@ impl Open {
             &mut self.game.waits,
         )?;
         self.game
+            .play
             .drawn(frame.is_some() && !self.stage.is_land_coming());
         let now = Instant::now();
         self.redraw.drawn(now, wait);
-        self.game.shown(now);
+        self.game.display.fps.shown(now);
         self.game.waits.spent_on(Part::Drawing);
         self.game.waits.shown();
         Ok(())
@@ -153,30 +157,31 @@ impl Open {
         // What it draws with may be another, and be followed otherwise.
         self.followed = None;
         self.follow_settings();
-        self.game.tell_reopened(self.stage.software());
+        self.game.menus.tell_reopened(self.stage.software());
         tracing::warn!("drawing goes on with {}", self.stage.adapter_name());
         Ok(())
     }
 
     /// Takes over the pictures that have been drawn, and begins those that are wanted.
     fn take_pictures(&mut self) {
-        if self.game.take_wants_picture() {
+        if std::mem::take(&mut self.game.play.portrait.is_wanted) {
             self.begin_picture();
         }
         while let Some(picture) = self.stage.finished_screenshot() {
-            self.game.keep_screenshot(picture);
+            self.game.shots.keep(picture, &mut self.game.menus);
         }
         if let Some((world, picture)) = self.stage.finished_thumbnail() {
-            self.game.keep_picture(world, picture);
+            self.game.play.keep_picture(world, picture);
         } else if !self.stage.makes_thumbnail() {
-            self.game.miss_picture();
+            self.game.play.portrait.miss();
         }
-        self.game
-            .set_canvas(self.stage.size(), self.stage.largest_side());
+        let (size, largest_px) = (self.stage.size(), self.stage.largest_side());
+        let photo = &mut self.game.overlays.photo;
+        photo.set_canvas(size, largest_px);
         if let Some(tile) = self.stage.finished_tile() {
-            self.game.keep_tile(tile);
+            photo.keep_tile(tile, &mut self.game.shots, &mut self.game.menus);
         }
-        if let Some((frame, tile, size)) = self.game.next_tile() {
+        if let Some((frame, tile, size)) = photo.next_tile() {
             self.stage.begin_tile(frame, tile, size);
         }
     }
@@ -191,7 +196,7 @@ impl Open {
             .overlay
             .context()
             .run_pass(input, |context| game.interface(context, drawn));
-        if self.game.config.settings.high_contrast {
+        if self.game.options.config.settings.high_contrast {
             antipode_ui::heighten_contrast(&mut output.shapes);
         }
         let platform = std::mem::take(&mut output.platform_output);
@@ -207,7 +212,8 @@ impl Open {
     /// Has a picture of the open world drawn for the menu.
     pub(super) fn begin_picture(&mut self) {
         if let Some(frame) = self.game.portrait(self.stage.height_px()) {
-            let world = self.game.expect_picture();
+            let play = &mut self.game.play;
+            let world = play.portrait.expect(play.opened);
             self.stage.begin_thumbnail(world, &frame);
         }
     }

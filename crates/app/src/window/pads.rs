@@ -9,6 +9,7 @@ use egui::{Event, Key, Modifiers};
 
 use super::game::Game;
 use super::layers::{Press, Taken};
+use super::menus::Menus;
 use crate::pad::{Direction, PadEvent, PadSource, Sticks};
 
 /// Time a direction is held in a menu until it goes on by itself, and from then on between two lines.
@@ -39,24 +40,24 @@ impl Pads {
         let mut keys = Vec::new();
         while let Some(event) = self.source.next() {
             match event {
-                PadEvent::Connected { name } => game.tell_of_pad("pad-connected", &name),
+                PadEvent::Connected { name } => tell(&mut game.menus, "pad-connected", &name),
                 PadEvent::Disconnected { name } => {
                     self.let_go(game);
-                    game.tell_of_pad("pad-disconnected", &name);
+                    tell(&mut game.menus, "pad-disconnected", &name);
                 }
                 // Pads are told to everybody, whichever window has the keyboard.
                 PadEvent::Button { pressed: true, .. } | PadEvent::Stick { .. }
-                    if game.is_player_elsewhere() => {}
+                    if game.devices.are_elsewhere() => {}
                 PadEvent::Button { button, pressed } => {
                     self.button(game, button, pressed, &mut keys);
                 }
                 PadEvent::Stick { axis, value } => self.sticks.set(axis, value),
             }
         }
-        if game.is_player_elsewhere() {
+        if game.devices.are_elsewhere() {
             self.let_go(game);
         }
-        game.sticks = self.sticks;
+        game.devices.sticks = self.sticks;
         self.walk(game, now, &mut keys);
         keys
     }
@@ -115,16 +116,13 @@ impl Pads {
     fn let_go(&mut self, game: &mut Game) {
         self.sticks = Sticks::default();
         for button in std::mem::take(&mut self.held) {
-            game.input(Input::Pad(button), false);
+            game.devices.controls.input(Input::Pad(button), false);
         }
     }
 }
 
-impl Game {
-    fn tell_of_pad(&mut self, key: &str, name: &str) {
-        let words = self.texts.say_with(key, &[("name", name.into())]);
-        self.shell.toast(words, ToastKind::Info);
-    }
+fn tell(menus: &mut Menus, key: &str, name: &str) {
+    menus.toast(ToastKind::Info, key, &[("name", name.into())]);
 }
 
 fn key(direction: Direction) -> Key {
@@ -139,7 +137,7 @@ fn key(direction: Direction) -> Key {
 /// What no layer of the game takes walks through the interface: the buttons under the right thumb press, and in the
 /// backpack take half and send on, too, or lead back.
 fn in_interface(game: &mut Game, button: PadButton, keys: &mut Vec<Event>) {
-    let packing = game.is_packing();
+    let packing = game.overlays.is_packing();
     match button {
         PadButton::South => tap(Key::Enter, Modifiers::NONE, keys),
         PadButton::West if packing => tap(Key::Enter, Modifiers::CTRL, keys),
@@ -147,10 +145,10 @@ fn in_interface(game: &mut Game, button: PadButton, keys: &mut Vec<Event>) {
         PadButton::East | PadButton::Start => game.escape(),
         PadButton::LeftBumper => tap(Key::Tab, Modifiers::SHIFT, keys),
         PadButton::RightBumper => tap(Key::Tab, Modifiers::NONE, keys),
-        _ if packing => {
-            game.backpack_key(Input::Pad(button));
+        _ => {
+            let backpack = &mut game.overlays.backpack;
+            backpack.input(Input::Pad(button), &mut game.devices, &mut game.play);
         }
-        _ => {}
     }
 }
 

@@ -1,104 +1,100 @@
-//! How the game gets into worlds and out of them again, without losing one on the way.
+//! The way into worlds and out of them again, without losing one on the way.
 
-use std::path::Path;
 use std::time::Duration;
 
-use antipode_ui::{Screen, ToastKind};
+use antipode_settings::Settings;
+use antipode_ui::{Screen, ToastKind, legible_name};
 
 use super::background::{Progress, Task};
-use super::game::{CHUNK_BUDGET, Game};
-use super::phase::{Next, Phase, Request};
-use super::portrait::LastPicture;
+use super::menus::Menus;
+use super::phase::{Closing, Next, Opening, Phase, Request};
+use super::play::{CHUNK_BUDGET, Play};
 use super::veil::Veil;
-use crate::failure::Failure;
+use crate::options;
 use crate::session::{Session, Unclosed};
-use crate::trouble::Trouble;
 use crate::wording;
 
 /// Longest time that a world which is closed waits for its picture; it is saved already then.
 const PATIENCE: Duration = Duration::from_secs(5);
 
-impl Game {
-    /// The player closes the window: what is open is committed first.
-    pub fn close_window(&mut self) {
-        self.close_backpack();
-        match std::mem::replace(&mut self.phase, Phase::Over) {
+impl Play {
+    /// Begins to open a world.
+    pub fn open(&mut self, request: Request, menus: &mut Menus) {
+        self.phase = self.begin(request, menus);
+    }
+
+    /// Closes what is open, then goes on.
+    pub fn leave(&mut self, next: Next, menus: &mut Menus) {
+        self.phase = match std::mem::take(&mut self.phase) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.close(session, Next::Quit);
+                self.close(session, next, menus)
             }
-            Phase::Closing(task, _) => self.phase = Phase::Closing(task, Next::Quit),
             Phase::Opening(task) => {
                 // A world being opened is closed again as soon as it is there; nothing of it is lost.
-                self.worlds_opened += 1;
-                self.say_saving();
+                self.opened += 1;
+                menus.say_saving();
                 let closing = Task::start("close", move || match task.finish() {
                     Some(Ok(session)) => session.close(),
                     _ => Ok(()),
                 });
-                self.phase = Phase::Closing(closing, Next::Quit);
+                Phase::Closing(closing, next)
             }
-            Phase::Menu | Phase::Over => {}
-        }
-    }
-
-    /// Nothing can be shown any more: saves what is open and ends without asking.
-    pub fn end_unseen(&mut self) {
-        self.unseen = true;
-        self.last_picture = None;
-        self.close_window();
-    }
-
-    /// Ends at once, but not before what is open is on disk.
-    pub fn finish(&mut self) {
-        self.end_unseen();
-        self.console.keep_history();
-        self.finish_pictures();
-        if let Phase::Closing(task, _) = std::mem::replace(&mut self.phase, Phase::Over) {
-            match task.finish() {
-                Some(Ok(())) => {}
-                Some(Err(unclosed)) => self.last_words = Some(unclosed.error.to_string()),
-                None => self.last_words = Some(CLOSE_DIED.to_owned()),
-            }
-        }
-    }
-
-    /// Closes what is open, then goes on.
-    pub(super) fn leave(&mut self, next: Next) {
-        self.close_backpack();
-        match std::mem::replace(&mut self.phase, Phase::Menu) {
-            Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.close(session, next);
-            }
-            Phase::Menu => self.go_on(next),
-            other => self.phase = other,
-        }
+            Phase::Closing(task, _) => Phase::Closing(task, next),
+            Phase::Menu => self.go_on(next, menus),
+            Phase::Over => Phase::Over,
+        };
     }
 
     /// Leaves a world that cannot be saved, without what is not saved.
-    pub(super) fn abandon(&mut self) {
+    pub fn abandon(&mut self, menus: &mut Menus) {
         let next = self.held_up.take().unwrap_or(Next::Menu);
-        match std::mem::replace(&mut self.phase, Phase::Menu) {
+        self.phase = match std::mem::take(&mut self.phase) {
             Phase::Loading(session) | Phase::Playing(session) | Phase::Paused(session) => {
-                self.busy(self.texts.say("busy-leaving"), None, "");
+                menus.busy("busy-leaving", None, String::new());
                 let task = Task::start("leave", move || {
                     drop(session);
                     Ok(())
                 });
-                self.phase = Phase::Closing(task, next);
+                Phase::Closing(task, next)
             }
-            other => self.phase = other,
+            other => other,
+        };
+    }
+
+    /// Nothing can be shown any more: nothing will be asked.
+    pub fn end_unseen(&mut self, menus: &mut Menus) {
+        self.unseen = true;
+        self.portrait.miss();
+        self.leave(Next::Quit, menus);
+    }
+
+    /// Waits until what is being closed is on disk.
+    pub fn finish(&mut self) {
+        if let Phase::Closing(task, _) = std::mem::take(&mut self.phase) {
+            self.last_words = match task.finish() {
+                Some(Ok(())) => return,
+                Some(Err(unclosed)) => Some(unclosed.error.to_string()),
+                None => Some(CLOSE_DIED.to_owned()),
+            };
         }
     }
 
-    fn close(&mut self, mut session: Session, next: Next) {
+    /// Goes on with what takes its time: opening, loading, closing. `elsewhere`: the player has turned to another window.
+    pub fn get_on(&mut self, menus: &mut Menus, settings: &Settings, elsewhere: bool) {
+        self.phase = match std::mem::take(&mut self.phase) {
+            Phase::Opening(task) => self.opening(task, menus, settings, elsewhere),
+            Phase::Loading(session) => self.loading(session, menus, elsewhere),
+            Phase::Closing(task, next) => self.closing(task, next, menus),
+            other => other,
+        };
+    }
+
+    fn close(&mut self, mut session: Session, next: Next, menus: &mut Menus) -> Phase {
         session.scene.watch_from(None);
-        self.controls.release_all();
-        self.console.leave();
-        self.leave_photo_mode();
         self.saving = false;
         self.held_up = None;
-        self.say_saving();
-        let picture = self.last_picture.as_mut().map(LastPicture::comes_later);
+        menus.say_saving();
+        let picture = self.portrait.comes_later();
         let close = move || {
             if let Some(picture) = picture {
                 // What matters is written first.
@@ -107,153 +103,119 @@ impl Game {
             }
             session.close()
         };
-        self.phase = Phase::Closing(Task::start("close", close), next);
+        Phase::Closing(Task::start("close", close), next)
     }
 
-    fn say_saving(&mut self) {
-        let detail = self.texts.say("busy-saving-about");
-        self.busy(self.texts.say("busy-saving"), None, &detail);
-    }
-
-    fn go_on(&mut self, next: Next) {
+    fn go_on(&mut self, next: Next, menus: &mut Menus) -> Phase {
         match next {
             Next::Menu => {
-                self.phase = Phase::Menu;
-                self.list.refresh();
-                self.shell.open(Screen::Main);
+                menus.open_main();
+                Phase::Menu
             }
-            Next::Open(request) => self.open(request),
-            Next::Quit => self.phase = Phase::Over,
+            Next::Open(request) => self.begin(request, menus),
+            Next::Quit => Phase::Over,
         }
     }
 
-    pub(super) fn open(&mut self, request: Request) {
+    fn begin(&self, request: Request, menus: &mut Menus) -> Phase {
         let worlds = self.worlds.clone();
-        let detail = self.texts.say("busy-opening-about");
-        self.busy(self.texts.say("busy-opening"), None, &detail);
+        menus.busy("busy-opening", None, menus.texts.say("busy-opening-about"));
         let work = move || match request {
             Request::New(wanted) => worlds.create(&wanted),
             Request::Load(name) => worlds.load(&name),
         };
-        self.phase = Phase::Opening(Task::start("open", work));
+        Phase::Opening(Task::start("open", work))
     }
 
-    pub(super) fn opening(&mut self, task: Task<Result<Session, Failure>>) -> Phase {
+    fn opening(
+        &mut self,
+        task: Opening,
+        menus: &mut Menus,
+        settings: &Settings,
+        elsewhere: bool,
+    ) -> Phase {
         let why = match task.poll() {
             Progress::Running => return Phase::Opening(task),
             Progress::Done(Ok(mut session)) => {
-                self.worlds_opened += 1;
-                // What was answered in another world is not true of this one.
-                self.console.view.clear();
-                self.fit(&mut session);
+                self.opened += 1;
+                options::fit(&mut session.scene, settings);
                 self.veil = Veil::Down;
-                return self.loading(session);
+                return self.loading(session, menus, elsewhere);
             }
             Progress::Done(Err(failure)) => {
                 tracing::error!("a world could not be opened: {failure}");
-                wording::failure(&self.texts, &failure, self.list.worlds())
+                wording::failure(&menus.texts, &failure, menus.list.worlds())
             }
             Progress::Died => {
                 tracing::error!("a world could not be opened: its thread died");
-                self.texts.say("open-died")
+                menus.texts.say("open-died")
             }
         };
-        self.fail(self.texts.say("open-failed"), why);
+        menus.fail("open-failed", why);
         Phase::Menu
     }
 
-    pub(super) fn loading(&mut self, mut session: Session) -> Phase {
+    fn loading(&mut self, mut session: Session, menus: &mut Menus, elsewhere: bool) -> Phase {
         session.scene.pump(CHUNK_BUDGET * 4);
-        self.tell(&mut session);
         let progress = session.scene.loading_progress();
         if progress < 1.0 {
             self.veil = Veil::Down;
         }
         if self.veil == Veil::Down {
-            let name = &session.scene.setup().name;
-            let name = antipode_ui::legible_name(name, &session.slug).into_owned();
-            self.busy(self.texts.say("busy-land"), Some(progress), &name);
+            let name = legible_name(&session.scene.setup().name, &session.slug).into_owned();
+            menus.busy("busy-land", Some(progress), name);
             return Phase::Loading(session);
         }
         self.pace.rest();
         self.since_save_s = 0.0;
-        if self.is_player_elsewhere() {
+        if elsewhere {
             // Somebody who is busy elsewhere should not have the pointer taken away.
-            self.shell.open(Screen::Main);
+            menus.shell.open(Screen::Main);
             return Phase::Paused(session);
         }
-        self.shell.open(Screen::Hidden);
+        menus.shell.open(Screen::Hidden);
         Phase::Playing(session)
     }
 
-    pub(super) fn closing(&mut self, task: Task<Result<(), Unclosed>>, next: Next) -> Phase {
+    fn closing(&mut self, task: Closing, next: Next, menus: &mut Menus) -> Phase {
         match task.poll() {
-            Progress::Running => return Phase::Closing(task, next),
-            Progress::Done(Ok(())) => self.go_on(next),
-            Progress::Done(Err(unclosed)) => return self.not_closed(unclosed, next),
-            Progress::Died if self.unseen => self.last_words = Some(CLOSE_DIED.to_owned()),
+            Progress::Running => Phase::Closing(task, next),
+            Progress::Done(Ok(())) => self.go_on(next, menus),
+            Progress::Done(Err(unclosed)) => self.not_closed(unclosed, next, menus),
+            Progress::Died if self.unseen => {
+                self.last_words = Some(CLOSE_DIED.to_owned());
+                Phase::Over
+            }
             Progress::Died => {
                 tracing::error!("{CLOSE_DIED}");
-                self.fail(self.texts.say("save-failed"), self.texts.say("close-died"));
-                return Phase::Menu;
+                menus.fail("save-failed", menus.texts.say("close-died"));
+                Phase::Menu
             }
         }
-        std::mem::replace(&mut self.phase, Phase::Over)
     }
 
     /// The world stays open, and the player is asked what to do.
-    fn not_closed(&mut self, unclosed: Unclosed, next: Next) -> Phase {
+    fn not_closed(&mut self, unclosed: Unclosed, next: Next, menus: &mut Menus) -> Phase {
         let why = unclosed.error;
         tracing::error!("{why}");
         if self.unseen {
             self.last_words = Some(why.to_string());
             return Phase::Over;
         }
-        let text = wording::streaming(&self.texts, &why);
+        let text = wording::streaming(&menus.texts, &why);
         self.held_up = Some(next);
         self.since_save_s = 0.0;
-        self.shell.open(Screen::Unsaved { text });
+        menus.shell.open(Screen::Unsaved { text });
         let mut session = *unclosed.session;
         // The question says already what these would say of the save.
         let told = session.scene.save_problem();
         for notice in session.scene.take_notices() {
             if told.as_ref() != Some(&notice) {
-                let words = wording::notice(&self.texts, &notice);
-                self.shell.toast(words, ToastKind::Problem);
+                let words = wording::notice(&menus.texts, &notice);
+                menus.shell.toast(words, ToastKind::Problem);
             }
         }
         Phase::Paused(session)
-    }
-
-    fn busy(&mut self, title: String, progress: Option<f32>, detail: &str) {
-        self.shell.open(Screen::Busy {
-            title,
-            progress,
-            detail: detail.to_owned(),
-        });
-    }
-
-    /// Says that the game before this one crashed, and where it wrote what is known.
-    pub fn tell_crash(&mut self, report: &Path) {
-        let report = report.display().to_string();
-        let title = self.texts.say("crash-title");
-        let text = self.texts.say_with("crash", &[("report", report.into())]);
-        self.shell.open(Screen::Message { title, text });
-    }
-
-    /// Says that the graphics of the game before this one failed for good, and what draws now.
-    pub fn tell_graphics(&mut self, trouble: &Trouble) {
-        let mut text = wording::trouble(&self.texts, trouble);
-        if self.software.is_some() {
-            text = format!("{text} {}", self.texts.say("graphics-software"));
-        }
-        let title = self.texts.say("graphics-title");
-        self.shell.open(Screen::Message { title, text });
-    }
-
-    fn fail(&mut self, title: String, text: String) {
-        self.list.refresh();
-        self.shell.open(Screen::Message { title, text });
     }
 }
 

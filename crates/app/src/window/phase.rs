@@ -24,13 +24,18 @@ pub enum Next {
     Quit,
 }
 
+/// A world on its way to being open.
+pub type Opening = Task<Result<Session, Failure>>;
+/// A world on its way to being closed.
+pub type Closing = Task<Result<(), Unclosed>>;
+
 /// What the game is doing.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub enum Phase {
     /// Showing the main menu; no world is open.
     Menu,
     /// Reading or making a world.
-    Opening(Task<Result<Session, Failure>>),
+    Opening(Opening),
     /// Waiting for the land around the player.
     Loading(Session),
     /// Playing.
@@ -38,8 +43,9 @@ pub enum Phase {
     /// Showing the pause menu over a world.
     Paused(Session),
     /// Saving a world that is being left.
-    Closing(Task<Result<(), Unclosed>>, Next),
+    Closing(Closing, Next),
     /// Ended.
+    #[default]
     Over,
 }
 
@@ -62,5 +68,16 @@ impl Phase {
             }
             _ => None,
         }
+    }
+
+    /// Directory of the open world's save; empty where no world is open, or it is not kept.
+    pub fn slug(&self) -> &str {
+        self.session().map_or("", |session| &session.slug)
+    }
+
+    /// Whether the wheel turns a dial in the open world.
+    pub fn has_dial(&self) -> bool {
+        self.session()
+            .is_some_and(|session| session.scene.lens().range().is_some())
     }
 }

@@ -1,14 +1,15 @@
 //! Screenshots in the game: asked for, taken with the next frame, written in the background, told in a line.
 
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use antipode_render::RenderError;
 use antipode_ui::ToastKind;
 use image::RgbaImage;
 
 use super::background::{Progress, Task};
-use super::game::Game;
+use super::menus::Menus;
+use super::phase::Phase;
 use crate::screenshots::{Album, Unkept};
 
 /// Most pictures that are asked for and not written yet: a key held down must not fill the memory.
@@ -53,94 +54,60 @@ impl Shots {
         self.wanted.is_none() && self.taken.is_empty() && self.writing.is_empty()
     }
 
+    /// Keeps the next frame as a picture of what is being done.
+    pub fn want_of(&mut self, phase: &Phase) {
+        self.want(Album::stem(phase.slug()));
+    }
+
     /// Writes a picture in the background.
-    pub fn keep(&mut self, stem: String, picture: RgbaImage) {
+    pub fn write(&mut self, stem: String, picture: impl FnOnce() -> RgbaImage + Send + 'static) {
         let album = self.album.clone();
-        self.wait_for(Task::start("picture", move || album.keep(&stem, &picture)));
-    }
-
-    /// Tells of a picture when it has been written.
-    pub fn wait_for(&mut self, writing: Task<Result<PathBuf, Unkept>>) {
-        self.writing.push(writing);
-    }
-}
-
-impl Game {
-    /// Takes over what only the window knows: the adapter's name, and where pictures go.
-    /// And what was entered in the console before, which lies beside the settings.
-    pub fn begin_in(&mut self, adapter: &str, album: Album, settings: Option<&Path>) {
-        adapter.clone_into(&mut self.console.adapter);
-        self.shots.album = album;
-        if let Some(settings) = settings {
-            self.console
-                .remember_in(settings.with_file_name("console-history.txt"));
-        }
-    }
-
-    /// Keeps the next frame as a picture.
-    pub fn take_screenshot(&mut self) {
-        let slug = self.phase.session().map_or("", |session| &session.slug);
-        self.shots.want(Album::stem(slug));
+        let write = move || album.keep(&stem, &picture());
+        self.writing.push(Task::start("picture", write));
     }
 
     /// The frame in which a picture is to be taken has been drawn. Returns whether there is one to take.
-    pub fn begin_screenshot(&mut self) -> bool {
-        let wanted = self.shots.wanted.take();
+    pub fn begin(&mut self) -> bool {
+        let wanted = self.wanted.take();
         let begun = wanted.is_some();
-        self.shots.taken.extend(wanted);
+        self.taken.extend(wanted);
         begun
     }
 
     /// Takes the picture over that was begun first.
-    pub fn keep_screenshot(&mut self, picture: Result<RgbaImage, RenderError>) {
-        let Some(stem) = self.shots.taken.pop_front() else {
+    pub fn keep(&mut self, picture: Result<RgbaImage, RenderError>, menus: &mut Menus) {
+        let Some(stem) = self.taken.pop_front() else {
             return;
         };
         match picture {
-            Ok(picture) => self.shots.keep(stem, picture),
-            Err(error) => self.picture_failed(&error.to_string()),
+            Ok(picture) => self.write(stem, move || picture),
+            Err(error) => menus.tell_no_picture(&error.to_string()),
         }
-    }
-
-    /// There is no picture, for that reason.
-    pub(super) fn picture_failed(&mut self, reason: &str) {
-        tracing::error!("no picture was taken: {reason}");
-        let words = self
-            .texts
-            .say_with("picture-not-taken", &[("reason", reason.into())]);
-        self.shell.toast(words, ToastKind::Problem);
     }
 
     /// Tells of pictures that have been written.
-    pub(super) fn tell_pictures(&mut self) {
-        let mut place = 0;
-        while place < self.shots.writing.len() {
-            match self.shots.writing[place].poll() {
-                Progress::Running => {
-                    place += 1;
-                    continue;
-                }
+    pub fn tell(&mut self, menus: &mut Menus) {
+        self.writing.retain(|task| {
+            match task.poll() {
+                Progress::Running => return true,
                 Progress::Done(Ok(file)) => {
-                    let file = file.display().to_string();
-                    let words = self
-                        .texts
-                        .say_with("picture-kept", &[("file", file.into())]);
-                    self.shell.toast(words, ToastKind::Info);
+                    let values = [("file", file.display().to_string().into())];
+                    menus.toast(ToastKind::Info, "picture-kept", &values);
                 }
                 Progress::Done(Err(unkept)) => {
                     tracing::error!("{unkept:?}");
-                    self.shell
-                        .toast(unkept.words(&self.texts), ToastKind::Problem);
+                    let words = unkept.words(&menus.texts);
+                    menus.shell.toast(words, ToastKind::Problem);
                 }
-                Progress::Died => self.picture_failed("the thread that writes it ended"),
+                Progress::Died => menus.tell_no_picture("the thread that writes it ended"),
             }
-            self.shots.writing.remove(place);
-        }
+            false
+        });
     }
 
     /// Waits until all pictures are written.
-    pub(super) fn finish_pictures(&mut self) {
-        for task in self.shots.writing.drain(..) {
+    pub fn finish(&mut self) {
+        for task in self.writing.drain(..) {
             task.finish();
         }
     }

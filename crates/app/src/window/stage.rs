@@ -303,8 +303,8 @@ impl Stage {
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let shows_world = frame.is_some_and(|frame| {
-            let (pictured, renderer) = (&mut self.pictured, &mut self.renderer);
-            pictured.paint(renderer, frame, &mut encoder, target)
+            let stats = self.renderer.draw(frame, &mut encoder, target);
+            self.pictured.note(&stats, frame.quality)
         });
         if !shows_world {
             clear(&mut encoder, target);

@@ -37,15 +37,20 @@ use crate::cli::{Cli, Common};
 use crate::drawn::Drawn;
 use crate::session::{Beginning, NewWorld, Worlds};
 
-impl Game {
-    /// A key in the window; whether it is nothing for the interface.
-    fn take_key(&mut self, input: Input, down: bool, repeats: bool) -> bool {
-        let press = Press {
-            repeats,
-            ..Press::of(input, down)
-        };
-        !self.press(&press).is_heard()
+/// A key or button for the world that is played.
+fn input(game: &mut Game, input: Input, down: bool) {
+    if game.is_playing() {
+        game.press(&Press::of(input, down));
     }
+}
+
+/// A key in the window; whether it is nothing for the interface.
+fn take_key(game: &mut Game, input: Input, down: bool, repeats: bool) -> bool {
+    let press = Press {
+        repeats,
+        ..Press::of(input, down)
+    };
+    !game.press(&press).is_heard()
 }
 
 fn worlds(dir: &Path) -> Worlds {
@@ -85,14 +90,14 @@ fn tick_until(game: &mut Game, there: impl Fn(&Game) -> bool) {
             return;
         }
         game.tick(Instant::now());
-        game.drawn(true);
+        game.play.drawn(true);
         std::thread::yield_now();
     }
-    panic!("the game never got there: {:?}", game.phase);
+    panic!("the game never got there: {:?}", game.play.phase);
 }
 
 fn is_paused(game: &Game) -> bool {
-    matches!(game.phase, Phase::Paused(_))
+    matches!(game.play.phase, Phase::Paused(_))
 }
 
 /// Takes the world's folder away, so that nothing can be saved in it. Returns the way back.
@@ -109,10 +114,10 @@ fn a_world_that_cannot_be_saved_is_kept_open_until_it_can() {
     let (aside, home) = take_away(&dir);
     game.follow(Intent::SaveAndQuitToMenu);
     tick_until(&mut game, is_paused);
-    assert!(matches!(game.shell.screen(), Screen::Unsaved { .. }));
+    assert!(matches!(game.menus.shell.screen(), Screen::Unsaved { .. }));
     fs::rename(aside, home).unwrap();
     game.follow(Intent::TrySavingAgain);
-    tick_until(&mut game, |game| matches!(game.phase, Phase::Menu));
+    tick_until(&mut game, |game| matches!(game.play.phase, Phase::Menu));
     let again = worlds(dir.path()).load("x").unwrap();
     again.close().unwrap();
 }
@@ -127,7 +132,7 @@ fn one_may_leave_without_saving_to_where_one_was_going() {
     assert!(!game.is_over());
     game.follow(Intent::LeaveUnsaved);
     tick_until(&mut game, Game::is_over);
-    assert_eq!(game.last_words(), None);
+    assert_eq!(game.play.last_words, None);
 }
 
 #[test]
@@ -139,10 +144,10 @@ fn staying_in_an_unsaved_world_leads_to_its_pause_menu() {
     tick_until(&mut game, is_paused);
     game.escape();
     game.follow(Intent::DismissMessage);
-    assert!(!matches!(game.shell.screen(), Screen::Unsaved { .. }));
+    assert!(!matches!(game.menus.shell.screen(), Screen::Unsaved { .. }));
     fs::rename(aside, home).unwrap();
     game.finish();
-    assert_eq!(game.last_words(), None);
+    assert_eq!(game.play.last_words, None);
 }
 
 #[test]
@@ -152,7 +157,7 @@ fn where_nothing_can_be_shown_the_game_ends_with_what_it_could_not_save() {
     take_away(&dir);
     game.end_unseen();
     tick_until(&mut game, Game::is_over);
-    assert!(game.last_words().is_some());
+    assert!(game.play.last_words.is_some());
 }
 
 #[test]
@@ -171,7 +176,7 @@ fn a_world_that_loads_while_the_player_is_elsewhere_waits_in_the_menu() {
     game.focus(true);
     game.focus(false);
     tick_until(&mut game, is_paused);
-    assert_eq!(game.shell.screen(), &Screen::Main);
+    assert_eq!(game.menus.shell.screen(), &Screen::Main);
     game.focus(true);
     assert!(is_paused(&game));
     game.follow(Intent::Resume);
@@ -192,21 +197,22 @@ fn a_window_that_never_had_the_keyboard_begins_to_play_all_the_same() {
 fn a_save_that_fails_is_never_called_saved() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(Input::Key("Escape"), true);
+    input(&mut game, Input::Key("Escape"), true);
     tick_until(&mut game, is_saved);
     let (aside, home) = take_away(&dir);
     game.follow(Intent::Save);
-    tick_until(&mut game, |game| !game.saving);
+    tick_until(&mut game, |game| !game.play.saving);
     assert!(!is_saved(&game));
     fs::rename(aside, home).unwrap();
     game.follow(Intent::Save);
-    tick_until(&mut game, |game| !game.saving);
+    tick_until(&mut game, |game| !game.play.saving);
     assert!(is_saved(&game));
     game.finish();
 }
 
 fn is_saved(game: &Game) -> bool {
-    game.phase
+    game.play
+        .phase
         .session()
         .is_some_and(|session| session.scene.is_saved())
 }
@@ -258,13 +264,13 @@ fn frame_figures_come_and_go_with_their_key_and_never_without() {
     let mut game = playing(&dir);
     let figures = "by frame";
     assert!(!words(&mut game).contains(figures));
-    game.input(Input::Key("F4"), true);
+    input(&mut game, Input::Key("F4"), true);
     let said = words(&mut game);
     assert!(
         said.contains(figures) && said.contains("gpu n/a") && said.contains("fast"),
         "{said}"
     );
-    game.input(Input::Key("F4"), true);
+    input(&mut game, Input::Key("F4"), true);
     assert!(!words(&mut game).contains(figures));
 }
 
@@ -273,9 +279,9 @@ fn the_map_key_is_answered_in_words_and_the_dial_appears() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
     assert!(!words(&mut game).contains("Bend"));
-    game.input(Input::Key("KeyH"), true);
+    input(&mut game, Input::Key("KeyH"), true);
     let bends = |game: &Game| {
-        let session = game.phase.session();
+        let session = game.play.phase.session();
         session.is_some_and(|session| session.scene.lens().bend().is_some())
     };
     tick_until(&mut game, bends);
@@ -285,9 +291,9 @@ fn the_map_key_is_answered_in_words_and_the_dial_appears() {
         "{said}"
     );
     game.wheel(-1.0);
-    game.input(Input::Key("KeyH"), false);
+    input(&mut game, Input::Key("KeyH"), false);
     let turned = |game: &Game| {
-        let session = game.phase.session();
+        let session = game.play.phase.session();
         session.is_some_and(|session| session.scene.lens().bend() == Some(-1.0))
     };
     tick_until(&mut game, turned);

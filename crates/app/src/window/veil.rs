@@ -4,9 +4,6 @@ use std::time::Duration;
 
 use egui::{Color32, Context, LayerId};
 
-use super::game::Game;
-use super::phase::Phase;
-
 /// How long it takes to lift, seconds.
 const LIFTS_S: f64 = 0.4;
 /// Longest time that counts in one frame, seconds: the first ones are slow.
@@ -29,7 +26,7 @@ pub(super) enum Veil {
 
 impl Veil {
     /// Lets time pass in the world behind it.
-    fn lift(self, passed: Duration, at_once: bool) -> Self {
+    pub fn lift(self, passed: Duration, at_once: bool) -> Self {
         let left = match self {
             _ if at_once => return Self::Up,
             Self::Down | Self::Drawn => 1.0,
@@ -43,35 +40,10 @@ impl Veil {
             Self::Up
         }
     }
-}
-
-impl Game {
-    /// A picture of what the game is doing was drawn; `whole`: no land that has been made is missing in it.
-    pub fn drawn(&mut self, whole: bool) {
-        let is_made = |phase: &Phase| match phase {
-            Phase::Loading(session) => session.scene.loading_progress() >= 1.0,
-            _ => false,
-        };
-        if whole && self.veil == Veil::Down && is_made(&self.phase) {
-            self.veil = Veil::Drawn;
-        }
-    }
-
-    /// Lifts the veil of a world that is there; what comes after one that was left has none.
-    pub(super) fn lift_veil(&mut self, passed: Duration) {
-        let at_once = match self.phase {
-            Phase::Playing(_) | Phase::Paused(_) if self.veil != Veil::Down => {
-                self.config.settings.reduced_motion
-            }
-            Phase::Menu | Phase::Over => true,
-            _ => return,
-        };
-        self.veil = self.veil.lift(passed, at_once);
-    }
 
     /// Paints what is left of it over the world and under the display.
-    pub(super) fn show_veil(&self, context: &Context) {
-        if let Veil::Lifting(left) = self.veil {
+    pub fn show(self, context: &Context) {
+        if let Self::Lifting(left) = self {
             let painter = context.layer_painter(LayerId::background());
             let colour = DARK.gamma_multiply(left as f32);
             painter.rect_filled(context.content_rect(), 0, colour);

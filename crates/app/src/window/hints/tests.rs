@@ -5,6 +5,7 @@ use antipode_language::Language;
 use antipode_settings::PadButton;
 
 use super::*;
+use crate::bindings::Input;
 
 /// A hyperbolic world.
 const DIAL: Place = Place {

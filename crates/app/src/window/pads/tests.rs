@@ -53,7 +53,7 @@ impl Play {
                 return play;
             }
             play.game.tick(play.now);
-            play.game.drawn(true);
+            play.game.play.drawn(true);
             std::thread::yield_now();
         }
         panic!("the world never began");
@@ -90,7 +90,7 @@ impl Play {
     }
 
     fn feet(&mut self) -> glam::DVec3 {
-        let session = self.game.phase.session().unwrap();
+        let session = self.game.play.phase.session().unwrap();
         session.scene.feet().pos
     }
 }
@@ -136,15 +136,15 @@ fn steps_taken_with_a_pad_can_be_heard() {
     for _ in 0..60 {
         play.pass(20, &[]);
     }
-    let heard = play.game.take_heard();
+    let heard = play.game.play.take_heard();
     assert_eq!(heard.place, Place::World);
     assert!(!heard.events.is_empty() && heard.surroundings.is_some());
     assert!(
-        play.game.take_heard().events.is_empty(),
+        play.game.play.take_heard().events.is_empty(),
         "each is heard once"
     );
     play.pass(16, &[button(PadButton::Start, true)]);
-    assert_eq!(play.game.take_heard().place, Place::Paused);
+    assert_eq!(play.game.play.take_heard().place, Place::Paused);
     play.game.finish();
 }
 
@@ -175,7 +175,7 @@ fn in_the_backpack_sticks_move_the_focus_and_not_the_player() {
     let mut play = Play::in_world();
     let press = |which| [button(which, true), button(which, false)];
     play.pass(16, &press(PadButton::RightStick));
-    assert!(play.game.is_packing());
+    assert!(play.game.overlays.is_packing());
     let start = play.feet();
     assert_eq!(play.pass(16, &[stick(Axis::LeftX, 0.9)]), [Key::ArrowRight]);
     for _ in 0..30 {
@@ -214,9 +214,9 @@ fn in_menus_the_cross_and_the_stick_move_and_buttons_press_and_lead_back() {
         play.pass(16, &[button(PadButton::RightBumper, true)]),
         [Key::Tab]
     );
-    play.game.shell.open(Screen::Controls);
+    play.game.menus.shell.open(Screen::Controls);
     assert_eq!(play.pass(16, &[button(PadButton::East, true)]), []);
-    assert_eq!(play.game.shell.screen(), &Screen::Main);
+    assert_eq!(play.game.menus.shell.screen(), &Screen::Main);
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn while_another_window_has_the_keyboard_a_pad_does_nothing() {
     let held = [button(PadButton::Down, true), stick(Axis::LeftY, -1.0)];
     assert_eq!(play.pass(16, &held), []);
     assert_eq!(play.pass(1000, &[]), []);
-    assert_eq!(play.game.sticks, Sticks::default());
+    assert_eq!(play.game.devices.sticks, Sticks::default());
     play.game.focus(true);
     assert_eq!(
         play.pass(16, &[]),

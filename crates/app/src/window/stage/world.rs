@@ -1,7 +1,7 @@
-//! The picture of the world in a frame of the window, and what is told of it.
+//! What is told of the picture of the world in a frame of the window.
 
-use antipode_render::{Picture, Renderer};
-use antipode_scene::frame::Frame;
+use antipode_render::{DrawStats, Picture};
+use antipode_scene::frame::Quality;
 
 use crate::drawn::Drawn;
 
@@ -23,19 +23,13 @@ impl Pictured {
         self.gpu_ms = None;
     }
 
-    /// Whether there is a picture of the world: none before what it is drawn with is made.
-    pub fn paint(
-        &mut self,
-        renderer: &mut Renderer,
-        frame: &Frame,
-        encoder: &mut wgpu::CommandEncoder,
-        target: &wgpu::TextureView,
-    ) -> bool {
-        let stats = renderer.draw(frame, encoder, target);
+    /// Notes what a frame of that quality was drawn with. Returns whether there is a picture of the world: none before what
+    /// it is drawn with is made.
+    pub fn note(&mut self, stats: &DrawStats, quality: Quality) -> bool {
         // The time of a frame comes some frames later; until then the last one stands.
         self.gpu_ms = stats.gpu_ms.map(f64::from).or(self.gpu_ms);
         if stats.picture == Picture::New {
-            self.drawn = Some(Drawn::new(&stats, frame.quality));
+            self.drawn = Some(Drawn::new(stats, quality));
         }
         stats.picture != Picture::None
     }

@@ -17,8 +17,8 @@ struct Packing {
 impl Packing {
     fn new(dir: &TempDir) -> Self {
         let mut game = playing(dir);
-        game.input(KEY_E, true);
-        assert!(game.is_packing() && !game.is_playing());
+        input(&mut game, KEY_E, true);
+        assert!(game.overlays.is_packing() && !game.is_playing());
         let context = egui::Context::default();
         antipode_ui::apply_theme(&context);
         let mut packing = Self { game, context };
@@ -40,12 +40,12 @@ impl Packing {
     }
 
     fn bag(&self) -> &Inventory {
-        self.game.phase.session().unwrap().scene.inventory()
+        self.game.play.phase.session().unwrap().scene.inventory()
     }
 
     /// Everything that was there in the beginning is carried or lies about.
     fn is_all_there(&self) {
-        let scene = &self.game.phase.session().unwrap().scene;
+        let scene = &self.game.play.phase.session().unwrap().scene;
         for item in Item::ALL {
             let about = scene.drops().into_iter().map(|drop| drop.stack);
             let about: u32 = about.filter(|s| s.item == item).map(|s| s.count).sum();
@@ -70,21 +70,21 @@ fn the_world_goes_on_behind_it_and_no_key_reaches_the_player() {
     let mut packing = Packing::new(&dir);
     let game = &mut packing.game;
     let scene = |game: &Game| {
-        let scene = &game.phase.session().unwrap().scene;
+        let scene = &game.play.phase.session().unwrap().scene;
         (scene.feet(), scene.simulated_s())
     };
     tick_until(game, |game| scene(game).1 > 0.8);
     let (feet, before) = scene(game);
     for key in ["KeyW", "KeyP", "Backquote", "Space"] {
-        assert!(!game.take_key(Input::Key(key), true, false), "{key}");
-        game.input(Input::Key(key), true);
+        assert!(!take_key(game, Input::Key(key), true, false), "{key}");
+        input(game, Input::Key(key), true);
     }
     game.motion(50.0, 50.0);
     tick_until(game, |game| scene(game).1 > before + 0.5);
     assert_eq!(scene(game).0, feet);
-    assert!(!game.is_photographing() && !game.is_typing());
-    assert!(game.take_key(KEY_E, true, false) && game.is_playing());
-    game.input(KEY_E, true);
+    assert!(!game.overlays.is_photographing() && !game.overlays.is_typing());
+    assert!(take_key(game, KEY_E, true, false) && game.is_playing());
+    input(game, KEY_E, true);
     game.escape();
     assert!(game.is_playing(), "Esc closes it and nothing else");
 }
@@ -93,16 +93,16 @@ fn the_world_goes_on_behind_it_and_no_key_reaches_the_player() {
 fn it_opens_neither_in_the_photo_mode_nor_in_menus() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(Input::Key("KeyP"), true);
-    assert!(game.is_photographing());
-    game.take_key(KEY_E, true, false);
-    game.input(KEY_E, true);
-    assert!(!game.is_packing());
+    input(&mut game, Input::Key("KeyP"), true);
+    assert!(game.overlays.is_photographing());
+    take_key(&mut game, KEY_E, true, false);
+    input(&mut game, KEY_E, true);
+    assert!(!game.overlays.is_packing());
     game.escape();
     game.pause();
-    game.take_key(KEY_E, true, false);
-    game.input(KEY_E, true);
-    assert!(!game.is_packing() && is_paused(&game));
+    take_key(&mut game, KEY_E, true, false);
+    input(&mut game, KEY_E, true);
+    assert!(!game.overlays.is_packing() && is_paused(&game));
 }
 
 #[test]
@@ -128,18 +128,33 @@ fn numbers_swap_and_q_throws_one_of_what_is_pointed_at() {
         })
     };
     assert_eq!(packing.bag().slots()[5], lamps(10));
-    assert!(packing.game.take_key(Input::Key("Digit9"), true, false));
+    assert!(take_key(
+        &mut packing.game,
+        Input::Key("Digit9"),
+        true,
+        false
+    ));
     packing.frame(Vec::new());
     assert_eq!(
         (packing.bag().slots()[5], packing.bag().slots()[8]),
         (None, lamps(10))
     );
-    assert!(packing.game.take_key(Input::Key("Digit6"), true, false));
+    assert!(take_key(
+        &mut packing.game,
+        Input::Key("Digit6"),
+        true,
+        false
+    ));
     packing.frame(Vec::new());
     assert_eq!(packing.bag().slots()[5], None, "swapped with itself");
-    assert!(packing.game.take_key(Input::Key("Digit9"), true, false));
+    assert!(take_key(
+        &mut packing.game,
+        Input::Key("Digit9"),
+        true,
+        false
+    ));
     packing.frame(Vec::new());
-    assert!(packing.game.take_key(Input::Key("KeyQ"), true, false));
+    assert!(take_key(&mut packing.game, Input::Key("KeyQ"), true, false));
     packing.frame(Vec::new());
     assert_eq!(packing.bag().slots()[5], lamps(9));
     packing.is_all_there();
@@ -155,17 +170,17 @@ fn whatever_ends_it_puts_back_what_was_at_the_pointer() {
         },
         |game| game.pause(),
         |game| {
-            game.take_key(KEY_E, true, false);
+            take_key(game, KEY_E, true, false);
         },
     ];
     for end in ends {
         let dir = tempfile::tempdir().unwrap();
         let mut packing = Packing::new(&dir);
-        let session = packing.game.phase.session_mut().unwrap();
+        let session = packing.game.play.phase.session_mut().unwrap();
         session.scene.inventory_mut().click(5);
         packing.frame(Vec::new());
         end(&mut packing.game);
-        assert!(!packing.game.is_packing());
+        assert!(!packing.game.overlays.is_packing());
         assert_eq!(packing.bag().carried(), None);
         assert_eq!(packing.bag().slots()[5].map(|stack| stack.count), Some(10));
     }
@@ -186,8 +201,8 @@ proptest! {
             packing.frame(vec![Event::PointerMoved(at), button(at, by, pressed)]);
             packing.is_all_there();
         }
-        if packing.game.is_packing() {
-            packing.game.take_key(KEY_E, true, false);
+        if packing.game.overlays.is_packing() {
+            take_key(&mut packing.game, KEY_E, true, false);
         }
         prop_assert_eq!(packing.bag().carried(), None);
         packing.is_all_there();

@@ -8,7 +8,7 @@ use super::*;
 /// Whether the player of a new world looks 15 degrees up to the land overhead, with a car and somebody there.
 fn has_a_view(game: &mut Game) -> bool {
     tick_until(game, Game::is_playing);
-    let scene = &game.phase.session().unwrap().scene;
+    let scene = &game.play.phase.session().unwrap().scene;
     let up_deg = scene.head().pitch.to_degrees();
     (up_deg - 15.0).abs() < 0.1 && scene.cars().len() == 1 && !scene.bots().is_empty()
 }
@@ -39,7 +39,7 @@ fn a_world_made_by_the_command_line_begins_with_a_view_and_is_small_unless_told(
     let first = first_request(start, &worlds(dir.path())).unwrap();
     let mut game = Game::new(worlds(dir.path()), None, first);
     assert!(has_a_view(&mut game));
-    let radius_m = game.phase.session().unwrap().scene.setup().radius_m;
+    let radius_m = game.play.phase.session().unwrap().scene.setup().radius_m;
     assert_eq!(radius_m.to_bits(), 32.0_f64.to_bits());
     game.finish();
 }

@@ -16,7 +16,7 @@ fn over_the_far_side(dir: &TempDir) -> Game {
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));
     tick_until(&mut game, Game::is_playing);
-    let scene = &mut game.phase.session_mut().unwrap().scene;
+    let scene = &mut game.play.phase.session_mut().unwrap().scene;
     scene.set_flying(true);
     scene.teleport(ChartPoint::new(Hemisphere::B, DVec3::new(0.5, 8.0, 0.0)));
     scene.set_time_of_day_s(150.0);
@@ -42,7 +42,7 @@ fn at_noon_of_one_side_the_display_and_the_photo_mode_tell_midnight_on_the_other
     let dir = tempfile::tempdir().unwrap();
     let mut game = over_the_far_side(&dir);
     assert_eq!(hours(&mut game), ["00"]);
-    game.input(Input::Key("KeyP"), true);
-    assert!(game.is_photographing());
+    input(&mut game, Input::Key("KeyP"), true);
+    assert!(game.overlays.is_photographing());
     assert_eq!(hours(&mut game), ["00"]);
 }

@@ -15,8 +15,8 @@ struct Typing {
 impl Typing {
     fn new(dir: &TempDir) -> Self {
         let mut game = playing(dir);
-        game.input(BACKQUOTE, true);
-        assert!(game.is_typing());
+        input(&mut game, BACKQUOTE, true);
+        assert!(game.overlays.is_typing());
         let context = egui::Context::default();
         antipode_ui::apply_theme(&context);
         Self { game, context }
@@ -67,15 +67,16 @@ impl Typing {
     }
 
     fn scene(&self) -> &antipode_scene::Scene {
-        &self.game.phase.session().unwrap().scene
+        &self.game.play.phase.session().unwrap().scene
     }
 }
 
 fn pass(game: &mut Game, steps: u32) {
-    let before = game.phase.session().unwrap().scene.simulated_s();
+    let before = game.play.phase.session().unwrap().scene.simulated_s();
     let wanted = before + f64::from(steps) / 60.0;
     tick_until(game, |game| {
-        game.phase
+        game.play
+            .phase
             .session()
             .is_none_or(|session| session.scene.simulated_s() >= wanted)
     });
@@ -87,22 +88,22 @@ fn the_key_opens_and_closes_it_and_no_key_reaches_the_player_meanwhile() {
     let mut typing = Typing::new(&dir);
     let game = &mut typing.game;
     pass(game, 30);
-    let before = game.phase.session().unwrap().scene.feet();
+    let before = game.play.phase.session().unwrap().scene.feet();
     for key in ["KeyW", "KeyP", "F1", "Tab", "Space"] {
         assert!(
-            !game.take_key(Input::Key(key), true, false),
+            !take_key(game, Input::Key(key), true, false),
             "{key} is for the line"
         );
-        game.input(Input::Key(key), true);
+        input(game, Input::Key(key), true);
     }
     pass(game, 30);
-    assert_eq!(game.phase.session().unwrap().scene.feet(), before);
-    assert!(game.is_typing() && !game.is_photographing());
+    assert_eq!(game.play.phase.session().unwrap().scene.feet(), before);
+    assert!(game.overlays.is_typing() && !game.overlays.is_photographing());
     // Held down it does not flicker.
-    assert!(!game.take_key(BACKQUOTE, true, true) && game.is_typing());
-    assert!(game.take_key(BACKQUOTE, true, false) && game.is_playing());
-    game.input(BACKQUOTE, true);
-    assert!(game.take_key(Input::Key("Escape"), true, false) && game.is_playing());
+    assert!(!take_key(game, BACKQUOTE, true, true) && game.overlays.is_typing());
+    assert!(take_key(game, BACKQUOTE, true, false) && game.is_playing());
+    input(game, BACKQUOTE, true);
+    assert!(take_key(game, Input::Key("Escape"), true, false) && game.is_playing());
 }
 
 #[test]
@@ -160,9 +161,9 @@ fn each_cheat_marks_and_what_fails_does_not() {
         let dir = tempfile::tempdir().unwrap();
         let mut game = playing(&dir);
         game.enter("teleport 0 0 0 B");
-        assert!(!game.phase.session().unwrap().scene.cheated());
+        assert!(!game.play.phase.session().unwrap().scene.cheated());
         game.enter(line);
-        assert!(game.phase.session().unwrap().scene.cheated(), "{line}");
+        assert!(game.play.phase.session().unwrap().scene.cheated(), "{line}");
     }
 }
 
@@ -173,9 +174,9 @@ fn what_was_answered_in_one_world_is_not_told_in_the_next() {
     assert!(typing.enter("list").contains("x (euclidean, seed 7)"));
     typing.enter("new euclidean seed=8 name=y");
     tick_until(&mut typing.game, |game| {
-        game.is_playing() && game.phase.session().is_some_and(|s| s.slug == "y")
+        game.is_playing() && game.play.phase.session().is_some_and(|s| s.slug == "y")
     });
-    typing.game.input(BACKQUOTE, true);
+    input(&mut typing.game, BACKQUOTE, true);
     let said = typing.frame(Vec::new());
     assert!(!said.contains("seed 7"), "{said}");
     // What was typed can still be brought back.
@@ -207,7 +208,7 @@ fn mistakes_and_refusals_are_sentences() {
         let said = typing.enter(line);
         assert!(said.contains(words), "{line}: {said}");
     }
-    assert!(typing.game.is_typing());
+    assert!(typing.game.overlays.is_typing());
 }
 
 #[test]
@@ -219,12 +220,12 @@ fn what_is_held_is_let_go_after_its_time() {
     game.enter("aim 0 0");
     game.enter("hold KeyW 0.5");
     pass(&mut game, 60);
-    let far = game.phase.session().unwrap().scene.feet().pos.x;
+    let far = game.play.phase.session().unwrap().scene.feet().pos.x;
     assert!(far > 1.0, "moved {far} m");
     pass(&mut game, 60);
-    let farther = game.phase.session().unwrap().scene.feet().pos.x;
+    let farther = game.play.phase.session().unwrap().scene.feet().pos.x;
     pass(&mut game, 60);
-    let end = game.phase.session().unwrap().scene.feet().pos.x;
+    let end = game.play.phase.session().unwrap().scene.feet().pos.x;
     assert!((end - farther).abs() < 0.05, "{far} {farther} {end}");
 }
 
@@ -257,7 +258,7 @@ fn what_was_entered_is_there_in_the_next_run() {
     let request = Request::Load("x".to_owned());
     let mut game = Game::new(worlds(dir.path()), None, Some(request));
     game.begin_in("", album(), Some(&settings));
-    assert_eq!(game.console.view.history(), ["set time 123"]);
+    assert_eq!(game.overlays.console.view.history(), ["set time 123"]);
     game.finish();
 }
 
@@ -265,15 +266,15 @@ fn what_was_entered_is_there_in_the_next_run() {
 fn a_new_world_can_be_made_and_one_gone_back_to() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(BACKQUOTE, true);
+    input(&mut game, BACKQUOTE, true);
     game.enter("new spherical seed=3 name=Ball");
-    assert!(!game.is_typing());
+    assert!(!game.overlays.is_typing());
     tick_until(&mut game, |game| {
-        game.is_playing() && game.phase.session().unwrap().scene.setup().name == "Ball"
+        game.is_playing() && game.play.phase.session().unwrap().scene.setup().name == "Ball"
     });
     game.enter("load x");
     tick_until(&mut game, |game| {
-        game.is_playing() && game.phase.session().unwrap().scene.setup().name == "x"
+        game.is_playing() && game.play.phase.session().unwrap().scene.setup().name == "x"
     });
     game.enter("delete Ball");
     assert_eq!(worlds(dir.path()).list().unwrap().len(), 1);
@@ -285,9 +286,9 @@ fn a_new_world_can_be_made_and_one_gone_back_to() {
 fn the_console_changes_the_players_own_settings_and_marks_nothing() {
     let dir = tempfile::tempdir().unwrap();
     let mut typing = Typing::new(&dir);
-    assert!(!typing.game.config.settings.contour_bands);
+    assert!(!typing.game.options.config.settings.contour_bands);
     typing.enter("set contour-bands on");
-    assert!(typing.game.config.settings.contour_bands);
+    assert!(typing.game.options.config.settings.contour_bands);
     assert!(typing.scene().viewing().contour_bands);
     assert!(!typing.scene().cheated());
     let said = typing.enter("set field-of-view 500");

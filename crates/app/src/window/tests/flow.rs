@@ -57,7 +57,7 @@ impl Film {
     }
 
     fn scene(&mut self) -> &mut Scene {
-        &mut self.game.phase.session_mut().unwrap().scene
+        &mut self.game.play.phase.session_mut().unwrap().scene
     }
 
     /// Lets the time of a frame pass, without a picture. Returns whether the world made a step.
@@ -183,18 +183,18 @@ fn over_the_equator_a_camera_moves_evenly_on_foot_and_from_behind() {
     for mode in [CameraMode::First, CameraMode::Third] {
         let mut film = Film::new(Geometry::Spherical);
         if mode == CameraMode::Third {
-            film.game.input(Input::Key("Tab"), true);
+            input(&mut film.game, Input::Key("Tab"), true);
         }
         for rate in RATES {
             film.at(60);
             film.go_to_equator(5.0);
             assert_eq!(film.scene().camera_mode(), mode);
-            film.game.input(AHEAD, true);
+            input(&mut film.game, AHEAD, true);
             film.shoot(10);
             let (frames, steps) = film.follow(rate, 1.8, |it| it.eye.point, |it| it.eye().point);
             is_even(&frames, &steps, rate, mode.id());
             assert!(film.is_over(), "{mode:?}: it was walked over");
-            film.game.input(AHEAD, false);
+            input(&mut film.game, AHEAD, false);
         }
     }
 }
@@ -211,7 +211,7 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
             film.at(60);
             film.go_to_equator(22.0);
             film.drive();
-            film.game.input(AHEAD, true);
+            input(&mut film.game, AHEAD, true);
             film.shoot(40);
             let (frames, steps) = match what {
                 "camera" => film.follow(rate, 3.0, |it| it.eye.point, |it| it.eye().point),
@@ -223,7 +223,7 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
             };
             is_even(&frames, &steps, rate, what);
             assert!(film.is_over(), "it was driven over");
-            film.game.input(AHEAD, false);
+            input(&mut film.game, AHEAD, false);
         }
     }
 }
@@ -258,10 +258,10 @@ fn on_level_ground_every_frame_covers_its_share_of_the_way() {
         film.scene().aim(0.0, 0.0);
         assert!(film.scene().wait_for_step(LIMIT));
         film.shoot(30);
-        film.game.input(AHEAD, true);
+        input(&mut film.game, AHEAD, true);
         film.shoot(20);
         let (frames, steps) = film.follow(rate, 0.8, |it| it.eye.point, |it| it.eye().point);
-        film.game.input(AHEAD, false);
+        input(&mut film.game, AHEAD, false);
         let level = |a: DVec4, b: DVec4| (b - a).truncate().with_y(0.0).length();
         let ways = steps.windows(2).map(|it| level(it[0], it[1]));
         let mut ways: Vec<f64> = ways.collect();

@@ -23,11 +23,11 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
     assert!(told(&game).starts_with("Look"));
     // A flat world has no dial and no way round: thirteen hints, and the others in the first worlds that have these.
     for _ in 0..13 {
-        game.input(KEY_N, true);
-        game.input(KEY_N, false);
+        input(&mut game, KEY_N, true);
+        input(&mut game, KEY_N, false);
         game.tick(Instant::now());
     }
-    assert!(game.config.settings.hints && told(&game).is_empty());
+    assert!(game.options.config.settings.hints && told(&game).is_empty());
     game.leave(Next::Open(Request::New(NewWorld {
         geometry: Geometry::Hyperbolic,
         name: Some("y".to_owned()),
@@ -36,8 +36,8 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
         start: Beginning::Middle,
     })));
     tick_until(&mut game, |game| told(game).starts_with("Change how space"));
-    game.input(KEY_N, true);
-    game.input(KEY_N, false);
+    input(&mut game, KEY_N, true);
+    input(&mut game, KEY_N, false);
     game.leave(Next::Open(Request::New(NewWorld {
         geometry: Geometry::Spherical,
         name: Some("z".to_owned()),
@@ -47,11 +47,11 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
     })));
     for words in ["Look up", "Walk to the equator"] {
         tick_until(&mut game, |game| told(game).starts_with(words));
-        game.input(KEY_N, true);
-        game.input(KEY_N, false);
+        input(&mut game, KEY_N, true);
+        input(&mut game, KEY_N, false);
     }
     game.tick(Instant::now());
-    assert!(!game.config.settings.hints && told(&game).is_empty());
+    assert!(!game.options.config.settings.hints && told(&game).is_empty());
     set_hints(&mut game, true);
     tick_until(&mut game, |game| told(game).starts_with("Look"));
 }
@@ -60,14 +60,14 @@ fn hints_skipped_to_the_end_are_switched_off_and_begin_anew_when_switched_on() {
 fn opening_the_menu_is_remembered_though_it_is_told_last() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    game.input(Input::Key("Escape"), true);
+    input(&mut game, Input::Key("Escape"), true);
     game.tick(Instant::now());
     game.follow(Intent::Resume);
     for _ in 0..12 {
-        game.input(KEY_N, true);
+        input(&mut game, KEY_N, true);
         game.tick(Instant::now());
     }
-    let learnt = &game.config.learnt;
+    let learnt = &game.options.config.learnt;
     assert_eq!(learnt.len(), 13, "the last is done already: {learnt:?}");
     assert!(told(&game).is_empty());
 }
@@ -84,7 +84,7 @@ fn what_was_learnt_in_one_run_is_not_told_in_the_next() {
     begin(&mut game);
     tick_until(&mut game, Game::is_playing);
     for _ in 0..2 {
-        game.input(KEY_N, true);
+        input(&mut game, KEY_N, true);
         game.tick(Instant::now());
     }
     game.finish();
@@ -99,7 +99,7 @@ fn what_was_learnt_in_one_run_is_not_told_in_the_next() {
     // Switched off and on they begin anew, for later runs too.
     set_hints(&mut game, false);
     game.tick(Instant::now());
-    assert!(game.config.learnt.is_empty());
+    assert!(game.options.config.learnt.is_empty());
     set_hints(&mut game, true);
     tick_until(&mut game, |game| told(game).starts_with("Look"));
     game.finish();
@@ -109,7 +109,7 @@ fn what_was_learnt_in_one_run_is_not_told_in_the_next() {
 fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = Game::new(worlds(dir.path()), None, None);
-    game.enable_backdrop(true);
+    game.backdrop.enable(true);
     tick_until(&mut game, |game| game.backdrop.model().live);
     assert!(game.frame(1.5, 400).is_some() && !game.is_still());
     let value = Value::Switch(true);
@@ -126,13 +126,14 @@ fn no_world_flies_behind_a_menu_with_less_motion_or_while_one_is_played() {
         value,
     });
     tick_until(&mut game, |game| game.backdrop.model().live);
-    game.open(Request::New(NewWorld {
+    let request = Request::New(NewWorld {
         geometry: Geometry::Euclidean,
         name: Some("x".to_owned()),
         seed: Some(7),
         radius_m: None,
         start: Beginning::Middle,
-    }));
+    });
+    game.play.open(request, &mut game.menus);
     game.tick(Instant::now());
     assert!(!game.backdrop.model().live, "it makes way at once");
     tick_until(&mut game, Game::is_playing);

@@ -17,7 +17,7 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
     let mut game = playing(&dir);
     game.begin_with(open(Some(file.clone())), &cli.unwrap().common);
     let scene = |game: &Game| {
-        let scene = &game.phase.session().unwrap().scene;
+        let scene = &game.play.phase.session().unwrap().scene;
         (scene.viewing(), scene.view_distance(), scene.quality())
     };
     let (viewing, distance, quality) = scene(&game);
@@ -40,10 +40,10 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
         (2, Quality::Exact),
         "only what was changed gives way"
     );
-    assert_eq!(game.texts.language(), Language::Polish);
+    assert_eq!(game.menus.texts.language(), Language::Polish);
     game.follow(Intent::ResetSetting("contour-bands"));
     assert!(!scene(&game).0.contour_bands);
-    let mut profiles = game.config.profiles.clone();
+    let mut profiles = game.options.config.profiles.clone();
     let key = Input::Key("KeyI");
     profiles
         .chosen_mut()
@@ -51,12 +51,12 @@ fn a_changed_setting_reaches_world_texts_controls_and_file_at_once() {
         .unwrap();
     game.follow(Intent::Bind(Box::new(profiles)));
     assert!(words(&mut game).contains("08:2"), "the clock is shown");
-    game.input(key, true);
+    input(&mut game, key, true);
     assert!(
         !words(&mut game).contains("08:2"),
         "the new key hides the display"
     );
-    let config = game.config.clone();
+    let config = game.options.config.clone();
     game.finish();
     drop(game);
     assert_eq!(read(&fs::read(file).unwrap()).config, config);
@@ -71,6 +71,6 @@ fn what_is_wrong_with_the_file_is_told_and_the_game_goes_on() {
     let mut game = playing(&dir);
     game.begin_with(open(Some(file)), &cli.common);
     assert!(words(&mut game).contains("settings file was damaged"));
-    assert_eq!(game.config.settings.field_of_view_deg, 90.0);
+    assert_eq!(game.options.config.settings.field_of_view_deg, 90.0);
     game.finish();
 }

@@ -15,9 +15,9 @@ const PHOTO: Input = Input::Key("KeyP");
 fn photographing(dir: &TempDir) -> Game {
     let mut game = playing(dir);
     game.begin_in("test", Album::at(dir.path().join("pictures")), None);
-    game.set_canvas((640, 360), 1280);
-    game.input(PHOTO, true);
-    assert!(game.is_photographing() && !game.is_playing());
+    game.overlays.photo.set_canvas((640, 360), 1280);
+    input(&mut game, PHOTO, true);
+    assert!(game.overlays.is_photographing() && !game.is_playing());
     game
 }
 
@@ -43,7 +43,7 @@ fn the_world_stands_still_while_the_camera_flies_and_all_is_as_it_was_afterwards
     let dir = tempfile::tempdir().unwrap();
     let mut game = photographing(&dir);
     let scene = |game: &Game| {
-        let scene = &game.phase.session().unwrap().scene;
+        let scene = &game.play.phase.session().unwrap().scene;
         (
             scene.simulated_s(),
             scene.feet(),
@@ -54,24 +54,24 @@ fn the_world_stands_still_while_the_camera_flies_and_all_is_as_it_was_afterwards
     };
     let before = scene(&game);
     let first = game.frame(1.5, 360).unwrap();
-    assert!(game.take_key(Input::Key("KeyW"), true, false));
+    assert!(take_key(&mut game, Input::Key("KeyW"), true, false));
     let now = ticks(&mut game, Instant::now(), 60);
     let flown = game.frame(1.5, 360).unwrap();
     let way_m = flown.eye.point.pos.distance(first.eye.point.pos);
     assert!((4.0..8.0).contains(&way_m), "flew {way_m} m");
     assert!(
-        !game.take_key(Input::Key("ArrowDown"), true, false),
+        !take_key(&mut game, Input::Key("ArrowDown"), true, false),
         "the arrows are the panel's"
     );
     ticks(&mut game, now, 1);
     assert_eq!(scene(&game), before);
-    assert!(game.take_key(PHOTO, true, false));
+    assert!(take_key(&mut game, PHOTO, true, false));
     assert!(game.is_playing());
     let after = game.frame(1.5, 360).unwrap();
     assert_eq!((after.eye, after.projection), (first.eye, first.projection));
     assert_eq!(after.sky, first.sky);
-    game.input(PHOTO, true);
-    assert!(game.take_key(Input::Key("Escape"), true, false) && game.is_playing());
+    input(&mut game, PHOTO, true);
+    assert!(take_key(&mut game, Input::Key("Escape"), true, false) && game.is_playing());
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn the_panel_names_what_can_be_changed_and_the_display_gives_way_to_it() {
         !said.contains("Curvature") && !said.contains("chart"),
         "{said}"
     );
-    game.take_screenshot();
+    game.shots.want_of(&game.play.phase);
     assert!(
         !words(&mut game).contains("Photo mode"),
         "the panel is in the picture"
@@ -107,14 +107,19 @@ fn the_panel_names_what_can_be_changed_and_the_display_gives_way_to_it() {
 fn a_picture_is_made_tile_by_tile_and_kept_whole() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = photographing(&dir);
-    game.set_canvas((8, 6), 8192);
-    game.begin_photo_of(2);
+    game.overlays.photo.set_canvas((8, 6), 8192);
+    game.overlays.photo.begin_of(&mut game.play, 2);
     for shade in 0..4 {
-        let (_, tile, size) = game.next_tile().unwrap();
+        let (_, tile, size) = game.overlays.photo.next_tile().unwrap();
         assert_eq!(tile.corner, (shade % 2 * 8, shade / 2 * 6));
-        assert!(game.next_tile().is_none(), "one tile at a time");
+        assert!(
+            game.overlays.photo.next_tile().is_none(),
+            "one tile at a time"
+        );
         let colour = Rgba([shade as u8, 0, 0, 255]);
-        game.keep_tile(Ok(RgbaImage::from_pixel(size.0, size.1, colour)));
+        let tile = RgbaImage::from_pixel(size.0, size.1, colour);
+        let photo = &mut game.overlays.photo;
+        photo.keep_tile(Ok(tile), &mut game.shots, &mut game.menus);
     }
     tick_until(&mut game, |_| pictures(&dir).len() == 1);
     game.finish();
@@ -130,20 +135,21 @@ fn a_screenshot_is_kept_and_told_and_a_failure_is_told_too() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
     game.begin_in("test", Album::at(dir.path().join("pictures")), None);
-    game.input(Input::Key("F12"), true);
+    input(&mut game, Input::Key("F12"), true);
     words(&mut game);
-    assert!(game.begin_screenshot() && !game.begin_screenshot());
-    game.keep_screenshot(Ok(RgbaImage::new(4, 3)));
+    assert!(game.shots.begin() && !game.shots.begin());
+    game.shots.keep(Ok(RgbaImage::new(4, 3)), &mut game.menus);
     tick_until(&mut game, |game| game.shots.is_idle());
     let said = words(&mut game);
     assert!(
         said.contains("Picture kept as") && said.contains("x 20"),
         "{said}"
     );
-    game.take_screenshot();
+    game.shots.want_of(&game.play.phase);
     words(&mut game);
-    assert!(game.begin_screenshot());
-    game.keep_screenshot(Err(RenderError::Readback("no memory".to_owned())));
+    assert!(game.shots.begin());
+    let error = RenderError::Readback("no memory".to_owned());
+    game.shots.keep(Err(error), &mut game.menus);
     assert!(words(&mut game).contains("no memory"));
     assert_eq!(pictures(&dir).len(), 1);
 }
@@ -160,10 +166,10 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
     });
     let mut game = Game::new(worlds(dir.path()), None, Some(request));
     tick_until(&mut game, Game::is_playing);
-    game.set_canvas((640, 360), 1280);
-    game.input(PHOTO, true);
-    game.take_key(Input::Key("KeyW"), true, false);
-    game.take_key(Input::Key("ShiftLeft"), true, false);
+    game.overlays.photo.set_canvas((640, 360), 1280);
+    input(&mut game, PHOTO, true);
+    take_key(&mut game, Input::Key("KeyW"), true, false);
+    take_key(&mut game, Input::Key("ShiftLeft"), true, false);
     let mut now = Instant::now();
     let mut last = game.frame(1.5, 360).unwrap();
     let mut crossed = false;
@@ -186,8 +192,8 @@ fn turning_to_another_window_leaves_the_photo_as_it_was_composed() {
     game.focus(true);
     game.focus(false);
     game.focus(true);
-    assert!(game.is_photographing(), "{:?}", game.phase);
-    assert!(game.take_key(Input::Key("Escape"), true, false));
+    assert!(game.overlays.is_photographing(), "{:?}", game.play.phase);
+    assert!(take_key(&mut game, Input::Key("Escape"), true, false));
     assert!(game.is_playing(), "one Esc leaves the photo mode only");
     game.finish();
 }
@@ -200,10 +206,10 @@ fn an_escape_that_is_held_leaves_the_photo_mode_and_no_more() {
     // As a window that gets the keyboard while the key is held is told of it: twice, and not as repeated.
     for _ in 0..2 {
         let repeats = down.repeats(KeyCode::Escape, true, false);
-        if !game.take_key(Input::Key("Escape"), true, repeats) && !repeats {
-            game.input(Input::Key("Escape"), true);
+        if !take_key(&mut game, Input::Key("Escape"), true, repeats) && !repeats {
+            input(&mut game, Input::Key("Escape"), true);
         }
     }
-    assert!(game.is_playing(), "{:?}", game.phase);
+    assert!(game.is_playing(), "{:?}", game.play.phase);
     game.finish();
 }

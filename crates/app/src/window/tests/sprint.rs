@@ -96,7 +96,7 @@ impl Run {
         let worlds = Worlds::new(&Cli::try_parse_from(words).unwrap().common);
         let mut game = Game::new(worlds, None, Some(request));
         tick_until(&mut game, Game::is_playing);
-        game.input(Input::Key("F4"), true);
+        input(&mut game, Input::Key("F4"), true);
         let mut run = Self {
             game,
             now: Instant::now() + Duration::from_secs(1),
@@ -111,16 +111,16 @@ impl Run {
     }
 
     fn scene(&mut self) -> &mut Scene {
-        &mut self.game.phase.session_mut().unwrap().scene
+        &mut self.game.play.phase.session_mut().unwrap().scene
     }
 
     /// Looks down by 0.3 radians, and sprints from now on.
     fn sprint(&mut self) {
-        let settings = &self.game.config.settings;
+        let settings = &self.game.options.config.settings;
         let down_px = 0.3 / settings.mouse_sensitivity_deg_per_px.to_radians();
         self.game.motion(0.0, down_px);
         for key in ["KeyW", "ShiftLeft"] {
-            self.game.input(Input::Key(key), true);
+            input(&mut self.game, Input::Key(key), true);
         }
     }
 
@@ -137,9 +137,10 @@ impl Run {
     fn paint(&mut self, frame: &Frame) {
         let pictured = &mut self.pictured;
         self.easel.submit(|renderer, encoder, target| {
-            assert!(pictured.paint(renderer, frame, encoder, target));
+            let stats = renderer.draw(frame, encoder, target);
+            assert!(pictured.note(&stats, frame.quality));
         });
         let is_whole = !self.easel.renderer.is_land_coming();
-        self.game.drawn(is_whole);
+        self.game.play.drawn(is_whole);
     }
 }

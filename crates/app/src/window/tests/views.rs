@@ -13,14 +13,14 @@ fn set(game: &mut Game, id: &'static str, on: bool) {
 fn hit_boxes_come_and_go_with_their_key() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    let scene = &mut game.phase.session_mut().unwrap().scene;
+    let scene = &mut game.play.phase.session_mut().unwrap().scene;
     let lamp = scene.feet().moved(glam::DVec3::X);
     assert!(scene.spawn_lamp(lamp));
     let shapes = |game: &mut Game| game.frame(1.5, 400).unwrap().hit_shapes.len();
     assert_eq!(shapes(&mut game), 0);
-    game.input(Input::Key("F3"), true);
+    input(&mut game, Input::Key("F3"), true);
     assert_eq!(shapes(&mut game), 1);
-    game.input(Input::Key("F3"), true);
+    input(&mut game, Input::Key("F3"), true);
     assert_eq!(shapes(&mut game), 0);
 }
 
@@ -28,12 +28,12 @@ fn hit_boxes_come_and_go_with_their_key() {
 fn the_menus_picture_shows_the_world_and_nothing_of_the_display() {
     let dir = tempfile::tempdir().unwrap();
     let mut game = playing(&dir);
-    let scene = &mut game.phase.session_mut().unwrap().scene;
+    let scene = &mut game.play.phase.session_mut().unwrap().scene;
     assert!(scene.spawn_lamp(scene.feet().moved(glam::DVec3::X)));
     // In hand it shows where it would hang.
     scene.inventory_mut().select(5);
     scene.aim(0.0, -1.2);
-    game.input(Input::Key("F3"), true);
+    input(&mut game, Input::Key("F3"), true);
     let seen = game.frame(1.5, 400).unwrap();
     assert!(seen.hand.is_some() && seen.marker.is_some() && !seen.hit_shapes.is_empty());
     let picture = game.portrait(400).unwrap();
@@ -85,7 +85,7 @@ fn straight_shots_reach_the_world_at_once_and_are_kept() {
     let cli = Cli::try_parse_from(["antipode"]).unwrap();
     let mut game = playing(&dir);
     game.begin_with(open(Some(file.clone())), &cli.common);
-    let straight = |game: &Game| game.phase.session().unwrap().scene.straight_shots();
+    let straight = |game: &Game| game.play.phase.session().unwrap().scene.straight_shots();
     assert!(!straight(&game), "bullets fall unless asked");
     set(&mut game, "straight-shots", true);
     assert!(straight(&game));

@@ -15,14 +15,15 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
     for (geometry, third) in [(Geometry::Euclidean, false), (Geometry::Spherical, true)] {
         let mut film = Film::new(geometry);
         if third {
-            film.game.input(Input::Key("Tab"), true);
+            input(&mut film.game, Input::Key("Tab"), true);
             film.shoot(2);
         }
         film.at(240);
         let start = film.picture().eye;
-        film.game.input(AHEAD, true);
+        input(&mut film.game, AHEAD, true);
         let rad_per_px = film
             .game
+            .options
             .config
             .settings
             .mouse_sensitivity_deg_per_px
@@ -59,8 +60,8 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
 #[test]
 fn a_stick_turns_the_view_in_every_frame_alike() {
     let mut film = Film::new(Geometry::Euclidean);
-    film.game.sticks.set(Axis::RightX, 1.0);
-    let speed_deg_s = film.game.config.settings.pad_look_speed_deg_per_s;
+    film.game.devices.sticks.set(Axis::RightX, 1.0);
+    let speed_deg_s = film.game.options.config.settings.pad_look_speed_deg_per_s;
     for rate in RATES {
         film.at(rate);
         let due_rad = speed_deg_s.to_radians() / f64::from(rate);
@@ -86,8 +87,8 @@ fn what_is_dug_stays_under_the_crosshair_of_one_who_walks_and_turns() {
         let heading = film.scene().eye().yaw;
         film.scene().aim(heading, -0.35);
         film.at(144);
-        film.game.input(AHEAD, true);
-        film.game.input(Input::Mouse(MouseButton::Left), true);
+        input(&mut film.game, AHEAD, true);
+        input(&mut film.game, Input::Mouse(MouseButton::Left), true);
         film.shoot(6);
         let mut marked = 0;
         for _ in 0..60 {
@@ -118,37 +119,37 @@ fn assert_alike(a: &Frame, b: &Frame) {
 #[test]
 fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() {
     let mut film = Film::new(Geometry::Spherical);
-    film.game.input(AHEAD, true);
+    input(&mut film.game, AHEAD, true);
     film.shoot(20);
     film.at(240);
     film.shoot(50);
     for ends in ["Escape", "KeyP"] {
-        film.game.input(AHEAD, true);
+        input(&mut film.game, AHEAD, true);
         film.shoot(21);
         // The world is between two steps, and the view has been turned since the last.
         while film.pass() {}
         film.game.motion(31.0, 7.0);
         let last = film.picture();
         assert_ne!(last.eye.point, film.scene().eye().point);
-        film.game.input(Input::Key(ends), true);
+        input(&mut film.game, Input::Key(ends), true);
         for _ in 0..50 {
             film.pass();
             let still = film.picture();
             if ends == "Escape" {
                 assert_alike(&still, &last);
             } else {
-                assert!(film.game.is_photographing());
+                assert!(film.game.overlays.is_photographing());
                 assert_eq!((still.eye, still.sky), (last.eye, last.sky));
             }
         }
         if ends == "Escape" {
             film.game.follow(Intent::Resume);
         } else {
-            film.game.take_key(Input::Key("Escape"), true, false);
+            take_key(&mut film.game, Input::Key("Escape"), true, false);
         }
         assert!(film.game.is_playing());
         assert_alike(&film.picture(), &last);
-        film.game.input(AHEAD, true);
+        input(&mut film.game, AHEAD, true);
         let next = film.shoot(1).remove(0);
         assert!(next.eye.point.pos.distance(last.eye.point.pos) < 0.05);
         assert!((next.eye.yaw - last.eye.yaw).abs() < 1e-9);
@@ -179,7 +180,7 @@ fn sun_and_dial_move_in_every_frame() {
 fn who_is_put_elsewhere_is_seen_there_and_nowhere_between() {
     let mut film = Film::new(Geometry::Euclidean);
     film.at(240);
-    film.game.input(Input::Key("Tab"), true);
+    input(&mut film.game, Input::Key("Tab"), true);
     film.shoot(8);
     let feet = film.scene().feet();
     film.scene().set_flying(true);

@@ -21,11 +21,12 @@ impl Run {
         self.game.waits.spent_on(Part::Interface);
         let (pictured, waits) = (&mut self.pictured, &mut self.game.waits);
         self.easel.submit(|renderer, encoder, target| {
-            assert!(pictured.paint(renderer, &frame, encoder, target));
+            let stats = renderer.draw(&frame, encoder, target);
+            assert!(pictured.note(&stats, frame.quality));
             waits.spent_on(Part::Record);
         });
         let is_whole = !self.easel.renderer.is_land_coming();
-        self.game.drawn(is_whole);
+        self.game.play.drawn(is_whole);
         self.game.waits.spent_on(Part::Drawing);
         self.game.waits.shown();
         self.game.waits.rest();

@@ -1,0 +1,59 @@
+//! The display over the world that is played: what of it is shown, and what it tells.
+
+use antipode_language::Texts;
+use antipode_scene::Scene;
+use antipode_scene::frame::Frame;
+use antipode_settings::Settings;
+use antipode_ui::HudModel;
+
+use super::framerate::FrameRate;
+use super::phase::Phase;
+use super::play::Play;
+use crate::drawn::Drawn;
+use crate::hud;
+use crate::navigator::{Navigator, columns_for};
+
+/// What the player looks at besides the world.
+#[derive(Debug, Default)]
+pub struct Display {
+    pub(super) hidden: bool,
+    pub(super) figures: bool,
+    pub(super) hit_shapes: bool,
+    pub(super) fps: FrameRate,
+    /// What the last frame was drawn with, and the adapter's own time in milliseconds where it can tell.
+    pub(super) drawn: Option<(Drawn, Option<f64>)>,
+    navigator: Navigator,
+}
+
+impl Display {
+    /// What it shows of a world that is played.
+    pub fn model(&mut self, texts: &Texts, settings: &Settings, play: &Play) -> Option<HudModel> {
+        let session = match &play.phase {
+            Phase::Playing(session) if !self.hidden => session,
+            _ => return None,
+        };
+        let scene = &session.scene;
+        let fps = self.fps.value();
+        let frame_ms = (fps > 0.0).then(|| 1000.0 / f64::from(fps));
+        let figures = self.drawn.filter(|_| self.figures).map(|(drawn, gpu_ms)| {
+            drawn.figures(texts, scene, frame_ms, gpu_ms, play.pace.dropped_s())
+        });
+        let seen = session.between.seen(scene);
+        let mut model = hud::model(texts, scene, &seen, fps, figures);
+        let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
+        let surveyed = (play.opened, columns);
+        self.navigator
+            .add_to(&mut model, (scene, &seen), settings, surveyed);
+        Some(model)
+    }
+
+    /// Adds to a picture of the world what is asked for, and leaves out what is hidden.
+    pub fn apply_to(&self, frame: &mut Frame, scene: &Scene) {
+        if self.hidden {
+            (frame.hand, frame.marker) = (None, None);
+        }
+        if self.hit_shapes {
+            frame.hit_shapes = scene.hit_shapes();
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! What the lines of the console make the game do; nothing waits for it.
+
+use std::path::Path;
+
+use antipode_language::{Texts, Value};
+use antipode_scene::Scene;
+use antipode_storage::{StorageError, WorldSummary};
+use antipode_ui::LineKind::{self, Answer, Problem};
+use antipode_ui::legible_name;
+
+use super::game::Game;
+use super::phase::{Next, Phase, Request};
+use crate::bindings::Input;
+use crate::console::{HELP, help};
+use crate::controls::Controls;
+use crate::failure::Failure;
+use crate::script::{Host, Order, command_named, obey, parse_line, probe_text, steps_in};
+use crate::session::{NewWorld, Worlds};
+use crate::wording;
+
+impl Game {
+    /// Does what a line says, and answers below it.
+    pub(super) fn enter(&mut self, line: &str) {
+        let mut words = line.split_whitespace();
+        let name = words.next().unwrap_or_default();
+        let texts = &self.menus.texts;
+        if name == HELP.name {
+            return match help(texts, words.next()) {
+                Ok(words) => self.write(Answer, &words),
+                Err(words) => self.write(Problem, &words),
+            };
+        }
+        let order = match parse_line(line) {
+            Ok(Some(order)) => order,
+            Ok(None) => return,
+            Err(what) => {
+                let Some(command) = command_named(name) else {
+                    let words = help(texts, Some(name)).err().unwrap_or_default();
+                    return self.write(Problem, &words);
+                };
+                let (words, usage) = (sentence(texts, &what), command.usage);
+                self.write(Problem, &words);
+                return self.write(Answer, &format!("{name} {usage}"));
+            }
+        };
+        let was_marked = self.is_marked();
+        match obey(self, &order) {
+            Ok(()) if !was_marked && self.is_marked() => self.reply(Answer, "console-marked", &[]),
+            Ok(()) => {}
+            Err(Failure::Usage(what) | Failure::Script(what)) => {
+                let words = sentence(&self.menus.texts, &what);
+                self.write(Problem, &words);
+            }
+            Err(failure) => {
+                let worlds = self.menus.list.worlds();
+                let words = wording::failure(&self.menus.texts, &failure, worlds);
+                self.write(Problem, &words);
+            }
+        }
+    }
+
+    fn is_marked(&self) -> bool {
+        let session = self.play.phase.session();
+        session.is_some_and(|session| session.scene.cheated())
+    }
+
+    fn write(&mut self, kind: LineKind, words: &str) {
+        self.overlays.console.view.say(words, kind);
+    }
+
+    fn reply(&mut self, kind: LineKind, key: &str, values: &[(&str, Value<'_>)]) {
+        let words = self.menus.texts.say_with(key, values);
+        self.write(kind, &words);
+    }
+
+    fn list_worlds(&mut self) -> Result<(), Failure> {
+        let worlds = self.play.worlds.list()?;
+        if worlds.is_empty() {
+            self.reply(Answer, "console-no-worlds", &[]);
+        }
+        for world in worlds {
+            let words = told(&self.menus.texts, &world);
+            self.write(Answer, &words);
+        }
+        Ok(())
+    }
+
+    fn probe_here(&mut self) -> Result<(), Failure> {
+        let probe = self.scene()?.probe();
+        let fps = f64::from(self.display.fps.value());
+        let console = &self.overlays.console;
+        let words = probe_text(
+            &probe,
+            (fps > 0.0).then_some(fps),
+            &console.adapter,
+            self.display.drawn.map(|(drawn, _)| drawn).as_ref(),
+            self.play.pace.dropped_s(),
+        )?;
+        self.write(Answer, &words);
+        Ok(())
+    }
+
+    fn shoot_as(&mut self, file: &str) {
+        let file = Path::new(file);
+        let stem = file.file_stem().and_then(std::ffi::OsStr::to_str);
+        if let (Some(stem), 1) = (stem, file.components().count()) {
+            self.shots.want(stem.to_owned());
+            return;
+        }
+        let values = [("dir", self.shots.album.dir().display().to_string().into())];
+        self.reply(Problem, "console-shot-name", &values);
+    }
+}
+
+impl Host for Game {
+    fn scene(&mut self) -> Result<&mut Scene, Failure> {
+        match &mut self.play.phase {
+            Phase::Playing(session) => Ok(&mut session.scene),
+            _ => Err(Failure::Usage("no world is open".to_owned())),
+        }
+    }
+
+    fn worlds(&mut self) -> &mut Worlds {
+        &mut self.play.worlds
+    }
+
+    fn controls(&mut self) -> &mut Controls {
+        &mut self.devices.controls
+    }
+
+    fn open_slug(&self) -> Option<&str> {
+        Some(self.play.phase.slug()).filter(|slug| !slug.is_empty())
+    }
+
+    fn set_own(&mut self, id: &'static str, value: antipode_settings::Value) {
+        self.set_option(id, value);
+    }
+
+    fn press(&mut self, input: Input) {
+        self.press_input(input);
+    }
+
+    fn step(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn arrive(&mut self) -> Result<(), Failure> {
+        Ok(())
+    }
+
+    fn own(&mut self, order: &Order) -> Result<(), Failure> {
+        match order {
+            Order::New(wanted) => {
+                let request = named(&self.play.worlds, wanted)?;
+                self.leave(Next::Open(request));
+            }
+            Order::Load(name) => {
+                let slug = self.play.worlds.saves().find(name)?.slug;
+                if self.open_slug() == Some(&slug) {
+                    let values = [("name", name.into())];
+                    self.reply(Answer, "console-open-already", &values);
+                } else {
+                    self.leave(Next::Open(Request::Load(slug)));
+                }
+            }
+            Order::Save if self.scene()?.is_kept() => {
+                self.play.save();
+                self.reply(Answer, "console-saving", &[]);
+            }
+            Order::Save => self.reply(Problem, "console-not-kept", &[]),
+            Order::List => self.list_worlds()?,
+            Order::Quit => self.leave(Next::Quit),
+            Order::Hold(input, time_s) => {
+                self.press_input(*input);
+                self.devices.hold_for(*input, steps_in(*time_s).max(1));
+            }
+            Order::Wait(_) => self.reply(Problem, "console-no-wait", &[]),
+            Order::Settle(_) => match self.scene()?.pending() {
+                0 => self.reply(Answer, "console-settled", &[]),
+                count => self.reply(Answer, "console-unsettled", &[("count", count.into())]),
+            },
+            Order::Probe => self.probe_here()?,
+            Order::Shot(file) => self.shoot_as(file),
+            Order::Perf(_) => self.reply(Problem, "console-no-perf", &[]),
+            // The rest is carried out alike everywhere.
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+fn sentence(texts: &Texts, what: &str) -> String {
+    let details = what.trim_end_matches('.').into();
+    texts.say_with("console-refused", &[("details", details)])
+}
+
+fn named(worlds: &Worlds, wanted: &NewWorld) -> Result<Request, Failure> {
+    let name = match &wanted.name {
+        Some(name) => {
+            let checked = worlds.saves().check_name(name);
+            checked.map_err(StorageError::Name)?;
+            name.clone()
+        }
+        // Who plays it will want to keep it.
+        None => worlds.free_name(),
+    };
+    Ok(Request::New(NewWorld {
+        name: Some(name),
+        ..wanted.clone()
+    }))
+}
+
+fn told(texts: &Texts, world: &WorldSummary) -> String {
+    let name = legible_name(world.name(), &world.slug);
+    let Some(meta) = &world.meta else {
+        return name.into_owned();
+    };
+    let space = meta.geometry.parse();
+    let space = space.map_or_else(
+        |_| meta.geometry.clone(),
+        |space| wording::geometry(texts, space),
+    );
+    let values = [
+        ("name", name.into()),
+        ("space", space.into()),
+        ("seed", meta.seed.to_string().into()),
+    ];
+    texts.say_with("console-world", &values)
+}
