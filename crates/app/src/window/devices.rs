@@ -28,7 +28,7 @@ impl Devices {
     }
 
     /// Whether the player has turned to another window.
-    pub fn are_elsewhere(&self) -> bool {
+    pub fn lost_focus(&self) -> bool {
         self.focused == Some(false)
     }
 

@@ -92,7 +92,7 @@ impl Game {
         self.hints.go_on(&config.learnt);
         self.menus.texts = crate::options::texts(&config.settings);
         let controls = &mut self.devices.controls;
-        self.options.hold(controls, &mut self.play);
+        self.options.apply(controls, &mut self.play);
         self.menus.tell_settings(&opened.notices);
     }
 
@@ -126,7 +126,7 @@ impl Game {
         let wanted = crate::options::frame_time(&self.options.config.settings);
         let least = match self.play.phase {
             Phase::Menu if self.menus.software.is_none() => Duration::ZERO,
-            Phase::Menu if self.devices.are_elsewhere() => UNWATCHED_FRAME,
+            Phase::Menu if self.devices.lost_focus() => UNWATCHED_FRAME,
             Phase::Menu => SOFTWARE_FRAME,
             _ => Duration::ZERO,
         };
@@ -146,7 +146,7 @@ impl Game {
 
     /// Pauses the world, if one is played.
     pub(super) fn pause(&mut self) {
-        self.take_down();
+        self.close_overlays();
         self.play.pause(&mut self.menus);
     }
 
@@ -158,7 +158,7 @@ impl Game {
 
     /// Closes what is open, then goes on.
     pub(super) fn leave(&mut self, next: Next) {
-        self.take_down();
+        self.close_overlays();
         self.play.leave(next, &mut self.menus);
     }
 
@@ -169,7 +169,7 @@ impl Game {
 
     /// Nothing can be shown any more: saves what is open and ends without asking.
     pub fn end_unseen(&mut self) {
-        self.take_down();
+        self.close_overlays();
         self.play.end_unseen(&mut self.menus);
     }
 
@@ -182,9 +182,9 @@ impl Game {
     }
 
     /// The world is left or paused: nothing is held, and nothing is up over it.
-    fn take_down(&mut self) {
+    fn close_overlays(&mut self) {
         let (devices, play) = (&mut self.devices, &mut self.play);
-        self.overlays.take_down(devices, play, &mut self.menus);
+        self.overlays.close_all(devices, play, &mut self.menus);
         self.devices.release_all();
     }
 
@@ -211,15 +211,15 @@ impl Game {
                 let feel = (!self.overlays.are_up()).then(|| Feel::from(settings));
                 let hints = settings.hints.then_some(&mut self.hints);
                 let (devices, waits) = (&mut self.devices, &mut self.waits);
-                self.play.pass(passed, devices, feel, hints, waits);
+                self.play.advance(passed, devices, feel, hints, waits);
             }
             Phase::Paused(session) => {
                 session.scene.pump(CHUNK_BUDGET);
                 self.play.keep_saved(passed, true);
             }
             _ => {
-                let elsewhere = self.devices.are_elsewhere();
-                self.play.get_on(&mut self.menus, settings, elsewhere);
+                let elsewhere = self.devices.lost_focus();
+                self.play.poll(&mut self.menus, settings, elsewhere);
             }
         }
         let profiles = &self.options.config.profiles;

@@ -24,7 +24,6 @@ mod orders;
 mod overlays;
 mod pace;
 mod pads;
-mod passage;
 mod phase;
 mod photo;
 mod play;

@@ -84,7 +84,7 @@ impl Open {
         self.game.tick(now);
         self.follow_settings();
         let game = &mut self.game;
-        let (settings, elsewhere) = (&game.options.config.settings, game.devices.are_elsewhere());
+        let (settings, elsewhere) = (&game.options.config.settings, game.devices.lost_focus());
         let heard = game.play.take_heard();
         game.menus.sound_trouble = self.ears.listen(settings, elsewhere, heard);
         if !self.game.is_playing() {

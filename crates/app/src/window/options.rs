@@ -65,12 +65,12 @@ impl Options {
             "hyperbolic-map" => play.turn_to(options::map(settings)),
             _ => {}
         }
-        self.hold(controls, play);
+        self.apply(controls, play);
         self.keeper.save(&self.config);
     }
 
     /// Everything here holds from now on.
-    pub fn hold(&self, controls: &mut Controls, play: &mut Play) {
+    pub fn apply(&self, controls: &mut Controls, play: &mut Play) {
         controls.set_config(&self.config);
         let settings = &self.config.settings;
         let quality = self.quality.unwrap_or_else(|| options::quality(settings));

@@ -40,7 +40,7 @@ impl Overlays {
     }
 
     /// Takes everything down, since the world is left or paused.
-    pub fn take_down(&mut self, devices: &mut Devices, play: &mut Play, menus: &mut Menus) {
+    pub fn close_all(&mut self, devices: &mut Devices, play: &mut Play, menus: &mut Menus) {
         self.console.view.close();
         self.photo.leave(devices, play, menus);
         self.backpack.close(devices, play);

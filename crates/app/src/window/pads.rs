@@ -47,14 +47,14 @@ impl Pads {
                 }
                 // Pads are told to everybody, whichever window has the keyboard.
                 PadEvent::Button { pressed: true, .. } | PadEvent::Stick { .. }
-                    if game.devices.are_elsewhere() => {}
+                    if game.devices.lost_focus() => {}
                 PadEvent::Button { button, pressed } => {
                     self.button(game, button, pressed, &mut keys);
                 }
                 PadEvent::Stick { axis, value } => self.sticks.set(axis, value),
             }
         }
-        if game.devices.are_elsewhere() {
+        if game.devices.lost_focus() {
             self.let_go(game);
         }
         game.devices.sticks = self.sticks;

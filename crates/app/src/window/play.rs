@@ -1,5 +1,7 @@
 //! The world that is played: its time against the wall's, its saves, and words of what came up in it.
 
+mod passage;
+
 use std::time::Duration;
 
 use antipode_audio::{Heard, Place as Listening};
@@ -43,11 +45,11 @@ pub struct Play {
     /// The player has asked for a save and is owed an answer.
     pub(super) saving: bool,
     /// Since the open world was last given to be saved, in seconds of the wall clock.
-    pub(super) since_save_s: f64,
+    since_save_s: f64,
     /// Where the player was going when the world could not be saved.
     pub(super) held_up: Option<Next>,
     /// Nothing can be shown any more, so nothing can be asked either.
-    pub(super) unseen: bool,
+    unseen: bool,
     /// What could not be saved when nothing could be shown any more.
     pub(super) last_words: Option<String>,
 }
@@ -101,7 +103,7 @@ impl Play {
     }
 
     /// Lets time pass in the world: as many steps as are due. `feel`: how the sticks answer, where they are for the world.
-    pub fn pass(
+    pub fn advance(
         &mut self,
         passed: Duration,
         devices: &mut Devices,

@@ -5,11 +5,11 @@ use std::time::Duration;
 use antipode_settings::Settings;
 use antipode_ui::{Screen, ToastKind, legible_name};
 
-use super::background::{Progress, Task};
-use super::menus::Menus;
-use super::phase::{Closing, Next, Opening, Phase, Request};
-use super::play::{CHUNK_BUDGET, Play};
-use super::veil::Veil;
+use super::super::background::{Progress, Task};
+use super::super::menus::Menus;
+use super::super::phase::{Closing, Next, Opening, Phase, Request};
+use super::super::veil::Veil;
+use super::{CHUNK_BUDGET, Play};
 use crate::options;
 use crate::session::{Session, Unclosed};
 use crate::wording;
@@ -80,7 +80,7 @@ impl Play {
     }
 
     /// Goes on with what takes its time: opening, loading, closing. `elsewhere`: the player has turned to another window.
-    pub fn get_on(&mut self, menus: &mut Menus, settings: &Settings, elsewhere: bool) {
+    pub fn poll(&mut self, menus: &mut Menus, settings: &Settings, elsewhere: bool) {
         self.phase = match std::mem::take(&mut self.phase) {
             Phase::Opening(task) => self.opening(task, menus, settings, elsewhere),
             Phase::Loading(session) => self.loading(session, menus, elsewhere),
