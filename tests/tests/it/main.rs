@@ -17,6 +17,7 @@ mod maps;
 mod marker;
 mod npc;
 mod pictures;
+mod purity;
 mod saves;
 mod scenario;
 mod seam;

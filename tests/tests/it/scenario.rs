@@ -1,6 +1,6 @@
 //! Whole games by script: what a player does must come out, and come back after saving.
 
-use antipode_tests::program::{comparable, field, game, number, run, run_with};
+use antipode_tests::program::{comparable, field, game, number, run};
 use serde_json::Value;
 
 const SPACES: [&str; 3] = ["euclidean", "hyperbolic", "spherical"];
@@ -67,64 +67,6 @@ fn the_same_script_gives_the_same_probes() {
     for n in 0..2 {
         assert_eq!(comparable(a.probe(n)), comparable(b.probe(n)));
     }
-}
-
-#[test]
-fn whatever_is_chosen_of_the_picture_and_the_machine_the_probes_are_the_same() {
-    let settings = "(schema: 1, settings: {\"language\": \"de\", \"reduced-motion\": true, \"head-dip\": false, \
-                    \"volume-master\": 0.0, \"field-of-view\": 100.0, \"ui-scale\": 1.5})";
-    let ways: [&[&str]; 3] = [
-        &["--adapter", "software", "--size", "320x200", "--config"],
-        &[
-            "--adapter",
-            "none",
-            "--view-distance",
-            "2",
-            "--quality",
-            "fast",
-            "--config",
-        ],
-        &[
-            "--adapter",
-            "none",
-            "--view-distance",
-            "6",
-            "--size",
-            "1920x1080",
-        ],
-    ];
-    for (space, turns_the_dial) in SPACES.into_iter().zip([false, true, false]) {
-        let dial = if turns_the_dial { "scroll 5\n" } else { "" };
-        let script = format!(
-            "new {space} seed=5\nhold KeyW 2\naim 30 -40\n{dial}hold LEFT 1.2\nhold KeyD 1\ntap Space\nwait 0.5\nprobe\n\
-             tap Digit1\nhold LEFT 0.1\nwait 0.3\nhold KeyS 1\nprobe"
-        );
-        let saves = tempfile::tempdir().unwrap();
-        let file = saves.path().join("chosen.ron");
-        std::fs::write(&file, settings).unwrap();
-        let usual = run(saves.path(), &script);
-        for options in ways {
-            let mut options = options.to_vec();
-            if options.last() == Some(&"--config") {
-                options.push(file.to_str().unwrap());
-            }
-            let other = run_with(saves.path(), &script, &options);
-            assert!(!other.stderr.contains("chosen.ron"), "{}", other.stderr);
-            for n in 0..2 {
-                let (a, b) = (simulated(usual.probe(n)), simulated(other.probe(n)));
-                assert_eq!(a, b, "{space} with {options:?}");
-            }
-        }
-    }
-}
-
-/// What of a probe is the world's.
-fn simulated(probe: &Value) -> Value {
-    let mut simulated = comparable(probe);
-    for picture in ["quality", "picture"] {
-        simulated.as_object_mut().unwrap().remove(picture);
-    }
-    simulated
 }
 
 #[test]

@@ -52,6 +52,9 @@ pub struct Play {
     unseen: bool,
     /// What could not be saved when nothing could be shown any more.
     pub(super) last_words: Option<String>,
+    /// Whether each step waits for its land, as those of a script do: for tests of what else a frame may change.
+    #[cfg(test)]
+    pub(super) awaits_land: bool,
 }
 
 impl Play {
@@ -69,6 +72,8 @@ impl Play {
             held_up: None,
             unseen: false,
             last_words: None,
+            #[cfg(test)]
+            awaits_land: false,
         }
     }
 
@@ -141,6 +146,10 @@ impl Play {
             actions.aimed = Some(session.scene.aim_of_picture());
             let between = &mut session.between;
             between.step(&mut session.scene, &actions, left == 0);
+            #[cfg(test)]
+            if self.awaits_land {
+                session.scene.wait_for_step(Duration::from_mins(2));
+            }
             devices.step();
         }
         waits.spent_on(Part::Steps);

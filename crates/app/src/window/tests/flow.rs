@@ -2,6 +2,7 @@
 //! turned is seen at once, and the world knows nothing of it.
 
 mod moments;
+mod purity;
 
 use std::sync::Arc;
 
