@@ -1,5 +1,4 @@
-//! What an eye looks through: the lens that the player aims by, which has a part in the world, and that of the picture,
-//! which has none.
+//! What the player looks and aims through, which has a part in the world. The picture's own lens has none: see `moment`.
 //!
 //! The simulation's own lens glides in simulated time and its head dips, however the player wants to see the world. Who
 //! plays aims by the picture, so an action may tell the lens of the picture it was made by; what is dug is then what the
@@ -40,7 +39,7 @@ pub(crate) struct Optics {
     pub own: bool,
 }
 
-/// What the player looks and aims through, if the actions do not tell.
+/// What the player looks and aims through: what the actions tell, or else the simulation's own lens.
 #[derive(Debug)]
 pub(crate) struct Gaze {
     pub camera: CameraMode,

@@ -167,16 +167,17 @@ impl Scene {
     /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
     /// ground is there. Returns whether there was room for one more.
     pub fn spawn_car(&mut self, point: ChartPoint, yaw: f64) -> bool {
-        self.kept.changed = true;
         let (world, actors) = (&self.sim.world, &mut self.sim.actors);
-        actors.cars.spawn(world, point, yaw)
+        let has_room = actors.cars.spawn(world, point, yaw);
+        self.kept.changed |= has_room;
+        has_room
     }
 
     /// Gives the world its first car, near the start, if it has had none yet.
     pub fn give_first_car(&mut self) {
-        self.kept.changed = true;
         let start = self.now().start();
-        car::give_first(&self.sim.world, &mut self.sim.actors.cars, start);
+        let cars = &mut self.sim.actors.cars;
+        self.kept.changed |= car::give_first(&self.sim.world, cars, start);
     }
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
@@ -234,7 +235,6 @@ impl Scene {
     pub fn set_viewing(&mut self, viewing: Viewing) {
         self.shown.viewing = viewing;
         self.renew_picture();
-        self.refresh_marker();
     }
 
     /// Sets how much exactness pictures trade for speed; no part of the world, so nothing of it is saved.

@@ -1,4 +1,4 @@
-//! The scene: one world, its player and its ground, and what others may ask of it.
+//! The scene: how a world is opened and stepped.
 
 use std::sync::Arc;
 

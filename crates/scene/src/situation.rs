@@ -124,9 +124,9 @@ impl<'a> Situation<'a> {
     }
 }
 
-/// Whether the ground around the player exists with its colliders.
+/// Whether the ground around the player exists with its colliders, whatever the view has made of it.
 pub(crate) fn is_ground_ready(world: &World, actors: &Actors) -> bool {
     chunks_near(&*world.strategy, actors.feet(), NEEDED_AROUND_M)
         .into_iter()
-        .all(|coord| world.streamer.is_ready(coord))
+        .all(|coord| world.streamer.is_firm(coord))
 }

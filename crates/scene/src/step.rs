@@ -53,7 +53,8 @@ impl Simulation {
         npc::step(world, actors, player, outbox);
         if harm::heal(actors, player) {
             harm::respawn(world, actors, player);
-            world.centre_on_body(actors.feet());
+            let head = Situation::of(world, actors, player).head();
+            world.centre_on(head.point, actors.feet());
             outbox.hints.push(Hint::BackAgain);
         }
         world.pass(STEP_S);

@@ -128,7 +128,10 @@ impl Scene {
             player,
             ..
         } = &mut self.sim;
-        player.body_unchecked && is_ground_ready(world, actors) && body::free(world, actors, player)
+        let is_due = player.body_unchecked && is_ground_ready(world, actors);
+        let freed = is_due && body::free(world, actors, player);
+        self.kept.changed |= freed;
+        freed
     }
 
     /// Waits for the ground that a step, a probe or a lift may ask about.

@@ -107,7 +107,9 @@ fn keep_between_limits(world: &World, cars: &mut Cars) {
         return;
     };
     for number in 0..cars.states.len() {
-        let motion = cars.vehicles.all()[number].motion();
+        let Some(motion) = cars.vehicles.all().get(number).map(Vehicle::motion) else {
+            continue;
+        };
         let y = motion
             .place
             .y

@@ -211,10 +211,10 @@ impl CarView {
     }
 }
 
-/// Gives the world its first car, near the start, if it has had none yet.
-pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) {
+/// Gives the world its first car, near the start, if it has had none yet; returns whether it did.
+pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) -> bool {
     if cars.given {
-        return;
+        return false;
     }
     cars.given = true;
     let heights = |at: DVec3| {
@@ -241,9 +241,10 @@ pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) {
             }
         }
     }
-    if let Some((_, at)) = best {
-        cars.spawn(world, ChartPoint::new(start.hemisphere, at), FIRST_YAW_RAD);
-    }
+    best.is_some_and(|(_, at)| {
+        let point = ChartPoint::new(start.hemisphere, at);
+        cars.spawn(world, point, FIRST_YAW_RAD)
+    })
 }
 
 /// The records of all cars.
