@@ -29,6 +29,8 @@ mod overlay;
 mod page_check;
 #[cfg(test)]
 mod power_cut;
+mod record;
+mod record_shapes;
 mod regular;
 mod salvage;
 mod saves;
@@ -36,6 +38,7 @@ mod schema;
 mod schema_history;
 mod scratch;
 mod slug;
+mod state;
 mod store;
 mod summary;
 mod survey;
@@ -50,14 +53,15 @@ pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError, is_unprintable};
 pub use page_check::check_pages;
+pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord, PlayerRecord,
-    SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
+    PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord, WorldMeta, WorldState,
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};
-pub use world::{Batch, WorldStore};
+pub use world::{Batch, WorldStore, Written};
 
 /// Name of the store inside a world's directory.
 pub const WORLD_FILE: &str = "world.redb";

@@ -1,18 +1,20 @@
 //! What is left of a damaged store: by its index as far as that goes, then by
 //! searching the bare bytes for sealed records.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
+use crate::record::{KeyParts, Record as Thing, RecordKind};
 use crate::regular;
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
 };
-use crate::store::{META_KEY, STATE_KEY, Store};
+use crate::store::{META_KEY, Put, STATE_KEY, Store};
+use crate::survey::what_record;
 use crate::world;
 
 /// How often, on average, a byte may be looked at in the search for records. A record costs
@@ -25,7 +27,16 @@ const WINDOW_BYTES: u64 = 32 << 20;
 #[derive(Default)]
 pub(crate) struct Salvage {
     meta: Option<(u64, WorldMeta)>,
+    /// The state of a world up to version 6.
     state: Option<(u64, WorldState)>,
+    /// Records of things by their keys, of whatever kind.
+    things: BTreeMap<Vec<u8>, Packed>,
+    /// Keys of things that the index led to, but to a damaged record.
+    damaged_things: BTreeSet<Vec<u8>>,
+    /// Whether the index led to everything: what it did not lead to is gone then, and not lost.
+    by_index: bool,
+    /// Chunks of charts that only a later game knows, by their keys.
+    strange_chunks: BTreeMap<Vec<u8>, Packed>,
     /// Chunks as they were packed, which is a small part of what they are unpacked.
     chunks: BTreeMap<ChunkKey, Packed>,
     /// The last commit that the index led to, or that anything tells of.
@@ -37,11 +48,38 @@ pub(crate) struct Salvage {
     searched: Option<u64>,
 }
 
-/// A chunk's record, known to unpack.
+/// A record as it was sealed; a chunk's is known to unpack.
 struct Packed {
     sequence: u64,
     version: u16,
     body: Vec<u8>,
+}
+
+impl Packed {
+    fn of(record: &Record<'_>) -> Self {
+        Self {
+            sequence: record.sequence,
+            version: record.version,
+            body: record.body.to_vec(),
+        }
+    }
+
+    /// Remembers a record under its key if it is newer than what is there.
+    fn put_newer(all: &mut BTreeMap<Vec<u8>, Self>, record: &Record<'_>) {
+        let known = all.get(record.key);
+        if known.is_none_or(|known| record.sequence > known.sequence) {
+            all.insert(record.key.to_vec(), Self::of(record));
+        }
+    }
+
+    /// The same, sealed anew.
+    fn put(&self, kind: Kind, key: &[u8], sequence: u64) -> Put {
+        Put {
+            kind,
+            key: key.to_vec(),
+            bytes: Some(codec::seal(self.version, kind, key, sequence, &self.body)),
+        }
+    }
 }
 
 impl Salvage {
@@ -57,12 +95,14 @@ impl Salvage {
 
     /// Whether the state was found.
     pub(crate) fn has_state(&self) -> bool {
-        self.state.is_some()
+        let player = RecordKind::Player.single().to_bytes();
+        self.things.contains_key(&player) || (self.things.is_empty() && self.state.is_some())
     }
 
     /// The meta record as [`Self::write`] stores it.
     pub(crate) fn sealed_meta(&self, meta: &WorldMeta) -> Result<Vec<u8>, StorageError> {
-        world::sealed(meta, META_KEY, codec::next_commit(self.last), &meta.name)
+        let put = world::sealed_meta(meta, codec::next_commit(self.last), &meta.name)?;
+        Ok(put.bytes.unwrap_or_default())
     }
 
     /// Reads by the index if that can be trusted, changing nothing; then searches the bare
@@ -72,6 +112,7 @@ impl Salvage {
         let mut salvage = Self::default();
         let by_index = salvage.scan(path, world)?;
         // With a whole index, what is newer than its last commit was never committed.
+        salvage.by_index = by_index;
         let last = if by_index && salvage.last > 0 {
             salvage.last
         } else {
@@ -97,6 +138,9 @@ impl Salvage {
         let scanned = Store::open_to_read(path, world).and_then(|store| {
             store.scan(|raw| match codec::unseal(&raw.bytes) {
                 Ok(record) if record.key == raw.key => self.add(&record),
+                _ if raw.kind == Kind::Record => {
+                    self.damaged_things.insert(raw.key);
+                }
                 _ if raw.kind == Kind::Chunk => {
                     self.damaged.extend(ChunkKey::from_bytes(&raw.key));
                 }
@@ -116,6 +160,7 @@ impl Salvage {
             Kind::Meta => newest(&mut self.meta, record, META_KEY.as_bytes()),
             Kind::State => newest(&mut self.state, record, STATE_KEY.as_bytes()),
             Kind::Chunk => self.add_chunk(record),
+            Kind::Record => self.add_thing(record),
         };
         match added {
             Ok(()) => self.last = self.last.max(record.sequence),
@@ -128,42 +173,86 @@ impl Salvage {
 
     fn add_chunk(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
         schema::check::<ChunkBody>(record, record.key)?;
-        let Some(key) = ChunkKey::from_bytes(record.key) else {
+        if let Some(key) = ChunkKey::from_bytes(record.key) {
+            let known = self.chunks.get(&key);
+            if known.is_none_or(|known| record.sequence > known.sequence) {
+                ChunkBody::upgrade(record.version, record.body)?;
+                self.chunks.insert(key, Packed::of(record));
+            }
+        } else if ChunkKey::is_of_any_chart(record.key) {
+            Packed::put_newer(&mut self.strange_chunks, record);
+        } else {
             return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
-        };
-        let known = self.chunks.get(&key);
-        if known.is_none_or(|known| record.sequence > known.sequence) {
-            ChunkBody::upgrade(record.version, record.body)?;
-            let packed = Packed {
-                sequence: record.sequence,
-                version: record.version,
-                body: record.body.to_vec(),
-            };
-            self.chunks.insert(key, packed);
         }
         Ok(())
+    }
+
+    /// Takes the record of a thing, of whatever kind and version.
+    fn add_thing(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
+        let Some(parts) = KeyParts::of(record.key) else {
+            return Err(SchemaFault::Damaged("its key is no thing's".to_owned()));
+        };
+        // What a whole index does not lead to was taken away.
+        if self.by_index && !self.damaged_things.contains(record.key) {
+            return Ok(());
+        }
+        if let Some(key) = parts.known() {
+            let is_single = key == key.kind.single();
+            if is_single && record.version > key.kind.version() {
+                return Err(SchemaFault::Newer(SCHEMA_VERSION + 1));
+            }
+            if is_single && Thing::decoded(key.kind, record.version, record.body).is_none() {
+                return Err(SchemaFault::Damaged(
+                    "its contents make no sense".to_owned(),
+                ));
+            }
+        }
+        Packed::put_newer(&mut self.things, record);
+        Ok(())
+    }
+
+    fn loss_of_thing(&self, key: &[u8]) -> String {
+        let what = what_record(key);
+        match self.things.get(key) {
+            Some(Packed { sequence, .. }) => {
+                format!("What is known of {what} is of commit {sequence}; what came later is lost.")
+            }
+            None => format!("What was known of {what} is lost."),
+        }
+    }
+
+    /// The things, or those of the state of a world up to version 6.
+    fn thing_puts(&self, sequence: u64, world: &str) -> Result<Vec<Put>, StorageError> {
+        let sealed = |(key, packed): (&Vec<u8>, &Packed)| packed.put(Kind::Record, key, sequence);
+        let mut puts: Vec<_> = self.things.iter().map(sealed).collect();
+        if let Some((_, state)) = self.state.as_ref().filter(|_| self.things.is_empty()) {
+            for (key, record) in state.to_records() {
+                puts.push(world::sealed_record(key, Some(&record), sequence, world)?);
+            }
+        }
+        Ok(puts)
     }
 
     /// Writes what was found into a new store, closed when this returns.
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
         let sequence = codec::next_commit(self.last);
-        let mut values = vec![(META_KEY, self.sealed_meta(meta)?)];
-        if let Some((_, state)) = &self.state {
-            values.push((
-                STATE_KEY,
-                world::sealed(state, STATE_KEY, sequence, &meta.name)?,
-            ));
-        }
+        let mut puts = vec![world::sealed_meta(meta, sequence, &meta.name)?];
+        puts.extend(self.thing_puts(sequence, &meta.name)?);
         let chunks = self.chunks.iter().filter_map(|(key, packed)| {
             let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
             let body = crate::pack_chunk(&samples).ok()?;
             let key = key.to_bytes();
-            Some((
+            let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body);
+            Some(Put {
+                kind: Kind::Chunk,
                 key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            ))
+                bytes: Some(bytes),
+            })
         });
-        Store::create(path, &meta.name)?.write(&values, &chunks.collect::<Vec<_>>())
+        puts.extend(chunks);
+        let strange = self.strange_chunks.iter();
+        puts.extend(strange.map(|(key, packed)| packed.put(Kind::Chunk, key, sequence)));
+        Store::create(path, &meta.name)?.write(&puts, None)
     }
 
     pub(crate) fn losses(&self, problems: &[String]) -> Vec<String> {
@@ -177,7 +266,12 @@ impl Salvage {
                 None => format!("The edits of {key} are lost; it is as the seed made it."),
             })
             .collect();
-        if self.state.is_none() {
+        let things = self.damaged_things.iter();
+        losses.extend(things.map(|key| self.loss_of_thing(key)));
+        if !self.by_index && !self.things.is_empty() {
+            losses.push("What was taken away or had died may be there again.".to_owned());
+        }
+        if !self.has_state() {
             losses.push(
                 "The player's place and belongings are lost; the player starts anew.".to_owned(),
             );

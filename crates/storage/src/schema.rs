@@ -10,10 +10,18 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3, v4, v5};
+use crate::schema_history::{v1, v2, v3, v4, v5, v6};
+
+pub use crate::record_shapes::{
+    BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
+    PlayerRecord, SlotRecord, ViewRecord,
+};
+pub use crate::state::WorldState;
 
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 6;
+pub const SCHEMA_VERSION: u16 = 7;
+/// The last version that kept the state as one value, and chunks under keys of one width.
+pub(crate) const LAST_OF_ONE_STATE: u16 = 6;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -38,160 +46,6 @@ pub struct WorldMeta {
     pub cheated: bool,
 }
 
-/// The player's body.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct PlayerRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Feet, chart metres.
-    pub pos: [f64; 3],
-    /// Velocity, metres per second.
-    pub vel: [f64; 3],
-    /// Heading, radians.
-    pub yaw: f64,
-    /// Elevation of the view, radians.
-    pub pitch: f64,
-    /// Health, 0 to 100.
-    pub health: f64,
-    /// Whether the view is from behind.
-    pub third_person: bool,
-    /// Whether the spectator's flight is on.
-    pub flying: bool,
-    /// Whether the feet stood on something.
-    pub grounded: bool,
-}
-
-/// One filled slot of the inventory.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct SlotRecord {
-    /// Which slot, 0 is the first.
-    pub slot: u8,
-    /// The item's identifier, such as `pickaxe-iron`.
-    pub item: String,
-    /// How many.
-    pub count: u32,
-}
-
-/// A lamp that was put down.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct LampRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Its foot, chart metres.
-    pub pos: [f64; 3],
-}
-
-/// A stack that lies about.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct DropRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Its middle, chart metres.
-    pub pos: [f64; 3],
-    /// The item's identifier.
-    pub item: String,
-    /// How many.
-    pub count: u32,
-}
-
-/// A figure that nobody plays.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct BotRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Feet, chart metres.
-    pub pos: [f64; 3],
-    /// Heading, radians.
-    pub yaw: f64,
-    /// Its health.
-    pub health: f64,
-    /// Whether it fights the player.
-    pub hostile: bool,
-    /// For how long yet a peaceful one that was provoked fights, seconds.
-    pub provoked_s: f64,
-    /// Whether it came by itself, and may go so.
-    pub native: bool,
-}
-
-/// A car.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct CarRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// The ground below its middle when it stands on level ground, chart metres.
-    pub pos: [f64; 3],
-    /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
-    pub turn: [f64; 4],
-    /// Velocity, metres per second.
-    pub vel: [f64; 3],
-    /// Angular velocity, radians per second.
-    pub spin: [f64; 3],
-    /// Whether its lights are on.
-    pub lights: bool,
-    /// How far its front wheels are turned to the right, radians.
-    pub steer: f64,
-    /// How far each spring is pushed in, metres; zero in the air.
-    pub springs: [f64; 4],
-    /// Whether it has come to rest.
-    pub rests: bool,
-}
-
-/// Everything that changes while a world is played, but for the terrain.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct WorldState {
-    /// The player's body.
-    pub player: PlayerRecord,
-    /// The slot in the hand.
-    pub item_slot: u8,
-    /// The filled slots.
-    pub inventory: Vec<SlotRecord>,
-    /// Time of day, seconds.
-    pub time_of_day_s: f64,
-    /// The map of a hyperbolic world, `raised` or `horizon`; without meaning elsewhere.
-    pub map: String,
-    /// Dial of the raised map, metres; without meaning but in hyperbolic worlds.
-    pub curvature: f64,
-    /// Dial of the horizon map; without meaning but in hyperbolic worlds.
-    pub curvature_horizon: f64,
-    /// Whether the picture of a flat world is bent.
-    pub bent: bool,
-    /// Dial of the bend, positive where hyperbolic; kept while the picture is flat.
-    pub bend: f64,
-    /// Radius of the brush, metres.
-    pub brush_radius_m: f64,
-    /// Simulated time since the world was made, seconds.
-    pub simulated_s: f64,
-    /// View distance, chunks.
-    pub view_distance: u32,
-    /// Whether the flashlight is on.
-    pub flashlight: bool,
-    /// Lamps that were put down, in that order.
-    pub lamps: Vec<LampRecord>,
-    /// What lies about.
-    pub drops: Vec<DropRecord>,
-    /// Other figures.
-    pub bots: Vec<BotRecord>,
-    /// Cars.
-    pub cars: Vec<CarRecord>,
-    /// Which of the cars the player drives.
-    pub driving: Option<u32>,
-    /// Whether the world has been given its first car, which it may have lost since.
-    pub car_given: bool,
-    /// Where the player stands up again from death; none where the land alone decides.
-    pub start: Option<PlaceRecord>,
-    /// Whether the player was told of having gone once round the world.
-    pub been_round: bool,
-}
-
-/// A place.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct PlaceRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Chart metres.
-    pub pos: [f64; 3],
-}
-
 /// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
@@ -208,23 +62,43 @@ pub struct ChunkKey {
 }
 
 impl ChunkKey {
-    /// Length of [`Self::to_bytes`].
-    pub(crate) const BYTES: usize = 13;
+    /// Length of the keys of worlds up to version 6: the hemisphere and three indices.
+    pub(crate) const OLD_BYTES: usize = 13;
+    /// Bytes of the three indices.
+    const INDEX_BYTES: usize = 12;
 
-    /// A key whose order as bytes is the order of `ChunkKey`: big-endian with the
-    /// sign flipped, so that neighbours along z lie side by side in the store.
-    pub(crate) fn to_bytes(self) -> [u8; Self::BYTES] {
-        let mut bytes = [0; Self::BYTES];
-        bytes[0] = self.hemisphere;
-        for (slot, index) in bytes[1..].chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
+    /// The key as stored: the chart's name behind its length, then the indices big-endian with the sign flipped. So
+    /// the chunks of a chart lie side by side, and neighbours along z within it. A name has 1 to
+    /// [`MAX_CHART_BYTES`] bytes; this version has names of one byte, the hemisphere.
+    pub(crate) fn to_bytes(self) -> Vec<u8> {
+        let mut bytes = Vec::with_capacity(2 + Self::INDEX_BYTES);
+        bytes.extend([1, self.hemisphere]);
+        bytes.extend(self.index_bytes());
+        bytes
+    }
+
+    /// The key as worlds up to version 6 have it.
+    pub(crate) fn to_old_bytes(self) -> [u8; Self::OLD_BYTES] {
+        let mut bytes = [self.hemisphere; Self::OLD_BYTES];
+        bytes[1..].copy_from_slice(&self.index_bytes());
+        bytes
+    }
+
+    fn index_bytes(self) -> [u8; Self::INDEX_BYTES] {
+        let mut bytes = [0; Self::INDEX_BYTES];
+        for (slot, index) in bytes.chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
             slot.copy_from_slice(&((index as u32) ^ 0x8000_0000).to_be_bytes());
         }
         bytes
     }
 
-    /// The inverse of [`Self::to_bytes`]; `None` for any other length.
+    /// Reads a stored key of any version; `None` for one of a chart that this version has no place for.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (&hemisphere, rest) = bytes.split_first()?;
+        let (hemisphere, rest) = match bytes {
+            [hemisphere, rest @ ..] if bytes.len() == Self::OLD_BYTES => (*hemisphere, rest),
+            [1, hemisphere, rest @ ..] => (*hemisphere, rest),
+            _ => return None,
+        };
         let (words, []) = rest.as_chunks::<4>() else {
             return None;
         };
@@ -236,6 +110,38 @@ impl ChunkKey {
             y: index(y),
             z: index(z),
         })
+    }
+
+    /// Whether bytes are the key of a chunk of any chart, known or not.
+    pub(crate) fn is_of_any_chart(bytes: &[u8]) -> bool {
+        bytes.split_first().is_some_and(|(&length, rest)| {
+            let length = usize::from(length);
+            (1..=MAX_CHART_BYTES).contains(&length) && rest.len() == length + Self::INDEX_BYTES
+        })
+    }
+}
+
+/// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
+pub(crate) const MAX_CHART_BYTES: usize = 144;
+
+/// A chart on disk: its name as bytes, of which this version has those of one byte.
+pub(crate) mod chart {
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    /// Writes the name of a hemisphere.
+    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it so")]
+    pub(crate) fn serialize<S: Serializer>(chart: &u8, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_seq([*chart])
+    }
+
+    /// Reads the name of a hemisphere; fails for that of another chart.
+    pub(crate) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
+        let name = Vec::<u8>::deserialize(from)?;
+        match name.as_slice() {
+            [hemisphere] => Ok(*hemisphere),
+            _ => Err(D::Error::custom("a chart that this version does not know")),
+        }
     }
 }
 
@@ -283,26 +189,21 @@ impl Versioned for WorldMeta {
     }
 }
 
+/// What worlds up to version 6 kept as one value: read, never written.
 impl Versioned for WorldState {
     const KIND: Kind = Kind::State;
+    const VERSION: u16 = LAST_OF_ONE_STATE;
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
-        match version {
-            1 => decode::<v1::WorldState>(body)
-                .map(v3::WorldState::from)
-                .map(v4::WorldState::from)
-                .map(v5::WorldState::from)
-                .map(Self::from),
-            2 | 3 => decode::<v3::WorldState>(body)
-                .map(v4::WorldState::from)
-                .map(v5::WorldState::from)
-                .map(Self::from),
-            4 => decode::<v4::WorldState>(body)
-                .map(v5::WorldState::from)
-                .map(Self::from),
-            5 => decode::<v5::WorldState>(body).map(Self::from),
-            _ => decode(body),
-        }
+        let state: v6::WorldState = match version {
+            1 => v4::WorldState::from(v3::WorldState::from(decode::<v1::WorldState>(body)?))
+                .into_v6(),
+            2 | 3 => v4::WorldState::from(decode::<v3::WorldState>(body)?).into_v6(),
+            4 => decode::<v4::WorldState>(body)?.into_v6(),
+            5 => decode::<v5::WorldState>(body)?.into(),
+            _ => decode(body)?,
+        };
+        Ok(state.into())
     }
 }
 

@@ -1,4 +1,4 @@
-//! The embedded store as this crate uses it: two tables of sealed records.
+//! The embedded store as this crate uses it: three tables of sealed records, and the two of worlds up to version 6.
 //!
 //! The store trusts its file: so [`page_check`] reads every page before it is opened, and
 //! every call goes through [`guard`] besides.
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use redb::{
     Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, ReadableTable,
-    ReadableTableMetadata, TableDefinition, TableError,
+    ReadableTableMetadata, TableDefinition, TableError, WriteTransaction,
 };
 
 use crate::codec::Kind;
@@ -18,14 +18,18 @@ use crate::overlay::Overlay;
 use crate::page_check;
 use crate::schema::ChunkKey;
 
-/// `world` and `state`.
+/// What the world is under `world`; up to version 6 also all that changes, under `state`.
 pub(crate) const VALUES: TableDefinition<'static, &str, &[u8]> = TableDefinition::new("values");
-/// One record per edited chunk.
-pub(crate) const CHUNKS: TableDefinition<'static, &[u8; ChunkKey::BYTES], &[u8]> =
+/// One record per edited chunk, see [`ChunkKey::to_bytes`].
+pub(crate) const LAND: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("land");
+/// One record per thing, see [`crate::record`].
+pub(crate) const RECORDS: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("records");
+/// The edited chunks of worlds up to version 6. The first commit moves them to [`LAND`].
+pub(crate) const OLD_CHUNKS: TableDefinition<'static, &[u8; ChunkKey::OLD_BYTES], &[u8]> =
     TableDefinition::new("chunks");
 /// Key of the [`crate::WorldMeta`].
 pub(crate) const META_KEY: &str = "world";
-/// Key of the [`crate::WorldState`].
+/// Key of the state of worlds up to version 6.
 pub(crate) const STATE_KEY: &str = "state";
 
 /// Memory the store may keep pages in; it would take a gigabyte by itself.
@@ -34,6 +38,7 @@ const CACHE_BYTES: usize = 32 << 20;
 const MISCOUNTED: &str = "its index does not hold as many chunks as it says";
 
 /// A value as stored: which, under which key, its sealed bytes.
+#[derive(Clone, Debug)]
 pub(crate) struct Raw {
     /// What it should be, by the table it is in.
     pub kind: Kind,
@@ -41,6 +46,33 @@ pub(crate) struct Raw {
     pub key: Vec<u8>,
     /// The sealed record.
     pub bytes: Vec<u8>,
+}
+
+/// What a transaction does to one key: another value, or none.
+#[derive(Clone, Debug)]
+pub(crate) struct Put {
+    /// In which table it is.
+    pub kind: Kind,
+    /// Its key.
+    pub key: Vec<u8>,
+    /// The sealed record; `None` removes it.
+    pub bytes: Option<Vec<u8>>,
+}
+
+impl Put {
+    fn is_old_chunk(&self) -> bool {
+        self.kind == Kind::Chunk && self.key.len() == ChunkKey::OLD_BYTES
+    }
+}
+
+impl From<Raw> for Put {
+    fn from(raw: Raw) -> Self {
+        Self {
+            kind: raw.kind,
+            key: raw.key,
+            bytes: Some(raw.bytes),
+        }
+    }
 }
 
 /// An open store.
@@ -129,18 +161,39 @@ impl Store {
         StorageError::store(&self.path, &self.world, error)
     }
 
-    /// The sealed bytes of one chunk.
-    pub(crate) fn chunk(
-        &self,
-        key: &[u8; ChunkKey::BYTES],
-    ) -> Result<Option<Vec<u8>>, StorageError> {
+    /// The sealed bytes of one chunk, and the key that they are under.
+    pub(crate) fn chunk(&self, key: &ChunkKey) -> Result<Option<Raw>, StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
+            let raw = |key: Vec<u8>, bytes: &[u8]| Raw {
+                kind: Kind::Chunk,
+                key,
+                bytes: bytes.to_vec(),
+            };
+            if let Some(table) = absent(read.open_table(LAND)).map_err(|e| self.error(e))? {
+                let key = key.to_bytes();
+                let value = table.get(key.as_slice()).map_err(|e| self.error(e))?;
+                if let Some(value) = value {
+                    return Ok(Some(raw(key, value.value())));
+                }
+            }
+            let Some(table) = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))?
+            else {
                 return Ok(None);
             };
-            let value = table.get(key).map_err(|e| self.error(e))?;
-            Ok(value.map(|value| value.value().to_vec()))
+            let key = key.to_old_bytes();
+            let value = table.get(&key).map_err(|e| self.error(e))?;
+            Ok(value.map(|value| raw(key.to_vec(), value.value())))
+        })
+    }
+
+    /// Whether the world is stored as up to version 6: any commit makes it one of today.
+    pub(crate) fn is_old(&self) -> Result<bool, StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            let chunks = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))?;
+            let state = value_in(&read, STATE_KEY).map_err(|e| self.error(e))?;
+            Ok(chunks.is_some() || state.is_some())
         })
     }
 
@@ -167,58 +220,170 @@ impl Store {
                     });
                 }
             }
-            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
-                return Ok(());
-            };
-            let wrong = |reason| StorageError::unreadable(&self.path, reason);
-            let mut left = table.len().map_err(|e| self.error(e))?;
-            let mut last: Option<[u8; ChunkKey::BYTES]> = None;
-            for entry in table.iter().map_err(|e| self.error(e))? {
-                let (key, value) = entry.map_err(|e| self.error(e))?;
-                let key = *key.value();
-                left = left.checked_sub(1).ok_or_else(|| wrong(MISCOUNTED))?;
-                // Or it may go on for ever: pages that name one another have no end.
-                if last.replace(key).is_some_and(|last| last >= key) {
-                    return Err(wrong("the keys of its index do not rise"));
-                }
-                each(Raw {
-                    kind: Kind::Chunk,
-                    key: key.to_vec(),
-                    bytes: value.value().to_vec(),
-                });
+            if let Some(table) = absent(read.open_table(RECORDS)).map_err(|e| self.error(e))? {
+                self.scan_table(&table, Kind::Record, |key| key.to_vec(), &mut each)?;
             }
-            if left == 0 {
-                Ok(())
-            } else {
-                Err(wrong(MISCOUNTED))
+            if let Some(table) = absent(read.open_table(LAND)).map_err(|e| self.error(e))? {
+                self.scan_table(&table, Kind::Chunk, |key| key.to_vec(), &mut each)?;
+            }
+            if let Some(table) = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))? {
+                self.scan_table(&table, Kind::Chunk, |key| key.to_vec(), &mut each)?;
+            }
+            Ok(())
+        })
+    }
+
+    /// Hands over the records of things alone, as [`Self::scan`] does.
+    pub(crate) fn scan_records(&self, mut each: impl FnMut(Raw)) -> Result<(), StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            match absent(read.open_table(RECORDS)).map_err(|e| self.error(e))? {
+                Some(table) => self.scan_table(&table, Kind::Record, |key| key.to_vec(), &mut each),
+                None => Ok(()),
             }
         })
     }
 
-    /// Writes sealed values in one durable transaction: all of them or none.
+    fn scan_table<K: redb::Key + 'static>(
+        &self,
+        table: &redb::ReadOnlyTable<K, &'static [u8]>,
+        kind: Kind,
+        bytes_of: for<'k> fn(K::SelfType<'k>) -> Vec<u8>,
+        each: &mut impl FnMut(Raw),
+    ) -> Result<(), StorageError> {
+        let wrong = |reason| StorageError::unreadable(&self.path, reason);
+        let mut left = table.len().map_err(|e| self.error(e))?;
+        let mut last: Option<Vec<u8>> = None;
+        for entry in table.iter().map_err(|e| self.error(e))? {
+            let (key, value) = entry.map_err(|e| self.error(e))?;
+            let key = bytes_of(key.value());
+            left = left.checked_sub(1).ok_or_else(|| wrong(MISCOUNTED))?;
+            // Or it may go on for ever: pages that name one another have no end.
+            if last.as_ref().is_some_and(|last| *last >= key) {
+                return Err(wrong("the keys of its index do not rise"));
+            }
+            last = Some(key.clone());
+            each(Raw {
+                kind,
+                key,
+                bytes: value.value().to_vec(),
+            });
+        }
+        if left == 0 {
+            Ok(())
+        } else {
+            Err(wrong(MISCOUNTED))
+        }
+    }
+
+    /// Does all of this in one durable transaction, or nothing. A world of version 6 or older is made one of today
+    /// first: `moved` seals a chunk's record for its new key.
     pub(crate) fn write(
         &self,
-        values: &[(&str, Vec<u8>)],
-        chunks: &[([u8; ChunkKey::BYTES], Vec<u8>)],
+        puts: &[Put],
+        moved: Option<&dyn Fn(Raw) -> Put>,
     ) -> Result<(), StorageError> {
         guard(&self.path, || {
             let write = self.db()?.begin_write().map_err(|e| self.error(e))?;
-            {
-                let mut table = write.open_table(VALUES).map_err(|e| self.error(e))?;
-                for (key, bytes) in values {
-                    table
-                        .insert(*key, bytes.as_slice())
-                        .map_err(|e| self.error(e))?;
-                }
-                let mut table = write.open_table(CHUNKS).map_err(|e| self.error(e))?;
-                for (key, bytes) in chunks {
-                    table
-                        .insert(key, bytes.as_slice())
-                        .map_err(|e| self.error(e))?;
-                }
+            if let Some(moved) = moved {
+                self.move_chunks(&write, moved)?;
             }
+            self.put_values(&write, puts)?;
+            self.put(&write, RECORDS, Kind::Record, puts)?;
+            self.put(&write, LAND, Kind::Chunk, puts)?;
+            self.put_old_chunks(&write, puts)?;
             write.commit().map_err(|e| self.error(e))
         })
+    }
+
+    fn move_chunks(
+        &self,
+        write: &WriteTransaction,
+        moved: &dyn Fn(Raw) -> Put,
+    ) -> Result<(), StorageError> {
+        {
+            let old = write.open_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
+            let mut land = write.open_table(LAND).map_err(|e| self.error(e))?;
+            for entry in old.iter().map_err(|e| self.error(e))? {
+                let (key, value) = entry.map_err(|e| self.error(e))?;
+                let put = moved(Raw {
+                    kind: Kind::Chunk,
+                    key: key.value().to_vec(),
+                    bytes: value.value().to_vec(),
+                });
+                let bytes = put.bytes.unwrap_or_default();
+                land.insert(put.key.as_slice(), bytes.as_slice())
+                    .map_err(|e| self.error(e))?;
+            }
+        }
+        write.delete_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
+        Ok(())
+    }
+
+    fn put_values(&self, write: &WriteTransaction, puts: &[Put]) -> Result<(), StorageError> {
+        let is_value = |put: &&Put| matches!(put.kind, Kind::Meta | Kind::State);
+        if !puts.iter().any(|put| is_value(&put)) {
+            return Ok(());
+        }
+        let mut table = write.open_table(VALUES).map_err(|e| self.error(e))?;
+        for put in puts.iter().filter(is_value) {
+            let key = if put.kind == Kind::Meta {
+                META_KEY
+            } else {
+                STATE_KEY
+            };
+            match &put.bytes {
+                Some(bytes) => table.insert(key, bytes.as_slice()),
+                None => table.remove(key),
+            }
+            .map_err(|e| self.error(e))?;
+        }
+        Ok(())
+    }
+
+    /// Chunks of a world up to version 6 that is copied as it is.
+    fn put_old_chunks(&self, write: &WriteTransaction, puts: &[Put]) -> Result<(), StorageError> {
+        let mut puts = puts.iter().filter(|put| put.is_old_chunk()).peekable();
+        if puts.peek().is_none() {
+            return Ok(());
+        }
+        let mut table = write.open_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
+        for put in puts {
+            if let (Ok(key), Some(bytes)) = (
+                <&[u8; ChunkKey::OLD_BYTES]>::try_from(put.key.as_slice()),
+                &put.bytes,
+            ) {
+                table
+                    .insert(key, bytes.as_slice())
+                    .map_err(|e| self.error(e))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn put(
+        &self,
+        write: &WriteTransaction,
+        table: TableDefinition<'static, &'static [u8], &'static [u8]>,
+        kind: Kind,
+        puts: &[Put],
+    ) -> Result<(), StorageError> {
+        let mut puts = puts
+            .iter()
+            .filter(|put| put.kind == kind && !put.is_old_chunk())
+            .peekable();
+        if puts.peek().is_none() {
+            return Ok(());
+        }
+        let mut table = write.open_table(table).map_err(|e| self.error(e))?;
+        for put in puts {
+            match &put.bytes {
+                Some(bytes) => table.insert(put.key.as_slice(), bytes.as_slice()),
+                None => table.remove(put.key.as_slice()),
+            }
+            .map_err(|e| self.error(e))?;
+        }
+        Ok(())
     }
 }
 

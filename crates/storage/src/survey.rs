@@ -2,10 +2,17 @@
 
 use std::collections::BTreeMap;
 
-use crate::codec::{self, Kind};
+use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, WorldMeta, WorldState};
+use crate::record::KeyParts;
+use crate::schema::{
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+};
 use crate::store::{META_KEY, Raw, Store};
+
+/// What the state of worlds up to version 6, and the player's record of later ones, is called.
+pub(crate) const PLAYERS_STATE: &str = "the player's state";
+const CHUNK_OF_NO_CHART: &str = "a chunk of a chart that this version does not know";
 
 /// What is kept in memory of an open world.
 pub(crate) struct Known {
@@ -13,6 +20,8 @@ pub(crate) struct Known {
     pub meta: WorldMeta,
     /// Chunks whose record cannot be believed, with the reason.
     pub damaged: BTreeMap<ChunkKey, String>,
+    /// Keys of records of things that cannot be believed, with what each is and the reason.
+    pub damaged_records: BTreeMap<Vec<u8>, (String, String)>,
     /// What else is wrong: what, and the reason.
     pub faults: Vec<(String, String)>,
 }
@@ -32,6 +41,7 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     let mut known = Known {
         meta,
         damaged: BTreeMap::new(),
+        damaged_records: BTreeMap::new(),
         faults: Vec::new(),
     };
     let mut last = 0;
@@ -49,7 +59,7 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     }
     scanned?;
     // Not to be passed over: after a crash the store would take it for a commit cut short.
-    if store.torn_leaves() > 0 && known.damaged.is_empty() && known.faults.is_empty() {
+    if store.torn_leaves() > 0 && known.is_sound() {
         let reason = "a page of it is not as it was written, though every value is whole";
         known
             .faults
@@ -59,13 +69,23 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
 }
 
 impl Known {
+    /// Whether nothing is damaged.
+    fn is_sound(&self) -> bool {
+        self.damaged.is_empty() && self.damaged_records.is_empty() && self.faults.is_empty()
+    }
+
     /// Remembers a damaged record.
     fn note(&mut self, raw: &Raw, reason: String) {
-        match ChunkKey::from_bytes(&raw.key) {
-            Some(key) if raw.kind == Kind::Chunk => {
+        match (raw.kind, ChunkKey::from_bytes(&raw.key)) {
+            (Kind::Chunk, Some(key)) => {
                 self.damaged.insert(key, reason);
             }
-            _ => self.faults.push(("the player's state".to_owned(), reason)),
+            (Kind::Chunk, None) => self.faults.push((CHUNK_OF_NO_CHART.to_owned(), reason)),
+            (Kind::Record, _) => {
+                let what = what_record(&raw.key);
+                self.damaged_records.insert(raw.key.clone(), (what, reason));
+            }
+            _ => self.faults.push((PLAYERS_STATE.to_owned(), reason)),
         }
     }
 }
@@ -77,8 +97,40 @@ fn record_fault(raw: &Raw) -> Result<u64, SchemaFault> {
         Kind::Meta => schema::check::<WorldMeta>(&record, &raw.key)?,
         Kind::State => schema::check::<WorldState>(&record, &raw.key)?,
         Kind::Chunk => schema::check::<ChunkBody>(&record, &raw.key)?,
+        Kind::Record => check_record(&record, &raw.key)?,
     }
     Ok(record.sequence)
+}
+
+/// Checks a record of a thing. One of a kind or a version that only a later game knows is whole; but without the
+/// player, the time or the view nobody can play.
+fn check_record(record: &Record<'_>, key: &[u8]) -> Result<(), SchemaFault> {
+    let strange = || SchemaFault::Damaged("it belongs somewhere else".to_owned());
+    if record.kind != Kind::Record || record.key != key {
+        return Err(strange());
+    }
+    let known = KeyParts::of(key).ok_or_else(strange)?.known();
+    if record.version == 0 {
+        let reason = "its version 0 was never used".to_owned();
+        return Err(SchemaFault::Damaged(reason));
+    }
+    match known {
+        Some(key) if key == key.kind.single() && record.version > key.kind.version() => {
+            Err(SchemaFault::Newer(SCHEMA_VERSION + 1))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a record of a thing is of, by its key.
+pub(crate) fn what_record(key: &[u8]) -> String {
+    let Some(parts) = KeyParts::of(key) else {
+        return "a record without a kind".to_owned();
+    };
+    parts.known().map_or_else(
+        || format!("{} {}", parts.name, parts.id),
+        |key| key.to_string(),
+    )
 }
 
 /// The error for a value that could not be read.
@@ -105,14 +157,19 @@ mod tests {
 
     use super::*;
     use crate::SavesDir;
-    use crate::schema::SCHEMA_VERSION;
-    use crate::store::STATE_KEY;
-    use crate::world::sealed;
+    use crate::record::{Record, RecordKind};
+    use crate::store::Put;
+    use crate::world::sealed_meta;
     use crate::{WORLD_FILE, pack_chunk, summary};
     use std::fs;
     use std::path::{Path, PathBuf};
 
-    /// A world whose meta, state and one chunk are stored with these schema versions.
+    /// The version of a player's record.
+    const PLAYER: u16 = 1;
+    /// What this build writes.
+    const NOW: [u16; 3] = [SCHEMA_VERSION, PLAYER, SCHEMA_VERSION];
+
+    /// A world whose meta, player and one chunk are stored with these schema versions.
     fn planted(versions: [u16; 3]) -> (tempfile::TempDir, SavesDir) {
         planted_at(versions, 1)
     }
@@ -127,38 +184,27 @@ mod tests {
             ..WorldMeta::default()
         };
         let body = codec::encode(&meta).unwrap();
-        let state = codec::encode(&WorldState::default()).unwrap();
+        let player = RecordKind::Player.single();
+        let state = Record::Player(Box::default()).encoded().unwrap();
         let chunk = pack_chunk(&vec![3; crate::CHUNK_SAMPLES]).unwrap();
-        let key = ChunkKey::default().to_bytes();
-        let values = [
-            (
-                META_KEY,
-                codec::seal(
-                    versions[0],
-                    Kind::Meta,
-                    META_KEY.as_bytes(),
-                    sequence,
-                    &body,
-                ),
-            ),
-            (
-                STATE_KEY,
-                codec::seal(
-                    versions[1],
-                    Kind::State,
-                    STATE_KEY.as_bytes(),
-                    sequence,
-                    &state,
-                ),
+        let put = |version, kind, key: &[u8], body: &[u8]| Put {
+            kind,
+            key: key.to_vec(),
+            bytes: Some(codec::seal(version, kind, key, sequence, body)),
+        };
+        let puts = [
+            put(versions[0], Kind::Meta, META_KEY.as_bytes(), &body),
+            put(versions[1], Kind::Record, &player.to_bytes(), &state),
+            put(
+                versions[2],
+                Kind::Chunk,
+                &ChunkKey::default().to_bytes(),
+                &chunk,
             ),
         ];
-        let chunks = [(
-            key,
-            codec::seal(versions[2], Kind::Chunk, &key, sequence, &chunk),
-        )];
         Store::create(&dir.join(WORLD_FILE), "Future")
             .unwrap()
-            .write(&values, &chunks)
+            .write(&puts, None)
             .unwrap();
         let saves = SavesDir::new(root.path());
         (root, saves)
@@ -168,9 +214,9 @@ mod tests {
     fn a_newer_world_is_refused_by_name_and_left_alone() {
         let (now, next) = (SCHEMA_VERSION, SCHEMA_VERSION + 1);
         for versions in [
-            [next, now, now],
-            [now, next, now],
-            [now, now, next],
+            [next, PLAYER, now],
+            [now, PLAYER + 1, now],
+            [now, PLAYER, next],
             [900, 900, 900],
         ] {
             let (root, saves) = planted(versions);
@@ -200,7 +246,7 @@ mod tests {
 
     #[test]
     fn values_of_an_unknown_version_are_damage() {
-        let (_root, saves) = planted([0, SCHEMA_VERSION, 1]);
+        let (_root, saves) = planted([0, PLAYER, 1]);
         assert!(matches!(
             saves.open("future"),
             Err(StorageError::Damaged { .. })
@@ -225,7 +271,7 @@ mod tests {
     #[test]
     fn a_world_saved_a_number_of_times_that_nobody_can_is_damaged() {
         for sequence in [u64::MAX, u64::MAX - 4, codec::MAX_COMMIT + 1] {
-            let (root, saves) = planted_at([SCHEMA_VERSION; 3], sequence);
+            let (root, saves) = planted_at(NOW, sequence);
             assert!(!saves.verify("future").unwrap().is_sound());
             let damaged = saves.open("future").map(drop).unwrap_err();
             assert!(matches!(damaged, StorageError::Damaged { .. }), "{damaged}");
@@ -241,7 +287,7 @@ mod tests {
 
     #[test]
     fn a_world_near_the_largest_number_of_commits_goes_on_saving() {
-        let (root, saves) = planted_at([SCHEMA_VERSION; 3], codec::MAX_COMMIT - 2);
+        let (root, saves) = planted_at(NOW, codec::MAX_COMMIT - 2);
         let slug = saves.import(&packed(root.path())).unwrap();
         for round in 0..6 {
             let world = saves.open(&slug).unwrap();
@@ -253,6 +299,7 @@ mod tests {
                 let chunks = vec![(ChunkKey::default(), vec![step as i16; crate::CHUNK_SAMPLES])];
                 let batch = crate::Batch {
                     meta: None,
+                    records: crate::RecordChanges::new(),
                     state: Some(state),
                     chunks,
                 };
@@ -271,17 +318,15 @@ mod tests {
 
     #[test]
     fn a_copied_record_does_not_pass_for_another_chunk() {
-        let (root, saves) = planted([SCHEMA_VERSION; 3]);
+        let (root, saves) = planted(NOW);
         let elsewhere = ChunkKey {
             x: 5,
             ..ChunkKey::default()
         };
         let store = Store::open(&root.path().join("future").join(WORLD_FILE), "Future").unwrap();
-        let bytes = store
-            .chunk(&ChunkKey::default().to_bytes())
-            .unwrap()
-            .unwrap();
-        store.write(&[], &[(elsewhere.to_bytes(), bytes)]).unwrap();
+        let mut raw = store.chunk(&ChunkKey::default()).unwrap().unwrap();
+        raw.key = elsewhere.to_bytes();
+        store.write(&[raw.into()], None).unwrap();
         drop(store);
         let world = saves.open("future").unwrap();
         assert_eq!(
@@ -296,10 +341,11 @@ mod tests {
 
     #[test]
     fn a_world_without_its_meta_is_repaired_from_its_summary() {
-        let (root, saves) = planted([SCHEMA_VERSION; 3]);
+        let (root, saves) = planted(NOW);
         let dir = root.path().join("future");
         let meta = saves.open("future").unwrap().meta();
-        summary::write(&dir, &sealed(&meta, META_KEY, 1, "Future").unwrap());
+        let sealed = sealed_meta(&meta, 1, "Future").unwrap();
+        summary::write(&dir, &sealed.bytes.unwrap());
         fs::write(dir.join(WORLD_FILE), b"nothing of it is left").unwrap();
         let listed = saves.find("FUTURE").unwrap();
         assert!(listed.problem.is_some());

@@ -18,8 +18,8 @@ use proptest::test_runner::{RngAlgorithm, TestRng};
 
 use crate::codec::{self, Kind};
 use crate::schema::{ChunkKey, SCHEMA_VERSION, WorldMeta, WorldState};
-use crate::store::{META_KEY, STATE_KEY, Store};
-use crate::world::{WorldStore, sealed};
+use crate::store::{Put, Store};
+use crate::world::{WorldStore, sealed_meta, sealed_record};
 use crate::{CHUNK_SAMPLES, SavesDir, WORLD_FILE, pack_chunk};
 use disk::{Disk, Event};
 
@@ -86,27 +86,23 @@ fn played() -> Vec<Event> {
     let store = Store::of(path, "Cut", db);
     for commit in 1..=COMMITS {
         let sequence = commit as u64;
-        let values = [
-            (
-                META_KEY,
-                sealed(&meta(), META_KEY, sequence, "Cut").unwrap(),
-            ),
-            (
-                STATE_KEY,
-                sealed(&state(commit), STATE_KEY, sequence, "Cut").unwrap(),
-            ),
-        ];
-        let chunks = changed(commit).map(|chunk| {
+        let mut puts = vec![sealed_meta(&meta(), sequence, "Cut").unwrap()];
+        for (key, record) in state(commit).to_records() {
+            puts.push(sealed_record(key, Some(&record), sequence, "Cut").unwrap());
+        }
+        puts.extend(changed(commit).map(|chunk| {
             let (key, body) = (
                 key(chunk).to_bytes(),
                 pack_chunk(&samples(chunk, commit)).unwrap(),
             );
-            (
+            let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body);
+            Put {
+                kind: Kind::Chunk,
                 key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            )
-        });
-        store.write(&values, &chunks.collect::<Vec<_>>()).unwrap();
+                bytes: Some(bytes),
+            }
+        }));
+        store.write(&puts, None).unwrap();
         log.lock().unwrap().push(Event::Committed(commit));
     }
     drop(store);
@@ -127,7 +123,7 @@ fn planted(bytes: &[u8]) -> (tempfile::TempDir, SavesDir) {
     let root = tempfile::tempdir().unwrap();
     fs::create_dir(root.path().join("cut")).unwrap();
     fs::write(root.path().join("cut").join(WORLD_FILE), bytes).unwrap();
-    let summary = sealed(&meta(), META_KEY, 1, "Cut").unwrap();
+    let summary = sealed_meta(&meta(), 1, "Cut").unwrap().bytes.unwrap();
     crate::summary::replace(&root.path().join("cut"), &summary).unwrap();
     let saves = SavesDir::new(root.path());
     (root, saves)

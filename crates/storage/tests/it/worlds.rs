@@ -45,6 +45,7 @@ fn everything_committed_comes_back() {
     let second = Batch {
         meta: Some(changed.clone()),
         state: None,
+        records: antipode_storage::RecordChanges::new(),
         chunks: vec![(key(-7), samples(-7, 2)), (key(1), samples(1, 2))],
     };
     world.commit(&second).unwrap();

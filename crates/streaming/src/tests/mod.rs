@@ -268,7 +268,7 @@ impl Vault for Memory {
         self.commits
             .lock()
             .unwrap()
-            .push((batch.meta.is_some(), batch.state.is_some(), keys));
+            .push((batch.meta.is_some(), !batch.records.is_empty(), keys));
         self.chunks
             .lock()
             .unwrap()
