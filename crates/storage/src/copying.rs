@@ -62,7 +62,7 @@ impl Copy<'_> {
         self.bytes = 0;
         let puts = std::mem::take(&mut self.puts);
         if self.failure.is_none() {
-            self.failure = self.target.write(&puts, None).err();
+            self.failure = self.target.write(&puts).err();
         }
     }
 }

@@ -61,7 +61,7 @@ pub use schema::{
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};
-pub use world::{Batch, WorldStore, Written};
+pub use world::{Batch, WorldStore};
 
 /// Name of the store inside a world's directory.
 pub const WORLD_FILE: &str = "world.redb";

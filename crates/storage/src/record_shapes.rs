@@ -1,5 +1,6 @@
 //! What is stored of each actor, and of what the world has one of. Each kind has versions of its own: see
-//! [`crate::record`].
+//! [`crate::record`]. The shapes of actors are those of the one state of version 6 too, so to change one is to copy it
+//! to `schema_history.rs` first.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,8 +9,8 @@ use crate::schema::chart;
 /// The player's body.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlayerRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// Feet, chart metres.
     pub pos: [f64; 3],
@@ -43,8 +44,8 @@ pub struct SlotRecord {
 /// A lamp that was put down.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct LampRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// Its foot, chart metres.
     pub pos: [f64; 3],
@@ -53,8 +54,8 @@ pub struct LampRecord {
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// Its middle, chart metres.
     pub pos: [f64; 3],
@@ -67,8 +68,8 @@ pub struct DropRecord {
 /// A figure that nobody plays.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BotRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// Feet, chart metres.
     pub pos: [f64; 3],
@@ -87,8 +88,8 @@ pub struct BotRecord {
 /// A car.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CarRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// The ground below its middle when it stands on level ground, chart metres.
     pub pos: [f64; 3],
@@ -111,8 +112,8 @@ pub struct CarRecord {
 /// A place.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaceRecord {
-    /// Hemisphere: 0 for A, 1 for B; on disk the name of a chart.
-    #[serde(with = "chart")]
+    /// Hemisphere: 0 for A, 1 for B.
+    #[serde(deserialize_with = "chart")]
     pub hemisphere: u8,
     /// Chart metres.
     pub pos: [f64; 3],
@@ -131,7 +132,7 @@ pub struct PlayerKept {
     pub brush_radius_m: f64,
     /// Whether the flashlight is on.
     pub flashlight: bool,
-    /// Number of the car that the player drives.
+    /// Number of the car that the player drives, as in its record's key.
     pub driving: Option<u64>,
     /// Where the player stands up again from death; none where the land alone decides.
     pub start: Option<PlaceRecord>,
@@ -146,8 +147,6 @@ pub struct CourseRecord {
     pub time_of_day_s: f64,
     /// Simulated time since the world was made, seconds.
     pub simulated_s: f64,
-    /// The number that the next actor gets: none is ever given twice.
-    pub next_actor: u64,
     /// Whether the world has been given its first car, which it may have lost since.
     pub car_given: bool,
 }

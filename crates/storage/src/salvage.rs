@@ -8,13 +8,13 @@ use std::path::Path;
 
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::record::{KeyParts, Record as Thing, RecordKind};
+use crate::record::RecordKind;
 use crate::regular;
 use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
+    self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
-use crate::survey::what_record;
+use crate::survey::{check_record, what_record};
 use crate::world;
 
 /// How often, on average, a byte may be looked at in the search for records. A record costs
@@ -29,14 +29,12 @@ pub(crate) struct Salvage {
     meta: Option<(u64, WorldMeta)>,
     /// The state of a world up to version 6.
     state: Option<(u64, WorldState)>,
-    /// Records of things by their keys, of whatever kind.
-    things: BTreeMap<Vec<u8>, Packed>,
+    /// Records of things, of whatever kind, and chunks of charts that only a later game knows, by their keys.
+    others: BTreeMap<(Kind, Vec<u8>), Packed>,
     /// Keys of things that the index led to, but to a damaged record.
     damaged_things: BTreeSet<Vec<u8>>,
     /// Whether the index led to everything: what it did not lead to is gone then, and not lost.
     by_index: bool,
-    /// Chunks of charts that only a later game knows, by their keys.
-    strange_chunks: BTreeMap<Vec<u8>, Packed>,
     /// Chunks as they were packed, which is a small part of what they are unpacked.
     chunks: BTreeMap<ChunkKey, Packed>,
     /// The last commit that the index led to, or that anything tells of.
@@ -64,15 +62,7 @@ impl Packed {
         }
     }
 
-    /// Remembers a record under its key if it is newer than what is there.
-    fn put_newer(all: &mut BTreeMap<Vec<u8>, Self>, record: &Record<'_>) {
-        let known = all.get(record.key);
-        if known.is_none_or(|known| record.sequence > known.sequence) {
-            all.insert(record.key.to_vec(), Self::of(record));
-        }
-    }
-
-    /// The same, sealed anew.
+    /// The same, sealed anew under its key.
     fn put(&self, kind: Kind, key: &[u8], sequence: u64) -> Put {
         Put {
             kind,
@@ -95,8 +85,13 @@ impl Salvage {
 
     /// Whether the state was found.
     pub(crate) fn has_state(&self) -> bool {
-        let player = RecordKind::Player.single().to_bytes();
-        self.things.contains_key(&player) || (self.things.is_empty() && self.state.is_some())
+        let player = RecordKind::Player.numbered(0).to_bytes();
+        let is_there = self.others.contains_key(&(Kind::Record, player));
+        is_there || (!self.has_things() && self.state.is_some())
+    }
+
+    fn has_things(&self) -> bool {
+        self.others.keys().any(|(kind, _)| *kind == Kind::Record)
     }
 
     /// The meta record as [`Self::write`] stores it.
@@ -179,41 +174,36 @@ impl Salvage {
                 ChunkBody::upgrade(record.version, record.body)?;
                 self.chunks.insert(key, Packed::of(record));
             }
-        } else if ChunkKey::is_of_any_chart(record.key) {
-            Packed::put_newer(&mut self.strange_chunks, record);
+            Ok(())
+        } else if ChunkKey::is_of_named_chart(record.key) {
+            self.add_other(record);
+            Ok(())
         } else {
-            return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
+            Err(SchemaFault::Damaged("its key is no chunk's".to_owned()))
         }
-        Ok(())
     }
 
     /// Takes the record of a thing, of whatever kind and version.
     fn add_thing(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
-        let Some(parts) = KeyParts::of(record.key) else {
-            return Err(SchemaFault::Damaged("its key is no thing's".to_owned()));
-        };
+        check_record(record, record.key)?;
         // What a whole index does not lead to was taken away.
-        if self.by_index && !self.damaged_things.contains(record.key) {
-            return Ok(());
+        if !self.by_index || self.damaged_things.contains(record.key) {
+            self.add_other(record);
         }
-        if let Some(key) = parts.known() {
-            let is_single = key == key.kind.single();
-            if is_single && record.version > key.kind.version() {
-                return Err(SchemaFault::Newer(SCHEMA_VERSION + 1));
-            }
-            if is_single && Thing::decoded(key.kind, record.version, record.body).is_none() {
-                return Err(SchemaFault::Damaged(
-                    "its contents make no sense".to_owned(),
-                ));
-            }
-        }
-        Packed::put_newer(&mut self.things, record);
         Ok(())
+    }
+
+    fn add_other(&mut self, record: &Record<'_>) {
+        let key = (record.kind, record.key.to_vec());
+        let known = self.others.get(&key);
+        if known.is_none_or(|known| record.sequence > known.sequence) {
+            self.others.insert(key, Packed::of(record));
+        }
     }
 
     fn loss_of_thing(&self, key: &[u8]) -> String {
         let what = what_record(key);
-        match self.things.get(key) {
+        match self.others.get(&(Kind::Record, key.to_vec())) {
             Some(Packed { sequence, .. }) => {
                 format!("What is known of {what} is of commit {sequence}; what came later is lost.")
             }
@@ -221,38 +211,23 @@ impl Salvage {
         }
     }
 
-    /// The things, or those of the state of a world up to version 6.
-    fn thing_puts(&self, sequence: u64, world: &str) -> Result<Vec<Put>, StorageError> {
-        let sealed = |(key, packed): (&Vec<u8>, &Packed)| packed.put(Kind::Record, key, sequence);
-        let mut puts: Vec<_> = self.things.iter().map(sealed).collect();
-        if let Some((_, state)) = self.state.as_ref().filter(|_| self.things.is_empty()) {
-            for (key, record) in state.to_records() {
-                puts.push(world::sealed_record(key, Some(&record), sequence, world)?);
-            }
-        }
-        Ok(puts)
-    }
-
     /// Writes what was found into a new store, closed when this returns.
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
         let sequence = codec::next_commit(self.last);
         let mut puts = vec![world::sealed_meta(meta, sequence, &meta.name)?];
-        puts.extend(self.thing_puts(sequence, &meta.name)?);
-        let chunks = self.chunks.iter().filter_map(|(key, packed)| {
+        let others = self.others.iter();
+        puts.extend(others.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
+        if let Some((_, state)) = self.state.as_ref().filter(|_| !self.has_things()) {
+            for (key, record) in state.to_records() {
+                puts.push(world::sealed_record(key, Some(&record), sequence, &meta.name)?);
+            }
+        }
+        puts.extend(self.chunks.iter().filter_map(|(key, packed)| {
             let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
             let body = crate::pack_chunk(&samples).ok()?;
-            let key = key.to_bytes();
-            let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body);
-            Some(Put {
-                kind: Kind::Chunk,
-                key,
-                bytes: Some(bytes),
-            })
-        });
-        puts.extend(chunks);
-        let strange = self.strange_chunks.iter();
-        puts.extend(strange.map(|(key, packed)| packed.put(Kind::Chunk, key, sequence)));
-        Store::create(path, &meta.name)?.write(&puts, None)
+            Some(world::sealed_chunk(*key, sequence, &body))
+        }));
+        Store::create(path, &meta.name)?.write(&puts)
     }
 
     pub(crate) fn losses(&self, problems: &[String]) -> Vec<String> {
@@ -268,7 +243,7 @@ impl Salvage {
             .collect();
         let things = self.damaged_things.iter();
         losses.extend(things.map(|key| self.loss_of_thing(key)));
-        if !self.by_index && !self.things.is_empty() {
+        if !self.by_index && self.has_things() {
             losses.push("What was taken away or had died may be there again.".to_owned());
         }
         if !self.has_state() {

@@ -5,12 +5,14 @@
 //! version. To make one: copy the struct as it was into `schema_history.rs`, raise
 //! [`SCHEMA_VERSION`], and let [`Versioned::upgrade`] decode the old shape and
 //! convert it. `tests/saves` keeps a world of each version for ever.
+//!
+//! Records of things have versions of their own, each kind for itself: see `record.rs`.
 
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
-use crate::schema_history::{v1, v2, v3, v4, v5, v6};
+use crate::schema_history::{v1, v2, v3, v4, v5};
 
 pub use crate::record_shapes::{
     BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
@@ -20,8 +22,8 @@ pub use crate::state::WorldState;
 
 /// The schema version this build writes.
 pub const SCHEMA_VERSION: u16 = 7;
-/// The last version that kept the state as one value, and chunks under keys of one width.
-pub(crate) const LAST_OF_ONE_STATE: u16 = 6;
+/// The last version that kept the state as one value.
+const LAST_OF_ONE_STATE: u16 = 6;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -62,43 +64,25 @@ pub struct ChunkKey {
 }
 
 impl ChunkKey {
-    /// Length of the keys of worlds up to version 6: the hemisphere and three indices.
-    pub(crate) const OLD_BYTES: usize = 13;
+    /// Length of [`Self::to_bytes`].
+    pub(crate) const BYTES: usize = 1 + Self::INDEX_BYTES;
     /// Bytes of the three indices.
     const INDEX_BYTES: usize = 12;
 
-    /// The key as stored: the chart's name behind its length, then the indices big-endian with the sign flipped. So
-    /// the chunks of a chart lie side by side, and neighbours along z within it. A name has 1 to
-    /// [`MAX_CHART_BYTES`] bytes; this version has names of one byte, the hemisphere.
-    pub(crate) fn to_bytes(self) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(2 + Self::INDEX_BYTES);
-        bytes.extend([1, self.hemisphere]);
-        bytes.extend(self.index_bytes());
-        bytes
-    }
-
-    /// The key as worlds up to version 6 have it.
-    pub(crate) fn to_old_bytes(self) -> [u8; Self::OLD_BYTES] {
-        let mut bytes = [self.hemisphere; Self::OLD_BYTES];
-        bytes[1..].copy_from_slice(&self.index_bytes());
-        bytes
-    }
-
-    fn index_bytes(self) -> [u8; Self::INDEX_BYTES] {
-        let mut bytes = [0; Self::INDEX_BYTES];
-        for (slot, index) in bytes.chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
+    /// A key whose order as bytes is the order of `ChunkKey`: big-endian with the
+    /// sign flipped, so that neighbours along z lie side by side in the store.
+    pub(crate) fn to_bytes(self) -> [u8; Self::BYTES] {
+        let mut bytes = [0; Self::BYTES];
+        bytes[0] = self.hemisphere;
+        for (slot, index) in bytes[1..].chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
             slot.copy_from_slice(&((index as u32) ^ 0x8000_0000).to_be_bytes());
         }
         bytes
     }
 
-    /// Reads a stored key of any version; `None` for one of a chart that this version has no place for.
+    /// The inverse of [`Self::to_bytes`]; `None` for any other length.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (hemisphere, rest) = match bytes {
-            [hemisphere, rest @ ..] if bytes.len() == Self::OLD_BYTES => (*hemisphere, rest),
-            [1, hemisphere, rest @ ..] => (*hemisphere, rest),
-            _ => return None,
-        };
+        let (&hemisphere, rest) = bytes.split_first()?;
         let (words, []) = rest.as_chunks::<4>() else {
             return None;
         };
@@ -112,36 +96,25 @@ impl ChunkKey {
         })
     }
 
-    /// Whether bytes are the key of a chunk of any chart, known or not.
-    pub(crate) fn is_of_any_chart(bytes: &[u8]) -> bool {
+    /// Whether bytes are the key of a chunk of a chart with a name, which only a later game knows: the chart as in
+    /// [`chart`], then the indices. It is longer than any key of the two hemispheres.
+    pub(crate) fn is_of_named_chart(bytes: &[u8]) -> bool {
         bytes.split_first().is_some_and(|(&length, rest)| {
             let length = usize::from(length);
-            (1..=MAX_CHART_BYTES).contains(&length) && rest.len() == length + Self::INDEX_BYTES
+            (2..=MAX_CHART_BYTES).contains(&length) && rest.len() == length + Self::INDEX_BYTES
         })
     }
 }
 
 /// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
-pub(crate) const MAX_CHART_BYTES: usize = 144;
+const MAX_CHART_BYTES: usize = 144;
 
-/// A chart on disk: its name as bytes, of which this version has those of one byte.
-pub(crate) mod chart {
-    use serde::de::Error;
-    use serde::{Deserialize, Deserializer, Serializer};
-
-    /// Writes the name of a hemisphere.
-    #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it so")]
-    pub(crate) fn serialize<S: Serializer>(chart: &u8, to: S) -> Result<S::Ok, S::Error> {
-        to.collect_seq([*chart])
-    }
-
-    /// Reads the name of a hemisphere; fails for that of another chart.
-    pub(crate) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
-        let name = Vec::<u8>::deserialize(from)?;
-        match name.as_slice() {
-            [hemisphere] => Ok(*hemisphere),
-            _ => Err(D::Error::custom("a chart that this version does not know")),
-        }
+/// Reads a chart as it is stored: the byte 0 or 1 for hemisphere A or B. A larger one is the length of a name, which
+/// follows; fails for such, since this version knows no such chart.
+pub(crate) fn chart<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
+    match u8::deserialize(from)? {
+        hemisphere @ (0 | 1) => Ok(hemisphere),
+        _ => Err(D::Error::custom("a chart that this version does not know")),
     }
 }
 
@@ -195,15 +168,22 @@ impl Versioned for WorldState {
     const VERSION: u16 = LAST_OF_ONE_STATE;
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
-        let state: v6::WorldState = match version {
-            1 => v4::WorldState::from(v3::WorldState::from(decode::<v1::WorldState>(body)?))
-                .into_v6(),
-            2 | 3 => v4::WorldState::from(decode::<v3::WorldState>(body)?).into_v6(),
-            4 => decode::<v4::WorldState>(body)?.into_v6(),
-            5 => decode::<v5::WorldState>(body)?.into(),
-            _ => decode(body)?,
-        };
-        Ok(state.into())
+        match version {
+            1 => decode::<v1::WorldState>(body)
+                .map(v3::WorldState::from)
+                .map(v4::WorldState::from)
+                .map(v5::WorldState::from)
+                .map(Self::from),
+            2 | 3 => decode::<v3::WorldState>(body)
+                .map(v4::WorldState::from)
+                .map(v5::WorldState::from)
+                .map(Self::from),
+            4 => decode::<v4::WorldState>(body)
+                .map(v5::WorldState::from)
+                .map(Self::from),
+            5 => decode::<v5::WorldState>(body).map(Self::from),
+            _ => decode(body),
+        }
     }
 }
 

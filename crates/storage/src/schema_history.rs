@@ -1,15 +1,12 @@
 //! The shapes of stored values that have changed since they were first written, and their way to the next version.
 //! Nothing in here ever changes again.
 
-pub(crate) mod v6;
-
 /// Version 1 knew one picture of each space.
 pub(crate) mod v1 {
     use serde::{Deserialize, Serialize};
 
     use super::v3;
-    use super::v6::PlayerRecord;
-    use crate::schema::SlotRecord;
+    use crate::schema::{PlayerRecord, SlotRecord};
 
     /// What version 1 kept of everything that changes while a world is played.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -86,8 +83,7 @@ pub(crate) mod v3 {
     use serde::{Deserialize, Serialize};
 
     use super::v4;
-    use super::v6::PlayerRecord;
-    use crate::schema::SlotRecord;
+    use crate::schema::{PlayerRecord, SlotRecord};
 
     /// What a new player of version 4 has and one of version 3 could not have: the slot, the item and how many.
     const NEW_AT_START: [(u8, &str, u32); 3] = [(0, "gun", 1), (4, "bullet", 64), (5, "lamp", 10)];
@@ -196,8 +192,7 @@ pub(crate) mod v4 {
     use serde::{Deserialize, Serialize};
 
     use super::v5;
-    use super::v6::{self, DropRecord, LampRecord, PlayerRecord};
-    use crate::schema::SlotRecord;
+    use crate::schema::{self, DropRecord, LampRecord, PlayerRecord, SlotRecord};
 
     /// What version 4 kept of a figure that nobody plays.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -230,14 +225,7 @@ pub(crate) mod v4 {
         pub bots: Vec<BotRecord>,
     }
 
-    impl WorldState {
-        /// As version 6 has it.
-        pub(crate) fn into_v6(self) -> v6::WorldState {
-            v5::WorldState::from(self).into()
-        }
-    }
-
-    impl From<BotRecord> for v6::BotRecord {
+    impl From<BotRecord> for schema::BotRecord {
         fn from(old: BotRecord) -> Self {
             Self {
                 hemisphere: old.hemisphere,
@@ -283,8 +271,9 @@ pub(crate) mod v4 {
 pub(crate) mod v5 {
     use serde::{Deserialize, Serialize};
 
-    use super::v6::{self, BotRecord, CarRecord, DropRecord, LampRecord, PlayerRecord};
-    use crate::schema::SlotRecord;
+    use crate::schema::{
+        self, BotRecord, CarRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord,
+    };
 
     /// What version 5 kept of everything that changes while a world is played.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -310,7 +299,7 @@ pub(crate) mod v5 {
         pub car_given: bool,
     }
 
-    impl From<WorldState> for v6::WorldState {
+    impl From<WorldState> for schema::WorldState {
         fn from(old: WorldState) -> Self {
             Self {
                 player: old.player,

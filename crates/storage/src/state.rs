@@ -1,16 +1,16 @@
 //! Everything that changes while a world is played, but for the terrain, as one value: what worlds up to version 6
 //! were stored as, and what is convenient where all of it is looked at.
 
-use std::collections::BTreeMap;
+use serde::{Deserialize, Serialize};
 
-use crate::record::{Record, RecordChanges, RecordKey, RecordKind};
+use crate::record::{Record, RecordChanges, RecordKey};
 use crate::record_shapes::{
     BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
     PlayerRecord, SlotRecord, ViewRecord,
 };
 
 /// Everything that changes while a world is played, but for the terrain.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct WorldState {
     /// The player's body.
     pub player: PlayerRecord,
@@ -57,67 +57,44 @@ pub struct WorldState {
 }
 
 impl WorldState {
-    /// The same as records. Actors are numbered from 1 in the order of the lists, lamps first.
-    pub fn to_records(&self) -> BTreeMap<RecordKey, Record> {
-        let mut records = BTreeMap::new();
-        let mut next = 1;
-        let mut number = |kind, record| {
-            let id = next;
-            next += 1;
-            records.insert(RecordKey { kind, id }, record);
-            id
-        };
-        for it in &self.lamps {
-            number(RecordKind::Lamp, Record::Lamp(it.clone()));
-        }
-        for it in &self.drops {
-            number(RecordKind::Drop, Record::Drop(it.clone()));
-        }
-        for it in &self.bots {
-            number(RecordKind::Figure, Record::Figure(it.clone()));
-        }
-        let cars: Vec<_> = (self.cars.iter())
-            .map(|it| number(RecordKind::Car, Record::Car(it.clone())))
-            .collect();
-        let driving = self.driving.and_then(|at| cars.get(at as usize)).copied();
-        records.extend(self.singles(driving, next));
-        records
+    /// The same as records; the actors of a kind are numbered from 0 in the order of their list.
+    pub fn to_records(&self) -> impl Iterator<Item = (RecordKey, Record)> {
+        let lamps = self.lamps.iter().cloned().map(Record::Lamp);
+        let drops = self.drops.iter().cloned().map(Record::Drop);
+        let bots = self.bots.iter().cloned().map(Record::Figure);
+        let cars = self.cars.iter().cloned().map(Record::Car);
+        let actors = numbered(lamps).chain(numbered(drops));
+        let actors = actors.chain(numbered(bots)).chain(numbered(cars));
+        let singles = [
+            Record::Player(Box::new(self.player_kept())),
+            Record::Course(CourseRecord {
+                time_of_day_s: self.time_of_day_s,
+                simulated_s: self.simulated_s,
+                car_given: self.car_given,
+            }),
+            Record::View(ViewRecord {
+                map: self.map.clone(),
+                curvature: self.curvature,
+                curvature_horizon: self.curvature_horizon,
+                bent: self.bent,
+                bend: self.bend,
+                view_distance: self.view_distance,
+            }),
+        ];
+        actors.chain(singles.map(|it| (it.kind().numbered(0), it)))
     }
 
-    /// What the world has one of.
-    fn singles(&self, driving: Option<u64>, next_actor: u64) -> [(RecordKey, Record); 3] {
-        let player = PlayerKept {
+    fn player_kept(&self) -> PlayerKept {
+        PlayerKept {
             body: self.player.clone(),
             item_slot: self.item_slot,
             inventory: self.inventory.clone(),
             brush_radius_m: self.brush_radius_m,
             flashlight: self.flashlight,
-            driving,
+            driving: self.driving.map(u64::from),
             start: self.start.clone(),
             been_round: self.been_round,
-        };
-        let course = CourseRecord {
-            time_of_day_s: self.time_of_day_s,
-            simulated_s: self.simulated_s,
-            next_actor,
-            car_given: self.car_given,
-        };
-        let view = ViewRecord {
-            map: self.map.clone(),
-            curvature: self.curvature,
-            curvature_horizon: self.curvature_horizon,
-            bent: self.bent,
-            bend: self.bend,
-            view_distance: self.view_distance,
-        };
-        [
-            (
-                RecordKind::Player.single(),
-                Record::Player(Box::new(player)),
-            ),
-            (RecordKind::Course.single(), Record::Course(course)),
-            (RecordKind::View.single(), Record::View(view)),
-        ]
+        }
     }
 
     /// All of `records` in one value, actors in the order of their numbers.
@@ -126,10 +103,11 @@ impl WorldState {
         let (mut cars, mut driving) = (Vec::new(), None);
         for (key, record) in records {
             match record.clone() {
-                Record::Player(it) => {
+                Record::Player(it) if key.id == 0 => {
                     driving = it.driving;
                     state.take_player(*it);
                 }
+                Record::Player(_) => {}
                 Record::Course(it) => {
                     state.time_of_day_s = it.time_of_day_s;
                     state.simulated_s = it.simulated_s;
@@ -168,13 +146,16 @@ impl WorldState {
         self.bend = view.bend;
         self.view_distance = view.view_distance;
     }
+}
 
-    /// What has to be written for a world that holds `keys` to hold this state and nothing else of its kinds.
-    pub fn replacing(&self, keys: impl IntoIterator<Item = RecordKey>) -> RecordChanges {
-        let gone = keys.into_iter().map(|key| (key, None));
-        let mut changes: RecordChanges = gone.collect();
-        let records = self.to_records().into_iter();
-        changes.extend(records.map(|(key, record)| (key, Some(record))));
-        changes
+/// What to write for a world without records to hold this state.
+impl From<&WorldState> for RecordChanges {
+    fn from(state: &WorldState) -> Self {
+        let records = state.to_records();
+        records.map(|(key, record)| (key, Some(record))).collect()
     }
+}
+
+fn numbered(records: impl Iterator<Item = Record>) -> impl Iterator<Item = (RecordKey, Record)> {
+    (0..).zip(records).map(|(id, record)| (record.kind().numbered(id), record))
 }

@@ -1,4 +1,4 @@
-//! The embedded store as this crate uses it: three tables of sealed records, and the two of worlds up to version 6.
+//! The embedded store as this crate uses it: four tables of sealed records.
 //!
 //! The store trusts its file: so [`page_check`] reads every page before it is opened, and
 //! every call goes through [`guard`] besides.
@@ -18,15 +18,15 @@ use crate::overlay::Overlay;
 use crate::page_check;
 use crate::schema::ChunkKey;
 
-/// What the world is under `world`; up to version 6 also all that changes, under `state`.
+/// What the world is, under `world`; up to version 6 also all that changes, under `state`.
 pub(crate) const VALUES: TableDefinition<'static, &str, &[u8]> = TableDefinition::new("values");
-/// One record per edited chunk, see [`ChunkKey::to_bytes`].
-pub(crate) const LAND: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("land");
+/// One record per edited chunk of the two hemispheres.
+pub(crate) const CHUNKS: TableDefinition<'static, &[u8; ChunkKey::BYTES], &[u8]> =
+    TableDefinition::new("chunks");
+/// Those of charts that have a name: see [`ChunkKey::is_of_named_chart`].
+pub(crate) const NAMED: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("land");
 /// One record per thing, see [`crate::record`].
 pub(crate) const RECORDS: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("records");
-/// The edited chunks of worlds up to version 6. The first commit moves them to [`LAND`].
-pub(crate) const OLD_CHUNKS: TableDefinition<'static, &[u8; ChunkKey::OLD_BYTES], &[u8]> =
-    TableDefinition::new("chunks");
 /// Key of the [`crate::WorldMeta`].
 pub(crate) const META_KEY: &str = "world";
 /// Key of the state of worlds up to version 6.
@@ -60,8 +60,28 @@ pub(crate) struct Put {
 }
 
 impl Put {
-    fn is_old_chunk(&self) -> bool {
-        self.kind == Kind::Chunk && self.key.len() == ChunkKey::OLD_BYTES
+    /// With its key, if it is one of [`VALUES`].
+    fn value(&self) -> Option<(&str, &Self)> {
+        let is_value = matches!(self.kind, Kind::Meta | Kind::State);
+        let key = std::str::from_utf8(&self.key).ok()?;
+        is_value.then_some((key, self))
+    }
+
+    /// With its key, if it is one of [`CHUNKS`].
+    fn chunk(&self) -> Option<(&[u8; ChunkKey::BYTES], &Self)> {
+        let key = self.key.as_slice().try_into().ok()?;
+        (self.kind == Kind::Chunk).then_some((key, self))
+    }
+
+    /// With its key, if it is one of [`NAMED`].
+    fn named_chunk(&self) -> Option<(&[u8], &Self)> {
+        let is_named = self.kind == Kind::Chunk && self.chunk().is_none();
+        is_named.then_some((self.key.as_slice(), self))
+    }
+
+    /// With its key, if it is one of [`RECORDS`].
+    fn record(&self) -> Option<(&[u8], &Self)> {
+        (self.kind == Kind::Record).then_some((self.key.as_slice(), self))
     }
 }
 
@@ -161,39 +181,18 @@ impl Store {
         StorageError::store(&self.path, &self.world, error)
     }
 
-    /// The sealed bytes of one chunk, and the key that they are under.
-    pub(crate) fn chunk(&self, key: &ChunkKey) -> Result<Option<Raw>, StorageError> {
+    /// The sealed bytes of one chunk.
+    pub(crate) fn chunk(
+        &self,
+        key: &[u8; ChunkKey::BYTES],
+    ) -> Result<Option<Vec<u8>>, StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            let raw = |key: Vec<u8>, bytes: &[u8]| Raw {
-                kind: Kind::Chunk,
-                key,
-                bytes: bytes.to_vec(),
-            };
-            if let Some(table) = absent(read.open_table(LAND)).map_err(|e| self.error(e))? {
-                let key = key.to_bytes();
-                let value = table.get(key.as_slice()).map_err(|e| self.error(e))?;
-                if let Some(value) = value {
-                    return Ok(Some(raw(key, value.value())));
-                }
-            }
-            let Some(table) = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))?
-            else {
+            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
                 return Ok(None);
             };
-            let key = key.to_old_bytes();
-            let value = table.get(&key).map_err(|e| self.error(e))?;
-            Ok(value.map(|value| raw(key.to_vec(), value.value())))
-        })
-    }
-
-    /// Whether the world is stored as up to version 6: any commit makes it one of today.
-    pub(crate) fn is_old(&self) -> Result<bool, StorageError> {
-        guard(&self.path, || {
-            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            let chunks = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))?;
-            let state = value_in(&read, STATE_KEY).map_err(|e| self.error(e))?;
-            Ok(chunks.is_some() || state.is_some())
+            let value = table.get(key).map_err(|e| self.error(e))?;
+            Ok(value.map(|value| value.value().to_vec()))
         })
     }
 
@@ -220,16 +219,9 @@ impl Store {
                     });
                 }
             }
-            if let Some(table) = absent(read.open_table(RECORDS)).map_err(|e| self.error(e))? {
-                self.scan_table(&table, Kind::Record, |key| key.to_vec(), &mut each)?;
-            }
-            if let Some(table) = absent(read.open_table(LAND)).map_err(|e| self.error(e))? {
-                self.scan_table(&table, Kind::Chunk, |key| key.to_vec(), &mut each)?;
-            }
-            if let Some(table) = absent(read.open_table(OLD_CHUNKS)).map_err(|e| self.error(e))? {
-                self.scan_table(&table, Kind::Chunk, |key| key.to_vec(), &mut each)?;
-            }
-            Ok(())
+            self.scan_table(&read, RECORDS, Kind::Record, |key| key.to_vec(), &mut each)?;
+            self.scan_table(&read, CHUNKS, Kind::Chunk, |key| key.to_vec(), &mut each)?;
+            self.scan_table(&read, NAMED, Kind::Chunk, |key| key.to_vec(), &mut each)
         })
     }
 
@@ -237,20 +229,21 @@ impl Store {
     pub(crate) fn scan_records(&self, mut each: impl FnMut(Raw)) -> Result<(), StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            match absent(read.open_table(RECORDS)).map_err(|e| self.error(e))? {
-                Some(table) => self.scan_table(&table, Kind::Record, |key| key.to_vec(), &mut each),
-                None => Ok(()),
-            }
+            self.scan_table(&read, RECORDS, Kind::Record, |key| key.to_vec(), &mut each)
         })
     }
 
     fn scan_table<K: redb::Key + 'static>(
         &self,
-        table: &redb::ReadOnlyTable<K, &'static [u8]>,
+        read: &ReadTransaction,
+        table: TableDefinition<'static, K, &'static [u8]>,
         kind: Kind,
         bytes_of: for<'k> fn(K::SelfType<'k>) -> Vec<u8>,
         each: &mut impl FnMut(Raw),
     ) -> Result<(), StorageError> {
+        let Some(table) = absent(read.open_table(table)).map_err(|e| self.error(e))? else {
+            return Ok(());
+        };
         let wrong = |reason| StorageError::unreadable(&self.path, reason);
         let mut left = table.len().map_err(|e| self.error(e))?;
         let mut last: Option<Vec<u8>> = None;
@@ -276,110 +269,34 @@ impl Store {
         }
     }
 
-    /// Does all of this in one durable transaction, or nothing. A world of version 6 or older is made one of today
-    /// first: `moved` seals a chunk's record for its new key.
-    pub(crate) fn write(
-        &self,
-        puts: &[Put],
-        moved: Option<&dyn Fn(Raw) -> Put>,
-    ) -> Result<(), StorageError> {
+    /// Does all of this in one durable transaction, or nothing.
+    pub(crate) fn write(&self, puts: &[Put]) -> Result<(), StorageError> {
         guard(&self.path, || {
             let write = self.db()?.begin_write().map_err(|e| self.error(e))?;
-            if let Some(moved) = moved {
-                self.move_chunks(&write, moved)?;
-            }
-            self.put_values(&write, puts)?;
-            self.put(&write, RECORDS, Kind::Record, puts)?;
-            self.put(&write, LAND, Kind::Chunk, puts)?;
-            self.put_old_chunks(&write, puts)?;
+            self.put(&write, VALUES, puts.iter().filter_map(Put::value))?;
+            self.put(&write, RECORDS, puts.iter().filter_map(Put::record))?;
+            self.put(&write, CHUNKS, puts.iter().filter_map(Put::chunk))?;
+            self.put(&write, NAMED, puts.iter().filter_map(Put::named_chunk))?;
             write.commit().map_err(|e| self.error(e))
         })
     }
 
-    fn move_chunks(
+    /// Opens a table only if there is something for it, since that makes it.
+    fn put<'k, K: redb::Key + 'static>(
         &self,
         write: &WriteTransaction,
-        moved: &dyn Fn(Raw) -> Put,
+        table: TableDefinition<'static, K, &'static [u8]>,
+        puts: impl Iterator<Item = (K::SelfType<'k>, &'k Put)>,
     ) -> Result<(), StorageError> {
-        {
-            let old = write.open_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
-            let mut land = write.open_table(LAND).map_err(|e| self.error(e))?;
-            for entry in old.iter().map_err(|e| self.error(e))? {
-                let (key, value) = entry.map_err(|e| self.error(e))?;
-                let put = moved(Raw {
-                    kind: Kind::Chunk,
-                    key: key.value().to_vec(),
-                    bytes: value.value().to_vec(),
-                });
-                let bytes = put.bytes.unwrap_or_default();
-                land.insert(put.key.as_slice(), bytes.as_slice())
-                    .map_err(|e| self.error(e))?;
-            }
-        }
-        write.delete_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
-        Ok(())
-    }
-
-    fn put_values(&self, write: &WriteTransaction, puts: &[Put]) -> Result<(), StorageError> {
-        let is_value = |put: &&Put| matches!(put.kind, Kind::Meta | Kind::State);
-        if !puts.iter().any(|put| is_value(&put)) {
-            return Ok(());
-        }
-        let mut table = write.open_table(VALUES).map_err(|e| self.error(e))?;
-        for put in puts.iter().filter(is_value) {
-            let key = if put.kind == Kind::Meta {
-                META_KEY
-            } else {
-                STATE_KEY
-            };
-            match &put.bytes {
-                Some(bytes) => table.insert(key, bytes.as_slice()),
-                None => table.remove(key),
-            }
-            .map_err(|e| self.error(e))?;
-        }
-        Ok(())
-    }
-
-    /// Chunks of a world up to version 6 that is copied as it is.
-    fn put_old_chunks(&self, write: &WriteTransaction, puts: &[Put]) -> Result<(), StorageError> {
-        let mut puts = puts.iter().filter(|put| put.is_old_chunk()).peekable();
-        if puts.peek().is_none() {
-            return Ok(());
-        }
-        let mut table = write.open_table(OLD_CHUNKS).map_err(|e| self.error(e))?;
-        for put in puts {
-            if let (Ok(key), Some(bytes)) = (
-                <&[u8; ChunkKey::OLD_BYTES]>::try_from(put.key.as_slice()),
-                &put.bytes,
-            ) {
-                table
-                    .insert(key, bytes.as_slice())
-                    .map_err(|e| self.error(e))?;
-            }
-        }
-        Ok(())
-    }
-
-    fn put(
-        &self,
-        write: &WriteTransaction,
-        table: TableDefinition<'static, &'static [u8], &'static [u8]>,
-        kind: Kind,
-        puts: &[Put],
-    ) -> Result<(), StorageError> {
-        let mut puts = puts
-            .iter()
-            .filter(|put| put.kind == kind && !put.is_old_chunk())
-            .peekable();
+        let mut puts = puts.peekable();
         if puts.peek().is_none() {
             return Ok(());
         }
         let mut table = write.open_table(table).map_err(|e| self.error(e))?;
-        for put in puts {
+        for (key, put) in puts {
             match &put.bytes {
-                Some(bytes) => table.insert(put.key.as_slice(), bytes.as_slice()),
-                None => table.remove(put.key.as_slice()),
+                Some(bytes) => table.insert(key, bytes.as_slice()),
+                None => table.remove(key),
             }
             .map_err(|e| self.error(e))?;
         }

@@ -4,20 +4,22 @@ use std::collections::BTreeMap;
 
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::record::KeyParts;
+use crate::record::{KeyParts, Record as Thing, RecordKey};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
-use crate::store::{META_KEY, Raw, Store};
+use crate::store::{META_KEY, Put, Raw, Store};
 
 /// What the state of worlds up to version 6, and the player's record of later ones, is called.
 pub(crate) const PLAYERS_STATE: &str = "the player's state";
-const CHUNK_OF_NO_CHART: &str = "a chunk of a chart that this version does not know";
+const NAMED_CHUNK: &str = "a chunk of a chart that this version does not know";
 
 /// What is kept in memory of an open world.
 pub(crate) struct Known {
     /// What the world is, as last committed.
     pub meta: WorldMeta,
+    /// The schema version that it was written by.
+    pub version: u16,
     /// Chunks whose record cannot be believed, with the reason.
     pub damaged: BTreeMap<ChunkKey, String>,
     /// Keys of records of things that cannot be believed, with what each is and the reason.
@@ -38,12 +40,8 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     };
     let meta: WorldMeta = schema::read(&meta_bytes, META_KEY.as_bytes())
         .map_err(|fault| fault_in(label, "what the world is", fault))?;
-    let mut known = Known {
-        meta,
-        damaged: BTreeMap::new(),
-        damaged_records: BTreeMap::new(),
-        faults: Vec::new(),
-    };
+    let version = codec::unseal(&meta_bytes).map_or(SCHEMA_VERSION, |record| record.version);
+    let mut known = Known::of(meta, version);
     let mut last = 0;
     let mut newer = None;
     let scanned = store.scan(|raw| match record_fault(&raw) {
@@ -69,9 +67,44 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
 }
 
 impl Known {
+    /// A sound world.
+    pub(crate) fn of(meta: WorldMeta, version: u16) -> Self {
+        Self {
+            meta,
+            version,
+            damaged: BTreeMap::new(),
+            damaged_records: BTreeMap::new(),
+            faults: Vec::new(),
+        }
+    }
+
     /// Whether nothing is damaged.
     fn is_sound(&self) -> bool {
         self.damaged.is_empty() && self.damaged_records.is_empty() && self.faults.is_empty()
+    }
+
+    /// Whether what this changes is damaged; a state of old that is damaged is among the faults.
+    pub(crate) fn is_damaged(&self, put: &Put) -> bool {
+        match put.kind {
+            Kind::Chunk => {
+                ChunkKey::from_bytes(&put.key).is_some_and(|key| self.damaged.contains_key(&key))
+            }
+            Kind::Record => self.damaged_records.contains_key(&put.key),
+            Kind::State => self.faults.iter().any(|(what, _)| what == PLAYERS_STATE),
+            Kind::Meta => false,
+        }
+    }
+
+    /// Notes that this is on disk: what was damaged there is no more.
+    pub(crate) fn mend(&mut self, put: &Put) {
+        match put.kind {
+            Kind::Chunk => {
+                ChunkKey::from_bytes(&put.key).map(|key| self.damaged.remove(&key));
+            }
+            Kind::Record => drop(self.damaged_records.remove(&put.key)),
+            Kind::State => self.faults.retain(|(what, _)| what != PLAYERS_STATE),
+            Kind::Meta => {}
+        }
     }
 
     /// Remembers a damaged record.
@@ -80,7 +113,7 @@ impl Known {
             (Kind::Chunk, Some(key)) => {
                 self.damaged.insert(key, reason);
             }
-            (Kind::Chunk, None) => self.faults.push((CHUNK_OF_NO_CHART.to_owned(), reason)),
+            (Kind::Chunk, None) => self.faults.push((NAMED_CHUNK.to_owned(), reason)),
             (Kind::Record, _) => {
                 let what = what_record(&raw.key);
                 self.damaged_records.insert(raw.key.clone(), (what, reason));
@@ -104,19 +137,24 @@ fn record_fault(raw: &Raw) -> Result<u64, SchemaFault> {
 
 /// Checks a record of a thing. One of a kind or a version that only a later game knows is whole; but without the
 /// player, the time or the view nobody can play.
-fn check_record(record: &Record<'_>, key: &[u8]) -> Result<(), SchemaFault> {
+pub(crate) fn check_record(record: &Record<'_>, key: &[u8]) -> Result<(), SchemaFault> {
     let strange = || SchemaFault::Damaged("it belongs somewhere else".to_owned());
     if record.kind != Kind::Record || record.key != key {
         return Err(strange());
     }
     let known = KeyParts::of(key).ok_or_else(strange)?.known();
+    let damaged = |reason: &str| Err(SchemaFault::Damaged(reason.to_owned()));
     if record.version == 0 {
-        let reason = "its version 0 was never used".to_owned();
-        return Err(SchemaFault::Damaged(reason));
+        return damaged("its version 0 was never used");
     }
-    match known {
-        Some(key) if key == key.kind.single() && record.version > key.kind.version() => {
+    match known.filter(|key| key.is_needed()) {
+        Some(RecordKey { kind, .. }) if record.version > kind.version() => {
             Err(SchemaFault::Newer(SCHEMA_VERSION + 1))
+        }
+        Some(RecordKey { kind, .. })
+            if Thing::decoded(kind, record.version, record.body).is_none() =>
+        {
+            damaged("its contents make no sense")
         }
         _ => Ok(()),
     }
@@ -184,7 +222,7 @@ mod tests {
             ..WorldMeta::default()
         };
         let body = codec::encode(&meta).unwrap();
-        let player = RecordKind::Player.single();
+        let player = RecordKind::Player.numbered(0);
         let state = Record::Player(Box::default()).encoded().unwrap();
         let chunk = pack_chunk(&vec![3; crate::CHUNK_SAMPLES]).unwrap();
         let put = |version, kind, key: &[u8], body: &[u8]| Put {
@@ -204,7 +242,7 @@ mod tests {
         ];
         Store::create(&dir.join(WORLD_FILE), "Future")
             .unwrap()
-            .write(&puts, None)
+            .write(&puts)
             .unwrap();
         let saves = SavesDir::new(root.path());
         (root, saves)
@@ -299,8 +337,7 @@ mod tests {
                 let chunks = vec![(ChunkKey::default(), vec![step as i16; crate::CHUNK_SAMPLES])];
                 let batch = crate::Batch {
                     meta: None,
-                    records: crate::RecordChanges::new(),
-                    state: Some(state),
+                    records: (&state).into(),
                     chunks,
                 };
                 world.commit(&batch).unwrap();
@@ -324,9 +361,13 @@ mod tests {
             ..ChunkKey::default()
         };
         let store = Store::open(&root.path().join("future").join(WORLD_FILE), "Future").unwrap();
-        let mut raw = store.chunk(&ChunkKey::default()).unwrap().unwrap();
-        raw.key = elsewhere.to_bytes();
-        store.write(&[raw.into()], None).unwrap();
+        let bytes = store.chunk(&ChunkKey::default().to_bytes()).unwrap();
+        let put = Put {
+            kind: Kind::Chunk,
+            key: elsewhere.to_bytes().to_vec(),
+            bytes,
+        };
+        store.write(&[put]).unwrap();
         drop(store);
         let world = saves.open("future").unwrap();
         assert_eq!(

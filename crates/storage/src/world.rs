@@ -1,6 +1,5 @@
 //! One world on disk: open it, read it, commit to it.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,12 +8,12 @@ use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
-use crate::record::{Record, RecordChanges, RecordKey, RecordKind, Records};
+use crate::record::{Record, RecordChanges, RecordKey, Records};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
-use crate::store::{META_KEY, Put, Raw, STATE_KEY, Store};
+use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{Known, PLAYERS_STATE, fault_in, survey};
 use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, scratch, summary};
 
@@ -23,8 +22,6 @@ use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, scratc
 pub struct Batch {
     /// The new meta record, if it changed.
     pub meta: Option<WorldMeta>,
-    /// A state to have instead of all records that there are, of the kinds that this version knows.
-    pub state: Option<WorldState>,
     /// Records that changed, and those of what is gone.
     pub records: RecordChanges,
     /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
@@ -34,20 +31,8 @@ pub struct Batch {
 impl Batch {
     /// Whether there is nothing to write.
     pub fn is_empty(&self) -> bool {
-        self.meta.is_none()
-            && self.state.is_none()
-            && self.records.is_empty()
-            && self.chunks.is_empty()
+        self.meta.is_none() && self.records.is_empty() && self.chunks.is_empty()
     }
-}
-
-/// How much a commit wrote.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Written {
-    /// Records put in, replaced or removed.
-    pub records: usize,
-    /// Bytes of those that were put in or replaced, seals included.
-    pub bytes: usize,
 }
 
 /// An open world. Reading and committing are possible from several threads; one
@@ -64,8 +49,6 @@ pub struct WorldStore {
     sequence: Mutex<u64>,
     /// Whether the damaged file has been kept beside this one.
     kept: AtomicBool,
-    /// What the last commit wrote.
-    written: Mutex<Written>,
 }
 
 impl std::fmt::Debug for WorldStore {
@@ -89,15 +72,9 @@ impl WorldStore {
             dir: dir.to_path_buf(),
             file: file_at(&path)?,
             store: RwLock::new(Some(store)),
-            known: Mutex::new(Known {
-                meta: meta.clone(),
-                damaged: BTreeMap::new(),
-                damaged_records: BTreeMap::new(),
-                faults: Vec::new(),
-            }),
+            known: Mutex::new(Known::of(meta.clone(), SCHEMA_VERSION)),
             sequence: Mutex::new(0),
             kept: AtomicBool::new(false),
-            written: Mutex::default(),
         };
         world.commit(&Batch {
             meta: Some(meta.clone()),
@@ -144,7 +121,6 @@ impl WorldStore {
             known: Mutex::new(known),
             sequence: Mutex::new(sequence),
             kept: AtomicBool::new(false),
-            written: Mutex::default(),
         })
     }
 
@@ -180,58 +156,35 @@ impl WorldStore {
         others.chain(records).chain(chunks).collect()
     }
 
-    /// The player and the rest that changes in one value; `None` in a world never played.
+    /// All that changes but the land in one value; `None` in a world never played.
     ///
     /// # Errors
-    /// [`StorageError::Damaged`] if the player's record cannot be believed, failures of the file system.
+    /// [`StorageError::Damaged`] if what is stored of the player cannot be believed, failures of the file system.
     pub fn state(&self) -> Result<Option<WorldState>, StorageError> {
         let records = self.records()?;
-        let player = RecordKind::Player.single();
-        let damaged = self.known().damaged_records.get(&player.to_bytes()).cloned();
-        if let Some((_, reason)) = damaged {
-            let why = SchemaFault::Damaged(reason);
-            return Err(fault_in(&self.meta_name(), PLAYERS_STATE, why));
+        if records.player().is_some() {
+            return Ok(Some(WorldState::of_records(&records.known)));
         }
-        let is_played = !records.known.is_empty();
-        Ok(is_played.then(|| WorldState::of_records(&records.known)))
+        let fault = self.faults().into_iter().find(|fault| {
+            matches!(fault, StorageError::Damaged { what, .. } if what == PLAYERS_STATE)
+        });
+        fault.map_or(Ok(None), Err)
     }
 
     /// The records of what changes. Those that are damaged are left out; see [`Self::problems`].
     ///
     /// # Errors
-    /// [`StorageError::Damaged`] if the state of a world up to version 6 cannot be believed, failures of the file
-    /// system.
+    /// Failures of the file system.
     pub fn records(&self) -> Result<Records, StorageError> {
         let mut records = Records::default();
-        if let Some(state) = self.old_state()? {
-            records.known = state.to_records();
-            records.next_actor = records.known.keys().map(|key| key.id).max().unwrap_or(0);
+        let old = self.with_store(|store| store.value(STATE_KEY))?;
+        if let Some(state) = old.as_deref().and_then(old_state) {
+            for (key, record) in state.to_records() {
+                records.put(key, record);
+            }
         }
         self.with_store(|store| store.scan_records(|raw| records.take(&raw)))?;
-        records.next_actor = records.next_actor.saturating_add(1);
-        if let Some(Record::Course(course)) = records.known.get(&RecordKind::Course.single()) {
-            records.next_actor = records.next_actor.max(course.next_actor);
-        }
         Ok(records)
-    }
-
-    /// The state of a world up to version 6.
-    fn old_state(&self) -> Result<Option<WorldState>, StorageError> {
-        let bytes = self.with_store(|store| store.value(STATE_KEY))?;
-        let name = self.meta_name();
-        bytes
-            .map(|bytes| schema::read(&bytes, STATE_KEY.as_bytes()))
-            .transpose()
-            .map_err(|fault| fault_in(&name, PLAYERS_STATE, fault))
-    }
-
-    fn meta_name(&self) -> String {
-        self.known().meta.name.clone()
-    }
-
-    /// What the last commit wrote, without what a world up to version 6 was rewritten for.
-    pub fn last_written(&self) -> Written {
-        *self.written.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Copies the file as it is now to a free name beside it, before something in it that cannot be read is written
@@ -264,8 +217,10 @@ impl WorldStore {
             }
             known.meta.name.clone()
         };
-        let raw = self.with_store(|store| store.chunk(key))?;
-        raw.map(|raw| schema::read(&raw.bytes, &raw.key))
+        let stored = key.to_bytes();
+        let bytes = self.with_store(|store| store.chunk(&stored))?;
+        bytes
+            .map(|bytes| schema::read(&bytes, &stored))
             .transpose()
             .map(|chunk| chunk.map(|ChunkBody(samples)| samples))
             .map_err(|fault| fault_in(&name, &key.to_string(), fault))
@@ -304,12 +259,9 @@ impl WorldStore {
         self.check_place()?;
         let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
         let sequence = codec::next_commit(*last);
-        let is_old = self.with_store(Store::is_old)?;
-        let puts = self.puts(batch, is_old, sequence)?;
-        self.keep_damaged(batch)?;
-        let moved = |raw: Raw| moved(raw, sequence);
-        let moved = is_old.then_some(&moved as &dyn Fn(Raw) -> Put);
-        if let Err(error) = self.with_store(|store| store.write(&puts, moved)) {
+        let puts = self.puts(batch, sequence)?;
+        self.keep_damaged(&puts)?;
+        if let Err(error) = self.with_store(|store| store.write(&puts)) {
             // After a failed write the store refuses everything until it is opened again.
             *self.store.write().unwrap_or_else(PoisonError::into_inner) = None;
             return Err(error);
@@ -326,73 +278,40 @@ impl WorldStore {
     }
 
     /// What a batch does to the store.
-    fn puts(&self, batch: &Batch, is_old: bool, sequence: u64) -> Result<Vec<Put>, StorageError> {
+    fn puts(&self, batch: &Batch, sequence: u64) -> Result<Vec<Put>, StorageError> {
         let known_meta = self.meta();
         let name = &known_meta.name;
+        let is_old = self.known().version < SCHEMA_VERSION;
         let mut puts = Vec::new();
         // An older game is to find out by the first record that the world is none of its own any more.
-        let meta = batch.meta.as_ref().or(is_old.then_some(&known_meta));
-        if let Some(meta) = meta {
+        if let Some(meta) = batch.meta.as_ref().or(is_old.then_some(&known_meta)) {
             puts.push(sealed_meta(meta, sequence, name)?);
         }
-        let mut changes = RecordChanges::new();
-        if is_old {
+        if is_old && let Some(bytes) = self.with_store(|store| store.value(STATE_KEY))? {
             puts.push(Put {
                 kind: Kind::State,
                 key: STATE_KEY.as_bytes().to_vec(),
                 bytes: None,
             });
-            changes = self.changes_of_old_state()?;
+            let state = old_state(&bytes);
+            for (key, record) in state.iter().flat_map(WorldState::to_records) {
+                puts.push(sealed_record(key, Some(&record), sequence, name)?);
+            }
         }
-        if let Some(state) = &batch.state {
-            let keys = self.records()?.known.into_keys();
-            changes.extend(state.replacing(keys));
-        }
-        for (key, record) in changes
-            .iter()
-            .filter(|(key, _)| !batch.records.contains_key(key))
-            .chain(&batch.records)
-        {
+        for (key, record) in &batch.records {
             puts.push(sealed_record(*key, record.as_ref(), sequence, name)?);
         }
         for (key, samples) in &batch.chunks {
             let body =
                 pack_chunk(samples).map_err(|reason| unstorable(name, &key.to_string(), reason))?;
-            let key = key.to_bytes();
-            let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body);
-            puts.push(Put {
-                kind: Kind::Chunk,
-                key,
-                bytes: Some(bytes),
-            });
+            puts.push(sealed_chunk(*key, sequence, &body));
         }
         Ok(puts)
     }
 
-    /// What becomes of the state of a world up to version 6. One that cannot be believed is kept in a copy of the file.
-    fn changes_of_old_state(&self) -> Result<RecordChanges, StorageError> {
-        match self.old_state() {
-            Ok(state) => Ok(state.map(|it| it.replacing([])).unwrap_or_default()),
-            Err(error) if error.is_damage() => {
-                if !self.kept.load(Ordering::Relaxed) {
-                    self.keep_copy()?;
-                }
-                Ok(RecordChanges::new())
-            }
-            Err(error) => Err(error),
-        }
-    }
-
-    /// Keeps the file as it is before a record in it that cannot be believed is written over.
-    fn keep_damaged(&self, batch: &Batch) -> Result<(), StorageError> {
-        let overwrites = {
-            let known = self.known();
-            let chunk = |key: &ChunkKey| known.damaged.contains_key(key);
-            let record = |key: &RecordKey| known.damaged_records.contains_key(&key.to_bytes());
-            batch.chunks.iter().any(|(key, _)| chunk(key))
-                || (!known.damaged_records.is_empty()
-                    && (batch.state.is_some() || batch.records.keys().any(record)))
-        };
+    /// Keeps the file as it is before something in it that cannot be believed is written over.
+    fn keep_damaged(&self, puts: &[Put]) -> Result<(), StorageError> {
+        let overwrites = puts.iter().any(|put| self.known().is_damaged(put));
         if overwrites && !self.kept.load(Ordering::Relaxed) {
             self.keep_copy()?;
         }
@@ -400,29 +319,12 @@ impl WorldStore {
     }
 
     fn note_committed(&self, batch: &Batch, puts: &[Put]) {
-        let written = Written {
-            records: puts.len(),
-            bytes: puts
-                .iter()
-                .filter_map(|put| put.bytes.as_ref())
-                .map(Vec::len)
-                .sum(),
-        };
-        *self.written.lock().unwrap_or_else(PoisonError::into_inner) = written;
         let mut known = self.known();
-        for (key, _) in &batch.chunks {
-            known.damaged.remove(key);
-        }
-        for put in puts {
-            match put.kind {
-                Kind::Record => drop(known.damaged_records.remove(&put.key)),
-                Kind::State => known.faults.retain(|(what, _)| what != PLAYERS_STATE),
-                _ => {}
-            }
-        }
+        puts.iter().for_each(|put| known.mend(put));
         if let Some(meta) = &batch.meta {
             known.meta = meta.clone();
         }
+        known.version = SCHEMA_VERSION;
     }
 
     /// Refuses to go on if the open file is no longer the one in the directory: the
@@ -574,46 +476,38 @@ pub(crate) fn sealed_record(
     sequence: u64,
     world: &str,
 ) -> Result<Put, StorageError> {
+    let stored = key.to_bytes();
+    let unstorable = |reason| unstorable(world, &key.to_string(), reason);
     let bytes = match record {
         Some(record) if record.kind() != key.kind => {
-            let reason = format!("it is a {}", record.kind().name());
-            return Err(unstorable(world, &key.to_string(), reason));
+            return Err(unstorable(format!("it is a {}", record.kind().name())));
         }
         Some(record) => {
-            let body = (record.encoded())
-                .map_err(|fault| unstorable(world, &key.to_string(), fault.to_string()))?;
+            let body = (record.encoded()).map_err(|fault| unstorable(fault.to_string()))?;
             let version = key.kind.version();
-            Some(codec::seal(
-                version,
-                Kind::Record,
-                &key.to_bytes(),
-                sequence,
-                &body,
-            ))
+            Some(codec::seal(version, Kind::Record, &stored, sequence, &body))
         }
         None => None,
     };
     Ok(Put {
         kind: Kind::Record,
-        key: key.to_bytes(),
+        key: stored,
         bytes,
     })
 }
 
-/// A chunk of a world up to version 6 under its new key; one that cannot be believed as it is.
-fn moved(raw: Raw, sequence: u64) -> Put {
-    let key = ChunkKey::from_bytes(&raw.key).map_or(raw.key.clone(), ChunkKey::to_bytes);
-    let bytes = match codec::unseal(&raw.bytes) {
-        Ok(record)
-            if record.key == raw.key && schema::check::<ChunkBody>(&record, &raw.key).is_ok() =>
-        {
-            codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, record.body)
-        }
-        _ => raw.bytes,
-    };
+/// Seals the packed edits of a chunk.
+pub(crate) fn sealed_chunk(key: ChunkKey, sequence: u64, body: &[u8]) -> Put {
+    let key = key.to_bytes().to_vec();
+    let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, body);
     Put {
         kind: Kind::Chunk,
         key,
         bytes: Some(bytes),
     }
+}
+
+/// The state of a world up to version 6, if it can be believed.
+fn old_state(bytes: &[u8]) -> Option<WorldState> {
+    schema::read(bytes, STATE_KEY.as_bytes()).ok()
 }

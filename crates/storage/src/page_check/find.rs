@@ -38,12 +38,7 @@ pub(crate) fn look<R: Read + Seek>(pages: &mut Pages<R>) -> Result<Option<Look>,
         Some(root) => find(pages, root, values, META_KEY.as_bytes())?,
         None => None,
     };
-    // Worlds up to version 6 have the other table; no world has both.
-    let land = match table(pages, slot.user, "land")? {
-        Some(root) => Some(root),
-        None => table(pages, slot.user, "chunks")?,
-    };
-    let chunks = land.map_or(0, |root| root.length);
+    let chunks = table(pages, slot.user, "chunks")?.map_or(0, |root| root.length);
     Ok(Some(Look { meta, chunks }))
 }
 

@@ -19,10 +19,7 @@ use super::whole::whole;
 use super::{Checked, Fault, u32_at};
 use crate::codec::Kind;
 use crate::store::Store;
-use crate::{
-    Batch, ChunkKey, Record, RecordChanges, RecordKind, SavesDir, WORLD_FILE, WorldMeta,
-    WorldState, WorldStore,
-};
+use crate::{Batch, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldState, WorldStore};
 
 mod forge;
 mod survival;
@@ -69,8 +66,7 @@ fn commit(world: &WorldStore, number: i16, chunks: impl Iterator<Item = i32>) {
     };
     let batch = Batch {
         meta: None,
-        records: RecordChanges::new(),
-        state: Some(state),
+        records: (&state).into(),
         chunks: chunks.map(|x| (key(x), samples(x, number))).collect(),
     };
     world.commit(&batch).unwrap();
@@ -250,14 +246,14 @@ fn forgeries_that_every_checksum_lets_pass_are_refused_with_the_reason() {
             "do not rise",
             Box::new(move |forge| {
                 let at = leaf(forge);
-                let first = at + 4 + 8 * usize::from(forge.bytes[at + 2]);
+                let first = at + 4 + 4 * usize::from(forge.bytes[at + 2]);
                 forge.put(first + 4, &[0xff]);
             }),
         ),
         (
             "outside of its page",
             Box::new(move |forge| {
-                let at = leaf(forge) + 8 + 4 * usize::from(forge.bytes[leaf(forge) + 2]);
+                let at = leaf(forge) + 8;
                 forge.put(at, &[0, 0]);
             }),
         ),
@@ -286,8 +282,8 @@ fn forgeries_that_every_checksum_lets_pass_are_refused_with_the_reason() {
         (
             "makes no sense",
             Box::new(|forge| {
-                let width = forge.chunks().definition + 42;
-                forge.put(width, &[1, 12]);
+                let width = forge.chunks().definition + 43;
+                forge.put(width, &[12]);
             }),
         ),
         (

@@ -16,10 +16,9 @@ use std::path::Path;
 use proptest::prelude::RngExt as _;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-use crate::codec::{self, Kind};
-use crate::schema::{ChunkKey, SCHEMA_VERSION, WorldMeta, WorldState};
-use crate::store::{Put, Store};
-use crate::world::{WorldStore, sealed_meta, sealed_record};
+use crate::schema::{ChunkKey, WorldMeta, WorldState};
+use crate::store::Store;
+use crate::world::{WorldStore, sealed_chunk, sealed_meta, sealed_record};
 use crate::{CHUNK_SAMPLES, SavesDir, WORLD_FILE, pack_chunk};
 use disk::{Disk, Event};
 
@@ -91,18 +90,10 @@ fn played() -> Vec<Event> {
             puts.push(sealed_record(key, Some(&record), sequence, "Cut").unwrap());
         }
         puts.extend(changed(commit).map(|chunk| {
-            let (key, body) = (
-                key(chunk).to_bytes(),
-                pack_chunk(&samples(chunk, commit)).unwrap(),
-            );
-            let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body);
-            Put {
-                kind: Kind::Chunk,
-                key,
-                bytes: Some(bytes),
-            }
+            let body = pack_chunk(&samples(chunk, commit)).unwrap();
+            sealed_chunk(key(chunk), sequence, &body)
         }));
-        store.write(&puts, None).unwrap();
+        store.write(&puts).unwrap();
         log.lock().unwrap().push(Event::Committed(commit));
     }
     drop(store);
@@ -176,7 +167,7 @@ fn a_power_cut_at_any_moment_leaves_the_last_commit() {
             "cut {cut} at {at}: {durable} was durable, {found} is found"
         );
         let next = crate::Batch {
-            state: Some(state(found + 1)),
+            records: (&state(found + 1)).into(),
             ..Default::default()
         };
         world.commit(&next).unwrap();

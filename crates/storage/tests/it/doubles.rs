@@ -132,7 +132,7 @@ fn damaged_records_stay_damaged_in_a_double_and_the_rest_is_whole() {
     let mut bytes = fs::read(&path).unwrap();
     // The body of every record of chunk 2 begins behind its key.
     let stored = [
-        &[1_u8, 0][..],
+        &[0_u8][..],
         &[0x80, 0, 0, 2],
         &[0x7f, 0xff, 0xff, 0xff],
         &[0x80, 0, 0, 3],

@@ -18,7 +18,7 @@ fn what_verify_calls_damaged_is_neither_exported_nor_imported() {
     let whole = fs::read(&path).unwrap();
     let archive = fs::read(&file).unwrap();
     let records = |bytes: &[u8]| -> Vec<usize> {
-        let starts = (0..bytes.len() - 30).filter(|&at| bytes[at + 2..].starts_with(b"Ap\x03\x0e"));
+        let starts = (0..bytes.len() - 30).filter(|&at| bytes[at + 2..].starts_with(b"Ap\x03\x0d"));
         starts.collect()
     };
     for at in records(&whole) {
@@ -63,7 +63,7 @@ fn repacked(archive: &[u8], file: &Path, bits: u8) -> std::path::PathBuf {
         let block = lz4_flex::block::decompress(&archive[at + 12..][..packed], raw);
         let mut block = block.unwrap();
         for start in 0..block.len() - 60 {
-            if block[start + 2..].starts_with(b"Ap\x03\x0e") {
+            if block[start + 2..].starts_with(b"Ap\x03\x0d") {
                 block[start + 45] ^= bits;
             }
         }

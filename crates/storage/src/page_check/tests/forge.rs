@@ -65,7 +65,7 @@ impl Forge {
 
     /// The chunks' table.
     pub(crate) fn chunks(&self) -> Found {
-        self.table(8, "land")
+        self.table(8, "chunks")
     }
 
     /// Where the numbers of all pages of a table are stored, its root's first.

@@ -5,7 +5,7 @@ pub mod two;
 
 use antipode_storage::{
     Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord,
-    PlayerRecord, RecordChanges, SlotRecord, WorldMeta, WorldState,
+    PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -126,8 +126,7 @@ pub fn samples(x: i32, commit: i32) -> Vec<i16> {
 pub fn batch(chunks: i32, commit: i32) -> Batch {
     Batch {
         meta: None,
-        records: RecordChanges::new(),
-        state: Some(state(f64::from(commit))),
+        records: (&state(f64::from(commit))).into(),
         chunks: (0..chunks).map(|x| (key(x), samples(x, commit))).collect(),
     }
 }
