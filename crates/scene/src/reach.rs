@@ -4,7 +4,7 @@ use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
 use antipode_streaming::Reach;
 use glam::DVec3;
 
-use crate::persist::GROUND_SEARCH_M;
+use crate::restore::GROUND_SEARCH_M;
 
 /// Ground within this distance can be touched or asked for by a step, in metres: the tool's reach
 /// and the camera behind it.

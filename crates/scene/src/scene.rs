@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Strategy, strategy};
-use antipode_storage::{StorageError, WorldState, WorldStore};
+use antipode_storage::{Records, StorageError, WorldStore};
 use antipode_streaming::{Config, Streamer};
 use antipode_terrain::{Biome, Field};
 use glam::DVec3;
@@ -18,7 +18,6 @@ use crate::keeping::Keeping;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::outbox::Outbox;
-use crate::persist::{LONGEST_PLAYED_S, finite_or};
 use crate::player::{self, Appearance, Body, Health, Look, Player, Position};
 use crate::presentation::Presentation;
 use crate::setup::{SceneError, WorldSetup};
@@ -57,8 +56,8 @@ impl Scene {
         let strategy = strategy(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
         let (saved, notices) = match &store {
-            Some(store) => saved_state(store)?,
-            None => (None, Vec::new()),
+            Some(store) => saved_records(store)?,
+            None => Default::default(),
         };
         let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
         let stored = store.is_some();
@@ -68,12 +67,9 @@ impl Scene {
         scene.kept.stored = stored;
         scene.kept.created_unix_s = meta.created_unix_s;
         scene.kept.cheated = meta.cheated;
-        if let Some(state) = saved {
-            scene.restore(&state);
-        } else {
-            // Of a world whose state is damaged that much is known.
-            scene.world.simulated_s = finite_or(meta.played_s, 0.0).clamp(0.0, LONGEST_PLAYED_S);
-            scene.kept.saved_at_s = scene.world.simulated_s;
+        let has_player = saved.player().is_some();
+        scene.restore(saved, meta.played_s);
+        if !has_player {
             scene.look_at_ground(&field);
         }
         scene.kept.changed = false;
@@ -322,22 +318,19 @@ impl Scene {
     }
 }
 
-/// The state a store holds, and what is damaged in it. A damaged player must not lock a whole world.
-fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<Notice>), StorageError> {
-    let state = match store.state() {
-        Err(StorageError::Damaged { .. }) => {
-            // The next autosave writes over it.
-            match store.keep_copy() {
-                Ok(kept) => tracing::warn!("the damaged world is kept as {}", kept.display()),
-                Err(error) => tracing::error!("the damaged world could not be kept: {error}"),
-            }
-            None
-        }
-        other => other?,
-    };
+/// What a store holds, and what is damaged in it. A damaged player must not lock a whole world.
+fn saved_records(store: &WorldStore) -> Result<(Records, Vec<Notice>), StorageError> {
+    let records = store.records()?;
     let problems = store.problems();
+    if records.player().is_none() && !problems.is_empty() {
+        // The next autosave writes over it.
+        match store.keep_copy() {
+            Ok(kept) => tracing::warn!("the damaged world is kept as {}", kept.display()),
+            Err(error) => tracing::error!("the damaged world could not be kept: {error}"),
+        }
+    }
     let more = problems.len().saturating_sub(MOST_PROBLEMS_TOLD);
     let told = problems.into_iter().take(MOST_PROBLEMS_TOLD);
     let more = (more > 0).then_some(Notice::MoreDamaged(more));
-    Ok((state, told.map(Notice::Damaged).chain(more).collect()))
+    Ok((records, told.map(Notice::Damaged).chain(more).collect()))
 }

@@ -13,6 +13,7 @@ use crate::detail::{Sharpness, Sight};
 use crate::ground::{Spent, chunks_near};
 use crate::ground_changed;
 use crate::notice::Notice;
+use crate::persist;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
@@ -179,15 +180,26 @@ impl Scene {
         }
     }
 
-    /// Commits everything in the background; a notice tells when it failed.
+    /// Commits in the background what has changed; a notice tells when it failed.
     pub fn save(&mut self) {
         if !self.kept.stored {
             return;
         }
         self.kept.saved_at_s = self.world.simulated_s;
         self.kept.changed = false;
-        let (meta, state) = self.records();
-        self.world.streamer.save(Some(meta), Some(state));
+        let mut meta = self.world.setup.to_meta();
+        meta.created_unix_s = self.kept.created_unix_s;
+        meta.played_s = self.world.simulated_s;
+        meta.cheated = self.kept.cheated;
+        let records = persist::records(
+            &self.world,
+            &self.actors,
+            &self.player,
+            &self.shown,
+            &self.kept.unknown_slots,
+        );
+        let changes = self.kept.hand_over(records);
+        self.world.streamer.save(Some(meta), changes);
     }
 
     /// Commits everything, waits until it is on disk and ends the chunk workers.

@@ -24,6 +24,8 @@ use crate::survey::PLAYERS_STATE;
 
 /// The longest name of a kind, bytes.
 const MAX_KIND_BYTES: usize = 32;
+/// The highest number of a thing that this version takes in; from there it can count on for as long as anybody plays.
+const MAX_ID: u32 = i32::MAX as u32;
 
 /// The table of kinds: of each its shape, its name on disk, and the version of the shape that this build writes.
 macro_rules! kinds {
@@ -107,7 +109,7 @@ kinds! {
 
 impl RecordKind {
     /// The key of the record of that number.
-    pub fn numbered(self, id: u64) -> RecordKey {
+    pub fn numbered(self, id: u32) -> RecordKey {
         RecordKey { kind: self, id }
     }
 
@@ -122,7 +124,7 @@ pub struct RecordKey {
     /// Its kind.
     pub kind: RecordKind,
     /// Its number, never given twice while a world is open; 0 for what a world has one of.
-    pub id: u64,
+    pub id: u32,
 }
 
 impl RecordKey {
@@ -138,7 +140,7 @@ impl RecordKey {
         let mut bytes = Vec::with_capacity(1 + name.len() + size_of::<u64>());
         bytes.push(name.len() as u8);
         bytes.extend(name);
-        bytes.extend(self.id.to_be_bytes());
+        bytes.extend(u64::from(self.id).to_be_bytes());
         bytes
     }
 }
@@ -153,7 +155,6 @@ impl fmt::Display for RecordKey {
         }
     }
 }
-
 
 /// The parts of a stored key, whatever its kind.
 pub(crate) struct KeyParts<'a> {
@@ -175,9 +176,10 @@ impl<'a> KeyParts<'a> {
         is_name.then_some(Self { name, id })
     }
 
-    /// The key, if this version knows the kind.
+    /// The key, if this version knows the kind and numbers so high.
     pub(crate) fn known(&self) -> Option<RecordKey> {
-        Some(RecordKind::of_name(self.name)?.numbered(self.id))
+        let id = u32::try_from(self.id).ok().filter(|id| *id <= MAX_ID)?;
+        Some(RecordKind::of_name(self.name)?.numbered(id))
     }
 }
 
@@ -189,11 +191,11 @@ pub type RecordChanges = BTreeMap<RecordKey, Option<Record>>;
 pub struct Records {
     /// Those that this version knows.
     pub known: BTreeMap<RecordKey, Record>,
-    /// How many there are besides, of a kind, a version or a chart that only a later game knows. They stay in the
+    /// How many there are besides, of a kind, a version, a chart or a number that only a later game knows. They stay in the
     /// world as they are.
     pub unknown: usize,
     /// Of each kind the largest number that any has, known, unknown or damaged.
-    pub last: BTreeMap<RecordKind, u64>,
+    pub last: BTreeMap<RecordKind, u32>,
 }
 
 impl Records {
@@ -218,7 +220,10 @@ impl Records {
         };
         let known = parts.known();
         known.into_iter().for_each(|key| self.count(key));
-        let Some(record) = codec::unseal(&raw.bytes).ok().filter(|it| it.key == raw.key) else {
+        let Some(record) = codec::unseal(&raw.bytes)
+            .ok()
+            .filter(|it| it.key == raw.key)
+        else {
             return;
         };
         let read = known

@@ -133,7 +133,7 @@ pub struct PlayerKept {
     /// Whether the flashlight is on.
     pub flashlight: bool,
     /// Number of the car that the player drives, as in its record's key.
-    pub driving: Option<u64>,
+    pub driving: Option<u32>,
     /// Where the player stands up again from death; none where the land alone decides.
     pub start: Option<PlaceRecord>,
     /// Whether the player was told of having gone once round the world.

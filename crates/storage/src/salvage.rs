@@ -10,9 +10,7 @@ use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
 use crate::record::RecordKind;
 use crate::regular;
-use crate::schema::{
-    self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState,
-};
+use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState};
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{check_record, what_record};
 use crate::world;
@@ -219,7 +217,12 @@ impl Salvage {
         puts.extend(others.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
         if let Some((_, state)) = self.state.as_ref().filter(|_| !self.has_things()) {
             for (key, record) in state.to_records() {
-                puts.push(world::sealed_record(key, Some(&record), sequence, &meta.name)?);
+                puts.push(world::sealed_record(
+                    key,
+                    Some(&record),
+                    sequence,
+                    &meta.name,
+                )?);
             }
         }
         puts.extend(self.chunks.iter().filter_map(|(key, packed)| {

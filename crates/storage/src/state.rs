@@ -91,7 +91,7 @@ impl WorldState {
             inventory: self.inventory.clone(),
             brush_radius_m: self.brush_radius_m,
             flashlight: self.flashlight,
-            driving: self.driving.map(u64::from),
+            driving: self.driving,
             start: self.start.clone(),
             been_round: self.been_round,
         }
@@ -157,5 +157,7 @@ impl From<&WorldState> for RecordChanges {
 }
 
 fn numbered(records: impl Iterator<Item = Record>) -> impl Iterator<Item = (RecordKey, Record)> {
-    (0..).zip(records).map(|(id, record)| (record.kind().numbered(id), record))
+    (0..)
+        .zip(records)
+        .map(|(id, record)| (record.kind().numbered(id), record))
 }

@@ -165,9 +165,9 @@ impl WorldStore {
         if records.player().is_some() {
             return Ok(Some(WorldState::of_records(&records.known)));
         }
-        let fault = self.faults().into_iter().find(|fault| {
-            matches!(fault, StorageError::Damaged { what, .. } if what == PLAYERS_STATE)
-        });
+        let fault = self.faults().into_iter().find(
+            |fault| matches!(fault, StorageError::Damaged { what, .. } if what == PLAYERS_STATE),
+        );
         fault.map_or(Ok(None), Err)
     }
 

@@ -96,7 +96,7 @@ impl Scene {
     }
 
     /// Puts the player at the wheel of a car.
-    pub(super) fn take_wheel(&mut self, number: usize) {
+    pub(crate) fn take_wheel(&mut self, number: usize) {
         let Some(car) = self.car(number) else {
             return;
         };

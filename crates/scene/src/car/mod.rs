@@ -9,14 +9,15 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
 use antipode_physics::{VehicleMotion, VehicleWheel, Vehicles};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::ground_changed::may_stand_on;
-use crate::persist::FASTEST_RESTORED_M_S;
+use crate::persist::hemisphere_record;
+use crate::restore::FASTEST_RESTORED_M_S;
 use crate::scene::Scene;
 use crate::spawn::FIRST_YAW_RAD;
 use crate::world::World;
@@ -33,6 +34,8 @@ const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 /// What a car is besides its body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct CarState {
+    /// Its number in saves, which no other car of the world has had while it was open.
+    id: u32,
     hemisphere: Hemisphere,
     lights: bool,
     /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
@@ -57,6 +60,8 @@ pub(crate) struct Driving {
 pub(crate) struct Cars {
     vehicles: Vehicles,
     states: Vec<CarState>,
+    /// The number in saves that the next one gets.
+    pub next: u32,
     pub driving: Option<Driving>,
     /// Whether this world has been given its first car.
     pub given: bool,
@@ -68,6 +73,38 @@ impl Cars {
     /// Their bodies.
     pub fn vehicles(&self) -> &Vehicles {
         &self.vehicles
+    }
+
+    /// What is to be saved of each, with its number there.
+    pub fn records(&self, strategy: &dyn Strategy) -> impl Iterator<Item = (u32, CarRecord)> {
+        let all = self.states.iter().zip(self.vehicles.all());
+        all.map(|(state, vehicle)| {
+            let motion = vehicle.motion();
+            let place = motion.place - strategy.chart_origin_m(state.hemisphere);
+            let record = CarRecord {
+                hemisphere: hemisphere_record(state.hemisphere),
+                pos: place.to_array(),
+                turn: motion.turn.to_array(),
+                vel: motion.velocity.to_array(),
+                spin: motion.spin.to_array(),
+                lights: state.lights,
+                steer: vehicle.steer_rad(),
+                springs: vehicle.wheels().map(|wheel| wheel.compression_m),
+                rests: vehicle.is_asleep(),
+            };
+            (state.id, record)
+        })
+    }
+
+    /// The number in saves of the car that the player drives.
+    pub fn driven_id(&self) -> Option<u32> {
+        let state = self.states.get(self.driving.as_ref()?.car)?;
+        Some(state.id)
+    }
+
+    /// Which car has that number in saves.
+    pub fn number_of(&self, id: u32) -> Option<usize> {
+        self.states.iter().position(|state| state.id == id)
     }
 
     /// Ground has changed in these chunks: what rests on it is to fall.
@@ -194,8 +231,12 @@ impl Scene {
         lights: bool,
         unplaced: bool,
     ) {
-        self.actors.cars.vehicles.add(motion);
-        self.actors.cars.states.push(CarState {
+        let cars = &mut self.actors.cars;
+        cars.vehicles.add(motion);
+        let id = cars.next;
+        cars.next += 1;
+        cars.states.push(CarState {
+            id,
             hemisphere,
             lights,
             unplaced,
@@ -240,62 +281,30 @@ impl Scene {
         }
     }
 
-    /// The records of all cars.
-    pub(crate) fn car_records(&self) -> Vec<CarRecord> {
-        self.cars()
-            .iter()
-            .map(|car| CarRecord {
-                hemisphere: u8::from(car.point.hemisphere == Hemisphere::B),
-                pos: car.point.pos.to_array(),
-                turn: car.turn.to_array(),
-                vel: car.velocity.to_array(),
-                spin: car.spin.to_array(),
-                lights: car.lights,
-                steer: car.steer_rad,
-                springs: car.wheels.map(|wheel| wheel.compression_m),
-                rests: car.rests,
-            })
-            .collect()
-    }
-
-    /// Puts saved cars where they were. One whose numbers are not fit to be used is left out.
-    pub(crate) fn restore_cars(
-        &mut self,
-        records: &[CarRecord],
-        driving: Option<u32>,
-        given: bool,
-    ) {
-        self.actors.cars.given = given;
-        let mut driven = None;
-        for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
-            let turn = DQuat::from_array(record.turn);
-            let velocity = DVec3::from_array(record.vel);
-            let spin = DVec3::from_array(record.spin);
-            let is_sound =
-                turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
-            let point = self.restored_point(record.hemisphere, record.pos);
-            let Some(point) = point.filter(|_| is_sound) else {
-                continue;
-            };
-            if driving == Some(number) {
-                driven = Some(self.actors.cars.states.len());
-            }
-            let motion = VehicleMotion {
-                place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
-                turn: unit(turn),
-                velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
-                spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
-            };
-            self.add_car(point.hemisphere, motion, record.lights, false);
-            let number = self.actors.cars.states.len() - 1;
-            self.actors
-                .cars
-                .vehicles
-                .restore(number, record.steer, record.springs, record.rests);
-        }
-        if let Some(number) = driven {
-            self.take_wheel(number);
-        }
+    /// Puts a saved car where it was; false if its numbers are not fit to be used.
+    pub(crate) fn restore_car(&mut self, record: &CarRecord) -> bool {
+        let turn = DQuat::from_array(record.turn);
+        let velocity = DVec3::from_array(record.vel);
+        let spin = DVec3::from_array(record.spin);
+        let is_sound =
+            turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
+        let point = self.restored_point(record.hemisphere, record.pos);
+        let Some(point) = point.filter(|_| is_sound) else {
+            return false;
+        };
+        let motion = VehicleMotion {
+            place: point.pos + self.world.strategy.chart_origin_m(point.hemisphere),
+            turn: unit(turn),
+            velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
+            spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
+        };
+        self.add_car(point.hemisphere, motion, record.lights, false);
+        let number = self.actors.cars.states.len() - 1;
+        self.actors
+            .cars
+            .vehicles
+            .restore(number, record.steer, record.springs, record.rests);
+        true
     }
 }
 

@@ -142,17 +142,17 @@ fn while_a_script_walks_its_autosaves_are_committed() {
     assert!(state.is_some_and(|state| state.simulated_s > 2.9));
 }
 
-/// Flips a bit in every copy of the player's state, as a bad disk does. Inside a record the key stands 20 bytes
+/// Flips a bit in every copy of the player's record, as a bad disk does. Inside a record the key stands 20 bytes
 /// after its mark.
 fn damage_state(dir: &Path) {
     let path = dir.join(WORLD_FILE);
     let mut bytes = fs::read(&path).unwrap();
-    let found: Vec<usize> = (20..bytes.len() - 11)
-        .filter(|&at| bytes[at..].starts_with(b"state") && bytes[at - 20..].starts_with(b"Ap"))
+    let found: Vec<usize> = (20..bytes.len() - 30)
+        .filter(|&at| bytes[at..].starts_with(b"\x06player") && bytes[at - 20..].starts_with(b"Ap"))
         .collect();
     assert!(!found.is_empty());
     for at in found {
-        bytes[at + 10] ^= 0x10;
+        bytes[at + 20] ^= 0x10;
     }
     fs::write(path, bytes).unwrap();
 }
@@ -218,7 +218,7 @@ fn a_map_this_version_does_not_know_costs_the_map_alone() {
         ..store.state().unwrap().unwrap()
     };
     let batch = Batch {
-        state: Some(state.clone()),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();
@@ -287,7 +287,7 @@ fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
         count: 2,
     });
     let batch = Batch {
-        state: Some(state.clone()),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();
@@ -319,7 +319,7 @@ fn altered(alter: impl FnOnce(&mut WorldState)) -> (Kept, Scene) {
     let mut state = store.state().unwrap().unwrap();
     alter(&mut state);
     let batch = Batch {
-        state: Some(state),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();

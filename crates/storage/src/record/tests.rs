@@ -11,8 +11,8 @@ use std::path::Path;
 
 use super::*;
 use crate::codec::Kind;
-use crate::store::{Put, Store};
 use crate::schema::SCHEMA_VERSION;
+use crate::store::{Put, Store};
 use crate::{Batch, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldState, WorldStore};
 
 fn meta() -> WorldMeta {
@@ -22,13 +22,13 @@ fn meta() -> WorldMeta {
     }
 }
 
-fn lamp(id: u64) -> (RecordKey, Option<Record>) {
+fn lamp(id: u32) -> (RecordKey, Option<Record>) {
     let kind = RecordKind::Lamp;
     let lamp = LampRecord {
         hemisphere: (id % 2) as u8,
-        pos: [id as f64, 0.0, 0.0],
+        pos: [f64::from(id), 0.0, 0.0],
     };
-    (RecordKey { kind, id }, Some(Record::Lamp(lamp)))
+    (kind.numbered(id), Some(Record::Lamp(lamp)))
 }
 
 /// The record of a kind by its name, as some game has written it.
@@ -212,7 +212,7 @@ fn a_damaged_thing_costs_itself_alone_and_what_was_taken_away_stays_so() {
 #[test]
 fn the_keys_of_a_kind_lie_side_by_side_in_the_order_of_their_numbers() {
     for &kind in RecordKind::ALL {
-        let bytes = [0, 1, 255, 256, u64::MAX].map(|id| RecordKey { kind, id }.to_bytes());
+        let bytes = [0, 1, 255, 256, MAX_ID].map(|id| kind.numbered(id).to_bytes());
         assert!(bytes.is_sorted_by(|a, b| a < b));
         let name = 1 + kind.name().len();
         assert!(bytes.iter().all(|key| key[..name] == bytes[0][..name]));
@@ -250,7 +250,7 @@ fn step(at: u64) -> RecordChanges {
 
 /// What the last of some commits of a step wrote in a world with so many lamps: its records, and in how many pages the
 /// file differs then.
-fn walked(lamps: u64) -> (usize, usize) {
+fn walked(lamps: u32) -> (usize, usize) {
     let dir = tempfile::tempdir().unwrap();
     let world = WorldStore::create(dir.path(), &meta()).unwrap();
     let batch = Batch {
@@ -269,7 +269,7 @@ fn walked(lamps: u64) -> (usize, usize) {
     let (_, before, after) = (commit(1), commit(2), commit(3));
     let pages = (before.chunks(4096).zip(after.chunks(4096))).filter(|(a, b)| a != b);
     let changed = pages.count() + before.len().abs_diff(after.len()) / 4096;
-    assert_eq!(world.records().unwrap().known.len() as u64, lamps + 3);
+    assert_eq!(world.records().unwrap().known.len(), lamps as usize + 3);
     drop(world);
     let store = Store::open(&dir.path().join(WORLD_FILE), "Kinds").unwrap();
     let mut commits = Vec::new();

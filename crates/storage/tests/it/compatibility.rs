@@ -5,8 +5,7 @@ use std::path::Path;
 
 use crate::common::{meta, state};
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, RecordKind, SavesDir, SlotRecord, WorldMeta,
-    WorldState,
+    Batch, CHUNK_SAMPLES, ChunkKey, RecordKind, SavesDir, SlotRecord, WorldMeta, WorldState,
 };
 
 const V1: &str = concat!(

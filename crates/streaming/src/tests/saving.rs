@@ -4,7 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
-use antipode_storage::{RecordChanges, WorldMeta, WorldState, WorldStore};
+use antipode_storage::{
+    LampRecord, Record, RecordChanges, RecordKey, RecordKind, WorldMeta, WorldState, WorldStore,
+};
 use glam::DVec3;
 
 use super::{Game, Gate, Memory, chunk};
@@ -233,8 +235,8 @@ fn a_save_is_of_one_moment_however_many_strokes_are_on_their_way() {
         game.edit(at, 5.0);
         gate.wait();
         game.edit(at + DVec3::X, 5.0);
-        game.streamer
-            .save(Some(meta()), WorldState::default().replacing([]));
+        let records = (&WorldState::default()).into();
+        game.streamer.save(Some(meta()), records);
         game.edit(at + DVec3::X, 5.0);
         game.edit(at - DVec3::X, 5.0);
         assert!(memory.commits().is_empty(), "the strokes are under way");
@@ -283,8 +285,8 @@ fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_t
     game.edit(at, 5.0);
     game.streamer.save(Some(meta()), RecordChanges::new());
     game.edit(far, 5.0);
-    game.streamer
-        .save(None, WorldState::default().replacing([]));
+    let records = (&WorldState::default()).into();
+    game.streamer.save(None, records);
     game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Edits);
     game.wait(Until::Saved);
@@ -295,6 +297,40 @@ fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_t
     let commits = memory.commits();
     assert!(commits.len() == 1 && commits[0].0 && commits[0].1);
     assert_eq!(commits[0].2.len(), game.streamer.edited_count());
+}
+
+#[test]
+fn a_commit_holds_what_changed_and_after_a_failure_the_newest_of_everything() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let lamp = |id: u32, x: Option<f64>| {
+        let record = x.map(|x| {
+            Record::Lamp(LampRecord {
+                pos: [x, 0.0, 0.0],
+                ..LampRecord::default()
+            })
+        });
+        (RecordKind::Lamp.numbered(id), record)
+    };
+    let mut save = |records: &[(RecordKey, Option<Record>)]| {
+        game.streamer.save(None, records.iter().cloned().collect());
+        game.wait(Until::Saved);
+    };
+    save(&[lamp(1, Some(1.0)), lamp(2, Some(1.0))]);
+    memory.fail(true);
+    save(&[lamp(1, Some(2.0)), lamp(2, None), lamp(3, Some(2.0))]);
+    save(&[lamp(3, None), lamp(4, Some(3.0))]);
+    memory.fail(false);
+    save(&[lamp(1, Some(4.0))]);
+    save(&[]);
+    let first = [lamp(1, Some(1.0)), lamp(2, Some(1.0))].into();
+    let made_up = [
+        lamp(1, Some(4.0)),
+        lamp(2, None),
+        lamp(3, None),
+        lamp(4, Some(3.0)),
+    ];
+    assert_eq!(memory.records(), [first, made_up.into()]);
 }
 
 #[test]
