@@ -19,9 +19,7 @@ pub enum Notice {
     )]
     UnknownItem(String),
     /// The save holds so many records of things that only a later version knows.
-    #[error(
-        "The save holds {0} things of a newer version; they are not shown, but stay in the save."
-    )]
+    #[error("Things of a newer version in the save ({0}) are not shown, but stay in it.")]
     UnknownRecords(usize),
     /// The save names a map that this version does not know.
     #[error("The save names a map this version does not know (\"{0}\"); another is shown.")]

@@ -9,7 +9,8 @@ use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
 use antipode_storage::{
-    Batch, CarRecord, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore,
+    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKind, SlotRecord, WORLD_FILE,
+    WorldState, WorldStore,
 };
 use tempfile::TempDir;
 
@@ -362,4 +363,120 @@ fn who_is_far_from_the_car_in_a_save_does_not_drive_it() {
         });
         assert_eq!(scene.is_driving(), drives, "{away_m} m away");
     }
+}
+
+/// How many values the last commit wrote, by the seals in the file: version, mark, kind, two lengths, number of the
+/// commit.
+fn written_last(kept: &Kept) -> usize {
+    let bytes = fs::read(kept.here().join(WORLD_FILE)).unwrap();
+    let seals = (0..bytes.len() - 30).filter(|&at| {
+        bytes[at + 1] == 0 && bytes[at + 2..].starts_with(b"Ap") && (1..=4).contains(&bytes[at + 4])
+    });
+    let commits: Vec<_> = seals
+        .map(|at| u64::from_le_bytes(bytes[at + 10..at + 18].try_into().unwrap()))
+        .collect();
+    let last = commits.iter().max().unwrap();
+    commits.iter().filter(|it| *it == last).count()
+}
+
+#[test]
+fn a_step_of_walking_saves_the_player_and_the_time_and_nothing_of_a_hundred_thousand_others() {
+    let lamp = |id: u32| {
+        let pos = [f64::from(id % 300), 500.0, f64::from(id / 300)];
+        let lamp = LampRecord { hemisphere: 0, pos };
+        (RecordKind::Lamp.numbered(id), Some(Record::Lamp(lamp)))
+    };
+    let walk = Actions {
+        forward: 1.0,
+        ..Actions::default()
+    };
+    for lamps in [0, 100_000] {
+        let (kept, scene) = Kept::new();
+        scene.close().unwrap();
+        let store = WorldStore::open(&kept.here()).unwrap();
+        let batch = Batch {
+            records: (0..lamps).map(lamp).collect(),
+            ..Batch::default()
+        };
+        store.commit(&batch).unwrap();
+        drop(store);
+        let mut again = kept.open();
+        for _ in 0..2 {
+            steps(&mut again, 20, &walk);
+            again.save();
+            assert!(again.wait_saved(LIMIT) && again.is_saved());
+            let written = written_last(&kept);
+            assert_eq!(written, 3, "what the world is, the player and the time");
+        }
+        let walked = again.feet();
+        again.close().unwrap();
+        let store = WorldStore::open(&kept.here()).unwrap();
+        let known = store.records().unwrap().known;
+        let here = (0..lamps).filter(|id| known.get(&lamp(*id).0) == lamp(*id).1.as_ref());
+        assert_eq!(here.count(), lamps as usize, "those beyond the limit too");
+        drop(store);
+        assert_eq!(kept.open().feet(), walked);
+    }
+}
+
+/// The keys of a kind in the save, in order.
+fn numbers(kept: &Kept, kind: RecordKind) -> Vec<u32> {
+    let known = WorldStore::open(&kept.here()).unwrap().records().unwrap();
+    let keys = known.known.keys().filter(|key| key.kind == kind);
+    keys.map(|key| key.id).collect()
+}
+
+#[test]
+fn things_keep_their_numbers_and_what_is_gone_is_gone() {
+    let (kept, mut scene) = Kept::new();
+    let at = scene.feet();
+    let beside = |x: f64| at.moved(glam::DVec3::new(x, 3.0, 0.0));
+    for x in [4.0, 6.0, 8.0] {
+        scene.spawn_bot(beside(x), 0.5, false);
+        assert!(scene.spawn_lamp(beside(-x)));
+    }
+    assert!(scene.spawn_car(beside(12.0), 0.0) && scene.spawn_car(beside(20.0), 0.0));
+    scene.inventory_mut().select(5);
+    let throw = Actions {
+        drop_one: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 2, &throw);
+    steps(&mut scene, 2, &Actions::default());
+    scene.close().unwrap();
+    assert_eq!(numbers(&kept, RecordKind::Figure), [0, 1, 2]);
+    assert_eq!(numbers(&kept, RecordKind::Lamp), [0, 1, 2]);
+    assert_eq!(numbers(&kept, RecordKind::Drop), [0, 1]);
+    assert_eq!(numbers(&kept, RecordKind::Car), [0, 1]);
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let gone = [
+        RecordKind::Figure.numbered(1),
+        RecordKind::Lamp.numbered(0),
+        RecordKind::Drop.numbered(0),
+        RecordKind::Car.numbered(0),
+    ];
+    let batch = Batch {
+        records: gone.map(|key| (key, None)).into(),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let mut again = kept.open();
+    let ids: Vec<_> = again.bots().iter().map(|view| view.bot.id).collect();
+    assert_eq!(ids, [0, 2]);
+    again.spawn_bot(beside(10.0), 0.0, true);
+    assert!(again.spawn_lamp(beside(-10.0)) && again.spawn_car(beside(-20.0), 0.0));
+    let places = |scene: &Scene| -> Vec<_> {
+        let lamps = scene.lamps().into_iter().map(|lamp| lamp.point);
+        lamps.collect()
+    };
+    let (lamps, cars) = (places(&again), again.cars().len());
+    again.close().unwrap();
+    assert_eq!(numbers(&kept, RecordKind::Figure), [0, 2, 3]);
+    assert_eq!(numbers(&kept, RecordKind::Lamp), [1, 2, 3]);
+    assert_eq!(numbers(&kept, RecordKind::Drop), [1]);
+    assert_eq!(numbers(&kept, RecordKind::Car), [1, 2]);
+    let last = kept.open();
+    assert_eq!(places(&last), lamps);
+    assert_eq!((last.cars().len(), last.drops().len()), (cars, 1));
 }
