@@ -16,6 +16,7 @@
 
 mod archive;
 mod atomic_file;
+mod batch;
 mod chunk_codec;
 mod codec;
 mod copying;
@@ -46,6 +47,7 @@ mod transfer;
 mod turn;
 mod world;
 
+pub use batch::Batch;
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
 pub use error::StorageError;
 pub use guard::is_guarded;
@@ -61,7 +63,7 @@ pub use schema::{
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};
-pub use world::{Batch, WorldStore};
+pub use world::WorldStore;
 
 /// Name of the store inside a world's directory.
 pub const WORLD_FILE: &str = "world.redb";

@@ -6,6 +6,7 @@ use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use crate::batch;
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
 use crate::record::RecordKind;
@@ -13,7 +14,6 @@ use crate::regular;
 use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState};
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{check_record, what_record};
-use crate::world;
 
 /// How often, on average, a byte may be looked at in the search for records. A record costs
 /// two looks at most; only forged bytes need more.
@@ -94,7 +94,7 @@ impl Salvage {
 
     /// The meta record as [`Self::write`] stores it.
     pub(crate) fn sealed_meta(&self, meta: &WorldMeta) -> Result<Vec<u8>, StorageError> {
-        let put = world::sealed_meta(meta, codec::next_commit(self.last), &meta.name)?;
+        let put = batch::sealed_meta(meta, codec::next_commit(self.last), &meta.name)?;
         Ok(put.bytes.unwrap_or_default())
     }
 
@@ -212,12 +212,12 @@ impl Salvage {
     /// Writes what was found into a new store, closed when this returns.
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
         let sequence = codec::next_commit(self.last);
-        let mut puts = vec![world::sealed_meta(meta, sequence, &meta.name)?];
+        let mut puts = vec![batch::sealed_meta(meta, sequence, &meta.name)?];
         let others = self.others.iter();
         puts.extend(others.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
         if let Some((_, state)) = self.state.as_ref().filter(|_| !self.has_things()) {
             for (key, record) in state.to_records() {
-                puts.push(world::sealed_record(
+                puts.push(batch::sealed_record(
                     key,
                     Some(&record),
                     sequence,
@@ -228,7 +228,7 @@ impl Salvage {
         puts.extend(self.chunks.iter().filter_map(|(key, packed)| {
             let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
             let body = crate::pack_chunk(&samples).ok()?;
-            Some(world::sealed_chunk(*key, sequence, &body))
+            Some(batch::sealed_chunk(*key, sequence, &body))
         }));
         Store::create(path, &meta.name)?.write(&puts)
     }

@@ -5,35 +5,18 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
+use crate::batch::{Batch, sealed_meta, sealed_record};
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
-use crate::record::{Record, RecordChanges, RecordKey, Records};
+use crate::record::Records;
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{Known, PLAYERS_STATE, fault_in, survey};
-use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, scratch, summary};
-
-/// What one commit writes: all of it or none.
-#[derive(Debug, Clone, Default)]
-pub struct Batch {
-    /// The new meta record, if it changed.
-    pub meta: Option<WorldMeta>,
-    /// Records that changed, and those of what is gone.
-    pub records: RecordChanges,
-    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
-    pub chunks: Vec<(ChunkKey, Vec<i16>)>,
-}
-
-impl Batch {
-    /// Whether there is nothing to write.
-    pub fn is_empty(&self) -> bool {
-        self.meta.is_none() && self.records.is_empty() && self.chunks.is_empty()
-    }
-}
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, scratch, summary};
 
 /// An open world. Reading and committing are possible from several threads; one
 /// commit runs at a time. The world is closed when this is dropped.
@@ -259,7 +242,13 @@ impl WorldStore {
         self.check_place()?;
         let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
         let sequence = codec::next_commit(*last);
-        let puts = self.puts(batch, sequence)?;
+        let is_old = self.known().version < SCHEMA_VERSION;
+        let mut puts = if is_old {
+            self.brought_up(sequence)?
+        } else {
+            Vec::new()
+        };
+        puts.extend(batch.puts(sequence, &self.meta().name)?);
         self.keep_damaged(&puts)?;
         if let Err(error) = self.with_store(|store| store.write(&puts)) {
             // After a failed write the store refuses everything until it is opened again.
@@ -270,24 +259,19 @@ impl WorldStore {
         self.note_committed(batch, &puts);
         // Gone meanwhile, it took the commit with it.
         self.check_place()?;
-        let meta = puts.iter().find(|put| put.kind == Kind::Meta);
+        let meta = puts.iter().rfind(|put| put.kind == Kind::Meta);
         if let Some(bytes) = meta.and_then(|put| put.bytes.as_ref()) {
             summary::write(&self.dir, bytes);
         }
         Ok(())
     }
 
-    /// What a batch does to the store.
-    fn puts(&self, batch: &Batch, sequence: u64) -> Result<Vec<Put>, StorageError> {
-        let known_meta = self.meta();
-        let name = &known_meta.name;
-        let is_old = self.known().version < SCHEMA_VERSION;
-        let mut puts = Vec::new();
-        // An older game is to find out by the first record that the world is none of its own any more.
-        if let Some(meta) = batch.meta.as_ref().or(is_old.then_some(&known_meta)) {
-            puts.push(sealed_meta(meta, sequence, name)?);
-        }
-        if is_old && let Some(bytes) = self.with_store(|store| store.value(STATE_KEY))? {
+    /// What makes a world of an older version one of today, whatever a batch changes besides. An older game is to find
+    /// out by the first record that the world is none of its own any more.
+    fn brought_up(&self, sequence: u64) -> Result<Vec<Put>, StorageError> {
+        let meta = self.meta();
+        let mut puts = vec![sealed_meta(&meta, sequence, &meta.name)?];
+        if let Some(bytes) = self.with_store(|store| store.value(STATE_KEY))? {
             puts.push(Put {
                 kind: Kind::State,
                 key: STATE_KEY.as_bytes().to_vec(),
@@ -295,23 +279,18 @@ impl WorldStore {
             });
             let state = old_state(&bytes);
             for (key, record) in state.iter().flat_map(WorldState::to_records) {
-                puts.push(sealed_record(key, Some(&record), sequence, name)?);
+                puts.push(sealed_record(key, Some(&record), sequence, &meta.name)?);
             }
-        }
-        for (key, record) in &batch.records {
-            puts.push(sealed_record(*key, record.as_ref(), sequence, name)?);
-        }
-        for (key, samples) in &batch.chunks {
-            let body =
-                pack_chunk(samples).map_err(|reason| unstorable(name, &key.to_string(), reason))?;
-            puts.push(sealed_chunk(*key, sequence, &body));
         }
         Ok(puts)
     }
 
     /// Keeps the file as it is before something in it that cannot be believed is written over.
     fn keep_damaged(&self, puts: &[Put]) -> Result<(), StorageError> {
-        let overwrites = puts.iter().any(|put| self.known().is_damaged(put));
+        let overwrites = {
+            let known = self.known();
+            puts.iter().any(|put| known.is_damaged(put))
+        };
         if overwrites && !self.kept.load(Ordering::Relaxed) {
             self.keep_copy()?;
         }
@@ -442,69 +421,6 @@ pub(crate) fn label(dir: &Path) -> String {
         },
         |meta| meta.name,
     )
-}
-
-fn unstorable(world: &str, what: &str, reason: String) -> StorageError {
-    StorageError::Unstorable {
-        world: world.to_owned(),
-        what: what.to_owned(),
-        reason,
-    }
-}
-
-/// Seals what a world is, for the world called `world`.
-pub(crate) fn sealed_meta(
-    meta: &WorldMeta,
-    sequence: u64,
-    world: &str,
-) -> Result<Put, StorageError> {
-    let body =
-        codec::encode(meta).map_err(|fault| unstorable(world, META_KEY, fault.to_string()))?;
-    let key = META_KEY.as_bytes().to_vec();
-    let bytes = codec::seal(SCHEMA_VERSION, Kind::Meta, &key, sequence, &body);
-    Ok(Put {
-        kind: Kind::Meta,
-        key,
-        bytes: Some(bytes),
-    })
-}
-
-/// Seals the record of a thing, or removes it.
-pub(crate) fn sealed_record(
-    key: RecordKey,
-    record: Option<&Record>,
-    sequence: u64,
-    world: &str,
-) -> Result<Put, StorageError> {
-    let stored = key.to_bytes();
-    let unstorable = |reason| unstorable(world, &key.to_string(), reason);
-    let bytes = match record {
-        Some(record) if record.kind() != key.kind => {
-            return Err(unstorable(format!("it is a {}", record.kind().name())));
-        }
-        Some(record) => {
-            let body = (record.encoded()).map_err(|fault| unstorable(fault.to_string()))?;
-            let version = key.kind.version();
-            Some(codec::seal(version, Kind::Record, &stored, sequence, &body))
-        }
-        None => None,
-    };
-    Ok(Put {
-        kind: Kind::Record,
-        key: stored,
-        bytes,
-    })
-}
-
-/// Seals the packed edits of a chunk.
-pub(crate) fn sealed_chunk(key: ChunkKey, sequence: u64, body: &[u8]) -> Put {
-    let key = key.to_bytes().to_vec();
-    let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, body);
-    Put {
-        kind: Kind::Chunk,
-        key,
-        bytes: Some(bytes),
-    }
 }
 
 /// The state of a world up to version 6, if it can be believed.

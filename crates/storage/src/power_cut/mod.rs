@@ -16,9 +16,10 @@ use std::path::Path;
 use proptest::prelude::RngExt as _;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
+use crate::batch::{sealed_chunk, sealed_meta, sealed_record};
 use crate::schema::{ChunkKey, WorldMeta, WorldState};
 use crate::store::Store;
-use crate::world::{WorldStore, sealed_chunk, sealed_meta, sealed_record};
+use crate::world::WorldStore;
 use crate::{CHUNK_SAMPLES, SavesDir, WORLD_FILE, pack_chunk};
 use disk::{Disk, Event};
 
