@@ -13,7 +13,7 @@ use crate::record::RecordKind;
 use crate::regular;
 use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState};
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
-use crate::survey::{check_record, what_record};
+use crate::survey::{check_record, what_at};
 
 /// How often, on average, a byte may be looked at in the search for records. A record costs
 /// two looks at most; only forged bytes need more.
@@ -27,24 +27,21 @@ pub(crate) struct Salvage {
     meta: Option<(u64, WorldMeta)>,
     /// The state of a world up to version 6.
     state: Option<(u64, WorldState)>,
-    /// Records of things, of whatever kind, and chunks of charts that only a later game knows, by their keys.
-    others: BTreeMap<(Kind, Vec<u8>), Packed>,
-    /// Keys of things that the index led to, but to a damaged record.
-    damaged_things: BTreeSet<Vec<u8>>,
+    /// Records of things, of whatever kind and version, and edits of chunks, as they were packed: a small part of what
+    /// they are unpacked. Those of charts that this version knows do unpack.
+    found: BTreeMap<(Kind, Vec<u8>), Packed>,
+    /// Where the index led to, but to a damaged record.
+    damaged: BTreeSet<(Kind, Vec<u8>)>,
     /// Whether the index led to everything: what it did not lead to is gone then, and not lost.
     by_index: bool,
-    /// Chunks as they were packed, which is a small part of what they are unpacked.
-    chunks: BTreeMap<ChunkKey, Packed>,
     /// The last commit that the index led to, or that anything tells of.
     last: u64,
-    /// Chunks that the index led to, but to a damaged record.
-    damaged: Vec<ChunkKey>,
     newer: Option<u16>,
     /// How many bytes of the file were searched, if not all.
     searched: Option<u64>,
 }
 
-/// A record as it was sealed; a chunk's is known to unpack.
+/// A record as it was sealed.
 struct Packed {
     sequence: u64,
     version: u16,
@@ -52,14 +49,6 @@ struct Packed {
 }
 
 impl Packed {
-    fn of(record: &Record<'_>) -> Self {
-        Self {
-            sequence: record.sequence,
-            version: record.version,
-            body: record.body.to_vec(),
-        }
-    }
-
     /// The same, sealed anew under its key.
     fn put(&self, kind: Kind, key: &[u8], sequence: u64) -> Put {
         Put {
@@ -78,18 +67,27 @@ impl Salvage {
 
     /// How many chunks were found.
     pub(crate) fn chunks(&self) -> usize {
-        self.chunks.len()
+        self.count(Kind::Chunk)
     }
 
     /// Whether the state was found.
     pub(crate) fn has_state(&self) -> bool {
         let player = RecordKind::Player.numbered(0).to_bytes();
-        let is_there = self.others.contains_key(&(Kind::Record, player));
-        is_there || (!self.has_things() && self.state.is_some())
+        let is_there = self.found.contains_key(&(Kind::Record, player));
+        is_there || self.old_state().is_some()
     }
 
-    fn has_things(&self) -> bool {
-        self.others.keys().any(|(kind, _)| *kind == Kind::Record)
+    fn count(&self, kind: Kind) -> usize {
+        self.found
+            .keys()
+            .filter(|(found, _)| *found == kind)
+            .count()
+    }
+
+    /// The state of a world up to version 6, which no record has taken the place of.
+    fn old_state(&self) -> Option<&WorldState> {
+        let (_, state) = self.state.as_ref()?;
+        (self.count(Kind::Record) == 0).then_some(state)
     }
 
     /// The meta record as [`Self::write`] stores it.
@@ -131,11 +129,8 @@ impl Salvage {
         let scanned = Store::open_to_read(path, world).and_then(|store| {
             store.scan(|raw| match codec::unseal(&raw.bytes) {
                 Ok(record) if record.key == raw.key => self.add(&record),
-                _ if raw.kind == Kind::Record => {
-                    self.damaged_things.insert(raw.key);
-                }
-                _ if raw.kind == Kind::Chunk => {
-                    self.damaged.extend(ChunkKey::from_bytes(&raw.key));
+                _ if matches!(raw.kind, Kind::Chunk | Kind::Record) => {
+                    self.damaged.insert((raw.kind, raw.key));
                 }
                 _ => {}
             })
@@ -166,46 +161,43 @@ impl Salvage {
 
     fn add_chunk(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
         schema::check::<ChunkBody>(record, record.key)?;
-        if let Some(key) = ChunkKey::from_bytes(record.key) {
-            let known = self.chunks.get(&key);
-            if known.is_none_or(|known| record.sequence > known.sequence) {
+        if ChunkKey::from_bytes(record.key).is_some() {
+            if self.is_newest(record) {
                 ChunkBody::upgrade(record.version, record.body)?;
-                self.chunks.insert(key, Packed::of(record));
             }
-            Ok(())
-        } else if ChunkKey::is_of_named_chart(record.key) {
-            self.add_other(record);
-            Ok(())
-        } else {
-            Err(SchemaFault::Damaged("its key is no chunk's".to_owned()))
+        } else if !ChunkKey::is_of_named_chart(record.key) {
+            return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
         }
+        self.keep(record);
+        Ok(())
     }
 
     /// Takes the record of a thing, of whatever kind and version.
     fn add_thing(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
         check_record(record, record.key)?;
         // What a whole index does not lead to was taken away.
-        if !self.by_index || self.damaged_things.contains(record.key) {
-            self.add_other(record);
+        let place = (Kind::Record, record.key.to_vec());
+        if !self.by_index || self.damaged.contains(&place) {
+            self.keep(record);
         }
         Ok(())
     }
 
-    fn add_other(&mut self, record: &Record<'_>) {
-        let key = (record.kind, record.key.to_vec());
-        let known = self.others.get(&key);
-        if known.is_none_or(|known| record.sequence > known.sequence) {
-            self.others.insert(key, Packed::of(record));
-        }
+    fn is_newest(&self, record: &Record<'_>) -> bool {
+        let known = self.found.get(&(record.kind, record.key.to_vec()));
+        known.is_none_or(|known| record.sequence > known.sequence)
     }
 
-    fn loss_of_thing(&self, key: &[u8]) -> String {
-        let what = what_record(key);
-        match self.others.get(&(Kind::Record, key.to_vec())) {
-            Some(Packed { sequence, .. }) => {
-                format!("What is known of {what} is of commit {sequence}; what came later is lost.")
-            }
-            None => format!("What was known of {what} is lost."),
+    /// Keeps a record that is newer than what there is.
+    fn keep(&mut self, record: &Record<'_>) {
+        if self.is_newest(record) {
+            let packed = Packed {
+                sequence: record.sequence,
+                version: record.version,
+                body: record.body.to_vec(),
+            };
+            let place = (record.kind, record.key.to_vec());
+            self.found.insert(place, packed);
         }
     }
 
@@ -213,40 +205,40 @@ impl Salvage {
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
         let sequence = codec::next_commit(self.last);
         let mut puts = vec![batch::sealed_meta(meta, sequence, &meta.name)?];
-        let others = self.others.iter();
-        puts.extend(others.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
-        if let Some((_, state)) = self.state.as_ref().filter(|_| !self.has_things()) {
-            for (key, record) in state.to_records() {
-                puts.push(batch::sealed_record(
-                    key,
-                    Some(&record),
-                    sequence,
-                    &meta.name,
-                )?);
-            }
+        let found = self.found.iter();
+        puts.extend(found.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
+        for (key, record) in self.old_state().iter().flat_map(|it| it.to_records()) {
+            puts.push(batch::sealed_record(
+                key,
+                Some(&record),
+                sequence,
+                &meta.name,
+            )?);
         }
-        puts.extend(self.chunks.iter().filter_map(|(key, packed)| {
-            let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
-            let body = crate::pack_chunk(&samples).ok()?;
-            Some(batch::sealed_chunk(*key, sequence, &body))
-        }));
         Store::create(path, &meta.name)?.write(&puts)
     }
 
     pub(crate) fn losses(&self, problems: &[String]) -> Vec<String> {
-        let mut losses: Vec<_> = self
-            .damaged
-            .iter()
-            .map(|key| match self.chunks.get(key) {
-                Some(Packed { sequence, .. }) => format!(
-                    "The edits of {key} are those of commit {sequence}; later ones are lost."
+        let loss = |place: &(Kind, Vec<u8>)| {
+            let what = what_at(place.0, &place.1);
+            let older = self.found.get(place).map(|it| it.sequence);
+            match (place.0, older) {
+                (Kind::Chunk, Some(commit)) => {
+                    format!(
+                        "The edits of {what} are those of commit {commit}; later ones are lost."
+                    )
+                }
+                (Kind::Chunk, None) => {
+                    format!("The edits of {what} are lost; it is as the seed made it.")
+                }
+                (_, Some(commit)) => format!(
+                    "What is known of {what} is of commit {commit}; what came later is lost."
                 ),
-                None => format!("The edits of {key} are lost; it is as the seed made it."),
-            })
-            .collect();
-        let things = self.damaged_things.iter();
-        losses.extend(things.map(|key| self.loss_of_thing(key)));
-        if !self.by_index && self.has_things() {
+                (_, None) => format!("What was known of {what} is lost."),
+            }
+        };
+        let mut losses: Vec<_> = self.damaged.iter().map(loss).collect();
+        if !self.by_index && self.count(Kind::Record) > 0 {
             losses.push("What was taken away or had died may be there again.".to_owned());
         }
         if !self.has_state() {

@@ -60,6 +60,11 @@ pub(crate) struct Put {
 }
 
 impl Put {
+    /// Whether it changes what is in that table under that key.
+    pub(crate) fn is_at(&self, (kind, key): &(Kind, Vec<u8>)) -> bool {
+        self.kind == *kind && self.key == *key
+    }
+
     /// With its key, if it is one of [`VALUES`].
     fn value(&self) -> Option<(&str, &Self)> {
         let is_value = matches!(self.kind, Kind::Meta | Kind::State);

@@ -8,11 +8,12 @@ use crate::record::{KeyParts, Record as Thing, RecordKey};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
-use crate::store::{META_KEY, Put, Raw, Store};
+use crate::store::{META_KEY, Raw, Store};
 
 /// What the state of worlds up to version 6, and the player's record of later ones, is called.
 pub(crate) const PLAYERS_STATE: &str = "the player's state";
-const NAMED_CHUNK: &str = "a chunk of a chart that this version does not know";
+/// Where faults of the index are told: a world whose own record is damaged does not open.
+const INDEX: (Kind, Vec<u8>) = (Kind::Meta, Vec::new());
 
 /// What is kept in memory of an open world.
 pub(crate) struct Known {
@@ -20,12 +21,8 @@ pub(crate) struct Known {
     pub meta: WorldMeta,
     /// The schema version that it was written by.
     pub version: u16,
-    /// Chunks whose record cannot be believed, with the reason.
-    pub damaged: BTreeMap<ChunkKey, String>,
-    /// Keys of records of things that cannot be believed, with what each is and the reason.
-    pub damaged_records: BTreeMap<Vec<u8>, (String, String)>,
-    /// What else is wrong: what, and the reason.
-    pub faults: Vec<(String, String)>,
+    /// What cannot be believed, with the reason; without a key what is not to be written over.
+    pub faults: BTreeMap<(Kind, Vec<u8>), String>,
 }
 
 /// Looks at every record: is it whole, of a known version, and found by its key?
@@ -47,7 +44,9 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     let scanned = store.scan(|raw| match record_fault(&raw) {
         Ok(sequence) => last = last.max(sequence),
         Err(SchemaFault::Newer(version)) => newer = Some(version),
-        Err(SchemaFault::Damaged(reason)) => known.note(&raw, reason),
+        Err(SchemaFault::Damaged(reason)) => {
+            known.faults.insert((raw.kind, raw.key), reason);
+        }
     });
     if let Some(found) = newer {
         return Err(StorageError::Newer {
@@ -57,11 +56,9 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     }
     scanned?;
     // Not to be passed over: after a crash the store would take it for a commit cut short.
-    if store.torn_leaves() > 0 && known.is_sound() {
+    if store.torn_leaves() > 0 && known.faults.is_empty() {
         let reason = "a page of it is not as it was written, though every value is whole";
-        known
-            .faults
-            .push(("the index".to_owned(), reason.to_owned()));
+        known.faults.insert(INDEX, reason.to_owned());
     }
     Ok((known, last))
 }
@@ -72,54 +69,19 @@ impl Known {
         Self {
             meta,
             version,
-            damaged: BTreeMap::new(),
-            damaged_records: BTreeMap::new(),
-            faults: Vec::new(),
+            faults: BTreeMap::new(),
         }
     }
 
-    /// Whether nothing is damaged.
-    fn is_sound(&self) -> bool {
-        self.damaged.is_empty() && self.damaged_records.is_empty() && self.faults.is_empty()
-    }
-
-    /// Whether what this changes is damaged; a state of old that is damaged is among the faults.
-    pub(crate) fn is_damaged(&self, put: &Put) -> bool {
-        match put.kind {
-            Kind::Chunk => {
-                ChunkKey::from_bytes(&put.key).is_some_and(|key| self.damaged.contains_key(&key))
-            }
-            Kind::Record => self.damaged_records.contains_key(&put.key),
-            Kind::State => self.faults.iter().any(|(what, _)| what == PLAYERS_STATE),
-            Kind::Meta => false,
-        }
-    }
-
-    /// Notes that this is on disk: what was damaged there is no more.
-    pub(crate) fn mend(&mut self, put: &Put) {
-        match put.kind {
-            Kind::Chunk => {
-                ChunkKey::from_bytes(&put.key).map(|key| self.damaged.remove(&key));
-            }
-            Kind::Record => drop(self.damaged_records.remove(&put.key)),
-            Kind::State => self.faults.retain(|(what, _)| what != PLAYERS_STATE),
-            Kind::Meta => {}
-        }
-    }
-
-    /// Remembers a damaged record.
-    fn note(&mut self, raw: &Raw, reason: String) {
-        match (raw.kind, ChunkKey::from_bytes(&raw.key)) {
-            (Kind::Chunk, Some(key)) => {
-                self.damaged.insert(key, reason);
-            }
-            (Kind::Chunk, None) => self.faults.push((NAMED_CHUNK.to_owned(), reason)),
-            (Kind::Record, _) => {
-                let what = what_record(&raw.key);
-                self.damaged_records.insert(raw.key.clone(), (what, reason));
-            }
-            _ => self.faults.push((PLAYERS_STATE.to_owned(), reason)),
-        }
+    /// The error for what is damaged there, if it is.
+    pub(crate) fn fault(&self, kind: Kind, key: &[u8]) -> Option<StorageError> {
+        let reason = self.faults.get(&(kind, key.to_vec()))?;
+        let what = what_at(kind, key);
+        Some(fault_in(
+            &self.meta.name,
+            &what,
+            SchemaFault::Damaged(reason.clone()),
+        ))
     }
 }
 
@@ -160,15 +122,23 @@ pub(crate) fn check_record(record: &Record<'_>, key: &[u8]) -> Result<(), Schema
     }
 }
 
-/// What a record of a thing is of, by its key.
-pub(crate) fn what_record(key: &[u8]) -> String {
-    let Some(parts) = KeyParts::of(key) else {
-        return "a record without a kind".to_owned();
-    };
-    parts.known().map_or_else(
-        || format!("{} {}", parts.name, parts.id),
-        |key| key.to_string(),
-    )
+/// What a value is of, by where it is.
+pub(crate) fn what_at(kind: Kind, key: &[u8]) -> String {
+    match kind {
+        Kind::Meta => "the index".to_owned(),
+        Kind::State => PLAYERS_STATE.to_owned(),
+        Kind::Chunk => ChunkKey::from_bytes(key).map_or_else(
+            || "a chunk of a chart that this version does not know".to_owned(),
+            |key| key.to_string(),
+        ),
+        Kind::Record => match KeyParts::of(key) {
+            None => "a record without a kind".to_owned(),
+            Some(parts) => match parts.known() {
+                Some(key) => key.to_string(),
+                None => format!("{} {}", parts.name, parts.id),
+            },
+        },
+    }
 }
 
 /// The error for a value that could not be read.

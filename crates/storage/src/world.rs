@@ -9,13 +9,13 @@ use crate::batch::{Batch, sealed_meta, sealed_record};
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
-use crate::record::Records;
+use crate::record::{RecordKind, Records};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
     self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
 use crate::store::{META_KEY, Put, STATE_KEY, Store};
-use crate::survey::{Known, PLAYERS_STATE, fault_in, survey};
+use crate::survey::{Known, fault_in, survey};
 use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, scratch, summary};
 
 /// An open world. Reading and committing are possible from several threads; one
@@ -126,17 +126,10 @@ impl WorldStore {
     /// What was found damaged on opening.
     pub(crate) fn faults(&self) -> Vec<StorageError> {
         let known = self.known();
-        let fault = |what: &str, why: &String| {
-            fault_in(&known.meta.name, what, SchemaFault::Damaged(why.clone()))
-        };
-        let others = known.faults.iter().map(|(what, why)| fault(what, why));
-        let chunks = known
-            .damaged
-            .iter()
-            .map(|(key, why)| fault(&key.to_string(), why));
-        let records = known.damaged_records.values();
-        let records = records.map(|(what, why)| fault(what, why));
-        others.chain(records).chain(chunks).collect()
+        let places = known.faults.keys();
+        places
+            .filter_map(|(kind, key)| known.fault(*kind, key))
+            .collect()
     }
 
     /// All that changes but the land in one value; `None` in a world never played.
@@ -148,9 +141,10 @@ impl WorldStore {
         if records.player().is_some() {
             return Ok(Some(WorldState::of_records(&records.known)));
         }
-        let fault = self.faults().into_iter().find(
-            |fault| matches!(fault, StorageError::Damaged { what, .. } if what == PLAYERS_STATE),
-        );
+        let known = self.known();
+        let player = RecordKind::Player.numbered(0).to_bytes();
+        let fault = known.fault(Kind::Record, &player);
+        let fault = fault.or_else(|| known.fault(Kind::State, STATE_KEY.as_bytes()));
         fault.map_or(Ok(None), Err)
     }
 
@@ -189,18 +183,14 @@ impl WorldStore {
     /// [`StorageError::Damaged`] if its record cannot be believed: go on with the
     /// chunk as generated, and say so. Failures of the file system.
     pub fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, StorageError> {
+        let stored = key.to_bytes();
         let name = {
             let known = self.known();
-            if let Some(reason) = known.damaged.get(key) {
-                return Err(fault_in(
-                    &known.meta.name,
-                    &key.to_string(),
-                    SchemaFault::Damaged(reason.clone()),
-                ));
+            if let Some(fault) = known.fault(Kind::Chunk, &stored) {
+                return Err(fault);
             }
             known.meta.name.clone()
         };
-        let stored = key.to_bytes();
         let bytes = self.with_store(|store| store.chunk(&stored))?;
         bytes
             .map(|bytes| schema::read(&bytes, &stored))
@@ -289,7 +279,8 @@ impl WorldStore {
     fn keep_damaged(&self, puts: &[Put]) -> Result<(), StorageError> {
         let overwrites = {
             let known = self.known();
-            puts.iter().any(|put| known.is_damaged(put))
+            let mut places = known.faults.keys();
+            places.any(|place| puts.iter().any(|put| put.is_at(place)))
         };
         if overwrites && !self.kept.load(Ordering::Relaxed) {
             self.keep_copy()?;
@@ -299,7 +290,9 @@ impl WorldStore {
 
     fn note_committed(&self, batch: &Batch, puts: &[Put]) {
         let mut known = self.known();
-        puts.iter().for_each(|put| known.mend(put));
+        known
+            .faults
+            .retain(|place, _| !puts.iter().any(|put| put.is_at(place)));
         if let Some(meta) = &batch.meta {
             known.meta = meta.clone();
         }

@@ -7,9 +7,9 @@ use std::sync::Arc;
 
 use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::Geometry;
-use antipode_scene::{Actions, Scene};
+use antipode_scene::{Actions, Scene, WorldSetup};
 use antipode_storage::{
-    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKind, SlotRecord, WORLD_FILE,
+    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKind, SavesDir, SlotRecord, WORLD_FILE,
     WorldState, WorldStore,
 };
 use tempfile::TempDir;
@@ -479,4 +479,41 @@ fn things_keep_their_numbers_and_what_is_gone_is_gone() {
     let last = kept.open();
     assert_eq!(places(&last), lamps);
     assert_eq!((last.cars().len(), last.drops().len()), (cars, 1));
+}
+
+#[test]
+fn worlds_of_every_version_are_played_and_saved_whole() {
+    for version in 1..=7 {
+        let dir = tempfile::tempdir().unwrap();
+        let saves = SavesDir::new(dir.path());
+        let file = format!(
+            "{}/../../tests/saves/v{version}/v{version}.antipode-world",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let slug = saves.import(Path::new(&file)).unwrap();
+        let look = || {
+            let store = saves.open(&slug).unwrap();
+            assert_eq!(store.problems(), Vec::<String>::new(), "version {version}");
+            let keys = store.edited_chunks().unwrap();
+            let land: Vec<_> = keys.iter().map(|key| store.chunk(key).unwrap()).collect();
+            (store.state().unwrap().unwrap(), keys, land)
+        };
+        let before = look();
+        let store = saves.open(&slug).unwrap();
+        let setup = WorldSetup::from_meta(&store.meta(), 3).unwrap();
+        let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+        assert_eq!(scene.take_notices(), [], "version {version}");
+        scene.step(&Actions::default());
+        scene.close().unwrap();
+        let after = look();
+        assert_eq!((&after.1, &after.2), (&before.1, &before.2));
+        assert_eq!(after.1.len(), 2, "chunks");
+        let things = |state: &WorldState| {
+            let lists = [state.lamps.len(), state.drops.len(), state.bots.len()];
+            (lists, state.cars.len(), state.inventory.clone())
+        };
+        assert_eq!(things(&after.0), things(&before.0), "version {version}");
+        assert!(after.0.simulated_s > before.0.simulated_s);
+        assert!(saves.verify(&slug).unwrap().is_sound());
+    }
 }
