@@ -67,6 +67,10 @@ unknown-space = Die Welt „{ $world }“ liegt in einem Raum, den diese Version
 impossible-radius = Die Welt „{ $world }“ gibt an, ihr Raum habe einen Radius von { $radius } m; den kann keine Welt haben. Ihre Datei blieb, wie sie ist.
 player-damaged = Der Spieler im Spielstand war beschädigt; du beginnst wieder am Anfang. Dein Land ist, wie es war.
 unknown-item = Der Spielstand enthält einen Gegenstand, den diese Version nicht kennt („{ $item }“); er ist nicht zu sehen, bleibt aber im Spielstand.
+unknown-records = { $count ->
+    [one] Der Spielstand enthält ein Ding einer neueren Version; es ist nicht zu sehen, bleibt aber im Spielstand.
+   *[other] Der Spielstand enthält { $count } Dinge einer neueren Version; sie sind nicht zu sehen, bleiben aber im Spielstand.
+}
 unknown-map = Der Spielstand nennt eine Karte, die diese Version nicht kennt („{ $map }“); eine andere wird gezeigt.
 more-damaged = { $count ->
     [one] Eine weitere Stelle dieser Welt ist beschädigt; „antipode saves verify“ nennt sie.

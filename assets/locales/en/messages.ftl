@@ -71,6 +71,10 @@ unknown-space = The world “{ $world }” is in a space this version does not k
 impossible-radius = The world “{ $world }” says that its space has a radius of { $radius } m, and no world can have that. Its file was left as it is.
 player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
 unknown-item = The save holds an item this version does not know (“{ $item }”); it is not shown, but stays in the save.
+unknown-records = { $count ->
+    [one] The save holds a thing of a newer version; it is not shown, but stays in the save.
+   *[other] The save holds { $count } things of a newer version; they are not shown, but stay in the save.
+}
 unknown-map = The save names a map this version does not know (“{ $map }”); another is shown.
 more-damaged = { $count ->
     [one] One more place in this world is damaged; “antipode saves verify” lists it.

@@ -67,6 +67,10 @@ unknown-space = El mundo «{ $world }» está en un espacio que esta versión no
 impossible-radius = El mundo «{ $world }» dice que su espacio tiene un radio de { $radius } m, y ningún mundo puede tenerlo. Su archivo quedó como está.
 player-damaged = El jugador de la partida estaba dañado; empiezas de nuevo desde el principio. Tu tierra está como estaba.
 unknown-item = La partida contiene un objeto que esta versión no conoce («{ $item }»); no se muestra, pero sigue en la partida.
+unknown-records = { $count ->
+    [one] La partida contiene una cosa de una versión más nueva; no se muestra, pero sigue en la partida.
+   *[other] La partida contiene { $count } cosas de una versión más nueva; no se muestran, pero siguen en la partida.
+}
 unknown-map = La partida nombra un mapa que esta versión no conoce («{ $map }»); se muestra otro.
 more-damaged = { $count ->
     [one] Hay un lugar dañado más en este mundo; «antipode saves verify» lo muestra.

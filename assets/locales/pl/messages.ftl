@@ -70,6 +70,11 @@ unknown-space = Świat „{ $world }” leży w przestrzeni, której ta wersja n
 impossible-radius = Świat „{ $world }” podaje, że jego przestrzeń ma promień { $radius } m, a tego nie może mieć żaden świat. Jego plik pozostał nietknięty.
 player-damaged = Gracz w zapisie był uszkodzony; zaczynasz znów od początku. Twój ląd jest taki, jaki był.
 unknown-item = Zapis zawiera przedmiot, którego ta wersja nie zna („{ $item }”); nie widać go, ale w zapisie pozostaje.
+unknown-records = { $count ->
+    [one] Zapis zawiera jedną rzecz z nowszej wersji; nie widać jej, ale w zapisie pozostaje.
+    [few] Zapis zawiera { $count } rzeczy z nowszej wersji; nie widać ich, ale w zapisie pozostają.
+   *[many] Zapis zawiera { $count } rzeczy z nowszej wersji; nie widać ich, ale w zapisie pozostają.
+}
 unknown-map = Zapis wymienia mapę, której ta wersja nie zna („{ $map }”); pokazana jest inna.
 more-damaged = { $count ->
     [one] Uszkodzone jest jeszcze jedno miejsce w tym świecie; „antipode saves verify” je poda.

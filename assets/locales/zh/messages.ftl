@@ -67,6 +67,7 @@ unknown-space = 世界“{ $world }”所在的空间是这个版本不认识的
 impossible-radius = 世界“{ $world }”称其空间的半径为 { $radius } 米，而任何世界都不可能如此。它的文件保持原样。
 player-damaged = 存档中的玩家数据已损坏；你从起点重新开始。你的大地保持原样。
 unknown-item = 存档中有这个版本不认识的物品（“{ $item }”）；它不会显示，但仍保留在存档中。
+unknown-records = 存档中有 { $count } 个来自更新版本的东西；它们不会显示，但仍保留在存档中。
 unknown-map = 存档中有这个版本不认识的图（“{ $map }”）；改为显示另一种。
 more-damaged = 这个世界还有 { $count } 处损坏；“antipode saves verify”会列出它们。
 land-trouble = 大地出了问题。{ $details }

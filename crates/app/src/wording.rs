@@ -121,6 +121,9 @@ pub fn notice(texts: &Texts, notice: &Notice) -> String {
     match notice {
         Notice::PlayerDamaged => texts.say("player-damaged"),
         Notice::UnknownItem(item) => texts.say_with("unknown-item", &[("item", item.into())]),
+        Notice::UnknownRecords(count) => {
+            texts.say_with("unknown-records", &[("count", (*count).into())])
+        }
         Notice::UnknownMap(map) => texts.say_with("unknown-map", &[("map", map.into())]),
         Notice::NotSaved(why) => {
             let first = texts.say("not-saved-yet");

@@ -1,9 +1,10 @@
 //! Attacks on saves that must not cost anything: forged and damaged stores like those of
 //! the targets, of one kind each, and what was committed is asked for afterwards.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use antipode_storage::WorldStore;
+use antipode_storage::{Record, RecordKey, WorldStore};
 
 use crate::forge::pages::Part;
 use crate::forge::{bases, plan, record};
@@ -89,7 +90,7 @@ fn plant(place: &Place, bytes: &[u8]) -> Result<PathBuf, String> {
     let dir = place
         .plant_store(bytes)
         .map_err(|error| error.to_string())?;
-    let base = bases::closed();
+    let base = bases::store(false, true);
     let mut records = record::records(base).into_iter().map(|range| &base[range]);
     let meta = records
         .find(|record| record[4] == META)
@@ -156,10 +157,13 @@ fn committed_only(dir: &std::path::Path) -> Result<(), String> {
     if world.meta() != bases::meta() {
         return Err(format!("it is called another world: {:?}", world.meta()));
     }
-    if let Ok(Some(state)) = world.state()
-        && ![1, 2].map(bases::state).contains(&state)
+    let committed = [1, 2].map(things);
+    let found = world.records().unwrap_or_default().known;
+    if let Some((key, _)) = found
+        .iter()
+        .find(|(key, found)| committed.iter().all(|all| all.get(key) != Some(found)))
     {
-        return Err("its state was never committed".to_owned());
+        return Err(format!("{key} was never committed so"));
     }
     for chunk in 0..bases::CHUNKS {
         if let Ok(Some(found)) = world.chunk(&bases::key(chunk))
@@ -179,15 +183,24 @@ fn still_there(place: &Place, commits: &[i32]) -> Result<(), String> {
         .saves()
         .open(VICTIM)
         .map_err(|error| error.to_string())?;
+    let found = world.records().map_err(|error| error.to_string())?.known;
     let lost = |commit: i32| {
-        (0..bases::CHUNKS)
-            .filter(|chunk| !is_of(&world, *chunk, commit))
-            .count()
+        let chunks = (0..bases::CHUNKS).filter(|chunk| !is_of(&world, *chunk, commit));
+        let things = things(commit);
+        let gone = things.iter().filter(|(key, it)| found.get(key) != Some(it));
+        chunks.count() + gone.count()
     };
     match commits.iter().map(|commit| lost(*commit)).min() {
         Some(0 | 1) => Ok(()),
-        lost => Err(format!("one bit, and {lost:?} chunks are not as they were")),
+        lost => Err(format!(
+            "one bit, and {lost:?} records are not as they were"
+        )),
     }
+}
+
+/// The records of a commit but for the land.
+fn things(commit: i32) -> BTreeMap<RecordKey, Record> {
+    bases::state(commit).to_records().collect()
 }
 
 fn is_of(world: &WorldStore, chunk: i32, commit: i32) -> bool {

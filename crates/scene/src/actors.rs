@@ -17,7 +17,7 @@ use crate::spawn::{FIRST_YAW_RAD, spawn_point};
 use crate::tuning::FULL_HEALTH;
 
 /// The number of an actor, one among those of its kind and never given twice while a world is open: by it pictures and
-/// saves find it again.
+/// saves find it again. It is kept in saves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ActorId(pub u32);
 
@@ -111,6 +111,17 @@ impl Actors {
         id
     }
 
+    /// The number that the next of a kind gets.
+    pub fn next<T: Component>(&self) -> ActorId {
+        let next = self.next.get(&TypeId::of::<T>());
+        ActorId(next.copied().unwrap_or_default())
+    }
+
+    /// Says which number that is.
+    pub fn number_next<T: Component>(&mut self, number: u32) {
+        self.next.insert(TypeId::of::<T>(), number);
+    }
+
     /// All of a kind, in the order in which they came.
     pub fn all<T: Component + Clone>(&self) -> Vec<(ActorId, T)> {
         let mut query = self.ecs.query::<(&ActorId, &T)>();
@@ -139,11 +150,6 @@ impl Actors {
             .find(|(_, it)| **it == id)
             .map(|(entity, _)| entity);
         found.is_some_and(|entity| self.ecs.despawn(entity).is_ok())
-    }
-
-    /// Removes all of a kind.
-    pub fn clear<T: Component>(&mut self) {
-        retain::<T>(&mut self.ecs, |_| false);
     }
 }
 

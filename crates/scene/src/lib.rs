@@ -47,6 +47,7 @@ pub mod probe;
 mod probing;
 pub mod projectile;
 mod reach;
+mod restore;
 mod round;
 mod scene;
 mod setup;

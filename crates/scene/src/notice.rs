@@ -18,6 +18,9 @@ pub enum Notice {
         "The save holds an item this version does not know (\"{0}\"); it is not shown, but stays in the save."
     )]
     UnknownItem(String),
+    /// The save holds so many records of things that only a later version knows.
+    #[error("Things of a newer version in the save ({0}) are not shown, but stay in it.")]
+    UnknownRecords(usize),
     /// The save names a map that this version does not know.
     #[error("The save names a map this version does not know (\"{0}\"); another is shown.")]
     UnknownMap(String),

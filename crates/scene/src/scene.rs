@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::strategy;
-use antipode_storage::{StorageError, WorldState, WorldStore};
+use antipode_storage::{CourseRecord, Records, StorageError, WorldStore};
 use antipode_streaming::{Config, Streamer};
 use antipode_terrain::Field;
 
@@ -14,9 +14,9 @@ use crate::keeping::Keeping;
 use crate::lens::Lens;
 use crate::notice::Notice;
 use crate::outbox::Outbox;
-use crate::persist::{self, finite_or};
 use crate::player::{Look, Player};
 use crate::presentation::Presentation;
+use crate::restore::{self, finite_or};
 use crate::setup::{SceneError, WorldSetup};
 use crate::simulation::Simulation;
 use crate::situation::Situation;
@@ -66,8 +66,8 @@ impl Scene {
         let strategy = strategy(setup.geometry, setup.radius_m);
         let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
         let (saved, notices) = match &store {
-            Some(store) => saved_state(store)?,
-            None => (None, Vec::new()),
+            Some(store) => saved_records(store)?,
+            None => Default::default(),
         };
         let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
         let stored = store.is_some();
@@ -81,11 +81,9 @@ impl Scene {
         scene.kept.stored = stored;
         scene.kept.created_unix_s = meta.created_unix_s;
         scene.kept.cheated = meta.cheated;
-        if let Some(state) = saved {
-            scene.restore(&state);
-        } else {
-            // Of a world whose state is damaged that much is known.
-            scene.sim.world.set_simulated_s(meta.played_s);
+        let has_player = saved.player().is_some();
+        scene.restore(saved, meta.played_s);
+        if !has_player {
             let pitch = first_pitch_rad(&field, &scene.head(), &*scene.now().aiming().strategy);
             let actors = &mut scene.sim.actors;
             if let Ok(mut look) = actors.ecs.get::<&mut Look>(actors.player) {
@@ -113,27 +111,34 @@ impl Scene {
         }
     }
 
-    /// Takes a saved state in. Numbers that no play could have produced are replaced by the start's.
-    fn restore(&mut self, state: &WorldState) {
+    /// Takes what a save holds in. Of a world whose course is damaged, or that nobody has played, it is known how long
+    /// it was played, in seconds.
+    fn restore(&mut self, records: Records, played_s: f64) {
         let Simulation {
             world,
             actors,
             player,
             outbox,
         } = &mut self.sim;
-        let unknown = &mut self.kept.unknown;
-        let placed = persist::restore_player(world, actors, player, &state.player);
-        outbox.notices.extend(placed.err());
-        world.centre_on_body(actors.feet());
-        let notices = persist::restore_belongings(world, player, unknown, state);
-        outbox.notices.extend(notices);
-        let notices = persist::restore_things(world, actors, unknown, state);
-        outbox.notices.extend(notices);
-        persist::restore_cars(world, actors, player, state);
-        world.set_time_of_day_s(finite_or(state.time_of_day_s, 0.0));
-        let pictured = persist::restore_lens(&mut player.gaze.lens, state);
-        outbox.notices.extend(pictured.err());
-        world.set_simulated_s(state.simulated_s);
+        let notices = &mut outbox.notices;
+        if let Some(kept) = records.player() {
+            self.kept.unknown_slots = restore::player(world, actors, player, kept, notices);
+            world.centre_on_body(actors.feet());
+        }
+        let driving = records.player().and_then(|kept| kept.driving);
+        let lens = &mut player.gaze.lens;
+        let (taken, course) = restore::things(world, actors, lens, records, notices);
+        self.kept.handed = taken;
+        restore::seat(world, actors, player, driving);
+        let course = course.unwrap_or(CourseRecord {
+            time_of_day_s: world.time_of_day_s,
+            simulated_s: played_s,
+            car_given: false,
+        });
+        actors.cars.given = course.car_given;
+        world.set_time_of_day_s(finite_or(course.time_of_day_s, 0.0));
+        // Not before: the minds of figures begin at the time of a world that was just opened.
+        world.set_simulated_s(course.simulated_s);
     }
 
     /// How things stand.
@@ -154,22 +159,19 @@ impl Scene {
     }
 }
 
-/// The state a store holds, and what is damaged in it. A damaged player must not lock a whole world.
-fn saved_state(store: &WorldStore) -> Result<(Option<WorldState>, Vec<Notice>), StorageError> {
-    let state = match store.state() {
-        Err(StorageError::Damaged { .. }) => {
-            // The next autosave writes over it.
-            match store.keep_copy() {
-                Ok(kept) => tracing::warn!("the damaged world is kept as {}", kept.display()),
-                Err(error) => tracing::error!("the damaged world could not be kept: {error}"),
-            }
-            None
-        }
-        other => other?,
-    };
+/// What a store holds, and what is damaged in it. A damaged player must not lock a whole world.
+fn saved_records(store: &WorldStore) -> Result<(Records, Vec<Notice>), StorageError> {
+    let records = store.records()?;
     let problems = store.problems();
+    if records.player().is_none() && !problems.is_empty() {
+        // The next autosave writes over it.
+        match store.keep_copy() {
+            Ok(kept) => tracing::warn!("the damaged world is kept as {}", kept.display()),
+            Err(error) => tracing::error!("the damaged world could not be kept: {error}"),
+        }
+    }
     let more = problems.len().saturating_sub(MOST_PROBLEMS_TOLD);
     let told = problems.into_iter().take(MOST_PROBLEMS_TOLD);
     let more = (more > 0).then_some(Notice::MoreDamaged(more));
-    Ok((state, told.map(Notice::Damaged).chain(more).collect()))
+    Ok((records, told.map(Notice::Damaged).chain(more).collect()))
 }

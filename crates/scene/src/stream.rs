@@ -175,15 +175,21 @@ impl Scene {
         }
     }
 
-    /// Commits everything in the background; a notice tells when it failed.
+    /// Commits in the background what has changed; a notice tells when it failed.
     pub fn save(&mut self) {
         if !self.kept.stored {
             return;
         }
         self.kept.saved_at_s = self.sim.world.simulated_s;
         self.kept.changed = false;
-        let (meta, state) = persist::records(self.now(), &self.kept);
-        self.sim.world.streamer.save(Some(meta), Some(state));
+        let (world, actors, player) = (&self.sim.world, &self.sim.actors, &self.sim.player);
+        let mut meta = world.setup.to_meta();
+        meta.created_unix_s = self.kept.created_unix_s;
+        meta.played_s = world.simulated_s;
+        meta.cheated = self.kept.cheated;
+        let records = persist::records(world, actors, player, &self.kept.unknown_slots);
+        let changes = self.kept.hand_over(records);
+        self.sim.world.streamer.save(Some(meta), changes);
     }
 
     /// Commits everything, waits until it is on disk and ends the chunk workers.

@@ -10,7 +10,7 @@ use glam::DVec3;
 
 use crate::day;
 use crate::ground::{Ground, Spent, height_below};
-use crate::persist::{LONGEST_PLAYED_S, finite_or};
+use crate::restore::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_S, DAY_START_S};
 

@@ -6,8 +6,8 @@ use std::fs;
 use std::path::Path;
 
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, WORLD_FILE, WorldMeta, WorldStore, check_pages,
-    pack_chunk, unpack_chunk,
+    Batch, CHUNK_SAMPLES, ChunkKey, LampRecord, Record, RecordChanges, RecordKind, SavesDir,
+    WORLD_FILE, WorldMeta, WorldState, WorldStore, check_pages, pack_chunk, unpack_chunk,
 };
 
 fn main() {
@@ -80,6 +80,38 @@ fn open(bencher: divan::Bencher<'_, '_>, chunks: i32) {
         .commit(&batch(chunks))
         .unwrap();
     bencher.bench_local(|| WorldStore::open(&path).unwrap().meta());
+}
+
+/// A step of walking, which changes the player and the time, in a world with so many lamps.
+#[divan::bench(args = [0, 100_000], sample_count = 100)]
+fn commit_step_among(bencher: divan::Bencher<'_, '_>, lamps: u32) {
+    let dir = tempfile::tempdir().unwrap();
+    let world = WorldStore::create(&dir.path().join("bench"), &meta("Bench")).unwrap();
+    let lamp = |id| {
+        let lamp = Record::Lamp(LampRecord::default());
+        (RecordKind::Lamp.numbered(id), Some(lamp))
+    };
+    let state = RecordChanges::from(&WorldState::default());
+    world
+        .commit(&Batch {
+            records: state.into_iter().chain((0..lamps).map(lamp)).collect(),
+            ..Batch::default()
+        })
+        .unwrap();
+    let mut step = 0_i32;
+    bencher.bench_local(|| {
+        step += 1;
+        let mut records = RecordChanges::from(&WorldState {
+            simulated_s: f64::from(step),
+            ..WorldState::default()
+        });
+        records.remove(&RecordKind::View.numbered(0));
+        let batch = Batch {
+            records,
+            ..Batch::default()
+        };
+        world.commit(&batch).unwrap();
+    });
 }
 
 /// How a chunk was dug, which decides how many pages a store of one length has.

@@ -4,7 +4,7 @@
 //!
 //! | bytes | what |
 //! |---|---|
-//! | 0..2 | schema version of the body |
+//! | 0..2 | version of the body: of the schema, or of the record's kind |
 //! | 2..4 | mark `Ap` |
 //! | 4 | kind |
 //! | 5 | length of the key |
@@ -42,15 +42,17 @@ pub(crate) const MAX_RECORD_BYTES: usize = HEADER_BYTES + u8::MAX as usize + MAX
 pub(crate) enum Kind {
     /// What the world is.
     Meta = 1,
-    /// What changes while it is played.
+    /// What changed while it was played, up to version 6.
     State = 2,
     /// The edits of one chunk.
     Chunk = 3,
+    /// One thing, by a kind and a version of its own; see [`crate::record`].
+    Record = 4,
 }
 
 impl Kind {
     fn from_byte(byte: u8) -> Option<Self> {
-        [Self::Meta, Self::State, Self::Chunk]
+        [Self::Meta, Self::State, Self::Chunk, Self::Record]
             .into_iter()
             .find(|kind| *kind as u8 == byte)
     }

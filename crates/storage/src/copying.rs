@@ -8,10 +8,8 @@
 use std::fs;
 use std::path::Path;
 
-use crate::codec::Kind;
 use crate::error::StorageError;
-use crate::schema::ChunkKey;
-use crate::store::{META_KEY, Raw, STATE_KEY, Store};
+use crate::store::{Put, Raw, Store};
 use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE, regular};
 
 /// How much is gathered before it is written, bytes.
@@ -20,8 +18,7 @@ const BATCH_BYTES: usize = 4 << 20;
 /// Records on their way.
 struct Copy<'a> {
     target: &'a Store,
-    values: Vec<(&'static str, Vec<u8>)>,
-    chunks: Vec<([u8; ChunkKey::BYTES], Vec<u8>)>,
+    puts: Vec<Put>,
     bytes: usize,
     failure: Option<StorageError>,
 }
@@ -37,8 +34,7 @@ pub(crate) fn copy(
     let target = Store::create(&target_dir.join(WORLD_FILE), world)?;
     let mut copy = Copy {
         target: &target,
-        values: Vec::new(),
-        chunks: Vec::new(),
+        puts: Vec::new(),
         bytes: 0,
         failure: None,
     };
@@ -55,15 +51,7 @@ pub(crate) fn copy(
 impl Copy<'_> {
     fn take(&mut self, raw: Raw) {
         self.bytes += raw.bytes.len();
-        match raw.kind {
-            Kind::Meta => self.values.push((META_KEY, raw.bytes)),
-            Kind::State => self.values.push((STATE_KEY, raw.bytes)),
-            Kind::Chunk => {
-                if let Ok(key) = raw.key.as_slice().try_into() {
-                    self.chunks.push((key, raw.bytes));
-                }
-            }
-        }
+        self.puts.push(raw.into());
         if self.bytes >= BATCH_BYTES {
             self.write();
         }
@@ -72,12 +60,9 @@ impl Copy<'_> {
     /// Writes what has gathered; after a failure nothing more.
     fn write(&mut self) {
         self.bytes = 0;
-        let (values, chunks) = (
-            std::mem::take(&mut self.values),
-            std::mem::take(&mut self.chunks),
-        );
+        let puts = std::mem::take(&mut self.puts);
         if self.failure.is_none() {
-            self.failure = self.target.write(&values, &chunks).err();
+            self.failure = self.target.write(&puts).err();
         }
     }
 }

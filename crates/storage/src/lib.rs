@@ -16,6 +16,7 @@
 
 mod archive;
 mod atomic_file;
+mod batch;
 mod chunk_codec;
 mod codec;
 mod copying;
@@ -29,6 +30,8 @@ mod overlay;
 mod page_check;
 #[cfg(test)]
 mod power_cut;
+mod record;
+mod record_shapes;
 mod regular;
 mod salvage;
 mod saves;
@@ -36,6 +39,7 @@ mod schema;
 mod schema_history;
 mod scratch;
 mod slug;
+mod state;
 mod store;
 mod summary;
 mod survey;
@@ -43,6 +47,7 @@ mod transfer;
 mod turn;
 mod world;
 
+pub use batch::Batch;
 pub use chunk_codec::{CHUNK_SAMPLES, pack_chunk, unpack_chunk};
 pub use error::StorageError;
 pub use guard::is_guarded;
@@ -50,14 +55,15 @@ pub use listing::{LookError, WorldInfo, WorldSummary, saves_dir};
 pub use maintenance::{RepairReport, VerifyReport};
 pub use name::{MAX_NAME_CHARS, NameError, is_unprintable};
 pub use page_check::check_pages;
+pub use record::{Record, RecordChanges, RecordKey, RecordKind, Records};
 pub use saves::SavesDir;
 pub use schema::{
-    BotRecord, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord, PlayerRecord,
-    SCHEMA_VERSION, SlotRecord, WorldMeta, WorldState,
+    BotRecord, CarRecord, ChunkKey, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
+    PlayerRecord, SCHEMA_VERSION, SlotRecord, ViewRecord, WorldMeta, WorldState,
 };
 pub use slug::slug_of;
 pub use transfer::{ArchiveFile, archives_in};
-pub use world::{Batch, WorldStore};
+pub use world::WorldStore;
 
 /// Name of the store inside a world's directory.
 pub const WORLD_FILE: &str = "world.redb";

@@ -1,19 +1,19 @@
 //! What is left of a damaged store: by its index as far as that goes, then by
 //! searching the bare bytes for sealed records.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use crate::batch;
 use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
+use crate::record::RecordKind;
 use crate::regular;
-use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
-};
-use crate::store::{META_KEY, STATE_KEY, Store};
-use crate::world;
+use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, Versioned, WorldMeta, WorldState};
+use crate::store::{META_KEY, Put, STATE_KEY, Store};
+use crate::survey::{check_record, what_at};
 
 /// How often, on average, a byte may be looked at in the search for records. A record costs
 /// two looks at most; only forged bytes need more.
@@ -25,23 +25,38 @@ const WINDOW_BYTES: u64 = 32 << 20;
 #[derive(Default)]
 pub(crate) struct Salvage {
     meta: Option<(u64, WorldMeta)>,
+    /// The state of a world up to version 6.
     state: Option<(u64, WorldState)>,
-    /// Chunks as they were packed, which is a small part of what they are unpacked.
-    chunks: BTreeMap<ChunkKey, Packed>,
+    /// Records of things, of whatever kind and version, and edits of chunks, as they were packed: a small part of what
+    /// they are unpacked. Those of charts that this version knows do unpack.
+    found: BTreeMap<(Kind, Vec<u8>), Packed>,
+    /// Where the index led to, but to a damaged record.
+    damaged: BTreeSet<(Kind, Vec<u8>)>,
+    /// Whether the index led to everything: what it did not lead to is gone then, and not lost.
+    by_index: bool,
     /// The last commit that the index led to, or that anything tells of.
     last: u64,
-    /// Chunks that the index led to, but to a damaged record.
-    damaged: Vec<ChunkKey>,
     newer: Option<u16>,
     /// How many bytes of the file were searched, if not all.
     searched: Option<u64>,
 }
 
-/// A chunk's record, known to unpack.
+/// A record as it was sealed.
 struct Packed {
     sequence: u64,
     version: u16,
     body: Vec<u8>,
+}
+
+impl Packed {
+    /// The same, sealed anew under its key.
+    fn put(&self, kind: Kind, key: &[u8], sequence: u64) -> Put {
+        Put {
+            kind,
+            key: key.to_vec(),
+            bytes: Some(codec::seal(self.version, kind, key, sequence, &self.body)),
+        }
+    }
 }
 
 impl Salvage {
@@ -52,17 +67,33 @@ impl Salvage {
 
     /// How many chunks were found.
     pub(crate) fn chunks(&self) -> usize {
-        self.chunks.len()
+        self.count(Kind::Chunk)
     }
 
     /// Whether the state was found.
     pub(crate) fn has_state(&self) -> bool {
-        self.state.is_some()
+        let player = RecordKind::Player.numbered(0).to_bytes();
+        let is_there = self.found.contains_key(&(Kind::Record, player));
+        is_there || self.old_state().is_some()
+    }
+
+    fn count(&self, kind: Kind) -> usize {
+        self.found
+            .keys()
+            .filter(|(found, _)| *found == kind)
+            .count()
+    }
+
+    /// The state of a world up to version 6, which no record has taken the place of.
+    fn old_state(&self) -> Option<&WorldState> {
+        let (_, state) = self.state.as_ref()?;
+        (self.count(Kind::Record) == 0).then_some(state)
     }
 
     /// The meta record as [`Self::write`] stores it.
     pub(crate) fn sealed_meta(&self, meta: &WorldMeta) -> Result<Vec<u8>, StorageError> {
-        world::sealed(meta, META_KEY, codec::next_commit(self.last), &meta.name)
+        let put = batch::sealed_meta(meta, codec::next_commit(self.last), &meta.name)?;
+        Ok(put.bytes.unwrap_or_default())
     }
 
     /// Reads by the index if that can be trusted, changing nothing; then searches the bare
@@ -72,6 +103,7 @@ impl Salvage {
         let mut salvage = Self::default();
         let by_index = salvage.scan(path, world)?;
         // With a whole index, what is newer than its last commit was never committed.
+        salvage.by_index = by_index;
         let last = if by_index && salvage.last > 0 {
             salvage.last
         } else {
@@ -97,8 +129,8 @@ impl Salvage {
         let scanned = Store::open_to_read(path, world).and_then(|store| {
             store.scan(|raw| match codec::unseal(&raw.bytes) {
                 Ok(record) if record.key == raw.key => self.add(&record),
-                _ if raw.kind == Kind::Chunk => {
-                    self.damaged.extend(ChunkKey::from_bytes(&raw.key));
+                _ if matches!(raw.kind, Kind::Chunk | Kind::Record) => {
+                    self.damaged.insert((raw.kind, raw.key));
                 }
                 _ => {}
             })
@@ -116,6 +148,7 @@ impl Salvage {
             Kind::Meta => newest(&mut self.meta, record, META_KEY.as_bytes()),
             Kind::State => newest(&mut self.state, record, STATE_KEY.as_bytes()),
             Kind::Chunk => self.add_chunk(record),
+            Kind::Record => self.add_thing(record),
         };
         match added {
             Ok(()) => self.last = self.last.max(record.sequence),
@@ -128,56 +161,87 @@ impl Salvage {
 
     fn add_chunk(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
         schema::check::<ChunkBody>(record, record.key)?;
-        let Some(key) = ChunkKey::from_bytes(record.key) else {
+        if ChunkKey::from_bytes(record.key).is_some() {
+            if self.is_newest(record) {
+                ChunkBody::upgrade(record.version, record.body)?;
+            }
+        } else if !ChunkKey::is_of_named_chart(record.key) {
             return Err(SchemaFault::Damaged("its key is no chunk's".to_owned()));
-        };
-        let known = self.chunks.get(&key);
-        if known.is_none_or(|known| record.sequence > known.sequence) {
-            ChunkBody::upgrade(record.version, record.body)?;
+        }
+        self.keep(record);
+        Ok(())
+    }
+
+    /// Takes the record of a thing, of whatever kind and version.
+    fn add_thing(&mut self, record: &Record<'_>) -> Result<(), SchemaFault> {
+        check_record(record, record.key)?;
+        // What a whole index does not lead to was taken away.
+        let place = (Kind::Record, record.key.to_vec());
+        if !self.by_index || self.damaged.contains(&place) {
+            self.keep(record);
+        }
+        Ok(())
+    }
+
+    fn is_newest(&self, record: &Record<'_>) -> bool {
+        let known = self.found.get(&(record.kind, record.key.to_vec()));
+        known.is_none_or(|known| record.sequence > known.sequence)
+    }
+
+    /// Keeps a record that is newer than what there is.
+    fn keep(&mut self, record: &Record<'_>) {
+        if self.is_newest(record) {
             let packed = Packed {
                 sequence: record.sequence,
                 version: record.version,
                 body: record.body.to_vec(),
             };
-            self.chunks.insert(key, packed);
+            let place = (record.kind, record.key.to_vec());
+            self.found.insert(place, packed);
         }
-        Ok(())
     }
 
     /// Writes what was found into a new store, closed when this returns.
     pub(crate) fn write(&self, path: &Path, meta: &WorldMeta) -> Result<(), StorageError> {
         let sequence = codec::next_commit(self.last);
-        let mut values = vec![(META_KEY, self.sealed_meta(meta)?)];
-        if let Some((_, state)) = &self.state {
-            values.push((
-                STATE_KEY,
-                world::sealed(state, STATE_KEY, sequence, &meta.name)?,
-            ));
-        }
-        let chunks = self.chunks.iter().filter_map(|(key, packed)| {
-            let ChunkBody(samples) = ChunkBody::upgrade(packed.version, &packed.body).ok()?;
-            let body = crate::pack_chunk(&samples).ok()?;
-            let key = key.to_bytes();
-            Some((
+        let mut puts = vec![batch::sealed_meta(meta, sequence, &meta.name)?];
+        let found = self.found.iter();
+        puts.extend(found.map(|((kind, key), packed)| packed.put(*kind, key, sequence)));
+        for (key, record) in self.old_state().iter().flat_map(|it| it.to_records()) {
+            puts.push(batch::sealed_record(
                 key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            ))
-        });
-        Store::create(path, &meta.name)?.write(&values, &chunks.collect::<Vec<_>>())
+                Some(&record),
+                sequence,
+                &meta.name,
+            )?);
+        }
+        Store::create(path, &meta.name)?.write(&puts)
     }
 
     pub(crate) fn losses(&self, problems: &[String]) -> Vec<String> {
-        let mut losses: Vec<_> = self
-            .damaged
-            .iter()
-            .map(|key| match self.chunks.get(key) {
-                Some(Packed { sequence, .. }) => format!(
-                    "The edits of {key} are those of commit {sequence}; later ones are lost."
+        let loss = |place: &(Kind, Vec<u8>)| {
+            let what = what_at(place.0, &place.1);
+            let older = self.found.get(place).map(|it| it.sequence);
+            match (place.0, older) {
+                (Kind::Chunk, Some(commit)) => {
+                    format!(
+                        "The edits of {what} are those of commit {commit}; later ones are lost."
+                    )
+                }
+                (Kind::Chunk, None) => {
+                    format!("The edits of {what} are lost; it is as the seed made it.")
+                }
+                (_, Some(commit)) => format!(
+                    "What is known of {what} is of commit {commit}; what came later is lost."
                 ),
-                None => format!("The edits of {key} are lost; it is as the seed made it."),
-            })
-            .collect();
-        if self.state.is_none() {
+                (_, None) => format!("What was known of {what} is lost."),
+            }
+        };
+        let mut losses: Vec<_> = self.damaged.iter().map(loss).collect();
+        if !self.by_index && self.count(Kind::Record) > 0 {
+            losses.push("What was taken away or had died may be there again.".to_owned());
+        }
+        if !self.has_state() {
             losses.push(
                 "The player's place and belongings are lost; the player starts anew.".to_owned(),
             );

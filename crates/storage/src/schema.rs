@@ -5,15 +5,25 @@
 //! version. To make one: copy the struct as it was into `schema_history.rs`, raise
 //! [`SCHEMA_VERSION`], and let [`Versioned::upgrade`] decode the old shape and
 //! convert it. `tests/saves` keeps a world of each version for ever.
+//!
+//! Records of things have versions of their own, each kind for itself: see `record.rs`.
 
-use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
 use crate::schema_history::{v1, v2, v3, v4, v5};
 
+pub use crate::record_shapes::{
+    BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
+    PlayerRecord, SlotRecord, ViewRecord,
+};
+pub use crate::state::WorldState;
+
 /// The schema version this build writes.
-pub const SCHEMA_VERSION: u16 = 6;
+pub const SCHEMA_VERSION: u16 = 7;
+/// The last version that kept the state as one value.
+const LAST_OF_ONE_STATE: u16 = 6;
 
 /// What a world is: fixed at its creation, but for the name and the times.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -38,160 +48,6 @@ pub struct WorldMeta {
     pub cheated: bool,
 }
 
-/// The player's body.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct PlayerRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Feet, chart metres.
-    pub pos: [f64; 3],
-    /// Velocity, metres per second.
-    pub vel: [f64; 3],
-    /// Heading, radians.
-    pub yaw: f64,
-    /// Elevation of the view, radians.
-    pub pitch: f64,
-    /// Health, 0 to 100.
-    pub health: f64,
-    /// Whether the view is from behind.
-    pub third_person: bool,
-    /// Whether the spectator's flight is on.
-    pub flying: bool,
-    /// Whether the feet stood on something.
-    pub grounded: bool,
-}
-
-/// One filled slot of the inventory.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct SlotRecord {
-    /// Which slot, 0 is the first.
-    pub slot: u8,
-    /// The item's identifier, such as `pickaxe-iron`.
-    pub item: String,
-    /// How many.
-    pub count: u32,
-}
-
-/// A lamp that was put down.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct LampRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Its foot, chart metres.
-    pub pos: [f64; 3],
-}
-
-/// A stack that lies about.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct DropRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Its middle, chart metres.
-    pub pos: [f64; 3],
-    /// The item's identifier.
-    pub item: String,
-    /// How many.
-    pub count: u32,
-}
-
-/// A figure that nobody plays.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct BotRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Feet, chart metres.
-    pub pos: [f64; 3],
-    /// Heading, radians.
-    pub yaw: f64,
-    /// Its health.
-    pub health: f64,
-    /// Whether it fights the player.
-    pub hostile: bool,
-    /// For how long yet a peaceful one that was provoked fights, seconds.
-    pub provoked_s: f64,
-    /// Whether it came by itself, and may go so.
-    pub native: bool,
-}
-
-/// A car.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct CarRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// The ground below its middle when it stands on level ground, chart metres.
-    pub pos: [f64; 3],
-    /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
-    pub turn: [f64; 4],
-    /// Velocity, metres per second.
-    pub vel: [f64; 3],
-    /// Angular velocity, radians per second.
-    pub spin: [f64; 3],
-    /// Whether its lights are on.
-    pub lights: bool,
-    /// How far its front wheels are turned to the right, radians.
-    pub steer: f64,
-    /// How far each spring is pushed in, metres; zero in the air.
-    pub springs: [f64; 4],
-    /// Whether it has come to rest.
-    pub rests: bool,
-}
-
-/// Everything that changes while a world is played, but for the terrain.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct WorldState {
-    /// The player's body.
-    pub player: PlayerRecord,
-    /// The slot in the hand.
-    pub item_slot: u8,
-    /// The filled slots.
-    pub inventory: Vec<SlotRecord>,
-    /// Time of day, seconds.
-    pub time_of_day_s: f64,
-    /// The map of a hyperbolic world, `raised` or `horizon`; without meaning elsewhere.
-    pub map: String,
-    /// Dial of the raised map, metres; without meaning but in hyperbolic worlds.
-    pub curvature: f64,
-    /// Dial of the horizon map; without meaning but in hyperbolic worlds.
-    pub curvature_horizon: f64,
-    /// Whether the picture of a flat world is bent.
-    pub bent: bool,
-    /// Dial of the bend, positive where hyperbolic; kept while the picture is flat.
-    pub bend: f64,
-    /// Radius of the brush, metres.
-    pub brush_radius_m: f64,
-    /// Simulated time since the world was made, seconds.
-    pub simulated_s: f64,
-    /// View distance, chunks.
-    pub view_distance: u32,
-    /// Whether the flashlight is on.
-    pub flashlight: bool,
-    /// Lamps that were put down, in that order.
-    pub lamps: Vec<LampRecord>,
-    /// What lies about.
-    pub drops: Vec<DropRecord>,
-    /// Other figures.
-    pub bots: Vec<BotRecord>,
-    /// Cars.
-    pub cars: Vec<CarRecord>,
-    /// Which of the cars the player drives.
-    pub driving: Option<u32>,
-    /// Whether the world has been given its first car, which it may have lost since.
-    pub car_given: bool,
-    /// Where the player stands up again from death; none where the land alone decides.
-    pub start: Option<PlaceRecord>,
-    /// Whether the player was told of having gone once round the world.
-    pub been_round: bool,
-}
-
-/// A place.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct PlaceRecord {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
-    /// Chart metres.
-    pub pos: [f64; 3],
-}
-
 /// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
@@ -209,7 +65,9 @@ pub struct ChunkKey {
 
 impl ChunkKey {
     /// Length of [`Self::to_bytes`].
-    pub(crate) const BYTES: usize = 13;
+    pub(crate) const BYTES: usize = 1 + Self::INDEX_BYTES;
+    /// Bytes of the three indices.
+    const INDEX_BYTES: usize = 12;
 
     /// A key whose order as bytes is the order of `ChunkKey`: big-endian with the
     /// sign flipped, so that neighbours along z lie side by side in the store.
@@ -236,6 +94,27 @@ impl ChunkKey {
             y: index(y),
             z: index(z),
         })
+    }
+
+    /// Whether bytes are the key of a chunk of a chart with a name, which only a later game knows: the chart as in
+    /// [`chart`], then the indices. It is longer than any key of the two hemispheres.
+    pub(crate) fn is_of_named_chart(bytes: &[u8]) -> bool {
+        bytes.split_first().is_some_and(|(&length, rest)| {
+            let length = usize::from(length);
+            (2..=MAX_CHART_BYTES).contains(&length) && rest.len() == length + Self::INDEX_BYTES
+        })
+    }
+}
+
+/// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
+const MAX_CHART_BYTES: usize = 144;
+
+/// Reads a chart as it is stored: the byte 0 or 1 for hemisphere A or B. A larger one is the length of a name, which
+/// follows; fails for such, since this version knows no such chart.
+pub(crate) fn chart<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
+    match u8::deserialize(from)? {
+        hemisphere @ (0 | 1) => Ok(hemisphere),
+        _ => Err(D::Error::custom("a chart that this version does not know")),
     }
 }
 
@@ -283,8 +162,10 @@ impl Versioned for WorldMeta {
     }
 }
 
+/// What worlds up to version 6 kept as one value: read, never written.
 impl Versioned for WorldState {
     const KIND: Kind = Kind::State;
+    const VERSION: u16 = LAST_OF_ONE_STATE;
 
     fn upgrade(version: u16, body: &[u8]) -> Result<Self, SchemaFault> {
         match version {

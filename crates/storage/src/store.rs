@@ -1,4 +1,4 @@
-//! The embedded store as this crate uses it: two tables of sealed records.
+//! The embedded store as this crate uses it: four tables of sealed records.
 //!
 //! The store trusts its file: so [`page_check`] reads every page before it is opened, and
 //! every call goes through [`guard`] besides.
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use redb::{
     Builder, Database, DatabaseError, ReadTransaction, ReadableDatabase, ReadableTable,
-    ReadableTableMetadata, TableDefinition, TableError,
+    ReadableTableMetadata, TableDefinition, TableError, WriteTransaction,
 };
 
 use crate::codec::Kind;
@@ -18,14 +18,18 @@ use crate::overlay::Overlay;
 use crate::page_check;
 use crate::schema::ChunkKey;
 
-/// `world` and `state`.
+/// What the world is, under `world`; up to version 6 also all that changes, under `state`.
 pub(crate) const VALUES: TableDefinition<'static, &str, &[u8]> = TableDefinition::new("values");
-/// One record per edited chunk.
+/// One record per edited chunk of the two hemispheres.
 pub(crate) const CHUNKS: TableDefinition<'static, &[u8; ChunkKey::BYTES], &[u8]> =
     TableDefinition::new("chunks");
+/// Those of charts that have a name: see [`ChunkKey::is_of_named_chart`].
+pub(crate) const NAMED: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("land");
+/// One record per thing, see [`crate::record`].
+pub(crate) const RECORDS: TableDefinition<'static, &[u8], &[u8]> = TableDefinition::new("records");
 /// Key of the [`crate::WorldMeta`].
 pub(crate) const META_KEY: &str = "world";
-/// Key of the [`crate::WorldState`].
+/// Key of the state of worlds up to version 6.
 pub(crate) const STATE_KEY: &str = "state";
 
 /// Memory the store may keep pages in; it would take a gigabyte by itself.
@@ -34,6 +38,7 @@ const CACHE_BYTES: usize = 32 << 20;
 const MISCOUNTED: &str = "its index does not hold as many chunks as it says";
 
 /// A value as stored: which, under which key, its sealed bytes.
+#[derive(Clone, Debug)]
 pub(crate) struct Raw {
     /// What it should be, by the table it is in.
     pub kind: Kind,
@@ -41,6 +46,58 @@ pub(crate) struct Raw {
     pub key: Vec<u8>,
     /// The sealed record.
     pub bytes: Vec<u8>,
+}
+
+/// What a transaction does to one key: another value, or none.
+#[derive(Clone, Debug)]
+pub(crate) struct Put {
+    /// In which table it is.
+    pub kind: Kind,
+    /// Its key.
+    pub key: Vec<u8>,
+    /// The sealed record; `None` removes it.
+    pub bytes: Option<Vec<u8>>,
+}
+
+impl Put {
+    /// Whether it changes what is in that table under that key.
+    pub(crate) fn is_at(&self, (kind, key): &(Kind, Vec<u8>)) -> bool {
+        self.kind == *kind && self.key == *key
+    }
+
+    /// With its key, if it is one of [`VALUES`].
+    fn value(&self) -> Option<(&str, &Self)> {
+        let is_value = matches!(self.kind, Kind::Meta | Kind::State);
+        let key = std::str::from_utf8(&self.key).ok()?;
+        is_value.then_some((key, self))
+    }
+
+    /// With its key, if it is one of [`CHUNKS`].
+    fn chunk(&self) -> Option<(&[u8; ChunkKey::BYTES], &Self)> {
+        let key = self.key.as_slice().try_into().ok()?;
+        (self.kind == Kind::Chunk).then_some((key, self))
+    }
+
+    /// With its key, if it is one of [`NAMED`].
+    fn named_chunk(&self) -> Option<(&[u8], &Self)> {
+        let is_named = self.kind == Kind::Chunk && self.chunk().is_none();
+        is_named.then_some((self.key.as_slice(), self))
+    }
+
+    /// With its key, if it is one of [`RECORDS`].
+    fn record(&self) -> Option<(&[u8], &Self)> {
+        (self.kind == Kind::Record).then_some((self.key.as_slice(), self))
+    }
+}
+
+impl From<Raw> for Put {
+    fn from(raw: Raw) -> Self {
+        Self {
+            kind: raw.kind,
+            key: raw.key,
+            bytes: Some(raw.bytes),
+        }
+    }
 }
 
 /// An open store.
@@ -167,58 +224,88 @@ impl Store {
                     });
                 }
             }
-            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
-                return Ok(());
-            };
-            let wrong = |reason| StorageError::unreadable(&self.path, reason);
-            let mut left = table.len().map_err(|e| self.error(e))?;
-            let mut last: Option<[u8; ChunkKey::BYTES]> = None;
-            for entry in table.iter().map_err(|e| self.error(e))? {
-                let (key, value) = entry.map_err(|e| self.error(e))?;
-                let key = *key.value();
-                left = left.checked_sub(1).ok_or_else(|| wrong(MISCOUNTED))?;
-                // Or it may go on for ever: pages that name one another have no end.
-                if last.replace(key).is_some_and(|last| last >= key) {
-                    return Err(wrong("the keys of its index do not rise"));
-                }
-                each(Raw {
-                    kind: Kind::Chunk,
-                    key: key.to_vec(),
-                    bytes: value.value().to_vec(),
-                });
-            }
-            if left == 0 {
-                Ok(())
-            } else {
-                Err(wrong(MISCOUNTED))
-            }
+            self.scan_table(&read, RECORDS, Kind::Record, |key| key.to_vec(), &mut each)?;
+            self.scan_table(&read, CHUNKS, Kind::Chunk, |key| key.to_vec(), &mut each)?;
+            self.scan_table(&read, NAMED, Kind::Chunk, |key| key.to_vec(), &mut each)
         })
     }
 
-    /// Writes sealed values in one durable transaction: all of them or none.
-    pub(crate) fn write(
+    /// Hands over the records of things alone, as [`Self::scan`] does.
+    pub(crate) fn scan_records(&self, mut each: impl FnMut(Raw)) -> Result<(), StorageError> {
+        guard(&self.path, || {
+            let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
+            self.scan_table(&read, RECORDS, Kind::Record, |key| key.to_vec(), &mut each)
+        })
+    }
+
+    fn scan_table<K: redb::Key + 'static>(
         &self,
-        values: &[(&str, Vec<u8>)],
-        chunks: &[([u8; ChunkKey::BYTES], Vec<u8>)],
+        read: &ReadTransaction,
+        table: TableDefinition<'static, K, &'static [u8]>,
+        kind: Kind,
+        bytes_of: for<'k> fn(K::SelfType<'k>) -> Vec<u8>,
+        each: &mut impl FnMut(Raw),
     ) -> Result<(), StorageError> {
+        let Some(table) = absent(read.open_table(table)).map_err(|e| self.error(e))? else {
+            return Ok(());
+        };
+        let wrong = |reason| StorageError::unreadable(&self.path, reason);
+        let mut left = table.len().map_err(|e| self.error(e))?;
+        let mut last: Option<Vec<u8>> = None;
+        for entry in table.iter().map_err(|e| self.error(e))? {
+            let (key, value) = entry.map_err(|e| self.error(e))?;
+            let key = bytes_of(key.value());
+            left = left.checked_sub(1).ok_or_else(|| wrong(MISCOUNTED))?;
+            // Or it may go on for ever: pages that name one another have no end.
+            if last.as_ref().is_some_and(|last| *last >= key) {
+                return Err(wrong("the keys of its index do not rise"));
+            }
+            last = Some(key.clone());
+            each(Raw {
+                kind,
+                key,
+                bytes: value.value().to_vec(),
+            });
+        }
+        if left == 0 {
+            Ok(())
+        } else {
+            Err(wrong(MISCOUNTED))
+        }
+    }
+
+    /// Does all of this in one durable transaction, or nothing.
+    pub(crate) fn write(&self, puts: &[Put]) -> Result<(), StorageError> {
         guard(&self.path, || {
             let write = self.db()?.begin_write().map_err(|e| self.error(e))?;
-            {
-                let mut table = write.open_table(VALUES).map_err(|e| self.error(e))?;
-                for (key, bytes) in values {
-                    table
-                        .insert(*key, bytes.as_slice())
-                        .map_err(|e| self.error(e))?;
-                }
-                let mut table = write.open_table(CHUNKS).map_err(|e| self.error(e))?;
-                for (key, bytes) in chunks {
-                    table
-                        .insert(key, bytes.as_slice())
-                        .map_err(|e| self.error(e))?;
-                }
-            }
+            self.put(&write, VALUES, puts.iter().filter_map(Put::value))?;
+            self.put(&write, RECORDS, puts.iter().filter_map(Put::record))?;
+            self.put(&write, CHUNKS, puts.iter().filter_map(Put::chunk))?;
+            self.put(&write, NAMED, puts.iter().filter_map(Put::named_chunk))?;
             write.commit().map_err(|e| self.error(e))
         })
+    }
+
+    /// Opens a table only if there is something for it, since that makes it.
+    fn put<'k, K: redb::Key + 'static>(
+        &self,
+        write: &WriteTransaction,
+        table: TableDefinition<'static, K, &'static [u8]>,
+        puts: impl Iterator<Item = (K::SelfType<'k>, &'k Put)>,
+    ) -> Result<(), StorageError> {
+        let mut puts = puts.peekable();
+        if puts.peek().is_none() {
+            return Ok(());
+        }
+        let mut table = write.open_table(table).map_err(|e| self.error(e))?;
+        for (key, put) in puts {
+            match &put.bytes {
+                Some(bytes) => table.insert(key, bytes.as_slice()),
+                None => table.remove(key),
+            }
+            .map_err(|e| self.error(e))?;
+        }
+        Ok(())
     }
 }
 

@@ -2,19 +2,27 @@
 
 use std::collections::BTreeMap;
 
-use crate::codec::{self, Kind};
+use crate::codec::{self, Kind, Record};
 use crate::error::StorageError;
-use crate::schema::{self, ChunkBody, ChunkKey, SchemaFault, WorldMeta, WorldState};
+use crate::record::{KeyParts, Record as Thing, RecordKey};
+use crate::schema::{
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
+};
 use crate::store::{META_KEY, Raw, Store};
+
+/// What the state of worlds up to version 6, and the player's record of later ones, is called.
+pub(crate) const PLAYERS_STATE: &str = "the player's state";
+/// Where faults of the index are told: a world whose own record is damaged does not open.
+const INDEX: (Kind, Vec<u8>) = (Kind::Meta, Vec::new());
 
 /// What is kept in memory of an open world.
 pub(crate) struct Known {
     /// What the world is, as last committed.
     pub meta: WorldMeta,
-    /// Chunks whose record cannot be believed, with the reason.
-    pub damaged: BTreeMap<ChunkKey, String>,
-    /// What else is wrong: what, and the reason.
-    pub faults: Vec<(String, String)>,
+    /// The schema version that it was written by.
+    pub version: u16,
+    /// What cannot be believed, with the reason; without a key what is not to be written over.
+    pub faults: BTreeMap<(Kind, Vec<u8>), String>,
 }
 
 /// Looks at every record: is it whole, of a known version, and found by its key?
@@ -29,17 +37,16 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     };
     let meta: WorldMeta = schema::read(&meta_bytes, META_KEY.as_bytes())
         .map_err(|fault| fault_in(label, "what the world is", fault))?;
-    let mut known = Known {
-        meta,
-        damaged: BTreeMap::new(),
-        faults: Vec::new(),
-    };
+    let version = codec::unseal(&meta_bytes).map_or(SCHEMA_VERSION, |record| record.version);
+    let mut known = Known::of(meta, version);
     let mut last = 0;
     let mut newer = None;
     let scanned = store.scan(|raw| match record_fault(&raw) {
         Ok(sequence) => last = last.max(sequence),
         Err(SchemaFault::Newer(version)) => newer = Some(version),
-        Err(SchemaFault::Damaged(reason)) => known.note(&raw, reason),
+        Err(SchemaFault::Damaged(reason)) => {
+            known.faults.insert((raw.kind, raw.key), reason);
+        }
     });
     if let Some(found) = newer {
         return Err(StorageError::Newer {
@@ -49,36 +56,89 @@ pub(crate) fn survey(store: &Store, label: &str) -> Result<(Known, u64), Storage
     }
     scanned?;
     // Not to be passed over: after a crash the store would take it for a commit cut short.
-    if store.torn_leaves() > 0 && known.damaged.is_empty() && known.faults.is_empty() {
+    if store.torn_leaves() > 0 && known.faults.is_empty() {
         let reason = "a page of it is not as it was written, though every value is whole";
-        known
-            .faults
-            .push(("the index".to_owned(), reason.to_owned()));
+        known.faults.insert(INDEX, reason.to_owned());
     }
     Ok((known, last))
 }
 
 impl Known {
-    /// Remembers a damaged record.
-    fn note(&mut self, raw: &Raw, reason: String) {
-        match ChunkKey::from_bytes(&raw.key) {
-            Some(key) if raw.kind == Kind::Chunk => {
-                self.damaged.insert(key, reason);
-            }
-            _ => self.faults.push(("the player's state".to_owned(), reason)),
+    /// A sound world.
+    pub(crate) fn of(meta: WorldMeta, version: u16) -> Self {
+        Self {
+            meta,
+            version,
+            faults: BTreeMap::new(),
         }
+    }
+
+    /// The error for what is damaged there, if it is.
+    pub(crate) fn fault(&self, kind: Kind, key: &[u8]) -> Option<StorageError> {
+        let reason = self.faults.get(&(kind, key.to_vec()))?;
+        let what = what_at(kind, key);
+        Some(fault_in(
+            &self.meta.name,
+            &what,
+            SchemaFault::Damaged(reason.clone()),
+        ))
     }
 }
 
-/// Checks a stored record without decoding its body; its commit number if it is whole.
+/// Checks a stored record; its commit number if it is whole. Of what there is much of, the body is not decoded.
 fn record_fault(raw: &Raw) -> Result<u64, SchemaFault> {
     let record = codec::unseal(&raw.bytes)?;
     match raw.kind {
         Kind::Meta => schema::check::<WorldMeta>(&record, &raw.key)?,
-        Kind::State => schema::check::<WorldState>(&record, &raw.key)?,
+        Kind::State => drop(schema::read::<WorldState>(&raw.bytes, &raw.key)?),
         Kind::Chunk => schema::check::<ChunkBody>(&record, &raw.key)?,
+        Kind::Record => check_record(&record, &raw.key)?,
     }
     Ok(record.sequence)
+}
+
+/// Checks a record of a thing. One of a kind or a version that only a later game knows is whole; but without the
+/// player, the time or the view nobody can play.
+pub(crate) fn check_record(record: &Record<'_>, key: &[u8]) -> Result<(), SchemaFault> {
+    let strange = || SchemaFault::Damaged("it belongs somewhere else".to_owned());
+    if record.kind != Kind::Record || record.key != key {
+        return Err(strange());
+    }
+    let known = KeyParts::of(key).ok_or_else(strange)?.known();
+    let damaged = |reason: &str| Err(SchemaFault::Damaged(reason.to_owned()));
+    if record.version == 0 {
+        return damaged("its version 0 was never used");
+    }
+    match known.filter(|key| key.is_needed()) {
+        Some(RecordKey { kind, .. }) if record.version > kind.version() => {
+            Err(SchemaFault::Newer(SCHEMA_VERSION + 1))
+        }
+        Some(RecordKey { kind, .. })
+            if Thing::decoded(kind, record.version, record.body).is_none() =>
+        {
+            damaged("its contents make no sense")
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What a value is of, by where it is.
+pub(crate) fn what_at(kind: Kind, key: &[u8]) -> String {
+    match kind {
+        Kind::Meta => "the index".to_owned(),
+        Kind::State => PLAYERS_STATE.to_owned(),
+        Kind::Chunk => ChunkKey::from_bytes(key).map_or_else(
+            || "a chunk of a chart that this version does not know".to_owned(),
+            |key| key.to_string(),
+        ),
+        Kind::Record => match KeyParts::of(key) {
+            None => "a record without a kind".to_owned(),
+            Some(parts) => match parts.known() {
+                Some(key) => key.to_string(),
+                None => format!("{} {}", parts.name, parts.id),
+            },
+        },
+    }
 }
 
 /// The error for a value that could not be read.
@@ -105,14 +165,19 @@ mod tests {
 
     use super::*;
     use crate::SavesDir;
-    use crate::schema::SCHEMA_VERSION;
-    use crate::store::STATE_KEY;
-    use crate::world::sealed;
+    use crate::batch::sealed_meta;
+    use crate::record::{Record, RecordKind};
+    use crate::store::Put;
     use crate::{WORLD_FILE, pack_chunk, summary};
     use std::fs;
     use std::path::{Path, PathBuf};
 
-    /// A world whose meta, state and one chunk are stored with these schema versions.
+    /// The version of a player's record.
+    const PLAYER: u16 = 1;
+    /// What this build writes.
+    const NOW: [u16; 3] = [SCHEMA_VERSION, PLAYER, SCHEMA_VERSION];
+
+    /// A world whose meta, player and one chunk are stored with these schema versions.
     fn planted(versions: [u16; 3]) -> (tempfile::TempDir, SavesDir) {
         planted_at(versions, 1)
     }
@@ -127,38 +192,27 @@ mod tests {
             ..WorldMeta::default()
         };
         let body = codec::encode(&meta).unwrap();
-        let state = codec::encode(&WorldState::default()).unwrap();
+        let player = RecordKind::Player.numbered(0);
+        let state = Record::Player(Box::default()).encoded().unwrap();
         let chunk = pack_chunk(&vec![3; crate::CHUNK_SAMPLES]).unwrap();
-        let key = ChunkKey::default().to_bytes();
-        let values = [
-            (
-                META_KEY,
-                codec::seal(
-                    versions[0],
-                    Kind::Meta,
-                    META_KEY.as_bytes(),
-                    sequence,
-                    &body,
-                ),
-            ),
-            (
-                STATE_KEY,
-                codec::seal(
-                    versions[1],
-                    Kind::State,
-                    STATE_KEY.as_bytes(),
-                    sequence,
-                    &state,
-                ),
+        let put = |version, kind, key: &[u8], body: &[u8]| Put {
+            kind,
+            key: key.to_vec(),
+            bytes: Some(codec::seal(version, kind, key, sequence, body)),
+        };
+        let puts = [
+            put(versions[0], Kind::Meta, META_KEY.as_bytes(), &body),
+            put(versions[1], Kind::Record, &player.to_bytes(), &state),
+            put(
+                versions[2],
+                Kind::Chunk,
+                &ChunkKey::default().to_bytes(),
+                &chunk,
             ),
         ];
-        let chunks = [(
-            key,
-            codec::seal(versions[2], Kind::Chunk, &key, sequence, &chunk),
-        )];
         Store::create(&dir.join(WORLD_FILE), "Future")
             .unwrap()
-            .write(&values, &chunks)
+            .write(&puts)
             .unwrap();
         let saves = SavesDir::new(root.path());
         (root, saves)
@@ -168,9 +222,9 @@ mod tests {
     fn a_newer_world_is_refused_by_name_and_left_alone() {
         let (now, next) = (SCHEMA_VERSION, SCHEMA_VERSION + 1);
         for versions in [
-            [next, now, now],
-            [now, next, now],
-            [now, now, next],
+            [next, PLAYER, now],
+            [now, PLAYER + 1, now],
+            [now, PLAYER, next],
             [900, 900, 900],
         ] {
             let (root, saves) = planted(versions);
@@ -200,7 +254,7 @@ mod tests {
 
     #[test]
     fn values_of_an_unknown_version_are_damage() {
-        let (_root, saves) = planted([0, SCHEMA_VERSION, 1]);
+        let (_root, saves) = planted([0, PLAYER, 1]);
         assert!(matches!(
             saves.open("future"),
             Err(StorageError::Damaged { .. })
@@ -225,7 +279,7 @@ mod tests {
     #[test]
     fn a_world_saved_a_number_of_times_that_nobody_can_is_damaged() {
         for sequence in [u64::MAX, u64::MAX - 4, codec::MAX_COMMIT + 1] {
-            let (root, saves) = planted_at([SCHEMA_VERSION; 3], sequence);
+            let (root, saves) = planted_at(NOW, sequence);
             assert!(!saves.verify("future").unwrap().is_sound());
             let damaged = saves.open("future").map(drop).unwrap_err();
             assert!(matches!(damaged, StorageError::Damaged { .. }), "{damaged}");
@@ -241,7 +295,7 @@ mod tests {
 
     #[test]
     fn a_world_near_the_largest_number_of_commits_goes_on_saving() {
-        let (root, saves) = planted_at([SCHEMA_VERSION; 3], codec::MAX_COMMIT - 2);
+        let (root, saves) = planted_at(NOW, codec::MAX_COMMIT - 2);
         let slug = saves.import(&packed(root.path())).unwrap();
         for round in 0..6 {
             let world = saves.open(&slug).unwrap();
@@ -253,7 +307,7 @@ mod tests {
                 let chunks = vec![(ChunkKey::default(), vec![step as i16; crate::CHUNK_SAMPLES])];
                 let batch = crate::Batch {
                     meta: None,
-                    state: Some(state),
+                    records: (&state).into(),
                     chunks,
                 };
                 world.commit(&batch).unwrap();
@@ -271,17 +325,19 @@ mod tests {
 
     #[test]
     fn a_copied_record_does_not_pass_for_another_chunk() {
-        let (root, saves) = planted([SCHEMA_VERSION; 3]);
+        let (root, saves) = planted(NOW);
         let elsewhere = ChunkKey {
             x: 5,
             ..ChunkKey::default()
         };
         let store = Store::open(&root.path().join("future").join(WORLD_FILE), "Future").unwrap();
-        let bytes = store
-            .chunk(&ChunkKey::default().to_bytes())
-            .unwrap()
-            .unwrap();
-        store.write(&[], &[(elsewhere.to_bytes(), bytes)]).unwrap();
+        let bytes = store.chunk(&ChunkKey::default().to_bytes()).unwrap();
+        let put = Put {
+            kind: Kind::Chunk,
+            key: elsewhere.to_bytes().to_vec(),
+            bytes,
+        };
+        store.write(&[put]).unwrap();
         drop(store);
         let world = saves.open("future").unwrap();
         assert_eq!(
@@ -296,10 +352,11 @@ mod tests {
 
     #[test]
     fn a_world_without_its_meta_is_repaired_from_its_summary() {
-        let (root, saves) = planted([SCHEMA_VERSION; 3]);
+        let (root, saves) = planted(NOW);
         let dir = root.path().join("future");
         let meta = saves.open("future").unwrap().meta();
-        summary::write(&dir, &sealed(&meta, META_KEY, 1, "Future").unwrap());
+        let sealed = sealed_meta(&meta, 1, "Future").unwrap();
+        summary::write(&dir, &sealed.bytes.unwrap());
         fs::write(dir.join(WORLD_FILE), b"nothing of it is left").unwrap();
         let listed = saves.find("FUTURE").unwrap();
         assert!(listed.problem.is_some());

@@ -5,6 +5,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use crate::batch::Batch;
 use crate::error::StorageError;
 use crate::maintenance::Inspection;
 use crate::name::{self, NameError};
@@ -12,7 +13,7 @@ use crate::saves::SavesDir;
 use crate::schema::WorldMeta;
 use crate::scratch::Scratch;
 use crate::turn::Turn;
-use crate::world::{Batch, WorldStore};
+use crate::world::WorldStore;
 use crate::{ARCHIVE_EXTENSION, MAX_NAME_CHARS, archive, atomic_file, maintenance};
 
 /// How many exported worlds of one directory are told of.

@@ -1,39 +1,22 @@
 //! One world on disk: open it, read it, commit to it.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
+use crate::batch::{Batch, sealed_meta, sealed_record};
 use crate::codec::{self, Kind};
 use crate::error::StorageError;
 use crate::maintenance::free_beside;
+use crate::record::{RecordKind, Records};
 use crate::regular::{Entry, FileId};
 use crate::schema::{
-    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, Versioned, WorldMeta, WorldState,
+    self, ChunkBody, ChunkKey, SCHEMA_VERSION, SchemaFault, WorldMeta, WorldState,
 };
-use crate::store::{META_KEY, STATE_KEY, Store};
+use crate::store::{META_KEY, Put, STATE_KEY, Store};
 use crate::survey::{Known, fault_in, survey};
-use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, pack_chunk, scratch, summary};
-
-/// What one commit writes: all of it or none.
-#[derive(Debug, Clone, Default)]
-pub struct Batch {
-    /// The new meta record, if it changed.
-    pub meta: Option<WorldMeta>,
-    /// The new state, if it changed.
-    pub state: Option<WorldState>,
-    /// Edited chunks with their [`crate::CHUNK_SAMPLES`] edits each.
-    pub chunks: Vec<(ChunkKey, Vec<i16>)>,
-}
-
-impl Batch {
-    /// Whether there is nothing to write.
-    pub fn is_empty(&self) -> bool {
-        self.meta.is_none() && self.state.is_none() && self.chunks.is_empty()
-    }
-}
+use crate::{THUMBNAIL_FILE, WORLD_FILE, atomic_file, copying, scratch, summary};
 
 /// An open world. Reading and committing are possible from several threads; one
 /// commit runs at a time. The world is closed when this is dropped.
@@ -72,11 +55,7 @@ impl WorldStore {
             dir: dir.to_path_buf(),
             file: file_at(&path)?,
             store: RwLock::new(Some(store)),
-            known: Mutex::new(Known {
-                meta: meta.clone(),
-                damaged: BTreeMap::new(),
-                faults: Vec::new(),
-            }),
+            known: Mutex::new(Known::of(meta.clone(), SCHEMA_VERSION)),
             sequence: Mutex::new(0),
             kept: AtomicBool::new(false),
         };
@@ -147,28 +126,42 @@ impl WorldStore {
     /// What was found damaged on opening.
     pub(crate) fn faults(&self) -> Vec<StorageError> {
         let known = self.known();
-        let fault = |what: &str, why: &String| {
-            fault_in(&known.meta.name, what, SchemaFault::Damaged(why.clone()))
-        };
-        let others = known.faults.iter().map(|(what, why)| fault(what, why));
-        let chunks = known
-            .damaged
-            .iter()
-            .map(|(key, why)| fault(&key.to_string(), why));
-        others.chain(chunks).collect()
+        let places = known.faults.keys();
+        places
+            .filter_map(|(kind, key)| known.fault(*kind, key))
+            .collect()
     }
 
-    /// The player and the rest that changes; `None` in a world never played.
+    /// All that changes but the land in one value; `None` in a world never played.
     ///
     /// # Errors
-    /// [`StorageError::Damaged`] if it cannot be believed, failures of the file system.
+    /// [`StorageError::Damaged`] if what is stored of the player cannot be believed, failures of the file system.
     pub fn state(&self) -> Result<Option<WorldState>, StorageError> {
-        let bytes = self.with_store(|store| store.value(STATE_KEY))?;
-        let name = self.known().meta.name.clone();
-        bytes
-            .map(|bytes| schema::read(&bytes, STATE_KEY.as_bytes()))
-            .transpose()
-            .map_err(|fault| fault_in(&name, "the player's state", fault))
+        let records = self.records()?;
+        if records.player().is_some() {
+            return Ok(Some(WorldState::of_records(&records.known)));
+        }
+        let known = self.known();
+        let player = RecordKind::Player.numbered(0).to_bytes();
+        let fault = known.fault(Kind::Record, &player);
+        let fault = fault.or_else(|| known.fault(Kind::State, STATE_KEY.as_bytes()));
+        fault.map_or(Ok(None), Err)
+    }
+
+    /// The records of what changes. Those that are damaged are left out; see [`Self::problems`].
+    ///
+    /// # Errors
+    /// Failures of the file system.
+    pub fn records(&self) -> Result<Records, StorageError> {
+        let mut records = Records::default();
+        let old = self.with_store(|store| store.value(STATE_KEY))?;
+        if let Some(state) = old.as_deref().and_then(old_state) {
+            for (key, record) in state.to_records() {
+                records.put(key, record);
+            }
+        }
+        self.with_store(|store| store.scan_records(|raw| records.take(&raw)))?;
+        Ok(records)
     }
 
     /// Copies the file as it is now to a free name beside it, before something in it that cannot be read is written
@@ -190,21 +183,17 @@ impl WorldStore {
     /// [`StorageError::Damaged`] if its record cannot be believed: go on with the
     /// chunk as generated, and say so. Failures of the file system.
     pub fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, StorageError> {
-        let stored_key = key.to_bytes();
+        let stored = key.to_bytes();
         let name = {
             let known = self.known();
-            if let Some(reason) = known.damaged.get(key) {
-                return Err(fault_in(
-                    &known.meta.name,
-                    &key.to_string(),
-                    SchemaFault::Damaged(reason.clone()),
-                ));
+            if let Some(fault) = known.fault(Kind::Chunk, &stored) {
+                return Err(fault);
             }
             known.meta.name.clone()
         };
-        let bytes = self.with_store(|store| store.chunk(&stored_key))?;
+        let bytes = self.with_store(|store| store.chunk(&stored))?;
         bytes
-            .map(|bytes| schema::read(&bytes, &stored_key))
+            .map(|bytes| schema::read(&bytes, &stored))
             .transpose()
             .map(|chunk| chunk.map(|ChunkBody(samples)| samples))
             .map_err(|fault| fault_in(&name, &key.to_string(), fault))
@@ -243,62 +232,71 @@ impl WorldStore {
         self.check_place()?;
         let mut last = self.sequence.lock().unwrap_or_else(PoisonError::into_inner);
         let sequence = codec::next_commit(*last);
-        let name = self.known().meta.name.clone();
-        let mut values = Vec::new();
-        if let Some(meta) = &batch.meta {
-            values.push((META_KEY, sealed(meta, META_KEY, sequence, &name)?));
-        }
-        if let Some(state) = &batch.state {
-            values.push((STATE_KEY, sealed(state, STATE_KEY, sequence, &name)?));
-        }
-        let chunks = batch.chunks.iter().map(|(key, samples)| {
-            let body = pack_chunk(samples)
-                .map_err(|reason| unstorable(&name, &key.to_string(), reason))?;
-            let key = key.to_bytes();
-            Ok((
-                key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            ))
-        });
-        let chunks: Vec<_> = chunks.collect::<Result<_, StorageError>>()?;
-        self.keep_damaged(batch)?;
-        if let Err(error) = self.with_store(|store| store.write(&values, &chunks)) {
+        let is_old = self.known().version < SCHEMA_VERSION;
+        let mut puts = if is_old {
+            self.brought_up(sequence)?
+        } else {
+            Vec::new()
+        };
+        puts.extend(batch.puts(sequence, &self.meta().name)?);
+        self.keep_damaged(&puts)?;
+        if let Err(error) = self.with_store(|store| store.write(&puts)) {
             // After a failed write the store refuses everything until it is opened again.
             *self.store.write().unwrap_or_else(PoisonError::into_inner) = None;
             return Err(error);
         }
         *last = sequence;
-        self.note_committed(batch);
+        self.note_committed(batch, &puts);
         // Gone meanwhile, it took the commit with it.
         self.check_place()?;
-        if batch.meta.is_some() {
-            summary::write(&self.dir, &values[0].1);
+        let meta = puts.iter().rfind(|put| put.kind == Kind::Meta);
+        if let Some(bytes) = meta.and_then(|put| put.bytes.as_ref()) {
+            summary::write(&self.dir, bytes);
         }
         Ok(())
     }
 
-    /// Keeps the file as it is before a record in it that cannot be believed is written over.
-    fn keep_damaged(&self, batch: &Batch) -> Result<(), StorageError> {
-        let overwrites = |damaged: &BTreeMap<ChunkKey, String>| {
-            batch
-                .chunks
-                .iter()
-                .any(|(key, _)| damaged.contains_key(key))
+    /// What makes a world of an older version one of today, whatever a batch changes besides. An older game is to find
+    /// out by the first record that the world is none of its own any more.
+    fn brought_up(&self, sequence: u64) -> Result<Vec<Put>, StorageError> {
+        let meta = self.meta();
+        let mut puts = vec![sealed_meta(&meta, sequence, &meta.name)?];
+        if let Some(bytes) = self.with_store(|store| store.value(STATE_KEY))? {
+            puts.push(Put {
+                kind: Kind::State,
+                key: STATE_KEY.as_bytes().to_vec(),
+                bytes: None,
+            });
+            let state = old_state(&bytes);
+            for (key, record) in state.iter().flat_map(WorldState::to_records) {
+                puts.push(sealed_record(key, Some(&record), sequence, &meta.name)?);
+            }
+        }
+        Ok(puts)
+    }
+
+    /// Keeps the file as it is before something in it that cannot be believed is written over.
+    fn keep_damaged(&self, puts: &[Put]) -> Result<(), StorageError> {
+        let overwrites = {
+            let known = self.known();
+            let mut places = known.faults.keys();
+            places.any(|place| puts.iter().any(|put| put.is_at(place)))
         };
-        if overwrites(&self.known().damaged) && !self.kept.load(Ordering::Relaxed) {
+        if overwrites && !self.kept.load(Ordering::Relaxed) {
             self.keep_copy()?;
         }
         Ok(())
     }
 
-    fn note_committed(&self, batch: &Batch) {
+    fn note_committed(&self, batch: &Batch, puts: &[Put]) {
         let mut known = self.known();
-        for (key, _) in &batch.chunks {
-            known.damaged.remove(key);
-        }
+        known
+            .faults
+            .retain(|place, _| !puts.iter().any(|put| put.is_at(place)));
         if let Some(meta) = &batch.meta {
             known.meta = meta.clone();
         }
+        known.version = SCHEMA_VERSION;
     }
 
     /// Refuses to go on if the open file is no longer the one in the directory: the
@@ -418,27 +416,7 @@ pub(crate) fn label(dir: &Path) -> String {
     )
 }
 
-fn unstorable(world: &str, what: &str, reason: String) -> StorageError {
-    StorageError::Unstorable {
-        world: world.to_owned(),
-        what: what.to_owned(),
-        reason,
-    }
-}
-
-/// Seals a value for the key it is stored under.
-pub(crate) fn sealed<T: Versioned + serde::Serialize>(
-    value: &T,
-    key: &str,
-    sequence: u64,
-    world: &str,
-) -> Result<Vec<u8>, StorageError> {
-    let body = codec::encode(value).map_err(|fault| unstorable(world, key, fault.to_string()))?;
-    Ok(codec::seal(
-        T::VERSION,
-        T::KIND,
-        key.as_bytes(),
-        sequence,
-        &body,
-    ))
+/// The state of a world up to version 6, if it can be believed.
+fn old_state(bytes: &[u8]) -> Option<WorldState> {
+    schema::read(bytes, STATE_KEY.as_bytes()).ok()
 }

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use antipode_storage::{Batch, WorldMeta, WorldState};
+use antipode_storage::{Batch, RecordChanges, WorldMeta};
 use crossbeam_channel::{Receiver, Sender};
 
 use crate::api::Cause;
@@ -17,19 +17,22 @@ use crate::worker::reason;
 #[derive(Default)]
 pub(crate) struct Parts {
     pub(crate) meta: Option<WorldMeta>,
-    pub(crate) state: Option<WorldState>,
+    /// Records that changed, and those of what is gone.
+    pub(crate) records: RecordChanges,
     pub(crate) land: Land,
 }
 
 impl Parts {
-    /// Takes from `older` what is missing here.
+    /// Adds what `older` has and this has no newer one of.
     pub(crate) fn or(self, older: Self) -> Self {
         let mut land = older.land;
         land.extend(self.land);
+        let mut records = older.records;
+        records.extend(self.records);
         Self {
             land,
             meta: self.meta.or(older.meta),
-            state: self.state.or(older.state),
+            records,
         }
     }
 }
@@ -59,15 +62,20 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
 /// One transaction of all the parts.
 fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     let vault = shared.book.vault()?;
-    let Parts { meta, state, land } = parts;
+    let Parts {
+        meta,
+        records,
+        land,
+    } = parts;
     let chunks = land
         .iter()
         .map(|(coord, edits)| (key_of(*coord), edits.to_units()))
         .collect();
     let batch = Batch {
         meta,
-        state,
+        records,
         chunks,
+        ..Batch::default()
     };
     if batch.is_empty() {
         return None;
@@ -88,7 +96,7 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
         why,
         parts: Parts {
             meta: batch.meta,
-            state: batch.state,
+            records: batch.records,
             land,
         },
     })

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use antipode_geometry::{ChunkCoord, Strategy};
-use antipode_storage::{WorldMeta, WorldState, WorldStore};
+use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
 use antipode_terrain::{Field, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
@@ -154,10 +154,10 @@ impl Streamer {
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
     /// thread, as soon as the strokes are in the book; [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
     /// tried again with the next save unless that brings newer ones.
-    pub fn save(&mut self, meta: Option<WorldMeta>, state: Option<WorldState>) {
+    pub fn save(&mut self, meta: Option<WorldMeta>, records: RecordChanges) {
         let parts = Parts {
             meta,
-            state,
+            records,
             ..Parts::default()
         };
         let older = if self.saves.asked.len() > 1 {

@@ -2,6 +2,7 @@
 
 use std::time::{Duration, Instant};
 
+use antipode_storage::RecordChanges;
 use crossbeam_channel::RecvTimeoutError;
 
 use crate::api::{StreamingError, Until, Update};
@@ -63,7 +64,7 @@ impl Streamer {
     pub fn close(&mut self) -> Result<(), StreamingError> {
         self.ledger.clear_queue();
         let mut updates = self.wait(Until::Edits, CLOSE_LIMIT);
-        self.save(None, None);
+        self.save(None, RecordChanges::new());
         updates.extend(self.wait(Until::Saved, CLOSE_LIMIT));
         let failed = match &self.saves.last_failure {
             Some(why) => Some(StreamingError::NotSaved(why.clone())),

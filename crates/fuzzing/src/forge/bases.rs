@@ -1,6 +1,6 @@
-//! The stores that forging begins with. They are kept as files, so that a find means the
-//! same for ever; `antipode-fuzzing bases` writes them anew, after which the old finds
-//! need another look.
+//! The stores that forging begins with: of format 6, which kept all but the land in one value, and of format 7. They are
+//! kept as files, so that a find means the same for ever; `antipode-fuzzing bases` writes those of today's format anew,
+//! after which the finds in them need another look.
 
 use std::error::Error;
 use std::fs;
@@ -14,19 +14,19 @@ use antipode_storage::{
 
 /// Chunks in each, in two or three leaves under one branch.
 pub const CHUNKS: i32 = 16;
-const CLOSED: &[u8] = include_bytes!("../../bases/closed.lz4");
-const KILLED: &[u8] = include_bytes!("../../bases/killed.lz4");
+const FILES: [&[u8]; 4] = [
+    include_bytes!("../../bases/closed.lz4"),
+    include_bytes!("../../bases/killed.lz4"),
+    include_bytes!("../../bases/closed-7.lz4"),
+    include_bytes!("../../bases/killed-7.lz4"),
+];
 
-/// A world that was closed: two commits of everything.
-pub fn closed() -> &'static [u8] {
-    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
-    BYTES.get_or_init(|| lz4_flex::decompress_size_prepended(CLOSED).unwrap_or_default())
-}
-
-/// The same as a kill leaves it.
-pub fn killed() -> &'static [u8] {
-    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
-    BYTES.get_or_init(|| lz4_flex::decompress_size_prepended(KILLED).unwrap_or_default())
+/// A world of two commits of everything, as closing or a kill leaves it, of format 7 or 6.
+pub fn store(killed: bool, today: bool) -> &'static [u8] {
+    static BYTES: [OnceLock<Vec<u8>>; 4] = [const { OnceLock::new() }; 4];
+    let which = usize::from(killed) + 2 * usize::from(today);
+    BYTES[which]
+        .get_or_init(|| lz4_flex::decompress_size_prepended(FILES[which]).unwrap_or_default())
 }
 
 /// What the worlds are.
@@ -84,20 +84,24 @@ pub fn samples(chunk: i32, commit: i32) -> Vec<i16> {
 pub fn batch(commit: i32) -> Batch {
     Batch {
         meta: None,
-        state: Some(state(commit)),
+        records: (&state(commit)).into(),
         chunks: (0..CHUNKS)
             .map(|chunk| (key(chunk), samples(chunk, commit)))
             .collect(),
     }
 }
 
-/// Writes both anew into a directory.
+/// Writes those of format 7 anew into a directory.
 ///
 /// # Errors
 /// Failures of the file system.
 pub fn write(into: &Path) -> Result<(), Box<dyn Error>> {
     for close in [true, false] {
-        let name = if close { "closed.lz4" } else { "killed.lz4" };
+        let name = if close {
+            "closed-7.lz4"
+        } else {
+            "killed-7.lz4"
+        };
         let dir = into.join("making");
         let world = WorldStore::create(&dir, &meta())?;
         world.commit(&batch(1))?;

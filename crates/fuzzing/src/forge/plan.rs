@@ -3,7 +3,7 @@
 //!
 //! | bytes | what |
 //! |---|---|
-//! | 0 | bit 0: killed, not closed; 1: seal records; 2: seal pages; 3: cut; 4: lengthen; all bits: a raw store follows |
+//! | 0 | bit 0: killed, not closed; 1: seal records; 2: seal pages; 3: cut; 4: lengthen; 5: of format 7, not 6; all bits: a raw store follows |
 //! | 1..4 | where to cut, or by how much to lengthen |
 //! | then 12 each | what to do and to which part (a byte), where (three), with what (eight) |
 //!
@@ -26,6 +26,7 @@ const SEAL_RECORDS: u8 = 2;
 const SEAL_PAGES: u8 = 4;
 const CUT: u8 = 8;
 const LENGTHEN: u8 = 16;
+const TODAY: u8 = 32;
 const HEAD: usize = 4;
 const EDIT: usize = 12;
 /// More changes than this are not made.
@@ -38,14 +39,12 @@ struct Base {
     records: Vec<Range<usize>>,
 }
 
-fn base(killed: bool) -> &'static Base {
-    static BASES: [OnceLock<Base>; 2] = [OnceLock::new(), OnceLock::new()];
-    BASES[usize::from(killed)].get_or_init(|| {
-        let bytes = if killed {
-            bases::killed()
-        } else {
-            bases::closed()
-        };
+/// The base that the first byte of an input names.
+fn base(flags: u8) -> &'static Base {
+    static BASES: [OnceLock<Base>; 4] = [const { OnceLock::new() }; 4];
+    let (killed, today) = (flags & KILLED != 0, flags & TODAY != 0);
+    BASES[usize::from(killed) + 2 * usize::from(today)].get_or_init(|| {
+        let bytes = bases::store(killed, today);
         let records = record::records(bytes);
         let mut fields = pages::fields(bytes);
         for record in &records {
@@ -66,9 +65,10 @@ fn base(killed: bool) -> &'static Base {
 }
 
 /// How many bytes of the base a part has: the places that an edit can choose among.
-pub fn places(killed: bool, part: Part) -> Vec<Range<usize>> {
+pub fn places(killed: bool, today: bool, part: Part) -> Vec<Range<usize>> {
+    let flags = u8::from(killed) * KILLED | u8::from(today) * TODAY;
     let index = Part::ALL.iter().position(|one| *one == part);
-    index.map_or_else(Vec::new, |index| base(killed).parts[index].clone())
+    index.map_or_else(Vec::new, |index| base(flags).parts[index].clone())
 }
 
 /// The store that an input describes.
@@ -79,7 +79,7 @@ pub fn store(input: &[u8]) -> Vec<u8> {
     if flags == RAW {
         return rest.to_vec();
     }
-    let base = base(flags & KILLED != 0);
+    let base = base(flags);
     let mut bytes = base.bytes.to_vec();
     let mut touched = BTreeSet::new();
     let edits = rest.get(HEAD - 1..).unwrap_or_default();
@@ -111,10 +111,10 @@ pub fn is_killed(input: &[u8]) -> bool {
 
 /// Whether every checksum of a store is right that has the records of a base.
 pub fn is_sealed(input: &[u8], store: &[u8]) -> bool {
-    let killed = is_killed(input);
-    store.len() >= base(killed).bytes.len()
+    let base = base(input.first().copied().unwrap_or_default());
+    store.len() >= base.bytes.len()
         && pages::is_sealed(store)
-        && base(killed)
+        && base
             .records
             .iter()
             .all(|record| record::is_sealed(&store[record.start..]))
@@ -182,7 +182,7 @@ fn apply(base: &Base, edit: &[u8], bytes: &mut [u8], touched: &mut BTreeSet<usiz
 /// An input that changes so many places of these parts, sealed or not.
 pub fn forged(rng: &mut Rng, parts: &[Part], edits: usize, seal: bool) -> Vec<u8> {
     let mut input = vec![
-        u8::from(rng.bool()) * KILLED,
+        u8::from(rng.bool()) * KILLED | u8::from(rng.bool()) * TODAY,
         rng.u8(..),
         rng.u8(..),
         rng.u8(..),
@@ -260,10 +260,15 @@ pub(crate) fn mutate(rng: &mut Rng, seed: &[u8]) -> Vec<u8> {
 pub(crate) fn seeds() -> Vec<(String, Vec<u8>)> {
     let mut rng = Rng::with_seed(18);
     let mut seeds = vec![
-        ("closed".to_owned(), vec![0; HEAD]),
-        ("killed".to_owned(), vec![KILLED, 0, 0, 0]),
-        ("cut".to_owned(), vec![CUT, 0, 80, 0]),
-        ("longer".to_owned(), vec![KILLED | LENGTHEN, 0, 16, 0]),
+        ("old".to_owned(), vec![0; HEAD]),
+        ("old-killed".to_owned(), vec![KILLED, 0, 0, 0]),
+        ("closed".to_owned(), vec![TODAY, 0, 0, 0]),
+        ("killed".to_owned(), vec![TODAY | KILLED, 0, 0, 0]),
+        ("cut".to_owned(), vec![TODAY | CUT, 0, 80, 0]),
+        (
+            "longer".to_owned(),
+            vec![TODAY | KILLED | LENGTHEN, 0, 16, 0],
+        ),
         (
             "foreign".to_owned(),
             [&[RAW], b"GIF89a and no store".as_slice()].concat(),

@@ -84,7 +84,7 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
         std::fs::read(dir.join(FILE)).map_err(|error| error.to_string())
     });
     let now = now.unwrap_or_default();
-    let versions = [0_u16, 1, 2, 3, 4, 5, 6, u16::MAX];
+    let versions = [0_u16, 1, 2, 3, 4, 5, 6, 7, u16::MAX];
     let mut seeds: Vec<_> = versions
         .iter()
         .map(|version| {
@@ -94,10 +94,13 @@ fn seeds() -> Vec<(String, Vec<u8>)> {
         })
         .collect();
     seeds.push(("now".to_owned(), [&[0], now.as_slice()].concat()));
-    // The state and a chunk in the place of the meta record.
-    let others = record::records(bases::closed());
-    let others = others.iter().map(|range| &bases::closed()[range.clone()]);
-    for kind in 1..=3 {
+    // The state, a chunk and a thing in the place of the meta record.
+    let bases = [false, true].map(|today| bases::store(false, today));
+    let others = bases.iter().flat_map(|base| {
+        let records = record::records(base).into_iter();
+        records.map(|range| &base[range])
+    });
+    for kind in 1..=4 {
         if let Some(other) = others.clone().find(|record| record[4] == kind) {
             seeds.push((format!("kind-{kind}"), [&[1], other].concat()));
         }

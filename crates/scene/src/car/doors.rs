@@ -101,7 +101,7 @@ fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
 }
 
 /// Puts the player at the wheel of a car; `camera_before` is from where the world is seen again on foot.
-pub(super) fn take_wheel(world: &World, cars: &mut Cars, number: usize, camera_before: CameraMode) {
+pub(crate) fn take_wheel(world: &World, cars: &mut Cars, number: usize, camera_before: CameraMode) {
     let Some(car) = cars.view(world, number) else {
         return;
     };

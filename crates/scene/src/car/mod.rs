@@ -9,7 +9,7 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
 use antipode_physics::{VehicleMotion, VehicleWheel, Vehicles};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
@@ -18,7 +18,8 @@ use hecs::Entity;
 use crate::body;
 use crate::camera::CameraMode;
 use crate::ground_changed::may_stand_on;
-use crate::persist::{FASTEST_RESTORED_M_S, restored_point};
+use crate::persist::hemisphere_record;
+use crate::restore::{self, FASTEST_RESTORED_M_S};
 use crate::spawn::FIRST_YAW_RAD;
 use crate::world::World;
 use camera::Chase;
@@ -36,6 +37,8 @@ const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 /// What a car is besides its body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct CarState {
+    /// Its number in saves, which no other car of the world has had while it was open.
+    id: u32,
     hemisphere: Hemisphere,
     lights: bool,
     /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
@@ -60,6 +63,8 @@ pub(crate) struct Driving {
 pub(crate) struct Cars {
     vehicles: Vehicles,
     states: Vec<CarState>,
+    /// The number in saves that the next one gets.
+    pub next: u32,
     pub driving: Option<Driving>,
     /// Whether this world has been given its first car.
     pub given: bool,
@@ -140,12 +145,70 @@ impl Cars {
         lights: bool,
         unplaced: bool,
     ) -> usize {
+        let id = self.next;
+        self.next += 1;
         self.states.push(CarState {
+            id,
             hemisphere,
             lights,
             unplaced,
         });
         self.vehicles.add(motion)
+    }
+
+    /// What is to be saved of each, with its number there.
+    pub fn records(&self, strategy: &dyn Strategy) -> impl Iterator<Item = (u32, CarRecord)> {
+        let all = self.states.iter().zip(self.vehicles.all());
+        all.map(|(state, vehicle)| {
+            let motion = vehicle.motion();
+            let place = motion.place - strategy.chart_origin_m(state.hemisphere);
+            let record = CarRecord {
+                hemisphere: hemisphere_record(state.hemisphere),
+                pos: place.to_array(),
+                turn: motion.turn.to_array(),
+                vel: motion.velocity.to_array(),
+                spin: motion.spin.to_array(),
+                lights: state.lights,
+                steer: vehicle.steer_rad(),
+                springs: vehicle.wheels().map(|wheel| wheel.compression_m),
+                rests: vehicle.is_asleep(),
+            };
+            (state.id, record)
+        })
+    }
+
+    /// Puts a saved car where it was; false if its numbers are not fit to be used.
+    pub fn restore(&mut self, world: &World, record: &CarRecord) -> bool {
+        let turn = DQuat::from_array(record.turn);
+        let velocity = DVec3::from_array(record.vel);
+        let spin = DVec3::from_array(record.spin);
+        let is_sound =
+            turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
+        let point = restore::point(world, record.hemisphere, record.pos);
+        let Some(point) = point.filter(|_| is_sound) else {
+            return false;
+        };
+        let motion = VehicleMotion {
+            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+            turn: unit(turn),
+            velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
+            spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
+        };
+        let added = self.add(point.hemisphere, motion, record.lights, false);
+        self.vehicles
+            .restore(added, record.steer, record.springs, record.rests);
+        true
+    }
+
+    /// The number in saves of the car that the player drives.
+    pub fn driven_id(&self) -> Option<u32> {
+        let state = self.states.get(self.driven_number()?)?;
+        Some(state.id)
+    }
+
+    /// Which car has that number in saves.
+    pub fn number_of(&self, id: u32) -> Option<usize> {
+        self.states.iter().position(|state| state.id == id)
     }
 
     /// Ground has changed in these chunks: what rests on it is to fall.
@@ -245,58 +308,6 @@ pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) -> b
         let point = ChartPoint::new(start.hemisphere, at);
         cars.spawn(world, point, FIRST_YAW_RAD)
     })
-}
-
-/// The records of all cars.
-pub(crate) fn records(world: &World, cars: &Cars) -> Vec<CarRecord> {
-    cars.views(world)
-        .iter()
-        .map(|car| CarRecord {
-            hemisphere: u8::from(car.point.hemisphere == Hemisphere::B),
-            pos: car.point.pos.to_array(),
-            turn: car.turn.to_array(),
-            vel: car.velocity.to_array(),
-            spin: car.spin.to_array(),
-            lights: car.lights,
-            steer: car.steer_rad,
-            springs: car.wheels.map(|wheel| wheel.compression_m),
-            rests: car.rests,
-        })
-        .collect()
-}
-
-/// Puts saved cars where they were. One whose numbers are not fit to be used is left out.
-pub(crate) fn restore(
-    world: &World,
-    cars: &mut Cars,
-    records: &[CarRecord],
-    driving: Option<u32>,
-    given: bool,
-) {
-    cars.given = given;
-    for (number, record) in (0u32..).zip(records.iter().take(MOST_CARS)) {
-        let turn = DQuat::from_array(record.turn);
-        let velocity = DVec3::from_array(record.vel);
-        let spin = DVec3::from_array(record.spin);
-        let is_sound =
-            turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
-        let point = restored_point(world, record.hemisphere, record.pos);
-        let Some(point) = point.filter(|_| is_sound) else {
-            continue;
-        };
-        let motion = VehicleMotion {
-            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
-            turn: unit(turn),
-            velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
-            spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
-        };
-        let added = cars.add(point.hemisphere, motion, record.lights, false);
-        cars.vehicles
-            .restore(added, record.steer, record.springs, record.rests);
-        if driving == Some(number) {
-            doors::take_wheel(world, cars, added, CameraMode::First);
-        }
-    }
 }
 
 /// A turn of unit length; one that is so already keeps its bits, so that a world comes back as it was saved.

@@ -47,7 +47,7 @@ fn fallen(geometry: Geometry, (stance_rad, lift_m): Stance) -> (TempDir, Scene) 
     record.turn = turn.to_array();
     record.pos[1] += lift_m;
     let batch = Batch {
-        state: Some(state),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();

@@ -1,15 +1,17 @@
 //! A world on disk: what is told of a save, of one that fails, and of one that is damaged.
 #![cfg(unix)]
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::Geometry;
-use antipode_scene::{Actions, Scene};
+use antipode_scene::{Actions, Scene, WorldSetup};
 use antipode_storage::{
-    Batch, CarRecord, DropRecord, SlotRecord, WORLD_FILE, WorldState, WorldStore,
+    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKind, SavesDir, SlotRecord, WORLD_FILE,
+    WorldState, WorldStore,
 };
 use tempfile::TempDir;
 
@@ -142,17 +144,17 @@ fn while_a_script_walks_its_autosaves_are_committed() {
     assert!(state.is_some_and(|state| state.simulated_s > 2.9));
 }
 
-/// Flips a bit in every copy of the player's state, as a bad disk does. Inside a record the key stands 20 bytes
+/// Flips a bit in every copy of the player's record, as a bad disk does. Inside a record the key stands 20 bytes
 /// after its mark.
 fn damage_state(dir: &Path) {
     let path = dir.join(WORLD_FILE);
     let mut bytes = fs::read(&path).unwrap();
-    let found: Vec<usize> = (20..bytes.len() - 11)
-        .filter(|&at| bytes[at..].starts_with(b"state") && bytes[at - 20..].starts_with(b"Ap"))
+    let found: Vec<usize> = (20..bytes.len() - 30)
+        .filter(|&at| bytes[at..].starts_with(b"\x06player") && bytes[at - 20..].starts_with(b"Ap"))
         .collect();
     assert!(!found.is_empty());
     for at in found {
-        bytes[at + 10] ^= 0x10;
+        bytes[at + 20] ^= 0x10;
     }
     fs::write(path, bytes).unwrap();
 }
@@ -218,7 +220,7 @@ fn a_map_this_version_does_not_know_costs_the_map_alone() {
         ..store.state().unwrap().unwrap()
     };
     let batch = Batch {
-        state: Some(state.clone()),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();
@@ -263,7 +265,7 @@ fn a_world_that_says_it_has_an_impossible_radius_is_refused_in_words() {
             radius_m,
             ..antipode_storage::WorldMeta::default()
         };
-        let refused = antipode_scene::WorldSetup::from_meta(&meta, 3).unwrap_err();
+        let refused = WorldSetup::from_meta(&meta, 3).unwrap_err();
         let words = refused.to_string();
         assert!(words.contains("radius") && words.contains("Odd"), "{words}");
     }
@@ -287,7 +289,7 @@ fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
         count: 2,
     });
     let batch = Batch {
-        state: Some(state.clone()),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();
@@ -319,7 +321,7 @@ fn altered(alter: impl FnOnce(&mut WorldState)) -> (Kept, Scene) {
     let mut state = store.state().unwrap().unwrap();
     alter(&mut state);
     let batch = Batch {
-        state: Some(state),
+        records: (&state).into(),
         ..Batch::default()
     };
     store.commit(&batch).unwrap();
@@ -361,5 +363,164 @@ fn who_is_far_from_the_car_in_a_save_does_not_drive_it() {
             state.driving = Some(0);
         });
         assert_eq!(scene.is_driving(), drives, "{away_m} m away");
+    }
+}
+
+/// The keys of the values that the last commit wrote, by the seals in the file: version, mark, kind, length of the key,
+/// of the body, number of the commit, checksum, key.
+fn written_last(kept: &Kept) -> Vec<String> {
+    let bytes = fs::read(kept.here().join(WORLD_FILE)).unwrap();
+    let mut commits = BTreeMap::<u64, BTreeSet<String>>::new();
+    for at in 0..bytes.len() - 60 {
+        let key = &bytes[at + 22..][..usize::from(bytes[at + 5]).min(30)];
+        let is_key = key == b"world"
+            || key
+                .first()
+                .is_some_and(|it| usize::from(*it) + 9 == key.len());
+        if bytes[at + 2..].starts_with(b"Ap") && is_key {
+            let commit = u64::from_le_bytes(bytes[at + 10..at + 18].try_into().unwrap());
+            let key = String::from_utf8_lossy(key).replace(|it: char| !it.is_ascii_graphic(), "");
+            commits.entry(commit).or_default().insert(key);
+        }
+    }
+    let (_, last) = commits.pop_last().unwrap();
+    last.into_iter().collect()
+}
+
+#[test]
+fn a_step_of_walking_saves_the_player_and_the_time_and_nothing_of_a_hundred_thousand_others() {
+    let lamp = |id: u32| {
+        let pos = [f64::from(id % 300), 500.0, f64::from(id / 300)];
+        let lamp = LampRecord { hemisphere: 0, pos };
+        (RecordKind::Lamp.numbered(id), Some(Record::Lamp(lamp)))
+    };
+    let walk = Actions {
+        forward: 1.0,
+        ..Actions::default()
+    };
+    for lamps in [0, 100_000] {
+        let (kept, scene) = Kept::new();
+        scene.close().unwrap();
+        let store = WorldStore::open(&kept.here()).unwrap();
+        let batch = Batch {
+            records: (0..lamps).map(lamp).collect(),
+            ..Batch::default()
+        };
+        store.commit(&batch).unwrap();
+        drop(store);
+        let mut again = kept.open();
+        for _ in 0..2 {
+            steps(&mut again, 20, &walk);
+            again.save();
+            assert!(again.wait_saved(LIMIT) && again.is_saved());
+            assert_eq!(written_last(&kept), ["course", "player", "world"]);
+        }
+        let walked = again.feet();
+        again.close().unwrap();
+        let store = WorldStore::open(&kept.here()).unwrap();
+        let known = store.records().unwrap().known;
+        let here = (0..lamps).filter(|id| known.get(&lamp(*id).0) == lamp(*id).1.as_ref());
+        assert_eq!(here.count(), lamps as usize, "those beyond the limit too");
+        drop(store);
+        assert_eq!(kept.open().feet(), walked);
+    }
+}
+
+/// The keys of a kind in the save, in order.
+fn numbers(kept: &Kept, kind: RecordKind) -> Vec<u32> {
+    let known = WorldStore::open(&kept.here()).unwrap().records().unwrap();
+    let keys = known.known.keys().filter(|key| key.kind == kind);
+    keys.map(|key| key.id).collect()
+}
+
+#[test]
+fn things_keep_their_numbers_and_what_is_gone_is_gone() {
+    let (kept, mut scene) = Kept::new();
+    let at = scene.feet();
+    let beside = |x: f64| at.moved(glam::DVec3::new(x, 3.0, 0.0));
+    for x in [4.0, 6.0, 8.0] {
+        scene.spawn_bot(beside(x), 0.5, false);
+        assert!(scene.spawn_lamp(beside(-x)));
+    }
+    assert!(scene.spawn_car(beside(12.0), 0.0) && scene.spawn_car(beside(20.0), 0.0));
+    scene.inventory_mut().select(5);
+    let throw = Actions {
+        drop_one: true,
+        ..Actions::default()
+    };
+    steps(&mut scene, 2, &throw);
+    steps(&mut scene, 2, &Actions::default());
+    scene.close().unwrap();
+    assert_eq!(numbers(&kept, RecordKind::Figure), [0, 1, 2]);
+    assert_eq!(numbers(&kept, RecordKind::Lamp), [0, 1, 2]);
+    assert_eq!(numbers(&kept, RecordKind::Drop), [0, 1]);
+    assert_eq!(numbers(&kept, RecordKind::Car), [0, 1]);
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let gone = [
+        RecordKind::Figure.numbered(1),
+        RecordKind::Lamp.numbered(0),
+        RecordKind::Drop.numbered(0),
+        RecordKind::Car.numbered(0),
+    ];
+    let batch = Batch {
+        records: gone.map(|key| (key, None)).into(),
+        ..Batch::default()
+    };
+    store.commit(&batch).unwrap();
+    drop(store);
+    let mut again = kept.open();
+    let ids: Vec<_> = again.bots().iter().map(|view| view.bot.id).collect();
+    assert_eq!(ids, [0, 2]);
+    again.spawn_bot(beside(10.0), 0.0, true);
+    assert!(again.spawn_lamp(beside(-10.0)) && again.spawn_car(beside(-20.0), 0.0));
+    let places = |scene: &Scene| -> Vec<_> {
+        let lamps = scene.lamps().into_iter().map(|lamp| lamp.point);
+        lamps.collect()
+    };
+    let (lamps, cars) = (places(&again), again.cars().len());
+    again.close().unwrap();
+    assert_eq!(numbers(&kept, RecordKind::Figure), [0, 2, 3]);
+    assert_eq!(numbers(&kept, RecordKind::Lamp), [1, 2, 3]);
+    assert_eq!(numbers(&kept, RecordKind::Drop), [1]);
+    assert_eq!(numbers(&kept, RecordKind::Car), [1, 2]);
+    let last = kept.open();
+    assert_eq!(places(&last), lamps);
+    assert_eq!((last.cars().len(), last.drops().len()), (cars, 1));
+}
+
+#[test]
+fn worlds_of_every_version_are_played_and_saved_whole() {
+    for version in 1..=7 {
+        let dir = tempfile::tempdir().unwrap();
+        let saves = SavesDir::new(dir.path());
+        let file = format!(
+            "{}/../../tests/saves/v{version}/v{version}.antipode-world",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let slug = saves.import(Path::new(&file)).unwrap();
+        let look = || {
+            let store = saves.open(&slug).unwrap();
+            assert_eq!(store.problems(), Vec::<String>::new(), "version {version}");
+            let keys = store.edited_chunks().unwrap();
+            let land: Vec<_> = keys.iter().map(|key| store.chunk(key).unwrap()).collect();
+            (store.state().unwrap().unwrap(), keys, land)
+        };
+        let before = look();
+        let store = saves.open(&slug).unwrap();
+        let setup = WorldSetup::from_meta(&store.meta(), 3).unwrap();
+        let mut scene = Scene::open(setup, Some(Arc::new(store))).unwrap();
+        assert_eq!(scene.take_notices(), [], "version {version}");
+        scene.step(&Actions::default());
+        scene.close().unwrap();
+        let after = look();
+        assert_eq!((&after.1, &after.2), (&before.1, &before.2));
+        assert_eq!(after.1.len(), 2, "chunks");
+        let things = |state: &WorldState| {
+            let lists = [state.lamps.len(), state.drops.len(), state.bots.len()];
+            (lists, state.cars.len(), state.inventory.clone())
+        };
+        assert_eq!(things(&after.0), things(&before.0), "version {version}");
+        assert!(after.0.simulated_s > before.0.simulated_s);
+        assert!(saves.verify(&slug).unwrap().is_sound());
     }
 }

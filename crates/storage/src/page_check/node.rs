@@ -4,7 +4,7 @@ use super::header::Root;
 use super::pages::PageNumber;
 use super::{Fault, checksum, u16_at, u32_at, u64_at, u128_at};
 
-/// The longest key: those of worlds have 13 bytes, and names of tables few more.
+/// The longest key: those of chunks and things have at most 157 bytes, and names of tables fewer.
 const MAX_KEY_BYTES: usize = 255;
 
 /// How wide the keys and values of a table are, where all are alike.

@@ -66,7 +66,7 @@ fn commit(world: &WorldStore, number: i16, chunks: impl Iterator<Item = i32>) {
     };
     let batch = Batch {
         meta: None,
-        state: Some(state),
+        records: (&state).into(),
         chunks: chunks.map(|x| (key(x), samples(x, number))).collect(),
     };
     world.commit(&batch).unwrap();

@@ -14,7 +14,7 @@ use super::walk::{Each, Shape, Walk};
 use super::{Checked, Fault, u16_at, u64_at};
 use crate::schema::ChunkKey;
 
-/// A world has two tables, and the store itself keeps six.
+/// A world has four tables, and the store itself keeps six.
 const MAX_TABLES: usize = 32;
 
 /// The tree of names and definitions.
@@ -83,6 +83,7 @@ fn user<R: Read + Seek>(
         let (order, widths) = match name.as_str() {
             "values" => (KeyOrder::Text, widths(None)),
             "chunks" => (KeyOrder::Bytes, widths(Some(ChunkKey::BYTES))),
+            "land" | "records" => (KeyOrder::Bytes, widths(None)),
             _ => (KeyOrder::Unknown, table.widths),
         };
         let sealed = resumes && order != KeyOrder::Unknown;

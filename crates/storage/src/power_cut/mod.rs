@@ -16,10 +16,10 @@ use std::path::Path;
 use proptest::prelude::RngExt as _;
 use proptest::test_runner::{RngAlgorithm, TestRng};
 
-use crate::codec::{self, Kind};
-use crate::schema::{ChunkKey, SCHEMA_VERSION, WorldMeta, WorldState};
-use crate::store::{META_KEY, STATE_KEY, Store};
-use crate::world::{WorldStore, sealed};
+use crate::batch::{sealed_chunk, sealed_meta, sealed_record};
+use crate::schema::{ChunkKey, WorldMeta, WorldState};
+use crate::store::Store;
+use crate::world::WorldStore;
 use crate::{CHUNK_SAMPLES, SavesDir, WORLD_FILE, pack_chunk};
 use disk::{Disk, Event};
 
@@ -86,27 +86,15 @@ fn played() -> Vec<Event> {
     let store = Store::of(path, "Cut", db);
     for commit in 1..=COMMITS {
         let sequence = commit as u64;
-        let values = [
-            (
-                META_KEY,
-                sealed(&meta(), META_KEY, sequence, "Cut").unwrap(),
-            ),
-            (
-                STATE_KEY,
-                sealed(&state(commit), STATE_KEY, sequence, "Cut").unwrap(),
-            ),
-        ];
-        let chunks = changed(commit).map(|chunk| {
-            let (key, body) = (
-                key(chunk).to_bytes(),
-                pack_chunk(&samples(chunk, commit)).unwrap(),
-            );
-            (
-                key,
-                codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, &body),
-            )
-        });
-        store.write(&values, &chunks.collect::<Vec<_>>()).unwrap();
+        let mut puts = vec![sealed_meta(&meta(), sequence, "Cut").unwrap()];
+        for (key, record) in state(commit).to_records() {
+            puts.push(sealed_record(key, Some(&record), sequence, "Cut").unwrap());
+        }
+        puts.extend(changed(commit).map(|chunk| {
+            let body = pack_chunk(&samples(chunk, commit)).unwrap();
+            sealed_chunk(key(chunk), sequence, &body)
+        }));
+        store.write(&puts).unwrap();
         log.lock().unwrap().push(Event::Committed(commit));
     }
     drop(store);
@@ -127,7 +115,7 @@ fn planted(bytes: &[u8]) -> (tempfile::TempDir, SavesDir) {
     let root = tempfile::tempdir().unwrap();
     fs::create_dir(root.path().join("cut")).unwrap();
     fs::write(root.path().join("cut").join(WORLD_FILE), bytes).unwrap();
-    let summary = sealed(&meta(), META_KEY, 1, "Cut").unwrap();
+    let summary = sealed_meta(&meta(), 1, "Cut").unwrap().bytes.unwrap();
     crate::summary::replace(&root.path().join("cut"), &summary).unwrap();
     let saves = SavesDir::new(root.path());
     (root, saves)
@@ -180,7 +168,7 @@ fn a_power_cut_at_any_moment_leaves_the_last_commit() {
             "cut {cut} at {at}: {durable} was durable, {found} is found"
         );
         let next = crate::Batch {
-            state: Some(state(found + 1)),
+            records: (&state(found + 1)).into(),
             ..Default::default()
         };
         world.commit(&next).unwrap();

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::common::{meta, state};
 use antipode_storage::{
-    Batch, CHUNK_SAMPLES, ChunkKey, SavesDir, SlotRecord, WorldMeta, WorldState,
+    Batch, CHUNK_SAMPLES, ChunkKey, RecordKind, SavesDir, SlotRecord, WorldMeta, WorldState,
 };
 
 const V1: &str = concat!(
@@ -32,6 +32,11 @@ const V5: &str = concat!(
 const V6: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../tests/saves/v6/v6.antipode-world"
+);
+
+const V7: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../tests/saves/v7/v7.antipode-world"
 );
 
 const FAR: ChunkKey = ChunkKey {
@@ -61,7 +66,7 @@ fn spike() -> Vec<i16> {
     samples
 }
 
-/// What version 6 holds: everything.
+/// What versions 6 and 7 hold: everything.
 fn v6_state() -> WorldState {
     let lamp = SlotRecord {
         slot: 9,
@@ -119,6 +124,14 @@ fn v1_state() -> WorldState {
     }
 }
 
+/// What version 7 was saved with.
+fn v7_meta() -> WorldMeta {
+    WorldMeta {
+        cheated: true,
+        ..meta("Żółw of v7")
+    }
+}
+
 /// What version 6 was saved with.
 fn v6_meta() -> WorldMeta {
     WorldMeta {
@@ -157,18 +170,18 @@ fn v3_meta() -> WorldMeta {
 fn write_the_world_of_this_version() {
     let dir = tempfile::tempdir().unwrap();
     let saves = SavesDir::new(dir.path());
-    let (slug, world) = saves.create(&v6_meta()).unwrap();
+    let (slug, world) = saves.create(&v7_meta()).unwrap();
     let chunks = vec![(FAR, spike()), (NEAR, ramp())];
     world
         .commit(&Batch {
             meta: None,
-            state: Some(v6_state()),
+            records: (&v6_state()).into(),
             chunks,
         })
         .unwrap();
     world.write_thumbnail(b"not really a picture").unwrap();
     drop(world);
-    saves.export(&slug, Path::new(V6)).unwrap();
+    saves.export(&slug, Path::new(V7)).unwrap();
 }
 
 #[test]
@@ -179,6 +192,7 @@ fn the_worlds_of_all_versions_open_with_their_values() {
     opens(V4, &v4_meta(), &v4_state());
     opens(V5, &v5_meta(), &v5_state());
     opens(V6, &v6_meta(), &v6_state());
+    opens(V7, &v7_meta(), &v6_state());
 }
 
 fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {
@@ -194,6 +208,44 @@ fn opens(file: &str, meta: &WorldMeta, state: &WorldState) {
     assert_eq!(world.chunk(&FAR).unwrap(), Some(spike()));
     let picture = std::fs::read(saves.thumbnail_path(&slug).unwrap()).unwrap();
     assert_eq!(picture, b"not really a picture");
+    assert_eq!(world.records().unwrap().unknown, 0);
     drop(world);
     assert!(saves.verify(&slug).unwrap().is_sound());
+    goes_on(&saves, &slug, meta, state);
+}
+
+/// One commit makes a world one of today, of the same contents but for what it changes; all of it in that commit.
+fn goes_on(saves: &SavesDir, slug: &str, meta: &WorldMeta, state: &WorldState) {
+    let world = saves.open(slug).unwrap();
+    let lamps: Vec<_> = (world.records().unwrap().known.into_iter())
+        .filter(|(key, _)| key.kind == RecordKind::Lamp)
+        .collect();
+    let (added, gone) = (
+        ChunkKey { x: 5, ..NEAR },
+        lamps.first().map(|(key, _)| *key),
+    );
+    let batch = Batch {
+        records: gone.iter().map(|key| (*key, None)).collect(),
+        chunks: vec![(added, spike())],
+        ..Batch::default()
+    };
+    world.commit(&batch).unwrap();
+    let expected = WorldState {
+        lamps: Vec::new(),
+        ..state.clone()
+    };
+    drop(world);
+    for _ in 0..2 {
+        let world = saves.open(slug).unwrap();
+        assert_eq!(world.problems(), Vec::<String>::new());
+        assert_eq!(&world.meta(), meta);
+        assert_eq!(world.state().unwrap(), Some(expected.clone()));
+        let mut edited = [NEAR, added, FAR];
+        edited.sort_unstable();
+        assert_eq!(world.edited_chunks().unwrap(), edited);
+        for (key, samples) in [(NEAR, ramp()), (FAR, spike()), (added, spike())] {
+            assert_eq!(world.chunk(&key).unwrap(), Some(samples));
+        }
+    }
+    assert_eq!(saves.verify(slug).unwrap().chunks, 3);
 }

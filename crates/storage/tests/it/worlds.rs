@@ -44,7 +44,7 @@ fn everything_committed_comes_back() {
     };
     let second = Batch {
         meta: Some(changed.clone()),
-        state: None,
+        records: antipode_storage::RecordChanges::new(),
         chunks: vec![(key(-7), samples(-7, 2)), (key(1), samples(1, 2))],
     };
     world.commit(&second).unwrap();
@@ -79,7 +79,7 @@ fn a_chunk_of_a_wrong_size_is_refused_and_changes_nothing() {
     let (_dir, saves) = saves();
     let (_, world) = saves.create(&meta("Foo")).unwrap();
     let wrong = Batch {
-        state: Some(state(5.0)),
+        records: (&state(5.0)).into(),
         chunks: vec![(key(0), vec![1; 10])],
         ..Batch::default()
     };

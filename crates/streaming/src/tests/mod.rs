@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
-use antipode_storage::{Batch, ChunkKey};
+use antipode_storage::{Batch, ChunkKey, RecordChanges};
 use antipode_terrain::{Field, Samples, Stroke};
 use crossbeam_channel::{Receiver, Sender, bounded};
 use glam::{DVec3, IVec3};
@@ -227,6 +227,7 @@ impl Gate {
 struct Memory {
     chunks: Mutex<HashMap<ChunkKey, Vec<i16>>>,
     commits: Mutex<Vec<(bool, bool, Vec<ChunkKey>)>>,
+    records: Mutex<Vec<RecordChanges>>,
     full: AtomicBool,
     damaged: Mutex<Option<ChunkKey>>,
     broken: AtomicBool,
@@ -241,6 +242,10 @@ impl Memory {
 
     fn commits(&self) -> Vec<(bool, bool, Vec<ChunkKey>)> {
         self.commits.lock().unwrap().clone()
+    }
+
+    fn records(&self) -> Vec<RecordChanges> {
+        self.records.lock().unwrap().clone()
     }
 }
 
@@ -268,7 +273,8 @@ impl Vault for Memory {
         self.commits
             .lock()
             .unwrap()
-            .push((batch.meta.is_some(), batch.state.is_some(), keys));
+            .push((batch.meta.is_some(), !batch.records.is_empty(), keys));
+        self.records.lock().unwrap().push(batch.records.clone());
         self.chunks
             .lock()
             .unwrap()

@@ -4,7 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
-use antipode_storage::{WorldMeta, WorldState, WorldStore};
+use antipode_storage::{
+    LampRecord, Record, RecordChanges, RecordKey, RecordKind, WorldMeta, WorldState, WorldStore,
+};
 use glam::DVec3;
 
 use super::{Game, Gate, Memory, chunk};
@@ -84,9 +86,9 @@ fn a_save_takes_meta_and_every_changed_chunk_once() {
     let at = game.ground(0.0, 0.0);
     game.edit(at, 5.0);
     game.wait(Until::Edits);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.wait(Until::Saved);
-    game.streamer.save(None, None);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Saved);
     let commits = memory.commits();
     assert_eq!(
@@ -108,7 +110,7 @@ fn a_failed_save_is_told_and_made_up_for_by_the_next() {
     game.edit(at, 5.0);
     game.wait(Until::Edits);
     memory.fail(true);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.wait(Until::Saved);
     assert!(
         game.saved == 0 && game.problems[0].contains("the disk is full"),
@@ -116,7 +118,7 @@ fn a_failed_save_is_told_and_made_up_for_by_the_next() {
         game.problems
     );
     memory.fail(false);
-    game.streamer.save(None, None);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Saved);
     let commits = memory.commits();
     assert_eq!((commits.len(), game.saved), (1, 1));
@@ -131,7 +133,7 @@ fn a_store_that_panics_is_a_failed_save() {
     game.edit(at, 5.0);
     game.wait(Until::Edits);
     memory.broken.store(true, Ordering::SeqCst);
-    game.streamer.save(None, None);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Saved);
     assert!(
         game.saved == 0 && game.problems[0].contains("a broken store"),
@@ -192,18 +194,18 @@ fn a_save_is_needed_from_the_first_stroke_until_one_holds_it() {
     game.edit(game.ground(0.0, 0.0), 5.0);
     assert!(game.streamer.needs_save());
     // Asked for while the batch is under way: the save waits for it.
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     assert!(!game.streamer.needs_save());
     game.edit(game.ground(0.0, 0.0), 5.0);
     assert!(game.streamer.needs_save());
     game.wait(Until::Idle);
     assert!(game.streamer.needs_save());
     memory.fail(true);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.wait(Until::Saved);
     assert!(game.streamer.needs_save());
     memory.fail(false);
-    game.streamer.save(None, None);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Saved);
     assert!(!game.streamer.needs_save());
 }
@@ -233,8 +235,8 @@ fn a_save_is_of_one_moment_however_many_strokes_are_on_their_way() {
         game.edit(at, 5.0);
         gate.wait();
         game.edit(at + DVec3::X, 5.0);
-        game.streamer
-            .save(Some(meta()), Some(WorldState::default()));
+        let records = (&WorldState::default()).into();
+        game.streamer.save(Some(meta()), records);
         game.edit(at + DVec3::X, 5.0);
         game.edit(at - DVec3::X, 5.0);
         assert!(memory.commits().is_empty(), "the strokes are under way");
@@ -260,7 +262,7 @@ fn digging_goes_on_while_a_save_waits_and_workers_read_the_edits() {
     {
         let shared = game.streamer.crew.shared();
         let _reader = shared.book.being_read();
-        game.streamer.save(Some(meta()), None);
+        game.streamer.save(Some(meta()), RecordChanges::new());
         game.edit(at + DVec3::X, 5.0);
         assert!(
             game.streamer.batch_in_flight,
@@ -281,15 +283,16 @@ fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_t
     let far = game.ground(100.0, 0.0);
     memory.fail(true);
     game.edit(at, 5.0);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.edit(far, 5.0);
-    game.streamer.save(None, Some(WorldState::default()));
-    game.streamer.save(None, None);
+    let records = (&WorldState::default()).into();
+    game.streamer.save(None, records);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Edits);
     game.wait(Until::Saved);
     assert!(memory.commits().is_empty() && game.streamer.needs_save());
     memory.fail(false);
-    game.streamer.save(None, None);
+    game.streamer.save(None, RecordChanges::new());
     game.wait(Until::Saved);
     let commits = memory.commits();
     assert!(commits.len() == 1 && commits[0].0 && commits[0].1);
@@ -297,10 +300,44 @@ fn saves_in_a_row_hold_each_their_own_moment_and_a_failed_ones_land_comes_with_t
 }
 
 #[test]
+fn a_commit_holds_what_changed_and_after_a_failure_the_newest_of_everything() {
+    let memory = Arc::new(Memory::default());
+    let mut game = open(&memory);
+    let lamp = |id: u32, x: Option<f64>| {
+        let record = x.map(|x| {
+            Record::Lamp(LampRecord {
+                pos: [x, 0.0, 0.0],
+                ..LampRecord::default()
+            })
+        });
+        (RecordKind::Lamp.numbered(id), record)
+    };
+    let mut save = |records: &[(RecordKey, Option<Record>)]| {
+        game.streamer.save(None, records.iter().cloned().collect());
+        game.wait(Until::Saved);
+    };
+    save(&[lamp(1, Some(1.0)), lamp(2, Some(1.0))]);
+    memory.fail(true);
+    save(&[lamp(1, Some(2.0)), lamp(2, None), lamp(3, Some(2.0))]);
+    save(&[lamp(3, None), lamp(4, Some(3.0))]);
+    memory.fail(false);
+    save(&[lamp(1, Some(4.0))]);
+    save(&[]);
+    let first = [lamp(1, Some(1.0)), lamp(2, Some(1.0))].into();
+    let made_up = [
+        lamp(1, Some(4.0)),
+        lamp(2, None),
+        lamp(3, None),
+        lamp(4, Some(3.0)),
+    ];
+    assert_eq!(memory.records(), [first, made_up.into()]);
+}
+
+#[test]
 fn waiting_for_what_holds_already_still_takes_what_is_finished() {
     let memory = Arc::new(Memory::default());
     let mut game = open(&memory);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     let mut left = 60_000;
     while game.saved == 0 && left > 0 {
         game.wait(Until::Edits);
@@ -332,7 +369,7 @@ fn a_damaged_record_is_told_and_kept_until_the_player_digs_there() {
         game.sample(here.as_ivec3()),
         game.field.sample(ChartPoint::a(here))
     );
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.wait(Until::Saved);
     assert!(
         memory.commits()[0].2.is_empty(),
@@ -413,7 +450,7 @@ fn dropping_without_closing_ends_at_once_and_saves_the_edits() {
 fn without_a_store_saving_is_no_work() {
     let mut game = Game::flat(1);
     game.edit(chunk(0, 0, 0).origin(), 5.0);
-    game.streamer.save(Some(meta()), None);
+    game.streamer.save(Some(meta()), RecordChanges::new());
     game.wait(Until::Idle);
     assert_eq!((game.saved, game.streamer.saves_in_flight()), (1, 0));
     game.streamer.close().unwrap();

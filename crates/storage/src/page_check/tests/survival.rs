@@ -1,6 +1,7 @@
 //! Whatever is changed in a store, opening and playing on end in words, and what the check lets pass is whole.
 
 use super::*;
+use crate::{Record, RecordChanges, RecordKind};
 
 /// A saves directory with one world, of these bytes.
 fn planted(bytes: &[u8]) -> (tempfile::TempDir, SavesDir) {
@@ -69,7 +70,7 @@ fn play_on(bytes: &[u8], chunks: i32) {
         let chunks = (0..chunks).map(|x| (key(x), samples(x, 3))).collect();
         let batch = Batch {
             meta: Some(meta()),
-            state,
+            records: state.as_ref().map(RecordChanges::from).unwrap_or_default(),
             chunks,
         };
         // It may fail, but neither end the process nor say what is not so.
@@ -151,10 +152,14 @@ fn by_the_store(bytes: &[u8]) -> Option<f64> {
         let db =
             redb::Database::open(&path).map_err(|e| crate::StorageError::store(&path, "x", e))?;
         let read = redb::ReadableDatabase::begin_read(&db).unwrap();
-        let table = read.open_table(crate::store::VALUES).unwrap();
-        let value = table.get(crate::store::STATE_KEY).unwrap().unwrap();
-        let state: WorldState = crate::schema::read(value.value(), b"state").unwrap();
-        Ok(state.simulated_s)
+        let table = read.open_table(crate::store::RECORDS).unwrap();
+        let key = RecordKind::Course.numbered(0).to_bytes();
+        let value = table.get(key.as_slice()).unwrap().unwrap();
+        let record = crate::codec::unseal(value.value()).unwrap();
+        match Record::decoded(RecordKind::Course, record.version, record.body) {
+            Some(Record::Course(course)) => Ok(course.simulated_s),
+            other => panic!("{other:?}"),
+        }
     })
     .ok()
 }

@@ -126,7 +126,7 @@ pub fn samples(x: i32, commit: i32) -> Vec<i16> {
 pub fn batch(chunks: i32, commit: i32) -> Batch {
     Batch {
         meta: None,
-        state: Some(state(f64::from(commit))),
+        records: (&state(f64::from(commit))).into(),
         chunks: (0..chunks).map(|x| (key(x), samples(x, commit))).collect(),
     }
 }

@@ -1,0 +1,266 @@
+//! From a save to the scene: what is stored of a world comes back, and numbers that no play could have produced are
+//! replaced by the start's. What is not taken in stays in the save as it is.
+
+use std::collections::BTreeMap;
+
+use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_storage::{
+    BotRecord, CourseRecord, DropRecord, PlayerKept, PlayerRecord, Record, RecordKey, RecordKind,
+    Records, SlotRecord, ViewRecord,
+};
+use glam::DVec3;
+
+use crate::actors::Actors;
+use crate::camera::CameraMode;
+use crate::car::doors::take_wheel;
+use crate::car::tuning::MOST_CARS;
+use crate::drops::Drop;
+use crate::inventory::{Inventory, SLOTS, Stack};
+use crate::item::Item;
+use crate::lamp::Lamp;
+use crate::lens::{DialGoals, Lens};
+use crate::notice::Notice;
+use crate::npc::tuning::ANGRY_S;
+use crate::persist::All;
+use crate::player::Player;
+use crate::situation::Situation;
+use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
+use crate::world::World;
+use crate::{body, bot};
+
+/// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
+pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
+/// Longer than this, in seconds, nobody plays: three hundred years. A step still counts there.
+pub(crate) const LONGEST_PLAYED_S: f64 = 1e10;
+/// A driver who is farther from the car in the save, in metres, does not sit in it.
+const SEATED_WITHIN_M: f64 = 8.0;
+
+/// Takes in the player: where and how he is, and what he has. Returns what is in his slots that this version does not
+/// know.
+pub(crate) fn player(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    kept: &PlayerKept,
+    notices: &mut Vec<Notice>,
+) -> Vec<SlotRecord> {
+    if !place_player(world, actors, player, &kept.body) {
+        notices.push(Notice::PlayerDamaged);
+    }
+    let start = kept.start.as_ref();
+    player.start = start.and_then(|it| point(world, it.hemisphere, it.pos));
+    player.round.been = kept.been_round;
+    player.flashlight = kept.flashlight;
+    let (least, most, usual) = BRUSH_RADIUS_M;
+    player.brush_radius_m = finite_or(kept.brush_radius_m, usual).clamp(least, most);
+    player.inventory = Inventory::empty();
+    let mut unknown = Vec::new();
+    for record in &kept.inventory {
+        if let Some(item) = Item::from_id(&record.item) {
+            let count = record.count.max(1);
+            put_slot(&mut player.inventory, record.slot, Stack { item, count });
+        } else {
+            notices.push(Notice::UnknownItem(record.item.clone()));
+            unknown.push(record.clone());
+        }
+    }
+    player.inventory.select(kept.item_slot);
+    unknown
+}
+
+/// Puts a saved stack where it was; one without a place goes wherever there is room.
+fn put_slot(inventory: &mut Inventory, slot: u8, stack: Stack) {
+    if slot < SLOTS && inventory.slots()[usize::from(slot)].is_none() {
+        inventory.put(slot, stack);
+    } else {
+        inventory.give(stack.item, stack.count);
+    }
+}
+
+/// Returns whether the numbers are such as a play could have produced.
+fn place_player(
+    world: &World,
+    actors: &mut Actors,
+    player: &mut Player,
+    record: &PlayerRecord,
+) -> bool {
+    let numbers =
+        record
+            .pos
+            .iter()
+            .chain(&record.vel)
+            .chain([&record.yaw, &record.pitch, &record.health]);
+    if !numbers.into_iter().all(|n| n.is_finite()) {
+        return false;
+    }
+    let hemisphere = hemisphere(world, record.hemisphere);
+    let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
+    let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
+    body::place(world, actors, player, point, velocity, record.grounded);
+    actors.set_look(record.yaw, record.pitch);
+    actors.set_health(record.health);
+    player.gaze.camera = if record.third_person {
+        CameraMode::Third
+    } else {
+        CameraMode::First
+    };
+    player.flying = record.flying;
+    true
+}
+
+/// Takes in everything else. Returns what was taken in, and the world's course if the save has it.
+pub(crate) fn things(
+    world: &World,
+    actors: &mut Actors,
+    lens: &mut Lens,
+    records: Records,
+    notices: &mut Vec<Notice>,
+) -> (All, Option<CourseRecord>) {
+    if records.unknown > 0 {
+        notices.push(Notice::UnknownRecords(records.unknown));
+    }
+    let (mut taken, mut course) = (All::new(), None);
+    let mut seen = BTreeMap::<_, usize>::new();
+    for (key, record) in records.known {
+        let seen = seen.entry(key.kind).or_default();
+        *seen += 1;
+        if let Record::Course(it) = &record {
+            course = Some(it.clone());
+        }
+        if *seen <= most(key.kind) && thing(world, actors, lens, key, &record, notices) {
+            taken.insert(key, record);
+        }
+    }
+    for (kind, last) in records.last {
+        number_next(actors, kind.numbered(last + 1));
+    }
+    (taken, course)
+}
+
+/// Takes one thing in; false for what is not to be.
+fn thing(
+    world: &World,
+    actors: &mut Actors,
+    lens: &mut Lens,
+    key: RecordKey,
+    record: &Record,
+    notices: &mut Vec<Notice>,
+) -> bool {
+    number_next(actors, key);
+    match record {
+        Record::Player(_) => key.id == 0,
+        Record::Course(_) => true,
+        Record::View(it) => {
+            view(lens, it, notices);
+            true
+        }
+        Record::Lamp(it) => {
+            let at = point(world, it.hemisphere, it.pos);
+            at.map(|at| actors.enter(Lamp::standing(at))).is_some()
+        }
+        Record::Drop(it) => drop(world, actors, it, notices),
+        Record::Figure(it) => figure(world, actors, it),
+        Record::Car(it) => actors.cars.restore(world, it),
+    }
+}
+
+/// Says which number the next of a kind gets.
+fn number_next(actors: &mut Actors, key: RecordKey) {
+    match key.kind {
+        RecordKind::Player | RecordKind::Course | RecordKind::View => {}
+        RecordKind::Lamp => actors.number_next::<Lamp>(key.id),
+        RecordKind::Drop => actors.number_next::<Drop>(key.id),
+        RecordKind::Figure => actors.next_bot = key.id,
+        RecordKind::Car => actors.cars.next = key.id,
+    }
+}
+
+fn view(lens: &mut Lens, record: &ViewRecord, notices: &mut Vec<Notice>) {
+    let map = record.map.parse();
+    if map.is_err() {
+        notices.push(Notice::UnknownMap(record.map.clone()));
+    }
+    let goals = DialGoals {
+        raised: record.curvature,
+        horizon: record.curvature_horizon,
+        bend: record.bend,
+    };
+    lens.restore(map.unwrap_or_default(), record.bent, goals);
+}
+
+fn drop(
+    world: &World,
+    actors: &mut Actors,
+    record: &DropRecord,
+    notices: &mut Vec<Notice>,
+) -> bool {
+    let Some(item) = Item::from_id(&record.item) else {
+        notices.push(Notice::UnknownItem(record.item.clone()));
+        return false;
+    };
+    let Some(at) = point(world, record.hemisphere, record.pos) else {
+        return false;
+    };
+    let count = record.count.max(1);
+    actors.enter(Drop::lying(Stack { item, count }, at));
+    true
+}
+
+fn figure(world: &World, actors: &mut Actors, record: &BotRecord) -> bool {
+    let at = point(world, record.hemisphere, record.pos);
+    let Some(at) = at.filter(|_| record.yaw.is_finite()) else {
+        return false;
+    };
+    let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
+    let id = bot::spawn(world, actors, at, record.yaw, record.hostile, health);
+    let angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
+    bot::set_mind(actors, id, angry_s, record.native);
+    true
+}
+
+/// Puts the player at the wheel of the car with that number in the save, if he is close enough to it.
+pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving: Option<u32>) {
+    let Some(number) = driving.and_then(|id| actors.cars.number_of(id)) else {
+        return;
+    };
+    let now = Situation::of(world, actors, player);
+    let away_m = actors.cars.view(world, number).map(|car| {
+        let (feet, head) = (now.feet(), now.head());
+        world.strategy.distance_m(feet, car.point, &head)
+    });
+    if away_m.is_some_and(|away_m| away_m <= SEATED_WITHIN_M) {
+        take_wheel(world, &mut actors.cars, number, CameraMode::First);
+    }
+}
+
+/// A saved place, if it is one of this world.
+pub(crate) fn point(world: &World, record: u8, pos: [f64; 3]) -> Option<ChartPoint> {
+    let pos = DVec3::from_array(pos);
+    let at = ChartPoint::new(hemisphere(world, record), pos);
+    pos.is_finite()
+        .then(|| body::within_world(&*world.strategy, at))
+}
+
+fn hemisphere(world: &World, record: u8) -> Hemisphere {
+    if record == 1 && world.strategy.rim_m().is_some() {
+        Hemisphere::B
+    } else {
+        Hemisphere::A
+    }
+}
+
+/// How many of a kind are taken in.
+fn most(kind: RecordKind) -> usize {
+    match kind {
+        RecordKind::Player | RecordKind::Course | RecordKind::View => 1,
+        RecordKind::Lamp => MOST_LAMPS,
+        RecordKind::Drop => 2 * MOST_DROPS,
+        RecordKind::Figure => MOST_BOTS,
+        RecordKind::Car => MOST_CARS,
+    }
+}
+
+/// The value, where it is a number.
+pub(crate) fn finite_or(value: f64, otherwise: f64) -> f64 {
+    if value.is_finite() { value } else { otherwise }
+}
