@@ -127,12 +127,14 @@ impl Salvage {
     /// Takes what the index leads to; false if it did not lead to everything.
     fn scan(&mut self, path: &Path, world: &str) -> Result<bool, StorageError> {
         let scanned = Store::open_to_read(path, world).and_then(|store| {
-            store.scan(|raw| match codec::unseal(&raw.bytes) {
-                Ok(record) if record.key == raw.key => self.add(&record),
-                _ if matches!(raw.kind, Kind::Chunk | Kind::Record) => {
+            store.scan(|raw| {
+                let record = codec::unseal(&raw.bytes).ok();
+                // One under a damaged key is whole, and tells its own.
+                record.iter().for_each(|record| self.add(record));
+                let is_there = record.is_some_and(|record| record.key == raw.key);
+                if !is_there && matches!(raw.kind, Kind::Chunk | Kind::Record) {
                     self.damaged.insert((raw.kind, raw.key));
                 }
-                _ => {}
             })
         });
         match scanned {

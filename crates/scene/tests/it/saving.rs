@@ -483,9 +483,14 @@ fn things_keep_their_numbers_and_what_is_gone_is_gone() {
     assert_eq!(numbers(&kept, RecordKind::Lamp), [1, 2, 3]);
     assert_eq!(numbers(&kept, RecordKind::Drop), [1]);
     assert_eq!(numbers(&kept, RecordKind::Car), [1, 2]);
-    let last = kept.open();
+    let mut last = kept.open();
     assert_eq!(places(&last), lamps);
     assert_eq!((last.cars().len(), last.drops().len()), (cars, 1));
+    last.teleport(last.drops()[0].point);
+    steps(&mut last, 60, &Actions::default());
+    assert_eq!(last.drops().len(), 0, "picked up");
+    last.close().unwrap();
+    assert_eq!(numbers(&kept, RecordKind::Drop), []);
 }
 
 #[test]

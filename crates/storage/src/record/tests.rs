@@ -163,9 +163,20 @@ fn a_damaged_thing_costs_itself_alone_and_what_was_taken_away_stays_so() {
         };
         world.commit(&batch).unwrap();
     };
+    // So many that copies of them stay behind on pages that nothing uses any more.
+    let many = 100..400;
+    commit(many.clone().map(lamp).collect());
+    // What lies behind them keeps closing from cutting them off.
+    let noise = (0..crate::CHUNK_SAMPLES).map(|at| (at * 7919 % 65_521) as i16);
+    let batch = Batch {
+        chunks: vec![(ChunkKey::default(), noise.collect())],
+        ..Batch::default()
+    };
+    world.commit(&batch).unwrap();
+    commit(many.clone().map(|id| (lamp(id).0, None)).collect());
     commit([lamp(1), (lamp(2).0, None)].into());
-    drop(world);
     let path = root.path().join("kinds").join(WORLD_FILE);
+    drop(world);
     let mut bytes = fs::read(&path).unwrap();
     let mut put = None;
     let store = Store::open(&path, "Kinds").unwrap();
@@ -183,6 +194,8 @@ fn a_damaged_thing_costs_itself_alone_and_what_was_taken_away_stays_so() {
             bytes[at + record.len() - 9] ^= 0x40;
         }
     }
+    let mut keys = many.map(|id| lamp(id).0.to_bytes());
+    assert!(keys.any(|key| bytes.windows(key.len()).any(|at| at == key)));
     fs::write(&path, bytes).unwrap();
     let world = saves.open("kinds").unwrap();
     let problems = world.problems();
@@ -203,10 +216,37 @@ fn a_damaged_thing_costs_itself_alone_and_what_was_taken_away_stays_so() {
     let is_older = (report.losses.iter()).any(|loss| loss.contains("lamp 1 is of commit"));
     let expected = lamp(1).1.filter(|_| is_older);
     assert_eq!(records.known.get(&lamp(1).0), expected.as_ref());
-    assert!(
-        !records.known.contains_key(&lamp(2).0),
-        "what was taken away stays so"
-    );
+    let lamps = (records.known.keys()).filter(|key| key.kind == RecordKind::Lamp);
+    let others = lamps.filter(|key| key.id != 1);
+    assert_eq!(others.count(), 0, "what was taken away stays so");
+}
+
+#[test]
+fn a_thing_under_a_damaged_key_is_found_again() {
+    let (root, saves) = planted();
+    let store = Store::open(&root.path().join("kinds").join(WORLD_FILE), "Kinds").unwrap();
+    let mut puts = Vec::new();
+    store
+        .scan_records(|raw| {
+            if raw.key == lamp(1).0.to_bytes() {
+                let mut put = Put::from(raw);
+                put.key = lamp(9).0.to_bytes();
+                puts.push(put);
+            }
+        })
+        .unwrap();
+    puts.push(Put {
+        kind: Kind::Record,
+        key: lamp(1).0.to_bytes(),
+        bytes: None,
+    });
+    store.write(&puts).unwrap();
+    drop(store);
+    assert!(!saves.verify("kinds").unwrap().is_sound());
+    saves.repair("kinds").unwrap();
+    let known = saves.open("kinds").unwrap().records().unwrap().known;
+    assert_eq!(known.get(&lamp(1).0), lamp(1).1.as_ref());
+    assert!(!known.contains_key(&lamp(9).0));
 }
 
 #[test]
