@@ -8,7 +8,7 @@ use antipode_testing::may_skip;
 use antipode_tests::program::{comparable, field, number, run, run_with};
 use serde_json::Value;
 
-/// What no choice of the picture is: language, sound and comfort beside the width of the view.
+/// Settings that have no part in the world: language, sound, comfort, and the width of the view.
 const SETTINGS: &str = "(schema: 1, settings: {\"language\": \"de\", \"reduced-motion\": true, \"head-dip\": false, \
                         \"volume-master\": 0.0, \"field-of-view\": 100.0, \"ui-scale\": 1.5})";
 
