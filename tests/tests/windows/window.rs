@@ -63,6 +63,11 @@ fn shows_row(picture: &image::RgbImage) -> bool {
     picture.get_pixel(FIRST_WORLD.0, FIRST_WORLD.1).0[0] > 30 && !shows_new_game(picture)
 }
 
+/// Where the New Game form offers the sizes of a spherical world.
+fn size_shown(picture: &image::RgbImage) -> image::RgbImage {
+    image::imageops::crop_imm(picture, 290, 300, 400, 200).to_image()
+}
+
 #[test]
 fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     let Some(display) = display() else {
@@ -91,7 +96,12 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.wait_until("a free name", shows_free_name);
     game.click(SEED.0, SEED.1);
     game.write("12");
+    let before = size_shown(&game.calm());
     game.click(SPHERICAL.0, SPHERICAL.1);
+    // A click is lost where the pointer is elsewhere by the end of the frame that it comes in.
+    game.wait_until("the sizes of a spherical world", |picture| {
+        compare(&size_shown(picture), &before).mean > 1.0
+    });
     game.click(CREATE.0, CREATE.1);
     let fresh = game.wait_until("the new world", shows_world);
     let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
