@@ -265,7 +265,7 @@ fn a_world_that_says_it_has_an_impossible_radius_is_refused_in_words() {
             radius_m,
             ..antipode_storage::WorldMeta::default()
         };
-        let refused = antipode_scene::WorldSetup::from_meta(&meta, 3).unwrap_err();
+        let refused = WorldSetup::from_meta(&meta, 3).unwrap_err();
         let words = refused.to_string();
         assert!(words.contains("radius") && words.contains("Odd"), "{words}");
     }
