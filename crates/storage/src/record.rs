@@ -219,7 +219,9 @@ impl Records {
             return;
         };
         let known = parts.known();
-        known.into_iter().for_each(|key| self.count(key));
+        if let Some(key) = known {
+            self.count(key);
+        }
         let Some(record) = codec::unseal(&raw.bytes)
             .ok()
             .filter(|it| it.key == raw.key)

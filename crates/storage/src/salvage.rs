@@ -130,7 +130,9 @@ impl Salvage {
             store.scan(|raw| {
                 let record = codec::unseal(&raw.bytes).ok();
                 // One under a damaged key is whole, and tells its own.
-                record.iter().for_each(|record| self.add(record));
+                if let Some(record) = &record {
+                    self.add(record);
+                }
                 let is_there = record.is_some_and(|record| record.key == raw.key);
                 if !is_there && matches!(raw.kind, Kind::Chunk | Kind::Record) {
                     self.damaged.insert((raw.kind, raw.key));

@@ -9,6 +9,10 @@ use crate::plan::Planned;
 use crate::saver::Unsaved;
 
 /// A finished job.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "the large one is what nearly all are"
+)]
 pub(crate) enum Outcome {
     /// One chunk.
     Loaded(Loaded),

@@ -75,7 +75,6 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
         meta,
         records,
         chunks,
-        ..Batch::default()
     };
     if batch.is_empty() {
         return None;
