@@ -66,7 +66,7 @@ fn base(flags: u8) -> &'static Base {
 
 /// How many bytes of the base a part has: the places that an edit can choose among.
 pub fn places(killed: bool, today: bool, part: Part) -> Vec<Range<usize>> {
-    let flags = u8::from(killed) * KILLED | u8::from(today) * TODAY;
+    let flags = (u8::from(killed) * KILLED) | (u8::from(today) * TODAY);
     let index = Part::ALL.iter().position(|one| *one == part);
     index.map_or_else(Vec::new, |index| base(flags).parts[index].clone())
 }
@@ -182,7 +182,7 @@ fn apply(base: &Base, edit: &[u8], bytes: &mut [u8], touched: &mut BTreeSet<usiz
 /// An input that changes so many places of these parts, sealed or not.
 pub fn forged(rng: &mut Rng, parts: &[Part], edits: usize, seal: bool) -> Vec<u8> {
     let mut input = vec![
-        u8::from(rng.bool()) * KILLED | u8::from(rng.bool()) * TODAY,
+        (u8::from(rng.bool()) * KILLED) | (u8::from(rng.bool()) * TODAY),
         rng.u8(..),
         rng.u8(..),
         rng.u8(..),

@@ -74,14 +74,14 @@ impl Film {
     /// Does what is due before a step: digs, builds and jumps; fights; drives; and crosses the equator where there is one.
     fn act(&mut self, step: u64) {
         match step % ROUND {
-            0 => input(&mut self.game, AHEAD, true),
+            0 | 654 => input(&mut self.game, AHEAD, true),
             60 => {
                 input(&mut self.game, AHEAD, false);
                 self.tap("Digit3");
                 self.game.motion(0.0, 300.0);
             }
             66 => input(&mut self.game, DIGS, true),
-            180 => input(&mut self.game, Input::Key("KeyD"), true),
+            180 | 780 => input(&mut self.game, Input::Key("KeyD"), true),
             240 => {
                 input(&mut self.game, DIGS, false);
                 input(&mut self.game, Input::Key("KeyD"), false);
@@ -108,8 +108,6 @@ impl Film {
                 self.scene().aim(way.z.atan2(way.x), -0.2);
                 self.tap("KeyC");
             }
-            654 => input(&mut self.game, AHEAD, true),
-            780 => input(&mut self.game, Input::Key("KeyD"), true),
             900 => {
                 input(&mut self.game, AHEAD, false);
                 input(&mut self.game, Input::Key("KeyD"), false);
