@@ -25,6 +25,7 @@ pub(crate) struct Situation<'a> {
 }
 
 impl<'a> Situation<'a> {
+    /// That of these parts.
     pub fn of(world: &'a World, actors: &'a Actors, player: &'a Player) -> Self {
         Self {
             world,
