@@ -3,8 +3,8 @@
 //! Everything here happens in *physics space*: chart metres as `DVec3`, y up, every chart of the
 //! world standing at its own place in the one flat space. [`PhysicsWorld`] holds the terrain of the
 //! chunks that are loaded and answers rays, sphere casts and overlaps; a [`Character`] is plain
-//! state that [`PhysicsWorld::move_character`] moves through it. [`Vehicles`] are bodies with wheels, stepped among copies
-//! of the ground near them. Nothing in this crate knows of
+//! state that [`PhysicsWorld::move_character`] moves through it. A [`Vehicle`] is a body with wheels that
+//! [`VehiclePhysics::step`] moves among copies of the ground near it. Nothing in this crate knows of
 //! curvature, voxels or drawing.
 //!
 //! Rapier computes in `f32`. The world therefore keeps the true origins in `f64` and gives Rapier
@@ -30,5 +30,7 @@ pub use character::{Character, CharacterInput};
 pub use collider::TerrainCollider;
 pub use rays::RayHit;
 pub use tuning::CharacterTuning;
-pub use vehicle::{Vehicle, VehicleInput, VehicleMotion, VehicleTuning, VehicleWheel, Vehicles};
+pub use vehicle::{
+    Vehicle, VehicleInput, VehicleMotion, VehiclePhysics, VehicleTuning, VehicleWheel,
+};
 pub use world::{Obstacle, PhysicsWorld};

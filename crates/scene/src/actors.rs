@@ -1,5 +1,5 @@
 //! Who and what lives, moves or lies about in a world: entities whose components say what they are. Each kind of them but
-//! cars and figures is one component beside an [`ActorId`].
+//! figures is one component beside an [`ActorId`].
 
 use std::any::TypeId;
 use std::collections::HashMap;
@@ -26,6 +26,7 @@ pub(crate) struct Actors {
     pub ecs: hecs::World,
     pub player: Entity,
     pub tuning: CharacterTuning,
+    /// What cars have in common.
     pub cars: Cars,
     /// Of each kind the number that the next one gets.
     next: HashMap<TypeId, u32>,
@@ -124,15 +125,27 @@ impl Actors {
 
     /// All of a kind, in the order in which they came.
     pub fn all<T: Component + Clone>(&self) -> Vec<(ActorId, T)> {
-        let mut query = self.ecs.query::<(&ActorId, &T)>();
-        let mut all: Vec<_> = query.iter().map(|(id, it)| (*id, it.clone())).collect();
-        all.sort_unstable_by_key(|(id, _)| *id);
-        all
+        self.map(|id, it: &T| (id, it.clone()))
     }
 
     /// What all of a kind are, in the order in which they came.
     pub fn each<T: Component + Clone>(&self) -> Vec<T> {
-        self.all().into_iter().map(|(_, it)| it).collect()
+        self.map(|_, it: &T| it.clone())
+    }
+
+    /// What is made of each of a kind, in the order in which they came.
+    pub fn map<T: Component, R>(&self, make: impl Fn(ActorId, &T) -> R) -> Vec<R> {
+        let mut query = self.ecs.query::<(&ActorId, &T)>();
+        let mut all: Vec<_> = query.iter().collect();
+        all.sort_unstable_by_key(|(id, _)| **id);
+        all.into_iter().map(|(id, it)| make(*id, it)).collect()
+    }
+
+    /// What is made of one of a kind, if it is there.
+    pub fn map_one<T: Component, R>(&self, id: ActorId, make: impl Fn(&T) -> R) -> Option<R> {
+        let mut query = self.ecs.query::<(&ActorId, &T)>();
+        let found = query.iter().find(|(it, _)| **it == id);
+        found.map(|(_, it)| make(it))
     }
 
     /// How many of a kind there are.
@@ -153,24 +166,33 @@ impl Actors {
     }
 }
 
-/// Goes through all of a kind, in the order in which they came, and removes those that are not to stay.
-pub(crate) fn retain<T: Component>(ecs: &mut hecs::World, mut stays: impl FnMut(&mut T) -> bool) {
-    for entity in in_order::<T>(ecs) {
-        let goes = ecs
-            .query_one_mut::<&mut T>(entity)
-            .is_ok_and(|it| !stays(it));
-        if goes {
-            // It was there a moment ago.
-            let _ = ecs.despawn(entity);
-        }
-    }
+/// One of a kind, to be changed.
+pub(crate) fn one_mut<T: Component>(ecs: &mut hecs::World, id: ActorId) -> Option<&mut T> {
+    let all = ecs.query_mut::<(&ActorId, &mut T)>();
+    let found = all.into_iter().find(|(it, _)| **it == id);
+    found.map(|(_, it)| it)
 }
 
-fn in_order<T: Component>(ecs: &hecs::World) -> Vec<Entity> {
-    let mut query = ecs.query::<(Entity, &ActorId)>().with::<&T>();
-    let mut all: Vec<_> = query.iter().map(|(entity, id)| (*id, entity)).collect();
+/// All of a kind, to be changed in the order in which they came.
+pub(crate) fn all_mut<T: Component>(ecs: &mut hecs::World) -> Vec<(ActorId, &mut T)> {
+    let all = ecs.query_mut::<(&ActorId, &mut T)>().into_iter();
+    let mut all: Vec<_> = all.map(|(id, it)| (*id, it)).collect();
     all.sort_unstable_by_key(|(id, _)| *id);
-    all.into_iter().map(|(_, entity)| entity).collect()
+    all
+}
+
+/// Goes through all of a kind, in the order in which they came, and removes those that are not to stay.
+pub(crate) fn retain<T: Component>(ecs: &mut hecs::World, mut stays: impl FnMut(&mut T) -> bool) {
+    let all = ecs.query_mut::<(Entity, &ActorId, &mut T)>().into_iter();
+    let mut all: Vec<_> = all.map(|(entity, id, it)| (*id, entity, it)).collect();
+    all.sort_unstable_by_key(|(id, ..)| *id);
+    let gone = all
+        .into_iter()
+        .filter_map(|(_, entity, it)| (!stays(it)).then_some(entity));
+    for entity in gone.collect::<Vec<_>>() {
+        // It was there a moment ago.
+        let _ = ecs.despawn(entity);
+    }
 }
 
 #[cfg(test)]
@@ -187,9 +209,7 @@ mod tests {
             "each kind has its own numbers"
         );
         assert!(actors.remove::<&str>(ids[1]) && !actors.remove::<&str>(ids[1]));
-        let names = |actors: &Actors| -> Vec<&str> {
-            actors.all().into_iter().map(|(_, name)| name).collect()
-        };
+        let names = |actors: &Actors| actors.each::<&str>();
         assert_eq!(names(&actors), ["a", "c", "d"]);
         retain(&mut actors.ecs, |name: &mut &str| *name != "d");
         assert_eq!(actors.enter("e"), ActorId(4));

@@ -177,17 +177,12 @@ impl Scene {
 
     /// All cars, in the order in which they came.
     pub fn cars(&self) -> Vec<CarView> {
-        self.sim.actors.cars.views(&self.sim.world)
-    }
-
-    /// One car by its number.
-    pub fn car(&self, number: usize) -> Option<CarView> {
-        self.sim.actors.cars.view(&self.sim.world, number)
+        self.sim.actors.car_views(&self.sim.world)
     }
 
     /// The car that the player drives.
     pub fn driven_car(&self) -> Option<CarView> {
-        self.sim.actors.cars.driven(&self.sim.world)
+        self.sim.actors.driven_car(&self.sim.world)
     }
 
     /// Whether the player sits in a car.

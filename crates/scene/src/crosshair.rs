@@ -86,21 +86,15 @@ impl<'a> Crosshair<'a> {
     }
 
     /// The nearest car about the middle of the view, or about the player where it need not be in view.
-    pub fn car(&self, reach_m: f64, in_view: bool) -> Option<usize> {
+    pub fn car(&self, reach_m: f64, in_view: bool) -> Option<CarView> {
         let (head, feet) = (self.now.head(), self.now.feet());
         let pictured = &*self.optics.strategy;
-        let distance_m = |car: &CarView| pictured.distance_m(feet, car.point, &head);
-        self.now
-            .actors
-            .cars
-            .views(self.now.world)
-            .iter()
-            .enumerate()
-            .filter(|(_, car)| !in_view || is_in_view(pictured.view_point(&head, car.middle())))
-            .map(|(number, car)| (distance_m(car), number))
+        let cars = self.now.actors.car_views(self.now.world).into_iter();
+        cars.filter(|car| !in_view || is_in_view(pictured.view_point(&head, car.middle())))
+            .map(|car| (pictured.distance_m(feet, car.point, &head), car))
             .filter(|(far_m, _)| *far_m <= reach_m)
             .min_by(|a, b| a.0.total_cmp(&b.0))
-            .map(|(_, number)| number)
+            .map(|(_, car)| car)
     }
 
     /// Whether nothing hides a place from the player.

@@ -190,7 +190,7 @@ impl Drop {
 }
 
 impl OnGround for Drop {
-    fn stands_at(&self) -> ChartPoint {
+    fn stands_at(&self, _: &World) -> ChartPoint {
         self.point
     }
 

@@ -4,6 +4,7 @@ use antipode_geometry::{ChartPoint, ChunkCoord};
 use hecs::Component;
 
 use crate::actors::Actors;
+use crate::car::Car;
 use crate::drops::Drop;
 use crate::ground::chunks_near;
 use crate::lamp::Lamp;
@@ -16,7 +17,7 @@ const STANDS_ON_M: f64 = 4.0;
 /// What the ground carries.
 pub(crate) trait OnGround {
     /// Where it stands or lies.
-    fn stands_at(&self) -> ChartPoint;
+    fn stands_at(&self, world: &World) -> ChartPoint;
     /// Whether it is on its way down: then ground anywhere below may be where it was to come to rest.
     fn is_falling(&self) -> bool;
     /// Makes it look for its ground in the next step.
@@ -27,7 +28,7 @@ pub(crate) trait OnGround {
 pub(crate) fn tell(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
     wake::<Lamp>(world, actors, chunks);
     wake::<Drop>(world, actors, chunks);
-    actors.cars.wake(world, chunks);
+    wake::<Car>(world, actors, chunks);
     let places = chunks
         .iter()
         .map(|coord| ChartPoint::new(coord.hemisphere, coord.centre()));
@@ -36,14 +37,14 @@ pub(crate) fn tell(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
 
 fn wake<T: Component + OnGround>(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
     for it in actors.ecs.query_mut::<&mut T>() {
-        if it.is_falling() || may_stand_on(world, it.stands_at(), chunks) {
+        if it.is_falling() || may_stand_on(world, it.stands_at(world), chunks) {
             it.wake();
         }
     }
 }
 
 /// Whether what is at a point may stand on the ground of one of these chunks.
-pub(crate) fn may_stand_on(world: &World, point: ChartPoint, chunks: &[ChunkCoord]) -> bool {
+fn may_stand_on(world: &World, point: ChartPoint, chunks: &[ChunkCoord]) -> bool {
     let under = chunks_near(&*world.strategy, point, STANDS_ON_M);
     under.iter().any(|coord| chunks.contains(coord))
 }

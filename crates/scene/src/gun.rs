@@ -102,12 +102,13 @@ pub(crate) fn step_bullets(
         pictured: &*optics.strategy,
         physics: &world.physics,
         standing: &standing,
-        vehicles: actors.cars.vehicles(),
+        cars: &actors.car_motions(),
+        vehicles: &actors.cars.physics,
         in_far_ground: &in_far_ground,
     };
     let hits = projectile::step(&mut actors.ecs, &air);
     harm::take_strikes(actors, player, outbox, hits.strikes);
-    car::harm::take_knocks(&mut actors.cars, outbox, &hits.knocks);
+    car::harm::take_knocks(actors, outbox, &hits.knocks);
 }
 
 /// The muzzle of a gun held by someone with that eye; short of a wall that one stands close to.

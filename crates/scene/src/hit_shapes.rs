@@ -6,7 +6,6 @@ use hecs::Entity;
 use crate::camera::CameraMode;
 use crate::drops::Drop;
 use crate::frame::{HitForm, HitShape};
-use crate::ground::chunks_near;
 use crate::lamp::Lamp;
 use crate::player::{Body, Health, Position};
 use crate::projectile::Projectile;
@@ -53,9 +52,7 @@ fn bodies(now: Situation<'_>) -> Vec<HitShape> {
         .iter()
         .filter(|(entity, _, _, health)| health.0 > 0.0 && (*entity != actors.player || sees_own))
         .map(|(entity, position, body, _)| {
-            let is_there = chunks_near(&*world.strategy, position.0, GROUND_WITHIN_M)
-                .into_iter()
-                .all(|coord| world.is_firm(coord));
+            let is_there = world.is_firm_around(position.0, GROUND_WITHIN_M);
             let awake = is_there && moves(&body.0);
             (entity.id(), HitShape::upright(form, position.0, awake))
         })

@@ -23,7 +23,7 @@ use crate::{hand, lamp};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Who {
     Player {
-        drives: Option<usize>,
+        drives: Option<ActorId>,
         dead: bool,
     },
     Bot {
@@ -33,10 +33,10 @@ pub(crate) enum Who {
     Lamp(ActorId),
     Bullet(ActorId),
     Drop(ActorId),
-    Car(usize),
-    Wheel(usize, usize),
+    Car(ActorId),
+    Wheel(ActorId, usize),
     /// Of a car, and whether it is on the right.
-    CarLight(usize, bool),
+    CarLight(ActorId, bool),
     Shot,
     InHand,
 }
@@ -46,7 +46,7 @@ pub(crate) enum Who {
 pub(crate) enum Taker {
     Player {
         mode: CameraMode,
-        drives: Option<usize>,
+        drives: Option<ActorId>,
         dead: bool,
     },
     Photographer,
@@ -91,7 +91,7 @@ impl Scene {
         let mode = now.player.gaze.camera;
         let taker = Taker::Player {
             mode,
-            drives: now.actors.cars.driven_number(),
+            drives: now.actors.cars.driven(),
             dead: now.player.is_dead(),
         };
         let marker = self.marker().filter(|marker| marker.active);

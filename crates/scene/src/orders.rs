@@ -168,7 +168,7 @@ impl Scene {
     /// ground is there. Returns whether there was room for one more.
     pub fn spawn_car(&mut self, point: ChartPoint, yaw: f64) -> bool {
         let (world, actors) = (&self.sim.world, &mut self.sim.actors);
-        let has_room = actors.cars.spawn(world, point, yaw);
+        let has_room = car::spawn(world, actors, point, yaw);
         self.kept.changed |= has_room;
         has_room
     }
@@ -176,8 +176,8 @@ impl Scene {
     /// Gives the world its first car, near the start, if it has had none yet.
     pub fn give_first_car(&mut self) {
         let start = self.now().start();
-        let cars = &mut self.sim.actors.cars;
-        self.kept.changed |= car::give_first(&self.sim.world, cars, start);
+        let (world, actors) = (&self.sim.world, &mut self.sim.actors);
+        self.kept.changed |= car::give_first(world, actors, start);
     }
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.

@@ -12,6 +12,7 @@ use glam::DVec3;
 use crate::actors::{ActorId, Actors};
 use crate::bot::Bot;
 use crate::camera::CameraMode;
+use crate::car::Car;
 use crate::drops::Drop;
 use crate::lamp::Lamp;
 use crate::npc::mind::Mind;
@@ -41,8 +42,10 @@ pub(crate) fn records(
     single(Record::View(view_record(world, player)));
     things(actors, player, &mut all);
     figures(actors, &mut all);
-    let cars = actors.cars.records(&*world.strategy);
-    all.extend(cars.map(|(id, car)| (RecordKind::Car.numbered(id), Record::Car(car))));
+    all.extend(actors.map(|id, car: &Car| {
+        let record = Record::Car(car.record(world));
+        (RecordKind::Car.numbered(id.0), record)
+    }));
     all
 }
 
@@ -75,7 +78,7 @@ fn player_record(actors: &Actors, player: &Player, slots: &[SlotRecord]) -> Opti
         inventory: known.chain(slots.iter().cloned()).collect(),
         brush_radius_m: player.brush_radius_m,
         flashlight: player.flashlight,
-        driving: actors.cars.driven_id(),
+        driving: actors.cars.driven().map(|id| id.0),
         start: player.start.map(|start| PlaceRecord {
             hemisphere: hemisphere_record(start.hemisphere),
             pos: start.pos.to_array(),

@@ -3,11 +3,11 @@
 //! follows a geodesic is gone after some way.
 
 use antipode_geometry::{ChartPoint, Eye, Strategy};
-use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, Vehicles};
+use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 use hecs::Entity;
 
-use crate::actors::{Actors, retain};
+use crate::actors::{ActorId, Actors, retain};
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{
@@ -71,8 +71,7 @@ pub(crate) struct Strike {
 /// A bullet has struck a car.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Knock {
-    /// The car's number.
-    pub car: usize,
+    pub car: ActorId,
     /// Where, in physics space.
     pub at: DVec3,
     /// How fast the bullet was, m/s.
@@ -86,7 +85,9 @@ pub(crate) struct Air<'a> {
     pub pictured: &'a dyn Strategy,
     pub physics: &'a PhysicsWorld,
     pub standing: &'a [Standing],
-    pub vehicles: &'a Vehicles,
+    /// How cars move.
+    pub cars: &'a [(ActorId, VehicleMotion)],
+    pub vehicles: &'a VehiclePhysics,
     /// Whether a point is in ground that is not there to be touched: too far off to be loaded, or below all ground.
     pub in_far_ground: &'a dyn Fn(ChartPoint) -> bool,
 }
@@ -194,9 +195,7 @@ impl Projectile {
     ) {
         for (from, to) in [(before, corner), (corner, ball.centre)] {
             let someone = self.meets(air, from, to);
-            let car = air
-                .vehicles
-                .meets(from, to, BULLET.radius_m)
+            let car = meets_car(air, from, to)
                 .filter(|(share, _)| someone.is_none_or(|(nearer, _)| *share < nearer));
             if let Some((share, car)) = car {
                 hits.knocks.push(Knock {
@@ -332,6 +331,15 @@ impl Projectile {
             .filter_map(|it| share(it).map(|share| (share, it.entity)))
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
+}
+
+/// The first car that a bullet meets between two points of physics space, and the share of the way to there.
+fn meets_car(air: &Air<'_>, from: DVec3, to: DVec3) -> Option<(f64, ActorId)> {
+    let meets = |motion| air.vehicles.meets(motion, from, to, BULLET.radius_m);
+    air.cars
+        .iter()
+        .filter_map(|(id, motion)| Some((meets(motion)?, *id)))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 #[cfg(test)]

@@ -10,8 +10,9 @@ use antipode_storage::{
 };
 use glam::DVec3;
 
-use crate::actors::Actors;
+use crate::actors::{ActorId, Actors};
 use crate::camera::CameraMode;
+use crate::car::Car;
 use crate::car::doors::take_wheel;
 use crate::car::tuning::MOST_CARS;
 use crate::drops::Drop;
@@ -26,7 +27,7 @@ use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
 use crate::world::World;
-use crate::{body, bot};
+use crate::{body, bot, car};
 
 /// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
@@ -160,7 +161,7 @@ fn thing(
         }
         Record::Drop(it) => drop(world, actors, it, notices),
         Record::Figure(it) => figure(world, actors, it),
-        Record::Car(it) => actors.cars.restore(world, it),
+        Record::Car(it) => car::restore(world, actors, it),
     }
 }
 
@@ -171,7 +172,7 @@ fn number_next(actors: &mut Actors, key: RecordKey) {
         RecordKind::Lamp => actors.number_next::<Lamp>(key.id),
         RecordKind::Drop => actors.number_next::<Drop>(key.id),
         RecordKind::Figure => actors.next_bot = key.id,
-        RecordKind::Car => actors.cars.next = key.id,
+        RecordKind::Car => actors.number_next::<Car>(key.id),
     }
 }
 
@@ -220,16 +221,15 @@ fn figure(world: &World, actors: &mut Actors, record: &BotRecord) -> bool {
 
 /// Puts the player at the wheel of the car with that number in the save, if he is close enough to it.
 pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving: Option<u32>) {
-    let Some(number) = driving.and_then(|id| actors.cars.number_of(id)) else {
-        return;
-    };
+    let car = driving.and_then(|id| actors.car_view(world, ActorId(id)));
+    let Some(car) = car else { return };
     let now = Situation::of(world, actors, player);
-    let away_m = actors.cars.view(world, number).map(|car| {
-        let (feet, head) = (now.feet(), now.head());
-        world.strategy.distance_m(feet, car.point, &head)
-    });
-    if away_m.is_some_and(|away_m| away_m <= SEATED_WITHIN_M) {
-        take_wheel(world, &mut actors.cars, number, CameraMode::First);
+    if world
+        .strategy
+        .distance_m(now.feet(), car.point, &now.head())
+        <= SEATED_WITHIN_M
+    {
+        take_wheel(actors, &car, CameraMode::First);
     }
 }
 

@@ -56,7 +56,7 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
             seat_figure(&now, &mut figure);
         }
         let mut who = Who::Player {
-            drives: actors.cars.driven_number(),
+            drives: actors.cars.driven(),
             dead: now.player.is_dead(),
         };
         if let Some((bot, mind)) = bot {

@@ -6,7 +6,7 @@ use antipode_physics::Character;
 use antipode_terrain::Cover;
 use glam::DVec3;
 
-use crate::car::Cars;
+use crate::actors::Actors;
 use crate::day;
 use crate::ground::Ground;
 use crate::outbox::Outbox;
@@ -142,13 +142,13 @@ pub(crate) fn surroundings(now: Situation<'_>, eye: &Eye) -> Surroundings {
         height_m: now.feet().pos.y - low_m,
         relief_m: high_m - low_m,
         speed_m_s: now.actors.player_body().velocity.length(),
-        drive: drive_heard(world, &now.actors.cars),
+        drive: drive_heard(world, now.actors),
     }
 }
 
-fn drive_heard(world: &World, cars: &Cars) -> Option<Drive> {
-    let throttle = cars.driving.as_ref()?.throttle;
-    let car = cars.driven(world)?;
+fn drive_heard(world: &World, actors: &Actors) -> Option<Drive> {
+    let throttle = actors.cars.driving.as_ref()?.throttle;
+    let car = actors.driven_car(world)?;
     let down = car.wheels.iter().any(|wheel| wheel.contact);
     let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
     let braked_m_s = if car.brakes {

@@ -44,9 +44,7 @@ impl Simulation {
             walk(world, actors, player, outbox, actions);
         }
         drive::step(world, actors, player, outbox, actions);
-        world
-            .physics
-            .set_obstacles(actors.cars.vehicles().obstacles());
+        world.physics.set_obstacles(actors.car_bodies());
         round::notice(world, actors.feet(), &mut player.round, outbox);
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());
@@ -93,8 +91,8 @@ fn turn_switches(
         outbox.sounds.push(SoundEvent::SlotChanged);
     }
     if actions.toggle_light {
-        match actors.cars.driven_number() {
-            Some(number) => doors::toggle_lights(&mut actors.cars, number),
+        match actors.cars.driven() {
+            Some(id) => doors::toggle_lights(actors, id),
             None => player.flashlight = !player.flashlight,
         }
     }

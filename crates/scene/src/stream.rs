@@ -288,7 +288,7 @@ fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
     let mut reaches = reach::of_body(&*world.strategy, actors.feet(), velocity);
     let bullets = actors.all::<Projectile>().into_iter();
     let bullets = bullets.map(|(_, it)| (it.point, it.velocity));
-    let cars = actors.cars.views(world).into_iter();
+    let cars = actors.car_views(world).into_iter();
     let cars = cars.map(|it| (it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
     reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));

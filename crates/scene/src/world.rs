@@ -9,7 +9,7 @@ use antipode_terrain::{Field, Samples, Stroke};
 use glam::DVec3;
 
 use crate::day;
-use crate::ground::{Ground, Spent, height_below};
+use crate::ground::{Ground, Spent, chunks_near, height_below};
 use crate::restore::{LONGEST_PLAYED_S, finite_or};
 use crate::setup::WorldSetup;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, DAY_S, DAY_START_S};
@@ -90,6 +90,12 @@ impl World {
     /// Whether a body may move in a chunk now: it is near enough, and all that it has of ground is there.
     pub fn is_firm(&self, coord: ChunkCoord) -> bool {
         self.lets_move(coord) && self.streamer.is_firm(coord)
+    }
+
+    /// Whether a body may move in all that is within so many metres of a place.
+    pub fn is_firm_around(&self, point: ChartPoint, reach_m: f64) -> bool {
+        let near = chunks_near(&*self.strategy, point, reach_m);
+        near.into_iter().all(|coord| self.is_firm(coord))
     }
 
     /// What of a reach lies where bodies move.

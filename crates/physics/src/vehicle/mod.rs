@@ -77,6 +77,11 @@ impl Vehicle {
     pub fn is_asleep(&self) -> bool {
         self.rests_s >= SLEEPS_AFTER_S
     }
+
+    /// Wakes it, as when the ground below it may have changed.
+    pub fn wake(&mut self) {
+        self.rests_s = 0.0;
+    }
 }
 
 impl std::fmt::Debug for Vehicle {
@@ -88,36 +93,35 @@ impl std::fmt::Debug for Vehicle {
     }
 }
 
-/// All vehicles of a world.
-pub struct Vehicles {
+/// What the vehicles of a world have in common: how they drive, their hull, and where they collide. A vehicle is stepped by
+/// the one that made it, and its body stays in there.
+pub struct VehiclePhysics {
     tuning: VehicleTuning,
     hull: Hull,
     arena: Arena,
-    all: Vec<Vehicle>,
 }
 
-impl Default for Vehicles {
+impl Default for VehiclePhysics {
     fn default() -> Self {
         Self::new(VehicleTuning::default())
     }
 }
 
-impl std::fmt::Debug for Vehicles {
+impl std::fmt::Debug for VehiclePhysics {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Vehicles")
-            .field("all", &self.all)
+        f.debug_struct("VehiclePhysics")
+            .field("tuning", &self.tuning)
             .finish_non_exhaustive()
     }
 }
 
-impl Vehicles {
-    /// None yet.
+impl VehiclePhysics {
+    /// Without vehicles yet.
     pub fn new(tuning: VehicleTuning) -> Self {
         Self {
             tuning,
             hull: Hull::new(),
             arena: Arena::new(),
-            all: Vec::new(),
         }
     }
 
@@ -126,25 +130,19 @@ impl Vehicles {
         &self.tuning
     }
 
-    /// All, in the order in which they were added.
-    pub fn all(&self) -> &[Vehicle] {
-        &self.all
-    }
-
-    /// Adds a vehicle and returns its number. A motion that is not finite becomes one at rest at the origin.
-    pub fn add(&mut self, motion: VehicleMotion) -> usize {
+    /// A new vehicle. A motion that is not finite becomes one at rest at the origin.
+    pub fn vehicle(&self, motion: VehicleMotion) -> Vehicle {
         let motion = if motion.is_finite() {
             motion
         } else {
             VehicleMotion::default()
         };
-        let wheel = |number: usize| VehicleWheel {
-            hub: self.tuning.hubs[number],
-            ..VehicleWheel::default()
-        };
-        self.all.push(Vehicle {
+        Vehicle {
             motion,
-            wheels: [0, 1, 2, 3].map(wheel),
+            wheels: self.tuning.hubs.map(|hub| VehicleWheel {
+                hub,
+                ..VehicleWheel::default()
+            }),
             steer_rad: 0.0,
             brakes: false,
             jolt_m_s: 0.0,
@@ -152,17 +150,13 @@ impl Vehicles {
             rests_s: 0.0,
             hold: Hold::default(),
             body: None,
-        });
-        self.all.len() - 1
+        }
     }
 
     /// Gives a vehicle back how its front wheels were turned (rad, to the right), how far its springs were pushed in
     /// (m, zero in the air) and whether it rested. Numbers that are not finite are left out.
-    pub fn restore(&mut self, number: usize, steer_rad: f64, springs_m: [f64; 4], rests: bool) {
+    pub fn restore(&self, vehicle: &mut Vehicle, steer_rad: f64, springs_m: [f64; 4], rests: bool) {
         let tuning = &self.tuning;
-        let Some(vehicle) = self.all.get_mut(number) else {
-            return;
-        };
         if steer_rad.is_finite() {
             let most = tuning.steer_most_rad;
             vehicle.steer_rad = steer_rad.clamp(-most, most);
@@ -184,10 +178,10 @@ impl Vehicles {
     }
 
     /// Puts a vehicle elsewhere, and wakes it. A motion that is not finite is ignored.
-    pub fn set_motion(&mut self, number: usize, motion: VehicleMotion) {
-        let Some(vehicle) = self.all.get_mut(number).filter(|_| motion.is_finite()) else {
+    pub fn set_motion(&mut self, vehicle: &mut Vehicle, motion: VehicleMotion) {
+        if !motion.is_finite() {
             return;
-        };
+        }
         vehicle.motion = motion;
         vehicle.rolled = motion.velocity;
         vehicle.rests_s = 0.0;
@@ -197,18 +191,8 @@ impl Vehicles {
         }
     }
 
-    /// Wakes a vehicle, as when the ground below it may have changed.
-    pub fn wake(&mut self, number: usize) {
-        if let Some(vehicle) = self.all.get_mut(number) {
-            vehicle.rests_s = 0.0;
-        }
-    }
-
     /// Pushes a vehicle at a point of physics space (m) by an impulse (N s).
-    pub fn push(&mut self, number: usize, at: DVec3, impulse: DVec3) {
-        let Some(vehicle) = self.all.get_mut(number) else {
-            return;
-        };
+    pub fn push(&mut self, vehicle: &mut Vehicle, at: DVec3, impulse: DVec3) {
         vehicle.rests_s = 0.0;
         if let Some((body, _)) = &vehicle.body
             && at.is_finite()
@@ -226,10 +210,7 @@ impl Vehicles {
 
     /// Takes a vehicle to another place of physics space (m) where everything is turned: how it stands, its velocity,
     /// its spin, and what its springs are about to do.
-    pub fn carry(&mut self, number: usize, place: DVec3, turn: DQuat) {
-        let Some(vehicle) = self.all.get_mut(number) else {
-            return;
-        };
+    pub fn carry(&mut self, vehicle: &mut Vehicle, place: DVec3, turn: DQuat) {
         let turned = |motion: &VehicleMotion| VehicleMotion {
             place,
             turn: (turn * motion.turn).normalize(),
@@ -246,79 +227,61 @@ impl Vehicles {
         }
     }
 
-    /// Advances all by `dt_s` seconds. `inputs` has one for each; `None` holds a vehicle still where it is, as long as
-    /// the ground below it is not there.
-    pub fn step(&mut self, world: &PhysicsWorld, inputs: &[Option<VehicleInput>], dt_s: f64) {
+    /// Advances all vehicles by `dt_s` seconds, always in the same order. One without an input is held still where it
+    /// is, as long as the ground below it is not there.
+    pub fn step(
+        &mut self,
+        world: &PhysicsWorld,
+        all: &mut [(&mut Vehicle, Option<VehicleInput>)],
+        dt_s: f64,
+    ) {
         if dt_s.is_nan() || dt_s <= 0.0 {
             return;
         }
-        self.wake_near();
-        self.admit(inputs);
-        let awake: Vec<usize> = (0..self.all.len())
-            .filter(|&number| self.all[number].is_moving())
-            .collect();
-        let Some(&first) = awake.first() else {
+        wake_near(all);
+        for (vehicle, input) in &mut *all {
+            self.admit(vehicle, *input);
+        }
+        let moving = all.iter_mut().filter(|(vehicle, _)| vehicle.is_moving());
+        let moving: Vec<_> = moving.collect();
+        let Some((first, _)) = moving.first() else {
             return;
         };
-        self.arena.recentre(self.all[first].motion.place);
-        let boxes: Vec<(DVec3, DVec3)> = awake
-            .iter()
-            .map(|&number| ground_box(&self.all[number].motion, dt_s))
-            .collect();
+        self.arena.recentre(first.motion.place);
+        let boxes = moving.iter().map(|(it, _)| ground_box(&it.motion, dt_s));
+        let boxes: Vec<(DVec3, DVec3)> = boxes.collect();
         self.arena.take_ground(world, &boxes);
         self.arena.step(self.tuning.gravity_m_s2, dt_s);
-        for number in awake {
-            let input = inputs.get(number).copied().flatten().unwrap_or_default();
-            self.advance(number, &input, dt_s);
+        for (vehicle, input) in moving {
+            self.advance(vehicle, &input.unwrap_or_default(), dt_s);
         }
     }
 
-    /// Wakes sleepers that another comes near to.
-    fn wake_near(&mut self) {
-        let moving: Vec<DVec3> = self
-            .all
-            .iter()
-            // Who stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
-            .filter(|it| it.is_moving() && it.rests_s <= 0.0)
-            .map(|it| it.motion.place)
-            .collect();
-        for sleeper in self.all.iter_mut().filter(|it| it.is_asleep()) {
-            let place = sleeper.motion.place;
-            if moving.iter().any(|at| at.distance(place) < WAKES_WITHIN_M) {
-                sleeper.rests_s = 0.0;
-            }
+    /// Gives a vehicle that has ground a body, and takes it from one that has none.
+    fn admit(&mut self, vehicle: &mut Vehicle, input: Option<VehicleInput>) {
+        if input.is_some_and(|input| !input.parked) {
+            vehicle.rests_s = 0.0;
         }
-    }
-
-    /// Gives bodies to those that have ground, and takes them from the others.
-    fn admit(&mut self, inputs: &[Option<VehicleInput>]) {
-        for (number, vehicle) in self.all.iter_mut().enumerate() {
-            let input = inputs.get(number).copied().flatten();
-            if input.is_some_and(|input| !input.parked) {
-                vehicle.rests_s = 0.0;
+        match (&vehicle.body, input) {
+            (None, Some(_)) => {
+                let made = self.arena.put_in(&self.hull, &self.tuning, &vehicle.motion);
+                vehicle.body = Some(made);
             }
-            match (&vehicle.body, input) {
-                (None, Some(_)) => {
-                    let made = self.arena.put_in(&self.hull, &self.tuning, &vehicle.motion);
-                    vehicle.body = Some(made);
-                }
-                (Some((body, _)), None) => {
-                    self.arena.take_out(*body);
-                    vehicle.body = None;
-                    vehicle.settle();
-                }
-                _ => {}
+            (Some((body, _)), None) => {
+                self.arena.take_out(*body);
+                vehicle.body = None;
+                vehicle.settle();
             }
-            if let Some((body, _)) = &vehicle.body {
-                self.arena.set_still(*body, vehicle.is_asleep());
-            }
+            _ => {}
+        }
+        if let Some((body, _)) = &vehicle.body {
+            self.arena.set_still(*body, vehicle.is_asleep());
         }
     }
 
     /// Reads out what a step has made of a vehicle, and lets its wheels act.
-    fn advance(&mut self, number: usize, input: &VehicleInput, dt_s: f64) {
+    fn advance(&mut self, vehicle: &mut Vehicle, input: &VehicleInput, dt_s: f64) {
         let tuning = &self.tuning;
-        let vehicle = &mut self.all[number];
         let Some((body, controller)) = &mut vehicle.body else {
             return;
         };
@@ -388,11 +351,27 @@ impl Vehicle {
     }
 }
 
+/// Wakes sleepers that another comes near to.
+fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
+    let moving: Vec<DVec3> = all
+        .iter()
+        // Who stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
+        .filter(|(it, _)| it.is_moving() && it.rests_s <= 0.0)
+        .map(|(it, _)| it.motion.place)
+        .collect();
+    for (sleeper, _) in all.iter_mut().filter(|(it, _)| it.is_asleep()) {
+        let place = sleeper.motion.place;
+        if moving.iter().any(|at| at.distance(place) < WAKES_WITHIN_M) {
+            sleeper.wake();
+        }
+    }
+}
+
 /// The box of physics space whose ground a vehicle may touch in the next steps.
 fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
     let way = motion.velocity * (STEPS_AHEAD * dt_s);
     let around = DVec3::splat(GROUND_AROUND_M);
-    let middle = Hull::box_middle(motion.place, motion.turn);
+    let middle = motion.middle();
     (
         middle.min(middle + way) - around,
         middle.max(middle + way) + around,

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 use rapier3d::math::Pose;
 
 use super::hull::Hull;
-use super::{VehicleMotion, Vehicles};
+use super::{VehicleMotion, VehiclePhysics};
 use crate::PhysicsWorld;
 use crate::world::Obstacle;
 
@@ -16,7 +16,7 @@ const MIDDLE_UP_M: f64 = 0.7;
 /// Where a ray or a thrown thing meets a hull is looked for no nearer than this, in metres.
 const NO_WAY_M: f64 = 1e-9;
 
-impl Vehicles {
+impl VehiclePhysics {
     /// A vehicle upright at rest above a place of physics space (m), looking along a heading, as high up as it takes to
     /// be free of the ground; `inside` says whether a point is in solid ground. `None` when nothing within 64 m is.
     pub fn upright_at(
@@ -42,11 +42,10 @@ impl Vehicles {
     /// Where a vehicle comes to stand when it is set upright where it lies, keeping its heading.
     pub fn upright(
         &self,
-        number: usize,
+        motion: &VehicleMotion,
         world: &PhysicsWorld,
         inside: &dyn Fn(DVec3) -> bool,
     ) -> Option<VehicleMotion> {
-        let motion = self.all.get(number)?.motion;
         // One that stands on its nose or tail looks where its roof does, or its floor.
         let ahead = motion.ahead();
         let heading = if ahead.with_y(0.0).length() > 0.2 {
@@ -54,8 +53,7 @@ impl Vehicles {
         } else {
             motion.up() * -ahead.y.signum()
         };
-        let middle = Hull::box_middle(motion.place, motion.turn);
-        let place = middle - DVec3::Y * MIDDLE_UP_M;
+        let place = motion.middle() - DVec3::Y * MIDDLE_UP_M;
         self.upright_at(world, place, heading, inside)
     }
 
@@ -76,66 +74,51 @@ impl Vehicles {
         !touched && !inside(middle)
     }
 
-    /// The middle of a vehicle's body in physics space (m).
-    pub fn middle(&self, number: usize) -> Option<DVec3> {
-        let motion = self.all.get(number)?.motion;
-        Some(Hull::box_middle(motion.place, motion.turn))
+    /// What characters cannot walk through: the body of a vehicle.
+    pub fn obstacle(&self, motion: &VehicleMotion) -> Obstacle {
+        Obstacle::new(self.hull.triangles(motion.place, motion.turn).collect())
     }
 
-    /// What characters cannot walk through: the bodies of all vehicles.
-    pub fn obstacles(&self) -> Vec<Obstacle> {
-        self.all
-            .iter()
-            .map(|it| {
-                let motion = it.motion;
-                Obstacle::new(self.hull.triangles(motion.place, motion.turn).collect())
-            })
-            .collect()
-    }
-
-    /// The share of the way from `from` to `to` (m) at which something `radius_m` wide first meets a vehicle's body,
-    /// and the vehicle's number. What begins inside meets it at once.
-    pub fn meets(&self, from: DVec3, to: DVec3, radius_m: f64) -> Option<(f64, usize)> {
+    /// The share of the way from `from` to `to` (m) at which something `radius_m` wide meets a vehicle's body. What begins
+    /// inside meets it at once.
+    pub fn meets(
+        &self,
+        motion: &VehicleMotion,
+        from: DVec3,
+        to: DVec3,
+        radius_m: f64,
+    ) -> Option<f64> {
         let way = to - from;
         if !way.is_finite() || way.length() < NO_WAY_M {
             return None;
         }
-        let meets = |number: usize| {
-            let motion = self.all[number].motion;
-            let at = Pose::from_parts(DVec3::ZERO.as_vec3(), motion.turn.as_quat());
-            let ball = rapier3d::parry::shape::Ball::new(radius_m as f32);
-            let options =
-                rapier3d::parry::query::details::ShapeCastOptions::with_max_time_of_impact(1.0);
-            let start = Pose::from_translation((from - motion.place).as_vec3());
-            let hit = rapier3d::parry::query::cast_shapes(
-                &start,
-                way.as_vec3(),
-                &ball,
-                &at,
-                DVec3::ZERO.as_vec3(),
-                self.hull.shape.0.as_ref(),
-                options,
-            );
-            hit.ok()
-                .flatten()
-                .map(|hit| (f64::from(hit.time_of_impact), number))
-        };
-        (0..self.all.len())
-            .filter_map(meets)
-            .min_by(|a, b| a.0.total_cmp(&b.0))
+        let at = Pose::from_parts(DVec3::ZERO.as_vec3(), motion.turn.as_quat());
+        let ball = rapier3d::parry::shape::Ball::new(radius_m as f32);
+        let options =
+            rapier3d::parry::query::details::ShapeCastOptions::with_max_time_of_impact(1.0);
+        let start = Pose::from_translation((from - motion.place).as_vec3());
+        let hit = rapier3d::parry::query::cast_shapes(
+            &start,
+            way.as_vec3(),
+            &ball,
+            &at,
+            DVec3::ZERO.as_vec3(),
+            self.hull.shape.0.as_ref(),
+            options,
+        );
+        hit.ok().flatten().map(|hit| f64::from(hit.time_of_impact))
     }
 
     /// How an upright capsule with its feet at `feet` (m) touches a vehicle's body, if it is within `gap_m` of it: the
     /// level direction away from the body, and the velocity that the body has there in m/s.
     pub fn touches_capsule(
         &self,
-        number: usize,
+        motion: &VehicleMotion,
         feet: DVec3,
         height_m: f64,
         radius_m: f64,
         gap_m: f64,
     ) -> Option<(DVec3, DVec3)> {
-        let motion = self.all.get(number)?.motion;
         let hull = Pose::from_parts(DVec3::ZERO.as_vec3(), motion.turn.as_quat());
         let half_m = (0.5 * height_m - radius_m).max(0.0);
         let capsule = rapier3d::parry::shape::Capsule::new_y(half_m as f32, radius_m as f32);
@@ -146,8 +129,9 @@ impl Vehicles {
         if f64::from(gap.ok()?.distance) > gap_m {
             return None;
         }
-        let from = Hull::box_middle(motion.place, motion.turn);
-        let away = (middle - from).with_y(0.0).normalize_or(motion.ahead());
+        let away = (middle - motion.middle())
+            .with_y(0.0)
+            .normalize_or(motion.ahead());
         let arm = middle - motion.place - motion.turn * self.tuning.mass_centre;
         Some((away, motion.velocity + motion.spin.cross(arm)))
     }

@@ -2,6 +2,8 @@
 
 use glam::{DQuat, DVec3};
 
+use super::hull::Hull;
+
 /// Where a vehicle is and how it moves, in physics space.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VehicleMotion {
@@ -24,6 +26,11 @@ impl VehicleMotion {
     /// Its own upward direction, a unit vector.
     pub fn up(&self) -> DVec3 {
         self.turn * DVec3::Y
+    }
+
+    /// The middle of its body in physics space (m).
+    pub fn middle(&self) -> DVec3 {
+        Hull::box_middle(self.place, self.turn)
     }
 
     /// Speed ahead, m/s; backwards negative.

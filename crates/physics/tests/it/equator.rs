@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::common::{STEP_S, Soup};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
-use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, Vehicles};
+use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::{DVec3, IVec3, Vec3};
 
 /// The ground of each chart reaches so far past the rim, as that of the game does, in metres.
@@ -76,20 +76,19 @@ fn drive(
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
     let mut hemisphere = Hemisphere::A;
     let origin = |hemisphere| space.chart_origin_m(hemisphere);
-    let mut vehicles = Vehicles::default();
+    let mut physics = VehiclePhysics::default();
     let never = |_: DVec3| false;
     let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0 + origin(hemisphere);
-    let free = vehicles.upright_at(world, at, way, &never).unwrap();
-    vehicles.add(VehicleMotion::default());
-    vehicles.set_motion(0, free);
-    let step = |vehicles: &mut Vehicles, input| vehicles.step(world, &[Some(input)], STEP_S);
+    let free = physics.upright_at(world, at, way, &never).unwrap();
+    let mut vehicle = physics.vehicle(free);
     for _ in 0..90 {
-        step(&mut vehicles, VehicleInput::default());
+        let mut all = [(&mut vehicle, Some(VehicleInput::default()))];
+        physics.step(world, &mut all, STEP_S);
     }
     let speed_m_s = if boost { 28.0 } else { 14.5 };
-    let rested = vehicles.all()[0].motion();
-    vehicles.set_motion(
-        0,
+    let rested = vehicle.motion();
+    physics.set_motion(
+        &mut vehicle,
         VehicleMotion {
             velocity: rested.ahead() * speed_m_s,
             ..rested
@@ -106,12 +105,12 @@ fn drive(
     };
     let mut back = 0.0;
     while run.after.len() < 12 {
-        step(&mut vehicles, input);
-        let motion = vehicles.all()[0].motion();
+        physics.step(world, &mut [(&mut vehicle, Some(input))], STEP_S);
+        let motion = vehicle.motion();
         let felt = Felt {
             speed_m_s: motion.velocity.length(),
             ahead: glam::DQuat::from_rotation_y(back) * motion.ahead(),
-            contacts: vehicles.all()[0].wheels().map(|wheel| wheel.contact),
+            contacts: vehicle.wheels().map(|wheel| wheel.contact),
         };
         if hemisphere == Hemisphere::B {
             run.after.push(felt);
@@ -123,7 +122,7 @@ fn drive(
         if let Some(crossing) = space.cross(point) {
             hemisphere = crossing.point.hemisphere;
             let place = crossing.point.pos + origin(hemisphere);
-            vehicles.carry(0, place, crossing.rotation());
+            physics.carry(&mut vehicle, place, crossing.rotation());
             back = -crossing.turn_rad;
         }
     }

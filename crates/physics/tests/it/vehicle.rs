@@ -1,22 +1,29 @@
 //! What a driver notices of a vehicle on known ground: springs, driving, braking, steering, rolling over and standing up.
 
 use crate::common::{STEP_S, Soup, bumps, plain};
-use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehicleTuning, Vehicles};
+use antipode_physics::{
+    PhysicsWorld, Vehicle, VehicleInput, VehicleMotion, VehiclePhysics, VehicleTuning,
+};
 use glam::{DQuat, DVec3, IVec3, Vec3};
 
 struct Driver {
     world: PhysicsWorld,
-    vehicles: Vehicles,
+    physics: VehiclePhysics,
+    vehicle: Vehicle,
 }
 
 impl Driver {
     fn at(world: PhysicsWorld, place: DVec3) -> Self {
-        let mut vehicles = Vehicles::default();
-        vehicles.add(VehicleMotion {
+        let physics = VehiclePhysics::default();
+        let vehicle = physics.vehicle(VehicleMotion {
             place,
             ..VehicleMotion::default()
         });
-        Self { world, vehicles }
+        Self {
+            world,
+            physics,
+            vehicle,
+        }
     }
 
     /// On a plain, at rest.
@@ -27,7 +34,17 @@ impl Driver {
     }
 
     fn step(&mut self, input: VehicleInput) {
-        self.vehicles.step(&self.world, &[Some(input)], STEP_S);
+        self.step_beside(Some(input), None);
+    }
+
+    fn step_beside(&mut self, input: Option<VehicleInput>, other: Option<&mut Vehicle>) {
+        let mut all = vec![(&mut self.vehicle, input)];
+        all.extend(other.map(|it| (it, Some(parked()))));
+        self.physics.step(&self.world, &mut all, STEP_S);
+    }
+
+    fn set_motion(&mut self, motion: VehicleMotion) {
+        self.physics.set_motion(&mut self.vehicle, motion);
     }
 
     fn steps(&mut self, count: usize, input: VehicleInput) {
@@ -37,11 +54,11 @@ impl Driver {
     }
 
     fn motion(&self) -> VehicleMotion {
-        self.vehicles.all()[0].motion()
+        self.vehicle.motion()
     }
 
     fn contacts(&self) -> usize {
-        let wheels = self.vehicles.all()[0].wheels();
+        let wheels = self.vehicle.wheels();
         wheels.iter().filter(|wheel| wheel.contact).count()
     }
 }
@@ -65,8 +82,8 @@ fn at_rest_it_stands_on_four_wheels_with_its_springs_pushed_in() {
     assert!(motion.velocity.length() < 0.01, "{motion:?}");
     assert!(motion.place.y.abs() < 0.02, "the tyres touch: {motion:?}");
     assert!(motion.up().y > 0.9999);
-    let droop_m = driver.vehicles.tuning().droop_m;
-    for wheel in driver.vehicles.all()[0].wheels() {
+    let droop_m = driver.physics.tuning().droop_m;
+    for wheel in driver.vehicle.wheels() {
         assert!((wheel.compression_m - droop_m).abs() < 0.02, "{wheel:?}");
         assert!((wheel.hub.y - 0.36).abs() < 0.02, "{wheel:?}");
     }
@@ -78,13 +95,13 @@ fn a_drop_pushes_the_springs_in_and_they_swing_out() {
     let (mut most_m, mut least_after_m) = (0.0f64, f64::MAX);
     for _ in 0..180 {
         driver.step(VehicleInput::default());
-        let now_m = driver.vehicles.all()[0].wheels()[0].compression_m;
+        let now_m = driver.vehicle.wheels()[0].compression_m;
         if now_m < most_m - 0.01 {
             least_after_m = least_after_m.min(now_m);
         }
         most_m = most_m.max(now_m);
     }
-    let droop_m = driver.vehicles.tuning().droop_m;
+    let droop_m = driver.physics.tuning().droop_m;
     assert!(most_m > droop_m + 0.05, "{most_m}");
     assert!(least_after_m < droop_m - 0.005, "{least_after_m}");
     assert!(driver.motion().velocity.length() < 0.02);
@@ -121,12 +138,12 @@ fn the_brake_stops_it_and_the_other_pedal_reverses() {
     let mut steps = 0;
     while driver.motion().speed_m_s() > 0.1 {
         driver.step(brake);
-        assert!(driver.vehicles.all()[0].brakes());
+        assert!(driver.vehicle.brakes());
         steps += 1;
         assert!(steps < 240, "{:?}", driver.motion());
     }
     let way_m = driver.motion().place.x - from;
-    let wanted_m = speed * speed / (2.0 * driver.vehicles.tuning().brake_m_s2);
+    let wanted_m = speed * speed / (2.0 * driver.physics.tuning().brake_m_s2);
     assert!(way_m < 1.6 * wanted_m, "{way_m} {wanted_m}");
     driver.steps(
         120,
@@ -137,7 +154,7 @@ fn the_brake_stops_it_and_the_other_pedal_reverses() {
     );
     let back = driver.motion().speed_m_s();
     assert!((-7.5..-4.0).contains(&back), "{back}");
-    assert!(!driver.vehicles.all()[0].brakes());
+    assert!(!driver.vehicle.brakes());
 }
 
 #[test]
@@ -147,10 +164,10 @@ fn let_go_on_the_level_it_slows_down_by_itself_without_brake_lights() {
         velocity: DVec3::X * 14.0,
         ..driver.motion()
     };
-    driver.vehicles.set_motion(0, rolling);
+    driver.set_motion(rolling);
     for _ in 0..300 {
         driver.step(VehicleInput::default());
-        assert!(!driver.vehicles.all()[0].brakes());
+        assert!(!driver.vehicle.brakes());
     }
     let motion = driver.motion();
     assert!(
@@ -186,9 +203,7 @@ fn held_on_a_slope(rise: f32, degrees: f64, input: VehicleInput) -> Driver {
     let mut driver = Driver::at(soup.world(), DVec3::Y * 0.6);
     let turn = DQuat::from_rotation_y(degrees.to_radians());
     let motion = driver.motion();
-    driver
-        .vehicles
-        .set_motion(0, VehicleMotion { turn, ..motion });
+    driver.set_motion(VehicleMotion { turn, ..motion });
     driver.steps(180, input);
     driver
 }
@@ -198,7 +213,7 @@ fn parked_on_a_slope_it_stays_and_sleeps() {
     for (rise, degrees) in [(0.0, 0.0), (0.4, 0.0), (0.4, 90.0), (0.7, 0.0), (0.7, 60.0)] {
         let driver = held_on_a_slope(rise, degrees, parked());
         assert!(
-            driver.vehicles.all()[0].is_asleep(),
+            driver.vehicle.is_asleep(),
             "{rise} {degrees}: {:?}",
             driver.motion()
         );
@@ -213,7 +228,7 @@ fn who_sits_in_it_on_a_slope_without_a_foot_on_a_pedal_does_not_creep_down() {
         driver.steps(1200, VehicleInput::default());
         let way_m = driver.motion().place.distance(before);
         assert!(way_m < 0.005, "{degrees}: {way_m} m in 20 s");
-        assert!(!driver.vehicles.all()[0].brakes());
+        assert!(!driver.vehicle.brakes());
     }
 }
 
@@ -224,19 +239,17 @@ fn two_parked_ones_that_touch_on_a_slope_or_lie_on_one_another_come_to_rest() {
             let mut driver = held_on_a_slope(rise, 90.0, parked());
             let beside = DVec3::new(1.5, 1.5 * f64::from(rise) + up_m, 0.6);
             let place = driver.motion().place + beside;
-            driver.vehicles.add(VehicleMotion {
+            let mut other = driver.physics.vehicle(VehicleMotion {
                 place,
                 ..VehicleMotion::default()
             });
             for _ in 0..600 {
-                driver
-                    .vehicles
-                    .step(&driver.world, &[Some(parked()); 2], STEP_S);
+                driver.step_beside(Some(parked()), Some(&mut other));
             }
-            let all = driver.vehicles.all();
+            let both = [&driver.vehicle, &other];
             assert!(
-                all.iter().all(antipode_physics::Vehicle::is_asleep),
-                "{rise} {up_m}: {all:?}"
+                both.iter().all(|it| it.is_asleep()),
+                "{rise} {up_m}: {both:?}"
             );
         }
     }
@@ -247,20 +260,20 @@ fn on_its_roof_it_lies_and_is_set_upright_with_its_heading() {
     let mut driver = Driver::at(plain().world(), DVec3::Y * 2.2);
     let heading = 0.7f64;
     let turn = DQuat::from_rotation_y(-heading) * DQuat::from_rotation_x(2.9);
-    driver.vehicles.set_motion(
-        0,
-        VehicleMotion {
-            place: DVec3::Y * 2.2,
-            turn,
-            ..VehicleMotion::default()
-        },
-    );
+    driver.set_motion(VehicleMotion {
+        place: DVec3::Y * 2.2,
+        turn,
+        ..VehicleMotion::default()
+    });
     driver.steps(240, ahead());
     assert!(driver.motion().up().y < -0.3, "{:?}", driver.motion());
     assert_eq!(driver.contacts(), 0);
     let lies = driver.motion();
-    let upright = driver.vehicles.upright(0, &driver.world, &never).unwrap();
-    driver.vehicles.set_motion(0, upright);
+    let upright = driver
+        .physics
+        .upright(&lies, &driver.world, &never)
+        .unwrap();
+    driver.set_motion(upright);
     driver.steps(120, VehicleInput::default());
     let stands = driver.motion();
     assert!(
@@ -314,7 +327,7 @@ fn ends_leaning_deg(lean_deg: f64) -> f64 {
         turn: DQuat::from_rotation_x(lean),
         ..VehicleMotion::default()
     };
-    driver.vehicles.set_motion(0, motion);
+    driver.set_motion(motion);
     driver.steps(300, VehicleInput::default());
     driver.motion().up().y.acos().to_degrees()
 }
@@ -345,7 +358,7 @@ fn over_rough_ground_it_drives_on_and_never_falls_through() {
         driver.step(VehicleInput { steer, ..ahead() });
         let at = driver.motion().place;
         farthest_m = farthest_m.max(at.distance(from));
-        let middle = driver.vehicles.middle(0).unwrap().as_vec3();
+        let middle = driver.motion().middle().as_vec3();
         lowest = lowest.min(f64::from(bumps(middle)));
     }
     assert!(farthest_m > 8.0, "{farthest_m}");
@@ -355,21 +368,18 @@ fn over_rough_ground_it_drives_on_and_never_falls_through() {
 #[test]
 fn however_fast_it_falls_it_does_not_pass_the_ground() {
     let mut driver = Driver::at(plain().world(), DVec3::Y * 30.0);
-    driver.vehicles.set_motion(
-        0,
-        VehicleMotion {
-            place: DVec3::Y * 30.0,
-            velocity: DVec3::NEG_Y * 55.0,
-            turn: DQuat::from_rotation_z(0.5),
-            ..VehicleMotion::default()
-        },
-    );
+    driver.set_motion(VehicleMotion {
+        place: DVec3::Y * 30.0,
+        velocity: DVec3::NEG_Y * 55.0,
+        turn: DQuat::from_rotation_z(0.5),
+        ..VehicleMotion::default()
+    });
     driver.step(VehicleInput::default());
     let mut jolt = 0.0f64;
     for _ in 0..300 {
         driver.step(VehicleInput::default());
-        jolt = jolt.max(driver.vehicles.all()[0].jolt_m_s());
-        let middle = driver.vehicles.middle(0).unwrap();
+        jolt = jolt.max(driver.vehicle.jolt_m_s());
+        let middle = driver.motion().middle();
         assert!(middle.y > 0.2, "{middle}");
     }
     assert!(jolt > 8.0, "such a fall is felt: {jolt}");
@@ -398,7 +408,7 @@ fn the_same_inputs_give_the_same_bits_and_far_from_the_origin_nearly_the_same() 
 fn without_ground_it_is_held_where_it_is() {
     let mut driver = Driver::at(PhysicsWorld::new(), DVec3::Y * 5.0);
     for _ in 0..60 {
-        driver.vehicles.step(&driver.world, &[None], STEP_S);
+        driver.step_beside(None, None);
     }
     assert_eq!(driver.motion().place, DVec3::Y * 5.0);
     driver.steps(30, VehicleInput::default());
@@ -409,43 +419,41 @@ fn without_ground_it_is_held_where_it_is() {
 fn a_push_moves_a_sleeper_and_one_vehicle_pushes_another() {
     let mut driver = Driver::rested();
     driver.steps(180, parked());
-    assert!(driver.vehicles.all()[0].is_asleep());
+    assert!(driver.vehicle.is_asleep());
+    let at = DVec3::new(0.0, 0.8, -0.7);
     driver
-        .vehicles
-        .push(0, DVec3::new(0.0, 0.8, -0.7), DVec3::Z * 2700.0);
+        .physics
+        .push(&mut driver.vehicle, at, DVec3::Z * 2700.0);
     assert!(driver.motion().velocity.z > 1.0, "{:?}", driver.motion());
     driver.steps(240, parked());
     let at = driver.motion().place;
-    let other = driver.vehicles.add(VehicleMotion {
+    let mut other = driver.physics.vehicle(VehicleMotion {
         place: at + DVec3::new(8.0, 0.3, 0.0),
         ..VehicleMotion::default()
     });
-    let world = &driver.world;
     for _ in 0..240 {
-        driver
-            .vehicles
-            .step(world, &[Some(ahead()), Some(parked())], STEP_S);
+        driver.step_beside(Some(ahead()), Some(&mut other));
     }
-    let pushed = driver.vehicles.all()[other].motion().place - at;
+    let pushed = other.motion().place - at;
     assert!(pushed.x > 8.5, "{pushed}");
 }
 
 #[test]
 fn what_characters_meet_is_its_body() {
     let driver = Driver::rested();
-    let vehicles = &driver.vehicles;
-    let (share, number) = vehicles
-        .meets(DVec3::new(-5.0, 0.6, 0.0), DVec3::new(5.0, 0.6, 0.0), 0.06)
-        .unwrap();
-    assert_eq!(number, 0);
+    let (physics, motion) = (&driver.physics, driver.motion());
+    let meets = |y: f64| {
+        let (from, to) = (DVec3::new(-5.0, y, 0.0), DVec3::new(5.0, y, 0.0));
+        physics.meets(&motion, from, to, 0.06)
+    };
+    let share = meets(0.6).unwrap();
     assert!((share - 0.342).abs() < 0.02, "{share}");
-    let over = vehicles.meets(DVec3::new(-5.0, 1.7, 0.0), DVec3::new(5.0, 1.7, 0.0), 0.06);
-    assert!(over.is_none());
-    let touches = |x: f64| vehicles.touches_capsule(0, DVec3::new(x, 0.0, 0.0), 1.8, 0.35, 0.1);
+    assert!(meets(1.7).is_none());
+    let touches = |x: f64| physics.touches_capsule(&motion, DVec3::X * x, 1.8, 0.35, 0.1);
     assert!(touches(1.9).is_some_and(|(away, _)| away.x > 0.99));
     assert!(touches(2.1).is_none());
     let mut world = plain().world();
-    world.set_obstacles(vehicles.obstacles());
+    world.set_obstacles(vec![physics.obstacle(&motion)]);
     assert!(world.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
     assert!(!world.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
     let mut walker = crate::common::Walker::at(&world, 5.0, 0.0, 0.0);

@@ -231,9 +231,8 @@ fn rest_pitch() -> f64 {
 
 /// The driver's own eyes.
 pub(crate) fn driver_head(now: &Situation<'_>, optics: &Optics) -> Option<Eye> {
-    let cars = &now.actors.cars;
-    let car = cars.driven(now.world)?;
-    let driving = cars.driving.as_ref()?;
+    let car = now.actors.driven_car(now.world)?;
+    let driving = now.actors.cars.driving.as_ref()?;
     let (yaw, pitch) = driving.chase.look(now.player.gaze.camera);
     let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
     Some(Eye {
@@ -249,9 +248,8 @@ pub(crate) fn driver_head(now: &Situation<'_>, optics: &Optics) -> Option<Eye> {
 /// The camera that a driver's picture is taken with.
 pub(crate) fn driver_camera(now: &Situation<'_>, optics: &Optics) -> Option<CameraPose> {
     let head = driver_head(now, optics)?;
-    let cars = &now.actors.cars;
-    let car = cars.driven(now.world)?;
-    let chase = &cars.driving.as_ref()?.chase;
+    let car = now.actors.driven_car(now.world)?;
+    let chase = &now.actors.cars.driving.as_ref()?.chase;
     match now.player.gaze.camera {
         CameraMode::First => {
             let point = car.place(BONNET_M);

@@ -6,9 +6,9 @@ use glam::{DQuat, DVec3};
 
 use super::camera::Chase;
 use super::tuning::{DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, JUMPED_OFF_SHARE, REACH_M};
-use super::{CarView, Cars, Driving, drive};
+use super::{Car, CarView, Driving, drive};
 use crate::actions::Actions;
-use crate::actors::Actors;
+use crate::actors::{ActorId, Actors, one_mut};
 use crate::body;
 use crate::camera::CameraMode;
 use crate::crosshair::Crosshair;
@@ -45,7 +45,7 @@ pub(crate) fn step(
     outbox: &mut Outbox,
     actions: &Actions,
 ) {
-    match actors.cars.driven_number() {
+    match actors.cars.driven() {
         None if actions.enter_car => enter_car(world, actors, player, outbox),
         Some(_) if actions.leave_car => leave_car(world, actors, player, outbox),
         _ => {}
@@ -54,20 +54,20 @@ pub(crate) fn step(
         flip_car(world, actors, player);
     }
     if actions.horn
-        && let Some(car) = actors.cars.driven(world)
+        && let Some(car) = actors.driven_car(world)
     {
         outbox.sounds.push(SoundEvent::Horn);
         scare(actors, car.point, HORN_REACH_M);
     }
-    tell_of_fallen_car(world, &mut actors.cars, outbox);
+    tell_of_fallen_car(world, actors, outbox);
 }
 
 /// Tells a driver whose car has come to lie on its side or roof.
-fn tell_of_fallen_car(world: &World, cars: &mut Cars, outbox: &mut Outbox) {
-    let lies = cars.driven(world).is_some_and(|car| {
+fn tell_of_fallen_car(world: &World, actors: &mut Actors, outbox: &mut Outbox) {
+    let lies = actors.driven_car(world).is_some_and(|car| {
         (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
     });
-    if let Some(driving) = &mut cars.driving {
+    if let Some(driving) = &mut actors.cars.driving {
         let before_s = driving.lies_s;
         driving.lies_s = if lies { before_s + STEP_S } else { 0.0 };
         if before_s < LIES_S && driving.lies_s >= LIES_S {
@@ -76,10 +76,10 @@ fn tell_of_fallen_car(world: &World, cars: &mut Cars, outbox: &mut Outbox) {
     }
 }
 
-/// Switches the lights of the car that the player drives.
-pub(crate) fn toggle_lights(cars: &mut Cars, number: usize) {
-    if let Some(state) = cars.states.get_mut(number) {
-        state.lights = !state.lights;
+/// Switches the lights of a car.
+pub(crate) fn toggle_lights(actors: &mut Actors, id: ActorId) {
+    if let Some(car) = one_mut::<Car>(&mut actors.ecs, id) {
+        car.lights = !car.lights;
     }
 }
 
@@ -89,11 +89,11 @@ fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
     }
     let now = Situation::of(world, actors, player);
     let crosshair = Crosshair::aimed(now);
-    let Some(number) = crosshair.car(REACH_M, true) else {
-        outbox.hints.push(why_no_car(&now, &crosshair));
+    let Some(car) = crosshair.car(REACH_M, true) else {
+        outbox.hints.push(why_no_car(&crosshair));
         return;
     };
-    take_wheel(world, &mut actors.cars, number, player.gaze.camera);
+    take_wheel(actors, &car, player.gaze.camera);
     player.gaze.camera = CameraMode::Third;
     outbox.sounds.push(SoundEvent::CarDoor);
     outbox.hints.push(Hint::AtTheWheel);
@@ -101,26 +101,22 @@ fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
 }
 
 /// Puts the player at the wheel of a car; `camera_before` is from where the world is seen again on foot.
-pub(crate) fn take_wheel(world: &World, cars: &mut Cars, number: usize, camera_before: CameraMode) {
-    let Some(car) = cars.view(world, number) else {
-        return;
-    };
-    cars.driving = Some(Driving {
-        car: number,
-        chase: Chase::behind(&car),
+pub(crate) fn take_wheel(actors: &mut Actors, car: &CarView, camera_before: CameraMode) {
+    actors.cars.driving = Some(Driving {
+        car: car.id,
+        chase: Chase::behind(car),
         camera_before,
         throttle: 0.0,
         lies_s: 0.0,
     });
-    cars.vehicles.wake(number);
+    if let Some(car) = one_mut::<Car>(&mut actors.ecs, car.id) {
+        car.vehicle.wake();
+    }
 }
 
 /// What keeps the player from getting into a car.
-fn why_no_car(now: &Situation<'_>, crosshair: &Crosshair<'_>) -> Hint {
-    let is_seen = |number| {
-        let car = now.actors.cars.view(now.world, number);
-        car.is_some_and(|car| crosshair.sees(car.place(DVec3::Y * ROOF_UP_M)))
-    };
+fn why_no_car(crosshair: &Crosshair<'_>) -> Hint {
+    let is_seen = |car: CarView| crosshair.sees(car.place(DVec3::Y * ROOF_UP_M));
     if crosshair.car(REACH_M, false).is_some() {
         Hint::LookAtCar
     } else if crosshair.car(CALLS_M, true).is_some_and(is_seen) {
@@ -131,7 +127,7 @@ fn why_no_car(now: &Situation<'_>, crosshair: &Crosshair<'_>) -> Hint {
 }
 
 fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
-    let Some(car) = actors.cars.driven(world) else {
+    let Some(car) = actors.driven_car(world) else {
         return;
     };
     let Some(spot) = free_spot(world, &actors.tuning, &car) else {
@@ -201,26 +197,26 @@ fn is_rock(world: &World, pos: DVec3, car: &CarView) -> bool {
 /// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
 fn flip_car(world: &World, actors: &mut Actors, player: &mut Player) {
     let now = Situation::of(world, actors, player);
-    let number = now.actors.cars.driven_number();
-    let Some(number) = number.or_else(|| Crosshair::aimed(now).car(REACH_M, false)) else {
-        return;
-    };
-    let Some(car) = actors.cars.view(world, number) else {
+    let driven = actors.driven_car(world);
+    let Some(car) = driven.or_else(|| Crosshair::aimed(now).car(REACH_M, false)) else {
         return;
     };
     let origin = world.strategy.chart_origin_m(car.point.hemisphere);
     let solid = |at: DVec3| is_rock(world, at - origin, &car);
-    let vehicles = &mut actors.cars.vehicles;
-    if let Some(upright) = vehicles.upright(number, &world.physics, &solid) {
-        vehicles.set_motion(number, upright);
-        make_way(world, actors, player, number);
+    let physics = &mut actors.cars.physics;
+    let Some(Car { vehicle, .. }) = one_mut(&mut actors.ecs, car.id) else {
+        return;
+    };
+    if let Some(upright) = physics.upright(&vehicle.motion(), &world.physics, &solid) {
+        physics.set_motion(vehicle, upright);
+        make_way(world, actors, player, car.id);
     }
 }
 
 /// Puts a player on foot beside a car that was set upright about him.
-fn make_way(world: &World, actors: &mut Actors, player: &mut Player, number: usize) {
+fn make_way(world: &World, actors: &mut Actors, player: &mut Player, id: ActorId) {
     let feet = actors.feet();
-    let Some(car) = actors.cars.view(world, number) else {
+    let Some(car) = actors.car_view(world, id) else {
         return;
     };
     let is_caught = !actors.cars.is_driving()

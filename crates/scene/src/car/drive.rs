@@ -1,15 +1,14 @@
 //! One step of the cars: what their drivers ask for, over the equator, out of ground, and with the player at the wheel.
 
-use antipode_geometry::ChartPoint;
-use antipode_physics::{Vehicle, VehicleInput, VehicleMotion};
+use antipode_geometry::{ChartPoint, Crossing};
+use antipode_physics::{VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 
-use super::Cars;
 use super::harm::run_over;
 use super::tuning::{CRASH_FROM_M_S, CRASH_SHARE, NEEDED_AHEAD_S, NEEDED_AROUND_M, SEAT_M};
+use super::{Car, Cars};
 use crate::actions::Actions;
-use crate::actors::Actors;
-use crate::ground::chunks_near;
+use crate::actors::{Actors, all_mut};
 use crate::harm::{HarmKind, fall_harm, hurt_player};
 use crate::outbox::Outbox;
 use crate::player::{Body, Player, Position};
@@ -28,116 +27,104 @@ pub(crate) fn step(
     outbox: &mut Outbox,
     actions: &Actions,
 ) {
-    let cars = &mut actors.cars;
-    if cars.states.is_empty() {
+    let Cars {
+        physics, driving, ..
+    } = &mut actors.cars;
+    let mut cars = all_mut::<Car>(&mut actors.ecs);
+    if cars.is_empty() {
         return;
     }
-    put_free(world, cars);
-    let inputs = inputs(world, cars, actions);
-    cars.vehicles.step(&world.physics, &inputs, STEP_S);
-    keep_between_limits(world, cars);
-    cross(world, cars);
+    let driven = driving.as_ref().map(|driving| driving.car);
+    let vehicles = cars.iter_mut().map(|(id, car)| {
+        car.put_free(world, physics);
+        let input = car.input(world, actions, driven == Some(*id));
+        (&mut car.vehicle, input)
+    });
+    let mut vehicles: Vec<_> = vehicles.collect();
+    physics.step(&world.physics, &mut vehicles, STEP_S);
+    for (id, car) in cars {
+        car.keep_between_limits(world, physics);
+        let crossing = car.cross(world, physics);
+        if let (Some(crossing), Some(driving)) = (crossing, driving.as_mut())
+            && driving.car == id
+        {
+            driving.chase.carry(&*world.strategy, &crossing);
+        }
+    }
     run_over(world, actors, player, outbox);
     seat_driver(world, actors, player, outbox, actions);
 }
 
-/// What is asked of each car; nothing where its ground is not there, which holds it.
-fn inputs(world: &World, cars: &Cars, actions: &Actions) -> Vec<Option<VehicleInput>> {
-    let input = |number: usize| {
-        let car = cars.view(world, number)?;
-        let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * car.velocity.length();
-        let is_ready = !cars.states[number].unplaced && is_firm_around(world, car.point, reach_m);
-        is_ready.then(|| {
-            if car.driven {
-                VehicleInput {
-                    throttle: actions.forward,
-                    steer: actions.strafe,
-                    brake: actions.jump,
-                    boost: actions.sprint,
-                    parked: false,
-                }
-            } else {
-                VehicleInput {
-                    parked: true,
-                    ..VehicleInput::default()
-                }
+impl Car {
+    /// What is asked of it; nothing where its ground is not there, which holds it.
+    fn input(&self, world: &World, actions: &Actions, driven: bool) -> Option<VehicleInput> {
+        let speed_m_s = self.vehicle.motion().velocity.length();
+        let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * speed_m_s;
+        if self.unplaced || !world.is_firm_around(self.point(world), reach_m) {
+            return None;
+        }
+        Some(if driven {
+            VehicleInput {
+                throttle: actions.forward,
+                steer: actions.strafe,
+                brake: actions.jump,
+                boost: actions.sprint,
+                parked: false,
+            }
+        } else {
+            VehicleInput {
+                parked: true,
+                ..VehicleInput::default()
             }
         })
-    };
-    (0..cars.states.len()).map(input).collect()
-}
-
-fn is_firm_around(world: &World, point: ChartPoint, reach_m: f64) -> bool {
-    chunks_near(&*world.strategy, point, reach_m)
-        .into_iter()
-        .all(|coord| world.is_firm(coord))
-}
-
-/// Brings cars that were put somewhere, or were built over, to the first free place above.
-fn put_free(world: &World, cars: &mut Cars) {
-    for (number, car) in cars.views(world).into_iter().enumerate() {
-        let hemisphere = car.point.hemisphere;
-        let origin = world.strategy.chart_origin_m(hemisphere);
-        let solid = |at: DVec3| {
-            world
-                .ground
-                .is_solid(ChartPoint::new(hemisphere, at - origin))
-        };
-        let is_buried = solid(cars.vehicles.middle(number).unwrap_or_default());
-        if !(cars.states[number].unplaced || is_buried)
-            || !is_firm_around(world, car.point, NEEDED_AROUND_M)
-        {
-            continue;
-        }
-        let ahead = car.turn * DVec3::X;
-        let place = car.point.pos + origin;
-        let free = cars
-            .vehicles
-            .upright_at(&world.physics, place, ahead, &solid);
-        if let Some(free) = free {
-            cars.vehicles.set_motion(number, free);
-        }
-        cars.states[number].unplaced = false;
     }
-}
 
-/// A world has heights that nothing leaves.
-fn keep_between_limits(world: &World, cars: &mut Cars) {
-    let Some(limits) = world.strategy.limits() else {
-        return;
-    };
-    for number in 0..cars.states.len() {
-        let Some(motion) = cars.vehicles.all().get(number).map(Vehicle::motion) else {
-            continue;
+    /// Brings one that was put somewhere, or was built over, to the first free place above.
+    fn put_free(&mut self, world: &World, physics: &mut VehiclePhysics) {
+        let (motion, point) = (self.vehicle.motion(), self.point(world));
+        let origin = world.strategy.chart_origin_m(self.hemisphere);
+        let solid = |at: DVec3| {
+            let at = ChartPoint::new(self.hemisphere, at - origin);
+            world.ground.is_solid(at)
         };
-        let y = motion
-            .place
-            .y
-            .clamp(limits.bedrock_m - WHEELS_BELOW_M, limits.ceiling_m);
+        if !(self.unplaced || solid(motion.middle()))
+            || !world.is_firm_around(point, NEEDED_AROUND_M)
+        {
+            return;
+        }
+        let place = point.pos + origin;
+        let free = physics.upright_at(&world.physics, place, motion.ahead(), &solid);
+        if let Some(free) = free {
+            physics.set_motion(&mut self.vehicle, free);
+        }
+        self.unplaced = false;
+    }
+
+    /// A world has heights that nothing leaves.
+    fn keep_between_limits(&mut self, world: &World, physics: &mut VehiclePhysics) {
+        let Some(limits) = world.strategy.limits() else {
+            return;
+        };
+        let motion = self.vehicle.motion();
+        let lowest_m = limits.bedrock_m - WHEELS_BELOW_M;
+        let y = motion.place.y.clamp(lowest_m, limits.ceiling_m);
         if y != motion.place.y {
             let still = VehicleMotion {
                 place: motion.place.with_y(y),
                 velocity: motion.velocity.with_y(0.0),
                 ..motion
             };
-            cars.vehicles.set_motion(number, still);
+            physics.set_motion(&mut self.vehicle, still);
         }
     }
-}
 
-/// Carries cars over the equator whole: place, stance, velocity, spin, and the camera behind the player's own.
-fn cross(world: &World, cars: &mut Cars) {
-    for (number, car) in cars.views(world).into_iter().enumerate() {
-        let Some(crossing) = world.strategy.cross(car.point) else {
-            continue;
-        };
-        let hemisphere = crossing.point.hemisphere;
-        let place = crossing.point.pos + world.strategy.chart_origin_m(hemisphere);
-        cars.vehicles.carry(number, place, crossing.rotation());
-        cars.states[number].hemisphere = hemisphere;
-        if let Some(driving) = cars.driving.as_mut().filter(|_| car.driven) {
-            driving.chase.carry(&*world.strategy, &crossing);
-        }
+    /// Carries it over the equator whole: place, stance, velocity and spin.
+    fn cross(&mut self, world: &World, physics: &mut VehiclePhysics) -> Option<Crossing> {
+        let crossing = world.strategy.cross(self.point(world))?;
+        self.hemisphere = crossing.point.hemisphere;
+        let place = crossing.point.pos + world.strategy.chart_origin_m(self.hemisphere);
+        physics.carry(&mut self.vehicle, place, crossing.rotation());
+        Some(crossing)
     }
 }
 
@@ -149,9 +136,8 @@ pub(super) fn seat_driver(
     outbox: &mut Outbox,
     actions: &Actions,
 ) {
-    let cars = &mut actors.cars;
-    let car = cars.driven(world);
-    let (Some(car), Some(driving)) = (car, &mut cars.driving) else {
+    let car = actors.driven_car(world);
+    let (Some(car), Some(driving)) = (car, &mut actors.cars.driving) else {
         return;
     };
     driving.throttle = actions.forward;
@@ -159,8 +145,8 @@ pub(super) fn seat_driver(
         .chase
         .pass(&car, (actions.look_yaw, actions.look_pitch), STEP_S);
     let (yaw, pitch) = driving.chase.look(player.gaze.camera);
-    let vehicle = cars.vehicles.all().get(driving.car);
-    let jolt_m_s = vehicle.map_or(0.0, Vehicle::jolt_m_s);
+    let jolt_m_s = actors.map_one(car.id, |car: &Car| car.vehicle.jolt_m_s());
+    let jolt_m_s = jolt_m_s.unwrap_or_default();
     let seat = car.place(SEAT_M);
     if let Ok((position, body)) = actors
         .ecs

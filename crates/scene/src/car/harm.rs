@@ -3,12 +3,12 @@
 use glam::DVec3;
 use hecs::Entity;
 
-use super::Cars;
+use super::Car;
 use super::tuning::{
     BODY_KG, BULLET_PUSH_KG, HARM_PER_M_S, HURTS_AGAIN_AFTER_S, SHOVES_BELOW_M_S, THROWN,
     TOUCH_GAP_M,
 };
-use crate::actors::Actors;
+use crate::actors::{ActorId, Actors, one_mut};
 use crate::harm::{HarmKind, hurt_bot, hurt_player};
 use crate::outbox::Outbox;
 use crate::player::{Body, Player};
@@ -23,7 +23,7 @@ const FAR_M: f64 = 5.0;
 
 /// A car has met someone.
 struct Meeting {
-    car: usize,
+    car: ActorId,
     who: Entity,
     at: DVec3,
     /// The level way from the car, a unit vector.
@@ -53,16 +53,16 @@ pub(super) fn run_over(
 fn meetings(now: &Situation<'_>) -> Vec<Meeting> {
     let mut found = Vec::new();
     let standing = now.standing();
-    let vehicles = &now.actors.cars.vehicles;
-    for (number, vehicle) in vehicles.all().iter().enumerate() {
-        let place = vehicle.motion().place;
+    for (car, motion) in now.actors.car_motions() {
+        let place = motion.place;
         let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
         for it in standing.iter().filter(near) {
-            let touch =
-                vehicles.touches_capsule(number, it.feet, it.height_m, it.radius_m, TOUCH_GAP_M);
+            let (height_m, radius_m) = (it.height_m, it.radius_m);
+            let physics = &now.actors.cars.physics;
+            let touch = physics.touches_capsule(&motion, it.feet, height_m, radius_m, TOUCH_GAP_M);
             if let Some((away, velocity)) = touch {
                 found.push(Meeting {
-                    car: number,
+                    car,
                     who: it.entity,
                     at: it.feet + DVec3::Y * (0.5 * it.height_m),
                     away,
@@ -99,22 +99,29 @@ fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: 
     }
     cars.hurt.push((who, 0.0));
     let push = away * (-BODY_KG * closing_m_s);
-    cars.vehicles.push(meeting.car, meeting.at, push);
+    if let Some(car) = one_mut::<Car>(&mut actors.ecs, meeting.car) {
+        cars.physics.push(&mut car.vehicle, meeting.at, push);
+    }
     outbox.sounds.push(SoundEvent::Struck);
     let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
     if who == actors.player {
         hurt_player(actors, player, outbox, harm, HarmKind::RunOver, Some(-away));
     } else {
-        let by = (cars.driven_number() == Some(meeting.car)).then_some(actors.player);
+        let by = (cars.driven() == Some(meeting.car)).then_some(actors.player);
         hurt_bot(actors, who, harm, by);
     }
 }
 
 /// Deals out what bullets did to cars in a step.
-pub(crate) fn take_knocks(cars: &mut Cars, outbox: &mut Outbox, knocks: &[Knock]) {
+pub(crate) fn take_knocks(actors: &mut Actors, outbox: &mut Outbox, knocks: &[Knock]) {
     for knock in knocks {
         let impulse = knock.velocity * BULLET_PUSH_KG;
-        cars.vehicles.push(knock.car, knock.at, impulse);
+        if let Some(car) = one_mut::<Car>(&mut actors.ecs, knock.car) {
+            actors
+                .cars
+                .physics
+                .push(&mut car.vehicle, knock.at, impulse);
+        }
         outbox.sounds.push(SoundEvent::CarHit);
     }
 }

@@ -31,13 +31,13 @@ const MOST_LIT_CARS: usize = 6;
 
 /// Bodies and wheels of all cars.
 pub(crate) fn show_cars(now: &Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
-    for (car_number, car) in now.actors.cars.views(now.world).into_iter().enumerate() {
+    for car in now.actors.car_views(now.world) {
         let figure = |model, own: DVec3, turn: DQuat| Figure {
             turn,
             ..Figure::standing(model, car.place(own), 0.0)
         };
         let body = ModelId::car_body(car.lights, car.brakes);
-        seen.push((Who::Car(car_number), figure(body, DVec3::ZERO, car.turn)));
+        seen.push((Who::Car(car.id), figure(body, DVec3::ZERO, car.turn)));
         for (number, wheel) in car.wheels.iter().enumerate() {
             let model = if number % 2 == 0 {
                 ModelId::CarWheelLeft
@@ -47,17 +47,14 @@ pub(crate) fn show_cars(now: &Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
             let turn = car.turn
                 * DQuat::from_rotation_y(-wheel.steer_rad)
                 * DQuat::from_rotation_z(-wheel.roll_rad);
-            seen.push((
-                Who::Wheel(car_number, number),
-                figure(model, wheel.hub, turn),
-            ));
+            seen.push((Who::Wheel(car.id, number), figure(model, wheel.hub, turn)));
         }
     }
 }
 
 /// Seats the player's own figure in the car that is driven.
 pub(crate) fn seat_figure(now: &Situation<'_>, figure: &mut Figure) {
-    let Some(car) = now.actors.cars.driven(now.world) else {
+    let Some(car) = now.actors.driven_car(now.world) else {
         return;
     };
     figure.point = car.place(SEAT_M);
@@ -69,22 +66,21 @@ pub(crate) fn seat_figure(now: &Situation<'_>, figure: &mut Figure) {
 
 /// Beams of the head lights, and the glow of the lights behind.
 pub(crate) fn car_lights(now: &Situation<'_>) -> Lit {
-    let cars = now.actors.cars.views(now.world);
-    let mut cars: Vec<_> = cars.into_iter().enumerate().collect();
-    cars.retain(|(_, car)| car.lights || car.brakes);
-    cars.sort_by_key(|(_, car)| !car.driven);
+    let mut cars = now.actors.car_views(now.world);
+    cars.retain(|car| car.lights || car.brakes);
+    cars.sort_by_key(|car| !car.driven);
     cars.truncate(MOST_LIT_CARS);
     let beams = cars
         .iter()
-        .filter(|(_, car)| car.lights)
-        .flat_map(|(number, car)| {
-            SIDES.map(|side| (Who::CarLight(*number, side > 0.0), head_light(car, side)))
+        .filter(|car| car.lights)
+        .flat_map(|car| {
+            SIDES.map(|side| (Who::CarLight(car.id, side > 0.0), head_light(car, side)))
         })
         .collect();
     let glows = cars
         .iter()
-        .flat_map(|(number, car)| {
-            SIDES.map(|side| (Who::CarLight(*number, side > 0.0), tail_light(car, side)))
+        .flat_map(|car| {
+            SIDES.map(|side| (Who::CarLight(car.id, side > 0.0), tail_light(car, side)))
         })
         .collect();
     Lit {

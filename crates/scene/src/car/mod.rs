@@ -1,4 +1,4 @@
-//! Cars: those of the world, where they stand, and what others may know of them.
+//! Cars: what they are, how they come, and what others may know of them.
 
 pub(crate) mod camera;
 pub(crate) mod doors;
@@ -9,15 +9,16 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
-use antipode_physics::{VehicleMotion, VehicleWheel, Vehicles};
+use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_physics::{Obstacle, Vehicle, VehicleMotion, VehiclePhysics, VehicleWheel};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
+use crate::actors::{ActorId, Actors};
 use crate::body;
 use crate::camera::CameraMode;
-use crate::ground_changed::may_stand_on;
+use crate::ground_changed::OnGround;
 use crate::persist::hemisphere_record;
 use crate::restore::{self, FASTEST_RESTORED_M_S};
 use crate::spawn::FIRST_YAW_RAD;
@@ -34,11 +35,10 @@ const MIDDLE_UP_M: f64 = 0.8;
 /// Half of the rectangle that it stands on, in metres.
 const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 
-/// What a car is besides its body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct CarState {
-    /// Its number in saves, which no other car of the world has had while it was open.
-    id: u32,
+/// A car. Its number is its [`ActorId`].
+#[derive(Debug)]
+pub(crate) struct Car {
+    vehicle: Vehicle,
     hemisphere: Hemisphere,
     lights: bool,
     /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
@@ -48,7 +48,7 @@ struct CarState {
 /// Someone at the wheel.
 #[derive(Clone, Debug)]
 pub(crate) struct Driving {
-    pub car: usize,
+    pub car: ActorId,
     pub chase: Chase,
     /// From where the player saw the world before.
     pub camera_before: CameraMode,
@@ -58,13 +58,10 @@ pub(crate) struct Driving {
     pub lies_s: f64,
 }
 
-/// The cars of a world.
+/// What the cars of a world have in common.
 #[derive(Debug, Default)]
 pub(crate) struct Cars {
-    vehicles: Vehicles,
-    states: Vec<CarState>,
-    /// The number in saves that the next one gets.
-    pub next: u32,
+    pub physics: VehiclePhysics,
     pub driving: Option<Driving>,
     /// Whether this world has been given its first car.
     pub given: bool,
@@ -73,46 +70,8 @@ pub(crate) struct Cars {
 }
 
 impl Cars {
-    /// Their bodies.
-    pub fn vehicles(&self) -> &Vehicles {
-        &self.vehicles
-    }
-
-    /// All cars, in the order in which they came.
-    pub fn views(&self, world: &World) -> Vec<CarView> {
-        (0..self.states.len())
-            .filter_map(|number| self.view(world, number))
-            .collect()
-    }
-
-    /// One car by its number.
-    pub fn view(&self, world: &World, number: usize) -> Option<CarView> {
-        let state = self.states.get(number)?;
-        let vehicle = self.vehicles.all().get(number)?;
-        let motion = vehicle.motion();
-        let origin = world.strategy.chart_origin_m(state.hemisphere);
-        Some(CarView {
-            point: ChartPoint::new(state.hemisphere, motion.place - origin),
-            turn: motion.turn,
-            velocity: motion.velocity,
-            spin: motion.spin,
-            speed_m_s: motion.speed_m_s(),
-            steer_rad: vehicle.steer_rad(),
-            lights: state.lights,
-            brakes: vehicle.brakes(),
-            driven: self.driven_number() == Some(number),
-            rests: vehicle.is_asleep(),
-            wheels: *vehicle.wheels(),
-        })
-    }
-
     /// The car that the player drives.
-    pub fn driven(&self, world: &World) -> Option<CarView> {
-        self.view(world, self.driven_number()?)
-    }
-
-    /// Its number.
-    pub fn driven_number(&self) -> Option<usize> {
+    pub fn driven(&self) -> Option<ActorId> {
         self.driving.as_ref().map(|driving| driving.car)
     }
 
@@ -120,118 +79,146 @@ impl Cars {
     pub fn is_driving(&self) -> bool {
         self.driving.is_some()
     }
+}
 
-    /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
-    /// ground is there. Returns whether there was room for one more.
-    pub fn spawn(&mut self, world: &World, point: ChartPoint, yaw: f64) -> bool {
-        if self.states.len() >= MOST_CARS {
-            return false;
-        }
-        let point = body::within_world(&*world.strategy, point);
-        let motion = VehicleMotion {
-            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
-            turn: DQuat::from_rotation_y(-yaw),
-            ..VehicleMotion::default()
-        };
-        self.add(point.hemisphere, motion, false, true);
-        true
+impl Actors {
+    /// What others may know of all cars, in the order in which they came.
+    pub fn car_views(&self, world: &World) -> Vec<CarView> {
+        self.map(|id, car| self.view_of(world, id, car))
     }
 
-    /// Returns the number of the car.
-    fn add(
-        &mut self,
-        hemisphere: Hemisphere,
-        motion: VehicleMotion,
-        lights: bool,
-        unplaced: bool,
-    ) -> usize {
-        let id = self.next;
-        self.next += 1;
-        self.states.push(CarState {
+    /// What others may know of one car.
+    pub fn car_view(&self, world: &World, id: ActorId) -> Option<CarView> {
+        self.map_one(id, |car| self.view_of(world, id, car))
+    }
+
+    /// The car that the player drives.
+    pub fn driven_car(&self, world: &World) -> Option<CarView> {
+        self.car_view(world, self.cars.driven()?)
+    }
+
+    /// How all cars move in physics space, in the order in which they came.
+    pub fn car_motions(&self) -> Vec<(ActorId, VehicleMotion)> {
+        self.map(|id, car: &Car| (id, car.vehicle.motion()))
+    }
+
+    /// The bodies of all cars, which nobody walks through.
+    pub fn car_bodies(&self) -> Vec<Obstacle> {
+        self.map(|_, car: &Car| self.cars.physics.obstacle(&car.vehicle.motion()))
+    }
+
+    fn view_of(&self, world: &World, id: ActorId, car: &Car) -> CarView {
+        let (vehicle, motion) = (&car.vehicle, car.vehicle.motion());
+        CarView {
             id,
-            hemisphere,
-            lights,
-            unplaced,
-        });
-        self.vehicles.add(motion)
-    }
-
-    /// What is to be saved of each, with its number there.
-    pub fn records(&self, strategy: &dyn Strategy) -> impl Iterator<Item = (u32, CarRecord)> {
-        let all = self.states.iter().zip(self.vehicles.all());
-        all.map(|(state, vehicle)| {
-            let motion = vehicle.motion();
-            let place = motion.place - strategy.chart_origin_m(state.hemisphere);
-            let record = CarRecord {
-                hemisphere: hemisphere_record(state.hemisphere),
-                pos: place.to_array(),
-                turn: motion.turn.to_array(),
-                vel: motion.velocity.to_array(),
-                spin: motion.spin.to_array(),
-                lights: state.lights,
-                steer: vehicle.steer_rad(),
-                springs: vehicle.wheels().map(|wheel| wheel.compression_m),
-                rests: vehicle.is_asleep(),
-            };
-            (state.id, record)
-        })
-    }
-
-    /// Puts a saved car where it was; false if its numbers are not fit to be used.
-    pub fn restore(&mut self, world: &World, record: &CarRecord) -> bool {
-        let turn = DQuat::from_array(record.turn);
-        let velocity = DVec3::from_array(record.vel);
-        let spin = DVec3::from_array(record.spin);
-        let is_sound =
-            turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
-        let point = restore::point(world, record.hemisphere, record.pos);
-        let Some(point) = point.filter(|_| is_sound) else {
-            return false;
-        };
-        let motion = VehicleMotion {
-            place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
-            turn: unit(turn),
-            velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
-            spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
-        };
-        let added = self.add(point.hemisphere, motion, record.lights, false);
-        self.vehicles
-            .restore(added, record.steer, record.springs, record.rests);
-        true
-    }
-
-    /// The number in saves of the car that the player drives.
-    pub fn driven_id(&self) -> Option<u32> {
-        let state = self.states.get(self.driven_number()?)?;
-        Some(state.id)
-    }
-
-    /// Which car has that number in saves.
-    pub fn number_of(&self, id: u32) -> Option<usize> {
-        self.states.iter().position(|state| state.id == id)
-    }
-
-    /// Ground has changed in these chunks: what rests on it is to fall.
-    pub fn wake(&mut self, world: &World, changed: &[ChunkCoord]) {
-        let places: Vec<_> = self
-            .vehicles
-            .all()
-            .iter()
-            .map(|vehicle| vehicle.motion().place)
-            .collect();
-        for (number, (place, state)) in places.into_iter().zip(&self.states).enumerate() {
-            let origin = world.strategy.chart_origin_m(state.hemisphere);
-            let point = ChartPoint::new(state.hemisphere, place - origin);
-            if may_stand_on(world, point, changed) {
-                self.vehicles.wake(number);
-            }
+            point: car.point(world),
+            turn: motion.turn,
+            velocity: motion.velocity,
+            spin: motion.spin,
+            speed_m_s: motion.speed_m_s(),
+            steer_rad: vehicle.steer_rad(),
+            lights: car.lights,
+            brakes: vehicle.brakes(),
+            driven: self.cars.driven() == Some(id),
+            rests: vehicle.is_asleep(),
+            wheels: *vehicle.wheels(),
         }
     }
+}
+
+impl Car {
+    /// The ground below its middle, when it stands on level ground.
+    fn point(&self, world: &World) -> ChartPoint {
+        let origin = world.strategy.chart_origin_m(self.hemisphere);
+        ChartPoint::new(self.hemisphere, self.vehicle.motion().place - origin)
+    }
+
+    /// What is to be saved of it.
+    pub fn record(&self, world: &World) -> CarRecord {
+        let (vehicle, motion) = (&self.vehicle, self.vehicle.motion());
+        CarRecord {
+            hemisphere: hemisphere_record(self.hemisphere),
+            pos: self.point(world).pos.to_array(),
+            turn: motion.turn.to_array(),
+            vel: motion.velocity.to_array(),
+            spin: motion.spin.to_array(),
+            lights: self.lights,
+            steer: vehicle.steer_rad(),
+            springs: vehicle.wheels().map(|wheel| wheel.compression_m),
+            rests: vehicle.is_asleep(),
+        }
+    }
+}
+
+impl OnGround for Car {
+    fn stands_at(&self, world: &World) -> ChartPoint {
+        self.point(world)
+    }
+
+    fn is_falling(&self) -> bool {
+        // One that falls is awake.
+        false
+    }
+
+    fn wake(&mut self) {
+        self.vehicle.wake();
+    }
+}
+
+/// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
+/// ground is there. Returns whether there was room for one more.
+pub(crate) fn spawn(world: &World, actors: &mut Actors, point: ChartPoint, yaw: f64) -> bool {
+    if actors.count::<Car>() >= MOST_CARS {
+        return false;
+    }
+    let point = body::within_world(&*world.strategy, point);
+    let motion = VehicleMotion {
+        place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+        turn: DQuat::from_rotation_y(-yaw),
+        ..VehicleMotion::default()
+    };
+    actors.enter(Car {
+        vehicle: actors.cars.physics.vehicle(motion),
+        hemisphere: point.hemisphere,
+        lights: false,
+        unplaced: true,
+    });
+    true
+}
+
+/// Puts a saved car where it was; false if its numbers are not fit to be used.
+pub(crate) fn restore(world: &World, actors: &mut Actors, record: &CarRecord) -> bool {
+    let turn = DQuat::from_array(record.turn);
+    let velocity = DVec3::from_array(record.vel);
+    let spin = DVec3::from_array(record.spin);
+    let is_sound =
+        turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
+    let point = restore::point(world, record.hemisphere, record.pos);
+    let Some(point) = point.filter(|_| is_sound) else {
+        return false;
+    };
+    let physics = &actors.cars.physics;
+    let mut vehicle = physics.vehicle(VehicleMotion {
+        place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+        turn: unit(turn),
+        velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
+        spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
+    });
+    physics.restore(&mut vehicle, record.steer, record.springs, record.rests);
+    actors.enter(Car {
+        vehicle,
+        hemisphere: point.hemisphere,
+        lights: record.lights,
+        unplaced: false,
+    });
+    true
 }
 
 /// What others may know of a car.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CarView {
+    /// Which car it is.
+    pub id: ActorId,
     /// The ground below its middle, when it stands on level ground.
     pub point: ChartPoint,
     /// How it is turned from looking along +x with its right-hand side at +z, in the chart.
@@ -275,11 +262,11 @@ impl CarView {
 }
 
 /// Gives the world its first car, near the start, if it has had none yet; returns whether it did.
-pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) -> bool {
-    if cars.given {
+pub(crate) fn give_first(world: &World, actors: &mut Actors, start: ChartPoint) -> bool {
+    if actors.cars.given {
         return false;
     }
-    cars.given = true;
+    actors.cars.given = true;
     let heights = |at: DVec3| {
         let (x, z) = FOOTPRINT_M;
         [(0.0, 0.0), (x, z), (x, -z), (-x, z), (-x, -z)].map(|(dx, dz)| {
@@ -306,7 +293,7 @@ pub(crate) fn give_first(world: &World, cars: &mut Cars, start: ChartPoint) -> b
     }
     best.is_some_and(|(_, at)| {
         let point = ChartPoint::new(start.hemisphere, at);
-        cars.spawn(world, point, FIRST_YAW_RAD)
+        spawn(world, actors, point, FIRST_YAW_RAD)
     })
 }
 

@@ -12,7 +12,6 @@ use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::Bot;
 use crate::frame::ModelId;
-use crate::ground::chunks_near;
 use crate::harm::fall_harm;
 use crate::motion::Doing;
 use crate::pick::over;
@@ -103,9 +102,8 @@ impl Npc<'_> {
             return;
         }
         // What a plan asks about must be there; else it would depend on how quickly it comes.
-        let asked = chunks_near(around.strategy(), self.position.0, ASKS_M);
         let world = around.world;
-        if !asked.into_iter().all(|coord| world.is_firm(coord)) {
+        if !world.is_firm_around(self.position.0, ASKS_M) {
             return;
         }
         let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
@@ -283,8 +281,7 @@ impl Npc<'_> {
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
         let strategy = around.strategy();
         let world = around.world;
-        let near = chunks_near(strategy, self.position.0, NEEDED_AROUND_M);
-        if !near.into_iter().all(|coord| world.is_firm(coord)) {
+        if !world.is_firm_around(self.position.0, NEEDED_AROUND_M) {
             // It waits, and what ended its last move does not end another one.
             (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;

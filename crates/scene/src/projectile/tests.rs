@@ -12,8 +12,7 @@ fn entity(ecs: &mut hecs::World) -> Entity {
 }
 
 fn flying(bullets: &Actors) -> Vec<Projectile> {
-    let all = bullets.all().into_iter();
-    all.map(|(_, bullet)| bullet).collect()
+    bullets.each()
 }
 
 fn fly(
@@ -32,12 +31,13 @@ fn fly_over(
     standing: &[Standing],
     steps: usize,
 ) -> Vec<Strike> {
-    let vehicles = Vehicles::default();
+    let vehicles = VehiclePhysics::default();
     let air = Air {
         strategy: space,
         pictured: space,
         physics,
         standing,
+        cars: &[],
         vehicles: &vehicles,
         in_far_ground: &|point| point.pos.y < 0.0,
     };
