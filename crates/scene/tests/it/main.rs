@@ -21,6 +21,7 @@ mod hours;
 mod npc;
 mod npc_peace;
 mod purity;
+mod restoring;
 mod round;
 mod saving;
 mod sounds;

@@ -3,6 +3,7 @@
 
 pub mod cars;
 pub mod figures;
+pub mod kept;
 
 use std::time::Duration;
 
