@@ -1,5 +1,5 @@
-//! Who and what lives, moves or lies about in a world: entities whose components say what they are. Each kind of them but
-//! figures is one component beside an [`ActorId`].
+//! Who and what lives, moves or lies about in a world: entities whose components say what they are. All but the player
+//! have an [`ActorId`]; beside it figures are several components, and each other kind is one.
 
 use std::any::TypeId;
 use std::collections::HashMap;
@@ -30,8 +30,6 @@ pub(crate) struct Actors {
     pub cars: Cars,
     /// Of each kind the number that the next one gets.
     next: HashMap<TypeId, u32>,
-    /// The number that the next bot gets.
-    pub next_bot: u32,
     /// What other figures have in common.
     pub npcs: Npcs,
 }
@@ -56,7 +54,6 @@ impl Actors {
             tuning: CharacterTuning::default(),
             cars: Cars::default(),
             next: HashMap::new(),
-            next_bot: 0,
             npcs: Npcs::default(),
         }
     }
@@ -105,10 +102,15 @@ impl Actors {
 
     /// Lets one more of a kind in.
     pub fn enter<T: Component>(&mut self, kind: T) -> ActorId {
-        let next = self.next.entry(TypeId::of::<T>()).or_default();
-        let id = ActorId(*next);
-        *next = next.wrapping_add(1);
+        let id = self.give_number::<T>();
         self.ecs.spawn((id, kind));
+        id
+    }
+
+    /// Gives a number to one more of a kind.
+    pub fn give_number<T: Component>(&mut self) -> ActorId {
+        let id = self.next::<T>();
+        self.number_next::<T>(id.0.wrapping_add(1));
         id
     }
 

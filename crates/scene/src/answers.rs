@@ -116,11 +116,6 @@ impl Scene {
         self.sim.player.flashlight
     }
 
-    /// Whether the player flies as a spectator.
-    pub fn flying(&self) -> bool {
-        self.sim.player.flying
-    }
-
     /// Whether bullets follow the space's geodesics.
     pub fn straight_shots(&self) -> bool {
         self.sim.player.gaze.straight_shots
@@ -145,11 +140,6 @@ impl Scene {
     /// Seconds since a shot of the player's struck someone.
     pub fn struck_s_ago(&self) -> Option<f64> {
         self.sim.player.condition.struck_s_ago
-    }
-
-    /// Seconds since the player was last hurt.
-    pub fn unhurt_s(&self) -> f64 {
-        self.sim.player.condition.unhurt_s
     }
 
     /// Which way the player looks, and where that is.
@@ -220,7 +210,7 @@ impl Scene {
     /// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the
     /// picture.
     pub fn hidden_foes(&self) -> Vec<f64> {
-        npc::hidden_foes(&self.now())
+        npc::hidden_foes(self.now())
     }
 }
 
@@ -243,18 +233,18 @@ impl Scene {
 
     /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
     pub fn speech(&self, seen: &Seen, fov_y_rad: f64) -> Option<Speech> {
-        npc::speech(&self.now(), &**self.lens().strategy(), seen, fov_y_rad)
+        npc::speech(self.now(), &**self.lens().strategy(), seen, fov_y_rad)
     }
 
     /// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
     /// field of view in radians.
     pub fn wounds(&self, seen: &Seen, fov_y_rad: f64) -> Vec<Wound> {
-        npc::wounds(&self.now(), &**self.lens().strategy(), seen, fov_y_rad)
+        npc::wounds(self.now(), &**self.lens().strategy(), seen, fov_y_rad)
     }
 
     /// Moves a camera as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. One that is in
     /// it, since land came where it was, gets out.
     pub fn fly_view(&self, view: &mut Viewpoint, by: glam::DVec3) {
-        view.fly_over(&self.sim.world, by);
+        view.fly_around_ground(&self.sim.world, by);
     }
 }

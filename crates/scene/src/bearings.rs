@@ -141,10 +141,8 @@ fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
 pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    let lamps = actors.all::<Lamp>().into_iter();
-    let lamps = lamps.map(|(_, it)| (LandmarkKind::Lamp, it.point));
-    let bots = bot::views(actors).into_iter();
-    let bots = bots.filter(|it| it.health > 0.0).map(|it| {
+    let lamps = actors.map(|_, it: &Lamp| (LandmarkKind::Lamp, it.point));
+    let bots = bot::living(actors).into_iter().map(|it| {
         let kind = if it.fights {
             LandmarkKind::Hostile
         } else {
@@ -158,6 +156,7 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
     });
     lamps
+        .into_iter()
         .chain(bots)
         .map(|(kind, point)| Landmark {
             kind,

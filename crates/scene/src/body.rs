@@ -41,7 +41,7 @@ pub(crate) fn place(
 
 /// Puts the player's body at rest somewhere, out of a car.
 pub(crate) fn teleport(world: &World, actors: &mut Actors, player: &mut Player, point: ChartPoint) {
-    get_out(actors, player);
+    get_out(actors, &mut player.gaze);
     place(world, actors, player, point, DVec3::ZERO, false);
 }
 

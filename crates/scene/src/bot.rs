@@ -47,7 +47,7 @@ pub struct BotView {
     pub angry_s: f64,
 }
 
-/// Puts a bot with its feet at a point; returns its number.
+/// Puts a bot with its feet at a point; `native`: whether it came by itself.
 pub(crate) fn spawn(
     world: &World,
     actors: &mut Actors,
@@ -55,21 +55,22 @@ pub(crate) fn spawn(
     yaw: f64,
     hostile: bool,
     health: f64,
-) -> u32 {
-    let id = actors.next_bot;
-    actors.next_bot += 1;
+    native: bool,
+) -> Entity {
+    let id = actors.give_number::<Bot>();
     let origin = world.strategy.chart_origin_m(point.hemisphere);
     let bot = Bot {
-        id,
+        id: id.0,
         hostile,
-        native: false,
+        native,
         hit_s_ago: f64::INFINITY,
         dead_s: 0.0,
         struck_by: None,
     };
     actors.ecs.spawn((
+        id,
         bot,
-        new_mind(world, id),
+        new_mind(world, id.0),
         Position(point),
         Look { yaw, pitch: 0.0 },
         Body(Character::at(point.pos + origin)),
@@ -78,17 +79,14 @@ pub(crate) fn spawn(
             held: hostile.then_some(ModelId::Gun),
             ..Appearance::standing(ModelId::AstronautTeal)
         },
-    ));
-    id
+    ))
 }
 
-/// Says of a bot for how long yet it is angry, seconds, and whether it came by itself.
-pub(crate) fn set_mind(actors: &mut Actors, id: u32, angry_s: f64, native: bool) {
-    let found = actors.ecs.query_mut::<(&mut Bot, &mut Mind)>();
-    for (bot, mind) in found.into_iter().filter(|(bot, _)| bot.id == id) {
-        bot.native = native;
-        mind.angry_s = angry_s;
-    }
+/// The living, by their numbers.
+pub(crate) fn living(actors: &Actors) -> Vec<BotView> {
+    let mut all = views(actors);
+    all.retain(|view| view.health > 0.0);
+    all
 }
 
 /// All bots, by their numbers.

@@ -2,19 +2,18 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Eye};
 use antipode_physics::{Ball, BallTuning};
 use glam::{DQuat, DVec3};
 
 use crate::actors::{Actors, retain};
 use crate::frame::Figure;
 use crate::ground_changed::OnGround;
-use crate::inventory::Stack;
+use crate::inventory::{Inventory, Stack};
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::Player;
-use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 use crate::world::World;
@@ -78,24 +77,22 @@ impl Drop {
     }
 }
 
-/// Throws a stack away, ahead of the player. When too many things lie about it goes back into the slots; what
+/// Throws a stack away, ahead of the player's head. When too many things lie about it goes back into the slots; what
 /// finds no room there is thrown all the same.
 pub(crate) fn throw_away(
-    world: &World,
     actors: &mut Actors,
-    player: &mut Player,
+    inventory: &mut Inventory,
     outbox: &mut Outbox,
+    head: &Eye,
     mut stack: Stack,
 ) {
     if actors.count::<Drop>() >= MOST_DROPS {
         outbox.hints.push(Hint::TooManyDrops);
-        stack.count = player.inventory.give(stack.item, stack.count);
+        stack.count = inventory.give(stack.item, stack.count);
         if stack.count == 0 {
             return;
         }
     }
-    let now = Situation::of(world, actors, player);
-    let head = now.head();
     let mut drop = Drop::lying(stack, head.point.moved(DVec3::NEG_Y * 0.3));
     drop.age_s = 0.0;
     drop.velocity = head.front() * DROP_SPEED_M_S + DVec3::Y;
@@ -134,7 +131,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outb
     }
     if player.picks_up() {
         retain(&mut actors.ecs, |drop: &mut Drop| {
-            !drop.is_picked_up(middle, player, outbox)
+            !drop.is_picked_up(middle, &mut player.inventory, outbox)
         });
     }
 }
@@ -170,7 +167,7 @@ impl Drop {
     fn is_picked_up(
         &mut self,
         middle: ChartPoint,
-        player: &mut Player,
+        inventory: &mut Inventory,
         outbox: &mut Outbox,
     ) -> bool {
         let is_near = self.point.hemisphere == middle.hemisphere
@@ -178,7 +175,7 @@ impl Drop {
         if !is_near || self.age_s < PICK_UP_AFTER_S {
             return false;
         }
-        let left = player.inventory.give(self.stack.item, self.stack.count);
+        let left = inventory.give(self.stack.item, self.stack.count);
         if left < self.stack.count {
             outbox.sounds.push(SoundEvent::PickedUp);
             let taken = self.stack.count - left;

@@ -9,7 +9,6 @@ use crate::camera::CameraMode;
 use crate::frame::{Figure, Hand, LampLight, ModelId};
 use crate::item::Item;
 use crate::player::Appearance;
-use crate::simulation::Simulation;
 use crate::situation::Situation;
 use crate::sound::STROKE_S;
 use crate::tuning::{BOB_M, FLASH_S, KICK_S, STEP_S, TAKES_S};
@@ -47,17 +46,23 @@ impl HandMotion {
         self.flash_left_s = FLASH_S;
     }
 
-    /// Goes on by a step of the simulation; without a bob for who wants it `still`.
-    pub fn step(&mut self, step: &HandStep, still: bool) {
-        if step.fired {
+    /// Goes on by the step that has just been taken, in which a shot was fired or not; without a bob for who wants it
+    /// `still`.
+    pub fn step(&mut self, now: Situation<'_>, fired: bool, still: bool) {
+        if fired {
             self.fire();
         }
-        let bob = if still {
+        let (player, body) = (now.player, now.actors.player_body());
+        let bob = if still || !body.grounded {
             0.0
         } else {
-            (step.speed_m_s / BOBS_FULLY_M_S).min(1.3)
+            let speed_m_s = body.velocity.x.hypot(body.velocity.z);
+            (speed_m_s / BOBS_FULLY_M_S).min(1.3)
         };
-        self.pass(step.held, step.used, bob, STEP_S);
+        let held = player.inventory.held();
+        let digs = held.and_then(Item::brush_strength_per_s).is_some();
+        let used = digs && player.primary_before != player.secondary_before;
+        self.pass(held, used, bob, STEP_S);
     }
 
     /// Puts what the player holds and does with it into the own figure's hand.
@@ -127,34 +132,6 @@ impl HandMotion {
 
     fn flashes(&self) -> bool {
         self.flash_left_s > 0.0
-    }
-}
-
-/// What of a step moves what is in the player's hand.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct HandStep {
-    held: Option<Item>,
-    used: bool,
-    fired: bool,
-    speed_m_s: f64,
-}
-
-impl HandStep {
-    /// What it was in the step that has just been taken.
-    pub fn of(sim: &Simulation) -> Self {
-        let (player, body) = (&sim.player, sim.actors.player_body());
-        let held = player.inventory.held();
-        let digs = held.and_then(Item::brush_strength_per_s).is_some();
-        Self {
-            held,
-            used: digs && player.primary_before != player.secondary_before,
-            fired: sim.outbox.fired,
-            speed_m_s: if body.grounded {
-                body.velocity.x.hypot(body.velocity.z)
-            } else {
-                0.0
-            },
-        }
     }
 }
 

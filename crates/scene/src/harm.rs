@@ -141,8 +141,7 @@ pub(crate) fn hurt_player(
 }
 
 /// Lets a step's time heal the player; returns whether it brings the dead back.
-pub(crate) fn heal(actors: &mut Actors, player: &mut Player) -> bool {
-    let condition = &mut player.condition;
+pub(crate) fn heal(actors: &mut Actors, condition: &mut Condition) -> bool {
     condition.pass(STEP_S);
     if let Some(left_s) = condition.dead_left_s {
         let left_s = left_s - STEP_S;
@@ -218,6 +217,7 @@ mod tests {
 
     use super::*;
     use crate::Scene;
+    use crate::npc::mind::Mind;
     use crate::setup::WorldSetup;
 
     fn scene(geometry: Geometry) -> Scene {
@@ -247,7 +247,7 @@ mod tests {
     /// Heals for a step.
     fn pass(scene: &mut Scene) {
         let sim = &mut scene.sim;
-        if heal(&mut sim.actors, &mut sim.player) {
+        if heal(&mut sim.actors, &mut sim.player.condition) {
             respawn(&sim.world, &mut sim.actors, &mut sim.player);
         }
     }
@@ -260,10 +260,10 @@ mod tests {
         let near = scene.feet().moved(DVec3::new(9.0, 1.0, 0.0));
         let [fighter, peaceful, put_there, angry, put_there_in_peace] =
             [true, false, true, false, false].map(|hostile| scene.spawn_bot(near, 0.0, hostile));
-        for id in [fighter, peaceful] {
-            crate::bot::set_mind(&mut scene.sim.actors, id, 0.0, true);
+        for (bot, mind) in scene.sim.actors.ecs.query_mut::<(&mut Bot, &mut Mind)>() {
+            bot.native = [fighter, peaceful].contains(&bot.id);
+            mind.angry_s = if bot.id == angry { 30.0 } else { 0.0 };
         }
-        crate::bot::set_mind(&mut scene.sim.actors, angry, 30.0, false);
         hurt(&mut scene, 2.0 * FULL_HEALTH, HarmKind::Shot);
         assert!(scene.is_dead() && scene.bots().len() == 5);
         for _ in 0..=(DEAD_S / STEP_S).ceil() as usize {

@@ -22,16 +22,15 @@ const GROUND_WITHIN_M: f64 = 2.0;
 pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
     let mut shapes = bodies(now);
     let ball = |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
-    let lamps = now.actors.all::<Lamp>().into_iter();
-    shapes.extend(lamps.map(|(_, it)| ball(LAMP_TARGET_M, it.glow(), it.falls())));
-    let bullets = now.actors.all::<Projectile>().into_iter();
-    shapes.extend(bullets.map(|(_, it)| {
+    let lamp = |_, it: &Lamp| ball(LAMP_TARGET_M, it.glow(), it.falls());
+    shapes.extend(now.actors.map(lamp));
+    let bullet = |_, it: &Projectile| {
         let flies = it.velocity.length() > RESTS_M_S;
         ball(BULLET.radius_m, it.point, flies)
-    }));
-    let drops = now.actors.all::<Drop>().into_iter();
-    let is_awake = |drop: &Drop| drop.is_awake(now.feet());
-    shapes.extend(drops.map(|(_, it)| ball(DROP.radius_m, it.point, is_awake(&it))));
+    };
+    shapes.extend(now.actors.map(bullet));
+    let drop = |_, it: &Drop| ball(DROP.radius_m, it.point, it.is_awake(now.feet()));
+    shapes.extend(now.actors.map(drop));
     shapes
 }
 

@@ -9,6 +9,7 @@ use crate::crosshair::Crosshair;
 use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
+use crate::inventory::Inventory;
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
@@ -100,10 +101,10 @@ pub(crate) fn use_in_hand(
     let crosshair = Crosshair::aimed(now);
     if actions.primary && !player.primary_before {
         let place = place_under(world, &crosshair);
-        put_down(actors, player, outbox, place);
+        put_down(actors, &mut player.inventory, outbox, place);
     } else if actions.secondary && !player.secondary_before {
         let lamp = crosshair.lamp(REACH_M);
-        pick_up(actors, player, outbox, lamp);
+        pick_up(actors, &mut player.inventory, outbox, lamp);
     }
 }
 
@@ -136,7 +137,7 @@ pub(crate) fn has_room(actors: &Actors) -> bool {
 
 fn put_down(
     actors: &mut Actors,
-    player: &mut Player,
+    inventory: &mut Inventory,
     outbox: &mut Outbox,
     place: Option<ChartPoint>,
 ) {
@@ -148,7 +149,7 @@ fn put_down(
         outbox.hints.push(Hint::TooManyLamps);
         return;
     }
-    if player.inventory.spend(Item::Lamp) {
+    if inventory.spend(Item::Lamp) {
         actors.enter(Lamp::standing(place));
         outbox.sounds.push(SoundEvent::LampPlaced);
     }
@@ -156,12 +157,17 @@ fn put_down(
 
 /// The last lamp in hand is used up, and an empty hand picks nothing up; so one lamp kept in hand, or any in the
 /// hotbar that is selected, is enough.
-fn pick_up(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, lamp: Option<ActorId>) {
+fn pick_up(
+    actors: &mut Actors,
+    inventory: &mut Inventory,
+    outbox: &mut Outbox,
+    lamp: Option<ActorId>,
+) {
     let Some(id) = lamp else {
         outbox.hints.push(Hint::NoLampThere);
         return;
     };
-    if player.inventory.give(Item::Lamp, 1) == 0 {
+    if inventory.give(Item::Lamp, 1) == 0 {
         actors.remove::<Lamp>(id);
         outbox.sounds.push(SoundEvent::LampTaken);
     } else {

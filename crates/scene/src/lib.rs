@@ -52,7 +52,6 @@ mod round;
 mod scene;
 mod setup;
 mod shown;
-mod simulation;
 mod situation;
 pub mod sound;
 mod spawn;

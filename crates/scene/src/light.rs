@@ -3,7 +3,6 @@
 use antipode_geometry::{ChartPoint, Eye, Strategy};
 use glam::{DMat3, DVec3, DVec4};
 
-use crate::actors::ActorId;
 use crate::aimed::Optics;
 use crate::car;
 use crate::crosshair::Crosshair;
@@ -40,14 +39,13 @@ const HELD_LAMP_M: (f64, f64, f64) = (0.3, -0.2, 0.6);
 pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
     let now = scene.now();
     let strategy = &**scene.lens().strategy();
-    let all = now.actors.all::<Lamp>().into_iter();
-    let mut lamps: Vec<(f64, ActorId, ChartPoint)> = all
-        .map(|(id, lamp)| (id, lamp.glow()))
-        .map(|(id, glow)| (strategy.distance_m(eye.point, glow, eye), id, glow))
-        .collect();
+    let mut lamps = now.actors.map(|id, lamp: &Lamp| {
+        let glow = lamp.glow();
+        (strategy.distance_m(eye.point, glow, eye), id, glow)
+    });
     lamps.sort_by(|a, b| a.0.total_cmp(&b.0));
     let lamp_light = |(_, id, point)| (Who::Lamp(id), shining(point));
-    let of_cars = car::lights::car_lights(&now);
+    let of_cars = car::lights::car_lights(now);
     let is_free = !now.actors.cars.is_driving();
     let optics = scene.picturing();
     let muzzle = || muzzle_of(now.world, &now.head());

@@ -3,6 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
 use glam::DVec3;
 
+use crate::bot::{self, Bot};
 use crate::frame::Quality;
 use crate::inventory::{Inventory, Stack};
 use crate::lamp::{self, Lamp};
@@ -14,7 +15,7 @@ use crate::scene::Scene;
 use crate::sound::SoundEvent;
 use crate::tuning::{BOT_HEALTH, VIEW_DISTANCE_CHUNKS};
 use crate::viewing::Viewing;
-use crate::{body, bot, car, drops, projectile, start, step, tool};
+use crate::{body, car, drops, projectile, start, step, tool};
 
 /// The world.
 impl Scene {
@@ -88,7 +89,7 @@ impl Scene {
     }
 
     fn get_out(&mut self) {
-        car::doors::get_out(&mut self.sim.actors, &mut self.sim.player);
+        car::doors::get_out(&mut self.sim.actors, &mut self.sim.player.gaze);
     }
 
     /// Points the view, in radians.
@@ -129,14 +130,10 @@ impl Scene {
     /// finds no room there is thrown all the same.
     pub fn throw_away(&mut self, stack: Stack) {
         self.kept.changed = true;
+        let head = self.head();
         let sim = &mut self.sim;
-        drops::throw_away(
-            &sim.world,
-            &mut sim.actors,
-            &mut sim.player,
-            &mut sim.outbox,
-            stack,
-        );
+        let slots = &mut sim.player.inventory;
+        drops::throw_away(&mut sim.actors, slots, &mut sim.outbox, &head, stack);
     }
 
     /// Whether bullets follow the space's geodesics instead of falling in its chart.
@@ -161,7 +158,9 @@ impl Scene {
     pub fn spawn_bot(&mut self, point: ChartPoint, yaw: f64, hostile: bool) -> u32 {
         self.kept.changed = true;
         let (world, actors) = (&self.sim.world, &mut self.sim.actors);
-        bot::spawn(world, actors, point, yaw, hostile, BOT_HEALTH)
+        let id = actors.next::<Bot>();
+        bot::spawn(world, actors, point, yaw, hostile, BOT_HEALTH, false);
+        id.0
     }
 
     /// Puts a car at a point of the ground, facing along `yaw` radians; as high up as it takes to be free, once the
@@ -202,7 +201,7 @@ impl Scene {
 impl Scene {
     /// Asks for the space's other picture, as the key does: it comes gliding, and the player is told its name.
     pub fn turn_map(&mut self) {
-        step::turn_map(&mut self.sim.player, &mut self.sim.outbox);
+        step::turn_map(&mut self.sim.player.gaze.lens, &mut self.sim.outbox);
         self.kept.changed = true;
     }
 

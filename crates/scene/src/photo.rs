@@ -85,7 +85,7 @@ impl Viewpoint {
 impl Viewpoint {
     /// Moves as [`Viewpoint::fly`] does, but not into the ground: along it, and up where it rises. A camera that is in
     /// it, since land came where it was, gets out.
-    pub(crate) fn fly_over(&mut self, world: &World, by: DVec3) {
+    pub(crate) fn fly_around_ground(&mut self, world: &World, by: DVec3) {
         let way = self.way(by);
         let level = way.with_y(0.0);
         let left = level - self.go_freely(world, level);

@@ -81,9 +81,9 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
         car: near_car(now, &cars).map(car_probe),
         cars: cars.iter().map(car_probe).collect(),
         bots: bot::views(actors).iter().map(bot_probe).collect(),
-        projectiles: actors.all().into_iter().map(projectile_probe).collect(),
-        lamps: actors.all().into_iter().map(lamp_probe).collect(),
-        drops: actors.all().into_iter().map(drop_probe).collect(),
+        projectiles: actors.map(projectile_probe),
+        lamps: actors.map(lamp_probe),
+        drops: actors.map(drop_probe),
         chunks: ChunkProbe {
             resident: world.ground.count(),
             pending: world.streamer.pending(),
@@ -160,7 +160,7 @@ fn bot_probe(view: &BotView) -> BotProbe {
     }
 }
 
-fn projectile_probe((id, bullet): (ActorId, Projectile)) -> ProjectileProbe {
+fn projectile_probe(id: ActorId, bullet: &Projectile) -> ProjectileProbe {
     ProjectileProbe {
         id: id.0,
         pos: bullet.point.pos.to_array(),
@@ -170,14 +170,14 @@ fn projectile_probe((id, bullet): (ActorId, Projectile)) -> ProjectileProbe {
     }
 }
 
-fn lamp_probe((_, lamp): (ActorId, Lamp)) -> LampProbe {
+fn lamp_probe(_: ActorId, lamp: &Lamp) -> LampProbe {
     LampProbe {
         pos: lamp.point.pos.to_array(),
         hemisphere: hemisphere(lamp.point),
     }
 }
 
-fn drop_probe((_, drop): (ActorId, Drop)) -> DropProbe {
+fn drop_probe(_: ActorId, drop: &Drop) -> DropProbe {
     DropProbe {
         stack: drop.stack,
         pos: drop.point.pos.to_array(),

@@ -11,6 +11,7 @@ use antipode_storage::{
 use glam::DVec3;
 
 use crate::actors::{ActorId, Actors};
+use crate::bot::{self, Bot};
 use crate::camera::CameraMode;
 use crate::car::Car;
 use crate::car::doors::take_wheel;
@@ -21,13 +22,14 @@ use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::lens::{DialGoals, Lens};
 use crate::notice::Notice;
+use crate::npc::mind::Mind;
 use crate::npc::tuning::ANGRY_S;
 use crate::persist::All;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
 use crate::world::World;
-use crate::{body, bot, car};
+use crate::{body, car};
 
 /// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
@@ -171,7 +173,7 @@ fn number_next(actors: &mut Actors, key: RecordKey) {
         RecordKind::Player | RecordKind::Course | RecordKind::View => {}
         RecordKind::Lamp => actors.number_next::<Lamp>(key.id),
         RecordKind::Drop => actors.number_next::<Drop>(key.id),
-        RecordKind::Figure => actors.next_bot = key.id,
+        RecordKind::Figure => actors.number_next::<Bot>(key.id),
         RecordKind::Car => actors.number_next::<Car>(key.id),
     }
 }
@@ -213,9 +215,11 @@ fn figure(world: &World, actors: &mut Actors, record: &BotRecord) -> bool {
         return false;
     };
     let health = finite_or(record.health, BOT_HEALTH).clamp(0.1, FULL_HEALTH);
-    let id = bot::spawn(world, actors, at, record.yaw, record.hostile, health);
-    let angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
-    bot::set_mind(actors, id, angry_s, record.native);
+    let (yaw, hostile, native) = (record.yaw, record.hostile, record.native);
+    let entity = bot::spawn(world, actors, at, yaw, hostile, health, native);
+    if let Ok(mind) = actors.ecs.query_one_mut::<&mut Mind>(entity) {
+        mind.angry_s = finite_or(record.provoked_s, 0.0).clamp(0.0, ANGRY_S);
+    }
     true
 }
 

@@ -9,7 +9,6 @@ use antipode_terrain::Field;
 
 use crate::actions::Actions;
 use crate::actors::Actors;
-use crate::hand::HandStep;
 use crate::keeping::Keeping;
 use crate::lens::Lens;
 use crate::notice::Notice;
@@ -18,9 +17,9 @@ use crate::player::{Look, Player};
 use crate::presentation::Presentation;
 use crate::restore::{self, finite_or};
 use crate::setup::{SceneError, WorldSetup};
-use crate::simulation::Simulation;
 use crate::situation::Situation;
 use crate::spawn::first_pitch_rad;
+use crate::step::Simulation;
 #[cfg(doc)]
 use crate::tuning::STEP_S;
 use crate::world::World;
@@ -143,7 +142,7 @@ impl Scene {
 
     /// How things stand.
     pub(crate) fn now(&self) -> Situation<'_> {
-        self.sim.now()
+        Situation::of(&self.sim.world, &self.sim.actors, &self.sim.player)
     }
 
     /// Advances the world by one step of [`STEP_S`] seconds.
@@ -153,8 +152,15 @@ impl Scene {
         self.kept.changed = true;
         self.sim.step(actions);
         self.renew_picture();
+        let Simulation {
+            world,
+            actors,
+            player,
+            outbox,
+        } = &self.sim;
+        let now = Situation::of(world, actors, player);
         let still = self.shown.viewing.reduced_motion;
-        self.shown.hand.step(&HandStep::of(&self.sim), still);
+        self.shown.hand.step(now, outbox.fired, still);
         self.autosave();
     }
 }

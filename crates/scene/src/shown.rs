@@ -53,7 +53,7 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
         if entity == actors.player {
             let held = now.player.inventory.held();
             scene.shown.hand.use_in(held, &mut figure);
-            seat_figure(&now, &mut figure);
+            seat_figure(now, &mut figure);
         }
         let mut who = Who::Player {
             drives: actors.cars.driven(),
@@ -70,7 +70,7 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
         seen.push((who, figure));
     }
     show_things(now, &mut seen);
-    show_cars(&now, &mut seen);
+    show_cars(now, &mut seen);
     seen
 }
 
@@ -92,21 +92,20 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
 
 /// Lamps, bullets, and what lies about.
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
-    let lamps = now.actors.all::<Lamp>().into_iter();
-    seen.extend(lamps.map(|(id, lamp)| {
+    let lamp = |id, lamp: &Lamp| {
         let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
         (Who::Lamp(id), figure)
-    }));
-    let bullets = now.actors.all::<Projectile>().into_iter();
-    seen.extend(bullets.map(|(id, bullet)| {
+    };
+    seen.extend(now.actors.map(lamp));
+    let bullet = |id, bullet: &Projectile| {
         let way = bullet.velocity.normalize_or(DVec3::X);
         let figure = Figure {
             turn: DQuat::from_rotation_arc(DVec3::X, way),
             ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
         };
         (Who::Bullet(id), figure)
-    }));
-    let drops = now.actors.all::<Drop>().into_iter();
-    let show = |(id, drop)| (Who::Drop(id), drops::shown(now.world, now.feet(), &drop));
-    seen.extend(drops.map(show));
+    };
+    seen.extend(now.actors.map(bullet));
+    let drop = |id, drop: &Drop| (Who::Drop(id), drops::shown(now.world, now.feet(), drop));
+    seen.extend(now.actors.map(drop));
 }

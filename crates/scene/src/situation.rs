@@ -51,7 +51,7 @@ impl<'a> Situation<'a> {
 
     /// The eye in the player's head, looking through that.
     pub fn head_through(&self, optics: &Optics) -> Eye {
-        if let Some(head) = car_camera::driver_head(self, optics) {
+        if let Some(head) = car_camera::driver_head(*self, optics) {
             return head;
         }
         let (position, look) = self.actors.player_stance();
@@ -66,7 +66,7 @@ impl<'a> Situation<'a> {
 
     /// The camera, looking through that.
     pub fn camera_through(&self, optics: &Optics) -> CameraPose {
-        if let Some(camera) = car_camera::driver_camera(self, optics) {
+        if let Some(camera) = car_camera::driver_camera(*self, optics) {
             return camera;
         }
         let mut head = self.head_through(optics);

@@ -1,4 +1,5 @@
-//! One fixed step of the simulation: what happens, in which order.
+//! The simulation: a pure function of save, seed and actions; how it is shown has no part in it. One fixed step of it:
+//! what happens, in which order.
 
 use antipode_physics::CharacterInput;
 
@@ -7,16 +8,24 @@ use crate::actors::Actors;
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
 use crate::harm::{HarmKind, fall_harm};
+use crate::lens::Lens;
 use crate::motion::Doing;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::{self, Appearance, Body, Look, Player, Position};
-use crate::simulation::Simulation;
 use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
 use crate::world::World;
 use crate::{body, drops, gun, harm, lamp, npc, round, tool};
+
+/// All that a step changes: a world, its actors, the player and what is to be told of them.
+pub(crate) struct Simulation {
+    pub world: World,
+    pub actors: Actors,
+    pub player: Player,
+    pub outbox: Outbox,
+}
 
 impl Simulation {
     /// Advances the world by one step of [`STEP_S`] seconds.
@@ -49,18 +58,19 @@ impl Simulation {
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());
         npc::step(world, actors, player, outbox);
-        if harm::heal(actors, player) {
+        if harm::heal(actors, &mut player.condition) {
             harm::respawn(world, actors, player);
             let head = Situation::of(world, actors, player).head();
             world.centre_on(head.point, actors.feet());
             outbox.hints.push(Hint::BackAgain);
         }
         world.pass(STEP_S);
-        let mut mark = tool::mark(Situation::of(world, actors, player));
         let now = Situation::of(world, actors, player);
-        let stroke = tool::work(now, actions, &mut mark, outbox);
+        let (mark, stroke) = tool::work(now, actions, outbox);
         player.tool = mark;
-        world.edit(stroke);
+        if let Some(stroke) = stroke {
+            world.streamer.edit(stroke);
+        }
         gun::use_in_hand(world, actors, player, outbox, actions);
         lamp::use_in_hand(world, actors, player, outbox, actions);
         gun::step_bullets(world, actors, player, outbox);
@@ -99,13 +109,14 @@ fn turn_switches(
     if (actions.drop_one || actions.drop_all)
         && let Some(stack) = player.inventory.take_held(actions.drop_all)
     {
-        drops::throw_away(world, actors, player, outbox, stack);
+        let head = Situation::of(world, actors, player).head();
+        drops::throw_away(actors, &mut player.inventory, outbox, &head, stack);
     }
     if actions.talk {
         npc::talk(world, actors, player, outbox);
     }
     if actions.turn_map {
-        turn_map(player, outbox);
+        turn_map(&mut player.gaze.lens, outbox);
     }
     player.gaze.lens.turn(actions.dial);
     let (least, most, _) = BRUSH_RADIUS_M;
@@ -120,8 +131,7 @@ fn turn_switches(
 }
 
 /// Asks for the space's other picture: it comes gliding, and the player is told its name.
-pub(crate) fn turn_map(player: &mut Player, outbox: &mut Outbox) {
-    let lens = &mut player.gaze.lens;
+pub(crate) fn turn_map(lens: &mut Lens, outbox: &mut Outbox) {
     outbox.hints.push(if !lens.turn_map() {
         Hint::NoOtherMap
     } else if let Some(map) = lens.map() {

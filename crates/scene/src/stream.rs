@@ -18,8 +18,8 @@ use crate::persist;
 use crate::projectile::Projectile;
 use crate::reach::{self, OTHERS_MARGIN_M};
 use crate::scene::Scene;
-use crate::simulation::Simulation;
 use crate::situation::is_ground_ready;
+use crate::step::Simulation;
 use crate::tuning::{AUTOSAVE_S, BODIES_WITHIN_CHUNKS};
 use crate::world::World;
 use crate::{body, ground_changed};
@@ -286,13 +286,12 @@ impl Scene {
 fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
     let velocity = actors.player_body().velocity;
     let mut reaches = reach::of_body(&*world.strategy, actors.feet(), velocity);
-    let bullets = actors.all::<Projectile>().into_iter();
-    let bullets = bullets.map(|(_, it)| (it.point, it.velocity));
+    let bullets = actors.map(|_, it: &Projectile| (it.point, it.velocity));
     let cars = actors.car_views(world).into_iter();
     let cars = cars.map(|it| (it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
     reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
-    reaches.extend(reach::of_others(bullets, OTHERS_MARGIN_M));
+    reaches.extend(reach::of_others(bullets.into_iter(), OTHERS_MARGIN_M));
     let bots = bot::views(actors);
     let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
     reaches.extend(reach::of_others(living, crate::npc::ASKS_M));

@@ -30,7 +30,7 @@ pub(crate) struct ToolMark {
 
 /// Where the tool in hand would work: along the geodesic through the crosshair. An empty hand works nowhere.
 pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
-    strength_in_hand(&now)?;
+    strength_in_hand(now)?;
     Some(ToolMark {
         point: Crosshair::aimed(now).ground(REACH_M).point,
         active: false,
@@ -38,40 +38,39 @@ pub(crate) fn mark(now: Situation<'_>) -> Option<ToolMark> {
 }
 
 /// What the tool in a free hand digs, per second.
-fn strength_in_hand(now: &Situation<'_>) -> Option<f32> {
+fn strength_in_hand(now: Situation<'_>) -> Option<f32> {
     let held = now.player.inventory.held();
     let held = held.filter(|_| !now.actors.cars.is_driving());
     held.and_then(Item::brush_strength_per_s)
 }
 
-/// Uses the tool in hand, where it was last marked; returns what that does to the ground.
+/// Marks where the tool in hand works and uses it there; returns the mark, and what that does to the ground.
 pub(crate) fn work(
     now: Situation<'_>,
     actions: &Actions,
-    mark: &mut Option<ToolMark>,
     outbox: &mut Outbox,
-) -> Option<Stroke> {
+) -> (Option<ToolMark>, Option<Stroke>) {
     let sign = f32::from(i8::from(actions.primary) - i8::from(actions.secondary));
-    let radius_m = now.player.brush_radius_m;
-    hear(now.world, *mark, radius_m, sign, outbox);
-    let strength = now.player.inventory.held()?.brush_strength_per_s()?;
-    let mark = mark.as_mut()?;
-    if sign == 0.0 {
-        return None;
-    }
-    mark.active = true;
+    let (mark, radius_m) = (mark(now), now.player.brush_radius_m);
+    hear(now.world, mark, radius_m, sign, outbox);
+    let (Some(mark), Some(strength), true) = (mark, strength_in_hand(now), sign != 0.0) else {
+        return (mark, None);
+    };
     let centre = mark.point;
-    if sign < 0.0 && would_immure(&now, centre) {
-        if !now.player.secondary_before {
-            outbox.hints.push(Hint::InTheWay);
-        }
-        return None;
+    let is_barred = sign < 0.0 && would_immure(now, centre);
+    if is_barred && !now.player.secondary_before {
+        outbox.hints.push(Hint::InTheWay);
     }
-    Some(Stroke {
+    let stroke = Stroke {
         centre,
         radius_m,
         amount: sign * strength * STEP_S as f32,
-    })
+    };
+    let active = true;
+    (
+        Some(ToolMark { active, ..mark }),
+        (!is_barred).then_some(stroke),
+    )
 }
 
 /// Tells what a tool did in a step: `sign` is 1 for digging, -1 for building and 0 for rest.
@@ -96,7 +95,7 @@ fn hear(world: &World, mark: Option<ToolMark>, radius_m: f64, sign: f32, outbox:
 
 /// Whether building there would fill the place of the player's body under a roof. In the open it is lifted by what
 /// is built; here the nearest free place is on top of the hill.
-fn would_immure(now: &Situation<'_>, centre: ChartPoint) -> bool {
+fn would_immure(now: Situation<'_>, centre: ChartPoint) -> bool {
     let Player {
         flying,
         brush_radius_m,

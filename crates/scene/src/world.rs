@@ -5,7 +5,7 @@ use std::sync::Arc;
 use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
-use antipode_terrain::{Field, Samples, Stroke};
+use antipode_terrain::{Field, Samples};
 use glam::DVec3;
 
 use crate::day;
@@ -68,13 +68,6 @@ impl World {
     pub fn pass(&mut self, dt_s: f64) {
         self.time_of_day_s = (self.time_of_day_s + dt_s).rem_euclid(DAY_S);
         self.simulated_s += dt_s;
-    }
-
-    /// Gives a stroke of the brush to the chunk workers.
-    pub fn edit(&mut self, stroke: Option<Stroke>) {
-        if let Some(stroke) = stroke {
-            self.streamer.edit(stroke);
-        }
     }
 
     /// Whether bodies move in a chunk: in an open world within a distance of the player that is always the same, however

@@ -230,7 +230,7 @@ fn rest_pitch() -> f64 {
 }
 
 /// The driver's own eyes.
-pub(crate) fn driver_head(now: &Situation<'_>, optics: &Optics) -> Option<Eye> {
+pub(crate) fn driver_head(now: Situation<'_>, optics: &Optics) -> Option<Eye> {
     let car = now.actors.driven_car(now.world)?;
     let driving = now.actors.cars.driving.as_ref()?;
     let (yaw, pitch) = driving.chase.look(now.player.gaze.camera);
@@ -246,7 +246,7 @@ pub(crate) fn driver_head(now: &Situation<'_>, optics: &Optics) -> Option<Eye> {
 }
 
 /// The camera that a driver's picture is taken with.
-pub(crate) fn driver_camera(now: &Situation<'_>, optics: &Optics) -> Option<CameraPose> {
+pub(crate) fn driver_camera(now: Situation<'_>, optics: &Optics) -> Option<CameraPose> {
     let head = driver_head(now, optics)?;
     let car = now.actors.driven_car(now.world)?;
     let chase = &now.actors.cars.driving.as_ref()?.chase;

@@ -9,6 +9,7 @@ use super::tuning::{DOOR_DROP_M, DOOR_RISE_M, DOORS_M, HORN_REACH_M, JUMPED_OFF_
 use super::{Car, CarView, Driving, drive};
 use crate::actions::Actions;
 use crate::actors::{ActorId, Actors, one_mut};
+use crate::aimed::Gaze;
 use crate::body;
 use crate::camera::CameraMode;
 use crate::crosshair::Crosshair;
@@ -134,7 +135,7 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
         outbox.hints.push(Hint::NoWayOut);
         return;
     };
-    get_out(actors, player);
+    get_out(actors, &mut player.gaze);
     body::place(world, actors, player, spot, car.velocity, false);
     outbox.sounds.push(SoundEvent::CarDoor);
     let harm = fall_harm(
@@ -145,12 +146,12 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
 }
 
 /// The player sits in no car any more, wherever he is then put.
-pub(crate) fn get_out(actors: &mut Actors, player: &mut Player) {
+pub(crate) fn get_out(actors: &mut Actors, gaze: &mut Gaze) {
     let Some(driving) = actors.cars.driving.take() else {
         return;
     };
-    let (yaw, _) = driving.chase.look(player.gaze.camera);
-    player.gaze.camera = driving.camera_before;
+    let (yaw, _) = driving.chase.look(gaze.camera);
+    gaze.camera = driving.camera_before;
     actors.set_look(yaw, 0.0);
 }
 

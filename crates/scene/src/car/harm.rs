@@ -45,12 +45,12 @@ pub(super) fn run_over(
     }
     hurt.retain(|(_, ago_s)| *ago_s < HURTS_AGAIN_AFTER_S);
     let now = Situation::of(world, actors, player);
-    for meeting in meetings(&now) {
+    for meeting in meetings(now) {
         meet(actors, player, outbox, &meeting);
     }
 }
 
-fn meetings(now: &Situation<'_>) -> Vec<Meeting> {
+fn meetings(now: Situation<'_>) -> Vec<Meeting> {
     let mut found = Vec::new();
     let standing = now.standing();
     for (car, motion) in now.actors.car_motions() {

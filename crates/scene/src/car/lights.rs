@@ -30,7 +30,7 @@ const SIDES: [f64; 2] = [-1.0, 1.0];
 const MOST_LIT_CARS: usize = 6;
 
 /// Bodies and wheels of all cars.
-pub(crate) fn show_cars(now: &Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
+pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     for car in now.actors.car_views(now.world) {
         let figure = |model, own: DVec3, turn: DQuat| Figure {
             turn,
@@ -53,7 +53,7 @@ pub(crate) fn show_cars(now: &Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
 }
 
 /// Seats the player's own figure in the car that is driven.
-pub(crate) fn seat_figure(now: &Situation<'_>, figure: &mut Figure) {
+pub(crate) fn seat_figure(now: Situation<'_>, figure: &mut Figure) {
     let Some(car) = now.actors.driven_car(now.world) else {
         return;
     };
@@ -65,7 +65,7 @@ pub(crate) fn seat_figure(now: &Situation<'_>, figure: &mut Figure) {
 }
 
 /// Beams of the head lights, and the glow of the lights behind.
-pub(crate) fn car_lights(now: &Situation<'_>) -> Lit {
+pub(crate) fn car_lights(now: Situation<'_>) -> Lit {
     let mut cars = now.actors.car_views(now.world);
     cars.retain(|car| car.lights || car.brakes);
     cars.sort_by_key(|car| !car.driven);

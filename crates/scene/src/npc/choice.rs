@@ -347,10 +347,8 @@ impl Npc<'_> {
 
     /// The nearest other one in peace.
     fn company(&self, around: &Around<'_>) -> Option<Goal> {
-        around
-            .others
-            .iter()
-            .filter(|other| other.entity != self.entity && !other.fights && !self.fights())
+        self.others(around)
+            .filter(|other| !other.fights && !self.fights())
             .map(|other| (around.apart_m(self.position.0, other.point), other.point))
             .filter(|(away_m, _)| (2.0 * MEETS_M..LAMP_M).contains(away_m))
             .min_by(|a, b| a.0.total_cmp(&b.0))

@@ -10,7 +10,7 @@ use super::mind::{Mind, State};
 use super::navigation::{ASKS_M, Land};
 use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
-use crate::bot::Bot;
+use crate::bot::{Bot, BotView};
 use crate::frame::ModelId;
 use crate::harm::fall_harm;
 use crate::motion::Doing;
@@ -129,10 +129,8 @@ impl Npc<'_> {
             (State::Wander, None) => {
                 self.mind.rest();
                 // Who has met somebody looks at that one.
-                self.mind.face = around
-                    .others
-                    .iter()
-                    .filter(|other| other.entity != self.entity)
+                self.mind.face = self
+                    .others(around)
                     .find(|other| around.apart_m(self.position.0, other.point) < 3.0)
                     .map(|other| other.point.moved(DVec3::Y * around.tuning.eye_height_m()));
             }
@@ -183,10 +181,16 @@ impl Npc<'_> {
         input
     }
 
+    /// All other figures that live.
+    pub fn others<'b>(&self, around: &Around<'b>) -> impl Iterator<Item = &'b BotView> + use<'b> {
+        let id = self.bot.id;
+        around.living.iter().filter(move |it| it.bot.id != id)
+    }
+
     /// Which way to give room to others who stand too close, and how much.
     fn room(&self, around: &Around<'_>) -> DVec3 {
         let player = around.quarry.iter().map(|quarry| quarry.feet);
-        let others = around.others.iter().filter(|it| it.entity != self.entity);
+        let others = self.others(around);
         let mut push = DVec3::ZERO;
         for point in others.map(|it| it.point).chain(player) {
             let away = self.position.0.pos - over(around.strategy(), self.position.0, point).pos;

@@ -47,7 +47,7 @@ impl Npc<'_> {
 }
 
 /// The picture that the player aims by, unless it is the world's own.
-pub(super) fn other_picture(now: &Situation<'_>) -> Option<OtherPicture> {
+pub(super) fn other_picture(now: Situation<'_>) -> Option<OtherPicture> {
     let optics = now.aiming();
     (!optics.own).then(|| OtherPicture {
         head: now.head_through(&optics),
@@ -57,7 +57,7 @@ pub(super) fn other_picture(now: &Situation<'_>) -> Option<OtherPicture> {
 
 /// Headings of the player's chart, radians, to those who could shoot at the player and are not to be seen in the
 /// picture.
-pub(crate) fn hidden_foes(now: &Situation<'_>) -> Vec<f64> {
+pub(crate) fn hidden_foes(now: Situation<'_>) -> Vec<f64> {
     let feet = now.feet();
     let mut query = now.actors.ecs.query::<(&Mind, &Position, &Health)>();
     let hidden = query

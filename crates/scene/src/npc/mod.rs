@@ -30,7 +30,7 @@ use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::motion::Doing;
 use crate::outbox::Outbox;
-use crate::player::{self, Body, Health, Player, Position};
+use crate::player::{self, Body, Player};
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BOT_LIES_S, MOST_DROPS, STEP_S};
 use crate::world::World;
@@ -42,7 +42,7 @@ use mind::Mind;
 pub use mind::State;
 pub(crate) use navigation::ASKS_M;
 pub(crate) use population::send_hostile_away;
-use senses::{Around, Other, Quarry};
+use senses::{Around, Quarry};
 pub(crate) use senses::{Event, sees, world_optics};
 pub use speech::Speech;
 pub(crate) use speech::speech;
@@ -95,10 +95,8 @@ pub(crate) fn let_somebody_wait(
     point: ChartPoint,
     yaw: f64,
 ) {
-    let id = bot::spawn(world, actors, point, yaw, false, BOT_HEALTH);
-    bot::set_mind(actors, id, 0.0, true);
-    let minds = actors.ecs.query_mut::<(&Bot, &mut Mind)>();
-    for (_, mind) in minds.into_iter().filter(|(bot, _)| bot.id == id) {
+    let entity = bot::spawn(world, actors, point, yaw, false, BOT_HEALTH, true);
+    if let Ok(mind) = actors.ecs.query_one_mut::<&mut Mind>(entity) {
         mind.listen(head);
     }
 }
@@ -115,12 +113,12 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &Player, outbox: 
     let (steps, mode) = (actors.npcs.steps, actors.npcs.mode);
     let events = std::mem::take(&mut actors.npcs.events);
     let now = Situation::of(world, actors, player);
-    let others = others(actors);
-    let quarry = quarry(&now);
-    let picture = quarry.as_ref().and_then(|_| hidden::other_picture(&now));
+    let living = bot::living(actors);
+    let quarry = quarry(now);
+    let picture = quarry.as_ref().and_then(|_| hidden::other_picture(now));
     let cars = actors.car_views(world).into_iter();
     let cars: Vec<_> = cars.filter_map(|car| Some((car, car.comes()?))).collect();
-    let lamps: Vec<Lamp> = actors.all().into_iter().map(|(_, lamp)| lamp).collect();
+    let lamps: Vec<Lamp> = actors.each();
     for (id, entity) in figures_in_order(actors) {
         let Ok(mut npc) = actors.ecs.query_one_mut::<Npc<'_>>(entity) else {
             continue;
@@ -130,7 +128,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &Player, outbox: 
             tuning: &actors.tuning,
             quarry,
             picture: picture.as_ref(),
-            others: &others,
+            living: &living,
             cars: &cars,
             lamps: &lamps,
             events: &events,
@@ -170,26 +168,8 @@ fn figures_in_order(actors: &Actors) -> Vec<(u32, Entity)> {
     all
 }
 
-fn others(actors: &Actors) -> Vec<Other> {
-    let mut all: Vec<_> = actors
-        .ecs
-        .query::<(Entity, &Bot, &Position, &Health, &Mind)>()
-        .iter()
-        .filter(|(.., health, _)| health.0 > 0.0)
-        .map(|(entity, bot, position, _, mind)| Other {
-            entity,
-            id: bot.id,
-            point: position.0,
-            fights: bot.hostile || mind.angry_s > 0.0,
-            native: bot.native,
-        })
-        .collect();
-    all.sort_unstable_by_key(|other| other.id);
-    all
-}
-
 /// The player, unless dead, spared or a spectator.
-fn quarry(now: &Situation<'_>) -> Option<Quarry> {
+fn quarry(now: Situation<'_>) -> Option<Quarry> {
     let player = now.player;
     let is_fair = !player.flying && !player.is_dead() && player.condition.spared_s <= 0.0;
     is_fair.then(|| {
@@ -203,7 +183,7 @@ fn quarry(now: &Situation<'_>) -> Option<Quarry> {
 }
 
 impl Npc<'_> {
-    /// Lies dead for a step. Who dies in it leaves bullets, more who fought.
+    /// Lies dead for a step. Returns the bullets that a figure leaves in the step in which it dies; fighters leave more.
     fn lie(&mut self, around: &Around<'_>) -> Option<Drop> {
         let dies = self.mind.state != State::Dead;
         self.mind.enter(State::Dead);

@@ -5,12 +5,11 @@ use glam::DVec3;
 
 use super::bearing::{ahead, apart_m, toward};
 use super::dice::Dice;
-use super::others;
 use super::tuning::{
     APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, PEACE_S, UNSEEN_RAD,
 };
-use crate::actors::Actors;
-use crate::bot;
+use crate::actors::{ActorId, Actors};
+use crate::bot::{self, Bot};
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, BOT_HEALTH};
@@ -32,22 +31,20 @@ pub(super) fn come_and_go(world: &World, actors: &mut Actors, player: &Player) {
     }
     let now = Situation::of(world, actors, player);
     let feet = now.feet();
-    let leaves = |point: ChartPoint| {
-        apart_m(&*world.strategy, feet, point) > GOES_M && !may_see(&now, point)
-    };
-    let (gone, left): (Vec<_>, Vec<_>) = others(actors)
+    let leaves =
+        |point: ChartPoint| apart_m(&*world.strategy, feet, point) > GOES_M && !may_see(now, point);
+    let (gone, left): (Vec<_>, Vec<_>) = bot::living(actors)
         .into_iter()
-        .partition(|other| other.native && leaves(other.point));
-    for other in gone {
-        // It was there a moment ago.
-        let _ = actors.ecs.despawn(other.entity);
+        .partition(|view| view.bot.native && leaves(view.point));
+    for view in gone {
+        actors.remove::<Bot>(ActorId(view.bot.id));
     }
     let closed = world.strategy.rim_m().is_some();
     let most = if closed { MOST_LIVING.1 } else { MOST_LIVING.0 };
     if left.len() >= most {
         return;
     }
-    let hostile = left.iter().filter(|other| other.fights).count();
+    let hostile = left.iter().filter(|view| view.fights).count();
     let peaceful = if world.simulated_s < PEACE_S {
         most / 2
     } else {
@@ -66,9 +63,8 @@ pub(super) fn come_and_go(world: &World, actors: &mut Actors, player: &Player) {
 
 /// Those who fight are gone when the player stands up again, however they came, and others wait.
 pub(crate) fn send_hostile_away(world: &World, actors: &mut Actors) {
-    for other in others(actors).iter().filter(|other| other.fights) {
-        // It was there a moment ago.
-        let _ = actors.ecs.despawn(other.entity);
+    for view in bot::living(actors).iter().filter(|view| view.fights) {
+        actors.remove::<Bot>(ActorId(view.bot.id));
     }
     let rest_s = world.simulated_s + HOSTILE_EVERY_S;
     actors.npcs.peace_until_s = actors.npcs.peace_until_s.max(rest_s);
@@ -88,16 +84,16 @@ fn let_one_come(world: &World, actors: &mut Actors, player: &Player, hostile: bo
         let mut point = ahead(&*world.strategy, now.feet(), heading, away_m);
         point.pos.y = world.ground.untouched_height(point) + CLEARANCE_M;
         let there = world.lets_move(ChunkCoord::containing(point));
-        (there && !may_see(&now, point)).then_some(point)
+        (there && !may_see(now, point)).then_some(point)
     });
     let Some(point) = place else { return false };
-    let id = bot::spawn(world, actors, point, dice.heading(), hostile, BOT_HEALTH);
-    bot::set_mind(actors, id, 0.0, true);
+    let yaw = dice.heading();
+    bot::spawn(world, actors, point, yaw, hostile, BOT_HEALTH, true);
     true
 }
 
 /// Whether a place may be in the picture, whatever is before it.
-fn may_see(now: &Situation<'_>, point: ChartPoint) -> bool {
+fn may_see(now: Situation<'_>, point: ChartPoint) -> bool {
     let optics = now.aiming();
     let eye = now.camera_through(&optics).eye;
     let view = optics

@@ -11,6 +11,7 @@ use super::bearing::{apart_m, way};
 use super::hidden::OtherPicture;
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
 use crate::aimed::Optics;
+use crate::bot::BotView;
 use crate::car::CarView;
 use crate::lamp::Lamp;
 use crate::pick::segment_hit;
@@ -53,16 +54,6 @@ pub(crate) struct Quarry {
     pub velocity: DVec3,
 }
 
-/// Another figure.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Other {
-    pub entity: Entity,
-    pub id: u32,
-    pub point: ChartPoint,
-    pub fights: bool,
-    pub native: bool,
-}
-
 /// The world around a mind, as it was when the step began.
 pub(crate) struct Around<'a> {
     pub world: &'a World,
@@ -71,7 +62,8 @@ pub(crate) struct Around<'a> {
     pub quarry: Option<Quarry>,
     /// The picture that the player aims by, where it is not the world's own.
     pub picture: Option<&'a OtherPicture>,
-    pub others: &'a [Other],
+    /// All figures that live, the one that looks among them.
+    pub living: &'a [BotView],
     /// Cars that come, and the level way that each takes, m/s.
     pub cars: &'a [(CarView, DVec3)],
     pub lamps: &'a [Lamp],

@@ -140,10 +140,9 @@ impl Npc<'_> {
 
     fn meets_friend(&self, around: &Around<'_>, from: ChartPoint, to: ChartPoint) -> bool {
         let tuning = around.tuning;
-        around.others.iter().any(|other| {
+        self.others(around).any(|other| {
             let feet = over(around.strategy(), from, other.point).pos;
-            other.entity != self.entity
-                && (feet - from.pos).length_squared() < NEAR_M * NEAR_M
+            (feet - from.pos).length_squared() < NEAR_M * NEAR_M
                 && meets_capsule(
                     from.pos,
                     to.pos,

@@ -42,7 +42,7 @@ pub struct Speech {
 
 /// What is being said, in a picture that was taken so, of that vertical field of view in radians.
 pub(crate) fn speech(
-    now: &Situation<'_>,
+    now: Situation<'_>,
     pictured: &dyn Strategy,
     seen: &Seen,
     fov_y_rad: f64,

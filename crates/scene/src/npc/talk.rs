@@ -83,7 +83,7 @@ pub(crate) fn talk(world: &World, actors: &mut Actors, player: &Player, outbox: 
     mind.told += 1;
     let greets = told == 0;
     let now = Situation::of(world, actors, player);
-    let line = line_of(&now, id, told);
+    let line = line_of(now, id, told);
     actors.npcs.said = Some(Said {
         speaker: id,
         greets,
@@ -103,7 +103,7 @@ fn heed(actors: &mut Actors, entity: Entity, head: ChartPoint) -> Option<&mut Mi
 }
 
 /// One line after another, of those that are true here.
-fn line_of(now: &Situation<'_>, id: u32, told: u32) -> Line {
+fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
     let strategy = &*now.world.strategy;
     let home = way(strategy, now.feet(), now.start());
     let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole((0, 2));
@@ -118,7 +118,7 @@ fn line_of(now: &Situation<'_>, id: u32, told: u32) -> Line {
 
 /// The triangle whose sides are as long as the way home. Straight lines between three points of a closed space lie
 /// in one sphere of its radius, however high above the level they begin.
-fn triangle(now: &Situation<'_>, home_m: f64) -> Line {
+fn triangle(now: Situation<'_>, home_m: f64) -> Line {
     let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
     let strategy = &*now.world.strategy;
     let closed = strategy.rim_m().is_some();
@@ -136,7 +136,7 @@ fn triangle(now: &Situation<'_>, home_m: f64) -> Line {
 }
 
 /// Where ground as high as one's own is seen some way off, beside where a flat space shows it.
-fn horizon(now: &Situation<'_>) -> Line {
+fn horizon(now: Situation<'_>) -> Line {
     let level = Eye {
         pitch: 0.0,
         ..now.head()

@@ -29,17 +29,15 @@ pub struct Wound {
 /// The health of living figures that are hurt and in sight, in a picture that was taken so, of that vertical
 /// field of view in radians.
 pub(crate) fn wounds(
-    now: &Situation<'_>,
+    now: Situation<'_>,
     pictured: &dyn Strategy,
     seen: &Seen,
     fov_y_rad: f64,
 ) -> Vec<Wound> {
     let eye = seen.eye;
     let tuning = &now.actors.tuning;
-    let bots = bot::views(now.actors);
-    let hurt = bots
-        .iter()
-        .filter(|view| view.health > 0.0 && view.health < BOT_HEALTH);
+    let living = bot::living(now.actors).into_iter();
+    let hurt = living.filter(|view| view.health < BOT_HEALTH);
     hurt.filter_map(|view| {
         let point = seen.place(view.bot.id, view.point);
         let over = point.moved(DVec3::Y * (tuning.height_m + OVER_M));
