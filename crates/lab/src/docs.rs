@@ -167,7 +167,7 @@ fn cell(report: &Report, parts: &[&str]) -> Result<String, LabError> {
             continue;
         };
         let found = table.rows.iter().find(|row| {
-            let has = |word: &&str| row.contains(&Cell::Text((*word).to_owned()));
+            let has = |word: &&str| row.contains(&Cell::text(*word));
             words.iter().all(has)
         });
         if let Some(answer) = found.and_then(|row| row.get(at)) {

@@ -94,6 +94,90 @@ pub struct Series {
     pub joined: bool,
 }
 
+impl Cell {
+    /// Words.
+    pub fn text(words: impl Into<String>) -> Self {
+        Self::Text(words.into())
+    }
+
+    /// A figure and its unit, which may be empty.
+    pub fn figure(value: impl Into<f64>, unit: &str) -> Self {
+        Self::Figure(value.into(), unit.to_owned())
+    }
+
+    /// A number of things.
+    pub fn count(n: usize) -> Self {
+        Self::figure(n as f64, "")
+    }
+}
+
+impl Table {
+    /// Rows under headings.
+    pub fn new(
+        title: impl Into<String>,
+        columns: impl IntoIterator<Item: Into<String>>,
+        rows: impl IntoIterator<Item = Vec<Cell>>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            columns: columns.into_iter().map(Into::into).collect(),
+            rows: rows.into_iter().collect(),
+        }
+    }
+}
+
+impl Scale {
+    /// An axis divided so.
+    pub fn axis(self, label: impl Into<String>) -> Axis {
+        Axis {
+            label: label.into(),
+            scale: self,
+        }
+    }
+
+    /// The axis across and the one upwards, both divided so.
+    pub fn axes(self, across: &str, upwards: &str) -> [Axis; 2] {
+        [across, upwards].map(|label| self.axis(label))
+    }
+}
+
+impl Plot {
+    /// What is drawn, over the axis across and the one upwards.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        [x, y]: [Axis; 2],
+        series: impl IntoIterator<Item = Series>,
+    ) -> Self {
+        Self {
+            id: id.into(),
+            title: title.into(),
+            x,
+            y,
+            series: series.into_iter().collect(),
+        }
+    }
+}
+
+impl Series {
+    /// Points joined by a line.
+    pub fn line(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Self {
+            name: name.into(),
+            points: points.into_iter().collect(),
+            joined: true,
+        }
+    }
+
+    /// Points by themselves.
+    pub fn dots(name: impl Into<String>, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        Self {
+            joined: false,
+            ..Self::line(name, points)
+        }
+    }
+}
+
 impl Report {
     /// Whether every verdict in every table is good.
     pub fn passed(&self) -> bool {
@@ -120,6 +204,31 @@ impl Report {
 }
 
 impl Section {
+    /// A section without plots.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        method: impl IntoIterator<Item: Into<String>>,
+        tables: impl IntoIterator<Item = Table>,
+    ) -> Self {
+        Self {
+            id: id.into(),
+            title: title.into(),
+            method: method.into_iter().map(Into::into).collect(),
+            tables: tables.into_iter().collect(),
+            plots: Vec::new(),
+        }
+    }
+
+    /// With plots.
+    #[must_use]
+    pub fn with(self, plots: impl IntoIterator<Item = Plot>) -> Self {
+        Self {
+            plots: plots.into_iter().collect(),
+            ..self
+        }
+    }
+
     /// Whether every verdict in every table is good.
     pub fn passed(&self) -> bool {
         let cells = self

@@ -1,5 +1,5 @@
 //! The shapes of stored values that have changed since they were first written, and their way to the next version.
-//! Nothing in here ever changes again.
+//! No shape in here ever changes again. A struct in a struct is stored as its fields would be.
 
 /// Version 1 knew one picture of each space.
 pub(crate) mod v1 {
@@ -124,18 +124,7 @@ pub(crate) mod v3 {
                 }
             }
             Self {
-                player: old.player,
-                item_slot: old.item_slot,
-                inventory,
-                time_of_day_s: old.time_of_day_s,
-                map: old.map,
-                curvature: old.curvature,
-                curvature_horizon: old.curvature_horizon,
-                bent: old.bent,
-                bend: old.bend,
-                brush_radius_m: old.brush_radius_m,
-                simulated_s: old.simulated_s,
-                view_distance: old.view_distance,
+                before: WorldState { inventory, ..old },
                 flashlight: false,
                 lamps: Vec::new(),
                 drops: Vec::new(),
@@ -171,6 +160,7 @@ pub(crate) mod v3 {
             };
             let state = v4::WorldState::from(old);
             let slots: Vec<_> = state
+                .before
                 .inventory
                 .iter()
                 .map(|it| (it.slot, it.item.as_str(), it.count))
@@ -191,8 +181,8 @@ pub(crate) mod v3 {
 pub(crate) mod v4 {
     use serde::{Deserialize, Serialize};
 
-    use super::v5;
-    use crate::schema::{self, DropRecord, LampRecord, PlayerRecord, SlotRecord};
+    use super::{v3, v5};
+    use crate::schema::{self, DropRecord, LampRecord};
 
     /// What version 4 kept of a figure that nobody plays.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -207,18 +197,8 @@ pub(crate) mod v4 {
     /// What version 4 kept of everything that changes while a world is played.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub(crate) struct WorldState {
-        pub player: PlayerRecord,
-        pub item_slot: u8,
-        pub inventory: Vec<SlotRecord>,
-        pub time_of_day_s: f64,
-        pub map: String,
-        pub curvature: f64,
-        pub curvature_horizon: f64,
-        pub bent: bool,
-        pub bend: f64,
-        pub brush_radius_m: f64,
-        pub simulated_s: f64,
-        pub view_distance: u32,
+        /// What version 3 had, which is stored first.
+        pub before: v3::WorldState,
         pub flashlight: bool,
         pub lamps: Vec<LampRecord>,
         pub drops: Vec<DropRecord>,
@@ -243,18 +223,7 @@ pub(crate) mod v4 {
         /// The world gets its first car when it is opened.
         fn from(old: WorldState) -> Self {
             Self {
-                player: old.player,
-                item_slot: old.item_slot,
-                inventory: old.inventory,
-                time_of_day_s: old.time_of_day_s,
-                map: old.map,
-                curvature: old.curvature,
-                curvature_horizon: old.curvature_horizon,
-                bent: old.bent,
-                bend: old.bend,
-                brush_radius_m: old.brush_radius_m,
-                simulated_s: old.simulated_s,
-                view_distance: old.view_distance,
+                before: old.before,
                 flashlight: old.flashlight,
                 lamps: old.lamps,
                 drops: old.drops,
@@ -271,25 +240,14 @@ pub(crate) mod v4 {
 pub(crate) mod v5 {
     use serde::{Deserialize, Serialize};
 
-    use crate::schema::{
-        self, BotRecord, CarRecord, DropRecord, LampRecord, PlayerRecord, SlotRecord,
-    };
+    use super::v3;
+    use crate::schema::{self, BotRecord, CarRecord, DropRecord, LampRecord};
 
     /// What version 5 kept of everything that changes while a world is played.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub(crate) struct WorldState {
-        pub player: PlayerRecord,
-        pub item_slot: u8,
-        pub inventory: Vec<SlotRecord>,
-        pub time_of_day_s: f64,
-        pub map: String,
-        pub curvature: f64,
-        pub curvature_horizon: f64,
-        pub bent: bool,
-        pub bend: f64,
-        pub brush_radius_m: f64,
-        pub simulated_s: f64,
-        pub view_distance: u32,
+        /// What version 3 had, which is stored first.
+        pub before: v3::WorldState,
         pub flashlight: bool,
         pub lamps: Vec<LampRecord>,
         pub drops: Vec<DropRecord>,
@@ -301,19 +259,20 @@ pub(crate) mod v5 {
 
     impl From<WorldState> for schema::WorldState {
         fn from(old: WorldState) -> Self {
+            let before = old.before;
             Self {
-                player: old.player,
-                item_slot: old.item_slot,
-                inventory: old.inventory,
-                time_of_day_s: old.time_of_day_s,
-                map: old.map,
-                curvature: old.curvature,
-                curvature_horizon: old.curvature_horizon,
-                bent: old.bent,
-                bend: old.bend,
-                brush_radius_m: old.brush_radius_m,
-                simulated_s: old.simulated_s,
-                view_distance: old.view_distance,
+                player: before.player,
+                item_slot: before.item_slot,
+                inventory: before.inventory,
+                time_of_day_s: before.time_of_day_s,
+                map: before.map,
+                curvature: before.curvature,
+                curvature_horizon: before.curvature_horizon,
+                bent: before.bent,
+                bend: before.bend,
+                brush_radius_m: before.brush_radius_m,
+                simulated_s: before.simulated_s,
+                view_distance: before.view_distance,
                 flashlight: old.flashlight,
                 lamps: old.lamps,
                 drops: old.drops,

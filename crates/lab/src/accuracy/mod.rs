@@ -158,16 +158,12 @@ impl Suite {
     /// When the adapter fails; errors of figures are verdicts in the section.
     pub fn run(&self, bench: &Bench) -> Result<Section, LabError> {
         let found = (self.measure)(bench)?;
-        Ok(Section {
-            id: self.id.to_owned(),
-            title: self.title.to_owned(),
-            method: self
-                .method
-                .iter()
-                .map(|words| (*words).to_owned())
-                .collect(),
-            tables: vec![row::table(self.title, &found.rows)],
-            plots: found.plots,
-        })
+        Ok(Section::new(
+            self.id,
+            self.title,
+            self.method.iter().copied(),
+            [row::table(self.title, &found.rows)],
+        )
+        .with(found.plots))
     }
 }

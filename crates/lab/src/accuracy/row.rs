@@ -1,6 +1,6 @@
 //! What one test found: the worst error with its input, beside the bar and the textbook formula.
 
-use crate::report::{Axis, Cell, Plot, Scale, Series, Table};
+use crate::report::{Cell, Plot, Scale, Series, Table};
 
 /// In which arithmetic a quantity was computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,12 +106,12 @@ impl Row {
     }
 
     fn cells(&self) -> Vec<Cell> {
-        let figure = |value: f64| Cell::Figure(value, self.unit.to_owned());
-        let count = |n: u64| Cell::Figure(n as f64, String::new());
+        let figure = |value: f64| Cell::figure(value, self.unit);
+        let count = |n: u64| Cell::figure(n as f64, "");
         let mut cells = vec![
-            Cell::Text(self.quantity.to_owned()),
-            Cell::Text(self.range.clone()),
-            Cell::Text(self.arithmetic.name().to_owned()),
+            Cell::text(self.quantity),
+            Cell::text(&self.range),
+            Cell::text(self.arithmetic.name()),
         ];
         let bar = self.bar.map_or(Cell::Empty, figure);
         match &self.ours {
@@ -123,22 +123,22 @@ impl Row {
                 count(ours.count),
             ]),
             None => cells.extend([
-                Cell::Text("NOT RUN".to_owned()),
+                Cell::text("NOT RUN"),
                 bar,
-                Cell::Text("NOT RUN".to_owned()),
+                Cell::text("NOT RUN"),
                 Cell::Empty,
                 Cell::Empty,
             ]),
         }
         match &self.naive {
             Some(naive) if naive.bad == naive.count => {
-                cells.extend([Cell::Text("none".to_owned()), count(naive.bad)]);
+                cells.extend([Cell::text("none"), count(naive.bad)]);
             }
             Some(naive) => cells.extend([figure(naive.error), count(naive.bad)]),
             None => cells.extend([Cell::Empty, Cell::Empty]),
         }
         let at = self.ours.as_ref().map_or("", |ours| &ours.at);
-        cells.push(Cell::Text(at.to_owned()));
+        cells.push(Cell::text(at));
         cells
     }
 }
@@ -184,11 +184,7 @@ pub fn note_all<const N: usize>(
 
 /// The rows as a table.
 pub fn table(title: &str, rows: &[Row]) -> Table {
-    Table {
-        title: title.to_owned(),
-        columns: COLUMNS.map(str::to_owned).into(),
-        rows: rows.iter().map(Row::cells).collect(),
-    }
+    Table::new(title, COLUMNS, rows.iter().map(Row::cells))
 }
 
 /// A curve of worst errors: the greatest in each of some bins of a logarithmic axis.
@@ -226,34 +222,26 @@ impl Curve {
     pub fn series(&self) -> Series {
         let place = |i: usize| (self.low + (i as f64 + 0.5) * self.step).exp();
         let points = self.worst.iter().enumerate();
-        Series {
-            name: self.name.clone(),
-            points: points
+        Series::line(
+            self.name.clone(),
+            points
                 .filter(|(_, worst)| **worst > 0.0)
-                .map(|(i, worst)| (place(i), *worst))
-                .collect(),
-            joined: true,
-        }
+                .map(|(i, worst)| (place(i), *worst)),
+        )
     }
 }
 
 /// A plot of curves over logarithmic axes; curves without a point are left out.
 pub fn plot(id: &str, title: &str, across: &str, upwards: &str, curves: &[Curve]) -> Plot {
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Logarithmic,
-    };
-    Plot {
-        id: id.to_owned(),
-        title: title.to_owned(),
-        x: axis(across),
-        y: axis(upwards),
-        series: curves
+    Plot::new(
+        id,
+        title,
+        Scale::Logarithmic.axes(across, upwards),
+        curves
             .iter()
             .map(Curve::series)
-            .filter(|series| !series.points.is_empty())
-            .collect(),
-    }
+            .filter(|series| !series.points.is_empty()),
+    )
 }
 
 #[cfg(test)]

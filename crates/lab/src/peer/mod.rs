@@ -79,19 +79,19 @@ pub fn run(effort: Effort) -> Section {
             subject,
         })
         .collect();
-    Section {
-        id: "peers".to_owned(),
-        title: "Peer comparison".to_owned(),
-        method: method(seeds),
-        tables: vec![
+    Section::new(
+        "peers",
+        "Peer comparison",
+        method(seeds),
+        [
             tables::published(&measured),
             tables::medians(&measured, 0),
             tables::medians(&measured, 1),
             tables::ours(&measured),
             tables::counts(&measured),
         ],
-        plots: vec![plots::loops(), plots::medians(&measured)],
-    }
+    )
+    .with([plots::loops(), plots::medians(&measured)])
 }
 
 fn method(seeds: u64) -> Vec<String> {

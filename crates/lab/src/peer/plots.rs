@@ -11,7 +11,7 @@ use super::tables::{Measured, TOLERANCES};
 use super::tiling::Tiling;
 use super::trials::{Keeping, loop_error};
 use crate::random::Numbers;
-use crate::{Axis, Plot, Scale, Series};
+use crate::{Plot, Scale, Series};
 
 /// The farthest loop that is drawn, in tiles.
 const LOOP_TILES: u32 = 40;
@@ -19,13 +19,6 @@ const LOOP_TILES: u32 = 40;
 const LOOPS: u64 = 11;
 /// Errors from this on say no more than that nothing is left, in radii.
 const LOST: f64 = 100.0;
-
-fn axis(label: &str, scale: Scale) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        scale,
-    }
-}
 
 /// The median error of loops that reach so many tiles; one that is not a number is the largest.
 fn median_error<M: Model>(keeping: Keeping, distance: u32) -> f64 {
@@ -52,11 +45,10 @@ fn loop_series<M: Model>(keeping: Keeping, name: &str) -> Series {
         .collect();
     let is_exact = points.iter().all(|&(_, error)| error == 0.0);
     let note = if is_exact { " (0 throughout)" } else { "" };
-    Series {
-        name: format!("{name} {}{note}", M::N::NAME),
-        points: points.into_iter().filter(|&(_, y)| y > 0.0).collect(),
-        joined: true,
-    }
+    Series::line(
+        format!("{name} {}{note}", M::N::NAME),
+        points.into_iter().filter(|&(_, y)| y > 0.0),
+    )
 }
 
 fn loop_both<A: Model, B: Model>(keeping: Keeping, name: &str) -> [Series; 2] {
@@ -70,19 +62,18 @@ fn loop_both<A: Model, B: Model>(keeping: Keeping, name: &str) -> [Series; 2] {
 pub fn loops() -> Plot {
     type LinearOf<N> = Linear<N, COLUMNS>;
     let kept = Keeping::Coordinates;
-    Plot {
-        id: "peers-loop".to_owned(),
-        title: "Error after a loop".to_owned(),
-        x: axis("farthest tile of the loop, tiles", Scale::Logarithmic),
-        y: axis("median error, radii", Scale::Logarithmic),
-        series: [
+    Plot::new(
+        "peers-loop",
+        "Error after a loop",
+        Scale::Logarithmic.axes("farthest tile of the loop, tiles", "median error, radii"),
+        [
             loop_both::<LinearOf<f32>, LinearOf<f64>>(kept, LinearOf::<f64>::NAME),
             loop_both::<HalfPlane<f32>, HalfPlane<f64>>(kept, HalfPlane::<f64>::NAME),
             loop_both::<Polar<f32>, Polar<f64>>(kept, Polar::<f64>::NAME),
             loop_both::<Disk<f32>, Disk<f64>>(Keeping::Tiles, "camera-relative"),
         ]
         .concat(),
-    }
+    )
 }
 
 /// The medians of every representation, test by test, at the first tolerance.
@@ -91,22 +82,24 @@ pub fn medians(measured: &[Measured]) -> Plot {
         .zip(Test::ALL)
         .map(|(number, test)| format!("{number} {}", test.name()))
         .collect();
-    let series = measured.iter().map(|one| Series {
-        name: format!("{} {}", one.subject.name, one.subject.precision),
-        points: (1_u32..)
-            .zip(one.medians[0])
-            .filter_map(|(number, median)| Some((number.into(), median?.reached().into())))
-            .collect(),
-        joined: false,
+    let series = measured.iter().map(|one| {
+        Series::dots(
+            format!("{} {}", one.subject.name, one.subject.precision),
+            (1_u32..)
+                .zip(one.medians[0])
+                .filter_map(|(number, median)| Some((number.into(), median?.reached().into()))),
+        )
     });
-    Plot {
-        id: "peers-medians".to_owned(),
-        title: format!(
+    Plot::new(
+        "peers-medians",
+        format!(
             "Median tiles, radii or steps before failing, tolerance {}",
             TOLERANCES[0]
         ),
-        x: axis(&names.join(", "), Scale::Linear),
-        y: axis("median; or the farthest tried", Scale::Logarithmic),
-        series: series.collect(),
-    }
+        [
+            Scale::Linear.axis(names.join(", ")),
+            Scale::Logarithmic.axis("median; or the farthest tried"),
+        ],
+        series,
+    )
 }

@@ -17,32 +17,12 @@ pub struct Measured {
     pub medians: [Medians; 2],
 }
 
-fn text(words: impl Into<String>) -> Cell {
-    Cell::Text(words.into())
-}
-
-fn figure(value: impl Into<f64>, unit: &str) -> Cell {
-    Cell::Figure(value.into(), unit.to_owned())
-}
-
 fn outcome(median: Option<Outcome>) -> Cell {
     match median {
-        Some(Outcome::Failed(at)) => figure(at, ""),
-        Some(Outcome::Held(to)) => text(format!("> {to}")),
+        Some(Outcome::Failed(at)) => Cell::figure(at, ""),
+        Some(Outcome::Held(to)) => Cell::text(format!("> {to}")),
         None => Cell::Empty,
     }
-}
-
-fn table(title: String, columns: Vec<String>, rows: Vec<Vec<Cell>>) -> Table {
-    Table {
-        title,
-        columns,
-        rows,
-    }
-}
-
-fn headings(names: &[&str]) -> Vec<String> {
-    names.iter().map(|&name| name.to_owned()).collect()
 }
 
 fn position(test: Test) -> usize {
@@ -54,21 +34,24 @@ fn position(test: Test) -> usize {
 
 /// The medians of every representation at one of [`TOLERANCES`], by its index.
 pub fn medians(measured: &[Measured], at: usize) -> Table {
-    let mut columns = headings(&["representation", "precision"]);
+    let mut columns = ["representation", "precision"].map(str::to_owned).to_vec();
     columns.extend(Test::ALL.map(|test| format!("{}, {}", test.name(), test.unit())));
     columns.push("count, operations".to_owned());
     let rows = measured.iter().map(|one| {
-        let mut row = vec![text(one.subject.name), text(one.subject.precision)];
+        let mut row = vec![
+            Cell::text(one.subject.name),
+            Cell::text(one.subject.precision),
+        ];
         row.extend(one.medians[at].map(outcome));
         row.push(
             one.subject
                 .costs
-                .map_or(Cell::Empty, |costs| figure(costs.compose.total(), "")),
+                .map_or(Cell::Empty, |costs| Cell::figure(costs.compose.total(), "")),
         );
         row
     });
     let title = format!("Where the median run fails, tolerance {}", TOLERANCES[at]);
-    table(title, columns, rows.collect())
+    Table::new(title, columns, rows)
 }
 
 /// The published medians beside ours.
@@ -86,16 +69,16 @@ pub fn published(measured: &[Measured]) -> Table {
             _ => false,
         };
         vec![
-            text(published.subject),
-            text(published.precision),
-            text(published.test.name()),
-            figure(published.median, published.test.unit()),
+            Cell::text(published.subject),
+            Cell::text(published.precision),
+            Cell::text(published.test.name()),
+            Cell::figure(published.median, published.test.unit()),
             outcome(loose),
             outcome(tight),
             Cell::Verdict(agrees),
         ]
     });
-    let columns = headings(&[
+    let columns = [
         "representation",
         "precision",
         "test",
@@ -103,12 +86,8 @@ pub fn published(measured: &[Measured]) -> Table {
         "here, 0.1",
         "here, 1e-3",
         "reproduced",
-    ]);
-    table(
-        "Beside the published medians".to_owned(),
-        columns,
-        rows.collect(),
-    )
+    ];
+    Table::new("Beside the published medians", columns, rows)
 }
 
 /// The best that the others reach in a test, measured here or published, and whose it is.
@@ -155,10 +134,10 @@ pub fn ours(measured: &[Measured]) -> Table {
                     _ => false,
                 };
                 rows.push(vec![
-                    text(test.name()),
-                    text(one.subject.precision),
-                    figure(*tolerance, ""),
-                    text(other.as_ref().map_or("", |(_, name)| name)),
+                    Cell::text(test.name()),
+                    Cell::text(one.subject.precision),
+                    Cell::figure(*tolerance, ""),
+                    Cell::text(other.as_ref().map_or("", |(_, name)| name)),
                     outcome(other.as_ref().map(|(median, _)| *median)),
                     outcome(median),
                     Cell::Verdict(holds),
@@ -166,7 +145,7 @@ pub fn ours(measured: &[Measured]) -> Table {
             }
         }
     }
-    let columns = headings(&[
+    let columns = [
         "test",
         "precision",
         "tolerance",
@@ -174,9 +153,9 @@ pub fn ours(measured: &[Measured]) -> Table {
         "its median",
         "camera-relative",
         "at least as good",
-    ]);
+    ];
     let title = "The camera-relative rule beside the best of the others";
-    table(title.to_owned(), columns, rows)
+    Table::new(title, columns, rows)
 }
 
 fn in_words(operations: Operations) -> Cell {
@@ -190,7 +169,7 @@ fn in_words(operations: Operations) -> Cell {
     let parts: Vec<_> = parts
         .map(|(times, kind)| format!("{times} {kind}"))
         .collect();
-    text(if parts.is_empty() {
+    Cell::text(if parts.is_empty() {
         "none".to_owned()
     } else {
         parts.join(", ")
@@ -212,11 +191,11 @@ pub fn counts(measured: &[Measured]) -> Table {
             costs.distance,
             costs.angle,
         ];
-        let mut row = vec![text(one.subject.name)];
+        let mut row = vec![Cell::text(one.subject.name)];
         row.extend(operations.map(in_words));
         Some(row)
     });
-    let columns = headings(&[
+    let columns = [
         "representation",
         "turn",
         "translation",
@@ -226,8 +205,8 @@ pub fn counts(measured: &[Measured]) -> Table {
         "translation to point",
         "distance",
         "angle",
-    ]);
-    table("Operations, counted".to_owned(), columns, rows.collect())
+    ];
+    Table::new("Operations, counted", columns, rows)
 }
 
 #[cfg(test)]

@@ -28,21 +28,18 @@ pub fn cpu_section(effort: Effort) -> Section {
     let (culling, wrong) = culling::groups(effort);
     groups.extend(culling);
     let (by_size, frames_plot) = frames::by_size();
-    Section {
-        id: "speed-cpu".to_owned(),
-        title: "What accuracy costs on the processor".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: groups
-            .iter()
-            .map(Group::table)
-            .chain([wrong, by_size])
-            .collect(),
-        plots: groups
+    Section::new(
+        "speed-cpu",
+        "What accuracy costs on the processor",
+        METHOD,
+        groups.iter().map(Group::table).chain([wrong, by_size]),
+    )
+    .with(
+        groups
             .iter()
             .map(Group::plot)
-            .chain([frames_plot, view::by_distance()])
-            .collect(),
-    }
+            .chain([frames_plot, view::by_distance()]),
+    )
 }
 
 const METHOD: [&str; 2] = [

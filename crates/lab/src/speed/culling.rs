@@ -221,9 +221,9 @@ pub fn groups(effort: Effort) -> (Vec<Group>, Table) {
         let shown: usize = truth.iter().flatten().filter(|s| **s).count();
         for (variant, wrong) in variants.iter().zip(wrongs) {
             rows.push(vec![
-                Cell::Text(name.to_owned()),
-                Cell::Text(variant.name.clone()),
-                Cell::Figure(variant.ns, "ns".to_owned()),
+                Cell::text(name),
+                Cell::text(&variant.name),
+                Cell::figure(variant.ns, "ns"),
                 percent(wrong.culled, shown),
                 percent(wrong.kept, total - shown),
                 if variant.used.is_empty() {
@@ -245,7 +245,7 @@ pub fn groups(effort: Effort) -> (Vec<Group>, Table) {
 }
 
 fn percent(part: usize, whole: usize) -> Cell {
-    Cell::Figure(100.0 * part as f64 / whole.max(1) as f64, "%".to_owned())
+    Cell::figure(100.0 * part as f64 / whole.max(1) as f64, "%")
 }
 
 fn table(rows: Vec<Vec<Cell>>) -> Table {
@@ -257,11 +257,7 @@ fn table(rows: Vec<Vec<Cell>>) -> Table {
         "unseen chunks drawn",
         "the game leaves none out",
     ];
-    Table {
-        title: "Culling: who is wrong, and which way".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
-        rows,
-    }
+    Table::new("Culling: who is wrong, and which way", columns, rows)
 }
 
 fn compete(cases: &[Case], truth: &[Vec<bool>], effort: Effort) -> (Vec<Variant>, Vec<Wrong>) {

@@ -5,9 +5,12 @@ use antipode_geometry::kernel::distance;
 use glam::{DVec3, DVec4, Vec4};
 
 use crate::random::Numbers;
-use crate::speed::pareto::{Group, Rival};
+use crate::speed::pareto::{Contest, Group};
 use crate::speed::port::BATCH;
 use crate::{Effort, naive};
+
+/// What the error is, and its unit.
+const ERROR: (&str, &str) = ("worst error", "radii");
 
 /// Two points of the model within a radius of the eye, and how far apart they were put, in radii.
 #[derive(Clone, Copy, Debug)]
@@ -64,112 +67,52 @@ fn half_chord(a: Vec4, b: Vec4) -> f32 {
 /// In hyperbolic space.
 pub fn hyperbolic_group(effort: Effort) -> Group {
     let inputs = pairs(31, -1.0);
-    let rivals = vec![
-        Rival::new(
-            "acosh of the inner product, f32",
-            "",
-            &inputs,
-            |p| f64::from(naive::distance(-1.0, p.rounded.0, p.rounded.1)),
-            error,
-        ),
-        Rival::new(
-            "acosh of the inner product, f64",
-            "",
-            &inputs,
-            |p| (-inner(-1.0, p.wide.0, p.wide.1)).acosh(),
-            error,
-        ),
-        Rival::new(
-            "asinh of the chord, library, f32",
-            "",
-            &inputs,
-            |p| f64::from(2.0 * half_chord(p.rounded.0, p.rounded.1).asinh()),
-            error,
-        ),
-        Rival::new(
-            "asinh of the chord, series, f32",
-            "shaders",
-            &inputs,
-            |p| {
-                f64::from(distance::hyperbolic(
-                    p.rounded.0.to_array(),
-                    p.rounded.1.to_array(),
-                ))
-            },
-            error,
-        ),
-        Rival::new(
-            "asinh of the chord, f64",
-            "processor",
-            &inputs,
-            |p| distance::hyperbolic(p.wide.0.to_array(), p.wide.1.to_array()),
-            error,
-        ),
-    ];
-    race(
-        "distance-hyperbolic",
-        "Distance of two points in hyperbolic space, 1e-4 to 1 radius apart",
-        rivals,
-        effort,
-    )
+    let rivals = Contest::new(&inputs, error)
+        .with("acosh of the inner product, f32", "", |p| {
+            f64::from(naive::distance(-1.0, p.rounded.0, p.rounded.1))
+        })
+        .with("acosh of the inner product, f64", "", |p| {
+            (-inner(-1.0, p.wide.0, p.wide.1)).acosh()
+        })
+        .with("asinh of the chord, library, f32", "", |p| {
+            f64::from(2.0 * half_chord(p.rounded.0, p.rounded.1).asinh())
+        })
+        .with("asinh of the chord, series, f32", "shaders", |p| {
+            f64::from(distance::hyperbolic(
+                p.rounded.0.to_array(),
+                p.rounded.1.to_array(),
+            ))
+        })
+        .with("asinh of the chord, f64", "processor", |p| {
+            distance::hyperbolic(p.wide.0.to_array(), p.wide.1.to_array())
+        });
+    let title = "Distance of two points in hyperbolic space, 1e-4 to 1 radius apart";
+    rivals.race("distance-hyperbolic", title, ERROR, effort)
 }
 
 /// On the sphere.
 pub fn sphere_group(effort: Effort) -> Group {
     let inputs = pairs(32, 1.0);
-    let rivals = vec![
-        Rival::new(
-            "acos of the inner product, f32",
-            "",
-            &inputs,
-            |p| f64::from(naive::distance(1.0, p.rounded.0, p.rounded.1)),
-            error,
-        ),
-        Rival::new(
-            "acos of the inner product, f64",
-            "",
-            &inputs,
-            |p| inner(1.0, p.wide.0, p.wide.1).acos(),
-            error,
-        ),
-        Rival::new(
-            "atan2 of the chords, library, f32",
-            "",
-            &inputs,
-            |p| {
-                let (a, b) = p.rounded;
-                f64::from(2.0 * (a - b).length().atan2((a + b).length()))
-            },
-            error,
-        ),
-        Rival::new(
-            "atan2 of the chords, series, f32",
-            "shaders",
-            &inputs,
-            |p| {
-                f64::from(distance::spherical(
-                    p.rounded.0.to_array(),
-                    p.rounded.1.to_array(),
-                ))
-            },
-            error,
-        ),
-        Rival::new(
-            "atan2 of the chords, f64",
-            "processor",
-            &inputs,
-            |p| distance::spherical(p.wide.0.to_array(), p.wide.1.to_array()),
-            error,
-        ),
-    ];
-    race(
-        "distance-sphere",
-        "Distance of two points on the sphere, 1e-4 to 1 radius apart",
-        rivals,
-        effort,
-    )
-}
-
-fn race(id: &'static str, title: &str, rivals: Vec<Rival<'_>>, effort: Effort) -> Group {
-    Group::race(id, title, ("worst error", "radii"), BATCH, rivals, effort)
+    let rivals = Contest::new(&inputs, error)
+        .with("acos of the inner product, f32", "", |p| {
+            f64::from(naive::distance(1.0, p.rounded.0, p.rounded.1))
+        })
+        .with("acos of the inner product, f64", "", |p| {
+            inner(1.0, p.wide.0, p.wide.1).acos()
+        })
+        .with("atan2 of the chords, library, f32", "", |p| {
+            let (a, b) = p.rounded;
+            f64::from(2.0 * (a - b).length().atan2((a + b).length()))
+        })
+        .with("atan2 of the chords, series, f32", "shaders", |p| {
+            f64::from(distance::spherical(
+                p.rounded.0.to_array(),
+                p.rounded.1.to_array(),
+            ))
+        })
+        .with("atan2 of the chords, f64", "processor", |p| {
+            distance::spherical(p.wide.0.to_array(), p.wide.1.to_array())
+        });
+    let title = "Distance of two points on the sphere, 1e-4 to 1 radius apart";
+    rivals.race("distance-sphere", title, ERROR, effort)
 }

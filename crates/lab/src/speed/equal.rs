@@ -177,25 +177,25 @@ pub fn same_pixels(
         "pixels to flat",
         "same triangles and pixels, at most 1.15",
     ];
-    Ok(Table {
-        title: format!("The same triangles over the same pixels: {land}"),
-        columns: columns.map(str::to_owned).to_vec(),
+    Ok(Table::new(
+        format!("The same triangles over the same pixels: {land}"),
+        columns,
         rows,
-    })
+    ))
 }
 
 /// Costs are left out where the pixels are not the same.
 fn row(name: &str, pair: &Pair, taken: &[Taken]) -> Vec<Cell> {
-    let number = |x: f64| Cell::Figure(x, String::new());
-    let ms = |x: f64| Cell::Figure(x, "ms".to_owned());
-    let mut cells = vec![Cell::Text(name.to_owned())];
+    let number = |x: f64| Cell::figure(x, "");
+    let ms = |x: f64| Cell::figure(x, "ms");
+    let mut cells = vec![Cell::text(name)];
     let verdict = if let [flat, own] = taken {
         let ratio = own.cost_ms / flat.cost_ms;
         cells.extend([ms(own.cost_ms), ms(flat.cost_ms), number(ratio)]);
         Cell::Verdict(pair.same_triangles() && ratio <= MOST_COST)
     } else {
         cells.extend([Cell::Empty, Cell::Empty, Cell::Empty]);
-        Cell::Text("not the same pixels".to_owned())
+        Cell::text("not the same pixels")
     };
     let [bare, own] = pair.shown;
     cells.extend([

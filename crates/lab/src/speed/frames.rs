@@ -10,7 +10,7 @@ use antipode_geometry::kernel::sphere;
 
 use crate::random::Numbers;
 use crate::speed::port::angle;
-use crate::{Axis, Cell, Plot, Scale, Series, Table};
+use crate::{Cell, Plot, Scale, Series, Table};
 
 /// Columns applied to (x, y, z, 1), metres from the object's middle: three directions and the middle.
 pub type Frame<T = f32> = [[T; 4]; 4];
@@ -149,7 +149,7 @@ fn maps() -> Vec<Map<'static>> {
 /// The figure, or nothing where doubles cannot tell: 20 radii off, the frame's lengths are below their last place.
 fn known(px: f64) -> Cell {
     if px.is_finite() {
-        Cell::Figure(px, "px".to_owned())
+        Cell::figure(px, "px")
     } else {
         Cell::Empty
     }
@@ -169,19 +169,15 @@ pub fn by_size() -> (Table, Plot) {
                 let [affine_px, rigid_px] = worst_px(&map, sign, k, edge_m, away_m);
                 curve.push((away_m, affine_px));
                 rows.push(vec![
-                    Cell::Text(name.to_owned()),
-                    Cell::Figure(edge_m, "m".to_owned()),
-                    Cell::Figure(away_m, "m".to_owned()),
-                    Cell::Figure(affine_px, "px".to_owned()),
+                    Cell::text(name),
+                    Cell::figure(edge_m, "m"),
+                    Cell::figure(away_m, "m"),
+                    Cell::figure(affine_px, "px"),
                     known(rigid_px),
                     Cell::Text(if affine_px < 0.5 { "yes" } else { "no" }.to_owned()),
                 ]);
             }
-            series.push(Series {
-                name: format!("{name}, {edge_m} m"),
-                points: curve,
-                joined: true,
-            });
+            series.push(Series::line(format!("{name}, {edge_m} m"), curve));
         }
     }
     let columns = [
@@ -192,23 +188,16 @@ pub fn by_size() -> (Table, Plot) {
         "rigid frame",
         "differential within half a pixel",
     ];
-    let table = Table {
-        title: "One frame for an object instead of a port for each vertex: worst error on a picture 720 pixels high"
-            .to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
+    let table = Table::new(
+        "One frame for an object instead of a port for each vertex: worst error on a picture 720 pixels high",
+        columns,
         rows,
-    };
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Logarithmic,
-    };
-    let plot = Plot {
-        id: "speed-frames".to_owned(),
-        title: "Error of the map's differential by distance, for objects of several sizes"
-            .to_owned(),
-        x: axis("distance, m"),
-        y: axis("error, px"),
+    );
+    let plot = Plot::new(
+        "speed-frames",
+        "Error of the map's differential by distance, for objects of several sizes",
+        Scale::Logarithmic.axes("distance, m", "error, px"),
         series,
-    };
+    );
     (table, plot)
 }

@@ -47,13 +47,13 @@ pub fn gpu_section(effort: Effort, adapter: AdapterChoice) -> Result<Section, La
     tables.push(shadows::table(&gpu, &frames, effort)?);
     let (stage, stage_plot) = vertex_stage::measured(&gpu, effort)?;
     tables.push(stage);
-    Ok(Section {
-        id: "speed-gpu".to_owned(),
-        title: "What accuracy costs on the adapter".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
+    Ok(Section::new(
+        "speed-gpu",
+        "What accuracy costs on the adapter",
+        METHOD,
         tables,
-        plots: vec![quality_plot, stage_plot],
-    })
+    )
+    .with([quality_plot, stage_plot]))
 }
 
 const METHOD: [&str; 5] = [
@@ -69,15 +69,15 @@ fn scene_table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, Lab
     let (_, taken) = race(gpu, size(effort), frames.to_vec(), effort)?;
     let flat = taken.first().copied().unwrap_or_default();
     let rows = Geometry::ALL.iter().zip(&taken).map(|(geometry, own)| {
-        let mut row = vec![Cell::Text(geometry.name().to_owned())];
+        let mut row = vec![Cell::text(geometry.name())];
         row.extend(costs(own, &flat));
         row
     });
-    Ok(Table {
-        title: "The fixed scene in each space".to_owned(),
-        columns: columns(&["space"], &[]),
-        rows: rows.collect(),
-    })
+    Ok(Table::new(
+        "The fixed scene in each space",
+        columns(&["space"], &[]),
+        rows,
+    ))
 }
 
 /// Which of a world's land is compared.
@@ -159,23 +159,23 @@ fn same_triangles(
         .zip(&taken)
         .zip(covered)
         .map(|((look, own), covered)| {
-            let mut row = vec![Cell::Text(look.name.to_owned())];
+            let mut row = vec![Cell::text(look.name)];
             row.extend(costs(own, &flat));
-            row.push(count(covered));
-            row.push(Cell::Figure(covered as f64 / bare as f64, String::new()));
-            row.push(count(own.stats.plan.chunks_by_frame));
+            row.push(Cell::count(covered));
+            row.push(Cell::figure(covered as f64 / bare as f64, ""));
+            row.push(Cell::count(own.stats.plan.chunks_by_frame));
             row
         });
     let Land { name, quality, .. } = land;
     let land = format!("{chunks} chunks of {name}, {quality}");
-    let every = Table {
-        title: format!("The same triangles in every map: {land}"),
-        columns: columns(
+    let every = Table::new(
+        format!("The same triangles in every map: {land}"),
+        columns(
             &["seen as"],
             &["pixels of land", "pixels to flat", "chunks by one matrix"],
         ),
-        rows: rows.collect(),
-    };
+        rows,
+    );
     let pairs = equal::same_pixels(gpu, &frame, looks, &land, BAR_SIZE, effort)?;
     Ok([every, pairs])
 }
@@ -198,19 +198,15 @@ fn columns(first: &[&str], last: &[&str]) -> Vec<String> {
         .collect()
 }
 
-fn count(n: usize) -> Cell {
-    Cell::Figure(n as f64, String::new())
-}
-
 fn costs(own: &Taken, flat: &Taken) -> [Cell; 7] {
-    let share = |a: f64, b: f64| Cell::Figure(a / b, String::new());
+    let share = |a: f64, b: f64| Cell::figure(a / b, "");
     [
-        Cell::Figure(own.cost_ms, "ms".to_owned()),
+        Cell::figure(own.cost_ms, "ms"),
         share(own.cost_ms, flat.cost_ms),
-        Cell::Figure(own.wall_ms, "ms".to_owned()),
-        Cell::Figure(own.recorded_ms, "ms".to_owned()),
-        count(own.stats.triangles),
+        Cell::figure(own.wall_ms, "ms"),
+        Cell::figure(own.recorded_ms, "ms"),
+        Cell::count(own.stats.triangles),
         share(own.stats.triangles as f64, flat.stats.triangles as f64),
-        count(own.stats.draws),
+        Cell::count(own.stats.draws),
     ]
 }

@@ -73,22 +73,22 @@ pub fn table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabEr
         rows.push(row(geometry.name(), &taken));
     }
     let columns = ["space", "without lamps", "with 64", "ratio", "at most 1.6"];
-    Ok(Table {
-        title: "The fixed scene at 640x360 without lamps and with 64 of them".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
+    Ok(Table::new(
+        "The fixed scene at 640x360 without lamps and with 64 of them",
+        columns,
         rows,
-    })
+    ))
 }
 
 fn row(name: &str, taken: &[Taken]) -> Vec<Cell> {
-    let ms = |taken: &Taken| Cell::Figure(taken.cost_ms, "ms".to_owned());
-    let mut cells = vec![Cell::Text(name.to_owned())];
+    let ms = |taken: &Taken| Cell::figure(taken.cost_ms, "ms");
+    let mut cells = vec![Cell::text(name)];
     if let [bare, lit] = taken {
         let ratio = lit.cost_ms / bare.cost_ms;
         cells.extend([
             ms(bare),
             ms(lit),
-            Cell::Figure(ratio, String::new()),
+            Cell::figure(ratio, ""),
             Cell::Verdict(ratio <= MOST_COST),
         ]);
     }

@@ -5,7 +5,7 @@ use antipode_geometry::kernel::translation::translation;
 use glam::{Mat4, Vec3, Vec4};
 
 use crate::random::Numbers;
-use crate::speed::pareto::{Group, Rival};
+use crate::speed::pareto::{Contest, Group, Rival};
 use crate::speed::port::BATCH;
 use crate::{Effort, naive};
 
@@ -76,30 +76,17 @@ fn half_angle_library(sign: f32, v: Vec3) -> Mat4 {
 pub fn translation_groups(effort: Effort) -> [Group; 2] {
     let one = |id, title, sign: f32, inputs: Vec<Vec3>| {
         let error = |_: &Vec3, got: &Mat4| off(f64::from(sign), got);
-        let rivals = vec![
-            Rival::new(
-                "textbook: by 1/(1 + w), library, f32",
-                "",
-                &inputs,
-                |v| textbook(sign, *v),
-                error,
-            ),
-            Rival::new(
-                "from half the angle, library, f32",
-                "",
-                &inputs,
-                |v| half_angle_library(sign, *v),
-                error,
-            ),
-            Rival::new(
-                "from half the angle, series, f32",
-                "",
-                &inputs,
-                |v| half_angle(sign, *v),
-                error,
-            ),
-        ];
-        Group::race(id, title, ("off orthogonal", ""), BATCH, rivals, effort)
+        let rivals = Contest::new(&inputs, error)
+            .with("textbook: by 1/(1 + w), library, f32", "", |v| {
+                textbook(sign, *v)
+            })
+            .with("from half the angle, library, f32", "", |v| {
+                half_angle_library(sign, *v)
+            })
+            .with("from half the angle, series, f32", "", |v| {
+                half_angle(sign, *v)
+            });
+        rivals.race(id, title, ("off orthogonal", ""), effort)
     };
     let mut numbers = Numbers::new(51);
     let sphere = (0..BATCH).map(|_| {

@@ -5,7 +5,7 @@ use antipode_geometry::kernel::{exponential, sphere};
 use glam::{DVec3, Vec3, Vec4};
 
 use crate::random::Numbers;
-use crate::speed::pareto::{Group, Rival};
+use crate::speed::pareto::{Contest, Group};
 use crate::speed::port::BATCH;
 use crate::{Effort, naive};
 
@@ -14,6 +14,9 @@ const LIGHT: Vec3 = Vec3::new(0.48, 0.8, 0.36);
 /// Farthest points, in radii; on the sphere nearly to the equator.
 const FAR: f64 = 3.0;
 const FAR_SPHERE: f64 = 1.5;
+
+/// What the error is; it has no unit.
+const ERROR: (&str, &str) = ("worst error of N.L", "");
 
 /// A place in radii from the chart's centre and a unit normal there.
 #[derive(Clone, Copy, Debug)]
@@ -71,45 +74,26 @@ fn carried(at: Vec3, v: Vec3) -> Vec4 {
 pub fn hyperbolic_group(effort: Effort) -> Group {
     let inputs = inputs(21, FAR, |numbers, away| numbers.direction() * away);
     let error = |i: &Input, got: &f32| (f64::from(*got) - exact(i).dot(LIGHT.as_dvec3())).abs();
-    let rivals = vec![
-        Rival::new(
-            "exact: inverse transpose, series, f32",
-            "shaders",
-            &inputs,
-            |i| normal_exponential(i).dot(LIGHT),
-            error,
-        ),
-        in_double(&inputs, normal_exponential_f64, error),
-        turned(&inputs, error),
-        Rival::new(
-            "exact four-vector, flat length",
-            "",
-            &inputs,
-            |i| {
-                let n = carried(i.at, normal_exponential(i));
-                naive::inner(-1.0, naive::four_normal(n), carried(i.at, LIGHT))
-            },
-            error,
-        ),
-        Rival::new(
-            "exact four-vector, own length",
-            "",
-            &inputs,
-            |i| {
-                let n = carried(i.at, normal_exponential(i));
-                let light = carried(i.at, LIGHT);
-                let inner = |a, b| naive::inner(-1.0, a, b);
-                inner(n, light) / (inner(n, n) * inner(light, light)).sqrt()
-            },
-            error,
-        ),
-    ];
-    race(
-        "normal-raised",
-        "Brightness of one vertex in hyperbolic space, up to 3 radii away",
-        rivals,
-        effort,
-    )
+    let rivals = Contest::new(&inputs, error)
+        .with("exact: inverse transpose, series, f32", "shaders", |i| {
+            normal_exponential(i).dot(LIGHT)
+        })
+        .with("exact, f64", "processor", |i| {
+            in_double(normal_exponential_f64(i))
+        })
+        .with("carried like a direction", "", turned)
+        .with("exact four-vector, flat length", "", |i| {
+            let n = carried(i.at, normal_exponential(i));
+            naive::inner(-1.0, naive::four_normal(n), carried(i.at, LIGHT))
+        })
+        .with("exact four-vector, own length", "", |i| {
+            let n = carried(i.at, normal_exponential(i));
+            let light = carried(i.at, LIGHT);
+            let inner = |a, b| naive::inner(-1.0, a, b);
+            inner(n, light) / (inner(n, n) * inner(light, light)).sqrt()
+        });
+    let title = "Brightness of one vertex in hyperbolic space, up to 3 radii away";
+    rivals.race("normal-raised", title, ERROR, effort)
 }
 
 /// The cylindrical chart of the sphere in doubles.
@@ -131,41 +115,24 @@ pub fn sphere_group(effort: Effort) -> Group {
     });
     let error =
         |i: &Input, got: &f32| (f64::from(*got) - exact_sphere(i).dot(LIGHT.as_dvec3())).abs();
-    let rivals = vec![
-        Rival::new(
-            "exact: inverse transpose, series, f32",
-            "shaders",
-            &inputs,
-            |i| normal_sphere(i).dot(LIGHT),
-            error,
-        ),
-        in_double(&inputs, normal_sphere_f64, error),
-        turned(&inputs, error),
-    ];
-    race(
-        "normal-sphere",
-        "Brightness of one vertex on the sphere, up to 1.5 radii from the pole",
-        rivals,
-        effort,
-    )
+    let rivals = Contest::new(&inputs, error)
+        .with("exact: inverse transpose, series, f32", "shaders", |i| {
+            normal_sphere(i).dot(LIGHT)
+        })
+        .with("exact, f64", "processor", |i| {
+            in_double(normal_sphere_f64(i))
+        })
+        .with("carried like a direction", "", turned);
+    let title = "Brightness of one vertex on the sphere, up to 1.5 radii from the pole";
+    rivals.race("normal-sphere", title, ERROR, effort)
 }
 
-/// The exact normal in doubles.
-fn in_double(
-    inputs: &[Input],
-    normal: fn(&Input) -> DVec3,
-    error: impl Fn(&Input, &f32) -> f64,
-) -> Rival<'_> {
-    let lit = move |i: &Input| normal(i).dot(LIGHT.as_dvec3()) as f32;
-    Rival::new("exact, f64", "processor", inputs, lit, error)
+/// The brightness of an exact normal in doubles.
+fn in_double(normal: DVec3) -> f32 {
+    normal.dot(LIGHT.as_dvec3()) as f32
 }
 
-/// The chart's normal as it is, which is what carrying it out like a direction comes to.
-fn turned(inputs: &[Input], error: impl Fn(&Input, &f32) -> f64) -> Rival<'_> {
-    let lit = |i: &Input| i.normal.normalize().dot(LIGHT);
-    Rival::new("carried like a direction", "", inputs, lit, error)
-}
-
-fn race(id: &'static str, title: &str, rivals: Vec<Rival<'_>>, effort: Effort) -> Group {
-    Group::race(id, title, ("worst error of N.L", ""), BATCH, rivals, effort)
+/// That of the chart's normal as it is, which is what carrying it out like a direction comes to.
+fn turned(input: &Input) -> f32 {
+    input.normal.normalize().dot(LIGHT)
 }

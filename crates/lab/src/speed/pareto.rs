@@ -1,7 +1,9 @@
 //! Time against error: who is on the frontier, as a table and a plot.
 
+use std::marker::PhantomData;
+
 use crate::speed::clock::{Batch, race, scalar};
-use crate::{Axis, Cell, Effort, Plot, Scale, Series, Table};
+use crate::{Cell, Effort, Plot, Scale, Series, Table};
 
 /// Timings closer than this share count as equal: what a shared machine cannot tell apart.
 const TIMING_SLACK: f64 = 0.05;
@@ -56,18 +58,6 @@ pub struct Rival<'a> {
 }
 
 impl<'a> Rival<'a> {
-    /// A formula applied to each input by itself, judged by `error` over all of them.
-    pub fn new<I, O>(
-        name: &str,
-        used: &'static str,
-        inputs: &'a [I],
-        formula: impl Fn(&I) -> O + 'a,
-        error: impl Fn(&I, &O) -> f64,
-    ) -> Self {
-        let errors: Vec<f64> = inputs.iter().map(|i| error(i, &formula(i))).collect();
-        Self::of(name, used, &errors, scalar(inputs, formula))
-    }
-
     /// Any work, with the errors it made.
     pub fn of(name: &str, used: &'static str, errors: &[f64], batch: Batch<'a>) -> Self {
         let variant = Variant {
@@ -82,6 +72,50 @@ impl<'a> Rival<'a> {
             used,
         };
         Self { variant, batch }
+    }
+}
+
+/// Rivals that are given the same inputs and judged by the same error.
+pub struct Contest<'a, I, O, E> {
+    inputs: &'a [I],
+    error: E,
+    rivals: Vec<Rival<'a>>,
+    result: PhantomData<O>,
+}
+
+impl<'a, I, O, E: Fn(&I, &O) -> f64> Contest<'a, I, O, E> {
+    /// Of nobody yet.
+    pub fn new(inputs: &'a [I], error: E) -> Self {
+        Self {
+            inputs,
+            error,
+            rivals: Vec::new(),
+            result: PhantomData,
+        }
+    }
+
+    /// With a formula that is applied to each input by itself, and where the game uses it.
+    #[must_use]
+    pub fn with(mut self, name: &str, used: &'static str, formula: impl Fn(&I) -> O + 'a) -> Self {
+        let errors: Vec<f64> = self
+            .inputs
+            .iter()
+            .map(|i| (self.error)(i, &formula(i)))
+            .collect();
+        let batch = scalar(self.inputs, formula);
+        self.rivals.push(Rival::of(name, used, &errors, batch));
+        self
+    }
+
+    /// Times the rivals.
+    pub fn race(
+        self,
+        id: &'static str,
+        title: &str,
+        error: (&'static str, &'static str),
+        effort: Effort,
+    ) -> Group {
+        Group::race(id, title, error, self.inputs.len(), self.rivals, effort)
     }
 }
 
@@ -138,47 +172,41 @@ impl Group {
             "frontier",
             "in the game",
         ];
-        Table {
-            title: self.title.clone(),
-            columns: columns.map(str::to_owned).to_vec(),
-            rows: rows
-                .map(|(v, best)| {
-                    vec![
-                        Cell::Text(v.name.clone()),
-                        Cell::Figure(v.ns, "ns".to_owned()),
-                        used.map_or(Cell::Empty, |u| Cell::Figure(v.ns / u.ns, String::new())),
-                        Cell::Figure(v.error, self.unit.to_owned()),
-                        Cell::Figure(v.not_numbers as f64, String::new()),
-                        Cell::Text(if best { "yes" } else { "no" }.to_owned()),
-                        Cell::Text(v.used.to_owned()),
-                    ]
-                })
-                .collect(),
-        }
+        Table::new(
+            self.title.clone(),
+            columns,
+            rows.map(|(v, best)| {
+                vec![
+                    Cell::text(&v.name),
+                    Cell::figure(v.ns, "ns"),
+                    used.map_or(Cell::Empty, |u| Cell::figure(v.ns / u.ns, "")),
+                    Cell::figure(v.error, self.unit),
+                    Cell::count(v.not_numbers),
+                    Cell::Text(if best { "yes" } else { "no" }.to_owned()),
+                    Cell::text(v.used),
+                ]
+            }),
+        )
     }
 
     /// Time across, error upwards.
     pub fn plot(&self) -> Plot {
-        let axis = |label: &str| Axis {
-            label: label.to_owned(),
-            scale: Scale::Logarithmic,
-        };
-        let own = self.variants.iter().map(|v| Series {
-            name: if v.used.is_empty() {
-                v.name.clone()
-            } else {
-                format!("{} ({})", v.name, v.used)
-            },
-            points: vec![(v.ns, v.error.max(LEAST_DRAWN))],
-            joined: false,
+        let own = self.variants.iter().map(|v| {
+            Series::dots(
+                if v.used.is_empty() {
+                    v.name.clone()
+                } else {
+                    format!("{} ({})", v.name, v.used)
+                },
+                [(v.ns, v.error.max(LEAST_DRAWN))],
+            )
         });
-        Plot {
-            id: format!("speed-{}", self.id),
-            title: self.title.clone(),
-            x: axis("time, ns"),
-            y: axis(&format!("{}, {}", self.error, self.unit)),
-            series: own.chain([self.frontier_line()]).collect(),
-        }
+        Plot::new(
+            format!("speed-{}", self.id),
+            self.title.clone(),
+            Scale::Logarithmic.axes("time, ns", &format!("{}, {}", self.error, self.unit)),
+            own.chain([self.frontier_line()]),
+        )
     }
 
     fn frontier_line(&self) -> Series {
@@ -191,10 +219,6 @@ impl Group {
             .map(|(v, _)| (v.ns, v.error.max(LEAST_DRAWN)))
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Series {
-            name: "frontier".to_owned(),
-            points,
-            joined: true,
-        }
+        Series::line("frontier", points)
     }
 }

@@ -11,7 +11,7 @@ use crate::random::Numbers;
 use crate::speed::frames::{Frame, affine, rigid};
 use crate::speed::inputs::ground;
 use crate::speed::library;
-use crate::speed::pareto::{Group, Rival};
+use crate::speed::pareto::{Contest, Group};
 use crate::{Effort, naive};
 
 /// Vertices of a batch.
@@ -33,6 +33,12 @@ const NOTCHES_RADIUS_M: f64 = 80.0;
 /// Where the game computes in single and in double precision.
 const SHADER: &str = "shaders";
 const PROCESSOR: &str = "processor";
+
+/// What the error is, and its unit.
+const ERROR: (&str, &str) = ("worst angle at the eye", "rad");
+
+/// Ways to port a vertex.
+type Rivals<'a, E> = Contest<'a, Vertex, [f32; 4], E>;
 
 /// A vertex and the object it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -98,43 +104,20 @@ pub fn exponential_group(effort: Effort) -> Group {
         .collect();
     inputs.push([0.0; 3]);
     let error = |p: &[f32; 3], got: &[f32; 4]| ulps(*got, exponential::point(-1.0, wide(*p)));
-    let rivals = vec![
-        Rival::new(
-            "textbook: p sinh(d)/d, library, f32",
-            "",
-            &inputs,
-            |p| naive::exponential(-1.0, Vec3::from(*p)).to_array(),
-            error,
-        ),
-        Rival::new(
-            "library, f32, guarded",
-            "",
-            &inputs,
-            |p| library::exponential(*p),
-            error,
-        ),
-        Rival::new(
-            "series, f32",
-            SHADER,
-            &inputs,
-            |p| exponential::point(-1.0, *p),
-            error,
-        ),
-        Rival::new(
-            "f64, then rounded",
-            PROCESSOR,
-            &inputs,
-            |p| cast(exponential::point(-1.0, wide(*p))),
-            error,
-        ),
-    ];
+    let rivals = Contest::new(&inputs, error)
+        .with("textbook: p sinh(d)/d, library, f32", "", |p| {
+            naive::exponential(-1.0, Vec3::from(*p)).to_array()
+        })
+        .with("library, f32, guarded", "", |p| library::exponential(*p))
+        .with("series, f32", SHADER, |p| exponential::point(-1.0, *p))
+        .with("f64, then rounded", PROCESSOR, |p| {
+            cast(exponential::point(-1.0, wide(*p)))
+        });
     let title = "Port of one vertex by the exponential chart, d from 1e-4 to 3 and one at 0";
-    Group::race(
+    rivals.race(
         "port-exponential",
         title,
         ("worst component", "ulp"),
-        BATCH,
-        rivals,
         effort,
     )
 }
@@ -160,44 +143,26 @@ pub fn raised_group(effort: Effort) -> Group {
     let (middles, inputs) = objects(2, FAR_M, 20.0, EDGE_M);
     let map = move |p: [f64; 3]| double.port(p);
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
-    let mut rivals = vec![
-        Rival::new(
-            "textbook: port then boost, library, f32",
-            "",
-            &inputs,
-            |v| raised_textbook(&single, v.at),
-            error,
-        ),
-        Rival::new(
-            "port then boost, series, f32",
-            "",
-            &inputs,
-            |v| library::port_then_boost(&single, v.at),
-            error,
-        ),
-        Rival::new(
-            "port then boost, f64, then rounded",
-            "",
-            &inputs,
-            |v| cast(library::port_then_boost(&double, wide(v.at))),
-            error,
-        ),
-    ];
-    rivals.extend(closed_forms(
-        &inputs,
+    let rivals = Contest::new(&inputs, error)
+        .with("textbook: port then boost, library, f32", "", |v| {
+            raised_textbook(&single, v.at)
+        })
+        .with("port then boost, series, f32", "", |v| {
+            library::port_then_boost(&single, v.at)
+        })
+        .with("port then boost, f64, then rounded", "", |v| {
+            cast(library::port_then_boost(&double, wide(v.at)))
+        });
+    let rivals = closed_forms(
+        rivals,
         move |at| library::raised(&single, at),
         move |at| single.port(at),
         map,
-        error,
-    ));
-    let (affine, rigid) = frames(&middles, map, -1.0, double.k);
-    rivals.extend(framed(&inputs, &affine, &rigid, &error));
-    race(
-        "port-raised",
-        "Port of one vertex by the raised map, offset 10 m, objects of half a metre to 184 m away",
-        rivals,
-        effort,
-    )
+    );
+    let rivals = framed(rivals, frames(&middles, map, -1.0, double.k));
+    let title =
+        "Port of one vertex by the raised map, offset 10 m, objects of half a metre to 184 m away";
+    rivals.race("port-raised", title, ERROR, effort)
 }
 
 /// The horizon map at its default curvature.
@@ -211,21 +176,16 @@ pub fn horizon_group(effort: Effort) -> Group {
     let (middles, inputs) = objects(3, FAR_M, 20.0, EDGE_M);
     let map = move |p: [f64; 3]| double.port(p);
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
-    let mut rivals = closed_forms(
-        &inputs,
+    let rivals = closed_forms(
+        Contest::new(&inputs, error),
         move |at| library::horizon(&single, at),
         move |at| single.port(at),
         map,
-        error,
     );
-    let (affine, rigid) = frames(&middles, map, -1.0, f64::from(k));
-    rivals.extend(framed(&inputs, &affine, &rigid, &error));
-    race(
-        "port-horizon",
-        "Port of one vertex by the horizon map, dial 10, objects of half a metre to 184 m away",
-        rivals,
-        effort,
-    )
+    let rivals = framed(rivals, frames(&middles, map, -1.0, f64::from(k)));
+    let title =
+        "Port of one vertex by the horizon map, dial 10, objects of half a metre to 184 m away";
+    rivals.race("port-horizon", title, ERROR, effort)
 }
 
 /// The sphere, with the eye a little off the pole.
@@ -250,54 +210,30 @@ pub fn sphere_group(effort: Effort) -> Group {
     }
     let middles: Vec<_> = middles.iter().map(|m| [m[0], m[1] + lift, m[2]]).collect();
     let error = |v: &Vertex, got: &[f32; 4]| sight_error(*got, map(wide(v.at)));
-    let mut rivals = closed_forms(
-        &inputs,
+    let rivals = closed_forms(
+        Contest::new(&inputs, error),
         move |at| library::seen(&view, library::sphere(k, at)),
         move |at| library::seen(&view, sphere::port(k, false, at)),
         map,
-        error,
     );
-    let (affine, rigid) = frames(&middles, map, 1.0, f64::from(k));
-    rivals.extend(framed(&inputs, &affine, &rigid, &error));
-    race(
-        "port-sphere",
-        "Port of one vertex by the sphere's chart, radius 32 m, objects of half a metre to the equator",
-        rivals,
-        effort,
-    )
+    let rivals = framed(rivals, frames(&middles, map, 1.0, f64::from(k)));
+    let title = "Port of one vertex by the sphere's chart, radius 32 m, objects of half a metre to the equator";
+    rivals.race("port-sphere", title, ERROR, effort)
 }
 
-/// A map's closed form by the library's functions, by the shader's series and in doubles.
-fn closed_forms<'a>(
-    inputs: &'a [Vertex],
+/// With a map's closed form by the library's functions, by the shader's series and in doubles.
+fn closed_forms<'a, E: Fn(&Vertex, &[f32; 4]) -> f64>(
+    rivals: Rivals<'a, E>,
     library: impl Fn([f32; 3]) -> [f32; 4] + 'a,
     series: impl Fn([f32; 3]) -> [f32; 4] + 'a,
     double: impl Fn([f64; 3]) -> [f64; 4] + 'a,
-    error: impl Fn(&Vertex, &[f32; 4]) -> f64 + Copy,
-) -> Vec<Rival<'a>> {
-    vec![
-        Rival::new(
-            "closed form, library, f32",
-            "",
-            inputs,
-            move |v| library(v.at),
-            error,
-        ),
-        Rival::new(
-            "closed form, series, f32",
-            SHADER,
-            inputs,
-            move |v| series(v.at),
-            error,
-        ),
-        Rival::new(
-            "closed form, f64, then rounded",
-            PROCESSOR,
-            inputs,
-            move |v| cast(double(wide(v.at))),
-            error,
-        ),
-    ]
+) -> Rivals<'a, E> {
+    rivals
+        .with("closed form, library, f32", "", move |v| library(v.at))
+        .with("closed form, series, f32", SHADER, move |v| series(v.at))
+        .with("closed form, f64, then rounded", PROCESSOR, move |v| {
+            cast(double(wide(v.at)))
+        })
 }
 
 /// The raised map in both precisions.
@@ -325,17 +261,6 @@ fn raised_textbook(map: &RaisedMap<f32>, at: [f32; 3]) -> [f32; 4] {
     (x.truncate() * map.radius_m).extend(x.w).to_array()
 }
 
-fn race(id: &'static str, title: &str, rivals: Vec<Rival<'_>>, effort: Effort) -> Group {
-    Group::race(
-        id,
-        title,
-        ("worst angle at the eye", "rad"),
-        BATCH,
-        rivals,
-        effort,
-    )
-}
-
 fn frames(
     middles: &[[f64; 3]],
     map: impl Fn([f64; 3]) -> [f64; 4] + Copy,
@@ -348,20 +273,17 @@ fn frames(
     (rounded, rigid)
 }
 
-fn framed<'a>(
-    inputs: &'a [Vertex],
-    affine: &[Frame],
-    rigid: &[Frame],
-    error: &impl Fn(&Vertex, &[f32; 4]) -> f64,
-) -> Vec<Rival<'a>> {
-    let one = |name, frames: &[Frame]| {
-        let own = frames.to_vec();
-        Rival::new(name, "", inputs, move |v| by_frame(&own, v), error)
-    };
-    vec![
-        one("one frame an object, the map's differential", affine),
-        one("one rigid frame an object", rigid),
-    ]
+/// With one frame an object, of both kinds.
+fn framed<E: Fn(&Vertex, &[f32; 4]) -> f64>(
+    rivals: Rivals<'_, E>,
+    (affine, rigid): (Vec<Frame>, Vec<Frame>),
+) -> Rivals<'_, E> {
+    let differential = "one frame an object, the map's differential";
+    rivals
+        .with(differential, "", move |v| by_frame(&affine, v))
+        .with("one rigid frame an object", "", move |v| {
+            by_frame(&rigid, v)
+        })
 }
 
 fn by_frame(frames: &[Frame], v: &Vertex) -> [f32; 4] {

@@ -8,7 +8,7 @@ use antipode_scene::frame::{Frame, Quality};
 use crate::speed::pictures::{Difference, Picture};
 use crate::speed::scenes::{Look, radius_m};
 use crate::speed::stage::{Stage, Taken, race};
-use crate::{Axis, Cell, Effort, LabError, Plot, Scale, Series, Table};
+use crate::{Cell, Effort, LabError, Plot, Scale, Series, Table};
 
 /// The looks at the highest curvature that there is, in both maps.
 const MOST_CURVED: [&str; 2] = [
@@ -121,26 +121,22 @@ fn differences(
         .collect())
 }
 
-fn count(n: usize) -> Cell {
-    Cell::Figure(n as f64, String::new())
-}
-
 fn costs(entries: &[Entry]) -> Table {
     let rows = entries.chunks(Quality::ALL.len()).flat_map(|of_look| {
         let exact = of_look.last();
         of_look.iter().map(move |entry| {
             let plan = &entry.taken.stats.plan;
             vec![
-                Cell::Text(entry.look.to_owned()),
-                Cell::Text(entry.quality.name().to_owned()),
-                Cell::Figure(entry.taken.cost_ms, "ms".to_owned()),
+                Cell::text(entry.look),
+                Cell::text(entry.quality.name()),
+                Cell::figure(entry.taken.cost_ms, "ms"),
                 exact.map_or(Cell::Empty, |e| {
-                    Cell::Figure(entry.taken.cost_ms / e.taken.cost_ms, String::new())
+                    Cell::figure(entry.taken.cost_ms / e.taken.cost_ms, "")
                 }),
-                count(entry.taken.stats.triangles),
-                count(plan.triangles_hidden),
-                count(plan.triangles_small),
-                Cell::Figure(plan.error_px, "px".to_owned()),
+                Cell::count(entry.taken.stats.triangles),
+                Cell::count(plan.triangles_hidden),
+                Cell::count(plan.triangles_small),
+                Cell::figure(plan.error_px, "px"),
                 percent(&entry.difference, entry.difference.differing),
             ]
         })
@@ -156,41 +152,29 @@ fn costs(entries: &[Entry]) -> Table {
         "largest error by the bounds",
         "land's pixels that differ from exact",
     ];
-    Table {
-        title: "The fixed scene in each quality".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
-        rows: rows.collect(),
-    }
+    Table::new("The fixed scene in each quality", columns, rows)
 }
 
 /// Cost across, the largest error upwards: a line for each look, from fast to exact.
 fn plot(entries: &[Entry]) -> Plot {
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Logarithmic,
+    let line = |of_look: &[Entry]| {
+        Series::line(
+            of_look[0].look,
+            of_look
+                .iter()
+                .map(|e| (e.taken.cost_ms, e.taken.stats.plan.error_px)),
+        )
     };
-    let line = |of_look: &[Entry]| Series {
-        name: of_look[0].look.to_owned(),
-        points: of_look
-            .iter()
-            .map(|e| (e.taken.cost_ms, e.taken.stats.plan.error_px))
-            .collect(),
-        joined: true,
-    };
-    Plot {
-        id: "speed-quality".to_owned(),
-        title: "The qualities: fast, balanced and exact, from the left".to_owned(),
-        x: axis("cost of a frame, ms"),
-        y: axis("largest error by the bounds, px"),
-        series: entries.chunks(Quality::ALL.len()).map(line).collect(),
-    }
+    Plot::new(
+        "speed-quality",
+        "The qualities: fast, balanced and exact, from the left",
+        Scale::Logarithmic.axes("cost of a frame, ms", "largest error by the bounds, px"),
+        entries.chunks(Quality::ALL.len()).map(line),
+    )
 }
 
 fn percent(difference: &Difference, part: usize) -> Cell {
-    Cell::Figure(
-        100.0 * part as f64 / difference.land.max(1) as f64,
-        "%".to_owned(),
-    )
+    Cell::figure(100.0 * part as f64 / difference.land.max(1) as f64, "%")
 }
 
 /// The bars on balanced: the picture everywhere, and the triangles at the highest curvature.
@@ -201,16 +185,16 @@ fn bars(entries: &[Entry]) -> Table {
         let found = &entry.difference;
         let share = entry.taken.stats.triangles as f64 / flat.max(1) as f64;
         vec![
-            Cell::Text(entry.look.to_owned()),
-            count(entry.taken.stats.triangles),
-            Cell::Figure(share, String::new()),
+            Cell::text(entry.look),
+            Cell::count(entry.taken.stats.triangles),
+            Cell::figure(share, ""),
             if MOST_CURVED.contains(&entry.look) {
                 Cell::Verdict(share <= MOST_TRIANGLES)
             } else {
                 Cell::Empty
             },
             percent(found, found.differing),
-            count(found.off_edge),
+            Cell::count(found.off_edge),
             Cell::Verdict(
                 found.differing as f64 <= MOST_DIFFERING * found.land as f64 && found.off_edge == 0,
             ),
@@ -225,9 +209,9 @@ fn bars(entries: &[Entry]) -> Table {
         "of them off every edge",
         "at most 0.1 %, all at edges",
     ];
-    Table {
-        title: "Balanced against the flat view and against exact".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
-        rows: rows.collect(),
-    }
+    Table::new(
+        "Balanced against the flat view and against exact",
+        columns,
+        rows,
+    )
 }

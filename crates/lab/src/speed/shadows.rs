@@ -135,21 +135,21 @@ pub fn table(gpu: &Gpu, frames: &[Frame], effort: Effort) -> Result<Table, LabEr
         "ratio of those",
         "both at most 1.5",
     ];
-    Ok(Table {
-        title: "A walk with shadows and without, at 640x360".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
+    Ok(Table::new(
+        "A walk with shadows and without, at 640x360",
+        columns,
         rows,
-    })
+    ))
 }
 
 fn row(geometry: Geometry, [mut without, mut with]: [Vec<f64>; 2]) -> Vec<Cell> {
-    let ms = |x: f64| Cell::Figure(x, "ms".to_owned());
-    let number = |x: f64| Cell::Figure(x, String::new());
+    let ms = |x: f64| Cell::figure(x, "ms");
+    let number = |x: f64| Cell::figure(x, "");
     let medians = [median(&mut without), median(&mut with)];
     let worst = [hundredth(&mut without), hundredth(&mut with)];
     let [typical, rare] = [medians, worst].map(|[without, with]| with / without);
     vec![
-        Cell::Text(geometry.name().to_owned()),
+        Cell::text(geometry.name()),
         ms(medians[0]),
         ms(medians[1]),
         number(typical),

@@ -20,7 +20,7 @@ use crate::speed::library::seen;
 use crate::speed::passes::{Pass, VERTICES, Watch, buffer, filled, race, read};
 use crate::speed::port::angle;
 use crate::speed::scenes::radius_m;
-use crate::{Axis, Cell, Effort, LabError, Plot, Scale, Series, Table};
+use crate::{Cell, Effort, LabError, Plot, Scale, Series, Table};
 
 /// Vertices whose results are read back and judged.
 const JUDGED: usize = 4096;
@@ -250,11 +250,11 @@ fn rows(judged: &[Judged<'_>]) -> Table {
     let flat = judged.first().map_or(f64::NAN, |((_, ns), _)| *ns);
     let row = |((variant, ns), (worst, not_numbers)): &Judged<'_>| {
         vec![
-            Cell::Text(variant.name.clone()),
-            Cell::Figure(*ns, "ns".to_owned()),
-            Cell::Figure(ns / flat, String::new()),
-            Cell::Figure(*worst, "rad".to_owned()),
-            Cell::Figure(*not_numbers as f64, String::new()),
+            Cell::text(&variant.name),
+            Cell::figure(*ns, "ns"),
+            Cell::figure(ns / flat, ""),
+            Cell::figure(*worst, "rad"),
+            Cell::figure(*not_numbers as f64, ""),
         ]
     };
     let columns = [
@@ -264,30 +264,23 @@ fn rows(judged: &[Judged<'_>]) -> Table {
         "worst angle at the eye",
         "not a number",
     ];
-    Table {
-        title: "The vertex stage alone: port, clip coordinates, normal and distance of a million vertices".to_owned(),
-        columns: columns.map(str::to_owned).to_vec(),
-        rows: judged.iter().map(row).collect(),
-    }
+    Table::new(
+        "The vertex stage alone: port, clip coordinates, normal and distance of a million vertices",
+        columns,
+        judged.iter().map(row),
+    )
 }
 
 fn plot(judged: &[Judged<'_>]) -> Plot {
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Logarithmic,
+    let one = |((variant, ns), (worst, _)): &Judged<'_>| {
+        Series::dots(variant.name.clone(), [(*ns, *worst)])
     };
-    let one = |((variant, ns), (worst, _)): &Judged<'_>| Series {
-        name: variant.name.clone(),
-        points: vec![(*ns, *worst)],
-        joined: false,
-    };
-    Plot {
-        id: "speed-vertex-stage".to_owned(),
-        title: "The vertex stage alone, on the adapter".to_owned(),
-        x: axis("time per vertex, ns"),
-        y: axis("worst angle at the eye, rad"),
-        series: judged.iter().map(one).collect(),
-    }
+    Plot::new(
+        "speed-vertex-stage",
+        "The vertex stage alone, on the adapter",
+        Scale::Logarithmic.axes("time per vertex, ns", "worst angle at the eye, rad"),
+        judged.iter().map(one),
+    )
 }
 
 #[cfg(test)]

@@ -6,9 +6,9 @@ use antipode_geometry::kernel::exponential::point;
 use glam::{DMat4, DVec3, DVec4, Mat4, Vec3, Vec4};
 
 use crate::random::Numbers;
-use crate::speed::pareto::{Group, Rival};
+use crate::speed::pareto::{Contest, Group};
 use crate::speed::port::{BATCH, angle};
-use crate::{Axis, Effort, Plot, Scale, Series};
+use crate::{Effort, Plot, Scale, Series};
 
 /// How far the camera of the timed group is from the origin, in radii.
 const WALKED: f64 = 5.0;
@@ -91,56 +91,26 @@ pub fn group(effort: Effort) -> Group {
         std::hint::black_box([x, y, z, w]);
         absolute_f32(&rounded, v)
     };
-    let rivals = vec![
-        Rival::new(
-            "hyperboloid coordinates kept, view matrix, f32",
-            "",
-            &vertices,
-            |v| absolute_f32(&rounded, v),
-            error,
-        ),
-        Rival::new(
-            "port about the origin, then view matrix, f32",
-            "",
-            &vertices,
-            ported,
-            error,
-        ),
-        Rival::new(
-            "hyperboloid coordinates kept, view matrix, f64",
-            "",
-            &vertices,
-            |v| (view * v.absolute).truncate().to_array(),
-            error,
-        ),
-        Rival::new(
+    let rivals = Contest::new(&vertices, error)
+        .with("hyperboloid coordinates kept, view matrix, f32", "", |v| {
+            absolute_f32(&rounded, v)
+        })
+        .with("port about the origin, then view matrix, f32", "", ported)
+        .with("hyperboloid coordinates kept, view matrix, f64", "", |v| {
+            (view * v.absolute).truncate().to_array()
+        })
+        .with(
             "camera taken off first, then port, f32",
             "shaders",
-            &vertices,
             relative_f32,
-            error,
-        ),
-        Rival::new(
-            "camera taken off first, then port, f64",
-            "processor",
-            &vertices,
-            |v| {
-                let p = v.corner.as_dvec3() + v.local.as_dvec3();
-                let [x, y, z, _] = point(-1.0, p.to_array());
-                [x, y, z]
-            },
-            error,
-        ),
-    ];
+        )
+        .with("camera taken off first, then port, f64", "processor", |v| {
+            let p = v.corner.as_dvec3() + v.local.as_dvec3();
+            let [x, y, z, _] = point(-1.0, p.to_array());
+            [x, y, z]
+        });
     let title = "View of one vertex by a camera 5 radii from the origin of hyperbolic space";
-    Group::race(
-        "view",
-        title,
-        ("worst angle at the eye", "rad"),
-        BATCH,
-        rivals,
-        effort,
-    )
+    rivals.race("view", title, ("worst angle at the eye", "rad"), effort)
 }
 
 /// Worst angles by the distance walked.
@@ -167,23 +137,13 @@ pub fn by_distance() -> Plot {
         "hyperboloid coordinates, f64",
         "camera taken off first, f32 (the game)",
     ];
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Logarithmic,
-    };
-    Plot {
-        id: "speed-view-walked".to_owned(),
-        title: "Error of the picture by the distance walked from the origin".to_owned(),
-        x: axis("distance walked, radii"),
-        y: axis("worst angle at the eye, rad"),
-        series: names
+    Plot::new(
+        "speed-view-walked",
+        "Error of the picture by the distance walked from the origin",
+        Scale::Logarithmic.axes("distance walked, radii", "worst angle at the eye, rad"),
+        names
             .into_iter()
             .zip(curves)
-            .map(|(name, points)| Series {
-                name: name.to_owned(),
-                points,
-                joined: true,
-            })
-            .collect(),
-    }
+            .map(|(name, points)| Series::line(name, points)),
+    )
 }

@@ -47,13 +47,12 @@ pub fn section(effort: Effort) -> Result<Section, LabError> {
             if long { seconds } else { seconds / 10 },
         )?);
     }
-    Ok(Section {
-        id: "terrain-bullets".to_owned(),
-        title: "Bullets".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table("500 bullets in flight", &rows, effort)],
-        plots: Vec::new(),
-    })
+    Ok(Section::new(
+        "terrain-bullets",
+        "Bullets",
+        METHOD,
+        [table("500 bullets in flight", &rows, effort)],
+    ))
 }
 
 fn rows_of(geometry: Geometry, seconds: usize) -> Result<Vec<Row>, LabError> {

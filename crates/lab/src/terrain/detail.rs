@@ -64,13 +64,12 @@ pub fn section(effort: Effort, gpu: Option<&Gpu>) -> Result<Section, LabError> {
             rows.extend(bent(map, gpu)?);
         }
     }
-    Ok(Section {
-        id: "terrain-detail".to_owned(),
-        title: "Levels of detail".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table("Resident and drawn", &rows, effort)],
-        plots: Vec::new(),
-    })
+    Ok(Section::new(
+        "terrain-detail",
+        "Levels of detail",
+        METHOD,
+        [table("Resident and drawn", &rows, effort)],
+    ))
 }
 
 fn case(geometry: Geometry, view_distance: u32) -> String {

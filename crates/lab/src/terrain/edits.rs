@@ -66,17 +66,16 @@ pub fn section(effort: Effort) -> Result<Section, LabError> {
     let framed = run(Look::EachFrame, seconds * PER_S)?;
     let mut rows = rows("asked every millisecond", &often);
     rows.extend(self::rows("asked once a frame", &framed));
-    Ok(Section {
-        id: "terrain-edits".to_owned(),
-        title: "Edits".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table(
+    Ok(Section::new(
+        "terrain-edits",
+        "Edits",
+        METHOD,
+        [table(
             "Sixty strokes a second over eight chunks",
             &rows,
             effort,
         )],
-        plots: Vec::new(),
-    })
+    ))
 }
 
 fn rows(case: &str, session: &Session) -> Vec<Row> {

@@ -41,16 +41,15 @@ pub fn field_section(effort: Effort) -> Section {
     for geometry in Geometry::ALL {
         rows.extend(content_rows(geometry, effort));
     }
-    Section {
-        id: "terrain-field".to_owned(),
-        title: "The field".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![
+    Section::new(
+        "terrain-field",
+        "The field",
+        METHOD,
+        [
             table("Samples and decisions", &rows, effort),
             versus("Fractal noise, a sample", &rivals, &ns, 2, &LEAST),
         ],
-        plots: Vec::new(),
-    }
+    )
 }
 
 /// Chunks around the middle of the world, high above the ground to deep below it.

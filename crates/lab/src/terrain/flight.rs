@@ -14,7 +14,7 @@ use super::clock::{Spent, Spread, ThreadClock};
 use super::control::Control;
 use super::engine::{SEED, open, space};
 use super::row::{Bar, Judged, Row, table};
-use crate::{Axis, Effort, LabError, Plot, Scale, Section, Series};
+use crate::{Effort, LabError, Plot, Scale, Section, Series};
 
 /// Length of the flight, metres, and of a quick one.
 const LENGTH_M: [f64; 2] = [2000.0, 72.0];
@@ -75,17 +75,17 @@ impl Logged {
 pub fn section(effort: Effort) -> Result<(Section, String), LabError> {
     let length_m = LENGTH_M[usize::from(effort.quick)];
     let log = fly(length_m)?;
-    let section = Section {
-        id: "terrain-flight".to_owned(),
-        title: "A flight over land".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table(
+    let section = Section::new(
+        "terrain-flight",
+        "A flight over land",
+        METHOD,
+        [table(
             "The main thread, frame by frame",
             &rows(&log, length_m),
             effort,
         )],
-        plots: vec![plot(&log)],
-    };
+    )
+    .with([plot(&log)]);
     Ok((section, csv(&log)))
 }
 
@@ -285,33 +285,24 @@ fn csv(log: &[Logged]) -> String {
 }
 
 fn plot(log: &[Logged]) -> Plot {
-    let curve = |name: &str, of: fn(Spread) -> f64| Series {
-        name: name.to_owned(),
-        points: log
-            .chunks(PLOTTED)
-            .map(|frames| {
+    let curve = |name: &str, of: fn(Spread) -> f64| {
+        Series::line(
+            name,
+            log.chunks(PLOTTED).map(|frames| {
                 let times: Vec<f64> = frames.iter().map(Logged::own_ms).collect();
                 (frames[0].at_s, of(Spread::of(&times)))
-            })
-            .collect(),
-        joined: true,
+            }),
+        )
     };
-    Plot {
-        id: "terrain-flight".to_owned(),
-        title: "The main thread on a flight over land, each quarter of a second".to_owned(),
-        x: Axis {
-            label: "time, s".to_owned(),
-            scale: Scale::Linear,
-        },
-        y: Axis {
-            label: "main thread in a frame, ms".to_owned(),
-            scale: Scale::Linear,
-        },
-        series: vec![
+    Plot::new(
+        "terrain-flight",
+        "The main thread on a flight over land, each quarter of a second",
+        Scale::Linear.axes("time, s", "main thread in a frame, ms"),
+        [
             curve("longest frame", |spread| spread.max),
             curve("median", |spread| spread.p50),
         ],
-    }
+    )
 }
 
 const METHOD: [&str; 4] = [

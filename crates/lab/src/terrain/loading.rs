@@ -38,13 +38,12 @@ pub fn section(effort: Effort) -> Result<Section, LabError> {
     for geometry in Geometry::ALL {
         rows.extend(rows_of(geometry, effort)?);
     }
-    Ok(Section {
-        id: "terrain-loading".to_owned(),
-        title: "Loading".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table("A new player's wait", &rows, effort)],
-        plots: Vec::new(),
-    })
+    Ok(Section::new(
+        "terrain-loading",
+        "Loading",
+        METHOD,
+        [table("A new player's wait", &rows, effort)],
+    ))
 }
 
 fn rows_of(geometry: Geometry, effort: Effort) -> Result<[Row; 2], LabError> {

@@ -14,7 +14,7 @@ use glam::DVec3;
 use super::engine::{SEED, open, setup, space};
 use super::row::{Bar, Judged, Row, table};
 use crate::resident_mb;
-use crate::{Axis, Effort, LabError, Plot, Scale, Section, Series};
+use crate::{Effort, LabError, Plot, Scale, Section, Series};
 
 /// Simulated seconds of the way, and of a quick one. Over the first ten minutes the allocator still takes what it will
 /// keep for its threads; whether memory is level after that, the second ten tell.
@@ -66,13 +66,13 @@ pub fn section(effort: Effort) -> Result<Section, LabError> {
     let case = format!("{seconds} s at sprint, view distance {VIEW_DISTANCE}");
     let mut rows = memory_rows(&way, &case);
     rows.extend(disk_rows(&way, &case, disk_mb, untouched_mb));
-    Ok(Section {
-        id: "terrain-memory".to_owned(),
-        title: "Memory and disk".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![table("A long way in one direction", &rows, effort)],
-        plots: vec![plot(&way)],
-    })
+    Ok(Section::new(
+        "terrain-memory",
+        "Memory and disk",
+        METHOD,
+        [table("A long way in one direction", &rows, effort)],
+    )
+    .with([plot(&way)]))
 }
 
 fn memory_rows(way: &Way, case: &str) -> Vec<Row> {
@@ -213,21 +213,15 @@ fn along(scene: &Scene, field: &Field, dig: bool) -> Actions {
 }
 
 fn plot(way: &Way) -> Plot {
-    let axis = |label: &str| Axis {
-        label: label.to_owned(),
-        scale: Scale::Linear,
-    };
-    Plot {
-        id: "terrain-memory".to_owned(),
-        title: "Memory on a long way".to_owned(),
-        x: axis("simulated time, s"),
-        y: axis("resident memory, MB"),
-        series: vec![Series {
-            name: "beyond what the program had before".to_owned(),
-            points: way.memory.clone(),
-            joined: true,
-        }],
-    }
+    Plot::new(
+        "terrain-memory",
+        "Memory on a long way",
+        Scale::Linear.axes("simulated time, s", "resident memory, MB"),
+        [Series::line(
+            "beyond what the program had before",
+            way.memory.clone(),
+        )],
+    )
 }
 
 const METHOD: [&str; 3] = [

@@ -43,16 +43,15 @@ pub fn mesh_section(effort: Effort) -> Section {
     for geometry in [Geometry::Euclidean, Geometry::Spherical] {
         rows.extend(chunk_rows(geometry, effort));
     }
-    Section {
-        id: "terrain-mesh".to_owned(),
-        title: "Meshes".to_owned(),
-        method: METHOD.map(str::to_owned).to_vec(),
-        tables: vec![
+    Section::new(
+        "terrain-mesh",
+        "Meshes",
+        METHOD,
+        [
             table("Chunks", &rows, effort),
             versus("Meshing, a cell", &rivals, &ns, 1, &LEAST),
         ],
-        plots: Vec::new(),
-    }
+    )
 }
 
 fn chunk_rows(geometry: Geometry, effort: Effort) -> Vec<Row> {

@@ -20,20 +20,16 @@ pub fn versus(
         .enumerate()
         .map(|(place, (rival, theirs))| {
             let mut row = vec![
-                Cell::Text(title.to_owned()),
-                Cell::Text(rival.name.to_owned()),
-                Cell::Figure(*theirs, "ns".to_owned()),
+                Cell::text(title),
+                Cell::text(rival.name),
+                Cell::figure(*theirs, "ns"),
             ];
             if place < ours {
                 row.extend(vec![Cell::Empty; ours + 2]);
                 return row;
             }
             let times: Vec<f64> = ns[..ours].iter().map(|own| theirs / own).collect();
-            row.extend(
-                times
-                    .iter()
-                    .map(|times| Cell::Figure(*times, String::new())),
-            );
+            row.extend(times.iter().map(|times| Cell::figure(*times, "")));
             let bars = least.iter().find(|(name, _)| rival.name.starts_with(name));
             row.extend(bars.map_or([Cell::Empty, Cell::Empty], |(_, bars)| {
                 let words: Vec<String> = bars.iter().map(f64::to_string).collect();
@@ -50,11 +46,11 @@ pub fn versus(
         .map(str::to_owned)
         .into_iter();
     let last = ["Bar", "Passed"].map(str::to_owned);
-    Table {
-        title: format!("{title}: ours and others in one run"),
-        columns: columns.chain(own).chain(last).collect(),
-        rows: rows.collect(),
-    }
+    Table::new(
+        format!("{title}: ours and others in one run"),
+        columns.chain(own).chain(last),
+        rows,
+    )
 }
 
 #[cfg(test)]
