@@ -69,6 +69,44 @@ pub struct Look {
 }
 
 impl Look {
+    fn new(name: &'static str, space: (Geometry, HyperbolicMap, bool), dial: f64) -> Self {
+        let (geometry, map, bend) = space;
+        let space = picture(geometry, radius_m(geometry), map, bend);
+        Self { name, space, dial }
+    }
+
+    /// Flat land as it is.
+    pub fn flat(name: &'static str) -> Self {
+        Self::new(
+            name,
+            (Geometry::Euclidean, HyperbolicMap::Raised, false),
+            0.0,
+        )
+    }
+
+    /// Flat land bent.
+    pub fn bent(name: &'static str, dial: f64) -> Self {
+        Self::new(
+            name,
+            (Geometry::Euclidean, HyperbolicMap::Raised, true),
+            dial,
+        )
+    }
+
+    /// Through a map of hyperbolic space.
+    pub fn hyperbolic(name: &'static str, map: HyperbolicMap, dial: f64) -> Self {
+        Self::new(name, (Geometry::Hyperbolic, map, false), dial)
+    }
+
+    /// On the sphere.
+    pub fn spherical(name: &'static str) -> Self {
+        Self::new(
+            name,
+            (Geometry::Spherical, HyperbolicMap::Raised, false),
+            0.0,
+        )
+    }
+
     /// The frame looked at in this way.
     pub fn at(&self, frame: &Frame) -> Frame {
         let mut own = frame.clone();
@@ -80,58 +118,21 @@ impl Look {
 
 /// Every way to look at flat and hyperbolic land; the first is flat.
 pub fn looks() -> Vec<Look> {
-    let look = |name, geometry, map, bend, dial| Look {
-        name,
-        space: picture(geometry, radius_m(geometry), map, bend),
-        dial,
-    };
     let (raised, horizon) = (HyperbolicMap::Raised, HyperbolicMap::Horizon);
     vec![
-        look("flat", Geometry::Euclidean, raised, false, 0.0),
-        look(
-            "raised, offset 0.5 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            0.5,
-        ),
-        look(
-            "raised, offset 10 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            10.0,
-        ),
-        look(
-            "raised, offset 20 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            20.0,
-        ),
-        look(
-            "horizon, dial 10",
-            Geometry::Hyperbolic,
-            horizon,
-            false,
-            10.0,
-        ),
-        look("flat, bent by 1", Geometry::Euclidean, raised, true, 1.0),
-        look("flat, bent by -1", Geometry::Euclidean, raised, true, -1.0),
+        Look::flat("flat"),
+        Look::hyperbolic("raised, offset 0.5 m", raised, 0.5),
+        Look::hyperbolic("raised, offset 10 m", raised, 10.0),
+        Look::hyperbolic("raised, offset 20 m", raised, 20.0),
+        Look::hyperbolic("horizon, dial 10", horizon, 10.0),
+        Look::bent("flat, bent by 1", 1.0),
+        Look::bent("flat, bent by -1", -1.0),
     ]
 }
 
 /// The sphere and the flat space that its charts' land is drawn in for comparison; the first is flat.
 pub fn sphere_looks() -> Vec<Look> {
-    let look = |name, geometry| Look {
-        name,
-        space: picture(geometry, radius_m(geometry), HyperbolicMap::Raised, false),
-        dial: 0.0,
-    };
-    vec![
-        look("flat", Geometry::Euclidean),
-        look("sphere", Geometry::Spherical),
-    ]
+    vec![Look::flat("flat"), Look::spherical("sphere")]
 }
 
 /// Which land is taken first.
