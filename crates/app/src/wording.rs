@@ -218,23 +218,12 @@ fn line_words(texts: &Texts, line: Line) -> String {
 
 /// What an item is called.
 pub fn item(texts: &Texts, item: Item) -> String {
-    texts.say(match item {
-        Item::Gun => "item-gun",
-        Item::Bullet => "item-bullet",
-        Item::Lamp => "item-lamp",
-        Item::PickaxeWood => "item-pickaxe-wood",
-        Item::PickaxeIron => "item-pickaxe-iron",
-        Item::PickaxeDiamond => "item-pickaxe-diamond",
-    })
+    texts.say(&format!("item-{}", item.id()))
 }
 
 /// A space in a word, within a sentence or beside other words.
 pub fn geometry(texts: &Texts, geometry: Geometry) -> String {
-    texts.say(match geometry {
-        Geometry::Euclidean => "space-euclidean",
-        Geometry::Hyperbolic => "space-hyperbolic",
-        Geometry::Spherical => "space-spherical",
-    })
+    texts.say(&format!("space-{geometry}"))
 }
 
 /// Why the chunk workers or the saver failed.

@@ -132,7 +132,7 @@ fn costs(entries: &[Entry]) -> Table {
                 Cell::count(plan.triangles_hidden),
                 Cell::count(plan.triangles_small),
                 Cell::figure(plan.error_px, "px"),
-                percent(&entry.difference, entry.difference.differing),
+                Cell::percent(entry.difference.differing, entry.difference.land),
             ]
         })
     });
@@ -168,10 +168,6 @@ fn plot(entries: &[Entry]) -> Plot {
     )
 }
 
-fn percent(difference: &Difference, part: usize) -> Cell {
-    Cell::figure(100.0 * part as f64 / difference.land.max(1) as f64, "%")
-}
-
 /// The bars on balanced: the picture everywhere, and the triangles at the highest curvature.
 fn bars(entries: &[Entry]) -> Table {
     let balanced = || entries.iter().filter(|e| e.quality == Quality::Balanced);
@@ -188,7 +184,7 @@ fn bars(entries: &[Entry]) -> Table {
             } else {
                 Cell::Empty
             },
-            percent(found, found.differing),
+            Cell::percent(found.differing, found.land),
             Cell::count(found.off_edge),
             Cell::Verdict(
                 found.differing as f64 <= MOST_DIFFERING * found.land as f64 && found.off_edge == 0,
