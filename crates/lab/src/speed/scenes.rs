@@ -3,10 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{
-    ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap,
-    Strategy, picture,
-};
+use antipode_geometry::{ChunkCoord, Geometry, HyperbolicMap, Strategy, picture};
 use antipode_render::Gpu;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_scene::tuning::FOV_Y_RAD;
@@ -16,6 +13,7 @@ use glam::Vec3;
 
 use crate::LabError;
 use crate::speed::stage::Stage;
+use crate::terrain::{radius_m, settle};
 
 /// Seed of the scene.
 pub const SEED: u64 = 7;
@@ -25,14 +23,6 @@ pub const VIEW_DISTANCE: u32 = 6;
 pub const POSE_RAD: (f64, f64) = (0.4, -0.08);
 /// Longest wait for the land.
 const PATIENCE: Duration = Duration::from_mins(3);
-
-/// The space's radius in metres as the game sets it.
-pub fn radius_m(geometry: Geometry) -> f64 {
-    match geometry {
-        Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
-        _ => DEFAULT_HYPERBOLIC_RADIUS_M,
-    }
-}
 
 /// The scene in that space as a frame of the given aspect, with all its meshes.
 ///
@@ -48,12 +38,7 @@ pub fn fixed(geometry: Geometry, aspect: f64) -> Result<Frame, LabError> {
     };
     let mut scene = Scene::open(setup, None).map_err(|e| LabError::Scene(e.to_string()))?;
     scene.aim(POSE_RAD.0, POSE_RAD.1);
-    if !scene.settle(PATIENCE) {
-        return Err(LabError::Scene(format!(
-            "its land was not made within {} s",
-            PATIENCE.as_secs()
-        )));
-    }
+    settle(&mut scene, PATIENCE)?;
     Ok(scene.frame(FOV_Y_RAD, aspect, geometry as u64 + 1))
 }
 

@@ -20,7 +20,7 @@ use crate::speed::inputs::ground;
 use crate::speed::library::seen;
 use crate::speed::passes::{Pass, VERTICES, Watch, race};
 use crate::speed::port::angle;
-use crate::speed::scenes::radius_m;
+use crate::terrain::radius_m;
 use crate::{Cell, Effort, LabError, Plot, Scale, Series, Table};
 
 /// Vertices whose results are read back and judged.
