@@ -14,6 +14,7 @@ use clap::{Args, Subcommand};
 use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
 use crate::output::{line, lines};
+use crate::picture::adapter_choice;
 
 /// Most failed rows that are named on standard error; the tables have them all.
 const MOST_NAMED: usize = 4;
@@ -222,12 +223,7 @@ fn measured(
 }
 
 fn choice(adapter: Adapter) -> Option<AdapterChoice> {
-    match adapter {
-        Adapter::Auto => Some(AdapterChoice::Auto),
-        Adapter::Gpu => Some(AdapterChoice::Gpu),
-        Adapter::Software => Some(AdapterChoice::Software),
-        Adapter::None => None,
-    }
+    (adapter != Adapter::None).then(|| adapter_choice(adapter))
 }
 
 fn failure(error: LabError) -> Failure {

@@ -107,10 +107,7 @@ impl Studio {
     /// When the adapter fails or refuses a shader.
     pub fn draw(&mut self, frame: &Frame) -> Result<(DrawStats, Duration), Failure> {
         let began = Instant::now();
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
@@ -132,10 +129,7 @@ impl Studio {
         display: impl FnOnce(&DrawStats) -> Option<HudModel>,
     ) -> Result<RgbaImage, Failure> {
         self.renderer.complete_next();
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());

@@ -1,6 +1,8 @@
 //! From errors, notices and kinds of things to sentences in the player's language. What is rare keeps its details
 //! in English after a sentence of the player's language; logs and the command line are English throughout.
 
+use std::path::Path;
+
 use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_language::{Texts, Value};
 use antipode_render::RenderError;
@@ -39,49 +41,26 @@ fn world_name(world: &str, worlds: &[WorldSummary]) -> String {
 
 /// Why a save could not be read or written; `worlds` as for [`failure`].
 pub fn storage(texts: &Texts, error: &StorageError, worlds: &[WorldSummary]) -> String {
-    let path = |path: &std::path::Path| path.display().to_string();
+    let of_world = |key, world| texts.say_with(key, &[("world", world_name(world, worlds).into())]);
+    let at = |key, path: &Path| texts.say_with(key, &[("path", path.display().to_string().into())]);
     match error {
-        StorageError::InUse { world } => texts.say_with(
-            "save-in-use",
-            &[("world", world_name(world, worlds).into())],
-        ),
-        StorageError::Busy { dir } => texts.say_with("saves-busy", &[("path", path(dir).into())]),
-        StorageError::Newer { world, .. } => {
-            texts.say_with("save-newer", &[("world", world_name(world, worlds).into())])
-        }
+        StorageError::InUse { world } => of_world("save-in-use", world),
+        StorageError::Busy { dir } => at("saves-busy", dir),
+        StorageError::Newer { world, .. } => of_world("save-newer", world),
         StorageError::Damaged { .. } => texts.say("save-part-damaged"),
-        StorageError::Unreadable { path: file, .. } => {
-            texts.say_with("save-unreadable", &[("path", path(file).into())])
-        }
-        StorageError::NoStore { path: file, .. } => {
-            texts.say_with("save-file-missing", &[("path", path(file).into())])
-        }
-        StorageError::Vanished { path: file } => {
-            texts.say_with("save-vanished", &[("path", path(file).into())])
-        }
-        StorageError::NotADirectory { path: file } => {
-            texts.say_with("saves-not-a-folder", &[("path", path(file).into())])
-        }
-        StorageError::NotFound { world, .. } => texts.say_with(
-            "save-not-found",
-            &[("world", world_name(world, worlds).into())],
-        ),
+        StorageError::Unreadable { path, .. } => at("save-unreadable", path),
+        StorageError::NoStore { path, .. } => at("save-file-missing", path),
+        StorageError::Vanished { path } => at("save-vanished", path),
+        StorageError::NotADirectory { path } => at("saves-not-a-folder", path),
+        StorageError::NotFound { world, .. } => of_world("save-not-found", world),
         StorageError::Name(error) => name(texts, error, worlds),
-        StorageError::Exists { path: file } => {
-            texts.say_with("file-exists", &[("path", path(file).into())])
-        }
+        StorageError::Exists { path } => at("file-exists", path),
         StorageError::DiskFull { what } => {
             texts.say_with("disk-full", &[("path", legible(what).into())])
         }
-        StorageError::NotWritable { path: file } => {
-            texts.say_with("not-writable", &[("path", path(file).into())])
-        }
-        StorageError::NotReadable { path: file } => {
-            texts.say_with("not-readable", &[("path", path(file).into())])
-        }
-        StorageError::Archive { path: file, .. } => {
-            texts.say_with("archive-refused", &[("path", path(file).into())])
-        }
+        StorageError::NotWritable { path } => at("not-writable", path),
+        StorageError::NotReadable { path } => at("not-readable", path),
+        StorageError::Archive { path, .. } => at("archive-refused", path),
         _ => other(texts, &error.to_string()),
     }
 }
@@ -239,23 +218,12 @@ fn line_words(texts: &Texts, line: Line) -> String {
 
 /// What an item is called.
 pub fn item(texts: &Texts, item: Item) -> String {
-    texts.say(match item {
-        Item::Gun => "item-gun",
-        Item::Bullet => "item-bullet",
-        Item::Lamp => "item-lamp",
-        Item::PickaxeWood => "item-pickaxe-wood",
-        Item::PickaxeIron => "item-pickaxe-iron",
-        Item::PickaxeDiamond => "item-pickaxe-diamond",
-    })
+    texts.say(&format!("item-{}", item.id()))
 }
 
 /// A space in a word, within a sentence or beside other words.
 pub fn geometry(texts: &Texts, geometry: Geometry) -> String {
-    texts.say(match geometry {
-        Geometry::Euclidean => "space-euclidean",
-        Geometry::Hyperbolic => "space-hyperbolic",
-        Geometry::Spherical => "space-spherical",
-    })
+    texts.say(&format!("space-{geometry}"))
 }
 
 /// Why the chunk workers or the saver failed.

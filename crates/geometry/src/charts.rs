@@ -35,14 +35,6 @@ pub fn cylindrical_direction(sign: f64, p: DVec3, v: DVec3) -> DVec4 {
     kernel::cylindrical::direction(sign, p.to_array(), v.to_array()).into()
 }
 
-/// The unit tangent at `a` towards `b`, both points of the model near its origin. At one point and
-/// at the antipode, where every direction leads there, it is `otherwise`: a unit tangent at `a`,
-/// such as the normal of the surface there.
-pub fn direction_to(sign: f64, a: DVec4, b: DVec4, otherwise: DVec4) -> DVec4 {
-    let [a, b, otherwise] = [a, b, otherwise].map(|v| v.to_array());
-    kernel::distance::direction(sign, a, b, otherwise).into()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

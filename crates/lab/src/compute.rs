@@ -46,14 +46,15 @@ pub fn run<In: Pod, Out: Pod>(
     Ok(outputs)
 }
 
-fn failed(gpu: &Gpu, why: &impl ToString) -> LabError {
+pub(crate) fn failed(gpu: &Gpu, why: &impl ToString) -> LabError {
     LabError::Compute {
         adapter: gpu.name().to_owned(),
         why: why.to_string(),
     }
 }
 
-fn pipeline(gpu: &Gpu, shader: &str) -> wgpu::ComputePipeline {
+/// The pass of a shader, behind the shared text.
+pub(crate) fn pipeline(gpu: &Gpu, shader: &str) -> wgpu::ComputePipeline {
     let source = format!("{WGSL}\n{shader}");
     let module = gpu
         .device
@@ -72,12 +73,40 @@ fn pipeline(gpu: &Gpu, shader: &str) -> wgpu::ComputePipeline {
         })
 }
 
-fn buffer(gpu: &Gpu, size: usize, usage: Usage) -> wgpu::Buffer {
+/// An empty buffer of so many bytes.
+pub(crate) fn buffer(gpu: &Gpu, size: usize, usage: Usage) -> wgpu::Buffer {
     gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("laboratory"),
         size: size as u64,
         usage,
         mapped_at_creation: false,
+    })
+}
+
+/// A buffer with those bytes in it.
+pub(crate) fn filled(gpu: &Gpu, bytes: &[u8], usage: Usage) -> wgpu::Buffer {
+    let buffer = buffer(gpu, bytes.len(), usage | Usage::COPY_DST);
+    gpu.queue.write_buffer(&buffer, 0, bytes);
+    buffer
+}
+
+/// Those buffers at the bindings from 0 on.
+pub(crate) fn bound(
+    gpu: &Gpu,
+    pipeline: &wgpu::ComputePipeline,
+    buffers: &[&wgpu::Buffer],
+) -> wgpu::BindGroup {
+    let entries: Vec<_> = (0..)
+        .zip(buffers)
+        .map(|(binding, buffer)| wgpu::BindGroupEntry {
+            binding,
+            resource: buffer.as_entire_binding(),
+        })
+        .collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("laboratory"),
+        layout: &pipeline.get_bind_group_layout(0),
+        entries: &entries,
     })
 }
 
@@ -87,40 +116,33 @@ fn pass<In: Pod, Out: Pod>(
     inputs: &[In],
 ) -> Result<Vec<Out>, LabError> {
     let size = size_of_val(inputs) / size_of::<In>() * size_of::<Out>();
-    let source = buffer(gpu, size_of_val(inputs), Usage::STORAGE | Usage::COPY_DST);
-    gpu.queue
-        .write_buffer(&source, 0, bytemuck::cast_slice(inputs));
+    let source = filled(gpu, bytemuck::cast_slice(inputs), Usage::STORAGE);
     let target = buffer(gpu, size, Usage::STORAGE | Usage::COPY_SRC);
-    let mapped = buffer(gpu, size, Usage::MAP_READ | Usage::COPY_DST);
-    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("laboratory"),
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &[
-            wgpu::BindGroupEntry {
-                binding: 0,
-                resource: source.as_entire_binding(),
-            },
-            wgpu::BindGroupEntry {
-                binding: 1,
-                resource: target.as_entire_binding(),
-            },
-        ],
-    });
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let group = bound(gpu, pipeline, &[&source, &target]);
+    let mut encoder = gpu.encoder();
     {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &group, &[]);
         pass.dispatch_workgroups(inputs.len().div_ceil(64) as u32, 1, 1);
     }
-    encoder.copy_buffer_to_buffer(&target, 0, &mapped, 0, size as u64);
     gpu.queue.submit([encoder.finish()]);
-    read(gpu, &mapped)
+    read(gpu, &target, size)
 }
 
-fn read<Out: Pod>(gpu: &Gpu, mapped: &wgpu::Buffer) -> Result<Vec<Out>, LabError> {
+/// The first `size` bytes of a buffer.
+///
+/// # Errors
+/// When the adapter fails.
+pub(crate) fn read<Out: Pod>(
+    gpu: &Gpu,
+    source: &wgpu::Buffer,
+    size: usize,
+) -> Result<Vec<Out>, LabError> {
+    let mapped = buffer(gpu, size, Usage::MAP_READ | Usage::COPY_DST);
+    let mut encoder = gpu.encoder();
+    encoder.copy_buffer_to_buffer(source, 0, &mapped, 0, size as u64);
+    gpu.queue.submit([encoder.finish()]);
     let (tell, told) = std::sync::mpsc::channel();
     mapped.map_async(wgpu::MapMode::Read, .., move |result| {
         // The receiver is gone only when this function has returned already.

@@ -8,13 +8,8 @@ pub fn number(value: f64) -> String {
         return "0".to_owned();
     }
     if !value.is_finite() {
-        return if value.is_nan() {
-            "NaN".to_owned()
-        } else if value > 0.0 {
-            "inf".to_owned()
-        } else {
-            "-inf".to_owned()
-        };
+        // NaN, inf or -inf.
+        return value.to_string();
     }
     if value.fract() == 0.0 && value.abs() < 1e6 {
         return format!("{value:.0}");

@@ -105,6 +105,11 @@ impl Cell {
         Self::Figure(value.into(), unit.to_owned())
     }
 
+    /// A share of a number of things.
+    pub fn percent(part: usize, whole: usize) -> Self {
+        Self::figure(100.0 * part as f64 / whole.max(1) as f64, "%")
+    }
+
     /// A number of things.
     pub fn count(n: usize) -> Self {
         Self::figure(n as f64, "")

@@ -1,5 +1,7 @@
 //! Figures: one mesh for each model, an instance for each figure and for what it holds.
 
+use std::ops::Range;
+
 use antipode_frame::{Figure, Frame, ModelId};
 use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
@@ -236,14 +238,7 @@ impl Figures {
                 Some(_) => &pipelines.bent_caster,
                 None => &pipelines.caster,
             });
-            self.statics.bind(pass, run.joints.is_some());
-            if let Some(offset) = run.joints {
-                pass.set_bind_group(1, &self.joints_bound, &[offset]);
-            }
-            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
-            pass.set_vertex_buffer(1, self.instances.slice(start..));
-            triangles += indices.len() / 3 * run.count as usize;
-            pass.draw_indexed(indices.clone(), place.base_vertex, 0..run.count);
+            triangles += self.draw_run(pass, run, indices);
         }
         triangles
     }
@@ -252,13 +247,12 @@ impl Figures {
         &self,
         pass: &mut RenderPass<'_>,
         pipelines: &FigurePipelines,
-        part: impl Fn(&Place) -> &std::ops::Range<u32>,
+        part: impl Fn(&Place) -> &Range<u32>,
         clear: bool,
     ) -> (usize, usize) {
         let (mut triangles, mut calls) = (0, 0);
         for run in &self.runs {
-            let place = &self.statics.places[run.model];
-            let indices = part(place).clone();
+            let indices = part(&self.statics.places[run.model]);
             if indices.is_empty() {
                 continue;
             }
@@ -272,18 +266,24 @@ impl Figures {
                 (Way::Framed, None, true) => &pipelines.clear_framed,
                 (Way::Vertex, None, true) => &pipelines.clear,
             });
-            self.statics.bind(pass, run.joints.is_some());
-            if let Some(offset) = run.joints {
-                pass.set_bind_group(1, &self.joints_bound, &[offset]);
-            }
-            // Not every adapter draws instances from a number on, so the buffer begins there.
-            let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
-            pass.set_vertex_buffer(1, self.instances.slice(start..));
-            triangles += (indices.len() / 3) as u32 * run.count;
+            triangles += self.draw_run(pass, run, indices);
             calls += 1;
-            pass.draw_indexed(indices, place.base_vertex, 0..run.count);
         }
-        (triangles as usize, calls)
+        (triangles, calls)
+    }
+
+    /// Draws a part of a run's model with the pipeline that is set; returns triangles.
+    fn draw_run(&self, pass: &mut RenderPass<'_>, run: &Run, indices: &Range<u32>) -> usize {
+        self.statics.bind(pass, run.joints.is_some());
+        if let Some(offset) = run.joints {
+            pass.set_bind_group(1, &self.joints_bound, &[offset]);
+        }
+        // Not every adapter draws instances from a number on, so the buffer begins there.
+        let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
+        pass.set_vertex_buffer(1, self.instances.slice(start..));
+        let base_vertex = self.statics.places[run.model].base_vertex;
+        pass.draw_indexed(indices.clone(), base_vertex, 0..run.count);
+        indices.len() / 3 * run.count as usize
     }
 }
 

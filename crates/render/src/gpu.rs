@@ -229,6 +229,12 @@ impl Gpu {
         lock(&self.watch).error.take()
     }
 
+    /// What commands are written into before they are submitted.
+    pub fn encoder(&self) -> wgpu::CommandEncoder {
+        self.device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default())
+    }
+
     /// Waits until everything submitted has been done.
     ///
     /// # Errors

@@ -1,5 +1,7 @@
 //! The table of actions: everything that a key, a button or the wheel can do.
 
+use crate::choice::words;
+
 /// Something the player can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Action {
@@ -77,31 +79,17 @@ pub enum Action {
     Menu,
 }
 
-/// The heading an action stands under.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ActionGroup {
-    /// Getting about.
-    Moving,
-    /// What is in hand.
-    Tools,
-    /// The picture of the world.
-    View,
-    /// The game around it.
-    Game,
-}
-
-impl ActionGroup {
-    /// All, in the order in which they are shown.
-    pub const ALL: [Self; 4] = [Self::Moving, Self::Tools, Self::View, Self::Game];
-
-    /// Key of its heading.
-    pub fn text_key(self) -> &'static str {
-        match self {
-            Self::Moving => "actions-group-moving",
-            Self::Tools => "actions-group-tools",
-            Self::View => "actions-group-view",
-            Self::Game => "actions-group-game",
-        }
+words! {
+    /// The heading an action stands under, by the key of its text.
+    ActionGroup {
+        /// Getting about.
+        Moving = "actions-group-moving",
+        /// What is in hand.
+        Tools = "actions-group-tools",
+        /// The picture of the world.
+        View = "actions-group-view",
+        /// The game around it.
+        Game = "actions-group-game",
     }
 }
 

@@ -1,19 +1,22 @@
 //! Settings that are one of a few: each choice has the word that stands in the file and in commands.
 
-/// An enumeration whose variants have words; the first is the default.
-macro_rules! choice {
-    ($(#[$about:meta])* $name:ident { $($(#[$what:meta])* $variant:ident = $id:literal,)+ } default $default:ident) => {
+/// An enumeration whose variants have words, each listed once.
+macro_rules! words {
+    ($(#[$about:meta])* $name:ident { $($(#[$what:meta])* $variant:ident = $id:literal,)+ }) => {
         $(#[$about])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         pub enum $name {
             $($(#[$what])* $variant,)+
         }
 
         impl $name {
-            /// The words of all, in the order in which they are shown.
+            /// All, in their order.
+            pub const ALL: [Self; Self::IDS.len()] = [$(Self::$variant),+];
+
+            /// The words of all, in the same order.
             pub const IDS: &'static [&'static str] = &[$($id),+];
 
-            /// The word in the file and in commands.
+            /// Its word.
             pub fn id(self) -> &'static str {
                 match self {
                     $(Self::$variant => $id,)+
@@ -27,6 +30,18 @@ macro_rules! choice {
                     _ => None,
                 }
             }
+        }
+    };
+}
+
+pub(crate) use words;
+
+/// Words of which one is the default.
+macro_rules! choice {
+    ($(#[$about:meta])* $name:ident $variants:tt default $default:ident) => {
+        words! {
+            $(#[$about])*
+            $name $variants
         }
 
         impl Default for $name {

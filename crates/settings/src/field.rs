@@ -4,47 +4,24 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows};
+use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows, words};
 use crate::settings::Settings;
 
-/// The heading a setting stands under.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Group {
-    /// Mouse and view.
-    Look,
-    /// How the picture is made.
-    Picture,
-    /// What is shown of the world's space.
-    World,
-    /// How loud it is.
-    Sound,
-    /// Gamepads.
-    Pad,
-    /// What helps to see, read and bear it.
-    Comfort,
-}
-
-impl Group {
-    /// All, in the order in which they are shown.
-    pub const ALL: [Self; 6] = [
-        Self::Look,
-        Self::Picture,
-        Self::World,
-        Self::Sound,
-        Self::Pad,
-        Self::Comfort,
-    ];
-
-    /// Key of its heading.
-    pub fn text_key(self) -> &'static str {
-        match self {
-            Self::Look => "settings-group-look",
-            Self::Picture => "settings-group-picture",
-            Self::World => "settings-group-world",
-            Self::Sound => "settings-group-sound",
-            Self::Pad => "settings-group-pad",
-            Self::Comfort => "settings-group-comfort",
-        }
+words! {
+    /// The heading a setting stands under, by the key of its text.
+    Group {
+        /// Mouse and view.
+        Look = "settings-group-look",
+        /// How the picture is made.
+        Picture = "settings-group-picture",
+        /// What is shown of the world's space.
+        World = "settings-group-world",
+        /// How loud it is.
+        Sound = "settings-group-sound",
+        /// Gamepads.
+        Pad = "settings-group-pad",
+        /// What helps to see, read and bear it.
+        Comfort = "settings-group-comfort",
     }
 }
 

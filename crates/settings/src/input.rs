@@ -4,32 +4,23 @@
 
 use std::fmt;
 
+use crate::choice::words;
 use crate::pad::PadButton;
 
-/// A button of the mouse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum MouseButton {
-    /// The left one.
-    Left,
-    /// The right one.
-    Right,
-    /// The middle one, or the wheel pressed down.
-    Middle,
-    /// The first at the side.
-    Back,
-    /// The second at the side.
-    Forward,
-}
-
-impl MouseButton {
-    /// All five, by their numbers.
-    pub const ALL: [Self; 5] = [
-        Self::Left,
-        Self::Right,
-        Self::Middle,
-        Self::Back,
-        Self::Forward,
-    ];
+words! {
+    /// A button of the mouse, by its name in the file.
+    MouseButton {
+        /// The left one.
+        Left = "Mouse1",
+        /// The right one.
+        Right = "Mouse2",
+        /// The middle one, or the wheel pressed down.
+        Middle = "Mouse3",
+        /// The first at the side.
+        Back = "Mouse4",
+        /// The second at the side.
+        Forward = "Mouse5",
+    }
 }
 
 /// A key, a button or a way to turn the wheel.
@@ -37,7 +28,7 @@ impl MouseButton {
 pub enum Input {
     /// A key by its name, one of [`Input::KEYS`].
     Key(&'static str),
-    /// A button of the mouse.
+    /// A button of the mouse, by its name in the file.
     Mouse(MouseButton),
     /// A notch of the wheel, away from the player.
     WheelUp,
@@ -63,11 +54,9 @@ impl Input {
         match name {
             "WheelUp" => Some(Self::WheelUp),
             "WheelDown" => Some(Self::WheelDown),
-            _ => MouseButton::ALL
-                .into_iter()
+            _ => MouseButton::from_id(name)
                 .map(Self::Mouse)
-                .chain(PadButton::ALL.map(Self::Pad))
-                .find(|button| button.name() == name)
+                .or_else(|| PadButton::from_id(name).map(Self::Pad))
                 .or_else(|| Self::key(name)),
         }
     }
@@ -76,20 +65,11 @@ impl Input {
     pub fn name(self) -> &'static str {
         match self {
             Self::Key(name) => name,
-            Self::Mouse(MouseButton::Left) => "Mouse1",
-            Self::Mouse(MouseButton::Right) => "Mouse2",
-            Self::Mouse(MouseButton::Middle) => "Mouse3",
-            Self::Mouse(MouseButton::Back) => "Mouse4",
-            Self::Mouse(MouseButton::Forward) => "Mouse5",
+            Self::Mouse(button) => button.id(),
             Self::WheelUp => "WheelUp",
             Self::WheelDown => "WheelDown",
-            Self::Pad(button) => button.name(),
+            Self::Pad(button) => button.id(),
         }
-    }
-
-    /// Whether it is turned and not held: it comes up again at once.
-    pub fn is_wheel(self) -> bool {
-        matches!(self, Self::WheelUp | Self::WheelDown)
     }
 
     /// The letter, digit or number printed on it, where that is its name in every language (`W`, `3`, `F11`).

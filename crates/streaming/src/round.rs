@@ -45,8 +45,8 @@ impl Round {
     /// Applies the strokes. On a panic nothing has entered the book.
     pub(crate) fn begin(shared: &Shared, batch: &EditBatch) -> Self {
         let mut problems = Vec::new();
-        let tried = guarded(&mut problems, "changing the terrain", || {
-            apply(shared, batch)
+        let tried = guarded(&mut problems, "changing the terrain", |problems| {
+            apply(shared, batch, problems)
         });
         if tried.is_none() {
             problems.push(
@@ -56,7 +56,6 @@ impl Round {
         }
         let applied = tried.unwrap_or_default();
         shared.at(Step::Entered);
-        problems.extend(applied.problems);
         let shown = |make: &&Make| {
             applied.remeshed.contains(&make.coord) || applied.bordering.contains(&make.coord)
         };
@@ -95,16 +94,12 @@ impl Round {
             let make = *self.makes.get(self.next.fetch_add(1, Ordering::Relaxed))?;
             let coord = make.coord;
             let mut problems = Vec::new();
-            let made = guarded(
-                &mut problems,
-                &format!("making chunk {}", coord.index),
-                || {
-                    let mut problems = Vec::new();
-                    shared.at(Step::Remesh(coord));
-                    let edits = shared.book.snapshot(coord, &mut problems);
-                    ((make, shared.make(make, &edits, true)), problems)
-                },
-            );
+            let doing = format!("making chunk {}", coord.index);
+            let made = guarded(&mut problems, &doing, |problems| {
+                shared.at(Step::Remesh(coord));
+                let edits = shared.book.snapshot(coord, problems);
+                (make, shared.make(make, &edits, true))
+            });
             if let Some(edited) = self.finish(made, problems) {
                 return Some(edited);
             }
@@ -112,19 +107,12 @@ impl Round {
         None
     }
 
-    fn finish(
-        &self,
-        made: Option<((Make, Chunk), Vec<String>)>,
-        problems: Vec<String>,
-    ) -> Option<Edited> {
+    fn finish(&self, made: Option<(Make, Chunk)>, problems: Vec<String>) -> Option<Edited> {
         let mut progress = self.lock();
         progress.finished += 1;
         progress.edited.problems.extend(problems);
         match made {
-            Some((chunk, problems)) => {
-                progress.edited.chunks.push(chunk);
-                progress.edited.problems.extend(problems);
-            }
+            Some(chunk) => progress.edited.chunks.push(chunk),
             None => progress.edited.complete = false,
         }
         (progress.finished == self.makes.len()).then(|| {
@@ -145,14 +133,12 @@ struct Applied {
     remeshed: BTreeSet<ChunkCoord>,
     bordering: BTreeSet<ChunkCoord>,
     entered: Entered,
-    problems: Vec<String>,
 }
 
-fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
+fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Applied {
     shared.at(Step::Apply);
-    let mut problems = Vec::new();
     let mut reached = BTreeSet::new();
-    let changed = changes(shared, &batch.strokes, &mut reached, &mut problems).unwrap_or_else(|| {
+    let changed = changes(shared, &batch.strokes, &mut reached, problems).unwrap_or_else(|| {
         problems.push(
             "The last change to the terrain is left out, since it would overwrite stored changes that cannot be \
              read now. See that the disk is there and try again."
@@ -180,7 +166,6 @@ fn apply(shared: &Shared, batch: &EditBatch) -> Applied {
         remeshed: reached,
         bordering,
         entered: shared.book.enter(changed),
-        problems,
     }
 }
 

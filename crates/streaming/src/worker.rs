@@ -86,7 +86,7 @@ impl Desk {
 
 fn plan(shared: &Shared, request: &Request) -> Result<Planned, Vec<String>> {
     let mut problems = Vec::new();
-    let planned = guarded(&mut problems, "planning which land is to be there", || {
+    let planned = guarded(&mut problems, "planning which land is to be there", |_| {
         request.plan(&shared.field)
     });
     planned.ok_or(problems)
@@ -95,46 +95,41 @@ fn plan(shared: &Shared, request: &Request) -> Result<Planned, Vec<String>> {
 fn load(shared: &Shared, make: Make) -> Loaded {
     let coord = make.coord;
     let mut problems = Vec::new();
-    let made = guarded(
-        &mut problems,
-        &format!("making chunk {}", coord.index),
-        || {
-            let mut problems = Vec::new();
-            let edits = shared.book.snapshot(coord, &mut problems);
-            shared.at(Step::Load(coord));
-            (shared.make(make, &edits, false), edits.revision, problems)
-        },
-    );
-    let Some((chunk, revision, more)) = made else {
+    let doing = format!("making chunk {}", coord.index);
+    let made = guarded(&mut problems, &doing, |problems| {
+        let edits = shared.book.snapshot(coord, problems);
+        shared.at(Step::Load(coord));
+        (shared.make(make, &edits, false), edits.revision)
+    });
+    if made.is_none() {
         problems.push(format!(
             "Chunk {} could not be made and is left out. Walk away and come back, or load the world again.",
             coord.index
         ));
-        return Loaded {
-            make,
-            chunk: None,
-            revision: 0,
-            problems,
-        };
-    };
-    problems.extend(more);
+    }
+    let (chunk, revision) = made.unzip();
     Loaded {
         make,
-        chunk: Some(chunk),
-        revision,
+        chunk,
+        revision: revision.unwrap_or_default(),
         problems,
     }
 }
 
-/// Runs a job, once more if it panics; `None` when it is given up. Each panic is a problem.
+/// Runs a job, once more if it panics; `None` when it is given up. Each panic is a problem, and so is what the job has
+/// found by its end.
 pub(crate) fn guarded<T>(
     problems: &mut Vec<String>,
     doing: &str,
-    job: impl Fn() -> T,
+    job: impl Fn(&mut Vec<String>) -> T,
 ) -> Option<T> {
     for tried in 1..=TRIES {
-        match catch_unwind(AssertUnwindSafe(&job)) {
-            Ok(done) => return Some(done),
+        let mut found = Vec::new();
+        match catch_unwind(AssertUnwindSafe(|| job(&mut found))) {
+            Ok(done) => {
+                problems.append(&mut found);
+                return Some(done);
+            }
             Err(panic) => {
                 let then = if tried < TRIES {
                     "It is tried again"

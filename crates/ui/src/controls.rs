@@ -109,7 +109,7 @@ impl ControlsScreen {
         let mut wish = None;
         for group in ActionGroup::ALL {
             ui.separator();
-            ui.label(RichText::new(texts.say(group.text_key())).color(ACCENT));
+            ui.label(RichText::new(texts.say(group.id())).color(ACCENT));
             if group == ActionGroup::Moving {
                 let (look, mouse) = (texts.say("action-look"), texts.say("key-Mouse"));
                 ui.add(Label::new(RichText::new(format!("{look}: {mouse}")).color(WEAK)).wrap());

@@ -24,11 +24,7 @@ impl GeometryChoice {
 
     /// The name on the card.
     pub fn label(self, texts: &Texts) -> String {
-        texts.say(match self {
-            Self::Hyperbolic => "geometry-hyperbolic",
-            Self::Euclidean => "geometry-euclidean",
-            Self::Spherical => "geometry-spherical",
-        })
+        texts.say(&format!("geometry-{}", self.id()))
     }
 
     /// The lower-case word that the command line, scripts and saves use.
@@ -42,11 +38,7 @@ impl GeometryChoice {
 
     /// One sentence for somebody who has never heard the word.
     pub fn description(self, texts: &Texts) -> String {
-        texts.say(match self {
-            Self::Hyperbolic => "geometry-hyperbolic-about",
-            Self::Euclidean => "geometry-euclidean-about",
-            Self::Spherical => "geometry-spherical-about",
-        })
+        texts.say(&format!("geometry-{}-about", self.id()))
     }
 }
 

@@ -6,10 +6,11 @@ use antipode_language::Texts;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Label, Pos2, Rect, Response, RichText, Role, Sense,
-    Shape, Stroke, TextEdit, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Key, Label, Pos2, Rect, Response, RichText, Role, Sense, Shape,
+    Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use crate::entry::line;
 use crate::layout::{Stops, pane};
 use crate::legible::is_partly_shown;
 use crate::model::{GeometryChoice, Intent, Screen};
@@ -161,7 +162,7 @@ impl NewGameForm {
         let texts = pass.model.texts;
         let label = ui.label(texts.say("name"));
         let hint = texts.say("name-hint");
-        let field = text_field(ui, &mut self.name, &hint).labelled_by(label.id);
+        let field = line(ui, &mut self.name, &hint, FIELD_LIMIT).labelled_by(label.id);
         pass.offer_focus(&field);
         self.touched |= field.changed();
         match check {
@@ -182,7 +183,7 @@ impl NewGameForm {
     ) -> Response {
         let label = ui.label(texts.say("seed"));
         let hint = texts.say("seed-hint");
-        let field = text_field(ui, &mut self.seed, &hint).labelled_by(label.id);
+        let field = line(ui, &mut self.seed, &hint, FIELD_LIMIT).labelled_by(label.id);
         match seed {
             Ok(None) => verdict(ui, &texts.say("seed-random"), WEAK),
             Ok(Some(seed)) => {
@@ -222,24 +223,6 @@ impl NewGameForm {
             draw(ui);
         }
     }
-}
-
-/// A line of text that up and down leave: in a single line they mean nothing.
-fn text_field(ui: &mut Ui, text: &mut String, hint: &str) -> Response {
-    let filter = EventFilter {
-        horizontal_arrows: true,
-        ..Default::default()
-    };
-    let edit = TextEdit::singleline(text)
-        .hint_text(hint)
-        .char_limit(FIELD_LIMIT)
-        .desired_width(f32::INFINITY)
-        .event_filter(filter);
-    let response = ui.add(edit);
-    if response.gained_focus() {
-        response.scroll_to_me(None);
-    }
-    response
 }
 
 /// Selects what stands in a field, so that typing replaces it.

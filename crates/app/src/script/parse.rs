@@ -1,5 +1,8 @@
 //! From the text of a script to orders, all checked before the first one runs.
 
+use std::fmt::Display;
+use std::str::FromStr;
+
 use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap};
 use antipode_scene::frame::Quality;
 use antipode_scene::{Item, NpcMode};
@@ -314,23 +317,22 @@ fn quoted(word: &str) -> String {
 }
 
 fn number(text: &str, least: f64, most: f64) -> Result<f64, String> {
-    let value: f64 = text
-        .parse()
-        .map_err(|_| format!("{} is not a number", quoted(text)))?;
-    if (least..=most).contains(&value) {
-        Ok(value)
-    } else {
-        Err(format!(
-            "{} is out of range ({least} to {most})",
-            shortened(text, LONGEST_ECHO)
-        ))
-    }
+    within(text, "a number", least, most)
 }
 
 fn whole(text: &str, least: u32, most: u32) -> Result<u32, String> {
-    let value: u32 = text
+    within(text, "a whole number", least, most)
+}
+
+fn within<N: Copy + FromStr + PartialOrd + Display>(
+    text: &str,
+    kind: &str,
+    least: N,
+    most: N,
+) -> Result<N, String> {
+    let value = text
         .parse()
-        .map_err(|_| format!("{} is not a whole number", quoted(text)))?;
+        .map_err(|_| format!("{} is not {kind}", quoted(text)))?;
     if (least..=most).contains(&value) {
         Ok(value)
     } else {

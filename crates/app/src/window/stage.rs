@@ -298,10 +298,7 @@ impl Stage {
         target: &wgpu::TextureView,
         copy: Option<&wgpu::TextureView>,
     ) -> Option<wgpu::CommandBuffer> {
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let shows_world = frame.is_some_and(|frame| {
             let stats = self.renderer.draw(frame, &mut encoder, target);
             self.pictured.note(&stats, frame.quality)

@@ -6,7 +6,7 @@ use antipode_geometry::Real;
 use bytemuck::{Pod, Zeroable};
 
 use super::errors::{off, ulp};
-use super::row::{Curve, plot};
+use super::row::{Curve, note_all, plot};
 use super::{Arithmetic, Bench, Findings, Row, Worst};
 use crate::compute;
 use crate::error::LabError;
@@ -244,11 +244,8 @@ fn measure(
             output.zip(function.slots.0).map(|(o, slot)| error(o[slot])),
             output.map(|o| error(o[function.slots.1])),
         ];
-        for ((error, worst), curve) in errors.into_iter().zip(&mut worst).zip(&mut curves) {
-            let Some(error) = error else { continue };
-            worst.note(error, || format!("t = {t:e}"));
-            curve.note(f64::from(t), error);
-        }
+        let at = || format!("t = {t:e}");
+        note_all(errors, &mut worst, &mut curves, f64::from(t), at);
     }
     rows(function, worst, outputs.is_some(), found);
     if function.ours.is_some() {

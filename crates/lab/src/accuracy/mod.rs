@@ -31,6 +31,7 @@ use crate::error::LabError;
 use crate::report::{Plot, Section};
 
 pub(crate) use cases::projection;
+pub(crate) use moves::off_orthogonal;
 pub use row::{Arithmetic, Row, Worst};
 
 /// What the suites work with.

@@ -8,6 +8,7 @@ use antipode_geometry::{ChartPoint, Eye, Geometry, charts, strategy};
 use glam::{DMat4, DVec3, DVec4, Mat4, Vec3};
 
 use super::cases;
+use super::distance::name;
 use super::errors::words;
 use super::row::{Curve, Subject, note_all, plot};
 use super::{Arithmetic, Bench, Findings, Row, Worst};
@@ -35,7 +36,8 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
     Ok(found)
 }
 
-fn off_orthogonal(sign: f64, m: Mat4) -> f64 {
+/// How far a matrix is off orthogonal; no number where one of its entries is none.
+pub(crate) fn off_orthogonal(sign: f64, m: Mat4) -> f64 {
     let metric = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, sign));
     let m = m.as_dmat4();
     let off = m.transpose() * metric * m - metric;
@@ -111,10 +113,9 @@ fn note_translation(sign: f64, q: DVec3, worst: &mut [Worst; 3], curves: &mut [C
         off_orthogonal(sign, translated(sign, q).as_mat4()),
         off_orthogonal(sign, naive::translation(sign as f32, ported)),
     ];
-    for ((error, worst), curve) in errors.into_iter().zip(worst).zip(curves) {
-        worst.note(error, || format!("q = {}", words(q)));
-        curve.note(std::f64::consts::PI - q.length(), error);
-    }
+    let from_antipode = std::f64::consts::PI - q.length();
+    let at = || format!("q = {}", words(q));
+    note_all(errors.map(Some), worst, curves, from_antipode, at);
 }
 
 fn push_translation(space: &str, range: &str, worst: [Worst; 3], found: &mut Findings) {
@@ -221,11 +222,7 @@ fn composed(bench: &Bench, sign: f64, found: &mut Findings) {
             note_all(errors, &mut worst, &mut curves, i as f64, at);
         }
     }
-    let space = if sign < 0.0 {
-        "hyperbolic"
-    } else {
-        "spherical"
-    };
+    let space = name(sign);
     let [single, cast, textbook] = worst;
     let subject = Subject {
         quantity: "composed camera moves, off orthogonal",
@@ -266,11 +263,7 @@ fn out_and_back(bench: &Bench, sign: f64, found: &mut Findings) {
         textbook.note(left, || words(away));
         ours.note(eye.pos.length() / radius, || words(away));
     }
-    let space = if sign < 0.0 {
-        "hyperbolic"
-    } else {
-        "spherical"
-    };
+    let space = name(sign);
     found.rows.push(Row {
         quantity: "out and back, distance left",
         range: format!("{space}, 1000 steps to 8 radii"),

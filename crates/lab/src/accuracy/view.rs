@@ -165,11 +165,8 @@ fn roaming(bench: &Bench, found: &mut Findings) -> Result<(), LabError> {
                 Some(roamed(*away * *d, *v)),
                 Some(roamed_f64(*away * *d, *v)),
             ];
-            for ((error, worst), curve) in errors.into_iter().zip(&mut worst).zip(&mut curves) {
-                let Some(error) = error else { continue };
-                worst.note(error, || format!("D = {d:.4}, point towards {}", words(*v)));
-                curve.note(*d, error);
-            }
+            let at = || format!("D = {d:.4}, point towards {}", words(*v));
+            note_all(errors, &mut worst, &mut curves, *d, at);
         }
         found
             .rows

@@ -52,13 +52,5 @@ pub fn median(values: &mut [f64]) -> f64 {
 /// Seconds that all threads of this program have been at work, where the system tells: on a software adapter that is
 /// what a frame costs, whatever else the machine does meanwhile.
 pub fn worked_s() -> Option<f64> {
-    let mut nanoseconds = 0.0;
-    for task in std::fs::read_dir("/proc/self/task").ok()? {
-        // A thread may end between the listing and the reading.
-        let Ok(told) = std::fs::read_to_string(task.ok()?.path().join("schedstat")) else {
-            continue;
-        };
-        nanoseconds += told.split_whitespace().next()?.parse::<f64>().ok()?;
-    }
-    Some(nanoseconds * 1e-9)
+    antipode_timing::program_ran().map(|time| time.as_secs_f64())
 }

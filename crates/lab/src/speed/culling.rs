@@ -224,8 +224,8 @@ pub fn groups(effort: Effort) -> (Vec<Group>, Table) {
                 Cell::text(name),
                 Cell::text(&variant.name),
                 Cell::figure(variant.ns, "ns"),
-                percent(wrong.culled, shown),
-                percent(wrong.kept, total - shown),
+                Cell::percent(wrong.culled, shown),
+                Cell::percent(wrong.kept, total - shown),
                 if variant.used.is_empty() {
                     Cell::Empty
                 } else {
@@ -242,10 +242,6 @@ pub fn groups(effort: Effort) -> (Vec<Group>, Table) {
         });
     }
     (groups, table(rows))
-}
-
-fn percent(part: usize, whole: usize) -> Cell {
-    Cell::figure(100.0 * part as f64 / whole.max(1) as f64, "%")
 }
 
 fn table(rows: Vec<Vec<Cell>>) -> Table {

@@ -1,6 +1,7 @@
 //! What a distance costs and how true it is: from the inner product, which loses half of all digits when it is near
 //! one, and from the chord, which loses none.
 
+use antipode_geometry::charts::inner;
 use antipode_geometry::kernel::distance;
 use glam::{DVec3, DVec4, Vec4};
 
@@ -52,11 +53,6 @@ fn pairs(seed: u64, sign: f64) -> Vec<Pair> {
 )]
 fn error(pair: &Pair, got: &f64) -> f64 {
     (got - pair.apart).abs()
-}
-
-/// The inner product of the space of that sign.
-fn inner(sign: f64, a: DVec4, b: DVec4) -> f64 {
-    a.truncate().dot(b.truncate()) + sign * a.w * b.w
 }
 
 fn half_chord(a: Vec4, b: Vec4) -> f32 {

@@ -4,6 +4,7 @@
 use antipode_geometry::kernel::translation::translation;
 use glam::{Mat4, Vec3, Vec4};
 
+use crate::accuracy::off_orthogonal;
 use crate::random::Numbers;
 use crate::speed::pareto::{Contest, Group, Rival};
 use crate::speed::port::BATCH;
@@ -13,34 +14,6 @@ use crate::{Effort, naive};
 const LEAST: f64 = 1e-5;
 /// Farthest move in hyperbolic space, in radii.
 const FAR: f64 = 2.0;
-
-/// Off orthogonality under the inner product of that sign: the largest entry of M^T G M - G.
-fn off(sign: f64, m: &Mat4) -> f64 {
-    let columns = [m.x_axis, m.y_axis, m.z_axis, m.w_axis].map(Vec4::as_dvec4);
-    let mut worst = 0.0_f64;
-    for (i, a) in columns.iter().enumerate() {
-        for (j, b) in columns.iter().enumerate() {
-            let inner = a.truncate().dot(b.truncate()) + sign * a.w * b.w;
-            let due = if i != j {
-                0.0
-            } else if i < 3 {
-                1.0
-            } else {
-                sign
-            };
-            let error = (inner - due).abs();
-            worst = if error.is_nan() {
-                f64::NAN
-            } else {
-                worst.max(error)
-            };
-            if worst.is_nan() {
-                return worst;
-            }
-        }
-    }
-    worst
-}
 
 /// The translation along v that takes the origin to q = (v across, w), with `bend` = (cosS - 1)/t^2.
 fn assembled(sign: f32, v: Vec3, across: f32, w: f32, bend: f32) -> Mat4 {
@@ -75,7 +48,7 @@ fn half_angle_library(sign: f32, v: Vec3) -> Mat4 {
 /// One translation, anywhere up to next to the antipode.
 pub fn translation_groups(effort: Effort) -> [Group; 2] {
     let one = |id, title, sign: f32, inputs: Vec<Vec3>| {
-        let error = |_: &Vec3, got: &Mat4| off(f64::from(sign), got);
+        let error = |_: &Vec3, got: &Mat4| off_orthogonal(f64::from(sign), *got);
         let rivals = Contest::new(&inputs, error)
             .with("textbook: by 1/(1 + w), library, f32", "", |v| {
                 textbook(sign, *v)
@@ -143,7 +116,9 @@ pub fn walk_groups(effort: Effort) -> [Group; 2] {
     let one = |id, title: String, sign: f32| {
         let steps = steps(sign);
         let own = &steps;
-        let end = |renew: &dyn Fn(Mat4) -> Mat4| off(f64::from(sign), &walked(own, count, renew));
+        let end = |renew: &dyn Fn(Mat4) -> Mat4| {
+            off_orthogonal(f64::from(sign), walked(own, count, renew))
+        };
         let batch = |renew: fn(f32, Mat4) -> Mat4| -> Box<dyn FnMut()> {
             let own = steps.clone();
             Box::new(move || {

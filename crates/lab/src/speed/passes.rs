@@ -2,10 +2,11 @@
 
 use std::time::Instant;
 
-use antipode_geometry::{SpaceUniform, WGSL};
+use antipode_geometry::SpaceUniform;
 use antipode_render::Gpu;
 use wgpu::BufferUsages as Usage;
 
+use crate::compute::{bound, buffer, filled, pipeline, read};
 use crate::speed::clock::{median, worked_s};
 use crate::{Effort, LabError};
 
@@ -40,30 +41,6 @@ pub struct Pass {
     pub seen: wgpu::Buffer,
 }
 
-/// An empty buffer of so many bytes.
-pub fn buffer(gpu: &Gpu, size: usize, usage: Usage) -> wgpu::Buffer {
-    gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("vertex stage"),
-        size: size as u64,
-        usage,
-        mapped_at_creation: false,
-    })
-}
-
-/// A buffer with those bytes in it.
-pub fn filled(gpu: &Gpu, bytes: &[u8], usage: Usage) -> wgpu::Buffer {
-    let buffer = buffer(gpu, bytes.len(), usage | Usage::COPY_DST);
-    gpu.queue.write_buffer(&buffer, 0, bytes);
-    buffer
-}
-
-fn bound(binding: u32, buffer: &wgpu::Buffer) -> wgpu::BindGroupEntry<'_> {
-    wgpu::BindGroupEntry {
-        binding,
-        resource: buffer.as_entire_binding(),
-    }
-}
-
 impl Pass {
     /// The pass of a body in a space, from vertices (xyz and packed normal) to what they are seen as.
     pub fn new(
@@ -74,32 +51,9 @@ impl Pass {
         seen: &wgpu::Buffer,
     ) -> Self {
         let body = FRAME.replace("BODY", body);
-        let source = format!(
-            "{WGSL}\n{}",
-            body.replace("KIND", &uniform.kind[0].to_string())
-        );
-        let module = gpu
-            .device
-            .create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("vertex stage"),
-                source: wgpu::ShaderSource::Wgsl(source.into()),
-            });
-        let pipeline = gpu
-            .device
-            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("vertex stage"),
-                layout: None,
-                module: &module,
-                entry_point: Some("main"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                cache: None,
-            });
+        let pipeline = pipeline(gpu, &body.replace("KIND", &uniform.kind[0].to_string()));
         let space = filled(gpu, bytemuck::bytes_of(uniform), Usage::UNIFORM);
-        let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("vertex stage"),
-            layout: &pipeline.get_bind_group_layout(0),
-            entries: &[bound(0, &space), bound(1, inputs), bound(2, seen)],
-        });
+        let bindings = bound(gpu, &pipeline, &[&space, inputs, seen]);
         Self {
             pipeline,
             bindings,
@@ -159,9 +113,7 @@ impl<'g> Watch<'g> {
     /// When the adapter fails.
     pub fn time(&self, pass: &Pass) -> Result<f64, LabError> {
         let gpu = self.gpu;
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder();
         pass.record(&mut encoder, self.stamps.as_ref().map(|s| &s.0));
         if let Some((queries, resolved)) = &self.stamps {
             encoder.resolve_query_set(queries, 0..2, resolved, 0);
@@ -182,36 +134,6 @@ impl<'g> Watch<'g> {
             _ => wall_s,
         })
     }
-}
-
-/// The first `size` bytes of a buffer.
-///
-/// # Errors
-/// When the adapter fails.
-pub fn read<T: bytemuck::Pod>(
-    gpu: &Gpu,
-    source: &wgpu::Buffer,
-    size: usize,
-) -> Result<Vec<T>, LabError> {
-    let failed = |why: String| LabError::Compute {
-        adapter: gpu.name().to_owned(),
-        why,
-    };
-    let mapped = buffer(gpu, size, Usage::MAP_READ | Usage::COPY_DST);
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    encoder.copy_buffer_to_buffer(source, 0, &mapped, 0, size as u64);
-    gpu.queue.submit([encoder.finish()]);
-    mapped.map_async(wgpu::MapMode::Read, .., |_| ());
-    gpu.wait()?;
-    if let Some(why) = gpu.take_error() {
-        return Err(failed(why));
-    }
-    let bytes = mapped
-        .get_mapped_range(..)
-        .map_err(|e| failed(e.to_string()))?;
-    Ok(bytemuck::pod_collect_to_vec(&bytes[..]))
 }
 
 /// Nanoseconds per vertex, interleaved, least of the rounds' medians.

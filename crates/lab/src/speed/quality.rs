@@ -1,12 +1,12 @@
 //! What the qualities draw of the fixed scene in every space and map, what that costs, and how far their pictures are
 //! from the exact one.
 
-use antipode_geometry::{Geometry, HyperbolicMap, picture};
+use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_render::Gpu;
 use antipode_scene::frame::{Frame, Quality};
 
 use crate::speed::pictures::{Difference, Picture};
-use crate::speed::scenes::{Look, radius_m};
+use crate::speed::scenes::Look;
 use crate::speed::stage::{Stage, Taken, race};
 use crate::{Cell, Effort, LabError, Plot, Scale, Series, Table};
 
@@ -22,25 +22,20 @@ const MOST_DIFFERING: f64 = 1e-3;
 
 /// Every space and map, in the dial's settings that matter.
 fn looks(geometry: Geometry) -> Vec<Look> {
-    let look = |name, map, bend, dial| Look {
-        name,
-        space: picture(geometry, radius_m(geometry), map, bend),
-        dial,
-    };
     let (raised, horizon) = (HyperbolicMap::Raised, HyperbolicMap::Horizon);
     match geometry {
         Geometry::Euclidean => vec![
-            look("euclidean", raised, false, 0.0),
-            look("euclidean, bent by 10", raised, true, 10.0),
-            look("euclidean, bent by -10", raised, true, -10.0),
+            Look::flat("euclidean"),
+            Look::bent("euclidean, bent by 10", 10.0),
+            Look::bent("euclidean, bent by -10", -10.0),
         ],
         Geometry::Hyperbolic => vec![
-            look("hyperbolic, raised, offset 10 m", raised, false, 10.0),
-            look("hyperbolic, raised, offset 20 m", raised, false, 20.0),
-            look("hyperbolic, horizon, dial 10", horizon, false, 10.0),
-            look("hyperbolic, horizon, dial 20", horizon, false, 20.0),
+            Look::hyperbolic("hyperbolic, raised, offset 10 m", raised, 10.0),
+            Look::hyperbolic("hyperbolic, raised, offset 20 m", raised, 20.0),
+            Look::hyperbolic("hyperbolic, horizon, dial 10", horizon, 10.0),
+            Look::hyperbolic("hyperbolic, horizon, dial 20", horizon, 20.0),
         ],
-        Geometry::Spherical => vec![look("spherical", raised, false, 0.0)],
+        Geometry::Spherical => vec![Look::spherical("spherical")],
     }
 }
 
@@ -137,7 +132,7 @@ fn costs(entries: &[Entry]) -> Table {
                 Cell::count(plan.triangles_hidden),
                 Cell::count(plan.triangles_small),
                 Cell::figure(plan.error_px, "px"),
-                percent(&entry.difference, entry.difference.differing),
+                Cell::percent(entry.difference.differing, entry.difference.land),
             ]
         })
     });
@@ -173,10 +168,6 @@ fn plot(entries: &[Entry]) -> Plot {
     )
 }
 
-fn percent(difference: &Difference, part: usize) -> Cell {
-    Cell::figure(100.0 * part as f64 / difference.land.max(1) as f64, "%")
-}
-
 /// The bars on balanced: the picture everywhere, and the triangles at the highest curvature.
 fn bars(entries: &[Entry]) -> Table {
     let balanced = || entries.iter().filter(|e| e.quality == Quality::Balanced);
@@ -193,7 +184,7 @@ fn bars(entries: &[Entry]) -> Table {
             } else {
                 Cell::Empty
             },
-            percent(found, found.differing),
+            Cell::percent(found.differing, found.land),
             Cell::count(found.off_edge),
             Cell::Verdict(
                 found.differing as f64 <= MOST_DIFFERING * found.land as f64 && found.off_edge == 0,

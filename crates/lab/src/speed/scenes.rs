@@ -3,10 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{
-    ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap,
-    Strategy, picture,
-};
+use antipode_geometry::{ChunkCoord, Geometry, HyperbolicMap, Strategy, picture};
 use antipode_render::Gpu;
 use antipode_scene::frame::{ChunkChange, Frame};
 use antipode_scene::tuning::FOV_Y_RAD;
@@ -16,6 +13,7 @@ use glam::Vec3;
 
 use crate::LabError;
 use crate::speed::stage::Stage;
+use crate::terrain::{radius_m, settle};
 
 /// Seed of the scene.
 pub const SEED: u64 = 7;
@@ -25,14 +23,6 @@ pub const VIEW_DISTANCE: u32 = 6;
 pub const POSE_RAD: (f64, f64) = (0.4, -0.08);
 /// Longest wait for the land.
 const PATIENCE: Duration = Duration::from_mins(3);
-
-/// The space's radius in metres as the game sets it.
-pub fn radius_m(geometry: Geometry) -> f64 {
-    match geometry {
-        Geometry::Spherical => DEFAULT_SPHERE_RADIUS_M,
-        _ => DEFAULT_HYPERBOLIC_RADIUS_M,
-    }
-}
 
 /// The scene in that space as a frame of the given aspect, with all its meshes.
 ///
@@ -48,12 +38,7 @@ pub fn fixed(geometry: Geometry, aspect: f64) -> Result<Frame, LabError> {
     };
     let mut scene = Scene::open(setup, None).map_err(|e| LabError::Scene(e.to_string()))?;
     scene.aim(POSE_RAD.0, POSE_RAD.1);
-    if !scene.settle(PATIENCE) {
-        return Err(LabError::Scene(format!(
-            "its land was not made within {} s",
-            PATIENCE.as_secs()
-        )));
-    }
+    settle(&mut scene, PATIENCE)?;
     Ok(scene.frame(FOV_Y_RAD, aspect, geometry as u64 + 1))
 }
 
@@ -69,6 +54,44 @@ pub struct Look {
 }
 
 impl Look {
+    fn new(name: &'static str, space: (Geometry, HyperbolicMap, bool), dial: f64) -> Self {
+        let (geometry, map, bend) = space;
+        let space = picture(geometry, radius_m(geometry), map, bend);
+        Self { name, space, dial }
+    }
+
+    /// Flat land as it is.
+    pub fn flat(name: &'static str) -> Self {
+        Self::new(
+            name,
+            (Geometry::Euclidean, HyperbolicMap::Raised, false),
+            0.0,
+        )
+    }
+
+    /// Flat land bent.
+    pub fn bent(name: &'static str, dial: f64) -> Self {
+        Self::new(
+            name,
+            (Geometry::Euclidean, HyperbolicMap::Raised, true),
+            dial,
+        )
+    }
+
+    /// Through a map of hyperbolic space.
+    pub fn hyperbolic(name: &'static str, map: HyperbolicMap, dial: f64) -> Self {
+        Self::new(name, (Geometry::Hyperbolic, map, false), dial)
+    }
+
+    /// On the sphere.
+    pub fn spherical(name: &'static str) -> Self {
+        Self::new(
+            name,
+            (Geometry::Spherical, HyperbolicMap::Raised, false),
+            0.0,
+        )
+    }
+
     /// The frame looked at in this way.
     pub fn at(&self, frame: &Frame) -> Frame {
         let mut own = frame.clone();
@@ -80,58 +103,21 @@ impl Look {
 
 /// Every way to look at flat and hyperbolic land; the first is flat.
 pub fn looks() -> Vec<Look> {
-    let look = |name, geometry, map, bend, dial| Look {
-        name,
-        space: picture(geometry, radius_m(geometry), map, bend),
-        dial,
-    };
     let (raised, horizon) = (HyperbolicMap::Raised, HyperbolicMap::Horizon);
     vec![
-        look("flat", Geometry::Euclidean, raised, false, 0.0),
-        look(
-            "raised, offset 0.5 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            0.5,
-        ),
-        look(
-            "raised, offset 10 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            10.0,
-        ),
-        look(
-            "raised, offset 20 m",
-            Geometry::Hyperbolic,
-            raised,
-            false,
-            20.0,
-        ),
-        look(
-            "horizon, dial 10",
-            Geometry::Hyperbolic,
-            horizon,
-            false,
-            10.0,
-        ),
-        look("flat, bent by 1", Geometry::Euclidean, raised, true, 1.0),
-        look("flat, bent by -1", Geometry::Euclidean, raised, true, -1.0),
+        Look::flat("flat"),
+        Look::hyperbolic("raised, offset 0.5 m", raised, 0.5),
+        Look::hyperbolic("raised, offset 10 m", raised, 10.0),
+        Look::hyperbolic("raised, offset 20 m", raised, 20.0),
+        Look::hyperbolic("horizon, dial 10", horizon, 10.0),
+        Look::bent("flat, bent by 1", 1.0),
+        Look::bent("flat, bent by -1", -1.0),
     ]
 }
 
 /// The sphere and the flat space that its charts' land is drawn in for comparison; the first is flat.
 pub fn sphere_looks() -> Vec<Look> {
-    let look = |name, geometry| Look {
-        name,
-        space: picture(geometry, radius_m(geometry), HyperbolicMap::Raised, false),
-        dial: 0.0,
-    };
-    vec![
-        look("flat", Geometry::Euclidean),
-        look("sphere", Geometry::Spherical),
-    ]
+    vec![Look::flat("flat"), Look::spherical("sphere")]
 }
 
 /// Which land is taken first.

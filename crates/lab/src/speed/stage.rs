@@ -65,10 +65,7 @@ impl<'g> Stage<'g> {
     pub fn draw(&mut self, frame: &Frame) -> Result<Drawn, LabError> {
         let worked_s = self.worked_s();
         let began = Instant::now();
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());

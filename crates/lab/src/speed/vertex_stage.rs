@@ -13,13 +13,14 @@ use antipode_render::Gpu;
 use glam::DVec3;
 use wgpu::BufferUsages as Usage;
 
+use crate::compute::{buffer, filled, read};
 use crate::random::Numbers;
 use crate::speed::frames::affine;
 use crate::speed::inputs::ground;
 use crate::speed::library::seen;
-use crate::speed::passes::{Pass, VERTICES, Watch, buffer, filled, race, read};
+use crate::speed::passes::{Pass, VERTICES, Watch, race};
 use crate::speed::port::angle;
-use crate::speed::scenes::radius_m;
+use crate::terrain::radius_m;
 use crate::{Cell, Effort, LabError, Plot, Scale, Series, Table};
 
 /// Vertices whose results are read back and judged.

@@ -11,7 +11,7 @@ use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_terrain::Level;
 use glam::{DVec3, IVec3};
 
-use super::engine::{name, open};
+use super::engine::{name, open, settle};
 use super::row::{Bar, Judged, Row, table};
 use crate::speed::stage::Stage;
 use crate::{Effort, LabError, Section};
@@ -134,10 +134,7 @@ fn bent(map: HyperbolicMap, gpu: Option<&Gpu>) -> Result<Vec<Row>, LabError> {
 
 fn look(mut scene: Scene, gpu: Option<&Gpu>) -> Result<View, LabError> {
     let began = Instant::now();
-    if !scene.settle(PATIENCE) {
-        let why = format!("its land was not made within {} s", PATIENCE.as_secs());
-        return Err(LabError::Scene(why));
-    }
+    settle(&mut scene, PATIENCE)?;
     let seconds = began.elapsed().as_secs_f64();
     let (width, height) = SIZE;
     let frame = scene.frame(FOV_Y_RAD, f64::from(width) / f64::from(height), 1);

@@ -1,6 +1,7 @@
 //! The worlds that the terrain suites measure in, and the few calls of the engine that several of them make.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use antipode_geometry::{
     ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, Hemisphere,
@@ -54,6 +55,18 @@ pub fn open(
     store: Option<Arc<WorldStore>>,
 ) -> Result<Scene, LabError> {
     Scene::open(setup(geometry, view_distance), store).map_err(|e| LabError::Scene(e.to_string()))
+}
+
+/// Waits until all land of a world is made.
+///
+/// # Errors
+/// When it is not made in time.
+pub fn settle(scene: &mut Scene, patience: Duration) -> Result<(), LabError> {
+    if scene.settle(patience) {
+        return Ok(());
+    }
+    let why = format!("its land was not made within {} s", patience.as_secs());
+    Err(LabError::Scene(why))
 }
 
 /// What such a world is.

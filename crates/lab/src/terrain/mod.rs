@@ -24,6 +24,8 @@ mod versus;
 pub use field::field_section;
 pub use meshing::mesh_section;
 
+pub(crate) use engine::{radius_m, settle};
+
 use antipode_render::Gpu;
 
 use crate::{Effort, LabError, Section};

@@ -39,11 +39,6 @@ pub struct PlanStats {
 }
 
 impl PlanStats {
-    /// Triangles of loaded land that were not drawn.
-    pub fn triangles_saved(&self) -> usize {
-        self.triangles_outside + self.triangles_hidden + self.triangles_small
-    }
-
     pub(crate) fn error_at_least(&mut self, px: f64) {
         self.error_px = self.error_px.max(px);
     }

@@ -59,9 +59,7 @@ fn view(space: &Arc<dyn Strategy>, horizon: [f32; 3]) -> Frame {
 
 fn draw(gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> (Picture, RgbaImage) {
     let target = Offscreen::new(gpu, SIZE.0, SIZE.1, OPTIONS.output_format);
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder();
     let stats = renderer.draw(frame, &mut encoder, target.view());
     gpu.queue.submit([encoder.finish()]);
     let picture = target.read(gpu).unwrap();

@@ -153,9 +153,7 @@ fn read_back(gpu: &Gpu, from: &wgpu::Buffer) -> Vec<[f32; 4]> {
         usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder();
     encoder.copy_buffer_to_buffer(from, 0, &to, 0, from.size());
     gpu.queue.submit([encoder.finish()]);
     to.slice(..).map_async(wgpu::MapMode::Read, |_| {});
@@ -231,9 +229,7 @@ fn the_adapter_bends_as_the_processor_does() {
             group(0, &[(1, &asked), (2, &found)]),
             group(1, &[(0, &joints)]),
         );
-        let mut encoder = gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = gpu.encoder();
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&pipeline);

@@ -29,9 +29,7 @@ fn drawn(gpu: &Gpu, renderer: &mut Renderer, frame: &Frame) -> Result<RgbaImage,
     renderer.resize(SIZE.0, SIZE.1);
     renderer.complete_next();
     let target = Offscreen::new(gpu, SIZE.0, SIZE.1, OPTIONS.output_format);
-    let mut encoder = gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu.encoder();
     renderer.draw(frame, &mut encoder, target.view());
     gpu.queue.submit([encoder.finish()]);
     target.read(gpu)

@@ -46,10 +46,7 @@ fn tiled(studio: &mut Studio, frame: &Frame) -> RgbaImage {
     let mut whole = RgbaImage::new(SIZE.0 * TIMES, SIZE.1 * TIMES);
     for tile in Tile::grid(SIZE, TIMES) {
         let offscreen = Offscreen::new(&studio.gpu, SIZE.0, SIZE.1, PLAIN);
-        let mut encoder = studio
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = studio.gpu.encoder();
         let renderer = studio.renderer();
         renderer.resize_full(SIZE.0, SIZE.1);
         renderer.draw_tile(frame, tile, &mut encoder, offscreen.view());
@@ -123,10 +120,7 @@ fn the_last_frame_can_be_shown_again_in_another_target() {
     };
     let shown = studio.picture(&view(Geometry::Euclidean, Quality::Balanced));
     let copy = Offscreen::new(&studio.gpu, SIZE.0, SIZE.1, PLAIN);
-    let mut encoder = studio
-        .gpu
-        .device
-        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = studio.gpu.encoder();
     studio.renderer().show_again(&mut encoder, copy.view());
     studio.gpu.queue.submit([encoder.finish()]);
     assert_eq!(copy.read(&studio.gpu).unwrap(), shown);

@@ -123,7 +123,7 @@ fn learnt(said: Option<&Value>) -> BTreeSet<Lesson> {
         return BTreeSet::new();
     };
     let named = said.iter().filter_map(|one| match one {
-        Value::String(name) => Lesson::named(name),
+        Value::String(name) => Lesson::from_id(name),
         _ => None,
     });
     named.collect()

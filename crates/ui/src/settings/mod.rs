@@ -72,7 +72,7 @@ impl SettingsScreen {
             }
             ui.add_space(if found { GRID } else { 0.0 });
             found = true;
-            ui.label(RichText::new(texts.say(group.text_key())).color(ACCENT));
+            ui.label(RichText::new(texts.say(group.id())).color(ACCENT));
             if let (Group::Sound, Some(notice)) = (group, pass.model.sound_notice) {
                 ui.add(egui::Label::new(RichText::new(notice).color(WEAK)).wrap());
             }

@@ -7,7 +7,7 @@ use antipode_settings::{Field, Kind, fields};
 pub(super) fn found(texts: &Texts, search: &str) -> Vec<&'static str> {
     let meant = fields()
         .iter()
-        .filter(|field| matches(texts, field, &texts.say(field.group.text_key()), search));
+        .filter(|field| matches(texts, field, &texts.say(field.group.id()), search));
     meant.map(|field| field.id).collect()
 }
 

@@ -239,7 +239,7 @@ fn hints_name_the_keys_that_are_bound_and_the_buttons_of_a_pad_in_use() {
         )
         .contains("right stick")
     );
-    assert_eq!(PadButton::South.name(), "pad-south");
+    assert_eq!(PadButton::South.id(), "pad-south");
 }
 
 #[test]

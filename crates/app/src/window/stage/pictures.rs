@@ -18,10 +18,7 @@ impl Stage {
         }
         let (width, height) = THUMBNAIL;
         let offscreen = Offscreen::new(&self.gpu, width, height, self.config.format);
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         self.renderer.resize(width, height);
         let stats = self.renderer.draw(frame, &mut encoder, offscreen.view());
         self.gpu.queue.submit([encoder.finish()]);
@@ -63,10 +60,7 @@ impl Stage {
     /// Has a tile of a larger picture drawn, of `size` pixels, at full resolution and complete.
     pub fn begin_tile(&mut self, frame: &Frame, tile: Tile, size: (u32, u32)) {
         let offscreen = self.offscreen(size);
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         self.renderer.resize_full(size.0, size.1);
         self.renderer
             .draw_tile(frame, tile, &mut encoder, offscreen.view());

@@ -379,8 +379,7 @@ pub fn checks() -> Vec<Check> {
             &[
                 "distance::spherical",
                 "distance::hyperbolic",
-                "distance::direction",
-                "charts::direction_to"
+                "distance::direction"
             ],
             7,
             chords,

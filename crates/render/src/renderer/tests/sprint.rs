@@ -54,10 +54,7 @@ impl Easel {
     }
 
     fn draw(&mut self, frame: &Frame) -> RgbaImage {
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let target = self.offscreen.view();
         self.renderer.draw(frame, &mut encoder, target);
         self.gpu.queue.submit([encoder.finish()]);

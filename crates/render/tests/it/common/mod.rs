@@ -124,10 +124,7 @@ impl Studio {
 
     /// One frame of many.
     pub fn draw_in_motion(&mut self, frame: &Frame) -> (RgbaImage, DrawStats) {
-        let mut encoder = self
-            .gpu
-            .device
-            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut encoder = self.gpu.encoder();
         let stats = self
             .renderer
             .draw(frame, &mut encoder, self.offscreen.view());
