@@ -3,18 +3,19 @@
 //! Directions and positions are in chart coordinates; colours are linear light, not sRGB.
 
 mod hit_shapes;
+mod land;
 mod posture;
 
 use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Projection, Strategy};
-use antipode_terrain::ChunkMesh;
+use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
 use glam::{DQuat, DVec3};
 use thiserror::Error;
 
 pub use hit_shapes::{HitForm, HitShape};
+pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use posture::{Clip, Posture};
 
 /// Everything needed to draw one picture.
@@ -28,8 +29,8 @@ pub struct Frame {
     pub strategy: Arc<dyn Strategy>,
     /// Sky and light of the moment.
     pub sky: Sky,
-    /// Terrain meshes that appeared, changed or went since the last frame, in order.
-    pub chunk_changes: Vec<ChunkChange>,
+    /// The land as it is now.
+    pub land: Arc<Land>,
     /// Figures standing in the world.
     pub figures: Vec<Figure>,
     /// What the player sees in the own hand; none from elsewhere than the head.
@@ -50,6 +51,14 @@ pub struct Frame {
     pub quality: Quality,
     /// Identifies the world; when it differs from the last frame's, every chunk of the old one is dropped first.
     pub loaded_world: u64,
+}
+
+impl Frame {
+    /// Changes the land of this picture alone.
+    pub fn change_land(&mut self, changes: impl IntoIterator<Item = ChunkChange>) {
+        let land = Arc::make_mut(&mut self.land);
+        changes.into_iter().for_each(|change| land.change(change));
+    }
 }
 
 /// Light that comes from places in the world. Colours are linear light.
@@ -85,15 +94,6 @@ pub struct BeamLight {
     pub range_m: f64,
     /// Angles from its middle within which it is full, and outside which there is none, radians.
     pub cone_rad: (f64, f64),
-}
-
-/// A change to the terrain meshes held by the renderer.
-#[derive(Clone, Debug)]
-pub enum ChunkChange {
-    /// Insert or replace the chunk's mesh; an empty mesh draws nothing.
-    Put(ChunkCoord, Arc<ChunkMesh>),
-    /// Forget the chunk.
-    Remove(ChunkCoord),
 }
 
 /// Sky and light of a moment. Colours are linear light; directions are unit vectors in the chart at the eye.

@@ -32,7 +32,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             drift: 0.0,
             orbs: None,
         },
-        chunk_changes: Vec::new(),
+        land: Arc::default(),
         figures: Vec::new(),
         hand: None,
         lights: antipode_scene::frame::Lights::default(),

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use antipode_frame::{ChunkChange, Frame};
+use antipode_frame::{ChunkChange, Frame, LandCursor};
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 
@@ -100,6 +100,8 @@ pub struct ChunkStore {
     book: Option<Arc<LandBook>>,
     clock: BlendClock,
     world: Option<u64>,
+    /// How far that world's land has been read.
+    cursor: LandCursor,
     /// Land that came, changed or went since somebody asked.
     touched: Vec<Touched>,
     /// Whether the next frame is to be complete, however long that takes.
@@ -117,12 +119,13 @@ impl ChunkStore {
             book: None,
             clock: BlendClock::default(),
             world: None,
+            cursor: LandCursor::default(),
             touched: Vec::new(),
             rush: false,
         }
     }
 
-    /// Takes the frame's changes, dropping everything first when the world is another, and shows as much of what
+    /// Takes what is new of the frame's land, dropping everything first when the world is another, and shows as much of what
     /// waits as a frame has room for, the nearest first.
     ///
     /// A mesh of the level that is shown already is an edit. All that comes with an edit is shown at once: an edit
@@ -131,20 +134,25 @@ impl ChunkStore {
         if self.world != Some(frame.loaded_world) {
             self.clear();
             self.world = Some(frame.loaded_world);
+            self.cursor = LandCursor::default();
+        }
+        let news = frame.land.news(&mut self.cursor);
+        if news.starts_over {
+            self.clear();
         }
         self.clock.advance(frame.time_s);
         if self.rush {
             self.clock.stop();
         }
         self.end_blends();
-        let edited = self.edited(&frame.chunk_changes);
+        let edited = self.edited(&news.changes);
         // What is built may reach into a chunk that was empty; land that streams in elsewhere is no part of the edit.
         let is_near_edit = |coord: &ChunkCoord| {
             let beside = |it: &ChunkCoord| (it.index - coord.index).abs().max_element() <= 1;
             let mut same_chart = edited.iter().filter(|it| it.hemisphere == coord.hemisphere);
             same_chart.any(beside)
         };
-        for change in &frame.chunk_changes {
+        for change in &news.changes {
             match change {
                 ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
                     self.waiting.remove(coord);
@@ -288,20 +296,6 @@ impl ChunkStore {
     /// Whether meshes wait to be shown or are being refined.
     pub fn is_busy(&self) -> bool {
         !self.waiting.is_empty() || self.refinements.is_busy()
-    }
-
-    /// Shows what another store shows and what waits there, whatever has become of its adapter.
-    pub fn adopt(&mut self, other: &Self) {
-        self.clear();
-        self.world = other.world;
-        for (coord, chunk) in &other.chunks {
-            let mesh = other.waiting.get(coord).unwrap_or(&chunk.source);
-            self.show(*coord, mesh, false);
-        }
-        let new = other.waiting.iter();
-        for (coord, mesh) in new.filter(|(coord, _)| !other.chunks.contains_key(coord)) {
-            self.show(*coord, mesh, false);
-        }
     }
 
     /// Lets the next frame bring everything up to date.

@@ -189,11 +189,6 @@ impl Renderer {
         self.awaits_map || self.chunks.is_busy()
     }
 
-    /// Takes over the land that another renderer shows, whose adapter may be lost: every mesh is sent anew, at once.
-    pub fn adopt(&mut self, other: &Self) {
-        self.chunks.adopt(&other.chunks);
-    }
-
     /// Lets the next frame be complete, however long that takes: for a single picture. Frames in motion bring what
     /// a step of the eye changes up to date bit by bit.
     pub fn complete_next(&mut self) {

@@ -9,7 +9,7 @@ use antipode_streaming::{Chunk, is_in_world};
 use antipode_terrain::{ChunkMesh, Cover, Field, Samples};
 use glam::{DVec3, IVec3, Vec3};
 
-use crate::frame::ChunkChange;
+use crate::frame::{ChunkChange, Land};
 
 /// How far apart the heights are that a search for ground tries, in metres: thinner ground is missed.
 const SEARCH_STEP_M: f64 = 0.5;
@@ -36,8 +36,8 @@ pub struct Ground {
     field: Arc<Field>,
     strategy: Arc<dyn Strategy>,
     chunks: HashMap<ChunkCoord, Resident>,
-    /// The latest change of each chunk only: a script that takes no picture never takes them.
-    changes: BTreeMap<ChunkCoord, ChunkChange>,
+    /// What pictures show. A picture that is kept keeps the land of its moment.
+    land: Arc<Land>,
     /// Meshes of chunks that are there for bodies alone, beyond the view: the renderer is told of them when it comes
     /// to them.
     unseen: BTreeMap<ChunkCoord, Arc<ChunkMesh>>,
@@ -50,7 +50,7 @@ impl Ground {
             field,
             strategy,
             chunks: HashMap::new(),
-            changes: BTreeMap::new(),
+            land: Arc::default(),
             unseen: BTreeMap::new(),
         }
     }
@@ -95,7 +95,7 @@ impl Ground {
     /// Tells the renderer of the chunks that have come into view.
     pub fn show_all(&mut self, is_seen: impl Fn(ChunkCoord) -> bool) {
         for (coord, mesh) in self.unseen.extract_if(.., |coord, _| is_seen(*coord)) {
-            self.changes.insert(coord, ChunkChange::Put(coord, mesh));
+            Arc::make_mut(&mut self.land).change(ChunkChange::Put(coord, mesh));
         }
     }
 
@@ -110,16 +110,16 @@ impl Ground {
             return (None, None);
         };
         self.unseen.remove(&coord);
-        self.changes.insert(coord, ChunkChange::Remove(coord));
+        Arc::make_mut(&mut self.land).change(ChunkChange::Remove(coord));
         (
             physics.replace_terrain(coord, coord.origin(), None),
             chunk.samples,
         )
     }
 
-    /// What became of each chunk since it was last asked, in the order of the chunks.
-    pub fn take_changes(&mut self) -> Vec<ChunkChange> {
-        std::mem::take(&mut self.changes).into_values().collect()
+    /// What pictures show of it.
+    pub fn land(&self) -> &Arc<Land> {
+        &self.land
     }
 
     /// Number of resident chunks with a surface.
@@ -325,32 +325,5 @@ mod tests {
         let floor = height_below(at(1.0), 20.0, cave).expect("a cave within 20 m");
         assert!((floor + 7.3).abs() < 1e-5, "{floor}");
         assert_eq!(height_below(at(-8.0), 20.0, cave), None);
-    }
-
-    #[test]
-    fn of_many_changes_of_a_chunk_only_the_last_is_kept() {
-        let mut ground = ground(Geometry::Euclidean);
-        let mut physics = PhysicsWorld::new();
-        let coord = |x| ChunkCoord {
-            hemisphere: Hemisphere::A,
-            index: IVec3::new(x, 0, 0),
-        };
-        for _ in 0..50 {
-            for x in 0..3 {
-                let samples = Samples::from_fn(|p| p.y as f32 - 9.5);
-                let chunk = Chunk {
-                    coord: coord(x),
-                    mesh: Arc::default(),
-                    collider: None,
-                    samples: Some(Arc::new(samples)),
-                };
-                ground.put(chunk, true, &mut physics);
-            }
-        }
-        ground.remove(coord(1), &mut physics);
-        let changes = ground.take_changes();
-        assert_eq!(changes.len(), 3);
-        assert!(matches!(changes[1], ChunkChange::Remove(gone) if gone == coord(1)));
-        assert!(ground.take_changes().is_empty());
     }
 }

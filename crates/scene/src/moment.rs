@@ -137,15 +137,15 @@ impl Scene {
         }
     }
 
-    /// The snapshot to draw. Terrain changes are handed over once.
-    pub fn frame(&mut self, fov_y_rad: f64, aspect: f64, world_id: u64) -> Frame {
+    /// The snapshot to draw. Taking one changes nothing.
+    pub fn frame(&self, fov_y_rad: f64, aspect: f64, world_id: u64) -> Frame {
         let moment = self.moment();
         self.frame_of(moment, fov_y_rad, aspect, world_id)
     }
 
-    /// The snapshot to draw from a viewpoint. Terrain changes are handed over once, as by [`Scene::frame`].
+    /// The snapshot to draw from a viewpoint.
     pub fn frame_from(
-        &mut self,
+        &self,
         view: &Viewpoint,
         fov_y_rad: f64,
         aspect: f64,
@@ -155,9 +155,9 @@ impl Scene {
         self.frame_of(moment, fov_y_rad, aspect, world_id)
     }
 
-    /// The snapshot of a moment. Terrain changes are handed over once.
+    /// The snapshot of a moment.
     pub(crate) fn frame_of(
-        &mut self,
+        &self,
         moment: Moment,
         fov_y_rad: f64,
         aspect: f64,
@@ -169,7 +169,7 @@ impl Scene {
             eye,
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
-            chunk_changes: self.sim.world.ground.take_changes(),
+            land: Arc::clone(self.sim.world.ground.land()),
             figures: moment.figures.into_iter().map(without_who).collect(),
             hand: moment.hand,
             lights: Lights {

@@ -1,5 +1,7 @@
 //! Two pictures of the same land beside each other: how many pixels differ, and whether those lie at an edge.
 
+use std::sync::Arc;
+
 use antipode_scene::frame::Frame;
 
 use crate::LabError;
@@ -55,7 +57,7 @@ impl Picture {
     ) -> Result<Self, LabError> {
         let empty = Frame {
             loaded_world: 0,
-            chunk_changes: Vec::new(),
+            land: Arc::default(),
             ..frame.clone()
         };
         stage.draw(&empty)?;

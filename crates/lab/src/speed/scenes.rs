@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use antipode_geometry::{ChunkCoord, Geometry, HyperbolicMap, Strategy, picture};
 use antipode_render::Gpu;
-use antipode_scene::frame::{ChunkChange, Frame};
+use antipode_scene::frame::{ChunkChange, Frame, Land};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Scene, WorldSetup};
 use antipode_terrain::{ChunkMesh, Vertex};
@@ -158,47 +158,40 @@ pub fn keep_whole(
 ) -> Result<usize, LabError> {
     // Choices are made in pixels of height; nothing is said of width.
     let mut stage = Stage::new(gpu, (16, height))?;
-    let bare = |frame: &Frame, changes: &[ChunkChange]| Frame {
-        chunk_changes: changes.to_vec(),
+    let with = |frame: &Frame, land: &Arc<Land>| Frame {
+        land: Arc::clone(land),
         ..frame.clone()
     };
+    let all = std::mem::take(&mut frame.land);
     let mut empty = Vec::new();
     for own in frames {
-        empty.push(stage.draw(&bare(own, &[]))?.stats.triangles);
+        empty.push(stage.draw(&with(own, &frame.land))?.stats.triangles);
     }
-    let mut changes = std::mem::take(&mut frame.chunk_changes);
-    let away = |change: &ChunkChange| match change {
-        ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
-            coord.centre().distance(frame.eye.point.pos)
-        }
-    };
-    changes.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    let away = |coord: ChunkCoord| coord.centre().distance(frame.eye.point.pos);
+    let mut meshes: Vec<_> = all.meshes().collect();
+    meshes.sort_by(|(a, _), (b, _)| away(*a).total_cmp(&away(*b)));
     if order == Order::FarthestFirst {
-        changes.reverse();
+        meshes.reverse();
     }
     let mut kept = 0;
-    for change in changes {
-        let ChunkChange::Put(coord, mesh) = &change else {
-            continue;
-        };
+    for (coord, mesh) in meshes {
         let elsewhere = coord.hemisphere != frame.eye.point.hemisphere;
-        if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, *coord, mesh)) {
+        if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, coord, mesh)) {
             continue;
         }
         let due = kept + mesh.indices.len() / 3;
         let mut whole = true;
-        stage.draw(&bare(&frames[0], std::slice::from_ref(&change)))?;
+        frame.change_land([ChunkChange::Put(coord, Arc::clone(mesh))]);
         for (own, empty) in frames.iter().zip(&empty) {
-            whole = whole && stage.draw(&bare(own, &[]))?.stats.triangles == due + empty;
+            whole = whole && stage.draw(&with(own, &frame.land))?.stats.triangles == due + empty;
         }
         if whole {
             kept = due;
-            frame.chunk_changes.push(change);
         } else {
-            stage.draw(&bare(&frames[0], &[ChunkChange::Remove(*coord)]))?;
+            frame.change_land([ChunkChange::Remove(coord)]);
         }
     }
-    Ok(frame.chunk_changes.len())
+    Ok(frame.land.meshes().count())
 }
 
 /// Whether the frame's space trims a chunk at the edge of its chart.

@@ -89,10 +89,7 @@ fn walk(gpu: &Gpu, frame: &Frame, effort: Effort) -> Result<[Vec<f64>; 2], LabEr
     ];
     let mut costs = [Vec::new(), Vec::new()];
     for step in 0..steps {
-        let mut own = at(frame, step);
-        if step > 0 {
-            own.chunk_changes.clear();
-        }
+        let own = at(frame, step);
         let first = step % 2;
         for turn in [first, 1 - first] {
             if step == 0 {

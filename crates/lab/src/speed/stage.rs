@@ -164,7 +164,6 @@ pub fn race(
         // All meshes, with their edges halved, and the figures of that state.
         stage.renderer.complete_next();
         stage.draw(frame)?;
-        frame.chunk_changes.clear();
         stage.renderer.complete_next();
         let stats = stage.draw(frame)?.stats;
         let no = f64::INFINITY;

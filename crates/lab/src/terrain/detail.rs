@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, HyperbolicMap};
 use antipode_render::Gpu;
 use antipode_scene::Scene;
-use antipode_scene::frame::{ChunkChange, Frame};
+use antipode_scene::frame::Frame;
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_terrain::Level;
 use glam::{DVec3, IVec3};
@@ -138,17 +138,8 @@ fn look(mut scene: Scene, gpu: Option<&Gpu>) -> Result<View, LabError> {
     let seconds = began.elapsed().as_secs_f64();
     let (width, height) = SIZE;
     let frame = scene.frame(FOV_Y_RAD, f64::from(width) / f64::from(height), 1);
-    let mut meshes = BTreeMap::new();
-    for change in &frame.chunk_changes {
-        match change {
-            ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
-                meshes.insert(*coord, mesh);
-            }
-            ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
-                meshes.remove(coord);
-            }
-        }
-    }
+    let meshes = frame.land.meshes().filter(|(_, mesh)| !mesh.is_empty());
+    let meshes: BTreeMap<_, _> = meshes.collect();
     let mut levels = [0; 4];
     for mesh in meshes.values() {
         levels[mesh.level.index()] += 1;
@@ -160,7 +151,7 @@ fn look(mut scene: Scene, gpu: Option<&Gpu>) -> Result<View, LabError> {
         triangles: meshes.values().map(|mesh| mesh.triangles().len()).sum(),
         levels,
         needless: needless.count(),
-        drawn: gpu.map(|gpu| drawn(gpu, frame.clone())).transpose()?,
+        drawn: gpu.map(|gpu| drawn(gpu, &frame)).transpose()?,
     })
 }
 
@@ -187,12 +178,11 @@ fn is_needless(frame: &Frame, coord: ChunkCoord) -> bool {
 }
 
 /// Triangles and draws of a picture, once everything is on the adapter.
-fn drawn(gpu: &Gpu, mut frame: Frame) -> Result<(f64, f64), LabError> {
+fn drawn(gpu: &Gpu, frame: &Frame) -> Result<(f64, f64), LabError> {
     let mut stage = Stage::new(gpu, SIZE)?;
-    let mut last = stage.draw(&frame)?.stats;
-    frame.chunk_changes.clear();
+    let mut last = stage.draw(frame)?.stats;
     for _ in 0..MOST_PICTURES {
-        let next = stage.draw(&frame)?.stats;
+        let next = stage.draw(frame)?.stats;
         if next.triangles == last.triangles && next.triangles > 0 {
             break;
         }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::time::{Duration, Instant};
 
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_scene::frame::LandCursor;
 use antipode_scene::tuning::{FOV_Y_RAD, STEP_S};
 use antipode_scene::{Actions, Scene};
 use antipode_terrain::Field;
@@ -196,7 +197,8 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
         ));
     }
     // The land that is there already is not the flight's.
-    drop(scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1));
+    let mut cursor = LandCursor::default();
+    scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1).land.news(&mut cursor);
     let clock = ThreadClock::new();
     let mut log: Vec<Logged> = Vec::new();
     let mut control = Control::default();
@@ -207,7 +209,7 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
         let due = began + Duration::from_secs_f64(n as f64 * STEP_S);
         std::thread::sleep(due.saturating_duration_since(Instant::now()));
         let at_s = began.elapsed().as_secs_f64();
-        let mut logged = frame(&mut scene, &clock, n);
+        let mut logged = frame(&mut scene, &mut cursor, &clock, n);
         logged.at_s = at_s;
         logged.control = control.run(&clock, logged.own_ms());
         logged.flown_m = (scene.feet().pos - start).length();
@@ -226,7 +228,7 @@ fn fly_speed_m_s() -> f64 {
 }
 
 /// What the game does in a frame before anything is sent to the adapter.
-fn frame(scene: &mut Scene, clock: &ThreadClock, n: usize) -> Logged {
+fn frame(scene: &mut Scene, cursor: &mut LandCursor, clock: &ThreadClock, n: usize) -> Logged {
     let turn = |n: usize| {
         let (aside_rad, period_s) = SWEEP;
         aside_rad * (std::f64::consts::TAU * n as f64 * STEP_S / period_s).sin()
@@ -248,12 +250,13 @@ fn frame(scene: &mut Scene, clock: &ThreadClock, n: usize) -> Logged {
     let take = clock.since(then);
     let then = clock.now();
     let made = scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1);
+    let news = made.land.news(cursor);
     let make = clock.since(then);
     let chunks = scene.probe().chunks;
     Logged {
         parts: [step, take, make],
         chunks: [chunks.resident, chunks.pending],
-        changes: made.chunk_changes.len(),
+        changes: news.changes.len(),
         ..Logged::default()
     }
 }

@@ -62,11 +62,11 @@ fn land_that_streams_in_beside_an_edit_is_no_part_of_it() {
         false,
     ));
     let mut store = ChunkStore::new(&gpu);
-    frame.chunk_changes = vec![put(0, 4.0)];
+    frame.change_land([put(0, 4.0)]);
     store.apply(&frame);
     store.take_touched();
     // Somebody builds from chunk 0 up into the empty one beside it while a far one comes.
-    frame.chunk_changes = vec![put(0, 5.0), put(1, 5.0), put(6, 5.0)];
+    frame.change_land([put(0, 5.0), put(1, 5.0), put(6, 5.0)]);
     store.apply(&frame);
     let mut edited: Vec<_> = store.take_touched();
     edited.retain(|it| it.is_edited);

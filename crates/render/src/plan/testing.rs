@@ -90,7 +90,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             drift: 0.0,
             orbs: None,
         },
-        chunk_changes: Vec::new(),
+        land: Arc::default(),
         figures: Vec::new(),
         hand: None,
         lights: antipode_frame::Lights::default(),

@@ -1,7 +1,7 @@
 //! What is drawn while the eye runs, against where it truly is.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-use antipode_frame::{ChunkChange, Frame};
+use antipode_frame::{ChunkChange, Frame, Land};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap, picture};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec2, DVec3, IVec3};
@@ -14,8 +14,8 @@ use crate::plan::testing;
 const HEIGHT_PX: u32 = 720;
 
 /// Generated land ahead and about.
-fn land(field: &Field, reach: i32) -> Vec<ChunkChange> {
-    let mut changes = Vec::new();
+fn land(field: &Field, reach: i32) -> Arc<Land> {
+    let mut land = Land::default();
     for x in -2..=reach {
         for (y, z) in (-2..=2).flat_map(|y| (-3..=3).map(move |z| (y, z))) {
             let coord = ChunkCoord {
@@ -24,11 +24,11 @@ fn land(field: &Field, reach: i32) -> Vec<ChunkChange> {
             };
             if field.content(coord) == Content::Surface {
                 let mesh = march(&field.samples(coord), field, coord);
-                changes.push(ChunkChange::Put(coord, Arc::new(mesh)));
+                land.change(ChunkChange::Put(coord, Arc::new(mesh)));
             }
         }
     }
-    changes
+    Arc::new(land)
 }
 
 fn to_px(frame: &Frame, v: DVec3) -> DVec2 {
@@ -108,7 +108,7 @@ impl Run {
         let mut frame = testing::frame(&space);
         (frame.eye.dial, frame.eye.pitch) = (dial, -0.15);
         frame.fog_distance_m = 150.0;
-        frame.chunk_changes = land(&field, 3);
+        frame.land = land(&field, 3);
         let mut run = Self {
             store: ChunkStore::new(&gpu),
             planner: Planner::default(),
@@ -118,7 +118,6 @@ impl Run {
         run.store.rush();
         run.go_to(4.0);
         run.store.end_rush();
-        run.frame.chunk_changes.clear();
         Some(run)
     }
 

@@ -4,7 +4,7 @@ use crate::common::Studio;
 use crate::common::silhouettes::Silhouettes;
 use crate::common::sun_rays::Rays;
 use crate::common::told::told;
-use crate::common::triangles::{Surface, Triangle};
+use crate::common::triangles::{Surface, Triangle, triangles};
 use crate::common::worlds::World;
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_render::ShadowQuality;
@@ -85,7 +85,7 @@ fn look(name: &str, world: &mut World, [plain, told]: [&mut Studio; 2]) -> Found
     let size = world.size();
     let (picture, told) = (plain.picture(&frame), told.picture(&frame));
     let view = View::new(&picture, &told);
-    let triangles = world.land.triangles();
+    let triangles = triangles(&frame.land);
     let surface = Surface::of(&frame, &triangles, size);
     let edges = Silhouettes::of(&frame, &triangles, &surface, REACH);
     let rays = Rays::new(&frame, &triangles);

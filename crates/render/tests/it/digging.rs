@@ -48,7 +48,7 @@ fn worst_off(mut world: World, builds: bool, shadows: ShadowQuality) -> Option<f
             world.steps(STEPS, &held);
             shown = Some(studio.draw_in_motion(&world.frame()).0);
         }
-        let settled = other.picture(&world.whole_frame());
+        let settled = other.picture(&world.frame());
         let shown = shown.unwrap();
         if let Ok(dir) = std::env::var("ANTIPODE_TEST_PICTURES") {
             let name = format!(

@@ -332,10 +332,9 @@ fn the_players_hand_is_at_the_lower_right_and_no_wall_hides_it() {
         let corner = ChunkCoord::containing(frame.eye.point);
         let wall = [[0.0, 8.0], [8.0, 8.0], [8.0, -8.0], [0.0, -8.0]];
         let wall = plates(&[wall.map(|[y, z]| Vec3::new(0.2, y, z))]);
-        frame.chunk_changes = vec![ChunkChange::Put(corner, wall)];
+        frame.change_land([ChunkChange::Put(corner, wall)]);
         frame.hand = None;
         let walled = studio.picture(&frame);
-        frame.chunk_changes.clear();
         frame.hand = Some(hand(model));
         let before_wall = changed(&walled, &studio.picture(&frame)).len();
         assert!(

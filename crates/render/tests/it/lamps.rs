@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use crate::common::{Studio, frame, noon, space};
-use antipode_frame::{ChunkChange, Frame, LampLight, Lights, Sky};
+use antipode_frame::{ChunkChange, Frame, LampLight, Land, Lights, Sky};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec2, DVec3, DVec4};
@@ -50,7 +50,7 @@ fn carried(space: &dyn Strategy, point: ChartPoint, hemisphere: Hemisphere) -> D
 }
 
 /// The wall as meshes: in each chart whatever of it lies there, by chunks.
-fn wall(space: &dyn Strategy, eye: &Eye) -> Vec<ChunkChange> {
+fn wall(space: &dyn Strategy, eye: &Eye) -> Land {
     let mut meshes: BTreeMap<ChunkCoord, ChunkMesh> = BTreeMap::new();
     let squares = (2.0 * HALF_M / SQUARE_M) as i32;
     let place =
@@ -124,11 +124,10 @@ fn brightening(studio: &mut Studio, space: &Arc<dyn Strategy>, eye: Eye) -> [f64
             ..dark
         },
         fog_distance_m: 1e6,
-        chunk_changes: wall(&**space, &eye),
+        land: Arc::new(wall(&**space, &eye)),
         ..empty
     };
     let bare = studio.picture(&frame);
-    frame.chunk_changes.clear();
     let way = DVec3::new(LAMP_M.x, LAMP_M.y, -LAMP_M.z);
     frame.lights = Lights {
         lamps: vec![LampLight {

@@ -154,10 +154,9 @@ fn behind_a_wall_an_outline_is_faint_but_there() {
     let wall = [(12.0, 10.0), (20.0, 10.0), (20.0, 22.0), (12.0, 22.0)];
     let corners = wall.map(|(z, y)| Vec3::new(7.0, y, z));
     let coord = ChunkCoord::containing(eye);
-    frame.chunk_changes = vec![ChunkChange::Put(coord, plates(&[corners]))];
+    frame.change_land([ChunkChange::Put(coord, plates(&[corners]))]);
     let walled = studio.picture(&frame);
     frame.hit_shapes.clear();
-    frame.chunk_changes.clear();
     let bare = studio.picture(&frame);
     let differs = walled.pixels().zip(bare.pixels()).filter(|(a, b)| a != b);
     let (faint, strong) = (differs.count(), count(&walled, is_green));

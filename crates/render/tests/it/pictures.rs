@@ -22,19 +22,14 @@ fn view(geometry: Geometry, pitch: f64) -> Frame {
     let empty = frame(&space, point, ASPECT);
     Frame {
         eye: Eye { pitch, ..empty.eye },
-        chunk_changes: land(&space, point, 1),
+        land: land(&space, point, 1),
         ..empty
     }
 }
 
 fn solid_chunks(frame: &Frame) -> impl Iterator<Item = (ChunkCoord, &Arc<ChunkMesh>)> {
-    frame
-        .chunk_changes
-        .iter()
-        .filter_map(|change| match change {
-            ChunkChange::Put(coord, mesh) if !mesh.is_empty() => Some((*coord, mesh)),
-            _ => None,
-        })
+    let meshes = frame.land.meshes();
+    meshes.filter(|(_, mesh)| !mesh.is_empty())
 }
 
 #[test]
@@ -97,10 +92,9 @@ fn land_at_the_fogs_distance_has_the_colour_of_the_haze_behind_it() {
     };
     let mut frame = view(Geometry::Euclidean, -0.1);
     let clear = studio.picture(&frame);
-    frame.chunk_changes.clear();
     frame.fog_distance_m = 1.5;
     let fogged = studio.picture(&frame);
-    frame.loaded_world += 1;
+    (frame.loaded_world, frame.land) = (0, Arc::default());
     let empty = studio.picture(&frame);
     assert!(difference(&clear, &empty).1 > 10.0, "there is land to hide");
     assert!(
@@ -149,14 +143,13 @@ fn chunks_come_change_and_go_and_another_world_starts_empty() {
     let full = studio.draw(&frame).1;
     assert!(full.triangles > 2000 && full.draws > 2, "{full:?}");
     let held: Vec<_> = solid_chunks(&frame).map(|(coord, _)| coord).collect();
-    frame.chunk_changes = vec![ChunkChange::Remove(held[0])];
+    frame.change_land([ChunkChange::Remove(held[0])]);
     let fewer = studio.draw(&frame).1;
     assert_eq!(fewer.draws + fewer.culled, full.draws + full.culled - 1);
-    frame.chunk_changes = vec![ChunkChange::Put(held[1], Arc::new(ChunkMesh::default()))];
+    frame.change_land([ChunkChange::Put(held[1], Arc::new(ChunkMesh::default()))]);
     let emptied = studio.draw(&frame).1;
     assert_eq!(emptied.draws + emptied.culled, full.draws + full.culled - 2);
-    frame.chunk_changes.clear();
-    frame.loaded_world += 1;
+    (frame.loaded_world, frame.land) = (0, Arc::default());
     let empty = studio.draw(&frame).1;
     assert!(empty.triangles < 100 && empty.culled == 0, "{empty:?}");
 }
@@ -178,7 +171,7 @@ fn chunks_beyond_the_fog_or_behind_the_eye_are_left_out_unseen() {
         .unwrap();
     let near = studio.draw(&frame).1;
     assert!(near.culled > 0, "something lies behind the eye: {near:?}");
-    frame.chunk_changes = vec![ChunkChange::Put(far, mesh)];
+    frame.change_land([ChunkChange::Put(far, mesh)]);
     let with_far = studio.draw(&frame).1;
     assert_eq!(
         (with_far.triangles, with_far.culled),
@@ -213,7 +206,7 @@ fn a_figure_stands_in_a_shade_of_its_own() {
     let corners = [[0.0, -8.0], [0.0, 8.0], [16.0, 8.0], [16.0, -8.0]];
     let ground = plates(&[corners.map(|[x, z]| Vec3::new(x, 0.0, z))]);
     let corner = ChunkCoord::containing(frame.eye.point);
-    frame.chunk_changes = vec![ChunkChange::Put(corner, ground)];
+    frame.change_land([ChunkChange::Put(corner, ground)]);
     frame.eye.pitch = -0.3;
     let beside = seen_at(
         &frame,
@@ -222,7 +215,6 @@ fn a_figure_stands_in_a_shade_of_its_own() {
     );
     let green = |picture: &RgbaImage| picture.get_pixel(beside.0 as u32, beside.1 as u32).0[1];
     let shaded = green(&studio.picture(&frame));
-    frame.chunk_changes.clear();
     frame.figures[0].point.pos.z = 5.0;
     let bare = green(&studio.picture(&frame));
     assert!(

@@ -75,17 +75,14 @@ fn what_the_planner_leaves_out_is_not_missed() {
         for (x, z) in [(4.0, 4.0), (-30.0, 21.0)] {
             let stand = standing(&space, Hemisphere::A, x, z);
             let mut frame = frame(&space, stand, 16.0 / 9.0);
-            frame.loaded_world += 1 + (x as u64);
             frame.eye.dial = dial;
             frame.fog_distance_m = (space.sight_limit_m(&frame.eye) as f32).min(150.0);
-            frame.chunk_changes = land(&space, stand, 5);
+            frame.land = land(&space, stand, 5);
             for eye in poses(&frame) {
                 frame.eye = eye;
                 let mut draw = |quality: Quality| -> (RgbaImage, DrawStats) {
                     frame.quality = quality;
-                    let drawn = studio.draw(&frame);
-                    frame.chunk_changes.clear();
-                    drawn
+                    studio.draw(&frame)
                 };
                 let (exact, all) = draw(Quality::Exact);
                 let (balanced, chosen) = draw(Quality::Balanced);
@@ -118,8 +115,7 @@ fn the_highest_curvature_draws_less_than_half_of_the_flat_view() {
             pitch: -0.05,
             ..frame.eye
         };
-        frame.chunk_changes = land(&space, stand, 5);
-        frame.loaded_world += 10 + dial as u64;
+        frame.land = land(&space, stand, 5);
         studio.draw(&frame).1
     };
     let (flat, bent) = (drawn("flat"), drawn("raised 20"));

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use crate::common::{GEOMETRIES, Studio, difference, frame, seen_at, space};
+use crate::common::{GEOMETRIES, Studio, difference, frame, one_chunk, seen_at, space};
 use antipode_frame::{ChunkChange, Figure, Frame, ModelId};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
 use antipode_render::ShadowQuality;
@@ -62,7 +62,7 @@ fn scene(geometry: Geometry) -> Frame {
         ASPECT,
     );
     let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
-    scene.chunk_changes = vec![ChunkChange::Put(coord, floor_and_pillar())];
+    scene.change_land([ChunkChange::Put(coord, floor_and_pillar())]);
     scene.eye.yaw = std::f64::consts::FRAC_PI_4;
     scene.eye.pitch = -0.75;
     scene.fog_distance_m = 1e4;
@@ -222,7 +222,6 @@ fn turning_the_eye_leaves_the_maps_alone() {
         let mut frame = scene(geometry);
         frame.loaded_world = geometry as u64 + 1;
         studio.draw(&frame);
-        frame.chunk_changes.clear();
         for turn in 0..6 {
             frame.eye.yaw += f64::from(turn);
             let stats = studio.draw_in_motion(&frame).1;
@@ -372,7 +371,7 @@ fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
     let phantom = ChunkChange::Put(coord, Arc::new(mesh));
     let with = |more: Option<ChunkChange>| {
         let mut frame = frame.clone();
-        frame.chunk_changes.extend(more);
+        frame.change_land(more);
         studio(ShadowQuality::Low, SIZE).map(|mut it| it.picture(&frame))
     };
     let (Some(alone), Some(haunted)) = (with(None), with(Some(phantom))) else {
@@ -421,7 +420,7 @@ fn what_turns_away_though_its_normals_do_not_is_as_light_as_the_land_beside_it()
     for geometry in GEOMETRIES {
         let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
         let frame = Frame {
-            chunk_changes: vec![ChunkChange::Put(coord, floor_with_a_step())],
+            land: one_chunk(coord, floor_with_a_step()),
             ..scene(geometry)
         };
         for quality in [ShadowQuality::Low, ShadowQuality::High] {

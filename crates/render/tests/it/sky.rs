@@ -78,11 +78,9 @@ fn the_sun_of_a_closed_world_stands_in_it_and_lights_what_is_near_it() {
     let mut seen = |time_s: f64, pitch: f64, mesh: bool| {
         frame.eye.pitch = pitch;
         frame.sky = sky(time_s, &*space, &frame.eye);
-        frame.chunk_changes = if mesh {
-            vec![ChunkChange::Put(chunk, plates(&[square]))]
-        } else {
-            Vec::new()
-        };
+        if mesh {
+            frame.change_land([ChunkChange::Put(chunk, plates(&[square]))]);
+        }
         (studio.picture(&frame), frame.clone())
     };
     let middle = |picture: &RgbaImage| u32::from(picture.get_pixel(80, 45).0[0]);

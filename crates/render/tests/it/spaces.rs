@@ -3,10 +3,11 @@
 
 use std::sync::Arc;
 
-use crate::common::triangles::Surface;
+use crate::common::triangles::{Surface, triangles};
 use crate::common::worlds::World;
 use crate::common::{
-    GEOMETRIES, Studio, difference, frame, land, middle_of_change, plates, seen_at, space,
+    GEOMETRIES, Studio, difference, frame, land, middle_of_change, one_chunk, plates, seen_at,
+    space,
 };
 use antipode_frame::{ChunkChange, Frame, Marker, MarkerShape};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
@@ -85,7 +86,7 @@ fn reading(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, mesh: Arc<ChunkMes
     };
     let eye = ChartPoint::new(hemisphere, DVec3::new(6.0, 6.0, 8.5));
     Frame {
-        chunk_changes: vec![ChunkChange::Put(corner, mesh)],
+        land: one_chunk(corner, mesh),
         ..frame(space, eye, ASPECT)
     }
 }
@@ -183,7 +184,7 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
     let ground = DVec3::new(angle.cos(), 0.0, angle.sin()) * (rim_m + 0.1);
     let before = ChartPoint::a(ground + DVec3::Y * 22.0);
     let mut frame = Frame {
-        chunk_changes: land(&space, before, 0),
+        land: land(&space, before, 0),
         ..frame(&space, before, ASPECT)
     };
     for (yaw, pitch) in [(angle, -0.3), (angle + 2.0, -0.9), (angle - 1.2, 0.9)] {
@@ -194,7 +195,6 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
             ..frame.eye
         };
         let one = studio.picture(&frame);
-        frame.chunk_changes.clear();
         let crossing = space.carry(before).unwrap();
         frame.eye = Eye {
             point: crossing.point,
@@ -238,7 +238,7 @@ fn land_ends_at_the_equator(studio: &mut Studio, space: &Arc<dyn Strategy>) {
     .map(|[x, z]: [f32; 2]| Vec3::new(x, 2.0, z));
     let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, -1.0));
     let mut frame = Frame {
-        chunk_changes: vec![ChunkChange::Put(corner, plates(&[strip]))],
+        land: one_chunk(corner, plates(&[strip])),
         ..frame(space, eye, ASPECT)
     };
     frame.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;
@@ -273,9 +273,8 @@ fn a_marker_behind_land_still_shows_but_faintly() {
         [20.0, 20.0, 0.0],
     ]
     .map(Vec3::from)]);
-    let mut frame = reading(&space, Hemisphere::A, wall);
+    let frame = reading(&space, Hemisphere::A, wall);
     let plain = studio.picture(&frame);
-    frame.chunk_changes.clear();
     let mut change = |x: f64| {
         let point = ChartPoint::a(DVec3::new(x, 6.0, 8.5));
         let marked = Frame {
@@ -310,9 +309,8 @@ fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() 
         [20.0, 20.0, 0.0],
     ]
     .map(Vec3::from)]);
-    let mut frame = reading(&space, Hemisphere::A, wall);
+    let frame = reading(&space, Hemisphere::A, wall);
     let plain = studio.picture(&frame);
-    frame.chunk_changes.clear();
     let middle = ChartPoint::a(DVec3::new(20.0, 6.0, 8.5));
     let radius_m = 4.0;
     let mut shares = Vec::new();
@@ -380,9 +378,8 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
             .flat_map(|x| (0..9).map(move |z| cell(x, z)))
             .collect();
         let coord = ChunkCoord::new(hemisphere, IVec3::new(chunk, 0, 0));
-        frame.chunk_changes = vec![ChunkChange::Put(coord, plates(&cells))];
+        frame.change_land([ChunkChange::Put(coord, plates(&cells))]);
         let plain = studio.picture(&frame);
-        frame.chunk_changes.clear();
         let middle = at(east_m, 2.0, 8.0);
         frame.marker = Some(Marker {
             point: middle,
@@ -422,7 +419,7 @@ fn the_ring_is_nowhere_but_on_its_circle_however_rugged_the_land() {
         for yaw_deg in [0.0, 90.0, 180.0, 270.0] {
             world.aim(yaw_deg, -6.0);
             let marker = world.scene.marker().expect("a pickaxe is in hand");
-            let plain = world.whole_frame();
+            let plain = world.frame();
             let ringed = Frame {
                 marker: Some(Marker {
                     active: true,
@@ -431,7 +428,7 @@ fn the_ring_is_nowhere_but_on_its_circle_however_rugged_the_land() {
                 ..plain.clone()
             };
             let pictures = [studio.picture(&plain), studio.picture(&ringed)];
-            let triangles = world.land.triangles();
+            let triangles = triangles(&plain.land);
             let surface = Surface::of(&plain, &triangles, world.size());
             for (x, y, pixel) in pictures[1].enumerate_pixels() {
                 let is_ring =

@@ -3,7 +3,7 @@
 use crate::common::Studio;
 use crate::common::sun_rays::Rays;
 use crate::common::told::told;
-use crate::common::triangles::{Land, Surface};
+use crate::common::triangles::{Surface, triangles};
 use crate::common::worlds::World;
 use antipode_geometry::{ChartPoint, Geometry};
 use antipode_render::ShadowQuality;
@@ -36,19 +36,18 @@ impl Found {
 }
 
 fn compare(name: &str, world: &mut World, shadows: ShadowQuality) -> Option<Found> {
-    let frame = world.whole_frame();
-    judge(name, &frame, &world.land, world.size(), shadows)
+    let frame = world.frame();
+    judge(name, &frame, world.size(), shadows)
 }
 
 fn judge(
     name: &str,
     frame: &antipode_frame::Frame,
-    land: &Land,
     size: (u32, u32),
     shadows: ShadowQuality,
 ) -> Option<Found> {
     let picture = Studio::with_shaders(size, shadows, told())?.picture(frame);
-    let triangles = land.triangles();
+    let triangles = triangles(&frame.land);
     let surface = Surface::of(frame, &triangles, size);
     let rays = Rays::new(frame, &triangles);
     let lit: Vec<Option<bool>> = surface

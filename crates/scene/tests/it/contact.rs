@@ -2,7 +2,7 @@
 
 use crate::common::{LIMIT, setup, steps};
 use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
-use antipode_scene::frame::{ChunkChange, Frame, ModelId};
+use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::{Actions, CameraMode, NpcMode, Scene, WorldSetup};
 use antipode_terrain::Field;
 use glam::DVec3;
@@ -24,10 +24,7 @@ fn opened(geometry: Geometry, seed: u64) -> Scene {
 /// Height of the drawn ground in a point's column that is nearest to it.
 fn drawn_ground_m(frame: &Frame, at: ChartPoint) -> f64 {
     let mut heights = Vec::new();
-    for change in &frame.chunk_changes {
-        let ChunkChange::Put(coord, mesh) = change else {
-            continue;
-        };
+    for (coord, mesh) in frame.land.meshes() {
         let here = at.pos - coord.origin();
         let inside = (-0.1..32.1).contains(&here.x) && (-0.1..32.1).contains(&here.z);
         if coord.hemisphere != at.hemisphere || !inside {

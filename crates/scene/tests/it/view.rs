@@ -2,7 +2,7 @@
 
 use crate::common::{LIMIT, scene, steps};
 use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry};
-use antipode_scene::frame::ChunkChange;
+use antipode_scene::frame::{ChunkChange, LandCursor};
 use antipode_scene::{Actions, CameraMode, Item, Scene};
 use glam::DVec3;
 
@@ -55,20 +55,23 @@ fn on_a_sphere_everything_in_reach_is_there_after_a_step() {
 fn digging_in_one_place_hands_each_chunk_over_once() {
     let mut scene = scene(Geometry::Euclidean);
     assert!(scene.settle(LIMIT));
-    let _ = scene.frame(1.0, 1.5, 1);
+    let mut cursor = LandCursor::default();
+    assert!(
+        !scene
+            .frame(1.0, 1.5, 1)
+            .land
+            .news(&mut cursor)
+            .changes
+            .is_empty()
+    );
     scene.aim(0.0, -0.6);
     let build = Actions {
         secondary: true,
         ..Actions::default()
     };
     steps(&mut scene, 40, &build);
-    let changes = scene.frame(1.0, 1.5, 1).chunk_changes;
-    let mut coords: Vec<_> = changes
-        .iter()
-        .map(|change| match change {
-            ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => *coord,
-        })
-        .collect();
+    let changes = scene.frame(1.0, 1.5, 1).land.news(&mut cursor).changes;
+    let mut coords: Vec<_> = changes.iter().map(ChunkChange::coord).collect();
     let all = coords.len();
     coords.sort_unstable();
     coords.dedup();

@@ -36,8 +36,8 @@ impl Stage {
         self.gpu.lost()
     }
 
-    /// Opens an adapter anew after the last one was lost, and puts everything on it: the land from the meshes in
-    /// memory, and the interface's textures.
+    /// Opens an adapter anew after the last one was lost, and puts the interface's textures on it. The
+    /// land comes with the next frame, whole.
     ///
     /// # Errors
     /// When none can be opened, or it has been lost too often.
@@ -63,7 +63,7 @@ impl Stage {
             self.choice,
             Shaders::default(),
         )?;
-        renderer.adopt(&self.renderer);
+        renderer.complete_next();
         self.overlay.move_to(&gpu, config.format);
         self.input
             .set_max_texture_side(gpu.device.limits().max_texture_dimension_2d as usize);

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use antipode_frame::{Frame, Quality, Sky};
 use antipode_geometry::{
@@ -63,7 +64,7 @@ fn frame() -> Frame {
             drift: 0.0,
             orbs: None,
         },
-        chunk_changes: Vec::new(),
+        land: Arc::default(),
         figures: Vec::new(),
         hand: None,
         lights: antipode_frame::Lights::default(),

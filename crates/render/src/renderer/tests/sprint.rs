@@ -129,14 +129,11 @@ fn a_sprint_at_five_frames_a_second_is_drawn_as_it_truly_is_while_the_thread_bri
     };
     steps(&mut scene, &looks_down, 1);
     let mut truth = RgbaImage::new(SIZE.0, SIZE.1);
-    let mut came = Vec::new();
     for number in 1..=RUN_UP + FRAMES {
         steps(&mut scene, &runs, STEPS_A_FRAME);
         let mut frame = frame(&mut scene);
         let seen = window.draw(&frame);
-        came.append(&mut frame.chunk_changes);
         if number > RUN_UP {
-            frame.chunk_changes.append(&mut came);
             truth = exact.draw_exactly(&mut frame);
             let off = apart(&seen, &truth, NEAR_PX);
             assert!(off <= MOST_OFF, "frame {number}: {off} pixels");

@@ -10,8 +10,9 @@ pub mod triangles;
 pub mod worlds;
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
-use antipode_frame::{ChunkChange, Frame, Quality, Sky};
+use antipode_frame::{ChunkChange, Frame, Land, Quality, Sky};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
     Hemisphere, Projection, Strategy, strategy,
@@ -22,6 +23,9 @@ use antipode_render::{
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
+
+/// The number of the next world.
+static WORLDS: AtomicU64 = AtomicU64::new(1);
 
 pub const GEOMETRIES: [Geometry; 3] = [
     Geometry::Euclidean,
@@ -188,7 +192,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         projection: Projection::new(75f64.to_radians(), aspect, 0.02),
         strategy: Arc::clone(space),
         sky,
-        chunk_changes: Vec::new(),
+        land: Arc::default(),
         figures: Vec::new(),
         hand: None,
         lights: antipode_frame::Lights::default(),
@@ -198,12 +202,13 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         contour_bands: false,
         time_s: 0.0,
         quality: Quality::default(),
-        loaded_world: 1,
+        // Each picture made from nothing is of a world of its own.
+        loaded_world: WORLDS.fetch_add(1, Ordering::Relaxed),
     }
 }
 
 /// Generated land within `reach` chunks of `centre`; all of a closed world.
-pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Vec<ChunkChange> {
+pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Arc<Land> {
     let field = Field::new(2, Arc::clone(space));
     let closed = space.rim_m().is_some();
     let (middle, reach) = if closed {
@@ -216,7 +221,7 @@ pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Vec<Ch
     } else {
         &[Hemisphere::A]
     };
-    let mut changes = Vec::new();
+    let mut land = Land::default();
     let span = || -reach..=reach;
     for &hemisphere in hemispheres {
         for (x, y, z) in
@@ -227,14 +232,17 @@ pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Vec<Ch
                 index: middle + IVec3::new(x, y, z),
             };
             if field.content(coord) == Content::Surface {
-                changes.push(ChunkChange::Put(
-                    coord,
-                    Arc::new(march(&field.samples(coord), &field, coord)),
-                ));
+                let mesh = march(&field.samples(coord), &field, coord);
+                land.change(ChunkChange::Put(coord, Arc::new(mesh)));
             }
         }
     }
-    changes
+    Arc::new(land)
+}
+
+/// Land of one chunk.
+pub fn one_chunk(coord: ChunkCoord, mesh: Arc<ChunkMesh>) -> Arc<Land> {
+    Arc::new(Land::from_iter([ChunkChange::Put(coord, mesh)]))
 }
 
 /// A point 1.7 m above the generated ground.

@@ -1,12 +1,11 @@
 //! The triangles that a picture of the land shows, in the chart, and which of them each pixel shows: by the formulas of
 //! the geometry crate in 64 bits, without the adapter.
 
-use antipode_frame::{ChunkChange, Frame};
+use antipode_frame::{Frame, Land};
 use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
-use antipode_terrain::{ChunkMesh, Level};
+use antipode_terrain::Level;
 use glam::{DVec2, DVec3, DVec4, IVec3};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// Places this far past the equator are left to the other chart, metres.
 const PAST_RIM_M: f64 = 0.05;
@@ -50,62 +49,35 @@ impl Triangle {
     }
 }
 
-/// The land that is shown: what came and went over some frames.
-#[derive(Clone, Debug, Default)]
-pub struct Land {
-    pub meshes: BTreeMap<ChunkCoord, Arc<ChunkMesh>>,
-}
-
-impl Land {
-    pub fn take(&mut self, frame: &Frame) {
-        for change in &frame.chunk_changes {
-            match change {
-                ChunkChange::Put(coord, mesh) if !mesh.is_empty() => {
-                    self.meshes.insert(*coord, Arc::clone(mesh));
-                }
-                ChunkChange::Put(coord, _) | ChunkChange::Remove(coord) => {
-                    self.meshes.remove(coord);
-                }
+/// The triangles of all land.
+pub fn triangles(land: &Land) -> Vec<Triangle> {
+    let meshes: BTreeMap<_, _> = land.meshes().collect();
+    let mut found = Vec::new();
+    for (coord, mesh) in &meshes {
+        let mut add = |indices: &[u32], is_seam| {
+            for corners in indices.as_chunks::<3>().0 {
+                let vertices = corners.map(|i| mesh.vertices[i as usize]);
+                found.push(Triangle {
+                    hemisphere: coord.hemisphere,
+                    corners: vertices.map(|v| coord.origin() + v.position().as_dvec3()),
+                    normals: vertices.map(|v| v.normal().as_dvec3()),
+                    is_seam,
+                });
             }
-        }
-    }
-
-    /// As changes that put all of it.
-    pub fn changes(&self) -> Vec<ChunkChange> {
-        let put = |(coord, mesh): (&ChunkCoord, &Arc<ChunkMesh>)| {
-            ChunkChange::Put(*coord, Arc::clone(mesh))
         };
-        self.meshes.iter().map(put).collect()
-    }
-
-    pub fn triangles(&self) -> Vec<Triangle> {
-        let mut found = Vec::new();
-        for (coord, mesh) in &self.meshes {
-            let mut add = |indices: &[u32], is_seam| {
-                for corners in indices.as_chunks::<3>().0 {
-                    let vertices = corners.map(|i| mesh.vertices[i as usize]);
-                    found.push(Triangle {
-                        hemisphere: coord.hemisphere,
-                        corners: vertices.map(|v| coord.origin() + v.position().as_dvec3()),
-                        normals: vertices.map(|v| v.normal().as_dvec3()),
-                        is_seam,
-                    });
-                }
+        add(mesh.surface_indices(), false);
+        for (face, step) in FACES.into_iter().enumerate() {
+            let beside = ChunkCoord {
+                index: coord.index + step,
+                ..*coord
             };
-            add(mesh.surface_indices(), false);
-            for (face, step) in FACES.into_iter().enumerate() {
-                let beside = ChunkCoord {
-                    index: coord.index + step,
-                    ..*coord
-                };
-                let is_finer = |level: Level| level < mesh.level;
-                if self.meshes.get(&beside).is_some_and(|m| is_finer(m.level)) {
-                    add(mesh.seam_indices(face), true);
-                }
+            let is_finer = |level: Level| level < mesh.level;
+            if meshes.get(&beside).is_some_and(|m| is_finer(m.level)) {
+                add(mesh.seam_indices(face), true);
             }
         }
-        found
     }
+    found
 }
 
 /// What a pixel shows.

@@ -7,8 +7,6 @@ use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
 use antipode_scene::{Actions, Scene, WorldSetup};
 use glam::DVec3;
 
-use super::triangles::Land;
-
 const LIMIT: Duration = Duration::from_mins(5);
 const ASPECT: f64 = 16.0 / 9.0;
 
@@ -16,7 +14,6 @@ const ASPECT: f64 = 16.0 / 9.0;
 pub struct World {
     pub scene: Scene,
     /// What of it was shown in frames.
-    pub land: Land,
     /// Lines of its pictures.
     lines: u32,
 }
@@ -33,11 +30,7 @@ impl World {
         };
         let mut scene = Scene::open(setup, None).unwrap();
         assert!(scene.wait_for_step(LIMIT));
-        let mut world = Self {
-            scene,
-            land: Land::default(),
-            lines: 360,
-        };
+        let mut world = Self { scene, lines: 360 };
         world.settle();
         world
     }
@@ -97,19 +90,11 @@ impl World {
         self.steps(steps, &actions);
     }
 
-    /// What is seen, with what has changed since this was last asked, and nothing in the way.
+    /// What is seen, with nothing in the way.
     pub fn frame(&mut self) -> Frame {
         let fov_y_rad = self.scene.viewing().fov_y_rad;
         let mut frame = self.scene.frame(fov_y_rad, ASPECT, 1);
         (frame.hand, frame.marker) = (None, None);
-        self.land.take(&frame);
-        frame
-    }
-
-    /// The same with all of the land.
-    pub fn whole_frame(&mut self) -> Frame {
-        let mut frame = self.frame();
-        frame.chunk_changes = self.land.changes();
         frame
     }
 

@@ -64,20 +64,17 @@ fn is_drawn_true(slow: usize) {
     exact.draw_exactly(&mut first);
     run.sprint();
     let mut truth = RgbaImage::new(SIZE.0, SIZE.1);
-    let mut came = Vec::new();
     let mut start = ChartPoint::default();
     for number in 1..=RUN_UP + FRAMES {
         run.hold(number % slow != 0);
         run.pass();
         let mut frame = run.frame();
         run.paint(&frame);
-        came.append(&mut frame.chunk_changes);
         if number <= RUN_UP {
             start = frame.eye.point;
             continue;
         }
         let seen = run.easel.offscreen.read(&run.easel.gpu).unwrap();
-        frame.chunk_changes.append(&mut came);
         truth = exact.draw_exactly(&mut frame);
         let said_px = run.said_px();
         let found_px = strays_px(&seen, &truth, MOST_PX);
