@@ -46,7 +46,7 @@ impl Rig {
             let own = &mut chains[channel.joint()];
             match channel {
                 Channel::Translation(_, curve) => {
-                    let lengths = curve.hull().into_iter().map(|at| at.length());
+                    let lengths = curve.hull().into_iter().map(glam::Vec3::length);
                     own.offset_m = lengths.fold(own.offset_m, f32::max);
                 }
                 Channel::Scale(_, curve) => {
