@@ -2,7 +2,8 @@
 //! the picture shows and what the map of their shadows does.
 
 use antipode_frame::{Figure, Frame};
-use antipode_geometry::{ChartPoint, Frustum};
+use antipode_geometry::{ChartPoint, Viewer};
+use glam::DVec3;
 
 use crate::hand::{MUZZLE_M, grip_m};
 use crate::models::{Loaded, number};
@@ -67,22 +68,23 @@ pub struct Wanted {
 }
 
 /// What shows figures in a frame.
-#[derive(Debug)]
 pub struct Shown<'a> {
     frame: &'a Frame,
-    region: Frustum,
-    shot: Option<Shot>,
+    view: Viewer<'a>,
+    sides: [DVec3; 4],
+    map: Option<Shot>,
 }
 
 impl<'a> Shown<'a> {
-    /// What the picture and the map of figures show, if there is one. Figures that are carried by one matrix stray by
-    /// the tolerance.
-    pub fn new(frame: &'a Frame, plan: &FramePlan, shot: Option<Shot>) -> Self {
+    /// What the picture shows, and the map of figures' shadows if there is one. Figures that are carried by one matrix
+    /// stray by the tolerance.
+    pub fn new(frame: &'a Frame, plan: &FramePlan, map: Option<Shot>) -> Self {
         let stray_px = Tolerance::of(frame.quality).shape_px;
         Self {
             frame,
-            region: plan.bounds.region(frame, stray_px),
-            shot,
+            view: frame.strategy.viewer(&frame.eye),
+            sides: plan.bounds.sides(frame, stray_px),
+            map,
         }
     }
 
@@ -91,19 +93,16 @@ impl<'a> Shown<'a> {
         let strategy = &*self.frame.strategy;
         Wanted {
             seen: self.sees(ball),
-            shades: self.shot.is_some_and(|shot| shot.may_hold(strategy, ball)),
+            shades: self.map.is_some_and(|map| map.may_hold(strategy, ball)),
         }
     }
 
+    /// Whether a ball is behind none of the picture's sides: [`Strategy::ball_rises_m`]. In a closed world too, where
+    /// what is behind the eye comes round as view coordinates do.
     fn sees(&self, ball: &Ball) -> bool {
         let (strategy, eye) = (&*self.frame.strategy, &self.frame.eye);
-        let ChartPoint { hemisphere, pos } = ball.middle;
-        let (min, max) = (pos - ball.radius_m, pos + ball.radius_m);
-        // Past where the land of the only chart is cut, figures are ported on, round and round.
-        let goes_on = strategy.rim_m().is_none() && strategy.trims(eye, hemisphere, min, max);
-        goes_on
-            || self
-                .region
-                .sees(&strategy.sight_cell(eye, hemisphere, min, max))
+        let rises_m = strategy.ball_rises_m(eye, ball.middle, ball.radius_m);
+        let at = (self.view)(ball.middle).truncate();
+        !self.sides.iter().any(|side| side.dot(at) < -rises_m)
     }
 }

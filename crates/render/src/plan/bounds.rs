@@ -4,7 +4,7 @@
 //! no more at its ends.
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Eye, Frustum, Geometry, Projection, SightCell, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy, side_normals};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -224,11 +224,10 @@ impl Bounds {
         self.bend.steps()
     }
 
-    /// The region of the picture, and of so many pixels around it, out of which nothing that strays by that gets in.
-    /// It goes on as far as anything is: what is drawn faintly in the haze is drawn.
-    pub fn region(&self, frame: &Frame, px: f64) -> Frustum {
-        let wide = self.scale.widened(&frame.projection, px);
-        Frustum::new(&frame.eye, &wide, f64::INFINITY)
+    /// The sides of the picture's pyramid, wider by so many pixels, by their inward normals in view coordinates: what
+    /// is farther out by more than it strays is not in the picture.
+    pub fn sides(&self, frame: &Frame, px: f64) -> [DVec3; 4] {
+        side_normals(&self.scale.widened(&frame.projection, px))
     }
 
     /// The frame of something that stands at `feet` and fits a box of `half` metres about `middle`.

@@ -43,7 +43,7 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Whether any of a ball may be on it, or be where what is on it throws its shadow from.
+    /// Whether any of what a ball holds may fall on it.
     pub fn may_hold(&self, strategy: &dyn Strategy, ball: &Ball) -> bool {
         self.light.may_fall(strategy, &self.crop, ball)
     }
