@@ -28,7 +28,7 @@ words! {
 pub enum Input {
     /// A key by its name, one of [`Input::KEYS`].
     Key(&'static str),
-    /// A button of the mouse, by its name in the file.
+    /// A button of the mouse.
     Mouse(MouseButton),
     /// A notch of the wheel, away from the player.
     WheelUp,
