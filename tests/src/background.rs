@@ -9,7 +9,7 @@
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdout, Command, ExitStatus, Stdio};
 
 use serde_json::Value;
 
@@ -93,9 +93,14 @@ impl Background {
 
 /// Sends a signal to a process.
 pub fn signal(name: &str, process: u32) {
-    let sent = Command::new("kill")
-        .args([format!("-{name}"), process.to_string()])
-        .status()
-        .expect("kill can be run");
+    let sent = try_signal(name, process).expect("sh can be run");
     assert!(sent.success(), "{name} could not be sent to {process}");
+}
+
+/// The same, where the process may have ended already. By the shell's own `kill`: a small system has no program of that
+/// name.
+pub fn try_signal(name: &str, process: u32) -> std::io::Result<ExitStatus> {
+    Command::new("sh")
+        .args(["-c", &format!("kill -{name} {process}")])
+        .status()
 }

@@ -17,6 +17,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
+use crate::background::try_signal;
 use crate::processes::{arguments, started_with};
 use crate::program::game;
 use crate::screen::Screen;
@@ -298,8 +299,7 @@ impl Window {
                 let _ = child.wait();
             }
             None if arguments(self.process).is_some() => {
-                let process = self.process.to_string();
-                let _ = Command::new("kill").args(["-KILL", &process]).status();
+                let _ = try_signal("KILL", self.process);
             }
             None => {}
         }

@@ -107,9 +107,10 @@ impl Xvfb {
 impl Drop for Xvfb {
     fn drop(&mut self) {
         // A polite end lets the server remove its socket and its lock; a child
-        // that has already ended makes all of this do nothing.
-        let asked = Command::new("kill")
-            .arg(self.server.id().to_string())
+        // that has already ended makes all of this do nothing. A small system
+        // has no `kill` but the shell's.
+        let asked = Command::new("sh")
+            .args(["-c", &format!("kill {}", self.server.id())])
             .stderr(Stdio::null())
             .status();
         if !asked.is_ok_and(|status| status.success()) {
