@@ -99,6 +99,9 @@ pub fn signal(name: &str, process: u32) {
 
 /// The same, where the process may have ended already. By the shell's own `kill`: a small system has no program of that
 /// name.
+///
+/// # Errors
+/// When the shell cannot be run.
 pub fn try_signal(name: &str, process: u32) -> std::io::Result<ExitStatus> {
     Command::new("sh")
         .args(["-c", &format!("kill -{name} {process}")])
