@@ -13,6 +13,18 @@ const DIVISIONS: u32 = 2;
 /// A cell narrower than this to either side is not divided, in radians.
 const NARROW_RAD: f64 = 0.12;
 
+/// Inward unit normals of the sides of the picture's pyramid, in view coordinates.
+pub fn side_normals(projection: &Projection) -> [DVec3; 4] {
+    let (sx, sy) = (projection.sx, projection.sy);
+    [
+        DVec3::new(sx, 0.0, -1.0),
+        DVec3::new(-sx, 0.0, -1.0),
+        DVec3::new(0.0, sy, -1.0),
+        DVec3::new(0.0, -sy, -1.0),
+    ]
+    .map(DVec3::normalize_or_zero)
+}
+
 /// The region that the picture shows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frustum {
@@ -25,15 +37,8 @@ pub struct Frustum {
 impl Frustum {
     /// The region that `projection` shows from `eye`, out to `limit_m` metres.
     pub fn new(eye: &Eye, projection: &Projection, limit_m: f64) -> Self {
-        let (sx, sy) = (projection.sx, projection.sy);
-        let sides = [
-            DVec3::new(sx, 0.0, -1.0),
-            DVec3::new(-sx, 0.0, -1.0),
-            DVec3::new(0.0, sy, -1.0),
-            DVec3::new(0.0, -sy, -1.0),
-        ];
         Self {
-            sides: sides.map(|side| Side::new(eye.to_chart(side.normalize_or_zero()))),
+            sides: side_normals(projection).map(|side| Side::new(eye.to_chart(side))),
             limit_m,
         }
     }

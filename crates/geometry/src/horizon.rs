@@ -227,6 +227,23 @@ impl Strategy for Horizon {
         Self::axis(kappa, eye).cell_of_box(low, high, level, upright)
     }
 
+    /// In the chart's metres, `ds^2 = dy^2 + C(y)^2 (dr^2 + (S(r) / r)^2 (r dphi)^2)`: no way is stretched by more than
+    /// `cosh y sinh r / r`, or at all where curvature is positive.
+    fn ball_rises_m(&self, eye: &Eye, middle: ChartPoint, radius_m: f64) -> f64 {
+        let kappa = self.kappa(eye);
+        let k = kappa.abs().sqrt();
+        if kappa > 0.0 {
+            return (k * radius_m).min(std::f64::consts::FRAC_PI_2).sin() / k;
+        }
+        if kappa == 0.0 {
+            return radius_m;
+        }
+        let u = middle.pos - eye.point.pos;
+        let up = k * ((u.y + eye.lift_m).abs() + radius_m);
+        let out = k * (u.x.hypot(u.z) + radius_m);
+        (k * radius_m * up.cosh() * out.sinh() / out).sinh() / k
+    }
+
     fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
         let kappa = self.kappa(eye);
         let depth = if kappa > 0.0 {

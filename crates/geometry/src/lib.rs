@@ -31,7 +31,7 @@ mod uniform;
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use euclidean::Euclidean;
 pub use eye::Eye;
-pub use frustum::Frustum;
+pub use frustum::{Frustum, side_normals};
 pub use horizon::Horizon;
 pub use kind::{Geometry, Hemisphere, HyperbolicMap, ParseGeometryError, ParseMapError};
 pub use point::{ChartPoint, Crossing};

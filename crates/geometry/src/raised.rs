@@ -200,6 +200,14 @@ impl Strategy for Raised {
         }
     }
 
+    /// What is t radii from the offset centre is stretched by `sinh t / t` across the ray from there, and not along it.
+    fn ball_rises_m(&self, eye: &Eye, middle: ChartPoint, radius_m: f64) -> f64 {
+        let own = radius_m / self.radius_m;
+        let q = (middle.pos - eye.point.pos) / self.radius_m + DVec3::Y * self.offset(eye);
+        let farthest = q.length() + own;
+        self.radius_m * (own * farthest.sinh() / farthest).sinh()
+    }
+
     fn clip_from_view(&self, _eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
         let radius_m = self.radius_m;
         projection.clip(Depth::Exponential { radius_m }, view)

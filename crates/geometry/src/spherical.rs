@@ -247,6 +247,11 @@ impl Strategy for Spherical {
         self.sight_cell(eye, drum.hemisphere, min, max)
     }
 
+    /// Ways of the sphere are no longer than those of its charts.
+    fn ball_rises_m(&self, _eye: &Eye, _middle: ChartPoint, radius_m: f64) -> f64 {
+        self.radius_m * (radius_m / self.radius_m).min(FRAC_PI_2).sin()
+    }
+
     fn keeps_azimuths(&self) -> bool {
         false
     }

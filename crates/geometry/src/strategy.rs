@@ -185,6 +185,17 @@ pub trait Strategy: Debug + Send + Sync {
         }
     }
 
+    /// How far a ball of the chart about a point reaches to either side of a totally geodesic sheet through that point,
+    /// at most, in view coordinates: there it is `R sinh (d / R)`, d or `R sin (d / R)` for d metres of the space.
+    ///
+    /// A point of the ball is joined to its middle inside it, and in the space by no more than that length times the
+    /// most that the port stretches there. A sheet through the eye with the unit normal n holds `n . view = 0`, and what
+    /// is d beside it has `n . view = R sinh (d / R)`: so the ball is behind it where `n . view` of its middle is less
+    /// than minus this.
+    fn ball_rises_m(&self, _eye: &Eye, _middle: ChartPoint, radius_m: f64) -> f64 {
+        radius_m
+    }
+
     /// Whether azimuths about the eye in the chart are those of the picture, so that level
     /// distances tell which of two things in one direction is in front.
     fn keeps_azimuths(&self) -> bool {

@@ -7,15 +7,16 @@ use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
+use crate::culling::{Reaches, Shown, Wanted};
 use crate::error::RenderError;
 use crate::figure_buffers::{BATCH, Place, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
 use crate::hand;
 use crate::lamps::lights_near;
-use crate::models::Loaded;
+use crate::models::{Loaded, number};
 use crate::pipelines::{FigurePipelines, Pipelines};
-use crate::plan::{Affine, FramePlan, Tolerance};
+use crate::plan::{FramePlan, Tolerance};
 use crate::rig::{JOINTS, JointRows, Posed};
-use crate::shadow::Caster;
+use crate::shadow::{Caster, Shot};
 use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
 
 /// How figures are carried into the picture.
@@ -27,6 +28,8 @@ enum Way {
     Framed,
     /// Vertex by vertex.
     Vertex,
+    /// Not at all: only its shadow is seen.
+    Shade,
 }
 
 /// Figures drawn at once.
@@ -47,7 +50,7 @@ struct Seen {
     way: Way,
     instance: FigureInstance,
     joints: Option<Vec<JointRows>>,
-    /// The box of the chart that it takes; none of what is in the player's hand.
+    /// The box of the chart that it takes, of what throws a shadow.
     room: Option<Caster>,
 }
 
@@ -55,6 +58,9 @@ struct Seen {
 #[derive(Debug)]
 pub struct Figures {
     models: Vec<Loaded>,
+    reaches: Reaches,
+    /// Whether figures that nobody sees are left out.
+    pub culls: bool,
     statics: Statics,
     instances: Buffer,
     room: usize,
@@ -62,13 +68,8 @@ pub struct Figures {
     joints_bound: BindGroup,
     joints_room: usize,
     runs: Vec<Run>,
-    /// Boxes of the chart that hold each figure, and what it holds.
+    /// Boxes of the chart that hold each figure, and what it holds, as far as they throw shadows.
     rooms: Vec<Caster>,
-}
-
-/// The number of a model in the buffers.
-fn number(model: ModelId) -> usize {
-    ModelId::ALL.iter().position(|it| *it == model).unwrap_or(0)
 }
 
 impl Figures {
@@ -82,6 +83,8 @@ impl Figures {
         let (joints, joints_bound) = joints_buffer(device, joints_room);
         Ok(Self {
             statics: Statics::new(device, &models),
+            reaches: Reaches::of(&models),
+            culls: true,
             models,
             instances: instance_buffer(device, room),
             room,
@@ -93,14 +96,28 @@ impl Figures {
         })
     }
 
-    /// Takes this frame's figures, those that a frame serves within the tolerance first.
-    pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame, plan: &mut FramePlan) {
-        let mut seen: Vec<Seen> = Vec::with_capacity(frame.figures.len());
+    /// Takes this frame's figures, those that a frame serves within the tolerance first, if they or their shadows on
+    /// `map` may be seen.
+    pub fn prepare(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        frame: &Frame,
+        plan: &mut FramePlan,
+        map: Option<Shot>,
+    ) {
+        let mut seen: Vec<Seen> = Vec::new();
+        let shown = Shown::new(frame, plan, map);
         for figure in &frame.figures {
-            self.see(frame, plan, figure, &mut seen);
+            let mut wanted = shown.wants(&self.reaches.ball(figure));
+            plan.stats.figures_outside += usize::from(!wanted.seen);
+            wanted.seen |= !self.culls;
+            if wanted.seen || wanted.shades {
+                self.see(frame, plan, (figure, wanted), &mut seen);
+            }
         }
-        plan.stats.figures_by_frame = seen.iter().filter(|it| it.way == Way::Framed).count();
-        plan.stats.figures_by_vertex = seen.len() - plan.stats.figures_by_frame;
+        let count = |way: Way| seen.iter().filter(|it| it.way == way).count();
+        plan.stats.figures_by_frame = count(Way::Framed);
+        plan.stats.figures_by_vertex = count(Way::Vertex);
         let in_hand = frame
             .hand
             .iter()
@@ -121,14 +138,20 @@ impl Figures {
     }
 
     /// Adds a figure, and what it holds.
-    fn see(&self, frame: &Frame, plan: &mut FramePlan, figure: &Figure, seen: &mut Vec<Seen>) {
+    fn see(
+        &self,
+        frame: &Frame,
+        plan: &mut FramePlan,
+        (figure, wanted): (&Figure, Wanted),
+        seen: &mut Vec<Seen>,
+    ) {
         let model = number(figure.model);
         let Loaded { shape: _, rig } = &self.models[model];
         let posed = rig.as_ref().map(|rig| rig.pose(&figure.posture));
         let limits = posed
             .as_ref()
             .map_or(self.statics.places[model].limits, |posed| posed.limits);
-        put(frame, plan, figure, (model, limits), seen);
+        put(frame, plan, (figure, wanted), (model, limits), seen);
         let Some(Posed { joints, hand, .. }) = posed else {
             return;
         };
@@ -150,7 +173,7 @@ impl Figures {
             };
             let thing = number(thing);
             let limits = self.statics.places[thing].limits;
-            put(frame, plan, &figure, (thing, limits), seen);
+            put(frame, plan, (&figure, wanted), (thing, limits), seen);
         }
     }
 
@@ -205,7 +228,7 @@ impl Figures {
         queue.write_buffer(&self.joints, 0, bytemuck::cast_slice(rows));
     }
 
-    /// Boxes of the chart that hold this frame's figures.
+    /// Boxes of the chart that hold those of this frame's figures that may throw shadows.
     pub fn rooms(&self) -> &[Caster] {
         &self.rooms
     }
@@ -251,7 +274,7 @@ impl Figures {
         clear: bool,
     ) -> (usize, usize) {
         let (mut triangles, mut calls) = (0, 0);
-        for run in &self.runs {
+        for run in self.runs.iter().filter(|run| run.way != Way::Shade) {
             let indices = part(&self.statics.places[run.model]);
             if indices.is_empty() {
                 continue;
@@ -260,11 +283,11 @@ impl Figures {
                 (Way::Hand, _, false) => &pipelines.hand,
                 (Way::Hand, _, true) => &pipelines.hand_clear,
                 (Way::Framed, Some(_), _) => &pipelines.bent_framed,
-                (Way::Vertex, Some(_), _) => &pipelines.bent,
+                (Way::Vertex | Way::Shade, Some(_), _) => &pipelines.bent,
                 (Way::Framed, None, false) => &pipelines.framed,
-                (Way::Vertex, None, false) => &pipelines.plain,
+                (Way::Vertex | Way::Shade, None, false) => &pipelines.plain,
                 (Way::Framed, None, true) => &pipelines.clear_framed,
-                (Way::Vertex, None, true) => &pipelines.clear,
+                (Way::Vertex | Way::Shade, None, true) => &pipelines.clear,
             });
             triangles += self.draw_run(pass, run, indices);
             calls += 1;
@@ -291,17 +314,13 @@ impl Figures {
 fn put(
     frame: &Frame,
     plan: &mut FramePlan,
-    figure: &Figure,
+    (figure, wanted): (&Figure, Wanted),
     (model, limits): (usize, (Vec3, Vec3)),
     seen: &mut Vec<Seen>,
 ) {
     let (low, high) = turned(limits, figure.turn.as_quat());
     let middle = figure.point.moved(low.midpoint(high).as_dvec3());
     let half = (0.5 * (high - low)).as_dvec3();
-    let tolerance_px = Tolerance::of(frame.quality).shape_px;
-    let framed = plan
-        .bounds
-        .object(frame, figure.point, middle, half, tolerance_px);
     let hemisphere = figure.point.hemisphere;
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
@@ -309,21 +328,28 @@ fn put(
         flags: hemisphere_index(hemisphere) | u32::from(figure.hostile) << 1,
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
-        lights: lights_near(frame, hemisphere, min, max),
+        lights: [0; 3],
     };
-    let mut way = Way::Vertex;
-    if let Some((affine, error_px)) = framed {
-        let affine: Affine = affine;
-        plan.stats.error_at_least(error_px);
-        instance.frame = frame_rows(&affine);
-        way = Way::Framed;
+    let mut way = Way::Shade;
+    if wanted.seen {
+        instance.lights = lights_near(frame, hemisphere, min, max);
+        let tolerance_px = Tolerance::of(frame.quality).shape_px;
+        let bounds = &plan.bounds;
+        way = match bounds.object(frame, figure.point, middle, half, tolerance_px) {
+            Some((affine, error_px)) => {
+                plan.stats.error_at_least(error_px);
+                instance.frame = frame_rows(&affine);
+                Way::Framed
+            }
+            None => Way::Vertex,
+        };
     }
     seen.push(Seen {
         model,
         way,
         instance,
         joints: None,
-        room: Some(Caster {
+        room: wanted.shades.then_some(Caster {
             hemisphere,
             min,
             max,

@@ -9,6 +9,7 @@ mod blend;
 mod celestial;
 mod chunk_store;
 mod coarse;
+mod culling;
 mod draw_list;
 mod error;
 mod figure_buffers;

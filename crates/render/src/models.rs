@@ -66,6 +66,15 @@ impl Shape {
         )
     }
 
+    /// How far its vertices lie from its origin in the bind pose at most, metres.
+    pub fn radius_m(&self) -> f32 {
+        let away = self
+            .vertices
+            .iter()
+            .map(|v| Vec3::from(v.position).length());
+        away.fold(0.0, f32::max)
+    }
+
     /// Adds a mesh, placed by `place` in the file's axes.
     fn add(&mut self, mesh: &Mesh, materials: &[Material], place: Mat4, look: Look) {
         let skinned = look == Look::Bent;
@@ -122,6 +131,11 @@ impl Look {
             (Self::Bent | Self::Thing | Self::Car { .. }, _) => 0.28,
         }
     }
+}
+
+/// The number of a model in the buffers.
+pub fn number(model: ModelId) -> usize {
+    ModelId::ALL.iter().position(|it| *it == model).unwrap_or(0)
 }
 
 /// A shape, and the skeleton that bends it if there is one.

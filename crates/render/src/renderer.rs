@@ -206,6 +206,11 @@ impl Renderer {
         self.shadows.draw_singly();
     }
 
+    /// Has figures that cannot be seen posed and drawn as well from now on: a test and a measurement compare with that.
+    pub fn draw_unseen(&mut self) {
+        self.figures.culls = false;
+    }
+
     /// Records the drawing of a frame into `target`, which has the size last given to [`Renderer::resize`].
     ///
     /// The encoder is to be submitted before the next frame is drawn: a frame's data lies in buffers that the
@@ -236,9 +241,7 @@ impl Renderer {
         let land = book.land();
         let mut plan = self.planner.plan(frame, height_px, &book);
         self.chunks.refine(frame, land, &mut plan);
-        self.figures
-            .prepare(&self.device, &self.queue, frame, &mut plan);
-        self.prepare_shadows(frame, drawn);
+        self.prepare_figures(frame, &mut plan, drawn);
         self.chunks.end_rush();
         self.chunks
             .list(frame, land, &mut plan, &self.shadows, &mut self.list);

@@ -6,6 +6,10 @@ use glam::{Mat4, Quat, Vec3};
 
 use crate::error::RenderError;
 
+mod reach;
+
+pub use reach::Reach;
+
 /// Joints of a skin at most; `JOINTS` of figure.wgsl.
 pub const JOINTS: usize = 21;
 

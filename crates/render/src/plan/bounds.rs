@@ -4,7 +4,7 @@
 //! no more at its ends.
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy, side_normals};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -43,6 +43,16 @@ impl PictureScale {
     /// What an angle comes to in pixels where the picture is stretched most.
     pub fn widest_px(&self, angle_rad: f64) -> f64 {
         angle_rad * self.focal_px * self.stretch
+    }
+
+    /// A picture wider by so many pixels on each side: its edges, at tangents of 1 / s, lie px / focal farther out.
+    fn widened(&self, projection: &Projection, px: f64) -> Projection {
+        let [sx, sy] = [projection.sx, projection.sy].map(|s| s / (1.0 + s * px / self.focal_px));
+        Projection {
+            sx,
+            sy,
+            ..*projection
+        }
     }
 
     /// What a cell of directions spans at most, in pixels.
@@ -212,6 +222,12 @@ impl Bounds {
     /// The measured bends in steps of an octave.
     pub fn steps(&self) -> BendSteps {
         self.bend.steps()
+    }
+
+    /// The sides of the picture's pyramid, wider by so many pixels, by their inward normals in view coordinates: what
+    /// is farther out by more than it strays is not in the picture.
+    pub fn sides(&self, frame: &Frame, px: f64) -> [DVec3; 4] {
+        side_normals(&self.scale.widened(&frame.projection, px))
     }
 
     /// The frame of something that stands at `feet` and fits a box of `half` metres about `middle`.

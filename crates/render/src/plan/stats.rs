@@ -24,6 +24,8 @@ pub struct PlanStats {
     pub figures_by_frame: usize,
     /// Figures ported vertex by vertex.
     pub figures_by_vertex: usize,
+    /// Figures out of the picture, of which at most the shadow is drawn.
+    pub figures_outside: usize,
     /// Triangles out of the picture or behind the fog: of chunks, and of blocks of those with edges halved.
     pub triangles_outside: usize,
     /// Triangles of chunks behind nearer land.

@@ -6,14 +6,26 @@ use wgpu::{BindGroup, BindGroupLayout, Buffer, CommandEncoder, Device};
 use super::{DrawStats, Renderer};
 use crate::heavens::Heavens;
 use crate::pipelines::scene_layout;
+use crate::plan::FramePlan;
 use crate::shadow::Shadows;
 use crate::uniforms::SceneUniform;
 
 impl Renderer {
-    /// Plans the passes into the shadow maps, and tells the shaders of the frame.
-    pub(super) fn prepare_shadows(&mut self, frame: &Frame, drawn: (u32, u32)) {
+    /// Takes the figures, plans the passes into the shadow maps, and tells the shaders of the frame. Which figures there
+    /// are depends on what the map of their shadows is a picture of, and that on the maps of land.
+    pub(super) fn prepare_figures(
+        &mut self,
+        frame: &Frame,
+        plan: &mut FramePlan,
+        drawn: (u32, u32),
+    ) {
+        let is_new = self.shadows.prepare(frame, &mut self.chunks);
+        let map = self.shadows.figures_shot(frame);
+        let adapter = (&self.device, &self.queue);
+        self.figures.prepare(adapter, frame, plan, map);
         let rooms = self.figures.rooms();
-        if self.shadows.prepare(frame, &mut self.chunks, rooms) {
+        self.shadows.prepare_figures(frame, map, rooms);
+        if is_new {
             let layout = scene_layout(&self.device);
             let extras = (&self.heavens, &self.shadows);
             self.scene_bindings = bind_scene(&self.device, &layout, &self.uniform, extras);

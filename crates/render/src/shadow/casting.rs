@@ -17,19 +17,25 @@ const FIGURES_M: f64 = 24.0;
 const EDGE_M: f64 = 0.25;
 
 impl Shadows {
-    /// Takes this frame's figures by the boxes that hold them, as far as any of them is near.
-    pub(super) fn prepare_figures(&mut self, frame: &Frame, light: &Light, figures: &[Caster]) {
-        let strategy = &*frame.strategy;
-        let own = Shot {
-            light: *light,
-            crop: near_crop(frame, light, FIGURES_M, 1, self.maps.texels),
+    /// What the map of figures is a picture of, before its heights are known; none where there is none.
+    pub fn figures_shot(&self, frame: &Frame) -> Option<Shot> {
+        if self.quality == ShadowQuality::Off {
+            return None;
+        }
+        if self.merges() {
+            return self.levels[0].shot;
+        }
+        let light = Light::of(frame);
+        Some(Shot {
+            light,
+            crop: near_crop(frame, &light, FIGURES_M, 1, self.maps.texels),
             heights: [0.0, 1.0],
-        };
-        let shot = if self.merges() {
-            self.levels[0].shot
-        } else {
-            Some(own)
-        };
+        })
+    }
+
+    /// Takes this frame's figures by the boxes that hold them, as far as any of them is near.
+    pub fn prepare_figures(&mut self, frame: &Frame, shot: Option<Shot>, figures: &[Caster]) {
+        let strategy = &*frame.strategy;
         let Some(Shot { light, crop, .. }) = shot else {
             return;
         };

@@ -7,8 +7,10 @@
 use std::f64::consts::SQRT_2;
 
 use antipode_frame::Frame;
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Strategy};
 use glam::{DMat4, DVec2};
+
+use crate::culling::Ball;
 
 use super::light::{Caster, Crop, DEPTH_SLACK_M, FACES, Light};
 
@@ -41,6 +43,11 @@ pub struct Shot {
 }
 
 impl Shot {
+    /// Whether any of what a ball holds may fall on it.
+    pub fn may_hold(&self, strategy: &dyn Strategy, ball: &Ball) -> bool {
+        self.light.may_fall(strategy, &self.crop, ball)
+    }
+
     /// The matrix from the light's base to clip coordinates.
     pub fn clip(&self) -> DMat4 {
         self.light.clip(&self.crop, self.heights)

@@ -11,6 +11,7 @@ use antipode_frame::Frame;
 use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
+use crate::culling::Ball;
 use crate::plan::ChunkLand;
 
 /// Where a parallel picture is measured from: the corner of this grid next to the eye, metres. Sums stay small, and
@@ -263,6 +264,21 @@ impl Light {
                 let is_seen =
                     self.is_in_sight(crop, base, size) && self.corners_meet(strategy, crop, of);
                 is_seen.then_some([0.0, 1.0])
+            }
+        }
+    }
+
+    /// Whether any of a ball may fall on a crop.
+    pub fn may_fall(&self, strategy: &dyn Strategy, crop: &Crop, ball: &Ball) -> bool {
+        let base = self.base(strategy, ball.middle);
+        match self {
+            Self::Far { .. } => {
+                let away = (self.on_plane(0, base) - crop.centre).abs();
+                away.max_element() <= crop.half + ball.radius_m
+            }
+            // Ways of the space are no longer than those of the chart.
+            Self::Star { radius_m, .. } => {
+                self.is_in_sight(crop, base, (ball.radius_m / radius_m).min(1.5).sin())
             }
         }
     }

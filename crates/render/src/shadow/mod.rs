@@ -15,7 +15,8 @@ mod uniform;
 use antipode_frame::Frame;
 use wgpu::{Backend, CommandEncoder, Device, Queue};
 
-use levels::{Level, Shot, count};
+pub use levels::Shot;
+use levels::{Level, count};
 pub use light::Caster;
 use light::{Crop, Light};
 use making::Job;
@@ -195,9 +196,9 @@ impl Shadows {
         ]
     }
 
-    /// Plans this frame's passes over land and over figures, of which the boxes are told; `true` where what [`Shadows::bind`] gives is other than before. In a rush all maps are
-    /// brought to just what the frame wants.
-    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore, figures: &[Caster]) -> bool {
+    /// Plans this frame's passes over land; `true` where what [`Shadows::bind`] gives is other than before. In a rush
+    /// all maps are brought to just what the frame wants. [`Shadows::prepare_figures`] is to follow.
+    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore) -> bool {
         let touched = chunks.take_touched();
         if self.world.replace(frame.loaded_world) != Some(frame.loaded_world) {
             self.jobs = [const { None }; SLOTS];
@@ -226,7 +227,6 @@ impl Shadows {
                 .max(1)
         };
         self.make(frame, &light, chunks, left);
-        self.prepare_figures(frame, &light, figures);
         is_new
     }
 

@@ -7,6 +7,7 @@
 )]
 
 mod common;
+mod culling;
 mod dark_lines;
 mod digging;
 mod figures;

@@ -164,6 +164,10 @@ const EXCUSED: &[(&str, &str)] = &[
         "planes of the projection: tests/it/space/culling.rs",
     ),
     (
+        "Strategy::ball_rises_m",
+        "a bound: tests/it/space/culling.rs",
+    ),
+    (
         "Strategy::uniform",
         "casts; the shader's rows on the adapter go through it",
     ),

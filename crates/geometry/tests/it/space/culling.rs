@@ -127,6 +127,39 @@ proptest! {
     }
 }
 
+proptest! {
+    #![proptest_config(cases(400))]
+
+    #[test]
+    fn a_ball_rises_over_no_sheet_by_more_than_its_bound(
+        eye in eye(25.0), away in vector(1.0), reach_m in 1.0..60.0_f64, radius_m in 0.1..6.0_f64,
+        way in vector(1.0), other in proptest::bool::ANY, turned in proptest::bool::ANY,
+    ) {
+        for space in spaces() {
+            let mut eye = eye;
+            eye.point = in_space(space.as_ref(), eye.point);
+            if turned && space.dial().is_some_and(|dial| dial.min < 0.0) {
+                eye.dial = -eye.dial;
+            }
+            let middle = in_space(space.as_ref(), eye.point.moved(away * reach_m));
+            let middle = match space.carry(middle).filter(|_| other) {
+                Some(crossing) => crossing.point,
+                None => middle,
+            };
+            let rises_m = space.ball_rises_m(&eye, middle, radius_m);
+            let normal = way.normalize_or(DVec3::X);
+            let over = |point: ChartPoint| normal.dot(space.view_point(&eye, point).truncate());
+            if over(middle) >= -rises_m {
+                continue;
+            }
+            for part in samples(DVec3::NEG_ONE, DVec3::ONE, 6) {
+                let point = middle.moved(part.normalize_or_zero() * radius_m);
+                prop_assert!(over(point) < 0.0, "{space:?} {middle:?} {}", over(point));
+            }
+        }
+    }
+}
+
 /// Chunks around the eye: how many are kept, and how many of those show nothing.
 fn kept_and_wasted(space: &dyn Strategy, eye: &Eye, around: i32) -> (u32, u32, u32) {
     let frustum = space.frustum(eye, &projection());

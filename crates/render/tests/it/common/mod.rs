@@ -138,6 +138,21 @@ impl Studio {
         (picture, stats)
     }
 
+    /// An encoder for [`Studio::record`], once the adapter has done all that it was given.
+    pub fn idle_encoder(&self) -> wgpu::CommandEncoder {
+        self.gpu
+            .device
+            .poll(wgpu::PollType::wait_indefinitely())
+            .unwrap();
+        let plain = wgpu::CommandEncoderDescriptor::default();
+        self.gpu.device.create_command_encoder(&plain)
+    }
+
+    /// The main thread's share of a frame.
+    pub fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) {
+        self.renderer.draw(frame, encoder, self.offscreen.view());
+    }
+
     pub fn picture(&mut self, frame: &Frame) -> RgbaImage {
         self.draw(frame).0
     }
