@@ -5,58 +5,80 @@
 mod hit_shapes;
 mod land;
 mod posture;
+mod quality;
+mod view;
 
-use std::fmt;
-use std::str::FromStr;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
+use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3};
-use thiserror::Error;
 
 pub use hit_shapes::{HitForm, HitShape};
 pub use land::{ChunkChange, Land, LandCursor, LandNews};
 pub use posture::{Clip, Posture};
+pub use quality::{ParseQualityError, Quality};
+pub use view::{Hand, View};
 
-/// Everything needed to draw one picture.
+/// What a world looks like at a moment, whoever looks.
 #[derive(Clone, Debug)]
-pub struct Frame {
-    /// Where the picture is taken from.
-    pub eye: Eye,
-    /// Field of view, aspect and near distance.
-    pub projection: Projection,
-    /// The space the picture is taken in.
-    pub strategy: Arc<dyn Strategy>,
-    /// Sky and light of the moment.
+pub struct Content {
+    /// Sky and light of the moment, about the eye of the picture that it was made for.
     pub sky: Sky,
     /// The land as it is now.
     pub land: Arc<Land>,
     /// Figures standing in the world.
     pub figures: Vec<Figure>,
-    /// What the player sees in the own hand; none from elsewhere than the head.
-    pub hand: Option<Hand>,
     /// Lamps and beams.
     pub lights: Lights,
     /// Where a tool digs or builds, or where a lamp in hand would hang.
     pub marker: Option<Marker>,
     /// Shapes of bodies and things, where their outlines are to be drawn.
     pub hit_shapes: Vec<HitShape>,
-    /// Distance in metres, measured in the space, at which the fog is complete.
-    pub fog_distance_m: f32,
-    /// Whether faint contour bands are drawn on the land.
-    pub contour_bands: bool,
     /// Simulated time since the world was made, in seconds.
     pub time_s: f32,
-    /// What the picture may leave out or simplify.
-    pub quality: Quality,
-    /// Identifies the world; when it differs from the last frame's, every chunk of the old one is dropped first.
+    /// Identifies the world; when it differs from the last content's, every chunk of the old one is dropped first.
     pub loaded_world: u64,
 }
 
+/// Everything needed to draw one picture: a content that several may share, and who looks at it.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    /// What there is to be seen.
+    pub content: Arc<Content>,
+    /// From where and how it is seen.
+    pub view: View,
+}
+
 impl Frame {
+    /// The content, to be changed for this picture alone.
+    pub fn content_mut(&mut self) -> &mut Content {
+        Arc::make_mut(&mut self.content)
+    }
+
+    /// The same after a change to its content.
+    #[must_use]
+    pub fn with_content(mut self, change: impl FnOnce(&mut Content)) -> Self {
+        change(self.content_mut());
+        self
+    }
+
+    /// The same after a change to its view.
+    #[must_use]
+    pub fn with_view(mut self, change: impl FnOnce(&mut View)) -> Self {
+        change(&mut self.view);
+        self
+    }
+
+    /// The same content, looked at by somebody else.
+    #[must_use]
+    pub fn seen_by(&self, view: View) -> Self {
+        let content = Arc::clone(&self.content);
+        Self { content, view }
+    }
+
     /// Changes the land of this picture alone.
     pub fn change_land(&mut self, changes: impl IntoIterator<Item = ChunkChange>) {
-        let land = Arc::make_mut(&mut self.land);
+        let land = Arc::make_mut(&mut self.content_mut().land);
         changes.into_iter().for_each(|change| land.change(change));
     }
 }
@@ -257,23 +279,6 @@ impl Figure {
     }
 }
 
-/// What the player sees in the own hand, in first person.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hand {
-    /// What is held.
-    pub model: ModelId,
-    /// How far it is out of the picture, 0 to 1, as while it is being taken in hand.
-    pub lowered: f32,
-    /// How far the step moves it, metres to the right and up.
-    pub bob_m: [f32; 2],
-    /// How far it is swung, from 0 raised to 1 struck; -1 where it is not swung.
-    pub swing: f32,
-    /// How far it is thrown back, 0 to 1.
-    pub kick: f32,
-    /// Whether it flashes.
-    pub flashes: bool,
-}
-
 /// How a marker is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MarkerShape {
@@ -296,71 +301,4 @@ pub struct Marker {
     pub active: bool,
     /// How it is drawn.
     pub shape: MarkerShape,
-}
-
-/// How much exactness a picture trades for speed: each is a measured point between the two.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Quality {
-    /// Errors and land too small to notice in motion are let pass.
-    Fast,
-    /// Nothing is off, and nothing missing, by half a pixel or more; but for the levels of detail
-    /// of land over six chunks away, which are as coarse as the budget of triangles takes.
-    #[default]
-    Balanced,
-    /// Everything is drawn, each vertex by the full formulas.
-    Exact,
-}
-
-impl Quality {
-    /// All three, the quickest first.
-    pub const ALL: [Self; 3] = [Self::Fast, Self::Balanced, Self::Exact];
-
-    /// The lower-case name, as on the command line and in scripts.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fast => "fast",
-            Self::Balanced => "balanced",
-            Self::Exact => "exact",
-        }
-    }
-}
-
-impl fmt::Display for Quality {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
-    }
-}
-
-/// A word that names no quality.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("\"{0}\" is no quality; choose fast, balanced or exact")]
-pub struct ParseQualityError(String);
-
-impl FromStr for Quality {
-    type Err = ParseQualityError;
-
-    /// Reads a lower-case name.
-    ///
-    /// # Errors
-    /// [`ParseQualityError`] for any other word.
-    fn from_str(name: &str) -> Result<Self, Self::Err> {
-        Self::ALL
-            .into_iter()
-            .find(|quality| quality.name() == name)
-            .ok_or_else(|| ParseQualityError(name.to_owned()))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn qualities_read_back_and_others_are_refused() {
-        for quality in Quality::ALL {
-            assert_eq!(quality.to_string().parse(), Ok(quality));
-        }
-        let refused = "Best".parse::<Quality>().map_err(|e| e.to_string());
-        assert!(refused.is_err_and(|said| said.contains("\"Best\"")));
-    }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{Eye, Strategy};
-use antipode_scene::frame::{Frame, Quality, Sky};
+use antipode_scene::frame::{Content, Frame, Quality, Sky, View};
 
 use crate::accuracy::projection;
 
@@ -11,37 +11,41 @@ use crate::accuracy::projection;
 pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
     let (dark, up) = ([0.0; 3], [0.0, 1.0, 0.0]);
     Frame {
-        eye: *eye,
-        projection: projection(),
-        strategy,
-        sky: Sky {
-            top: dark,
-            horizon: dark,
-            glare: dark,
-            stars: 0.0,
-            sun_direction: up,
-            moon_direction: up,
-            key_direction: up,
-            key_shadow: 1.0,
-            key_colour: dark,
-            ambient_sky: dark,
-            ambient_ground: dark,
-            moon_colour: dark,
-            dome: false,
-            clouds: 0.0,
-            drift: 0.0,
-            orbs: None,
+        view: View {
+            eye: *eye,
+            projection: projection(),
+            strategy,
+            hand: None,
+            fog_distance_m: 1e5,
+            contour_bands: false,
+            quality: Quality::Balanced,
         },
-        land: Arc::default(),
-        figures: Vec::new(),
-        hand: None,
-        lights: antipode_scene::frame::Lights::default(),
-        marker: None,
-        hit_shapes: Vec::new(),
-        fog_distance_m: 1e5,
-        contour_bands: false,
-        time_s: 0.0,
-        quality: Quality::Balanced,
-        loaded_world: 1,
+        content: Arc::new(Content {
+            sky: Sky {
+                top: dark,
+                horizon: dark,
+                glare: dark,
+                stars: 0.0,
+                sun_direction: up,
+                moon_direction: up,
+                key_direction: up,
+                key_shadow: 1.0,
+                key_colour: dark,
+                ambient_sky: dark,
+                ambient_ground: dark,
+                moon_colour: dark,
+                dome: false,
+                clouds: 0.0,
+                drift: 0.0,
+                orbs: None,
+            },
+            land: Arc::default(),
+            figures: Vec::new(),
+            lights: antipode_scene::frame::Lights::default(),
+            marker: None,
+            hit_shapes: Vec::new(),
+            time_s: 0.0,
+            loaded_world: 1,
+        }),
     }
 }

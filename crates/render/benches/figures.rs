@@ -58,7 +58,7 @@ fn scene(geometry: Geometry, crowd: Crowd) -> Frame {
             ..Figure::standing(ModelId::Astronaut, eye.moved(away), 1.0)
         }
     };
-    scene.figures = (0..number).map(figure).collect();
+    scene.content_mut().figures = (0..number).map(figure).collect();
     scene
 }
 

@@ -131,16 +131,16 @@ impl ChunkStore {
     /// A mesh of the level that is shown already is an edit. All that comes with an edit is shown at once: an edit
     /// over several chunks appears as a whole.
     pub fn apply(&mut self, frame: &Frame) {
-        if self.world != Some(frame.loaded_world) {
+        if self.world != Some(frame.content.loaded_world) {
             self.clear();
-            self.world = Some(frame.loaded_world);
+            self.world = Some(frame.content.loaded_world);
             self.cursor = LandCursor::default();
         }
-        let news = frame.land.news(&mut self.cursor);
+        let news = frame.content.land.news(&mut self.cursor);
         if news.starts_over {
             self.clear();
         }
-        self.clock.advance(frame.time_s);
+        self.clock.advance(frame.content.time_s);
         if self.rush {
             self.clock.stop();
         }
@@ -213,8 +213,11 @@ impl ChunkStore {
         }
         let away = |coord: &ChunkCoord| {
             let middle = coord.origin() + 0.5 * f64::from(antipode_geometry::CHUNK_CELLS);
-            let other_chart = coord.hemisphere != frame.eye.point.hemisphere;
-            (other_chart, middle.distance_squared(frame.eye.point.pos))
+            let other_chart = coord.hemisphere != frame.view.eye.point.hemisphere;
+            (
+                other_chart,
+                middle.distance_squared(frame.view.eye.point.pos),
+            )
         };
         let mut order: Vec<_> = self.waiting.keys().map(|c| (away(c), *c)).collect();
         order.sort_by(|(a, _), (b, _)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
@@ -365,11 +368,14 @@ impl ChunkStore {
         list: &mut DrawList,
     ) {
         list.clear();
-        let frustum = frame.strategy.frustum(&frame.eye, &frame.projection);
+        let frustum = frame
+            .view
+            .strategy
+            .frustum(&frame.view.eye, &frame.view.projection);
         // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
-        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+        let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
-        let hides = Tolerance::of(frame.quality).hides && is_open;
+        let hides = Tolerance::of(frame.view.quality).hides && is_open;
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
@@ -387,7 +393,7 @@ impl ChunkStore {
                 let numbered = |reach| TerrainPipelines::number(choice, false, reach);
                 let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
-                    let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+                    let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
                     let cell = || frustum.cell_seen(space, eye, coord.hemisphere, min, max);
                     if hides && cell().is_none() {
                         return None;

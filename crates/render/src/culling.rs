@@ -79,10 +79,10 @@ impl<'a> Shown<'a> {
     /// What the picture shows, and the map of figures' shadows if there is one. Figures that are carried by one matrix
     /// stray by the tolerance.
     pub fn new(frame: &'a Frame, plan: &FramePlan, map: Option<Shot>) -> Self {
-        let stray_px = Tolerance::of(frame.quality).shape_px;
+        let stray_px = Tolerance::of(frame.view.quality).shape_px;
         Self {
             frame,
-            view: frame.strategy.viewer(&frame.eye),
+            view: frame.view.strategy.viewer(&frame.view.eye),
             sides: plan.bounds.sides(frame, stray_px),
             map,
         }
@@ -90,7 +90,7 @@ impl<'a> Shown<'a> {
 
     /// What is wanted of what a ball holds.
     pub fn wants(&self, ball: &Ball) -> Wanted {
-        let strategy = &*self.frame.strategy;
+        let strategy = &*self.frame.view.strategy;
         Wanted {
             seen: self.sees(ball),
             shades: self.map.is_some_and(|map| map.may_hold(strategy, ball)),
@@ -100,7 +100,7 @@ impl<'a> Shown<'a> {
     /// Whether a ball is behind none of the picture's sides: [`Strategy::ball_rises_m`]. In a closed world too, where
     /// what is behind the eye comes round as view coordinates do.
     fn sees(&self, ball: &Ball) -> bool {
-        let (strategy, eye) = (&*self.frame.strategy, &self.frame.eye);
+        let (strategy, eye) = (&*self.frame.view.strategy, &self.frame.view.eye);
         let rises_m = strategy.ball_rises_m(eye, ball.middle, ball.radius_m);
         let at = (self.view)(ball.middle).truncate();
         !self.sides.iter().any(|side| side.dot(at) < -rises_m)

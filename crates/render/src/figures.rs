@@ -107,7 +107,7 @@ impl Figures {
     ) {
         let mut seen: Vec<Seen> = Vec::new();
         let shown = Shown::new(frame, plan, map);
-        for figure in &frame.figures {
+        for figure in &frame.content.figures {
             let mut wanted = shown.wants(&self.reaches.ball(figure));
             plan.stats.figures_outside += usize::from(!wanted.seen);
             wanted.seen |= !self.culls;
@@ -119,6 +119,7 @@ impl Figures {
         plan.stats.figures_by_frame = count(Way::Framed);
         plan.stats.figures_by_vertex = count(Way::Vertex);
         let in_hand = frame
+            .view
             .hand
             .iter()
             .flat_map(|hand| hand::instances(frame, hand));
@@ -333,7 +334,7 @@ fn put(
     let mut way = Way::Shade;
     if wanted.seen {
         instance.lights = lights_near(frame, hemisphere, min, max);
-        let tolerance_px = Tolerance::of(frame.quality).shape_px;
+        let tolerance_px = Tolerance::of(frame.view.quality).shape_px;
         let bounds = &plan.bounds;
         way = match bounds.object(frame, figure.point, middle, half, tolerance_px) {
             Some((affine, error_px)) => {

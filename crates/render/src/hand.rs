@@ -56,14 +56,14 @@ fn grip(model: ModelId) -> Grip {
 
 /// The lights that reach the hand, but those that are carried beside it: so near, they would bleach it.
 fn lights_beyond(frame: &Frame, carried_m: f64) -> [u32; 3] {
-    let eye = frame.eye.point;
+    let eye = frame.view.eye.point;
     let is_carried =
         |at: ChartPoint| at.hemisphere == eye.hemisphere && at.pos.distance(eye.pos) < carried_m;
     let mut mask = lights_near(frame, eye.hemisphere, eye.pos, eye.pos);
-    for (i, lamp) in frame.lights.lamps.iter().take(LAMPS).enumerate() {
+    for (i, lamp) in frame.content.lights.lamps.iter().take(LAMPS).enumerate() {
         mask[i / 32] &= !(u32::from(is_carried(lamp.point)) << (i % 32));
     }
-    for (i, beam) in frame.lights.beams.iter().take(BEAMS).enumerate() {
+    for (i, beam) in frame.content.lights.beams.iter().take(BEAMS).enumerate() {
         mask[2] &= !(u32::from(is_carried(beam.point)) << i);
     }
     mask

@@ -41,18 +41,22 @@ pub struct BeamUniform {
 /// The curvature of a picture: its sign and its radius in metres, none where it is flat or as good as flat. A way off
 /// the eye the fourth coordinate is over 1 in hyperbolic pictures and under 1 in spherical ones.
 fn curvature(frame: &Frame) -> Option<(f64, f64)> {
-    let radius_m = frame.strategy.radius_at_m(&frame.eye);
+    let radius_m = frame.view.strategy.radius_at_m(&frame.view.eye);
     if radius_m >= FLAT_FROM_M {
         return None;
     }
-    let ahead = frame.eye.point.moved(frame.eye.front() * (0.2 * radius_m));
-    let opens = frame.strategy.view_point(&frame.eye, ahead).w > 1.0;
+    let ahead = frame
+        .view
+        .eye
+        .point
+        .moved(frame.view.eye.front() * (0.2 * radius_m));
+    let opens = frame.view.strategy.view_point(&frame.view.eye, ahead).w > 1.0;
     Some((if opens { -1.0 } else { 1.0 }, radius_m))
 }
 
 /// A point in view coordinates with w in metres, as `lit_at` of lights.wgsl has it.
 fn place(frame: &Frame, point: ChartPoint) -> DVec4 {
-    let view = frame.strategy.view_point(&frame.eye, point);
+    let view = frame.view.strategy.view_point(&frame.view.eye, point);
     let w = curvature(frame).map_or(0.0, |(_, radius_m)| view.w * radius_m);
     view.truncate().extend(w)
 }
@@ -85,7 +89,7 @@ fn colour(frame: &Frame, colour: [f32; 3], range_m: f64) -> [f32; 4] {
 /// A frame's lamps.
 pub fn lamps(frame: &Frame) -> [LampUniform; LAMPS] {
     let mut uniforms = [LampUniform::default(); LAMPS];
-    for (uniform, lamp) in uniforms.iter_mut().zip(&frame.lights.lamps) {
+    for (uniform, lamp) in uniforms.iter_mut().zip(&frame.content.lights.lamps) {
         *uniform = LampUniform {
             place: place(frame, lamp.point).as_vec4().into(),
             colour: colour(frame, lamp.colour, lamp.range_m),
@@ -97,7 +101,7 @@ pub fn lamps(frame: &Frame) -> [LampUniform; LAMPS] {
 /// A frame's beams.
 pub fn beams(frame: &Frame) -> [BeamUniform; BEAMS] {
     let mut uniforms = [BeamUniform::default(); BEAMS];
-    for (uniform, beam) in uniforms.iter_mut().zip(&frame.lights.beams) {
+    for (uniform, beam) in uniforms.iter_mut().zip(&frame.content.lights.beams) {
         let (inner, outer) = beam.cone_rad;
         *uniform = BeamUniform {
             place: place(frame, beam.point).as_vec4().into(),
@@ -121,7 +125,7 @@ fn axis(frame: &Frame, beam: &BeamLight) -> DVec4 {
 
 /// Which lamps, by 64 bits, and which beams may light a box of the chart from `min` to `max` metres.
 pub fn lights_near(frame: &Frame, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> [u32; 3] {
-    let lights = &frame.lights;
+    let lights = &frame.content.lights;
     if lights.lamps.is_empty() && lights.beams.is_empty() {
         return [0; 3];
     }
@@ -129,7 +133,11 @@ pub fn lights_near(frame: &Frame, hemisphere: Hemisphere, min: DVec3, max: DVec3
         let here = if point.hemisphere == hemisphere {
             Some(point)
         } else {
-            frame.strategy.carry(point).map(|crossing| crossing.point)
+            frame
+                .view
+                .strategy
+                .carry(point)
+                .map(|crossing| crossing.point)
         };
         let stretch = if curvature(frame).is_some() {
             CHART_STRETCH

@@ -67,7 +67,7 @@ impl MarkerBalls {
 
     /// Takes this frame's ball.
     pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
-        let marker = frame.marker.as_ref();
+        let marker = frame.content.marker.as_ref();
         let ball = marker.filter(|marker| marker.shape == MarkerShape::Ball);
         self.shown = ball.is_some();
         if let Some(marker) = ball {
@@ -96,7 +96,7 @@ impl MarkerBalls {
 
 /// How bright the ring is for the light of the moment: as bright as by day it would be a lamp at night.
 fn light_of(frame: &Frame) -> f32 {
-    let sky = &frame.sky;
+    let sky = &frame.content.sky;
     let [ambient, key] = [sky.ambient_sky, sky.key_colour].map(|c| c.iter().sum::<f32>() / 3.0);
     (1.3 * ambient + 0.5 * key).clamp(LEAST_LIGHT, 1.0)
 }
@@ -117,7 +117,7 @@ pub struct Ring {
 impl Ring {
     /// That of a frame's marker.
     pub fn of(frame: &Frame) -> Self {
-        let marker = frame.marker.as_ref();
+        let marker = frame.content.marker.as_ref();
         let Some(marker) = marker.filter(|marker| marker.shape != MarkerShape::Ball) else {
             return Self::default();
         };
@@ -129,8 +129,11 @@ impl Ring {
         };
         let [r, g, b] = colour.map(|channel| channel * light);
         let [x, y, z] = offset_of(frame, marker.point);
-        let closed = frame.strategy.geometry() == Geometry::Spherical;
-        let middle = frame.strategy.view_point(&frame.eye, marker.point);
+        let closed = frame.view.strategy.geometry() == Geometry::Spherical;
+        let middle = frame
+            .view
+            .strategy
+            .view_point(&frame.view.eye, marker.point);
         Self {
             centre: if closed {
                 middle.as_vec4().into()
@@ -154,10 +157,10 @@ impl Ring {
 /// (J^T W J)^-1 J^T W, the projection onto the columns. A chord loses to its arc a sixth of the square of their angle.
 fn chart_axes(frame: &Frame, middle: ChartPoint) -> [[f32; 4]; 3] {
     const STEP_M: f64 = 1e-3;
-    let strategy = &*frame.strategy;
+    let strategy = &*frame.view.strategy;
     let weights = DVec4::new(1.0, 1.0, 1.0, strategy.radius_m().powi(2));
     let column = |axis: DVec3| {
-        let at = |by_m: f64| strategy.view_point(&frame.eye, middle.moved(axis * by_m));
+        let at = |by_m: f64| strategy.view_point(&frame.view.eye, middle.moved(axis * by_m));
         (at(STEP_M) - at(-STEP_M)) / (2.0 * STEP_M)
     };
     let columns = DVec3::AXES.map(column);

@@ -89,10 +89,10 @@ impl Outlines {
     /// Takes this frame's shapes.
     pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
         self.counts = [0; 3];
-        if frame.hit_shapes.is_empty() {
+        if frame.content.hit_shapes.is_empty() {
             return;
         }
-        let mut shapes: Vec<_> = frame.hit_shapes.iter().collect();
+        let mut shapes: Vec<_> = frame.content.hit_shapes.iter().collect();
         shapes.sort_by_key(|shape| kind(shape));
         for shape in &shapes {
             self.counts[kind(shape)] += 1;

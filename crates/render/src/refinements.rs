@@ -130,7 +130,7 @@ impl Refinements {
             return;
         };
         self.lead.late();
-        let next = self.lead.when_made(&frame.eye.point);
+        let next = self.lead.when_made(&frame.view.eye.point);
         if !set.rules.key.holds(frame, bounds, &next) {
             self.coming = None;
         }
@@ -140,8 +140,8 @@ impl Refinements {
     fn lasting(&self, frame: &Frame, bounds: &Bounds) -> Option<&Arc<RefineRules>> {
         let holds = |rules: &&Arc<RefineRules>| {
             let key = &rules.key;
-            key.holds(frame, bounds, &frame.eye.point)
-                && key.way.covers(&self.lead.when_made(&frame.eye.point))
+            key.holds(frame, bounds, &frame.view.eye.point)
+                && key.way.covers(&self.lead.when_made(&frame.view.eye.point))
                 // Whoever stands does not need what was made for who walks.
                 && (!self.lead.rests() || key.way.is_place())
         };
@@ -209,7 +209,12 @@ impl GpuChunk {
     fn error_px(&self, frame: &Frame, bounds: &Bounds) -> f64 {
         match &self.refined {
             None => unhalved_error_px(frame, bounds, &self.land),
-            Some(refined) if refined.rules.key.holds(frame, bounds, &frame.eye.point) => {
+            Some(refined)
+                if refined
+                    .rules
+                    .key
+                    .holds(frame, bounds, &frame.view.eye.point) =>
+            {
                 refined.error_px
             }
             Some(Refinement {
@@ -225,10 +230,10 @@ impl GpuChunk {
     fn nearest_m(&self, frame: &Frame) -> f64 {
         let boxed_m = Bounds::nearest_chart_m(frame, &self.land);
         let coord = self.land.coord;
-        if boxed_m > LOOKED_AT_WITHIN_M || frame.eye.point.hemisphere != coord.hemisphere {
+        if boxed_m > LOOKED_AT_WITHIN_M || frame.view.eye.point.hemisphere != coord.hemisphere {
             return boxed_m;
         }
-        let eye = (frame.eye.point.pos - coord.origin()).as_vec3();
+        let eye = (frame.view.eye.point.pos - coord.origin()).as_vec3();
         let vertices = self.source.vertices.iter();
         let square = vertices.map(|vertex| vertex.position().distance_squared(eye));
         let square = f64::from(square.fold(f32::INFINITY, f32::min));
@@ -246,8 +251,8 @@ impl ChunkStore {
         let has_leapt = self.drop_useless(frame);
         let chosen = plan.chunks.iter().filter(|choice| choice.refine);
         let chosen: Vec<_> = chosen.map(|choice| land[choice.place].coord).collect();
-        let eye = &frame.eye.point;
-        self.refinements.lead.frame(&*frame.strategy, eye);
+        let eye = &frame.view.eye.point;
+        self.refinements.lead.frame(&*frame.view.strategy, eye);
         if chosen.is_empty() && self.refinements.coming.is_none() {
             return;
         }

@@ -255,7 +255,7 @@ impl Renderer {
         };
         let stamped = self.draw_shadows(map, encoder, &mut stats);
         self.draw_scene(frame, (map, stamped), encoder, &mut stats);
-        self.pictured = Some(frame.loaded_world);
+        self.pictured = Some(frame.content.loaded_world);
         self.tonemap.draw(
             encoder,
             &self.light,
@@ -315,14 +315,16 @@ impl Renderer {
             pass.draw(0..3, 0..1);
             stats.add((1, 1));
         };
-        if frame.sky.dome {
+        if frame.content.sky.dome {
             cover(pass, &pipelines.sky);
-            if frame.sky.stars > FAINTEST {
+            if frame.content.sky.stars > FAINTEST {
                 cover(pass, &pipelines.band);
             }
         }
-        let celestial = self.celestial.draw(pass, &frame.sky, &pipelines.celestial);
-        if frame.sky.dome && frame.sky.clouds > 0.0 {
+        let celestial = self
+            .celestial
+            .draw(pass, &frame.content.sky, &pipelines.celestial);
+        if frame.content.sky.dome && frame.content.sky.clouds > 0.0 {
             cover(pass, &pipelines.clouds);
         }
         stats.add(celestial);
@@ -335,7 +337,7 @@ impl Renderer {
         encoder: &mut CommandEncoder,
         stats: &mut DrawStats,
     ) {
-        let mut pass = self.begin_scene(encoder, frame.sky.horizon, stamped);
+        let mut pass = self.begin_scene(encoder, frame.content.sky.horizon, stamped);
         if let Some(tile) = self.tile {
             tile.lay(&mut pass);
         }

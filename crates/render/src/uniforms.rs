@@ -55,26 +55,26 @@ pub struct SceneUniform {
 impl SceneUniform {
     /// Everything the shaders need to know of a frame drawn `size` pixels large.
     pub fn new(frame: &Frame, size: (u32, u32), shadows: &ShadowUniform) -> Self {
-        let (eye, sky) = (&frame.eye, &frame.sky);
+        let (eye, sky) = (&frame.view.eye, &frame.content.sky);
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let shades = shades(frame);
-        let rim_m = frame.strategy.rim_m().unwrap_or(0.0) as f32;
+        let rim_m = frame.view.strategy.rim_m().unwrap_or(0.0) as f32;
         let ring = Ring::of(frame);
         Self {
-            space: frame.strategy.uniform(eye, &frame.projection),
-            right: with(eye.right().as_vec3(), frame.time_s),
+            space: frame.view.strategy.uniform(eye, &frame.view.projection),
+            right: with(eye.right().as_vec3(), frame.content.time_s),
             up: with(
                 eye.up().as_vec3(),
-                if frame.contour_bands {
+                if frame.view.contour_bands {
                     CONTOUR_STRENGTH
                 } else {
                     0.0
                 },
             ),
-            front: with(eye.front().as_vec3(), frame.fog_distance_m.max(1.0)),
+            front: with(eye.front().as_vec3(), frame.view.fog_distance_m.max(1.0)),
             top: with(sky.top.into(), sky.stars),
             horizon: with(sky.horizon.into(), f32::from(u8::from(sky.dome))),
             glare: with(sky.glare.into(), sin / length),
@@ -89,7 +89,7 @@ impl SceneUniform {
             moon_place: orb_place(frame, |orbs| orbs.moon),
             orb: [
                 sky.orbs
-                    .map_or(0.0, |orbs| orbs.radius_m / frame.strategy.radius_m())
+                    .map_or(0.0, |orbs| orbs.radius_m / frame.view.strategy.radius_m())
                     as f32,
                 0.0,
                 0.0,
@@ -110,17 +110,17 @@ impl SceneUniform {
 
 /// Where a body of a closed world stands: a unit vector of the model in view coordinates.
 fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
-    let Some(orbs) = frame.sky.orbs else {
+    let Some(orbs) = frame.content.sky.orbs else {
         return [0.0; 4];
     };
-    let view = frame.strategy.view_point(&frame.eye, which(orbs));
-    let units = view.truncate() / frame.strategy.radius_m();
+    let view = frame.view.strategy.view_point(&frame.view.eye, which(orbs));
+    let units = view.truncate() / frame.view.strategy.radius_m();
     units.extend(view.w).as_vec4().into()
 }
 
 /// Feet with a shade below them. Close to where two charts meet they are in both, for land of either.
 fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
-    let space = &*frame.strategy;
+    let space = &*frame.view.strategy;
     let at_rim = |point: &ChartPoint| {
         let away_m = point.pos.x.hypot(point.pos.z);
         space
@@ -128,6 +128,7 @@ fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
             .is_some_and(|rim_m| (rim_m - away_m).abs() < SHADE_REACH_M)
     };
     let figures = frame
+        .content
         .figures
         .iter()
         .filter(|figure| figure.model.casts_shade());
@@ -141,7 +142,12 @@ fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
 
 /// The feet of the figures nearest to the eye.
 fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
-    let distance_m = |p: ChartPoint| frame.strategy.distance_m(frame.eye.point, p, &frame.eye);
+    let distance_m = |p: ChartPoint| {
+        frame
+            .view
+            .strategy
+            .distance_m(frame.view.eye.point, p, &frame.view.eye)
+    };
     let mut feet: Vec<_> = shaded_feet(frame).collect();
     feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
     let mut shades = [[0.0; 4]; SHADES];
@@ -173,13 +179,17 @@ fn with(v: Vec3, w: f32) -> [f32; 4] {
 
 /// The whole metres next to a frame's reference, from which chunks are measured: those differences are exact.
 pub fn whole_reference(frame: &Frame, hemisphere: Hemisphere) -> DVec3 {
-    frame.strategy.reference(&frame.eye, hemisphere).round()
+    frame
+        .view
+        .strategy
+        .reference(&frame.view.eye, hemisphere)
+        .round()
 }
 
 /// The rest of the reference. A space with two charts has it at both their centres, where there is no rest.
 fn reference_fraction(frame: &Frame) -> DVec3 {
-    let hemisphere = frame.eye.point.hemisphere;
-    frame.strategy.reference(&frame.eye, hemisphere) - whole_reference(frame, hemisphere)
+    let hemisphere = frame.view.eye.point.hemisphere;
+    frame.view.strategy.reference(&frame.view.eye, hemisphere) - whole_reference(frame, hemisphere)
 }
 
 /// Where a chunk stands; the instance attributes of terrain.wgsl.
@@ -347,9 +357,13 @@ pub fn hemisphere_index(hemisphere: Hemisphere) -> u32 {
 
 /// A point as the shaders take it: metres from the reference of its chart.
 pub fn offset_of(frame: &Frame, point: ChartPoint) -> [f32; 3] {
-    (point.pos - frame.strategy.reference(&frame.eye, point.hemisphere))
-        .as_vec3()
-        .into()
+    (point.pos
+        - frame
+            .view
+            .strategy
+            .reference(&frame.view.eye, point.hemisphere))
+    .as_vec3()
+    .into()
 }
 
 #[cfg(test)]

@@ -9,7 +9,9 @@ use crate::actors::ActorId;
 use crate::aimed::{Aim, Optics};
 use crate::camera::{CameraMode, CameraPose};
 use crate::day;
-use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape};
+use crate::frame::{
+    BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, View,
+};
 use crate::lens::Lens;
 use crate::light::lights;
 use crate::photo::Viewpoint;
@@ -165,25 +167,31 @@ impl Scene {
     ) -> Frame {
         let (eye, strategy) = (moment.camera.eye, moment.strategy);
         let without_who = |(_, figure)| figure;
-        Frame {
-            eye,
-            projection: Projection::new(fov_y_rad, aspect, NEAR_M),
+        let content = Content {
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
             land: Arc::clone(self.sim.world.ground.land()),
             figures: moment.figures.into_iter().map(without_who).collect(),
-            hand: moment.hand,
             lights: Lights {
                 lamps: moment.lit.lamps.into_iter().map(|(_, it)| it).collect(),
                 beams: moment.lit.beams.into_iter().map(|(_, it)| it).collect(),
             },
             marker: moment.mark.map(|mark| mark.marker),
             hit_shapes: Vec::new(),
+            time_s: moment.simulated_s as f32,
+            loaded_world: world_id,
+        };
+        let view = View {
+            eye,
+            projection: Projection::new(fov_y_rad, aspect, NEAR_M),
+            hand: moment.hand,
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
             contour_bands: self.shown.viewing.contour_bands,
-            time_s: moment.simulated_s as f32,
             quality: self.shown.quality,
-            loaded_world: world_id,
             strategy,
+        };
+        Frame {
+            content: Arc::new(content),
+            view,
         }
     }
 

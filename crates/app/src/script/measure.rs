@@ -58,7 +58,7 @@ impl Runner {
         if let Some(studio) = self.studio.as_mut() {
             let drawing = Instant::now();
             let (stats, recorded) = studio.draw(&frame)?;
-            self.drawn = Some(Drawn::new(&stats, frame.quality));
+            self.drawn = Some(Drawn::new(&stats, frame.view.quality));
             times.frame.push(main + drawing.elapsed());
             main += recorded;
             times.triangles = stats.triangles as u64;

@@ -253,10 +253,11 @@ impl Runner {
         let fov_y_rad = session.scene.viewing().fov_y_rad;
         let mut frame = session.scene.frame(fov_y_rad, studio.aspect(), id);
         if self.display_hidden {
-            (frame.hand, frame.marker) = (None, None);
+            frame.view.hand = None;
+            frame.content_mut().marker = None;
         }
         if self.hit_shapes_shown {
-            frame.hit_shapes = session.scene.hit_shapes();
+            frame.content_mut().hit_shapes = session.scene.hit_shapes();
         }
         let scene = &session.scene;
         let (drawn, texts) = (&mut self.drawn, &self.texts);
@@ -264,7 +265,7 @@ impl Runner {
         let fps = frame_ms.map_or(0.0, |ms| 1000.0 / ms) as f32;
         let (navigator, settings) = (&mut self.navigator, &self.config.settings);
         let picture = studio.shoot(&frame, texts, |stats| {
-            let drawn = drawn.insert(Drawn::new(stats, frame.quality));
+            let drawn = drawn.insert(Drawn::new(stats, frame.view.quality));
             let figures = self
                 .figures_shown
                 .then(|| drawn.figures(texts, scene, frame_ms, gpu_ms, 0.0));

@@ -50,10 +50,11 @@ impl Display {
     /// Adds to a picture of the world what is asked for, and leaves out what is hidden.
     pub fn apply_to(&self, frame: &mut Frame, scene: &Scene) {
         if self.hidden {
-            (frame.hand, frame.marker) = (None, None);
+            frame.view.hand = None;
+            frame.content_mut().marker = None;
         }
         if self.hit_shapes {
-            frame.hit_shapes = scene.hit_shapes();
+            frame.content_mut().hit_shapes = scene.hit_shapes();
         }
     }
 }

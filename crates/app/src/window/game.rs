@@ -269,12 +269,14 @@ impl Game {
 
     /// What a picture of the open world for the menu shows: the world, and nothing that the player is told of it.
     pub fn portrait(&mut self, height_px: u32) -> Option<Frame> {
-        Some(Frame {
-            hand: None,
-            marker: None,
-            hit_shapes: Vec::new(),
-            ..self.frame(PORTRAIT_ASPECT, height_px)?
-        })
+        Some(
+            self.frame(PORTRAIT_ASPECT, height_px)?
+                .with_view(|it| it.hand = None)
+                .with_content(|it| {
+                    it.marker = None;
+                    it.hit_shapes = Vec::new();
+                }),
+        )
     }
 
     /// What of the last step the next picture shows, and of the next one's turn.

@@ -301,7 +301,7 @@ impl Stage {
         let mut encoder = self.gpu.encoder();
         let shows_world = frame.is_some_and(|frame| {
             let stats = self.renderer.draw(frame, &mut encoder, target);
-            self.pictured.note(&stats, frame.quality)
+            self.pictured.note(&stats, frame.view.quality)
         });
         if !shows_world {
             clear(&mut encoder, target);

@@ -50,15 +50,15 @@ pub fn shown(stage: &mut Stage<'_>, frame: &Frame, width: u32) -> Result<Shown, 
 /// The frame with a wider field of view, by a factor on the tangents of its halves.
 fn widened(frame: &Frame, factor: f64) -> Frame {
     let mut own = frame.clone();
-    own.projection.sx /= factor;
-    own.projection.sy /= factor;
+    own.view.projection.sx /= factor;
+    own.view.projection.sy /= factor;
     own
 }
 
 /// The frame from an eye that looks up by so many radians more.
 fn tilted(frame: &Frame, by_rad: f64) -> Frame {
     let mut own = frame.clone();
-    own.eye.pitch += by_rad;
+    own.view.eye.pitch += by_rad;
     own
 }
 

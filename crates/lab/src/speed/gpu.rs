@@ -113,11 +113,10 @@ fn lit_triangles(
 ) -> Result<Vec<Table>, LabError> {
     let mut tables = Vec::new();
     for (frame, looks, land) in [(open, looks(), NEAR), (closed, sphere_looks(), SPHERE)] {
-        let mut frame = Frame {
-            quality: land.quality,
-            fog_distance_m: NO_FOG_M,
-            ..lamps::lit(frame, lamps::FEW)
-        };
+        let mut frame = lamps::lit(frame, lamps::FEW).with_view(|it| {
+            it.quality = land.quality;
+            it.fog_distance_m = NO_FOG_M;
+        });
         let chunks = keep_common(gpu, &mut frame, &looks, BAR_SIZE.1, land.order)?;
         let land = format!(
             "{chunks} chunks of {}, {}, with {} lamps",
@@ -140,11 +139,10 @@ fn same_triangles(
     land: &Land,
     effort: Effort,
 ) -> Result<[Table; 2], LabError> {
-    let mut frame = Frame {
-        quality: land.quality,
-        fog_distance_m: NO_FOG_M,
-        ..frame.clone()
-    };
+    let mut frame = frame.clone().with_view(|it| {
+        it.quality = land.quality;
+        it.fog_distance_m = NO_FOG_M;
+    });
     let chunks = keep_common(gpu, &mut frame, looks, BAR_SIZE.1, land.order)?;
     let rivals = looks.iter().map(|look| look.at(&frame)).collect();
     let (mut stages, taken) = race(gpu, BAR_SIZE, rivals, effort)?;

@@ -28,7 +28,7 @@ const RANGE_M: f64 = 12.0;
 /// The frame with so many lamps before the eye, a metre under it, spread over a third of a disc from 4 m on as densely
 /// in every space: over as much ground as a flat disc of 60 m has.
 pub fn lit(frame: &Frame, count: usize) -> Frame {
-    let eye = &frame.eye;
+    let eye = &frame.view.eye;
     let lamps = (0..count).map(|n| {
         let share = (n as f64 + 0.5) / count as f64;
         let turn = eye.yaw + ((n as f64 * SQRT_2).fract() - 0.5) * 2.0 * FRAC_PI_3;
@@ -37,27 +37,30 @@ pub fn lit(frame: &Frame, count: usize) -> Frame {
         let level_m = level_m(frame, share.mul_add(far2 - near2, near2));
         let place = eye.point.moved(way * level_m - DVec3::Y);
         LampLight {
-            point: frame.strategy.cross(place).map_or(place, |over| over.point),
+            point: frame
+                .view
+                .strategy
+                .cross(place)
+                .map_or(place, |over| over.point),
             colour: COLOUR,
             range_m: RANGE_M,
         }
     });
-    Frame {
-        lights: Lights {
+    frame.clone().with_content(|it| {
+        it.lights = Lights {
             lamps: lamps.collect(),
             beams: Vec::new(),
-        },
-        ..frame.clone()
-    }
+        }
+    })
 }
 
 /// The radius of a disc of ground as large as a flat one of the given radius squared: on a sphere
 /// `2 pi R^2 (1 - cos(r/R))` instead of `pi r^2`.
 fn level_m(frame: &Frame, flat2: f64) -> f64 {
-    if frame.strategy.rim_m().is_none() {
+    if frame.view.strategy.rim_m().is_none() {
         return flat2.sqrt();
     }
-    let radius_m = frame.strategy.radius_m();
+    let radius_m = frame.view.strategy.radius_m();
     radius_m * (1.0 - flat2 / (2.0 * radius_m * radius_m)).max(-1.0).acos()
 }
 

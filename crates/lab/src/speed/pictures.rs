@@ -55,11 +55,10 @@ impl Picture {
         frame: &Frame,
         width: u32,
     ) -> Result<Self, LabError> {
-        let empty = Frame {
-            loaded_world: 0,
-            land: Arc::default(),
-            ..frame.clone()
-        };
+        let empty = frame.clone().with_content(|it| {
+            it.loaded_world = 0;
+            it.land = Arc::default();
+        });
         stage.draw(&empty)?;
         Self::last(stage, width)
     }

@@ -72,10 +72,7 @@ fn of_world(
     effort: Effort,
 ) -> Result<Vec<Entry>, LabError> {
     let with = |look: &Look| {
-        Quality::ALL.map(|quality| Frame {
-            quality,
-            ..look.at(frame)
-        })
+        Quality::ALL.map(|quality| look.at(frame).with_view(|it| it.quality = quality))
     };
     let (mut stages, taken) = race(gpu, size, looks.iter().flat_map(with).collect(), effort)?;
     let mut entries = Vec::new();

@@ -95,8 +95,8 @@ impl Look {
     /// The frame looked at in this way.
     pub fn at(&self, frame: &Frame) -> Frame {
         let mut own = frame.clone();
-        own.strategy = Arc::clone(&self.space);
-        own.eye.dial = self.dial;
+        own.view.strategy = Arc::clone(&self.space);
+        own.view.eye.dial = self.dial;
         own
     }
 }
@@ -158,16 +158,15 @@ pub fn keep_whole(
 ) -> Result<usize, LabError> {
     // Choices are made in pixels of height; nothing is said of width.
     let mut stage = Stage::new(gpu, (16, height))?;
-    let with = |frame: &Frame, land: &Arc<Land>| Frame {
-        land: Arc::clone(land),
-        ..frame.clone()
+    let with = |frame: &Frame, land: &Arc<Land>| {
+        frame.clone().with_content(|it| it.land = Arc::clone(land))
     };
-    let all = std::mem::take(&mut frame.land);
+    let all = std::mem::take(&mut frame.content_mut().land);
     let mut empty = Vec::new();
     for own in frames {
-        empty.push(stage.draw(&with(own, &frame.land))?.stats.triangles);
+        empty.push(stage.draw(&with(own, &frame.content.land))?.stats.triangles);
     }
-    let away = |coord: ChunkCoord| coord.centre().distance(frame.eye.point.pos);
+    let away = |coord: ChunkCoord| coord.centre().distance(frame.view.eye.point.pos);
     let mut meshes: Vec<_> = all.meshes().collect();
     meshes.sort_by(|(a, _), (b, _)| away(*a).total_cmp(&away(*b)));
     if order == Order::FarthestFirst {
@@ -175,7 +174,7 @@ pub fn keep_whole(
     }
     let mut kept = 0;
     for (coord, mesh) in meshes {
-        let elsewhere = coord.hemisphere != frame.eye.point.hemisphere;
+        let elsewhere = coord.hemisphere != frame.view.eye.point.hemisphere;
         if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, coord, mesh)) {
             continue;
         }
@@ -183,7 +182,8 @@ pub fn keep_whole(
         let mut whole = true;
         frame.change_land([ChunkChange::Put(coord, Arc::clone(mesh))]);
         for (own, empty) in frames.iter().zip(&empty) {
-            whole = whole && stage.draw(&with(own, &frame.land))?.stats.triangles == due + empty;
+            whole = whole
+                && stage.draw(&with(own, &frame.content.land))?.stats.triangles == due + empty;
         }
         if whole {
             kept = due;
@@ -191,7 +191,7 @@ pub fn keep_whole(
             frame.change_land([ChunkChange::Remove(coord)]);
         }
     }
-    Ok(frame.land.meshes().count())
+    Ok(frame.content.land.meshes().count())
 }
 
 /// Whether the frame's space trims a chunk at the edge of its chart.
@@ -202,5 +202,8 @@ fn trims(frame: &Frame, coord: ChunkCoord, mesh: &ChunkMesh) -> bool {
         corner(places().reduce(Vec3::min)),
         corner(places().reduce(Vec3::max)),
     );
-    frame.strategy.trims(&frame.eye, coord.hemisphere, min, max)
+    frame
+        .view
+        .strategy
+        .trims(&frame.view.eye, coord.hemisphere, min, max)
 }

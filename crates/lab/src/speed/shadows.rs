@@ -28,24 +28,28 @@ const LIFT_M: f64 = 2.0;
 /// The frame of a step.
 fn at(frame: &Frame, step: usize) -> Frame {
     let mut own = frame.clone();
-    let ahead = DVec3::new(own.eye.yaw.cos(), 0.0, own.eye.yaw.sin());
+    let ahead = DVec3::new(own.view.eye.yaw.cos(), 0.0, own.view.eye.yaw.sin());
     let (seconds, metres) = STEP;
-    own.eye.point = own
+    own.view.eye.point = own
+        .view
         .eye
         .point
         .moved(ahead * (metres * step as f64) + DVec3::Y * LIFT_M);
     let time_s = seconds * step as f64;
-    own.time_s += time_s as f32;
-    own.sky = day::sky(MORNING_S + time_s, &*own.strategy, &own.eye);
+    own.content_mut().time_s += time_s as f32;
+    own.content_mut().sky = day::sky(MORNING_S + time_s, &*own.view.strategy, &own.view.eye);
+    let eye = own.view.eye;
     let beside = |right_m: f64| {
-        let place = own.eye.point.pos + ahead * 5.0 + own.eye.right() * right_m;
+        let place = eye.point.pos + ahead * 5.0 + eye.right() * right_m;
         let point = ChartPoint {
             pos: place - DVec3::Y * 3.6,
-            ..own.eye.point
+            ..eye.point
         };
-        Figure::standing(ModelId::Astronaut, point, own.eye.yaw)
+        Figure::standing(ModelId::Astronaut, point, eye.yaw)
     };
-    own.figures.extend([-2.0, 0.5, 2.5].map(beside));
+    own.content_mut()
+        .figures
+        .extend([-2.0, 0.5, 2.5].map(beside));
     own
 }
 

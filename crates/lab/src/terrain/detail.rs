@@ -138,7 +138,11 @@ fn look(mut scene: Scene, gpu: Option<&Gpu>) -> Result<View, LabError> {
     let seconds = began.elapsed().as_secs_f64();
     let (width, height) = SIZE;
     let frame = scene.frame(FOV_Y_RAD, f64::from(width) / f64::from(height), 1);
-    let meshes = frame.land.meshes().filter(|(_, mesh)| !mesh.is_empty());
+    let meshes = frame
+        .content
+        .land
+        .meshes()
+        .filter(|(_, mesh)| !mesh.is_empty());
     let meshes: BTreeMap<_, _> = meshes.collect();
     let mut levels = [0; 4];
     for mesh in meshes.values() {
@@ -157,7 +161,7 @@ fn look(mut scene: Scene, gpu: Option<&Gpu>) -> Result<View, LabError> {
 
 /// Whether a chunk's box, wherever one looks, spans less than half a pixel, or lies beyond the farthest drawn.
 fn is_needless(frame: &Frame, coord: ChunkCoord) -> bool {
-    let (space, eye) = (&*frame.strategy, &frame.eye);
+    let (space, eye) = (&*frame.view.strategy, &frame.view.eye);
     let mut nearest_m = f64::INFINITY;
     let mut directions = Vec::new();
     for place in 0..27 {

@@ -198,7 +198,11 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     }
     // The land that is there already is not the flight's.
     let mut cursor = LandCursor::default();
-    scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1).land.news(&mut cursor);
+    scene
+        .frame(FOV_Y_RAD, 16.0 / 9.0, 1)
+        .content
+        .land
+        .news(&mut cursor);
     let clock = ThreadClock::new();
     let mut log: Vec<Logged> = Vec::new();
     let mut control = Control::default();
@@ -250,7 +254,7 @@ fn frame(scene: &mut Scene, cursor: &mut LandCursor, clock: &ThreadClock, n: usi
     let take = clock.since(then);
     let then = clock.now();
     let made = scene.frame(FOV_Y_RAD, 16.0 / 9.0, 1);
-    let news = made.land.news(cursor);
+    let news = made.content.land.news(cursor);
     let make = clock.since(then);
     let chunks = scene.probe().chunks;
     Logged {

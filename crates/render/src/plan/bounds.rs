@@ -127,22 +127,22 @@ impl Bounds {
     /// lies from the eye. In a chart with a rim it is a place near by, rather nearer to the pole.
     pub fn bend_eye(frame: &Frame) -> Eye {
         let mut point = ChartPoint::default();
-        if frame.strategy.rim_m().is_some() {
-            let step_m = frame.strategy.radius_at_m(&frame.eye) * BEND_STEP;
-            point = frame.eye.point;
+        if frame.view.strategy.rim_m().is_some() {
+            let step_m = frame.view.strategy.radius_at_m(&frame.view.eye) * BEND_STEP;
+            point = frame.view.eye.point;
             point.pos = (point.pos / step_m).trunc() * step_m;
         }
         Eye {
             point,
             yaw: 0.0,
             pitch: 0.0,
-            ..frame.eye
+            ..frame.view.eye
         }
     }
 
     /// Measures the bend alone.
     pub fn measure_bend(frame: &Frame, scale: PictureScale) -> Bend {
-        let (space, eye) = (frame.strategy.as_ref(), Self::bend_eye(frame));
+        let (space, eye) = (frame.view.strategy.as_ref(), Self::bend_eye(frame));
         if space.radius_at_m(&eye).is_finite() {
             Bend::measure(space, &eye, |angle_rad| scale.widest_px(angle_rad))
         } else {
@@ -152,7 +152,7 @@ impl Bounds {
 
     /// The bounds of a frame whose bend is known.
     pub fn new(frame: &Frame, scale: PictureScale, bend: Bend) -> Self {
-        let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
+        let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let flat = !space.radius_at_m(eye).is_finite();
         let affine = Affine::about(
             space,
@@ -184,9 +184,9 @@ impl Bounds {
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
     pub fn nearest_chart_m(frame: &Frame, chunk: &ChunkLand) -> f64 {
-        let mut eye = frame.eye.point;
+        let mut eye = frame.view.eye.point;
         if eye.hemisphere != chunk.coord.hemisphere {
-            match frame.strategy.carry(eye) {
+            match frame.view.strategy.carry(eye) {
                 Some(crossing) => eye = crossing.point,
                 None => return f64::INFINITY,
             }
@@ -204,7 +204,7 @@ impl Bounds {
         if self.flat {
             return Some((self.affine, 0.0));
         }
-        if chunk.coord.hemisphere != frame.eye.point.hemisphere {
+        if chunk.coord.hemisphere != frame.view.eye.point.hemisphere {
             return None;
         }
         let tolerance_px = CRACK_SHARE * tolerance_px;
@@ -214,7 +214,10 @@ impl Bounds {
             return None;
         }
         let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
-        let origin = frame.strategy.reference(&frame.eye, chunk.coord.hemisphere);
+        let origin = frame
+            .view
+            .strategy
+            .reference(&frame.view.eye, chunk.coord.hemisphere);
         let error_px = self.strays_px(frame, &self.affine, middle, origin, 0.5 * size)?;
         (error_px <= tolerance_px).then_some((self.affine, error_px))
     }
@@ -227,7 +230,7 @@ impl Bounds {
     /// The sides of the picture's pyramid, wider by so many pixels, by their inward normals in view coordinates: what
     /// is farther out by more than it strays is not in the picture.
     pub fn sides(&self, frame: &Frame, px: f64) -> [DVec3; 4] {
-        side_normals(&self.scale.widened(&frame.projection, px))
+        side_normals(&self.scale.widened(&frame.view.projection, px))
     }
 
     /// The frame of something that stands at `feet` and fits a box of `half` metres about `middle`.
@@ -239,7 +242,13 @@ impl Bounds {
         half: DVec3,
         tolerance_px: f64,
     ) -> Option<(Affine, f64)> {
-        let affine = Affine::about(frame.strategy.as_ref(), &frame.eye, middle, feet.pos, 0.1);
+        let affine = Affine::about(
+            frame.view.strategy.as_ref(),
+            &frame.view.eye,
+            middle,
+            feet.pos,
+            0.1,
+        );
         let error_px = self.strays_px(frame, &affine, middle, feet.pos, half)?;
         (error_px <= tolerance_px).then_some((affine, error_px))
     }
@@ -255,7 +264,7 @@ impl Bounds {
         half: DVec3,
     ) -> Option<f64> {
         let mut worst: f64 = 0.0;
-        let view = frame.strategy.viewer(&frame.eye);
+        let view = frame.view.strategy.viewer(&frame.view.eye);
         for i in 0..27 {
             let place = DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0;
             let point = middle.moved(place * half);
@@ -291,30 +300,30 @@ mod tests {
                 let limits = space.limits();
                 let (low, high) = limits.map_or((-50.0, 50.0), |l| (l.bedrock_m, l.ceiling_m));
                 let mut frame = frame(&space);
-                frame.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
-                frame.eye.point.hemisphere = match space.rim_m() {
+                frame.view.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
+                frame.view.eye.point.hemisphere = match space.rim_m() {
                     Some(_) if numbers.between(0.0, 1.0) > 0.5 => Hemisphere::B,
                     _ => Hemisphere::A,
                 };
-                frame.eye.yaw = numbers.between(-3.0, 3.0);
-                frame.eye.dial = numbers.between(dials[0], dials[1]);
+                frame.view.eye.yaw = numbers.between(-3.0, 3.0);
+                frame.view.eye.dial = numbers.between(dials[0], dials[1]);
                 let used = Bounds::measure(&frame, scale).bend;
-                if !space.radius_at_m(&frame.eye).is_finite() {
+                if !space.radius_at_m(&frame.view.eye).is_finite() {
                     continue;
                 }
-                let view = space.viewer(&frame.eye);
+                let view = space.viewer(&frame.view.eye);
                 for _ in 0..40 {
                     let mut way =
                         || DVec3::from_array([(); 3].map(|()| numbers.between(-1.0, 1.0)));
                     let (toward, along) = (way().normalize(), 0.125 * way().normalize());
                     let distance_m = 0.4 * 40.0_f64.powf(numbers.between(0.0, 1.0));
-                    let middle = frame.eye.point.moved(toward * distance_m);
-                    let is_seen = distance_m < 0.9 * space.sight_limit_m(&frame.eye);
+                    let middle = frame.view.eye.point.moved(toward * distance_m);
+                    let is_seen = distance_m < 0.9 * space.sight_limit_m(&frame.view.eye);
                     if is_seen && middle.pos.x.hypot(middle.pos.z) <= reach_m {
                         let ends = [along, -along].map(|half| view(middle.moved(half)).truncate());
                         let strays = off_line(view(middle).truncate(), ends) / 0.25_f64.powi(2);
                         let told = used.between(distance_m, [toward.y; 2]);
-                        let at = format!("{name} {:?} {toward} {distance_m}", frame.eye);
+                        let at = format!("{name} {:?} {toward} {distance_m}", frame.view.eye);
                         assert!(strays <= told, "{at}: {strays} {told}");
                     }
                 }

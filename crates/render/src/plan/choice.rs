@@ -61,9 +61,12 @@ pub fn choose(
     bounds: &Bounds,
     tolerance: &Tolerance,
 ) -> ChunkChoice {
-    let trimmed = frame
-        .strategy
-        .trims(&frame.eye, chunk.coord.hemisphere, chunk.min, chunk.max);
+    let trimmed = frame.view.strategy.trims(
+        &frame.view.eye,
+        chunk.coord.hemisphere,
+        chunk.min,
+        chunk.max,
+    );
     let affine = bounds
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);
@@ -93,8 +96,9 @@ pub fn choose(
 /// Depth strays inside a triangle by at most the sag of its longest edge, L^2 k / 8: all of the hyperbolic
 /// depth `(coth d - 1) / cos` but the last term is linear in the picture.
 fn depth_method(frame: &Frame, bounds: &Bounds, tolerance: &Tolerance) -> DepthMethod {
-    let radius_m = frame.strategy.radius_at_m(&frame.eye);
-    let closed = frame.strategy.sight_limit_m(&frame.eye) < std::f64::consts::PI * radius_m;
+    let radius_m = frame.view.strategy.radius_at_m(&frame.view.eye);
+    let closed =
+        frame.view.strategy.sight_limit_m(&frame.view.eye) < std::f64::consts::PI * radius_m;
     let margin = if closed { CLOSED_DEPTH } else { OPEN_DEPTH };
     let sag_m = margin * LONGEST_EDGE_M * LONGEST_EDGE_M / (8.0 * radius_m);
     if bounds.depth_is_bent && sag_m > tolerance.depth_m {

@@ -81,8 +81,8 @@ struct Measured {
 impl Planner {
     /// Decides what to draw of the land in a picture `height_px` pixels high.
     pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
-        let scale = PictureScale::new(&frame.projection, height_px);
-        let tolerance = Tolerance::of(frame.quality);
+        let scale = PictureScale::new(&frame.view.projection, height_px);
+        let tolerance = Tolerance::of(frame.view.quality);
         let mut stats = PlanStats::default();
         let mut candidates = candidates(frame, book, scale, &tolerance, &mut stats);
         let bounds = Bounds::new(frame, scale, self.bend(frame, scale));
@@ -117,14 +117,14 @@ impl Planner {
     fn bend(&mut self, frame: &Frame, scale: PictureScale) -> Bend {
         let eye = Bounds::bend_eye(frame);
         if let Some(last) = &self.bend
-            && Arc::ptr_eq(&last.strategy, &frame.strategy)
+            && Arc::ptr_eq(&last.strategy, &frame.view.strategy)
             && (last.eye, last.scale) == (eye, scale)
         {
             return last.bend.clone();
         }
         let bend = Bounds::measure_bend(frame, scale);
         self.bend = Some(Measured {
-            strategy: Arc::clone(&frame.strategy),
+            strategy: Arc::clone(&frame.view.strategy),
             eye,
             scale,
             bend: bend.clone(),
@@ -136,7 +136,7 @@ impl Planner {
 /// Whether land hides land in a frame.
 fn hides(frame: &Frame, book: &LandBook, tolerance: &Tolerance) -> bool {
     tolerance.hides
-        && frame.strategy.keeps_azimuths()
+        && frame.view.strategy.keeps_azimuths()
         && !skyline::is_underground(frame, book.columns())
 }
 
@@ -148,10 +148,10 @@ fn candidates(
     tolerance: &Tolerance,
     stats: &mut PlanStats,
 ) -> Vec<Candidate> {
-    let (strategy, eye) = (frame.strategy.as_ref(), &frame.eye);
-    let frustum = strategy.frustum(eye, &frame.projection);
+    let (strategy, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
+    let frustum = strategy.frustum(eye, &frame.view.projection);
     let home = ChunkCoord::containing(eye.point).index;
-    let fog_m = f64::from(frame.fog_distance_m);
+    let fog_m = f64::from(frame.view.fog_distance_m);
     let mut seen = Vec::new();
     for tract in book.tracts() {
         let cell = roomy(strategy.sight_cell_of(eye, &tract.drum));
@@ -207,7 +207,7 @@ fn unhidden(
     for candidate in &candidates {
         skyline.want(&candidate.cell, candidate.ring);
     }
-    let home = ChunkCoord::containing(frame.eye.point).index;
+    let home = ChunkCoord::containing(frame.view.eye.point).index;
     let columns = book.columns();
     let mut order: Vec<_> = columns.iter().map(|c| c.ring(home)).zip(0..).collect();
     order.sort_unstable();

@@ -47,15 +47,15 @@ impl RefineKey {
     /// The key of a frame with these bounds, whose eye goes on by a step in metres.
     pub fn of(frame: &Frame, bounds: &Bounds, step: DVec3) -> Self {
         Self {
-            way: Way::new(&frame.eye.point, step),
+            way: Way::new(&frame.view.eye.point, step),
             bends: bounds.steps(),
-            quality: frame.quality,
+            quality: frame.view.quality,
         }
     }
 
     /// Whether a refinement for it is all that a frame asks for, seen from a place.
     pub fn holds(&self, frame: &Frame, bounds: &Bounds, eye: &ChartPoint) -> bool {
-        self.bends == bounds.steps() && self.quality == frame.quality && self.way.covers(eye)
+        self.bends == bounds.steps() && self.quality == frame.view.quality && self.way.covers(eye)
     }
 }
 
@@ -64,8 +64,8 @@ impl RefineRules {
     pub fn new(frame: &Frame, bounds: &Bounds, step: DVec3) -> Self {
         let key = RefineKey::of(frame, bounds, step);
         let slack_m = key.way.slack_m();
-        let tolerance = Tolerance::of(frame.quality);
-        let farthest_m = f64::from(frame.fog_distance_m.max(0.0)) + CHUNK_DIAGONAL_M;
+        let tolerance = Tolerance::of(frame.view.quality);
+        let farthest_m = f64::from(frame.view.fog_distance_m.max(0.0)) + CHUNK_DIAGONAL_M;
         let reach_m = bounds
             .refine_within_m(&tolerance, COARSEST_EDGE_M)
             .min(farthest_m)
@@ -89,7 +89,9 @@ impl RefineRules {
 
     /// How far a frame's eye is from those that they are for, metres along their chart.
     pub fn away_m(&self, frame: &Frame) -> f64 {
-        self.key.way.away_m(&*frame.strategy, &frame.eye.point)
+        self.key
+            .way
+            .away_m(&*frame.view.strategy, &frame.view.eye.point)
     }
 
     /// The places of the eye from a chunk's corner; none where they have none in its chart. They are whole parts of a
@@ -100,7 +102,11 @@ impl RefineRules {
             if eye.hemisphere == hemisphere {
                 Some(eye.pos)
             } else {
-                frame.strategy.carry(eye).map(|crossing| crossing.point.pos)
+                frame
+                    .view
+                    .strategy
+                    .carry(eye)
+                    .map(|crossing| crossing.point.pos)
             }
         });
         eyes.map(|eye| (eye - chunk.coord.origin()).as_vec3())
@@ -164,9 +170,9 @@ impl RefineRules {
         chunk: &ChunkLand,
         near_m: f64,
     ) -> f64 {
-        let mut eye = frame.eye.point;
+        let mut eye = frame.view.eye.point;
         if eye.hemisphere != self.key.way.hemisphere() {
-            match frame.strategy.carry(eye) {
+            match frame.view.strategy.carry(eye) {
                 Some(crossing) => eye = crossing.point,
                 None => return unhalved_error_px(frame, now, chunk),
             }
@@ -201,8 +207,8 @@ impl RefineRules {
 /// The most that the edges of a chunk stray as they are, in pixels.
 pub fn unhalved_error_px(frame: &Frame, bounds: &Bounds, chunk: &ChunkLand) -> f64 {
     let near_m = Bounds::nearest_chart_m(frame, chunk);
-    let sines = if frame.eye.point.hemisphere == chunk.coord.hemisphere {
-        let heights = [chunk.min.y, chunk.max.y].map(|y| y - frame.eye.point.pos.y);
+    let sines = if frame.view.eye.point.hemisphere == chunk.coord.hemisphere {
+        let heights = [chunk.min.y, chunk.max.y].map(|y| y - frame.view.eye.point.pos.y);
         let far_m = near_m + (chunk.max - chunk.min).length();
         sines_between(heights, [near_m.max(0.05), far_m])
     } else {

@@ -70,12 +70,12 @@ pub fn ring(x: i32, z: i32) -> u32 {
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
 pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
-    let home = ChunkCoord::containing(frame.eye.point).index;
+    let home = ChunkCoord::containing(frame.view.eye.point).index;
     let over = |column: &&Column| column.ring(home) == 0;
     let Some(column) = columns.iter().find(over) else {
         return false;
     };
-    let eye = frame.eye.point.pos;
+    let eye = frame.view.eye.point.pos;
     let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
     let part = (DVec2::new(eye.x, eye.z) - column.corner()) / part_m;
     let [x, z] = part
@@ -137,7 +137,7 @@ impl<'a> Skyline<'a> {
     fn top(&self, corner: DVec2, side: f64, top_m: f64) -> SightCell {
         let min = DVec3::new(corner.x, top_m, corner.y);
         let max = min + DVec3::new(side, 0.0, side);
-        let (space, eye) = (&self.frame.strategy, &self.frame.eye);
+        let (space, eye) = (&self.frame.view.strategy, &self.frame.view.eye);
         space.sight_cell(eye, Hemisphere::A, min, max)
     }
 
@@ -174,7 +174,7 @@ impl<'a> Skyline<'a> {
 
     /// The azimuths at which a square of the chart is seen; `None` where the eye stands over it.
     fn seen_at(&self, corner: DVec2, side: f64) -> Option<(f64, f64)> {
-        let eye = self.frame.eye.point.pos;
+        let eye = self.frame.view.eye.point.pos;
         let low = corner - DVec2::new(eye.x, eye.z);
         azimuths(low, low + side)
     }

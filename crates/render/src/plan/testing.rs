@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_frame::{Frame, Quality, Sky};
+use antipode_frame::{Content, Frame, Quality, Sky, View};
 use antipode_geometry::{Eye, Geometry, HyperbolicMap, Projection, Strategy, picture};
 use glam::DVec2;
 
@@ -66,40 +66,44 @@ pub fn spaces() -> Vec<(&'static str, Arc<dyn Strategy>, [f64; 2])> {
 pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
     let (dark, up) = ([0.0; 3], [0.0, 1.0, 0.0]);
     Frame {
-        eye: Eye {
-            lift_m: 1.62,
-            ..Eye::default()
+        view: View {
+            eye: Eye {
+                lift_m: 1.62,
+                ..Eye::default()
+            },
+            projection: Projection::new(75_f64.to_radians(), 16.0 / 9.0, 0.02),
+            strategy: Arc::clone(space),
+            hand: None,
+            fog_distance_m: 400.0,
+            contour_bands: false,
+            quality: Quality::Balanced,
         },
-        projection: Projection::new(75_f64.to_radians(), 16.0 / 9.0, 0.02),
-        strategy: Arc::clone(space),
-        sky: Sky {
-            top: dark,
-            horizon: dark,
-            glare: dark,
-            stars: 0.0,
-            sun_direction: up,
-            moon_direction: up,
-            key_direction: up,
-            key_shadow: 1.0,
-            key_colour: dark,
-            ambient_sky: dark,
-            ambient_ground: dark,
-            moon_colour: dark,
-            dome: false,
-            clouds: 0.0,
-            drift: 0.0,
-            orbs: None,
-        },
-        land: Arc::default(),
-        figures: Vec::new(),
-        hand: None,
-        lights: antipode_frame::Lights::default(),
-        marker: None,
-        hit_shapes: Vec::new(),
-        fog_distance_m: 400.0,
-        contour_bands: false,
-        time_s: 0.0,
-        quality: Quality::Balanced,
-        loaded_world: 1,
+        content: Arc::new(Content {
+            sky: Sky {
+                top: dark,
+                horizon: dark,
+                glare: dark,
+                stars: 0.0,
+                sun_direction: up,
+                moon_direction: up,
+                key_direction: up,
+                key_shadow: 1.0,
+                key_colour: dark,
+                ambient_sky: dark,
+                ambient_ground: dark,
+                moon_colour: dark,
+                dome: false,
+                clouds: 0.0,
+                drift: 0.0,
+                orbs: None,
+            },
+            land: Arc::default(),
+            figures: Vec::new(),
+            lights: antipode_frame::Lights::default(),
+            marker: None,
+            hit_shapes: Vec::new(),
+            time_s: 0.0,
+            loaded_world: 1,
+        }),
     }
 }

@@ -15,10 +15,11 @@ const HEIGHT_PX: u32 = 720;
 /// Land as chunks have it: some of their boxes, mostly solid below.
 fn land(numbers: &mut Numbers, frame: &Frame) -> Vec<ChunkLand> {
     let mut found = BTreeMap::new();
-    let home = ChunkCoord::containing(frame.eye.point).index;
+    let home = ChunkCoord::containing(frame.view.eye.point).index;
     for _ in 0..600 {
-        let closed = frame.strategy.rim_m().is_some();
+        let closed = frame.view.strategy.rim_m().is_some();
         let reach = frame
+            .view
             .strategy
             .rim_m()
             .map_or(14.0, |rim_m| 1.0 + rim_m / 32.0);
@@ -60,16 +61,16 @@ fn land(numbers: &mut Numbers, frame: &Frame) -> Vec<ChunkLand> {
 
 /// The same decisions, chunk by chunk and column by column.
 fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
-    let scale = PictureScale::new(&frame.projection, HEIGHT_PX);
-    let tolerance = Tolerance::of(frame.quality);
+    let scale = PictureScale::new(&frame.view.projection, HEIGHT_PX);
+    let tolerance = Tolerance::of(frame.view.quality);
     let mut stats = PlanStats::default();
-    let (space, eye) = (frame.strategy.as_ref(), &frame.eye);
-    let frustum = space.frustum(eye, &frame.projection);
+    let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
+    let frustum = space.frustum(eye, &frame.view.projection);
     let home = ChunkCoord::containing(eye.point).index;
     let mut seen = Vec::new();
     for (place, chunk) in land.iter().enumerate() {
         let cell = frustum.cell_seen(space, eye, chunk.coord.hemisphere, chunk.min, chunk.max);
-        match cell.filter(|cell| cell.nearest_m <= f64::from(frame.fog_distance_m)) {
+        match cell.filter(|cell| cell.nearest_m <= f64::from(frame.view.fog_distance_m)) {
             Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
                 stats.triangles_small += chunk.triangles;
                 stats.error_at_least(scale.spans_px(&cell));
@@ -125,23 +126,23 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
 
 /// A frame from somewhere, looking somewhere.
 fn pose(numbers: &mut Numbers, frame: &mut Frame, dials: [f64; 2]) {
-    let space = Arc::clone(&frame.strategy);
+    let space = Arc::clone(&frame.view.strategy);
     let reach_m = space.rim_m().unwrap_or(500.0);
     let level = numbers.turn() * numbers.between(0.0, reach_m);
     let (low, high) = space
         .limits()
         .map_or((-40.0, 40.0), |l| (l.ground_min_m, l.ceiling_m));
-    frame.eye = Eye {
-        point: frame.eye.point,
+    frame.view.eye = Eye {
+        point: frame.view.eye.point,
         yaw: numbers.between(-3.2, 3.2),
         pitch: numbers.between(-1.5, 1.5) * numbers.between(0.0, 1.0),
         roll: 0.0,
         dial: numbers.between(dials[0], dials[1]),
         lift_m: 1.62,
     };
-    frame.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
-    frame.fog_distance_m = numbers.between(50.0, 600.0) as f32;
-    frame.quality = Quality::ALL[numbers.between(0.0, 3.0) as usize];
+    frame.view.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
+    frame.view.fog_distance_m = numbers.between(50.0, 600.0) as f32;
+    frame.view.quality = Quality::ALL[numbers.between(0.0, 3.0) as usize];
 }
 
 #[test]
@@ -156,10 +157,10 @@ fn tracts_and_what_is_wanted_of_the_skyline_change_no_decision() {
             let land = land(&mut numbers, &frame);
             let book = LandBook::new(land.clone());
             for turn in 0..4 {
-                frame.eye.yaw += f64::from(turn);
+                frame.view.eye.yaw += f64::from(turn);
                 let planned = planner.plan(&frame, HEIGHT_PX, &book);
                 let (choices, stats) = plainly(&frame, &land);
-                let at = format!("{name}, round {round}, {:?}", frame.eye);
+                let at = format!("{name}, round {round}, {:?}", frame.view.eye);
                 assert_eq!(planned.chunks, choices, "{at}");
                 assert_eq!(planned.stats, stats, "{at}");
                 drawn += stats.chunks_by_level.iter().sum::<usize>();
@@ -231,7 +232,7 @@ fn parts_of_a_column_are_told_to_be_solid_up_to_the_ground_and_no_higher() {
 fn a_ridge_hides_what_is_behind_it_and_a_gap_in_it_does_not() {
     let (_, space, _) = spaces().swap_remove(0);
     let mut frame = frame(&space);
-    frame.eye.point.pos = DVec3::new(16.0, 6.0, 16.0);
+    frame.view.eye.point.pos = DVec3::new(16.0, 6.0, 16.0);
     // A ridge from 36 to 60 m off, in the second row of chunks; the gap is as wide as two parts of one.
     let ridge = |x: f64| 4.0 + 20.0 * (3.0 - (x - 48.0).abs() / 4.0).clamp(0.0, 1.0);
     let gap = |z: f64| if (8.0..=24.0).contains(&z) { 0.0 } else { 1.0 };

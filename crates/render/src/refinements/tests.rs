@@ -32,14 +32,17 @@ fn land(field: &Field, reach: i32) -> Arc<Land> {
 }
 
 fn to_px(frame: &Frame, v: DVec3) -> DVec2 {
-    let at = DVec2::new(frame.projection.sx * v.x, frame.projection.sy * v.y) / -v.z;
-    let aspect = frame.projection.sy / frame.projection.sx;
+    let at = DVec2::new(
+        frame.view.projection.sx * v.x,
+        frame.view.projection.sy * v.y,
+    ) / -v.z;
+    let aspect = frame.view.projection.sy / frame.view.projection.sx;
     at * 0.5 * f64::from(HEIGHT_PX) * DVec2::new(aspect, 1.0)
 }
 
 /// The most that an edge in the picture strays, pixels.
 fn true_error_px(store: &ChunkStore, frame: &Frame, land: &[ChunkLand], plan: &FramePlan) -> f64 {
-    let view = frame.strategy.viewer(&frame.eye);
+    let view = frame.view.strategy.viewer(&frame.view.eye);
     let mut worst: f64 = 0.0;
     for choice in plan.chunks.iter().filter(|c| c.refine) {
         let coord = land[choice.place].coord;
@@ -106,9 +109,9 @@ impl Run {
         let space = picture(Geometry::Hyperbolic, 20.0, map, false);
         let field = Field::new(4, Arc::clone(&space));
         let mut frame = testing::frame(&space);
-        (frame.eye.dial, frame.eye.pitch) = (dial, -0.15);
-        frame.fog_distance_m = 150.0;
-        frame.land = land(&field, 3);
+        (frame.view.eye.dial, frame.view.eye.pitch) = (dial, -0.15);
+        frame.view.fog_distance_m = 150.0;
+        frame.content_mut().land = land(&field, 3);
         let mut run = Self {
             store: ChunkStore::new(&gpu),
             planner: Planner::default(),
@@ -124,7 +127,7 @@ impl Run {
     /// One frame, `x` metres east: how far off what is drawn is, and how far off it is said to be at most, pixels.
     fn go_to(&mut self, x: f64) -> (f64, f64) {
         let ground_m = self.field.surface_height(Hemisphere::A, x, 4.0);
-        self.frame.eye.point = ChartPoint::a(DVec3::new(x, ground_m + 1.62, 4.0));
+        self.frame.view.eye.point = ChartPoint::a(DVec3::new(x, ground_m + 1.62, 4.0));
         self.store.apply(&self.frame);
         let book = self.store.land();
         let mut plan = self.planner.plan(&self.frame, HEIGHT_PX, &book);
@@ -175,7 +178,7 @@ fn a_slow_thread_is_given_longer_ways_and_frames_leave_the_work_to_it() {
             run.store.refinements.hold(step % slow != 0);
             run.go_to(4.0 + SPRINT_M * step as f64);
             // The next frame, where it would refine all that it shows itself.
-            run.frame.eye.point.pos.x += SPRINT_M;
+            run.frame.view.eye.point.pos.x += SPRINT_M;
             left_behind += usize::from(run.store.refinements.is_left_behind(&run.frame));
         }
         assert!(left_behind <= 3, "{slow}: {left_behind} of 36 frames");
@@ -207,7 +210,7 @@ fn who_turns_round_sees_true_land_at_once() {
             run.go_to(x);
         }
         for yaw in [1.5, 3.0, 4.5] {
-            run.frame.eye.yaw = yaw;
+            run.frame.view.eye.yaw = yaw;
             run.store.refinements.hold(true);
             let (truth_px, told_px) = run.go_to(x);
             let at = format!("{map:?} {dial}, {yaw}: {truth_px} {told_px}");

@@ -137,10 +137,14 @@ impl Renderer {
     /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
     /// meanwhile, so that a turn does not stutter.
     pub(super) fn map_of(&mut self, frame: &Frame) -> u32 {
-        let map = frame.strategy.uniform(&frame.eye, &frame.projection).kind[0];
+        let map = frame
+            .view
+            .strategy
+            .uniform(&frame.view.eye, &frame.view.projection)
+            .kind[0];
         if self.map != Some(map) {
             self.map = Some(map);
-            if frame.strategy.has_sky() {
+            if frame.view.strategy.has_sky() {
                 self.pipelines.order(HORIZON);
             }
         }
@@ -172,7 +176,7 @@ impl Renderer {
         target: &TextureView,
     ) -> DrawStats {
         self.chunks.apply(frame);
-        let picture = if self.pictured == Some(frame.loaded_world) {
+        let picture = if self.pictured == Some(frame.content.loaded_world) {
             self.tonemap.draw(encoder, &self.light, target, None);
             Picture::Last
         } else {

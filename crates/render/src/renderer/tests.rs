@@ -53,7 +53,7 @@ fn space(geometry: Geometry) -> Arc<dyn Strategy> {
 /// Nothing but a horizon of that colour.
 fn view(space: &Arc<dyn Strategy>, horizon: [f32; 3]) -> Frame {
     let mut frame = testing::frame(space);
-    frame.sky.horizon = horizon;
+    frame.content_mut().sky.horizon = horizon;
     frame
 }
 
@@ -85,7 +85,11 @@ fn a_frame_whose_map_is_not_made_shows_the_last_picture_of_its_world_and_waits_f
     let (flat, sphere) = (space(Geometry::Euclidean), space(Geometry::Spherical));
     let red = view(&flat, [0.8, 0.1, 0.1]);
     let mut blue = view(&sphere, [0.1, 0.1, 0.8]);
-    let held = blue.strategy.uniform(&blue.eye, &blue.projection).kind[0];
+    let held = blue
+        .view
+        .strategy
+        .uniform(&blue.view.eye, &blue.view.projection)
+        .kind[0];
     let (mut renderer, go) = holding(&gpu, held);
     let (kind, before) = draw(&gpu, &mut renderer, &red);
     assert_eq!(kind, Picture::New);
@@ -97,7 +101,7 @@ fn a_frame_whose_map_is_not_made_shows_the_last_picture_of_its_world_and_waits_f
     assert_eq!(draw(&gpu, &mut renderer, &red).0, Picture::New);
     assert!(!renderer.is_land_coming());
 
-    blue.loaded_world += 1;
+    blue.content_mut().loaded_world += 1;
     assert_eq!(draw(&gpu, &mut renderer, &blue).0, Picture::None);
     drop(go);
     let after = drawn_new(&gpu, &mut renderer, &blue);

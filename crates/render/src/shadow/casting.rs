@@ -35,7 +35,7 @@ impl Shadows {
 
     /// Takes this frame's figures by the boxes that hold them, as far as any of them is near.
     pub fn prepare_figures(&mut self, frame: &Frame, shot: Option<Shot>, figures: &[Caster]) {
-        let strategy = &*frame.strategy;
+        let strategy = &*frame.view.strategy;
         let Some(Shot { light, crop, .. }) = shot else {
             return;
         };
@@ -46,7 +46,8 @@ impl Shadows {
             };
             heights = [heights[0].min(low), heights[1].max(high)];
             let middle = ChartPoint::new(room.hemisphere, room.middle());
-            is_near |= strategy.distance_m(frame.eye.point, middle, &frame.eye) < 2.0 * FIGURES_M;
+            is_near |= strategy.distance_m(frame.view.eye.point, middle, &frame.view.eye)
+                < 2.0 * FIGURES_M;
             if self.merges() {
                 continue;
             }
@@ -64,8 +65,8 @@ impl Shadows {
             crop,
             heights,
         };
-        let eye = &frame.eye;
-        let reference = frame.strategy.reference(eye, eye.point.hemisphere);
+        let eye = &frame.view.eye;
+        let reference = frame.view.strategy.reference(eye, eye.point.hemisphere);
         let from = match light {
             Light::Far { anchor, .. } => (reference - anchor).extend(1.0),
             Light::Star { .. } => DVec4::W,
@@ -84,7 +85,7 @@ impl Shadows {
         let [level] = &self.levels[..] else {
             return ShadowReach::Land;
         };
-        let strategy = &*frame.strategy;
+        let strategy = &*frame.view.strategy;
         let is_on = |shot: &Shot| shot.light.heights(strategy, &shot.crop, of).is_some();
         if level.shot.as_ref().is_some_and(is_on) {
             ShadowReach::Land
@@ -117,7 +118,7 @@ impl Shadows {
         let Some(shot) = &self.figures else {
             return false;
         };
-        let (strategy, light) = (&*frame.strategy, &shot.light);
+        let (strategy, light) = (&*frame.view.strategy, &shot.light);
         let below =
             |[low, _]: [f64; 2], high: f64| matches!(light, Light::Star { .. }) || low < high;
         self.rooms.iter().any(|(around, high)| {

@@ -104,7 +104,7 @@ fn stepped(size: f64) -> f64 {
 pub fn wanted((level, maps): (usize, usize), frame: &Frame, light: &Light, texels: u32) -> Crop {
     match light {
         Light::Far { .. } => {
-            let far_m = stepped(f64::from(frame.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
+            let far_m = stepped(f64::from(frame.view.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
             let part = level as f64 / (CASCADES - 1) as f64;
             let half = NEAR_M * (far_m / NEAR_M).powf(part);
             around(frame, light, half, 2.0 * half / BLOCKS)
@@ -120,7 +120,7 @@ pub fn wanted((level, maps): (usize, usize), frame: &Frame, light: &Light, texel
 
 /// What lies within so many metres of the eye, its middle on a grid of `block` texels.
 pub fn near_crop(frame: &Frame, light: &Light, metres: f64, block: u32, texels: u32) -> Crop {
-    let base = light.base(&*frame.strategy, frame.eye.point);
+    let base = light.base(&*frame.view.strategy, frame.view.eye.point);
     let half = match light {
         Light::Far { .. } => metres,
         Light::Star { .. } => stepped(light.length_on_plane(base, metres)),
@@ -134,8 +134,8 @@ pub fn near_crop(frame: &Frame, light: &Light, metres: f64, block: u32, texels: 
 }
 
 fn around(frame: &Frame, light: &Light, half: f64, grid: f64) -> Crop {
-    let eye: ChartPoint = frame.eye.point;
-    let (face, at) = light.seen(light.base(&*frame.strategy, eye));
+    let eye: ChartPoint = frame.view.eye.point;
+    let (face, at) = light.seen(light.base(&*frame.view.strategy, eye));
     Crop {
         face,
         centre: (at / grid).round() * grid,
@@ -189,7 +189,7 @@ impl Level {
             && self.changed.is_none()
             && shot
                 .light
-                .heights(&*frame.strategy, &shot.crop, of)
+                .heights(&*frame.view.strategy, &shot.crop, of)
                 .is_some()
         {
             self.changed = Some(0);
@@ -204,7 +204,7 @@ fn moved(maps: usize, frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
         if wanted.half == FACE_HALF {
             return 0.0;
         }
-        let base = shot.light.base(&*frame.strategy, frame.eye.point);
+        let base = shot.light.base(&*frame.view.strategy, frame.view.eye.point);
         let needed = shot.light.length_on_plane(base, near_m(maps));
         if !(USED_HALF * crop.half..=1.05 * crop.half).contains(&needed) {
             return f64::INFINITY;
@@ -212,7 +212,7 @@ fn moved(maps: usize, frame: &Frame, shot: &Shot, wanted: &Crop) -> f64 {
     } else if crop.half != wanted.half {
         return f64::INFINITY;
     }
-    let base = shot.light.base(&*frame.strategy, frame.eye.point);
+    let base = shot.light.base(&*frame.view.strategy, frame.view.eye.point);
     let at = shot.light.on_plane(crop.face, base) - crop.centre;
     at.abs().max_element() / (2.0 * crop.half / BLOCKS)
 }

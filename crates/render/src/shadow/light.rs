@@ -74,23 +74,23 @@ fn far(toward: DVec3, eye: DVec3) -> Light {
 
 /// The point of the unit three-sphere that a closed world's key light comes from; straight up where none is told.
 fn body(frame: &Frame) -> DVec4 {
-    let Some(orbs) = frame.sky.orbs else {
+    let Some(orbs) = frame.content.sky.orbs else {
         return DVec4::Y;
     };
-    let is_sun = frame.sky.key_direction == frame.sky.sun_direction;
+    let is_sun = frame.content.sky.key_direction == frame.content.sky.sun_direction;
     let point = if is_sun { orbs.sun } else { orbs.moon };
-    frame.strategy.curved(&frame.eye, point)
+    frame.view.strategy.curved(&frame.view.eye, point)
 }
 
 impl Light {
     /// A frame's key light.
     pub fn of(frame: &Frame) -> Self {
-        match frame.strategy.rim_m() {
+        match frame.view.strategy.rim_m() {
             None => {
-                let toward = DVec3::from(frame.sky.key_direction.map(f64::from));
-                far(toward.normalize_or(DVec3::Y), frame.eye.point.pos)
+                let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
+                far(toward.normalize_or(DVec3::Y), frame.view.eye.point.pos)
             }
-            Some(_) => star(body(frame), frame.strategy.radius_m()),
+            Some(_) => star(body(frame), frame.view.strategy.radius_m()),
         }
     }
 

@@ -59,7 +59,7 @@ impl Shadows {
         for job in self.jobs.iter_mut().flatten() {
             let (light, crop) = (&job.shot.light, &job.shot.crop);
             job.changed |=
-                job.level == number && light.heights(&*frame.strategy, crop, of).is_some();
+                job.level == number && light.heights(&*frame.view.strategy, crop, of).is_some();
         }
     }
 
@@ -93,7 +93,7 @@ impl Shadows {
         let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
         let mut todo = Vec::new();
         for (coord, caster) in chunks.casters() {
-            if let Some([low, high]) = light.heights(&*frame.strategy, &crop, &caster) {
+            if let Some([low, high]) = light.heights(&*frame.view.strategy, &crop, &caster) {
                 heights = [heights[0].min(low), heights[1].max(high)];
                 todo.push(coord);
             }

@@ -106,7 +106,11 @@ impl Shadows {
         let Some((texels, part)) = self.texels_of(shot, hole) else {
             return 0;
         };
-        let falls = |of: &Caster| shot.light.heights(&*frame.strategy, &part, of).is_some();
+        let falls = |of: &Caster| {
+            shot.light
+                .heights(&*frame.view.strategy, &part, of)
+                .is_some()
+        };
         let casters = chunks.casters().filter(|(_, of)| falls(of));
         let mut todo: Vec<_> = casters.map(|(coord, _)| coord).collect();
         self.pass(
@@ -149,20 +153,20 @@ impl Shadows {
 
 impl Shot {
     fn shows(&self, frame: &Frame, of: &Caster) -> bool {
-        let heights = self.light.heights(&*frame.strategy, &self.crop, of);
+        let heights = self.light.heights(&*frame.view.strategy, &self.crop, of);
         heights.is_some()
     }
 
     /// Whether its depth reaches as high as a box does.
     fn holds(&self, frame: &Frame, of: &Caster) -> bool {
-        let heights = self.light.heights(&*frame.strategy, &self.crop, of);
+        let heights = self.light.heights(&*frame.view.strategy, &self.crop, of);
         heights.is_none_or(|[_, high]| high <= self.highest())
     }
 
     /// Where a box falls on its plane; all of the map where that cannot be said.
     fn rectangle(&self, frame: &Frame, of: &Caster) -> Rectangle {
         let Crop { face, centre, half } = self.crop;
-        let found = self.light.rectangle(&*frame.strategy, face, of);
+        let found = self.light.rectangle(&*frame.view.strategy, face, of);
         found.unwrap_or([centre - half, centre + half])
     }
 }

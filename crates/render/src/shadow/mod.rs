@@ -200,7 +200,7 @@ impl Shadows {
     /// all maps are brought to just what the frame wants. [`Shadows::prepare_figures`] is to follow.
     pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore) -> bool {
         let touched = chunks.take_touched();
-        if self.world.replace(frame.loaded_world) != Some(frame.loaded_world) {
+        if self.world.replace(frame.content.loaded_world) != Some(frame.content.loaded_world) {
             self.jobs = [const { None }; SLOTS];
             self.levels.iter_mut().for_each(|level| level.shot = None);
         }
@@ -280,7 +280,7 @@ impl Shadows {
         }
         let (texels, light) = (self.maps.texels, Light::of(frame));
         uniform.key = [
-            frame.sky.key_shadow,
+            frame.content.sky.key_shadow,
             texels as f32,
             1.0 / texels as f32,
             if is_closed_moon(frame) { 1.0 } else { 0.0 },
@@ -348,5 +348,6 @@ impl Shadows {
 
 /// Whether it is the moon of a closed world that throws shadows.
 fn is_closed_moon(frame: &Frame) -> bool {
-    frame.sky.orbs.is_some() && frame.sky.key_direction != frame.sky.sun_direction
+    frame.content.sky.orbs.is_some()
+        && frame.content.sky.key_direction != frame.content.sky.sun_direction
 }

@@ -64,14 +64,18 @@ impl CasterUniform {
 
 /// From what a shader has of a point to a light's base: its place from the reference, or its view coordinates.
 pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
-    let eye: &Eye = &frame.eye;
+    let eye: &Eye = &frame.view.eye;
     match light {
         Light::Far { anchor, .. } => {
-            let reference = frame.strategy.reference(eye, eye.point.hemisphere);
+            let reference = frame.view.strategy.reference(eye, eye.point.hemisphere);
             DMat4::from_translation(reference - *anchor)
         }
         Light::Star { .. } => {
-            let view = frame.strategy.uniform(eye, &frame.projection).view;
+            let view = frame
+                .view
+                .strategy
+                .uniform(eye, &frame.view.projection)
+                .view;
             glam::Mat4::from_cols_array_2d(&view).as_dmat4().inverse()
         }
     }

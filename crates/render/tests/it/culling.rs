@@ -79,25 +79,26 @@ fn any_eye(numbers: &mut Numbers, space: &Arc<dyn Strategy>, dial: f64) -> Eye {
 
 /// A sun low behind the eye, or anywhere.
 fn light(numbers: &mut Numbers, scene: &mut Frame) {
-    if scene.strategy.rim_m().is_some() {
+    if scene.view.strategy.rim_m().is_some() {
         let time_s = numbers.between(0.0, 600.0);
-        scene.sky = antipode_scene::day::sky(time_s, &*scene.strategy, &scene.eye);
+        scene.content_mut().sky =
+            antipode_scene::day::sky(time_s, &*scene.view.strategy, &scene.view.eye);
         return;
     }
-    let front = scene.eye.front();
+    let front = scene.view.eye.front();
     let behind = -DVec3::new(front.x, 0.0, front.z).normalize_or(DVec3::X);
     let side = behind.cross(DVec3::Y) * numbers.between(-0.6, 0.6);
     let low = behind + side + DVec3::Y * numbers.between(0.1, 0.5);
     let high = numbers.way() + DVec3::Y * 1.1;
     let toward = if numbers.next() < 0.7 { low } else { high };
-    scene.sky.sun_direction = toward.normalize().as_vec3().into();
-    scene.sky.key_direction = scene.sky.sun_direction;
+    scene.content_mut().sky.sun_direction = toward.normalize().as_vec3().into();
+    scene.content_mut().sky.key_direction = scene.content.sky.sun_direction;
 }
 
 /// Where a figure stands: all round the eye on the ground, all round it in the air, however far in a closed world, or
 /// on the edge of the picture.
 fn place(numbers: &mut Numbers, scene: &Frame) -> ChartPoint {
-    let (space, eye) = (&scene.strategy, &scene.eye);
+    let (space, eye) = (&scene.view.strategy, &scene.view.eye);
     let far_m = space.rim_m().map_or(40.0, |rim_m| 2.0 * rim_m);
     let away_m = far_m.powf(numbers.next());
     let choice = numbers.next();
@@ -125,8 +126,8 @@ fn place(numbers: &mut Numbers, scene: &Frame) -> ChartPoint {
         at.reverse();
     }
     let way = DVec3::new(
-        at[0] / scene.projection.sx,
-        at[1] / scene.projection.sy,
+        at[0] / scene.view.projection.sx,
+        at[1] / scene.view.projection.sy,
         -1.0,
     );
     space.along(eye, way.normalize(), away_m)
@@ -178,13 +179,13 @@ fn outside_of_equal_pictures(
     for number in 0..PICTURES {
         let eye = any_eye(&mut numbers, &space, dial);
         let mut scene = frame(&space, eye.point, ASPECT);
-        scene.eye = eye;
-        scene.quality = Quality::ALL[number % Quality::ALL.len()];
-        scene.land = closed.clone().unwrap_or_else(|| land(&space, eye.point, 1));
+        scene.view.eye = eye;
+        scene.view.quality = Quality::ALL[number % Quality::ALL.len()];
+        scene.content_mut().land = closed.clone().unwrap_or_else(|| land(&space, eye.point, 1));
         light(&mut numbers, &mut scene);
         let figures = (0..CROWD).map(|_| figure(&mut numbers, &scene)).collect();
-        scene.figures = figures;
-        scene.lights.lamps = vec![LampLight {
+        scene.content_mut().figures = figures;
+        scene.content_mut().lights.lamps = vec![LampLight {
             point: eye.point.moved(DVec3::new(1.0, 0.5, -2.0)),
             colour: [3.0, 2.0, 1.0],
             range_m: 9.0,
@@ -223,16 +224,16 @@ fn who_is_out_of_the_picture_throws_a_shadow_into_it() {
     let space = picture(Geometry::Euclidean, 1.0, HyperbolicMap::Raised, false);
     let eye = standing(&space, Hemisphere::A, 4.0, 4.0).moved(DVec3::Y * 2.0);
     let mut scene = frame(&space, eye, ASPECT);
-    scene.eye.pitch = -0.9;
-    scene.sky.key_direction = Vec3::new(-0.8, 0.5, 0.0).normalize().into();
-    scene.land = land(&space, eye, 1);
+    scene.view.eye.pitch = -0.9;
+    scene.content_mut().sky.key_direction = Vec3::new(-0.8, 0.5, 0.0).normalize().into();
+    scene.content_mut().land = land(&space, eye, 1);
     let empty = studio.picture(&scene);
     let behind = |i: u32| {
         let z = 4.0 + f64::from(i) - 3.0;
         let point = standing(&space, Hemisphere::A, 0.5, z).moved(DVec3::NEG_Y * 1.7);
         Figure::standing(ModelId::Astronaut, point, 0.0)
     };
-    scene.figures = (0..7).map(behind).collect();
+    scene.content_mut().figures = (0..7).map(behind).collect();
     let (shaded, stats) = studio.draw(&scene);
     assert_eq!(stats.plan.figures_outside, 7);
     assert_eq!(

@@ -85,7 +85,7 @@ fn look(name: &str, world: &mut World, [plain, told]: [&mut Studio; 2]) -> Found
     let size = world.size();
     let (picture, told) = (plain.picture(&frame), told.picture(&frame));
     let view = View::new(&picture, &told);
-    let triangles = triangles(&frame.land);
+    let triangles = triangles(&frame.content.land);
     let surface = Surface::of(&frame, &triangles, size);
     let edges = Silhouettes::of(&frame, &triangles, &surface, REACH);
     let rays = Rays::new(&frame, &triangles);

@@ -18,10 +18,7 @@ fn alone(figure: Figure) -> Frame {
     let space = space(Geometry::Euclidean);
     let eye = ChartPoint::a(DVec3::new(0.0, 1.0, 0.0));
     let point = ChartPoint::a(DVec3::new(3.0, 0.0, 0.0));
-    Frame {
-        figures: vec![Figure { point, ..figure }],
-        ..frame(&space, eye, ASPECT)
-    }
+    frame(&space, eye, ASPECT).with_content(|it| it.figures = vec![Figure { point, ..figure }])
 }
 
 fn astronaut(posture: Posture, yaw: f64) -> Figure {
@@ -86,7 +83,7 @@ fn limbs_move_with_the_gait_and_the_second_outfit_is_another() {
     assert!(changed(&strides, &passes).len() > 300, "limbs swing");
     assert!(changed(&strides, &at(1.0)).len() < 20, "and come back");
     let mut teal = walks(0.0);
-    teal.figures[0].model = ModelId::AstronautTeal;
+    teal.content_mut().figures[0].model = ModelId::AstronautTeal;
     assert!(changed(&strides, &studio.picture(&teal)).len() > 300);
 }
 
@@ -96,10 +93,10 @@ fn who_fights_is_red_and_nobody_else() {
         return;
     };
     let mut frame = alone(astronaut(Posture::default(), FRAC_PI_2));
-    frame.figures[0].model = ModelId::AstronautTeal;
+    frame.content_mut().figures[0].model = ModelId::AstronautTeal;
     let red = |picture: &RgbaImage| count(picture, |[r, g, b]| r > 90 && r / 2 > g.max(b));
     let peaceful = red(&studio.picture(&frame));
-    frame.figures[0].hostile = true;
+    frame.content_mut().figures[0].hostile = true;
     let hostile = red(&studio.picture(&frame));
     assert!(hostile > 500 && peaceful < 20, "{hostile} {peaceful}");
 }
@@ -109,11 +106,11 @@ fn colour_ahead(studio: &mut Studio, eye_z: f64, figure: ChartPoint, yaw: f64) -
     let space = space(Geometry::Spherical);
     let eye = ChartPoint::a(DVec3::new(0.0, 1.0, eye_z));
     let mut frame = frame(&space, eye, ASPECT);
-    frame.eye.yaw = FRAC_PI_2;
+    frame.view.eye.yaw = FRAC_PI_2;
     // The sun stands over the middle of B, the moon over that of A.
-    frame.sky = antipode_scene::day::sky(450.0, &*space, &frame.eye);
+    frame.content_mut().sky = antipode_scene::day::sky(450.0, &*space, &frame.view.eye);
     let without = studio.picture(&frame);
-    frame.figures = vec![Figure {
+    frame.content_mut().figures = vec![Figure {
         hostile: true,
         ..Figure::standing(ModelId::AstronautTeal, figure, yaw)
     }];
@@ -151,7 +148,7 @@ fn the_dead_lie_on_the_ground() {
     };
     let mut dead = alone(astronaut(Posture::of(Clip::Die, 9.0), FRAC_PI_2));
     let lying = studio.picture(&dead);
-    dead.figures.clear();
+    dead.content_mut().figures.clear();
     let shown = changed(&lying, &studio.picture(&dead));
     let knee = seen_at(&dead, ChartPoint::a(DVec3::new(3.0, 0.8, 0.0)), SIZE);
     assert!(shown.iter().all(|(_, y)| f64::from(*y) > knee.1));
@@ -176,7 +173,7 @@ fn what_is_held_is_seen_in_the_right_hand() {
     let mut frame = alone(astronaut(holds, FRAC_PI_2));
     let empty = studio.picture(&frame);
     for model in [ModelId::Gun, ModelId::PickaxeIron, ModelId::Lamp] {
-        frame.figures[0].held = Some(model);
+        frame.content_mut().figures[0].held = Some(model);
         let held = changed(&empty, &studio.picture(&frame));
         assert!(held.len() > 40, "{model:?}: {}", held.len());
         let ahead = held.iter().filter(|(x, _)| *x > SIZE.0 / 2).count();
@@ -187,9 +184,9 @@ fn what_is_held_is_seen_in_the_right_hand() {
         );
     }
     by_night(&mut frame);
-    frame.figures[0].held = Some(ModelId::Gun);
+    frame.content_mut().figures[0].held = Some(ModelId::Gun);
     let gun = studio.picture(&frame);
-    frame.figures[0].flashes = true;
+    frame.content_mut().figures[0].flashes = true;
     assert!(changed(&gun, &studio.picture(&frame)).len() > 10);
 }
 
@@ -200,7 +197,7 @@ fn everyone_of_a_crowd_has_a_posture_of_its_own() {
         return;
     };
     let mut crowd = alone(astronaut(Posture::default(), 0.0));
-    crowd.figures = (0..40)
+    crowd.content_mut().figures = (0..40)
         .map(|i| {
             let (row, column) = (f64::from(i / 8), f64::from(i % 8));
             let place = DVec3::new(6.0 + 3.0 * row, 0.0, 2.0 * column - 7.0);
@@ -216,19 +213,20 @@ fn everyone_of_a_crowd_has_a_posture_of_its_own() {
         })
         .collect();
     for quality in [Quality::Balanced, Quality::Exact] {
-        crowd.quality = quality;
+        crowd.view.quality = quality;
         let there = studio.picture(&crowd);
-        crowd.figures.reverse();
+        crowd.content_mut().figures.reverse();
         assert!(
             changed(&there, &studio.picture(&crowd)).len() < 8,
             "{quality}"
         );
         let falling = crowd
+            .content
             .figures
             .iter()
             .position(|f| f.posture.share(Clip::Fall) > 0.0);
         let mut fewer = crowd.clone();
-        fewer.figures.remove(falling.unwrap());
+        fewer.content_mut().figures.remove(falling.unwrap());
         assert!(
             changed(&there, &studio.picture(&fewer)).len() > 20,
             "{quality}"
@@ -246,12 +244,12 @@ fn every_model_is_seen_in_every_space() {
         let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
         let mut frame = frame(&space, stand, ASPECT);
         for quality in [Quality::Balanced, Quality::Exact] {
-            frame.quality = quality;
-            frame.figures.clear();
+            frame.view.quality = quality;
+            frame.content_mut().figures.clear();
             let empty = studio.picture(&frame);
             for model in ModelId::ALL {
                 let point = stand.moved(DVec3::new(2.5, -0.6, 0.3));
-                frame.figures = vec![Figure::standing(model, point, 2.0)];
+                frame.content_mut().figures = vec![Figure::standing(model, point, 2.0)];
                 let seen = changed(&empty, &studio.picture(&frame)).len();
                 assert!(seen > 8, "{geometry} {quality} {model:?}: {seen}");
             }
@@ -260,13 +258,14 @@ fn every_model_is_seen_in_every_space() {
 }
 
 fn by_night(frame: &mut Frame) {
+    let sky = &mut frame.content_mut().sky;
     for colour in [
-        &mut frame.sky.top,
-        &mut frame.sky.horizon,
-        &mut frame.sky.glare,
-        &mut frame.sky.key_colour,
-        &mut frame.sky.ambient_sky,
-        &mut frame.sky.ambient_ground,
+        &mut sky.top,
+        &mut sky.horizon,
+        &mut sky.glare,
+        &mut sky.key_colour,
+        &mut sky.ambient_sky,
+        &mut sky.ambient_ground,
     ] {
         *colour = [0.01; 3];
     }
@@ -282,7 +281,7 @@ fn a_lamp_shines_by_night() {
         ChartPoint::a(DVec3::ZERO),
         0.0,
     ));
-    frame.figures[0].point.pos = DVec3::new(2.0, 0.7, 0.0);
+    frame.content_mut().figures[0].point.pos = DVec3::new(2.0, 0.7, 0.0);
     by_night(&mut frame);
     let picture = studio.picture(&frame);
     let bright = count(&picture, |[r, g, b]| r > 200 && g > 150 && r >= b);
@@ -312,9 +311,9 @@ fn the_players_hand_is_at_the_lower_right_and_no_wall_hides_it() {
         ModelId::Bullet,
     ] {
         let mut frame = alone(astronaut(Posture::default(), 0.0));
-        frame.figures.clear();
+        frame.content_mut().figures.clear();
         let bare = studio.picture(&frame);
-        frame.hand = Some(hand(model));
+        frame.view.hand = Some(hand(model));
         let held = changed(&bare, &studio.picture(&frame));
         assert!(
             (150..12_000).contains(&held.len()),
@@ -329,13 +328,13 @@ fn the_players_hand_is_at_the_lower_right_and_no_wall_hides_it() {
             "{model:?}: {lower_right}"
         );
         // A wall at the length of a forearm: nearer than what is held.
-        let corner = ChunkCoord::containing(frame.eye.point);
+        let corner = ChunkCoord::containing(frame.view.eye.point);
         let wall = [[0.0, 8.0], [8.0, 8.0], [8.0, -8.0], [0.0, -8.0]];
         let wall = plates(&[wall.map(|[y, z]| Vec3::new(0.2, y, z))]);
         frame.change_land([ChunkChange::Put(corner, wall)]);
-        frame.hand = None;
+        frame.view.hand = None;
         let walled = studio.picture(&frame);
-        frame.hand = Some(hand(model));
+        frame.view.hand = Some(hand(model));
         let before_wall = changed(&walled, &studio.picture(&frame)).len();
         assert!(
             2 * before_wall > held.len(),
@@ -355,15 +354,15 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
         let space = space(geometry);
         let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
         let mut frame = frame(&space, stand, ASPECT);
-        frame.eye = Eye {
+        frame.view.eye = Eye {
             yaw: 0.4,
             pitch: -0.2,
-            ..frame.eye
+            ..frame.view.eye
         };
         let bare = studio.picture(&frame);
-        frame.hand = Some(hand(ModelId::PickaxeWood));
+        frame.view.hand = Some(hand(ModelId::PickaxeWood));
         let rest = studio.picture(&frame);
-        frame.hand = Some(Hand {
+        frame.view.hand = Some(Hand {
             swing: 1.0,
             ..hand(ModelId::PickaxeWood)
         });
@@ -371,13 +370,13 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
             changed(&rest, &studio.picture(&frame)).len() > 200,
             "{geometry}"
         );
-        frame.hand = Some(Hand {
+        frame.view.hand = Some(Hand {
             flashes: true,
             kick: 1.0,
             ..hand(ModelId::Gun)
         });
         let shot = studio.picture(&frame);
-        frame.hand = Some(hand(ModelId::Gun));
+        frame.view.hand = Some(hand(ModelId::Gun));
         assert!(
             changed(&shot, &studio.picture(&frame)).len() > 60,
             "{geometry}"
@@ -400,11 +399,11 @@ fn lamps_light_what_the_player_holds() {
         return;
     };
     let mut frame = alone(astronaut(Posture::default(), 0.0));
-    frame.figures.clear();
-    frame.hand = Some(hand(ModelId::Gun));
+    frame.content_mut().figures.clear();
+    frame.view.hand = Some(hand(ModelId::Gun));
     let day = studio.picture(&frame);
-    let beside = frame.eye.point.moved(DVec3::new(0.5, 0.6, 1.0));
-    frame.lights.lamps = vec![LampLight {
+    let beside = frame.view.eye.point.moved(DVec3::new(0.5, 0.6, 1.0));
+    frame.content_mut().lights.lamps = vec![LampLight {
         point: beside,
         colour: [3.0, 2.0, 1.0],
         range_m: 8.0,

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use crate::common::{Studio, frame, noon, space};
-use antipode_frame::{ChunkChange, Frame, LampLight, Land, Lights, Sky};
+use antipode_frame::{ChunkChange, LampLight, Land, Lights, Sky};
 use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec2, DVec3, DVec4};
@@ -117,19 +117,21 @@ fn brightening(studio: &mut Studio, space: &Arc<dyn Strategy>, eye: Eye) -> [f64
         orbs: None,
         ..noon()
     };
-    let mut frame = Frame {
-        eye,
-        sky: Sky {
-            dome: false,
-            ..dark
-        },
-        fog_distance_m: 1e6,
-        land: Arc::new(wall(&**space, &eye)),
-        ..empty
-    };
+    let mut frame = empty
+        .with_view(|it| {
+            it.eye = eye;
+            it.fog_distance_m = 1e6;
+        })
+        .with_content(|it| {
+            it.sky = Sky {
+                dome: false,
+                ..dark
+            };
+            it.land = Arc::new(wall(&**space, &eye));
+        });
     let bare = studio.picture(&frame);
     let way = DVec3::new(LAMP_M.x, LAMP_M.y, -LAMP_M.z);
-    frame.lights = Lights {
+    frame.content_mut().lights = Lights {
         lamps: vec![LampLight {
             point: space.chart_point(&eye, seen(&**space, way)),
             colour: [1.0; 3],

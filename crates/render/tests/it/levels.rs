@@ -34,7 +34,7 @@ fn put(coord: ChunkCoord, mesh: ChunkMesh) -> ChunkChange {
 fn before_the_wall(geometry: Geometry) -> Frame {
     let space = space(geometry);
     let mut frame = frame(&space, ChartPoint::a(DVec3::new(4.0, 14.0, 15.0)), ASPECT);
-    frame.time_s = 1.0;
+    frame.content_mut().time_s = 1.0;
     frame
 }
 
@@ -57,12 +57,12 @@ fn in_a_blend_each_pixel_shows_one_of_the_two_levels_and_in_the_end_the_new_one(
         frame.change_land([put(HOME, wall(18.0, Level::ALL[1]))]);
         let coarse = studio.picture(&frame);
         frame.change_land([put(HOME, wall(17.5, Level::FULL))]);
-        frame.time_s = 1.02;
+        frame.content_mut().time_s = 1.02;
         let (_, begun) = studio.draw_in_motion(&frame);
         assert_eq!(begun.plan.chunks_blending, 1, "{geometry}");
-        frame.time_s = 1.02 + 0.125;
+        frame.content_mut().time_s = 1.02 + 0.125;
         let (half, _) = studio.draw_in_motion(&frame);
-        frame.time_s = 1.4;
+        frame.content_mut().time_s = 1.4;
         let (fine, done) = studio.draw_in_motion(&frame);
         assert_eq!(done.plan.chunks_blending, 0, "{geometry}");
         let (mut old, mut new) = (0, 0);
@@ -92,18 +92,18 @@ fn edits_single_pictures_and_scenes_that_stand_still_show_no_blend() {
     frame.change_land([put(HOME, wall(18.0, Level::FULL))]);
     studio.picture(&frame);
     // The same level: an edit.
-    frame.time_s = 1.1;
+    frame.content_mut().time_s = 1.1;
     frame.change_land([put(HOME, wall(17.0, Level::FULL))]);
     let (edited, stats) = studio.draw_in_motion(&frame);
     assert_eq!(stats.plan.chunks_blending, 0);
     assert_eq!(studio.picture(&frame), edited);
     // Another level, in a single picture.
-    frame.time_s = 1.2;
+    frame.content_mut().time_s = 1.2;
     frame.change_land([put(HOME, wall(18.0, Level::ALL[1]))]);
     let (single, stats) = studio.draw(&frame);
     assert_eq!(stats.plan.chunks_blending, 0);
     // And back, in a scene that then stands still.
-    frame.time_s = 1.3;
+    frame.content_mut().time_s = 1.3;
     frame.change_land([put(HOME, wall(17.0, Level::FULL))]);
     let (_, stats) = studio.draw_in_motion(&frame);
     assert_eq!(stats.plan.chunks_blending, 1);
@@ -142,10 +142,11 @@ fn a_seam_is_drawn_beside_a_finer_neighbour_only() {
     };
     let mut frame = before_the_wall(Geometry::Euclidean);
     let mut drawn = |neighbour: Option<Level>| {
-        frame.loaded_world += 1;
+        frame.content_mut().loaded_world += 1;
         // A small thing that is drawn in each case.
         let small = neighbour.map(|level| put(beside, wall(31.0, level)));
-        frame.land = Arc::new([put(HOME, seamed())].into_iter().chain(small).collect());
+        frame.content_mut().land =
+            Arc::new([put(HOME, seamed())].into_iter().chain(small).collect());
         studio.draw(&frame).1.triangles
     };
     let alone = drawn(None);
@@ -174,14 +175,14 @@ fn a_frame_sends_a_budget_of_new_land_but_every_edit_and_a_single_picture_everyt
     let shown = |stats: antipode_render::DrawStats| stats.plan.chunks_by_level[0] + stats.culled;
     assert_eq!(shown(studio.draw(&frame).1), all.len());
 
-    frame.loaded_world += 1;
+    frame.content_mut().loaded_world += 1;
     let (_, first) = studio.draw_in_motion(&frame);
     assert!(shown(first) > 5 && shown(first) < all.len(), "{first:?}");
     // What comes with an edit comes at once: here, every chunk once more.
     frame.change_land(all.clone());
     assert_eq!(shown(studio.draw_in_motion(&frame).1), all.len());
 
-    frame.loaded_world += 1;
+    frame.content_mut().loaded_world += 1;
     let mut last = studio.draw_in_motion(&frame);
     for _ in 0..60 {
         last = studio.draw_in_motion(&frame);
@@ -199,10 +200,10 @@ fn one_call_draws_many_chunks_and_where_it_cannot_one_call_draws_one() {
         let space = space(geometry);
         let stand = standing(&space, Hemisphere::A, 5.0, 3.0);
         let mut frame = frame(&space, stand, ASPECT);
-        frame.loaded_world = 10 + geometry as u64;
-        frame.land = land(&space, stand, 3);
+        frame.content_mut().loaded_world = 10 + geometry as u64;
+        frame.content_mut().land = land(&space, stand, 3);
         // Where nothing is hidden there is much to draw.
-        frame.quality = Quality::Exact;
+        frame.view.quality = Quality::Exact;
         let (together, stats) = studio.draw(&frame);
         studio.renderer().draw_singly();
         let (singly, single) = studio.draw(&frame);
@@ -244,10 +245,10 @@ fn no_crack_opens_between_two_chunks_while_one_walks() {
         };
         let mut frame = frame(&space, ChartPoint::default(), ASPECT);
         frame.change_land([put(HOME, floor()), put(beside, floor())]);
-        frame.eye.pitch = -0.6;
+        frame.view.eye.pitch = -0.6;
         for step in 0..40u32 {
             let way_m = 0.45 * f64::from(step);
-            frame.eye.point = ChartPoint::a(DVec3::new(3.0 + way_m, 3.7, 0.4 * way_m.sin()));
+            frame.view.eye.point = ChartPoint::a(DVec3::new(3.0 + way_m, 3.7, 0.4 * way_m.sin()));
             if step == 0 {
                 studio.draw(&frame);
                 continue;

@@ -82,8 +82,8 @@ fn a_capsule_reaches_from_the_feet_to_the_head_wherever_it_stands() {
             "{place}"
         );
         for (away, aside) in [(3.0, 0.4), (9.0, -3.0)] {
-            let feet = frame.eye.point.moved(DVec3::new(away, -1.6, aside));
-            frame.hit_shapes = vec![shape(BODY, feet, true)];
+            let feet = frame.view.eye.point.moved(DVec3::new(away, -1.6, aside));
+            frame.content_mut().hit_shapes = vec![shape(BODY, feet, true)];
             let picture = studio.picture(&frame);
             for height in [0.0, 0.35, 1.45, 1.8] {
                 // The lowest and highest points are on the axis, the others on the rings about it.
@@ -92,7 +92,7 @@ fn a_capsule_reaches_from_the_feet_to_the_head_wherever_it_stands() {
                 } else {
                     0.0
                 };
-                let way = frame.eye.point.pos - feet.pos;
+                let way = frame.view.eye.point.pos - feet.pos;
                 let out = way.with_y(0.0).normalize() * off;
                 let at = seen_at(&frame, feet.moved(out + DVec3::Y * height), SIZE);
                 assert!(
@@ -116,16 +116,16 @@ fn balls_and_boxes_are_where_they_should_be_and_red_at_rest() {
         return;
     };
     for (mut frame, place) in places() {
-        let eye = frame.eye.point;
+        let eye = frame.view.eye.point;
         let ball = eye.moved(DVec3::new(4.0, -0.2, -1.5));
         let cuboid = eye.moved(DVec3::new(5.0, -0.5, 1.6));
         let half_m = DVec3::new(1.0, 0.4, 0.6);
-        frame.hit_shapes = vec![
+        frame.content_mut().hit_shapes = vec![
             shape(HitForm::Box { half_m }, cuboid, false),
             shape(HitForm::Ball { radius_m: 0.35 }, ball, true),
         ];
         let picture = studio.picture(&frame);
-        let turn = frame.hit_shapes[0].turn;
+        let turn = frame.content.hit_shapes[0].turn;
         for corner in 0..8u8 {
             let sign = |bit: u8| if corner >> bit & 1 == 1 { 1.0 } else { -1.0 };
             let corner = turn * (half_m * DVec3::new(sign(0), sign(1), sign(2)));
@@ -149,14 +149,14 @@ fn behind_a_wall_an_outline_is_faint_but_there() {
     let space = space(Geometry::Euclidean);
     let eye = ChartPoint::a(DVec3::new(4.0, 16.0, 16.0));
     let mut frame = frame(&space, eye, ASPECT);
-    frame.hit_shapes = vec![shape(BODY, eye.moved(DVec3::new(6.0, -0.9, 0.0)), true)];
+    frame.content_mut().hit_shapes = vec![shape(BODY, eye.moved(DVec3::new(6.0, -0.9, 0.0)), true)];
     let open = count(&studio.picture(&frame), is_green);
     let wall = [(12.0, 10.0), (20.0, 10.0), (20.0, 22.0), (12.0, 22.0)];
     let corners = wall.map(|(z, y)| Vec3::new(7.0, y, z));
     let coord = ChunkCoord::containing(eye);
     frame.change_land([ChunkChange::Put(coord, plates(&[corners]))]);
     let walled = studio.picture(&frame);
-    frame.hit_shapes.clear();
+    frame.content_mut().hit_shapes.clear();
     let bare = studio.picture(&frame);
     let differs = walled.pixels().zip(bare.pixels()).filter(|(a, b)| a != b);
     let (faint, strong) = (differs.count(), count(&walled, is_green));
@@ -172,8 +172,8 @@ fn a_shape_around_and_behind_the_eye_hurts_nobody() {
         return;
     };
     for (mut frame, place) in places() {
-        let eye = frame.eye.point;
-        frame.hit_shapes = vec![
+        let eye = frame.view.eye.point;
+        frame.content_mut().hit_shapes = vec![
             shape(BODY, eye.moved(DVec3::Y * -1.62), true),
             shape(BODY, eye.moved(DVec3::X * -4.0), true),
         ];

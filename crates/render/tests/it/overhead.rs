@@ -21,22 +21,24 @@ fn a_lamp_three_quarters_of_the_way_to_the_antipode_is_drawn_larger_than_one_hal
     };
     let sphere = space(Geometry::Spherical);
     let mut bare = frame(&sphere, ChartPoint::a(DVec3::ZERO), 1.0);
-    bare.eye.yaw = 0.4;
-    bare.eye.pitch = 0.0;
-    bare.projection = Projection::new(FOV_Y_RAD, 1.0, 0.05);
+    bare.view.eye.yaw = 0.4;
+    bare.view.eye.pitch = 0.0;
+    bare.view.projection = Projection::new(FOV_Y_RAD, 1.0, 0.05);
     let nothing = studio.picture(&bare);
     // Pixels of a lamp on the way ahead, and the area that two small steps across the view span there in the picture.
     let mut drawn = |share: f64| {
         let away_m = share * PI * sphere.radius_m();
-        let place = sphere.along(&bare.eye, DVec3::NEG_Z, away_m);
-        assert!((sphere.distance_m(bare.eye.point, place, &bare.eye) - away_m).abs() < 1e-6);
+        let place = sphere.along(&bare.view.eye, DVec3::NEG_Z, away_m);
+        assert!(
+            (sphere.distance_m(bare.view.eye.point, place, &bare.view.eye) - away_m).abs() < 1e-6
+        );
         let mut lit = bare.clone();
-        lit.figures = vec![Figure::standing(ModelId::Lamp, place, 0.0)];
+        lit.content_mut().figures = vec![Figure::standing(ModelId::Lamp, place, 0.0)];
         let picture = studio.picture(&lit);
         let pairs = picture.pixels().zip(nothing.pixels());
         let changed = pairs.filter(|(a, b)| a.0.iter().zip(b.0).any(|(p, q)| p.abs_diff(q) > 12));
         let seen = |step: DVec3| {
-            let view = sphere.view_point(&bare.eye, place.moved(step));
+            let view = sphere.view_point(&bare.view.eye, place.moved(step));
             (view.truncate() / -view.z).truncate()
         };
         let radial = place.pos.with_y(0.0).normalize();
@@ -68,7 +70,7 @@ fn no_sky_shows_through_the_land_where_the_two_halves_meet() {
         for yaw_deg in [0.0, 60.0, 120.0, 180.0, 240.0, 300.0] {
             world.aim(yaw_deg, 15.0);
             let mut frame = world.frame();
-            frame.figures.clear();
+            frame.content_mut().figures.clear();
             let picture = studio.picture(&frame);
             // The land is drawn without blue, but for the glow of the sun before it.
             let blue = |x: u32, y: u32| picture.get_pixel(x, y).0[2];

@@ -20,15 +20,13 @@ fn view(geometry: Geometry, pitch: f64) -> Frame {
     let space = space(geometry);
     let point = standing(&space, Hemisphere::A, 5.0, 3.0);
     let empty = frame(&space, point, ASPECT);
-    Frame {
-        eye: Eye { pitch, ..empty.eye },
-        land: land(&space, point, 1),
-        ..empty
-    }
+    empty
+        .with_view(|it| it.eye = Eye { pitch, ..it.eye })
+        .with_content(|it| it.land = land(&space, point, 1))
 }
 
 fn solid_chunks(frame: &Frame) -> impl Iterator<Item = (ChunkCoord, &Arc<ChunkMesh>)> {
-    let meshes = frame.land.meshes();
+    let meshes = frame.content.land.meshes();
     meshes.filter(|(_, mesh)| !mesh.is_empty())
 }
 
@@ -68,10 +66,10 @@ fn below_the_horizon_the_sky_has_the_horizons_colour() {
     };
     let space = space(Geometry::Euclidean);
     let mut frame = frame(&space, ChartPoint::a(DVec3::ZERO), ASPECT);
-    frame.eye.yaw = std::f64::consts::PI;
-    frame.sky.sun_direction = [1.0, 0.0, 0.0];
+    frame.view.eye.yaw = std::f64::consts::PI;
+    frame.content_mut().sky.sun_direction = [1.0, 0.0, 0.0];
     let picture = studio.picture(&frame);
-    for (channel, light) in frame.sky.horizon.into_iter().enumerate() {
+    for (channel, light) in frame.content.sky.horizon.into_iter().enumerate() {
         let found = f64::from(picture.get_pixel(80, 85).0[channel]);
         assert!(
             (found - shown(f64::from(light))).abs() < 2.5,
@@ -92,9 +90,10 @@ fn land_at_the_fogs_distance_has_the_colour_of_the_haze_behind_it() {
     };
     let mut frame = view(Geometry::Euclidean, -0.1);
     let clear = studio.picture(&frame);
-    frame.fog_distance_m = 1.5;
+    frame.view.fog_distance_m = 1.5;
     let fogged = studio.picture(&frame);
-    (frame.loaded_world, frame.land) = (0, Arc::default());
+    frame.content_mut().loaded_world = 0;
+    frame.content_mut().land = Arc::default();
     let empty = studio.picture(&frame);
     assert!(difference(&clear, &empty).1 > 10.0, "there is land to hide");
     assert!(
@@ -149,7 +148,8 @@ fn chunks_come_change_and_go_and_another_world_starts_empty() {
     frame.change_land([ChunkChange::Put(held[1], Arc::new(ChunkMesh::default()))]);
     let emptied = studio.draw(&frame).1;
     assert_eq!(emptied.draws + emptied.culled, full.draws + full.culled - 2);
-    (frame.loaded_world, frame.land) = (0, Arc::default());
+    frame.content_mut().loaded_world = 0;
+    frame.content_mut().land = Arc::default();
     let empty = studio.draw(&frame).1;
     assert!(empty.triangles < 100 && empty.culled == 0, "{empty:?}");
 }
@@ -177,17 +177,21 @@ fn chunks_beyond_the_fog_or_behind_the_eye_are_left_out_unseen() {
         (with_far.triangles, with_far.culled),
         (near.triangles, near.culled + 1)
     );
-    assert!(space.distance_m(frame.eye.point, ChartPoint::a(far.origin()), &frame.eye) > 150.0);
+    assert!(
+        space.distance_m(
+            frame.view.eye.point,
+            ChartPoint::a(far.origin()),
+            &frame.view.eye
+        ) > 150.0
+    );
 }
 
 fn astronaut(yaw: f64) -> Frame {
     let space = space(Geometry::Euclidean);
     let eye = ChartPoint::a(DVec3::new(0.0, 1.0, 0.0));
     let point = ChartPoint::a(DVec3::new(3.0, 0.0, 0.0));
-    Frame {
-        figures: vec![Figure::standing(ModelId::Astronaut, point, yaw)],
-        ..frame(&space, eye, ASPECT)
-    }
+    frame(&space, eye, ASPECT)
+        .with_content(|it| it.figures = vec![Figure::standing(ModelId::Astronaut, point, yaw)])
 }
 
 fn count(picture: &RgbaImage, like: impl Fn([u8; 3]) -> bool) -> usize {
@@ -205,9 +209,9 @@ fn a_figure_stands_in_a_shade_of_its_own() {
     let mut frame = astronaut(0.0);
     let corners = [[0.0, -8.0], [0.0, 8.0], [16.0, 8.0], [16.0, -8.0]];
     let ground = plates(&[corners.map(|[x, z]| Vec3::new(x, 0.0, z))]);
-    let corner = ChunkCoord::containing(frame.eye.point);
+    let corner = ChunkCoord::containing(frame.view.eye.point);
     frame.change_land([ChunkChange::Put(corner, ground)]);
-    frame.eye.pitch = -0.3;
+    frame.view.eye.pitch = -0.3;
     let beside = seen_at(
         &frame,
         ChartPoint::a(DVec3::new(3.0, 0.0, 0.38)),
@@ -215,7 +219,7 @@ fn a_figure_stands_in_a_shade_of_its_own() {
     );
     let green = |picture: &RgbaImage| picture.get_pixel(beside.0 as u32, beside.1 as u32).0[1];
     let shaded = green(&studio.picture(&frame));
-    frame.figures[0].point.pos.z = 5.0;
+    frame.content_mut().figures[0].point.pos.z = 5.0;
     let bare = green(&studio.picture(&frame));
     assert!(
         u32::from(shaded) * 5 < u32::from(bare) * 4,
@@ -230,21 +234,21 @@ fn the_sun_stands_where_it_is_told_and_stars_show_by_night_only() {
     };
     let space = space(Geometry::Hyperbolic);
     let mut frame = frame(&space, ChartPoint::a(DVec3::ZERO), ASPECT);
-    frame.eye.pitch = 0.6;
+    frame.view.eye.pitch = 0.6;
     let bright = |picture: &RgbaImage| count(picture, |[r, g, b]| r > 90 && g > 90 && b > 90);
-    frame.sky.top = [0.003, 0.005, 0.016];
-    frame.sky.horizon = [0.012, 0.020, 0.046];
-    frame.sky.sun_direction = [-1.0, -0.2, 0.0];
+    frame.content_mut().sky.top = [0.003, 0.005, 0.016];
+    frame.content_mut().sky.horizon = [0.012, 0.020, 0.046];
+    frame.content_mut().sky.sun_direction = [-1.0, -0.2, 0.0];
     let dark = bright(&studio.picture(&frame));
-    frame.sky.stars = 1.0;
+    frame.content_mut().sky.stars = 1.0;
     let starry = bright(&studio.picture(&frame));
     assert!(dark == 0 && starry > 15, "{dark} {starry}");
-    frame.sky.stars = 0.0;
-    frame.sky.sun_direction = Vec3::new(1.0, 0.5, 0.4).normalize().into();
+    frame.content_mut().sky.stars = 0.0;
+    frame.content_mut().sky.sun_direction = Vec3::new(1.0, 0.5, 0.4).normalize().into();
     let (right, above) = (0.4, (0.5 - 0.6f64.tan()) / (1.0 + 0.5 * 0.6f64.tan()));
     let ahead = (1.0 + 0.5 * 0.6f64.tan()) * 0.6f64.cos();
-    let x = 160.0 + 160.0 * frame.projection.sx * right / ahead;
-    let y = 90.0 - 90.0 * frame.projection.sy * above;
+    let x = 160.0 + 160.0 * frame.view.projection.sx * right / ahead;
+    let y = 90.0 - 90.0 * frame.view.projection.sy * above;
     let picture = studio.picture(&frame);
     assert!(picture.get_pixel(x as u32, y as u32).0[1] > 240, "{x} {y}");
     assert!(picture.get_pixel(320 - x as u32, y as u32).0[1] < 200);

@@ -61,7 +61,7 @@ fn poses(frame: &Frame) -> Vec<Eye> {
         .map(|(yaw, pitch)| Eye {
             yaw,
             pitch,
-            ..frame.eye
+            ..frame.view.eye
         })
         .to_vec()
 }
@@ -75,13 +75,13 @@ fn what_the_planner_leaves_out_is_not_missed() {
         for (x, z) in [(4.0, 4.0), (-30.0, 21.0)] {
             let stand = standing(&space, Hemisphere::A, x, z);
             let mut frame = frame(&space, stand, 16.0 / 9.0);
-            frame.eye.dial = dial;
-            frame.fog_distance_m = (space.sight_limit_m(&frame.eye) as f32).min(150.0);
-            frame.land = land(&space, stand, 5);
+            frame.view.eye.dial = dial;
+            frame.view.fog_distance_m = (space.sight_limit_m(&frame.view.eye) as f32).min(150.0);
+            frame.content_mut().land = land(&space, stand, 5);
             for eye in poses(&frame) {
-                frame.eye = eye;
+                frame.view.eye = eye;
                 let mut draw = |quality: Quality| -> (RgbaImage, DrawStats) {
-                    frame.quality = quality;
+                    frame.view.quality = quality;
                     studio.draw(&frame)
                 };
                 let (exact, all) = draw(Quality::Exact);
@@ -110,12 +110,12 @@ fn the_highest_curvature_draws_less_than_half_of_the_flat_view() {
         let (_, space, dial) = views().into_iter().find(|(n, ..)| *n == name).unwrap();
         let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
         let mut frame = frame(&space, stand, 16.0 / 9.0);
-        frame.eye = Eye {
+        frame.view.eye = Eye {
             dial,
             pitch: -0.05,
-            ..frame.eye
+            ..frame.view.eye
         };
-        frame.land = land(&space, stand, 5);
+        frame.content_mut().land = land(&space, stand, 5);
         studio.draw(&frame).1
     };
     let (flat, bent) = (drawn("flat"), drawn("raised 20"));
@@ -131,20 +131,20 @@ fn what_a_figure_gains_by_distance_is_one_matrix() {
     for (name, space, dial) in views() {
         let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
         let mut frame = frame(&space, stand, 16.0 / 9.0);
-        frame.eye = Eye {
+        frame.view.eye = Eye {
             dial,
             pitch: -0.2,
-            ..frame.eye
+            ..frame.view.eye
         };
-        frame.fog_distance_m = 1e4;
-        let far_m = (space.sight_limit_m(&frame.eye) * 0.6).min(30.0);
+        frame.view.fog_distance_m = 1e4;
+        let far_m = (space.sight_limit_m(&frame.view.eye) * 0.6).min(30.0);
         let mut chosen = |away_m: f64, quality| {
             let point = stand.moved(glam::DVec3::new(away_m, -1.7, 0.0));
-            frame.figures = vec![Figure {
+            frame.content_mut().figures = vec![Figure {
                 posture: Posture::of(Clip::Walk, 0.2),
                 ..Figure::standing(ModelId::Astronaut, point, 2.0)
             }];
-            frame.quality = quality;
+            frame.view.quality = quality;
             let (picture, stats) = studio.draw(&frame);
             (picture, stats.plan.figures_by_frame)
         };

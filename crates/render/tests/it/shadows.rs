@@ -63,13 +63,13 @@ fn scene(geometry: Geometry) -> Frame {
     );
     let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
     scene.change_land([ChunkChange::Put(coord, floor_and_pillar())]);
-    scene.eye.yaw = std::f64::consts::FRAC_PI_4;
-    scene.eye.pitch = -0.75;
-    scene.fog_distance_m = 1e4;
-    if let Some(orbs) = scene.sky.orbs {
+    scene.view.eye.yaw = std::f64::consts::FRAC_PI_4;
+    scene.view.eye.pitch = -0.75;
+    scene.view.fog_distance_m = 1e4;
+    if let Some(orbs) = scene.content.sky.orbs {
         // Lower than at its noon, so that the pillar throws a shadow to the side.
         let sun = ChartPoint::a(orbs.sun.pos + DVec3::new(-5.0, 0.0, 34.0));
-        scene.sky.orbs = Some(antipode_frame::Orbs { sun, ..orbs });
+        scene.content_mut().sky.orbs = Some(antipode_frame::Orbs { sun, ..orbs });
     }
     scene
 }
@@ -101,10 +101,10 @@ fn is_shaded(frame: &Frame, point: DVec3, margin_m: f64) -> bool {
 /// Whether something that is where `is_in` says stands between a point of the floor and the light.
 fn is_shaded_by(frame: &Frame, point: DVec3, is_in: impl Fn(DVec3) -> bool) -> bool {
     let steps = (1..2000).map(|i| f64::from(i) * 0.01);
-    if let Some(orbs) = frame.sky.orbs {
-        let radius_m = frame.strategy.radius_m();
+    if let Some(orbs) = frame.content.sky.orbs {
+        let radius_m = frame.view.strategy.radius_m();
         let unit = |p| {
-            let v = frame.strategy.view_point(&frame.eye, p);
+            let v = frame.view.strategy.view_point(&frame.view.eye, p);
             (v.truncate() / radius_m).extend(v.w)
         };
         let (from, sun) = (unit(ChartPoint::a(point)), unit(orbs.sun));
@@ -113,17 +113,17 @@ fn is_shaded_by(frame: &Frame, point: DVec3, is_in: impl Fn(DVec3) -> bool) -> b
             let (sin, cos) = (metres / radius_m).sin_cos();
             let x = from * cos + way * sin;
             let view = (x.truncate() * radius_m).extend(x.w);
-            let there = frame.strategy.chart_point(&frame.eye, view);
+            let there = frame.view.strategy.chart_point(&frame.view.eye, view);
             there.hemisphere == Hemisphere::A && is_in(there.pos)
         });
     }
-    let toward = DVec3::from(frame.sky.key_direction.map(f64::from));
+    let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
     steps.map(|m| point + toward * m).any(is_in)
 }
 
 /// Whether the eye sees a point past the pillar.
 fn is_seen(frame: &Frame, point: DVec3) -> bool {
-    let eye = frame.eye.point.pos;
+    let eye = frame.view.eye.point.pos;
     // Straight lines of the picture are nearly those of the chart this close; the margin is for that.
     (1..400).all(|i| !is_in_pillar(eye.lerp(point, f64::from(i) / 400.0), 0.6))
 }
@@ -186,14 +186,14 @@ fn a_shadow_ends_where_the_suns_elevation_says() {
     let size = (1280, 720);
     let mut frame = scene(Geometry::Euclidean);
     let toward = Vec3::new(-0.6, 0.64, 0.0).normalize();
-    frame.sky.key_direction = toward.into();
+    frame.content_mut().sky.key_direction = toward.into();
     let reach_m = (PILLAR[1].y - FLOOR_M) * f64::from(toward.x.abs() / toward.y);
     let tip = DVec3::new(PILLAR[1].x + reach_m, FLOOR_M, 15.5);
-    frame.eye = Eye {
+    frame.view.eye = Eye {
         point: ChartPoint::a(tip + DVec3::new(-0.5, 2.0, 0.0)),
         pitch: -1.3,
         yaw: 0.0,
-        ..frame.eye
+        ..frame.view.eye
     };
     let Some([on, off]) = both(&frame, size) else {
         return;
@@ -220,14 +220,14 @@ fn turning_the_eye_leaves_the_maps_alone() {
     };
     for geometry in GEOMETRIES {
         let mut frame = scene(geometry);
-        frame.loaded_world = geometry as u64 + 1;
+        frame.content_mut().loaded_world = geometry as u64 + 1;
         studio.draw(&frame);
         for turn in 0..6 {
-            frame.eye.yaw += f64::from(turn);
+            frame.view.eye.yaw += f64::from(turn);
             let stats = studio.draw_in_motion(&frame).1;
             assert_eq!(stats.shadows.passes, 0, "{geometry} {turn}");
         }
-        frame.eye.point = frame.eye.point.moved(DVec3::new(8.0, 0.0, 0.0));
+        frame.view.eye.point = frame.view.eye.point.moved(DVec3::new(8.0, 0.0, 0.0));
         assert!(
             studio.draw_in_motion(&frame).1.shadows.passes > 0,
             "{geometry}"
@@ -239,10 +239,10 @@ fn turning_the_eye_leaves_the_maps_alone() {
 fn a_pillar_behind_the_eye_shades_the_ground_before_it() {
     let mut frame = scene(Geometry::Hyperbolic);
     let toward = Vec3::new(-0.8, 0.35, 0.0).normalize();
-    frame.sky.key_direction = toward.into();
-    frame.eye.point = ChartPoint::a(DVec3::new(18.0, FLOOR_M + 1.7, 15.5));
-    frame.eye.yaw = 0.0;
-    frame.eye.pitch = -0.7;
+    frame.content_mut().sky.key_direction = toward.into();
+    frame.view.eye.point = ChartPoint::a(DVec3::new(18.0, FLOOR_M + 1.7, 15.5));
+    frame.view.eye.yaw = 0.0;
+    frame.view.eye.pitch = -0.7;
     let Some([on, off]) = both(&frame, SIZE) else {
         return;
     };
@@ -254,8 +254,8 @@ fn a_pillar_behind_the_eye_shades_the_ground_before_it() {
 #[test]
 fn a_night_without_a_moon_has_no_shadows() {
     let mut frame = scene(Geometry::Euclidean);
-    frame.sky.key_colour = [0.0; 3];
-    frame.sky.key_shadow = 0.0;
+    frame.content_mut().sky.key_colour = [0.0; 3];
+    frame.content_mut().sky.key_shadow = 0.0;
     let Some([on, off]) = both(&frame, SIZE) else {
         return;
     };
@@ -266,11 +266,11 @@ fn a_night_without_a_moon_has_no_shadows() {
 fn a_figure_throws_a_shadow_in_every_space() {
     for geometry in GEOMETRIES {
         let mut frame = scene(geometry);
-        frame.sky.key_direction = Vec3::new(0.5, 0.7, 0.2).normalize().into();
-        frame.sky.sun_direction = frame.sky.key_direction;
+        frame.content_mut().sky.key_direction = Vec3::new(0.5, 0.7, 0.2).normalize().into();
+        frame.content_mut().sky.sun_direction = frame.content.sky.key_direction;
         let feet = DVec3::new(13.5, FLOOR_M, 12.0);
         let figure = Figure::standing(ModelId::Astronaut, ChartPoint::a(feet), 0.0);
-        frame.figures = vec![figure];
+        frame.content_mut().figures = vec![figure];
         let Some([on, off]) = both(&frame, SIZE) else {
             return;
         };
@@ -278,7 +278,7 @@ fn a_figure_throws_a_shadow_in_every_space() {
             let off = p - feet;
             off.x.hypot(off.z) < radius_m && (0.1..top_m).contains(&off.y)
         };
-        let eye = frame.eye.point.pos;
+        let eye = frame.view.eye.point.pos;
         let hides = |point: DVec3| {
             let line = (1..400).map(|i| eye.lerp(point, f64::from(i) / 400.0));
             line.into_iter().any(|p| is_in_body(p, 0.6, 2.1))
@@ -313,11 +313,11 @@ fn land_far_below_a_figure_is_dark_under_it_alone() {
         (Geometry::Euclidean, 60.0),
     ] {
         let mut frame = scene(geometry);
-        frame.sky.key_direction = Vec3::new(0.2, 1.0, 0.1).normalize().into();
-        frame.sky.sun_direction = frame.sky.key_direction;
+        frame.content_mut().sky.key_direction = Vec3::new(0.2, 1.0, 0.1).normalize().into();
+        frame.content_mut().sky.sun_direction = frame.content.sky.key_direction;
         let below = DVec3::new(13.5, FLOOR_M, 12.0);
         let feet = below + DVec3::new(0.2, 1.0, 0.1) * above_m;
-        frame.figures = vec![Figure::standing(
+        frame.content_mut().figures = vec![Figure::standing(
             ModelId::Astronaut,
             ChartPoint::a(feet),
             0.0,
@@ -346,13 +346,13 @@ fn land_far_below_a_figure_is_dark_under_it_alone() {
 #[test]
 fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
     let frame = scene(Geometry::Spherical);
-    let space = &frame.strategy;
+    let space = &frame.view.strategy;
     // Over the floor as the other chart would have it, far past its own end.
     let over = ChartPoint::a(DVec3::new(14.0, FLOOR_M + 3.0, 14.0));
-    let wanted = space.curved(&frame.eye, over);
+    let wanted = space.curved(&frame.view.eye, over);
     let level = over.pos.with_y(0.0);
     let way = level.normalize() * (PI * space.radius_m() - level.length());
-    let seen = |at: DVec3| space.curved(&frame.eye, ChartPoint::new(Hemisphere::B, at));
+    let seen = |at: DVec3| space.curved(&frame.view.eye, ChartPoint::new(Hemisphere::B, at));
     let past = [1.0, -1.0]
         .iter()
         .flat_map(|x| [1.0, -1.0].map(|z| DVec3::new(x * way.x, over.pos.y, z * way.z)))
@@ -419,10 +419,8 @@ fn floor_with_a_step() -> Arc<ChunkMesh> {
 fn what_turns_away_though_its_normals_do_not_is_as_light_as_the_land_beside_it() {
     for geometry in GEOMETRIES {
         let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
-        let frame = Frame {
-            land: one_chunk(coord, floor_with_a_step()),
-            ..scene(geometry)
-        };
+        let frame =
+            scene(geometry).with_content(|it| it.land = one_chunk(coord, floor_with_a_step()));
         for quality in [ShadowQuality::Low, ShadowQuality::High] {
             let Some([on, off]) = compared(&frame, SIZE, quality) else {
                 return;

@@ -28,9 +28,9 @@ fn clouds_drift_over_the_horizon_and_nothing_of_them_is_under_it() {
     let space = space(Geometry::Euclidean);
     let mut frame = frame(&space, ChartPoint::a(DVec3::ZERO), ASPECT);
     let clear = studio.picture(&frame);
-    frame.sky.clouds = 0.8;
+    frame.content_mut().sky.clouds = 0.8;
     let cloudy = studio.picture(&frame);
-    frame.sky.drift = 0.1;
+    frame.content_mut().sky.drift = 0.1;
     let later = studio.picture(&frame);
     assert!(differing(&clear, &cloudy, 0..35) > 8.0);
     assert!(differing(&cloudy, &later, 0..35) > 2.0);
@@ -44,10 +44,10 @@ fn the_band_of_stars_turns_with_the_sun() {
     };
     let space = space(Geometry::Hyperbolic);
     let mut frame = frame(&space, ChartPoint::a(DVec3::ZERO), ASPECT);
-    frame.eye.pitch = 0.9;
+    frame.view.eye.pitch = 0.9;
     let mut at = |time_s: f64| {
-        frame.sky = sky(time_s, &*space, &frame.eye);
-        frame.sky.clouds = 0.0;
+        frame.content_mut().sky = sky(time_s, &*space, &frame.view.eye);
+        frame.content_mut().sky.clouds = 0.0;
         studio.picture(&frame)
     };
     let (early, late) = (at(420.0), at(480.0));
@@ -76,8 +76,8 @@ fn the_sun_of_a_closed_world_stands_in_it_and_lights_what_is_near_it() {
     let eye = ChartPoint::a(DVec3::new(0.0, f64::from(ground) + 1.6, 0.0));
     let mut frame = frame(&space, eye, ASPECT);
     let mut seen = |time_s: f64, pitch: f64, mesh: bool| {
-        frame.eye.pitch = pitch;
-        frame.sky = sky(time_s, &*space, &frame.eye);
+        frame.view.eye.pitch = pitch;
+        frame.content_mut().sky = sky(time_s, &*space, &frame.view.eye);
         if mesh {
             frame.change_land([ChunkChange::Put(chunk, plates(&[square]))]);
         }
@@ -94,7 +94,7 @@ fn the_sun_of_a_closed_world_stands_in_it_and_lights_what_is_near_it() {
     );
     // In the afternoon the sun is off the zenith, where the space has it.
     let (sky, at) = seen(200.0, 1.2, false);
-    let sun = at.sky.orbs.unwrap().sun;
+    let sun = at.content.sky.orbs.unwrap().sun;
     let (x, y) = seen_at(&at, sun, SIZE);
     assert!(
         (0.0..160.0).contains(&x) && (0.0..90.0).contains(&y),

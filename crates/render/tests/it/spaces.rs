@@ -26,24 +26,23 @@ fn the_marker_is_within_a_pixel_of_what_it_points_at() {
     for geometry in GEOMETRIES {
         let space = space(geometry);
         let mut frame = frame(&space, ChartPoint::a(DVec3::new(3.0, 9.0, -2.0)), ASPECT);
-        frame.eye.pitch = -0.2;
+        frame.view.eye.pitch = -0.2;
         let without = studio.picture(&frame);
         for (direction, distance_m) in [
             (DVec3::NEG_Z, 4.0),
             (DVec3::NEG_Z, 16.0),
             (DVec3::new(0.3, -0.2, -1.0), 9.0),
         ] {
-            let point = space.along(&frame.eye, direction.normalize(), distance_m);
-            let marked = Frame {
-                lights: antipode_frame::Lights::default(),
-                marker: Some(Marker {
+            let point = space.along(&frame.view.eye, direction.normalize(), distance_m);
+            let marked = frame.clone().with_content(|it| {
+                it.lights = antipode_frame::Lights::default();
+                it.marker = Some(Marker {
                     point,
                     radius_m: 0.8,
                     active: false,
                     shape: MarkerShape::Ball,
-                }),
-                ..frame.clone()
-            };
+                });
+            });
             let picture = studio.picture(&marked);
             let (x, y) = middle_of_change(&picture, &without).expect("the marker is seen");
             let (want_x, want_y) = seen_at(&frame, point, SIZE);
@@ -85,10 +84,7 @@ fn reading(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, mesh: Arc<ChunkMes
         index: IVec3::ZERO,
     };
     let eye = ChartPoint::new(hemisphere, DVec3::new(6.0, 6.0, 8.5));
-    Frame {
-        land: one_chunk(corner, mesh),
-        ..frame(space, eye, ASPECT)
-    }
+    frame(space, eye, ASPECT).with_content(|it| it.land = one_chunk(corner, mesh))
 }
 
 fn red(picture: &RgbaImage, x: std::ops::Range<f64>, y: std::ops::Range<f64>) -> usize {
@@ -118,7 +114,8 @@ fn the_letter_f_reads_as_f_in_every_space_and_hemisphere() {
         };
         for &hemisphere in hemispheres {
             let mut frame = reading(&space, hemisphere, letter_f());
-            frame.loaded_world = geometry as u64 * 2 + u64::from(hemisphere == Hemisphere::B);
+            frame.content_mut().loaded_world =
+                geometry as u64 * 2 + u64::from(hemisphere == Hemisphere::B);
             let picture = studio.picture(&frame);
             let [upper_left, upper_right, lower_left, lower_right] = [
                 red(&picture, 0.0..0.5, 0.0..0.5),
@@ -158,10 +155,8 @@ fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
                 .for_each(|t| t.swap(1, 2));
             for (mesh, seen) in [(letter_f(), true), (Arc::new(turned), false)] {
                 world += 1;
-                let frame = Frame {
-                    loaded_world: world,
-                    ..reading(&space, hemisphere, mesh)
-                };
+                let frame =
+                    reading(&space, hemisphere, mesh).with_content(|it| it.loaded_world = world);
                 let found = red(&studio.picture(&frame), 0.0..1.0, 0.0..1.0);
                 assert_eq!(
                     found > 500,
@@ -183,24 +178,22 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
     let angle = 0.7_f64;
     let ground = DVec3::new(angle.cos(), 0.0, angle.sin()) * (rim_m + 0.1);
     let before = ChartPoint::a(ground + DVec3::Y * 22.0);
-    let mut frame = Frame {
-        land: land(&space, before, 0),
-        ..frame(&space, before, ASPECT)
-    };
+    let mut frame =
+        frame(&space, before, ASPECT).with_content(|it| it.land = land(&space, before, 0));
     for (yaw, pitch) in [(angle, -0.3), (angle + 2.0, -0.9), (angle - 1.2, 0.9)] {
-        frame.eye = Eye {
+        frame.view.eye = Eye {
             point: before,
             yaw,
             pitch,
-            ..frame.eye
+            ..frame.view.eye
         };
         let one = studio.picture(&frame);
         let crossing = space.carry(before).unwrap();
-        frame.eye = Eye {
+        frame.view.eye = Eye {
             point: crossing.point,
             yaw: yaw - crossing.turn_rad,
             pitch,
-            ..frame.eye
+            ..frame.view.eye
         };
         let other = studio.picture(&frame);
         let (_, mean) = difference(&one, &other);
@@ -237,11 +230,9 @@ fn land_ends_at_the_equator(studio: &mut Studio, space: &Arc<dyn Strategy>) {
     ]
     .map(|[x, z]: [f32; 2]| Vec3::new(x, 2.0, z));
     let eye = ChartPoint::a(DVec3::new(rim_m, 8.0, -1.0));
-    let mut frame = Frame {
-        land: one_chunk(corner, plates(&[strip])),
-        ..frame(space, eye, ASPECT)
-    };
-    frame.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;
+    let mut frame =
+        frame(space, eye, ASPECT).with_content(|it| it.land = one_chunk(corner, plates(&[strip])));
+    frame.view.eye.pitch = -std::f64::consts::FRAC_PI_2 + 1e-3;
     let picture = studio.picture(&frame);
     let (_, line) = seen_at(
         &frame,
@@ -277,15 +268,14 @@ fn a_marker_behind_land_still_shows_but_faintly() {
     let plain = studio.picture(&frame);
     let mut change = |x: f64| {
         let point = ChartPoint::a(DVec3::new(x, 6.0, 8.5));
-        let marked = Frame {
-            marker: Some(Marker {
+        let marked = frame.clone().with_content(|it| {
+            it.marker = Some(Marker {
                 point,
                 radius_m: 4.0,
                 active: false,
                 shape: MarkerShape::Ball,
-            }),
-            ..frame.clone()
-        };
+            })
+        });
         let (x, y) = seen_at(&marked, point, SIZE);
         let (p, q) = (studio.picture(&marked), &plain);
         let at = |picture: &RgbaImage| picture.get_pixel(x as u32, y as u32).0.map(i32::from);
@@ -321,10 +311,7 @@ fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() 
             active: true,
             shape,
         });
-        let marked = Frame {
-            marker,
-            ..frame.clone()
-        };
+        let marked = frame.clone().with_content(|it| it.marker = marker);
         let picture = studio.picture(&marked);
         let (x, y) = seen_at(&marked, middle, SIZE);
         let (at_rim, _) = seen_at(&marked, middle.moved(DVec3::Z * radius_m), SIZE);
@@ -363,7 +350,7 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
         let at =
             |east_m: f64, y: f64, z: f64| ChartPoint::new(hemisphere, DVec3::new(east_m, y, z));
         let mut frame = frame(&space, at(east_m - 8.0, 13.0, 8.0), ASPECT);
-        frame.eye.pitch = -0.95;
+        frame.view.eye.pitch = -0.95;
         let cell = |x: u8, z: u8| {
             let [x, z] = [x, z].map(|it| 2.0 * f32::from(it));
             [
@@ -381,7 +368,7 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
         frame.change_land([ChunkChange::Put(coord, plates(&cells))]);
         let plain = studio.picture(&frame);
         let middle = at(east_m, 2.0, 8.0);
-        frame.marker = Some(Marker {
+        frame.content_mut().marker = Some(Marker {
             point: middle,
             radius_m,
             active: true,
@@ -420,15 +407,14 @@ fn the_ring_is_nowhere_but_on_its_circle_however_rugged_the_land() {
             world.aim(yaw_deg, -6.0);
             let marker = world.scene.marker().expect("a pickaxe is in hand");
             let plain = world.frame();
-            let ringed = Frame {
-                marker: Some(Marker {
+            let ringed = plain.clone().with_content(|it| {
+                it.marker = Some(Marker {
                     active: true,
                     ..marker
-                }),
-                ..plain.clone()
-            };
+                })
+            });
             let pictures = [studio.picture(&plain), studio.picture(&ringed)];
-            let triangles = triangles(&plain.land);
+            let triangles = triangles(&plain.content.land);
             let surface = Surface::of(&plain, &triangles, world.size());
             for (x, y, pixel) in pictures[1].enumerate_pixels() {
                 let is_ring =

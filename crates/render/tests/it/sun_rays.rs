@@ -47,7 +47,7 @@ fn judge(
     shadows: ShadowQuality,
 ) -> Option<Found> {
     let picture = Studio::with_shaders(size, shadows, told())?.picture(frame);
-    let triangles = triangles(&frame.land);
+    let triangles = triangles(&frame.content.land);
     let surface = Surface::of(frame, &triangles, size);
     let rays = Rays::new(frame, &triangles);
     let lit: Vec<Option<bool>> = surface

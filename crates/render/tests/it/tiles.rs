@@ -14,15 +14,15 @@ fn view(geometry: Geometry, quality: Quality) -> Frame {
     let space = space(geometry);
     let point = standing(&space, Hemisphere::A, 5.0, 3.0);
     let empty = frame(&space, point, f64::from(SIZE.0) / f64::from(SIZE.1));
-    let [x, y, z] = empty.sky.sun_direction;
+    let [x, y, z] = empty.content.sky.sun_direction;
     let eye = Eye {
         yaw: f64::from(z).atan2(f64::from(x)),
-        pitch: if empty.sky.dome {
+        pitch: if empty.content.sky.dome {
             0.5 * f64::from(y).asin()
         } else {
             -0.2
         },
-        ..empty.eye
+        ..empty.view.eye
     };
     let mut feet = point;
     feet.pos += 3.0 * eye.front();
@@ -32,13 +32,15 @@ fn view(geometry: Geometry, quality: Quality) -> Frame {
         held: Some(ModelId::Lamp),
         ..Figure::standing(ModelId::Astronaut, feet, 0.5)
     };
-    Frame {
-        eye,
-        figures: vec![figure],
-        land: land(&space, point, 1),
-        quality,
-        ..empty
-    }
+    empty
+        .with_view(|it| {
+            it.eye = eye;
+            it.quality = quality;
+        })
+        .with_content(|it| {
+            it.figures = vec![figure];
+            it.land = land(&space, point, 1);
+        })
 }
 
 /// The picture of that frame, `TIMES` as large, by tiles of `SIZE`.

@@ -140,11 +140,19 @@ fn its_wheels_turn_and_steer_and_the_driver_is_seen() {
     assert!(view.steer_rad > 0.05, "{view:?}");
     assert!(view.wheels[0].steer_rad > 0.05 && view.wheels[2].steer_rad == 0.0);
     let frame = scene.frame(1.2, 16.0 / 9.0, 1);
-    let count = |model| frame.figures.iter().filter(|it| it.model == model).count();
+    let count = |model| {
+        frame
+            .content
+            .figures
+            .iter()
+            .filter(|it| it.model == model)
+            .count()
+    };
     assert_eq!(count(ModelId::CarBody), 1);
     assert_eq!(count(ModelId::CarWheelLeft), 2);
     assert_eq!(count(ModelId::CarWheelRight), 2);
     let driver = frame
+        .content
         .figures
         .iter()
         .find(|it| it.model == ModelId::Astronaut)
@@ -159,8 +167,8 @@ fn its_wheels_turn_and_steer_and_the_driver_is_seen() {
 fn its_lights_are_switched_and_braking_is_seen_behind() {
     let mut scene = driving(Geometry::Euclidean);
     let lit = |scene: &mut Scene| {
-        let lights = scene.frame(1.2, 16.0 / 9.0, 1).lights;
-        (lights.beams.len(), lights.lamps)
+        let content = scene.frame(1.2, 16.0 / 9.0, 1).content;
+        (content.lights.beams.len(), content.lights.lamps.clone())
     };
     assert_eq!(lit(&mut scene).0, 0);
     let switch = Actions {

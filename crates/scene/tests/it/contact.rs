@@ -24,7 +24,7 @@ fn opened(geometry: Geometry, seed: u64) -> Scene {
 /// Height of the drawn ground in a point's column that is nearest to it.
 fn drawn_ground_m(frame: &Frame, at: ChartPoint) -> f64 {
     let mut heights = Vec::new();
-    for (coord, mesh) in frame.land.meshes() {
+    for (coord, mesh) in frame.content.land.meshes() {
         let here = at.pos - coord.origin();
         let inside = (-0.1..32.1).contains(&here.x) && (-0.1..32.1).contains(&here.z);
         if coord.hemisphere != at.hemisphere || !inside {
@@ -72,7 +72,7 @@ fn figures_are_drawn_with_their_soles_on_the_ground_and_parked_cars_with_their_w
             steps(&mut scene, 240, &Actions::default());
             let frame = scene.frame(1.3, 1.7, 1);
             let over_m = |at: ChartPoint| at.pos.y - drawn_ground_m(&frame, at);
-            let figures = &frame.figures;
+            let figures = &frame.content.figures;
             let suits = [ModelId::Astronaut, ModelId::AstronautTeal];
             let stand: Vec<_> = figures
                 .iter()

@@ -9,8 +9,9 @@ use antipode_terrain::Field;
 use glam::DVec3;
 
 fn shown(scene: &mut Scene, item: Item) -> Figure {
-    let figures = scene.frame(1.3, 1.7, 1).figures;
-    let mut like = figures
+    let content = scene.frame(1.3, 1.7, 1).content;
+    let mut like = content
+        .figures
         .iter()
         .filter(|figure| figure.model == ModelId::from(item));
     *like.next().expect("it is shown")

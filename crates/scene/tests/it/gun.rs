@@ -27,7 +27,7 @@ fn look_at(scene: &mut Scene, point: ChartPoint) -> f64 {
     // In third person the camera would move with the look; a second round would then be needed.
     for _ in 0..2 {
         let eye = scene.eye();
-        let strategy = scene.frame(1.3, 1.7, 1).strategy;
+        let strategy = scene.frame(1.3, 1.7, 1).view.strategy;
         let view = strategy.view_point(&eye, point);
         away_m = strategy.eye_distance_m(&eye, view);
         let way = eye.to_chart(view.truncate().normalize());
@@ -41,7 +41,7 @@ fn is_in_sight(scene: &mut Scene, point: ChartPoint) -> bool {
     let away_m = look_at(scene, point);
     steps(scene, 1, &slot(PICKAXE));
     let eye = scene.eye();
-    let strategy = scene.frame(1.3, 1.7, 1).strategy;
+    let strategy = scene.frame(1.3, 1.7, 1).view.strategy;
     let seen_m = scene.marker().map_or(f64::INFINITY, |marker| {
         strategy.distance_m(eye.point, marker.point, &eye)
     });

@@ -104,6 +104,7 @@ fn they_come_out_of_sight_and_go_far_off_out_of_sight_never_too_many() {
             for view in scene.bots() {
                 let seen = scene
                     .frame(1.3, 1.7, 1)
+                    .view
                     .strategy
                     .view_point(&eye, view.point);
                 let behind = -seen.z / seen.truncate().length() < 0.5;

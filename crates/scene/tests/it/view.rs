@@ -59,6 +59,7 @@ fn digging_in_one_place_hands_each_chunk_over_once() {
     assert!(
         !scene
             .frame(1.0, 1.5, 1)
+            .content
             .land
             .news(&mut cursor)
             .changes
@@ -70,7 +71,12 @@ fn digging_in_one_place_hands_each_chunk_over_once() {
         ..Actions::default()
     };
     steps(&mut scene, 40, &build);
-    let changes = scene.frame(1.0, 1.5, 1).land.news(&mut cursor).changes;
+    let changes = scene
+        .frame(1.0, 1.5, 1)
+        .content
+        .land
+        .news(&mut cursor)
+        .changes;
     let mut coords: Vec<_> = changes.iter().map(ChunkChange::coord).collect();
     let all = coords.len();
     coords.sort_unstable();
@@ -82,9 +88,9 @@ fn digging_in_one_place_hands_each_chunk_over_once() {
 fn the_fog_is_complete_before_a_curved_space_ends_to_be_drawn() {
     let mut scene = scene(Geometry::Hyperbolic);
     let limit_m = (FAR_LIMIT_RADII * scene.strategy().radius_m()) as f32;
-    assert!(scene.frame(1.0, 1.5, 1).fog_distance_m < limit_m);
+    assert!(scene.frame(1.0, 1.5, 1).view.fog_distance_m < limit_m);
     scene.set_view_distance(16);
-    assert_eq!(scene.frame(1.0, 1.5, 1).fog_distance_m, limit_m);
+    assert_eq!(scene.frame(1.0, 1.5, 1).view.fog_distance_m, limit_m);
 }
 
 #[test]
@@ -133,7 +139,7 @@ fn the_fog_is_complete_before_a_bent_picture_ends() {
     for bend in [-20.0, -10.0, 10.0, 20.0] {
         assert!(scene.set_bend(bend));
         let limit_m = scene.lens().strategy().sight_limit_m(&scene.eye());
-        let fog_m = f64::from(scene.frame(1.0, 1.5, 1).fog_distance_m);
+        let fog_m = f64::from(scene.frame(1.0, 1.5, 1).view.fog_distance_m);
         assert!(
             fog_m <= limit_m * 1.000_001 && fog_m < 60.0,
             "bend {bend}: {fog_m} of {limit_m}"
@@ -151,7 +157,7 @@ fn a_lamp_in_hand_is_shown_where_it_comes_to_hang() {
         };
         steps(&mut scene, 1, &lamps);
         assert_eq!(scene.inventory().held(), Some(Item::Lamp));
-        let marked = |scene: &mut Scene| scene.frame(1.0, 1.5, 1).marker;
+        let marked = |scene: &mut Scene| scene.frame(1.0, 1.5, 1).content.marker;
         scene.aim(0.3, 1.2);
         steps(&mut scene, 1, &Actions::default());
         assert_eq!(marked(&mut scene), None, "{geometry:?}: no lamp in the sky");
@@ -197,7 +203,7 @@ fn the_ring_of_the_brush_is_there_while_it_digs_or_builds_and_at_no_other_time()
                 scene.marker().is_some(),
                 "{geometry:?}: there is ground ahead"
             );
-            let shown = scene.frame(1.0, 1.5, 1).marker;
+            let shown = scene.frame(1.0, 1.5, 1).content.marker;
             assert_eq!(shown.is_some(), there, "{geometry:?}: {work:?}");
         }
     }
@@ -226,10 +232,10 @@ fn who_dies_sees_it_from_the_ground_and_stands_up_again() {
 /// How far (as a share of its way) the beam of the flashlight passes from what the crosshair covers, in the picture.
 fn beam_misses(scene: &mut Scene) -> f64 {
     let frame = scene.frame(1.3, 1.7, 1);
-    let beam = frame.lights.beams[0];
+    let beam = frame.content.lights.beams[0];
     // Where geodesics are straight.
     let seen = |point: ChartPoint| {
-        let view = frame.strategy.view_point(&frame.eye, point);
+        let view = frame.view.strategy.view_point(&frame.view.eye, point);
         view.truncate() / view.w
     };
     let at = seen(beam.point);
@@ -269,7 +275,7 @@ fn the_flashlight_lights_what_the_crosshair_covers_from_wherever_one_looks() {
                 scene.aim(yaw, pitch);
                 let reach_m = antipode_scene::tuning::REACH_M;
                 let (eye, marker) = (scene.eye(), scene.marker().unwrap().point);
-                let strategy = scene.frame(1.3, 1.7, 1).strategy;
+                let strategy = scene.frame(1.3, 1.7, 1).view.strategy;
                 if strategy.distance_m(eye.point, marker, &eye) > 0.95 * reach_m {
                     continue;
                 }

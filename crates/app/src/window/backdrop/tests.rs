@@ -29,7 +29,7 @@ fn pass_until(backdrop: &mut Backdrop, there: impl Fn(&Backdrop) -> bool) {
 fn number(backdrop: &mut Backdrop) -> Option<u64> {
     backdrop
         .frame(16.0 / 9.0, 360)
-        .map(|frame| frame.loaded_world)
+        .map(|frame| frame.content.loaded_world)
 }
 
 #[test]
@@ -125,8 +125,8 @@ fn the_menu_begins_over_a_closed_world_by_night_that_is_large_beside_its_hills()
         }
         let mut flight = Flight::open(place, 1, true, Quality::Fast).unwrap();
         let frame = flight.frame(1.5, 400);
-        let radius_m = frame.strategy.radius_m();
+        let radius_m = frame.view.strategy.radius_m();
         assert!(radius_m >= 100.0, "{place:?}: {radius_m} m");
-        assert!(frame.sky.stars > 0.5, "{place:?} in the sun");
+        assert!(frame.content.sky.stars > 0.5, "{place:?} in the sun");
     }
 }

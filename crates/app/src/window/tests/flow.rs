@@ -192,7 +192,8 @@ fn over_the_equator_a_camera_moves_evenly_on_foot_and_from_behind() {
             assert_eq!(film.scene().camera_mode(), mode);
             input(&mut film.game, AHEAD, true);
             film.shoot(10);
-            let (frames, steps) = film.follow(rate, 1.8, |it| it.eye.point, |it| it.eye().point);
+            let (frames, steps) =
+                film.follow(rate, 1.8, |it| it.view.eye.point, |it| it.eye().point);
             is_even(&frames, &steps, rate, mode.id());
             assert!(film.is_over(), "{mode:?}: it was walked over");
             input(&mut film.game, AHEAD, false);
@@ -203,7 +204,7 @@ fn over_the_equator_a_camera_moves_evenly_on_foot_and_from_behind() {
 #[test]
 fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
     let shown = |frame: &Frame, model: ModelId| {
-        let figures = frame.figures.iter();
+        let figures = frame.content.figures.iter();
         figures.rev().find(|it| it.model == model).unwrap().point
     };
     for rate in RATES {
@@ -215,7 +216,7 @@ fn over_the_equator_a_car_its_driver_and_the_camera_behind_it_move_evenly() {
             input(&mut film.game, AHEAD, true);
             film.shoot(40);
             let (frames, steps) = match what {
-                "camera" => film.follow(rate, 3.0, |it| it.eye.point, |it| it.eye().point),
+                "camera" => film.follow(rate, 3.0, |it| it.view.eye.point, |it| it.eye().point),
                 "car" => {
                     let car = |it: &Scene| it.driven_car().unwrap().point;
                     film.follow(rate, 3.0, |it| shown(it, ModelId::CarBody), car)
@@ -261,7 +262,7 @@ fn on_level_ground_every_frame_covers_its_share_of_the_way() {
         film.shoot(30);
         input(&mut film.game, AHEAD, true);
         film.shoot(20);
-        let (frames, steps) = film.follow(rate, 0.8, |it| it.eye.point, |it| it.eye().point);
+        let (frames, steps) = film.follow(rate, 0.8, |it| it.view.eye.point, |it| it.eye().point);
         input(&mut film.game, AHEAD, false);
         let level = |a: DVec4, b: DVec4| (b - a).truncate().with_y(0.0).length();
         let ways = steps.windows(2).map(|it| level(it[0], it[1]));

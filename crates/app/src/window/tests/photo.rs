@@ -57,7 +57,7 @@ fn the_world_stands_still_while_the_camera_flies_and_all_is_as_it_was_afterwards
     assert!(take_key(&mut game, Input::Key("KeyW"), true, false));
     let now = ticks(&mut game, Instant::now(), 60);
     let flown = game.frame(1.5, 360).unwrap();
-    let way_m = flown.eye.point.pos.distance(first.eye.point.pos);
+    let way_m = flown.view.eye.point.pos.distance(first.view.eye.point.pos);
     assert!((4.0..8.0).contains(&way_m), "flew {way_m} m");
     assert!(
         !take_key(&mut game, Input::Key("ArrowDown"), true, false),
@@ -68,8 +68,11 @@ fn the_world_stands_still_while_the_camera_flies_and_all_is_as_it_was_afterwards
     assert!(take_key(&mut game, PHOTO, true, false));
     assert!(game.is_playing());
     let after = game.frame(1.5, 360).unwrap();
-    assert_eq!((after.eye, after.projection), (first.eye, first.projection));
-    assert_eq!(after.sky, first.sky);
+    assert_eq!(
+        (after.view.eye, after.view.projection),
+        (first.view.eye, first.view.projection)
+    );
+    assert_eq!(after.content.sky, first.content.sky);
     input(&mut game, PHOTO, true);
     assert!(take_key(&mut game, Input::Key("Escape"), true, false) && game.is_playing());
 }
@@ -176,10 +179,13 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
     for _ in 0..300 {
         now = ticks(&mut game, now, 1);
         let frame = game.frame(1.5, 360).unwrap();
-        let eye = &last.eye;
-        let step_m = frame.strategy.distance_m(eye.point, frame.eye.point, eye);
+        let eye = &last.view.eye;
+        let step_m = frame
+            .view
+            .strategy
+            .distance_m(eye.point, frame.view.eye.point, eye);
         assert!(step_m < 1.0, "leapt {step_m} m");
-        crossed |= frame.eye.point.hemisphere == Hemisphere::B;
+        crossed |= frame.view.eye.point.hemisphere == Hemisphere::B;
         last = frame;
     }
     assert!(crossed);

@@ -138,7 +138,7 @@ impl Run {
         let pictured = &mut self.pictured;
         self.easel.submit(|renderer, encoder, target| {
             let stats = renderer.draw(frame, encoder, target);
-            assert!(pictured.note(&stats, frame.quality));
+            assert!(pictured.note(&stats, frame.view.quality));
         });
         let is_whole = !self.easel.renderer.is_land_coming();
         self.game.play.drawn(is_whole);

@@ -16,7 +16,7 @@ fn hit_boxes_come_and_go_with_their_key() {
     let scene = &mut game.play.phase.session_mut().unwrap().scene;
     let lamp = scene.feet().moved(glam::DVec3::X);
     assert!(scene.spawn_lamp(lamp));
-    let shapes = |game: &mut Game| game.frame(1.5, 400).unwrap().hit_shapes.len();
+    let shapes = |game: &mut Game| game.frame(1.5, 400).unwrap().content.hit_shapes.len();
     assert_eq!(shapes(&mut game), 0);
     input(&mut game, Input::Key("F3"), true);
     assert_eq!(shapes(&mut game), 1);
@@ -35,10 +35,18 @@ fn the_menus_picture_shows_the_world_and_nothing_of_the_display() {
     scene.aim(0.0, -1.2);
     input(&mut game, Input::Key("F3"), true);
     let seen = game.frame(1.5, 400).unwrap();
-    assert!(seen.hand.is_some() && seen.marker.is_some() && !seen.hit_shapes.is_empty());
+    assert!(
+        seen.view.hand.is_some()
+            && seen.content.marker.is_some()
+            && !seen.content.hit_shapes.is_empty()
+    );
     let picture = game.portrait(400).unwrap();
-    assert!(picture.hand.is_none() && picture.marker.is_none() && picture.hit_shapes.is_empty());
-    assert_eq!(picture.figures.len(), seen.figures.len());
+    assert!(
+        picture.view.hand.is_none()
+            && picture.content.marker.is_none()
+            && picture.content.hit_shapes.is_empty()
+    );
+    assert_eq!(picture.content.figures.len(), seen.content.figures.len());
 }
 
 /// Whether the land of the map is painted: there is no other shape of so many corners.

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_frame::{Frame, Quality, Sky};
+use antipode_frame::{Content, Frame, Quality, Sky, View};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, picture,
 };
@@ -39,47 +39,51 @@ fn frame() -> Frame {
     let strategy = picture(Geometry::Hyperbolic, 20.0, HyperbolicMap::Raised, false);
     let black = [0.0; 3];
     Frame {
-        eye: Eye {
-            point: ChartPoint::a(DVec3::new(30.2, 12.0, 7.4)),
-            dial: 20.0,
-            ..Eye::default()
+        view: View {
+            eye: Eye {
+                point: ChartPoint::a(DVec3::new(30.2, 12.0, 7.4)),
+                dial: 20.0,
+                ..Eye::default()
+            },
+            projection: Projection::new(1.3, 1.7, 0.02),
+            strategy,
+            hand: None,
+            fog_distance_m: 100.0,
+            contour_bands: false,
+            quality: Quality::Balanced,
         },
-        projection: Projection::new(1.3, 1.7, 0.02),
-        strategy,
-        sky: Sky {
-            top: black,
-            horizon: black,
-            glare: black,
-            stars: 0.0,
-            sun_direction: black,
-            moon_direction: black,
-            key_direction: black,
-            key_shadow: 1.0,
-            key_colour: black,
-            ambient_sky: black,
-            ambient_ground: black,
-            moon_colour: black,
-            dome: true,
-            clouds: 0.0,
-            drift: 0.0,
-            orbs: None,
-        },
-        land: Arc::default(),
-        figures: Vec::new(),
-        hand: None,
-        lights: antipode_frame::Lights::default(),
-        marker: None,
-        hit_shapes: Vec::new(),
-        fog_distance_m: 100.0,
-        contour_bands: false,
-        time_s: 0.0,
-        quality: Quality::Balanced,
-        loaded_world: 1,
+        content: Arc::new(Content {
+            sky: Sky {
+                top: black,
+                horizon: black,
+                glare: black,
+                stars: 0.0,
+                sun_direction: black,
+                moon_direction: black,
+                key_direction: black,
+                key_shadow: 1.0,
+                key_colour: black,
+                ambient_sky: black,
+                ambient_ground: black,
+                moon_colour: black,
+                dome: true,
+                clouds: 0.0,
+                drift: 0.0,
+                orbs: None,
+            },
+            land: Arc::default(),
+            figures: Vec::new(),
+            lights: antipode_frame::Lights::default(),
+            marker: None,
+            hit_shapes: Vec::new(),
+            time_s: 0.0,
+            loaded_world: 1,
+        }),
     }
 }
 
 fn bounds(frame: &Frame) -> Bounds {
-    Bounds::measure(frame, PictureScale::new(&frame.projection, 720))
+    Bounds::measure(frame, PictureScale::new(&frame.view.projection, 720))
 }
 
 fn land(x: i32) -> (ChunkLand, ChunkMesh) {
@@ -181,7 +185,7 @@ fn seams_stay_sections_of_their_own_and_the_memory_of_one_mesh_leaves_no_trace_i
 /// The largest stray of the edges that are drawn, as a frame's own rules see it, in pixels.
 fn truth_px(frame: &Frame, land: &ChunkLand, triangles: &[[Vec3; 3]]) -> f64 {
     let bounds = bounds(frame);
-    let eye = (frame.eye.point.pos - land.coord.origin()).as_vec3();
+    let eye = (frame.view.eye.point.pos - land.coord.origin()).as_vec3();
     let edges = triangles
         .iter()
         .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
@@ -206,8 +210,8 @@ fn the_error_told_of_a_stale_halving_is_no_understatement() {
             (9.0, 19.0),
             (0.0, 26.0),
         ] {
-            frame.eye.point = ChartPoint::a(DVec3::new(30.2 - step, 12.0, 7.4 + 0.5 * step));
-            frame.eye.dial = dial;
+            frame.view.eye.point = ChartPoint::a(DVec3::new(30.2 - step, 12.0, 7.4 + 0.5 * step));
+            frame.view.eye.dial = dial;
             let now = bounds(&frame);
             let near_m = Bounds::nearest_chart_m(&frame, &land);
             let told = rules.stale_error_px(refined.error_px, &frame, &now, &land, near_m);

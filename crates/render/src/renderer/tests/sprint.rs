@@ -63,10 +63,10 @@ impl Easel {
     }
 
     fn draw_exactly(&mut self, frame: &mut Frame) -> RgbaImage {
-        let quality = std::mem::replace(&mut frame.quality, Quality::Exact);
+        let quality = std::mem::replace(&mut frame.view.quality, Quality::Exact);
         self.renderer.complete_next();
         let picture = self.draw(frame);
-        frame.quality = quality;
+        frame.view.quality = quality;
         picture
     }
 }

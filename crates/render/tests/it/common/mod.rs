@@ -12,7 +12,7 @@ pub mod worlds;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use antipode_frame::{ChunkChange, Frame, Land, Quality, Sky};
+use antipode_frame::{ChunkChange, Frame, Land, Quality, Sky, View};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
     Hemisphere, Projection, Strategy, strategy,
@@ -203,22 +203,26 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         (false, Hemisphere::B) => antipode_scene::day::sky(450.0, &**space, &eye),
     };
     Frame {
-        eye,
-        projection: Projection::new(75f64.to_radians(), aspect, 0.02),
-        strategy: Arc::clone(space),
-        sky,
-        land: Arc::default(),
-        figures: Vec::new(),
-        hand: None,
-        lights: antipode_frame::Lights::default(),
-        marker: None,
-        hit_shapes: Vec::new(),
-        fog_distance_m: 150.0,
-        contour_bands: false,
-        time_s: 0.0,
-        quality: Quality::default(),
-        // Each picture made from nothing is of a world of its own.
-        loaded_world: WORLDS.fetch_add(1, Ordering::Relaxed),
+        view: View {
+            eye,
+            projection: Projection::new(75f64.to_radians(), aspect, 0.02),
+            strategy: Arc::clone(space),
+            hand: None,
+            fog_distance_m: 150.0,
+            contour_bands: false,
+            quality: Quality::default(),
+        },
+        content: Arc::new(antipode_frame::Content {
+            sky,
+            land: Arc::default(),
+            figures: Vec::new(),
+            lights: antipode_frame::Lights::default(),
+            marker: None,
+            hit_shapes: Vec::new(),
+            time_s: 0.0,
+            // Each picture made from nothing is of a world of its own.
+            loaded_world: WORLDS.fetch_add(1, Ordering::Relaxed),
+        }),
     }
 }
 
@@ -328,10 +332,10 @@ pub fn middle_of_change(a: &RgbaImage, b: &RgbaImage) -> Option<(f64, f64)> {
 
 /// Where a point is seen, in pixels of a picture of the given size.
 pub fn seen_at(frame: &Frame, point: ChartPoint, size: (u32, u32)) -> (f64, f64) {
-    let v = frame.strategy.view_point(&frame.eye, point);
+    let v = frame.view.strategy.view_point(&frame.view.eye, point);
     assert!(v.z < 0.0, "behind the eye");
-    let x = frame.projection.sx * v.x / -v.z;
-    let y = frame.projection.sy * v.y / -v.z;
+    let x = frame.view.projection.sx * v.x / -v.z;
+    let y = frame.view.projection.sy * v.y / -v.z;
     (
         (0.5 + 0.5 * x) * f64::from(size.0),
         (0.5 - 0.5 * y) * f64::from(size.1),

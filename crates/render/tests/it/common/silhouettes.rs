@@ -35,12 +35,13 @@ impl Silhouettes {
             size,
             marked: vec![false; (size.0 * size.1) as usize],
         };
-        let viewer = frame.strategy.viewer(&frame.eye);
+        let viewer = frame.view.strategy.viewer(&frame.view.eye);
         let clip = |hemisphere, at| {
             let view = viewer(ChartPoint::new(hemisphere, at));
             frame
+                .view
                 .strategy
-                .clip_from_view(&frame.eye, &frame.projection, view)
+                .clip_from_view(&frame.view.eye, &frame.view.projection, view)
         };
         for ((is_b, _), sides) in by_edge(triangles, &clip, surface) {
             if sides.seen == 0 || sides.turned == 0 {

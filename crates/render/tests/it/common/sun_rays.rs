@@ -191,17 +191,17 @@ fn all(at: [Option<DVec2>; 3]) -> Option<[DVec2; 3]> {
 
 /// What the key light comes from, as the renderer takes it.
 fn light_of(frame: &Frame) -> Light {
-    let Some(orbs) = frame.sky.orbs else {
-        let toward = DVec3::from(frame.sky.key_direction.map(f64::from)).normalize();
+    let Some(orbs) = frame.content.sky.orbs else {
+        let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from)).normalize();
         let right = toward.any_orthonormal_vector();
         return Light::Far {
             toward,
             across: [right, toward.cross(right)],
         };
     };
-    let is_sun = frame.sky.key_direction == frame.sky.sun_direction;
+    let is_sun = frame.content.sky.key_direction == frame.content.sky.sun_direction;
     let body = if is_sun { orbs.sun } else { orbs.moon };
-    let at = frame.strategy.curved(&Eye::default(), body);
+    let at = frame.view.strategy.curved(&Eye::default(), body);
     let DVec4 { x, y, z, w } = at;
     Light::Star {
         at,
@@ -210,7 +210,7 @@ fn light_of(frame: &Frame) -> Light {
             DVec4::new(z, w, -x, -y),
             DVec4::new(-y, x, w, -z),
         ],
-        radius_m: frame.strategy.radius_m(),
+        radius_m: frame.view.strategy.radius_m(),
     }
 }
 
@@ -221,7 +221,7 @@ fn own(frame: &Frame, light: &Light, point: ChartPoint) -> DVec4 {
             DVec4::new(p.dot(across[0]), p.dot(across[1]), p.dot(*toward), 1.0)
         }
         Light::Star { at, axes, .. } => {
-            let x = frame.strategy.curved(&Eye::default(), point);
+            let x = frame.view.strategy.curved(&Eye::default(), point);
             let [a, b, c] = axes.map(|axis| axis.dot(x));
             DVec4::new(a, b, c, x.dot(*at))
         }

@@ -117,13 +117,14 @@ impl Surface {
             size,
             pixels: vec![None; (size.0 * size.1) as usize],
         };
-        let viewer = frame.strategy.viewer(&frame.eye);
+        let viewer = frame.view.strategy.viewer(&frame.view.eye);
         for (number, triangle) in triangles.iter().enumerate() {
             let clip = |chart| {
                 let view = viewer(ChartPoint::new(triangle.hemisphere, chart));
                 frame
+                    .view
                     .strategy
-                    .clip_from_view(&frame.eye, &frame.projection, view)
+                    .clip_from_view(&frame.view.eye, &frame.view.projection, view)
             };
             let unit = [DVec3::X, DVec3::Y, DVec3::Z];
             let corner = |i: usize| Corner {
@@ -159,7 +160,7 @@ impl Surface {
         clip: &dyn Fn(DVec3) -> DVec4,
         cuts: usize,
     ) {
-        let near = frame.projection.near_m * 0.5;
+        let near = frame.view.projection.near_m * 0.5;
         let ahead = corners.map(|c| c.clip.w > near);
         if !ahead.contains(&true) {
             return;
@@ -228,7 +229,7 @@ impl Surface {
                 let chart = corners[0].chart * parts.x
                     + corners[1].chart * parts.y
                     + corners[2].chart * parts.z;
-                let rim_m = frame.strategy.rim_m();
+                let rim_m = frame.view.strategy.rim_m();
                 if rim_m.is_some_and(|rim_m| chart.x.hypot(chart.z) > rim_m + PAST_RIM_M) {
                     continue;
                 }

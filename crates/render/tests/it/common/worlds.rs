@@ -94,7 +94,8 @@ impl World {
     pub fn frame(&mut self) -> Frame {
         let fov_y_rad = self.scene.viewing().fov_y_rad;
         let mut frame = self.scene.frame(fov_y_rad, ASPECT, 1);
-        (frame.hand, frame.marker) = (None, None);
+        frame.view.hand = None;
+        frame.content_mut().marker = None;
         frame
     }
 

@@ -76,7 +76,11 @@ pub fn pass(scene: &mut Scene, seconds: f64) {
 /// Points the view at a place as the picture shows it.
 pub fn look_at(scene: &mut Scene, point: ChartPoint) {
     let eye = scene.eye();
-    let view = scene.frame(1.3, 1.7, 1).strategy.view_point(&eye, point);
+    let view = scene
+        .frame(1.3, 1.7, 1)
+        .view
+        .strategy
+        .view_point(&eye, point);
     let way = eye.to_chart(view.truncate().normalize());
     scene.aim(way.z.atan2(way.x), way.y.clamp(-1.0, 1.0).asin());
 }

@@ -19,7 +19,7 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
             film.shoot(2);
         }
         film.at(240);
-        let start = film.picture().eye;
+        let start = film.picture().view.eye;
         input(&mut film.game, AHEAD, true);
         let rad_per_px = film
             .game
@@ -47,7 +47,7 @@ fn a_turn_is_seen_in_the_next_frame_and_the_next_step_turns_as_far() {
                 film.game.motion(0.0, up_px);
                 up_px = 0.0;
             }
-            let seen = film.picture().eye;
+            let seen = film.picture().view.eye;
             let turned = (right_px * rad_per_px, up_px * rad_per_px);
             assert!(
                 off(&seen, turned) < 1e-9,
@@ -67,7 +67,7 @@ fn a_stick_turns_the_view_in_every_frame_alike() {
         let due_rad = speed_deg_s.to_radians() / f64::from(rate);
         let frames = film.shoot(60);
         for it in frames[1..].windows(2) {
-            let turned_rad = (it[1].eye.yaw - it[0].eye.yaw).sin();
+            let turned_rad = (it[1].view.eye.yaw - it[0].view.eye.yaw).sin();
             assert!(
                 (turned_rad / due_rad - 1.0).abs() < 0.01,
                 "{turned_rad} of {due_rad}"
@@ -96,10 +96,13 @@ fn what_is_dug_stays_under_the_crosshair_of_one_who_walks_and_turns() {
             film.pass();
             film.game.motion(9.0, 0.5);
             let frame = film.picture();
-            let Some(marker) = frame.marker else { continue };
+            let Some(marker) = frame.content.marker else {
+                continue;
+            };
             let view = frame
+                .view
                 .strategy
-                .view_point(&frame.eye, marker.point)
+                .view_point(&frame.view.eye, marker.point)
                 .truncate();
             let off_rad = view.truncate().length().atan2(-view.z);
             assert!(off_rad < 2e-3, "{geometry:?}: {off_rad} off the crosshair");
@@ -111,9 +114,18 @@ fn what_is_dug_stays_under_the_crosshair_of_one_who_walks_and_turns() {
 
 /// What is in two pictures of the same moment.
 fn assert_alike(a: &Frame, b: &Frame) {
-    assert_eq!((a.eye, a.sky, a.time_s), (b.eye, b.sky, b.time_s));
-    assert_eq!((&a.figures, &a.lights), (&b.figures, &b.lights));
-    assert_eq!((a.hand, a.marker), (b.hand, b.marker));
+    assert_eq!(
+        (a.view.eye, a.content.sky, a.content.time_s),
+        (b.view.eye, b.content.sky, b.content.time_s)
+    );
+    assert_eq!(
+        (&a.content.figures, &a.content.lights),
+        (&b.content.figures, &b.content.lights)
+    );
+    assert_eq!(
+        (a.view.hand, a.content.marker),
+        (b.view.hand, b.content.marker)
+    );
 }
 
 #[test]
@@ -130,7 +142,7 @@ fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() 
         while film.pass() {}
         film.game.motion(31.0, 7.0);
         let last = film.picture();
-        assert_ne!(last.eye.point, film.scene().eye().point);
+        assert_ne!(last.view.eye.point, film.scene().eye().point);
         input(&mut film.game, Input::Key(ends), true);
         for _ in 0..50 {
             film.pass();
@@ -139,7 +151,10 @@ fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() 
                 assert_alike(&still, &last);
             } else {
                 assert!(film.game.overlays.is_photographing());
-                assert_eq!((still.eye, still.sky), (last.eye, last.sky));
+                assert_eq!(
+                    (still.view.eye, still.content.sky),
+                    (last.view.eye, last.content.sky)
+                );
             }
         }
         if ends == "Escape" {
@@ -151,8 +166,8 @@ fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() 
         assert_alike(&film.picture(), &last);
         input(&mut film.game, AHEAD, true);
         let next = film.shoot(1).remove(0);
-        assert!(next.eye.point.pos.distance(last.eye.point.pos) < 0.05);
-        assert!((next.eye.yaw - last.eye.yaw).abs() < 1e-9);
+        assert!(next.view.eye.point.pos.distance(last.view.eye.point.pos) < 0.05);
+        assert!((next.view.eye.yaw - last.view.eye.yaw).abs() < 1e-9);
     }
 }
 
@@ -166,13 +181,16 @@ fn sun_and_dial_move_in_every_frame() {
     let gliding = &frames[8..];
     for it in gliding.windows(2) {
         assert!(
-            it[1].eye.dial < it[0].eye.dial,
+            it[1].view.eye.dial < it[0].view.eye.dial,
             "{} {}",
-            it[0].eye.dial,
-            it[1].eye.dial
+            it[0].view.eye.dial,
+            it[1].view.eye.dial
         );
-        assert_ne!(it[0].sky.sun_direction, it[1].sky.sun_direction);
-        assert!(it[1].time_s > it[0].time_s);
+        assert_ne!(
+            it[0].content.sky.sun_direction,
+            it[1].content.sky.sun_direction
+        );
+        assert!(it[1].content.time_s > it[0].content.time_s);
     }
 }
 
@@ -188,12 +206,13 @@ fn who_is_put_elsewhere_is_seen_there_and_nowhere_between() {
         .teleport(feet.moved(DVec3::new(12.0, 9.0, 0.0)));
     for frame in film.shoot(12) {
         let own = frame
+            .content
             .figures
             .iter()
             .find(|it| it.model == ModelId::Astronaut);
         for at in [
             own.unwrap().point,
-            frame.eye.point.moved(frame.eye.front() * 5.2),
+            frame.view.eye.point.moved(frame.view.eye.front() * 5.2),
         ] {
             let way_m = at.pos.x - feet.pos.x;
             assert!((way_m - 12.0).abs() < 0.5, "{way_m} m");

@@ -20,7 +20,7 @@ const MOST_SAID_PX: f64 = 8.0;
 
 impl Easel {
     fn draw_exactly(&mut self, frame: &mut Frame) -> RgbaImage {
-        frame.quality = Quality::Exact;
+        frame.view.quality = Quality::Exact;
         self.renderer.complete_next();
         self.submit(|renderer, encoder, target| {
             renderer.draw(frame, encoder, target);
@@ -71,7 +71,7 @@ fn is_drawn_true(slow: usize) {
         let mut frame = run.frame();
         run.paint(&frame);
         if number <= RUN_UP {
-            start = frame.eye.point;
+            start = frame.view.eye.point;
             continue;
         }
         let seen = run.easel.offscreen.read(&run.easel.gpu).unwrap();

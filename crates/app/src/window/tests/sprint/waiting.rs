@@ -22,7 +22,7 @@ impl Run {
         let (pictured, waits) = (&mut self.pictured, &mut self.game.waits);
         self.easel.submit(|renderer, encoder, target| {
             let stats = renderer.draw(&frame, encoder, target);
-            assert!(pictured.note(&stats, frame.quality));
+            assert!(pictured.note(&stats, frame.view.quality));
             waits.spent_on(Part::Record);
         });
         let is_whole = !self.easel.renderer.is_land_coming();
