@@ -107,15 +107,24 @@ pub struct LandDraws {
 impl LandDraws {
     /// Buffers for a handful of draws.
     pub fn new(gpu: &Gpu) -> Self {
-        let device = gpu.device.clone();
         let flags = gpu.adapter.get_downlevel_capabilities().flags;
+        let multi = gpu.device.features().contains(MULTI_DRAW_FEATURES)
+            && flags.contains(DownlevelFlags::INDIRECT_EXECUTION);
+        Self::with(gpu.device.clone(), multi)
+    }
+
+    fn with(device: Device, multi: bool) -> Self {
         Self {
-            multi: device.features().contains(MULTI_DRAW_FEATURES)
-                && flags.contains(DownlevelFlags::INDIRECT_EXECUTION),
+            multi,
             instances: buffer::<ChunkInstance>(&device, 256, BufferUsages::VERTEX),
             arguments: buffer::<DrawIndexedIndirectArgs>(&device, 256, BufferUsages::INDIRECT),
             device,
         }
+    }
+
+    /// The same for other draws.
+    pub fn another(&self) -> Self {
+        Self::with(self.device.clone(), self.multi)
     }
 
     /// Draws each piece by a call of its own from now on.

@@ -13,6 +13,7 @@ mod culling;
 mod draw_list;
 mod error;
 mod figure_buffers;
+mod figure_draws;
 mod figures;
 mod flash;
 mod gpu;
@@ -53,7 +54,7 @@ pub use plan::{
     tolerance_px,
 };
 pub use refinery::Delivery;
-pub use renderer::{DrawStats, Options, Picture, Renderer};
+pub use renderer::{DrawStats, FurtherView, Options, Picture, Renderer};
 pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

@@ -1,42 +1,48 @@
 //! Draws one frame after another: the scene as light, then the light as a picture.
 
-use antipode_frame::Frame;
-use wgpu::{
-    BindGroup, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
-    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
-    RenderPipeline, StoreOp, TextureView,
-};
+use antipode_frame::{Frame, View};
+use wgpu::{CommandEncoder, Device, Queue, TextureView};
 
-use crate::celestial::{Celestial, FAINTEST};
+use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
-use crate::draw_list::{DrawList, LandDraws};
+use crate::draw_list::LandDraws;
 use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::heavens::Heavens;
-use crate::marker::MarkerBalls;
-use crate::outlines::Outlines;
 use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::Planner;
+use crate::plan::FramePlan;
 use crate::refinery::Delivery;
 use crate::shaders::Shaders;
 use crate::shadow::Shadows;
-use crate::targets::Targets;
+use crate::targets::drawn_size;
 use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::Tonemap;
-use crate::uniforms::SceneUniform;
 use crate::workshop::Workshop;
 
 mod options;
 mod readiness;
-mod scene;
 #[cfg(test)]
 mod tests;
+mod view_state;
 
 use options::check;
 pub use options::{DrawStats, Options, Picture};
-use scene::bind_scene;
+use view_state::{Scenery, ViewState};
+
+/// Another view of what a frame shows, drawn with it into a target of its own.
+///
+/// It takes land and shadows as they are for the frame's own view: those follow its eye, and edges of land are halved for that.
+#[derive(Clone, Copy, Debug)]
+pub struct FurtherView<'a> {
+    /// From where and how it is seen.
+    pub view: &'a View,
+    /// Width and height of the target, pixels.
+    pub size: (u32, u32),
+    /// What it is drawn into, of the format that the options name.
+    pub target: &'a TextureView,
+}
 
 /// Holds everything on the adapter that outlives a frame.
 #[derive(Debug)]
@@ -54,24 +60,19 @@ pub struct Renderer {
     later: Option<(Options, Tonemap)>,
     /// The last frame's map, by its number in `SpaceUniform::kind`.
     map: Option<u32>,
-    uniform: Buffer,
-    scene_bindings: BindGroup,
-    targets: Targets,
+    /// The view of the frames themselves.
+    picture: ViewState,
+    /// The others, in the order in which the last frame that had so many named them.
+    further: Vec<ViewState>,
     /// Width and height of the pictures, pixels, and whether they are drawn at full resolution.
     asked: (u32, u32, bool),
     /// The number of the world that the targets hold a picture of.
     pictured: Option<u64>,
     tonemap: Tonemap,
-    light: BindGroup,
     chunks: ChunkStore,
-    planner: Planner,
-    land: LandDraws,
-    list: DrawList,
     figures: Figures,
     shadows: Shadows,
     heavens: Heavens,
-    marker: MarkerBalls,
-    outlines: Outlines,
     celestial: Celestial,
     timing: Option<Timing>,
     /// Height of the targets, pixels: what errors are measured in.
@@ -101,32 +102,19 @@ impl Renderer {
     ) -> Result<Self, RenderError> {
         check(&options)?;
         let (device, queue) = (gpu.device.clone(), gpu.queue.clone());
-        let scene_layout = scene_layout(&device);
-        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("scene"),
-            size: size_of::<SceneUniform>() as u64,
-            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
         let heavens = Heavens::new(&device, &queue)?;
         let shadows = Shadows::new(gpu, options.shadows);
-        let extras = (&heavens, &shadows);
-        let scene_bindings = bind_scene(&device, &scene_layout, &uniform, extras);
         let quality = options.pipeline_quality();
-        let pipelines = readiness::workshop(&device, shaders, &scene_layout, quality);
-        let targets = Targets::new(&device, (1, 1), options.samples);
+        let pipelines = readiness::workshop(&device, shaders, &scene_layout(&device), quality);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
-        let light = tonemap.bind(&device, &targets.light);
+        let extras = (&heavens, &shadows);
+        let size = ((1, 1), options.samples);
+        let picture = ViewState::new(&device, extras, &tonemap, LandDraws::new(gpu), size);
         Ok(Self {
             chunks: ChunkStore::new(gpu),
-            planner: Planner::default(),
-            land: LandDraws::new(gpu),
-            list: DrawList::default(),
             figures: Figures::new(&device)?,
             shadows,
             heavens,
-            marker: MarkerBalls::new(&device),
-            outlines: Outlines::new(&device),
             celestial: Celestial::new(&device),
             timing: Timing::new(&device, &queue),
             height_px: 1,
@@ -140,13 +128,11 @@ impl Renderer {
             awaits_map: false,
             later: None,
             map: None,
-            uniform,
-            scene_bindings,
-            targets,
+            picture,
+            further: Vec::new(),
             asked: (1, 1, false),
             pictured: None,
             tonemap,
-            light,
         })
     }
 
@@ -174,7 +160,8 @@ impl Renderer {
 
     /// Records the picture of the last frame into another target of the same size and format.
     pub fn show_again(&self, encoder: &mut CommandEncoder, target: &TextureView) {
-        self.tonemap.draw(encoder, &self.light, target, None);
+        self.tonemap
+            .draw(encoder, &self.picture.light, target, None);
     }
 
     /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
@@ -202,7 +189,8 @@ impl Renderer {
 
     /// Draws each mesh by a call of its own from now on, as is done on adapters that cannot draw many by one.
     pub fn draw_singly(&mut self) {
-        self.land.draw_singly();
+        self.picture.draw_singly();
+        self.further.clear();
         self.shadows.draw_singly();
     }
 
@@ -221,151 +209,163 @@ impl Renderer {
         encoder: &mut CommandEncoder,
         target: &TextureView,
     ) -> DrawStats {
+        self.draw_views(frame, &[], encoder, target).0
+    }
+
+    /// As [`Renderer::draw`], and records further views of the same content. Returns what the frame took, and what each
+    /// of them did; what one is drawn with may not be made yet ([`Picture::None`]).
+    pub fn draw_views(
+        &mut self,
+        frame: &Frame,
+        further: &[FurtherView<'_>],
+        encoder: &mut CommandEncoder,
+        target: &TextureView,
+    ) -> (DrawStats, Vec<DrawStats>) {
         let gpu_ms = self
             .timing
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
         let map = self.map_of(frame);
         if !self.is_ready(map) {
-            return DrawStats {
+            let last = DrawStats {
                 gpu_ms,
                 ..self.show_last(frame, encoder, target)
             };
+            return (last, vec![DrawStats::nothing(); further.len()]);
         }
-        let drawn = self.tile.map_or(self.targets.size, |tile| tile.whole);
-        let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
         self.chunks.apply(frame);
-        self.marker.prepare(&self.queue, frame);
-        self.outlines.prepare(&self.device, &self.queue, frame);
-        let book = self.chunks.land();
-        let land = book.land();
-        let mut plan = self.planner.plan(frame, height_px, &book);
-        self.chunks.refine(frame, land, &mut plan);
-        self.prepare_figures(frame, &mut plan, drawn);
-        self.chunks.end_rush();
-        self.chunks
-            .list(frame, land, &mut plan, &self.shadows, &mut self.list);
-        self.land.send(&self.queue, &mut self.list);
         let mut stats = DrawStats {
-            culled: self.chunks.len() - plan.chunks.len(),
-            land_bytes: self.chunks.bytes(),
-            plan: plan.stats,
             gpu_ms,
-            ..DrawStats::default()
+            ..self.draw_picture(frame, map, encoder)
         };
-        let stamped = self.draw_shadows(map, encoder, &mut stats);
-        self.draw_scene(frame, (map, stamped), encoder, &mut stats);
+        stats.land_bytes = self.chunks.bytes();
+        let others = self.draw_further(frame, further, encoder);
+        self.chunks.end_rush();
         self.pictured = Some(frame.content.loaded_world);
-        self.tonemap.draw(
-            encoder,
-            &self.light,
-            target,
-            self.timing.as_ref().map(Timing::end),
-        );
+        let end = self.timing.as_ref().map(Timing::end);
+        self.tonemap.draw(encoder, &self.picture.light, target, end);
         if let Some(timing) = &self.timing {
             timing.record(encoder);
         }
+        (stats, others)
+    }
+
+    /// Brings land and shadows up to date for a frame, and draws its light.
+    fn draw_picture(&mut self, frame: &Frame, map: u32, encoder: &mut CommandEncoder) -> DrawStats {
+        let drawn = self
+            .tile
+            .map_or(self.picture.targets.size, |tile| tile.whole);
+        let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
+        let book = self.chunks.land();
+        let mut plan = self.picture.plan(frame, height_px, &book);
+        self.chunks.refine(frame, book.land(), &mut plan);
+        self.take_figures(frame, &mut plan);
+        let land = (&self.chunks, &*book, &self.shadows);
+        self.picture
+            .take_land(&self.queue, frame, land, &mut plan, drawn);
+        let mut stats = self.planned(&plan);
+        let Some(pipelines) = self.pipelines.get(map) else {
+            return stats;
+        };
+        let timing = self.timing.as_ref();
+        let figures = (&self.picture.figures, &self.figures.statics);
+        let (shadows, stamped) =
+            self.shadows
+                .draw(encoder, pipelines, &self.chunks, figures, timing);
+        stats.shadows = shadows;
+        let stamp = timing.filter(|_| !stamped).map(Timing::begin);
+        let scenery = self.scenery(pipelines);
+        self.picture
+            .draw(frame, scenery, encoder, (self.tile, stamp), &mut stats);
         stats
     }
 
-    fn begin_scene<'e>(
-        &self,
-        encoder: &'e mut CommandEncoder,
-        horizon: [f32; 3],
-        stamped: bool,
-    ) -> RenderPass<'e> {
-        let [r, g, b] = horizon.map(f64::from);
-        let clear = LoadOp::Clear(Color { r, g, b, a: 1.0 });
-        let light = &self.targets.light;
-        let (view, resolve_target, store) = match &self.targets.samples {
-            Some(samples) => (samples, Some(light), StoreOp::Discard),
-            None => (light, None, StoreOp::Store),
-        };
-        encoder.begin_render_pass(&RenderPassDescriptor {
-            label: Some("scene"),
-            color_attachments: &[Some(RenderPassColorAttachment {
-                view,
-                depth_slice: None,
-                resolve_target,
-                ops: Operations { load: clear, store },
-            })],
-            depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
-                view: &self.targets.depth,
-                depth_ops: Some(Operations {
-                    load: LoadOp::Clear(0.0),
-                    store: StoreOp::Discard,
-                }),
-                stencil_ops: None,
-            }),
-            timestamp_writes: self.timing.as_ref().filter(|_| !stamped).map(Timing::begin),
-            ..Default::default()
-        })
-    }
-
-    /// What lies behind everything, from the back to the front.
-    fn draw_sky(
-        &self,
-        frame: &Frame,
-        pipelines: &Pipelines,
-        pass: &mut RenderPass<'_>,
-        stats: &mut DrawStats,
-    ) {
-        let mut cover = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline| {
-            pass.set_pipeline(pipeline);
-            pass.draw(0..3, 0..1);
-            stats.add((1, 1));
-        };
-        if frame.content.sky.dome {
-            cover(pass, &pipelines.sky);
-            if frame.content.sky.stars > FAINTEST {
-                cover(pass, &pipelines.band);
+    /// Takes a frame's figures, and plans the passes into the shadow maps. Which figures there are depends on what the map
+    /// of their shadows is a picture of, and that on the maps of land.
+    fn take_figures(&mut self, frame: &Frame, plan: &mut FramePlan) {
+        let is_new = self.shadows.prepare(frame, &mut self.chunks);
+        let map = self.shadows.figures_shot(frame);
+        let adapter = (&self.device, &self.queue);
+        self.picture
+            .take_figures(adapter, frame, &self.figures, plan, map);
+        let rooms = self.picture.figures.rooms();
+        self.shadows.prepare_figures(frame, map, rooms);
+        if is_new {
+            let extras = (&self.heavens, &self.shadows);
+            for view in std::iter::once(&mut self.picture).chain(&mut self.further) {
+                view.rebind(&self.device, extras);
             }
         }
-        let celestial = self
-            .celestial
-            .draw(pass, &frame.content.sky, &pipelines.celestial);
-        if frame.content.sky.dome && frame.content.sky.clouds > 0.0 {
-            cover(pass, &pipelines.clouds);
-        }
-        stats.add(celestial);
     }
 
-    fn draw_scene(
-        &self,
+    /// Draws further views of a frame that was drawn.
+    fn draw_further(
+        &mut self,
         frame: &Frame,
-        (map, stamped): (u32, bool),
+        further: &[FurtherView<'_>],
         encoder: &mut CommandEncoder,
-        stats: &mut DrawStats,
-    ) {
-        let mut pass = self.begin_scene(encoder, frame.content.sky.horizon, stamped);
-        if let Some(tile) = self.tile {
-            tile.lay(&mut pass);
-        }
-        let Some(pipelines) = self.pipelines.get(map) else {
-            return;
-        };
-        pass.set_bind_group(0, &self.scene_bindings, &[]);
-        // Figures stand before the land more often than behind it.
-        stats.add(self.figures.draw(&mut pass, pipelines));
-        stats.add(
-            self.land
-                .draw(&mut pass, &self.list, self.chunks.pages(), |number| {
-                    pipelines.terrain.numbered(number)
-                }),
-        );
-        self.draw_sky(frame, pipelines, &mut pass, stats);
-        stats.add(self.figures.draw_clear(&mut pass, pipelines));
-        if self.marker.shown() {
-            for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
-                pass.set_pipeline(pipeline);
-                stats.add(self.marker.draw(&mut pass));
+    ) -> Vec<DrawStats> {
+        self.fit_further(further);
+        let book = self.chunks.land();
+        let mut states = std::mem::take(&mut self.further);
+        let views = further.iter().zip(&mut states);
+        let stats = views.map(|(it, state)| {
+            let frame = frame.seen_by(it.view.clone());
+            let map = self.map_of_further(&frame);
+            let Some(pipelines) = self.pipelines.get(map) else {
+                return DrawStats::nothing();
+            };
+            let mut plan = state.plan(&frame, it.size.1, &book);
+            let adapter = (&self.device, &self.queue);
+            state.take_figures(adapter, &frame, &self.figures, &mut plan, None);
+            let land = (&self.chunks, &*book, &self.shadows);
+            let drawn = state.targets.size;
+            state.take_land(&self.queue, &frame, land, &mut plan, drawn);
+            let mut stats = self.planned(&plan);
+            let scenery = self.scenery(pipelines);
+            state.draw(&frame, scenery, encoder, (None, None), &mut stats);
+            self.tonemap.draw(encoder, &state.light, it.target, None);
+            stats
+        });
+        let stats = stats.collect();
+        self.further = states;
+        stats
+    }
+
+    /// Has targets for so many further views, as large as they are.
+    fn fit_further(&mut self, further: &[FurtherView<'_>]) {
+        self.further.truncate(further.len());
+        for (place, it) in further.iter().enumerate() {
+            let (width, height) = it.size;
+            let size = drawn_size(width, height, self.options.scale, self.largest_side());
+            let size = (size, self.options.samples);
+            match self.further.get_mut(place) {
+                Some(state) if state.targets.size == size.0 => {}
+                Some(state) => state.fit(&self.device, &self.tonemap, size),
+                None => {
+                    let extras = (&self.heavens, &self.shadows);
+                    let land = self.picture.more_land();
+                    let state = ViewState::new(&self.device, extras, &self.tonemap, land, size);
+                    self.further.push(state);
+                }
             }
         }
-        if self.outlines.shown() {
-            for pipeline in [&pipelines.outlines_hidden, &pipelines.outlines] {
-                pass.set_pipeline(pipeline);
-                stats.add(self.outlines.draw(&mut pass));
-            }
+    }
+
+    fn scenery<'a>(&'a self, pipelines: &'a Pipelines) -> Scenery<'a> {
+        Scenery {
+            pipelines,
+            pages: self.chunks.pages(),
+            models: &self.figures.statics,
+            celestial: &self.celestial,
+        }
+    }
+
+    fn planned(&self, plan: &FramePlan) -> DrawStats {
+        DrawStats {
+            culled: self.chunks.len() - plan.chunks.len(),
+            plan: plan.stats,
+            ..DrawStats::default()
         }
     }
 }

@@ -53,6 +53,14 @@ pub struct DrawStats {
 }
 
 impl DrawStats {
+    /// Of a view that was not drawn.
+    pub(super) fn nothing() -> Self {
+        Self {
+            picture: Picture::None,
+            ..Self::default()
+        }
+    }
+
     pub(super) fn add(&mut self, (triangles, draws): (usize, usize)) {
         self.triangles += triangles;
         self.draws += draws;

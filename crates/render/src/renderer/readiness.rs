@@ -8,7 +8,7 @@ use crate::error::RenderError;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::shaders::Shaders;
 use crate::shadow::ShadowQuality;
-use crate::targets::{Targets, drawn_size};
+use crate::targets::drawn_size;
 use crate::tonemap::Tonemap;
 use crate::workshop::Workshop;
 
@@ -102,6 +102,7 @@ impl Renderer {
         self.options = options;
         self.tonemap = tonemap;
         self.shadows.set_quality(options.shadows);
+        self.further.clear();
         self.fit();
     }
 
@@ -123,8 +124,8 @@ impl Renderer {
         let scale = if full { 1.0 } else { self.options.scale };
         let size = drawn_size(width, height, scale, self.largest_side());
         self.height_px = height;
-        self.targets = Targets::new(&self.device, size, self.options.samples);
-        self.light = self.tonemap.bind(&self.device, &self.targets.light);
+        let size = (size, self.options.samples);
+        self.picture.fit(&self.device, &self.tonemap, size);
         self.pictured = None;
     }
 
@@ -137,16 +138,24 @@ impl Renderer {
     /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
     /// meanwhile, so that a turn does not stutter.
     pub(super) fn map_of(&mut self, frame: &Frame) -> u32 {
-        let map = frame
-            .view
-            .strategy
-            .uniform(&frame.view.eye, &frame.view.projection)
-            .kind[0];
+        let map = map_number(frame);
         if self.map != Some(map) {
             self.map = Some(map);
             if frame.view.strategy.has_sky() {
                 self.pipelines.order(HORIZON);
             }
+        }
+        map
+    }
+
+    /// The number of a further view's map. Where its frame may wait it is ready now; else it is ordered, and nothing waits
+    /// for it.
+    pub(super) fn map_of_further(&mut self, frame: &Frame) -> u32 {
+        let map = map_number(frame);
+        if self.patient || self.chunks.rush {
+            self.pipelines.finish(map);
+        } else if !self.pipelines.is_made(map) {
+            self.pipelines.order(map);
         }
         map
     }
@@ -177,7 +186,8 @@ impl Renderer {
     ) -> DrawStats {
         self.chunks.apply(frame);
         let picture = if self.pictured == Some(frame.content.loaded_world) {
-            self.tonemap.draw(encoder, &self.light, target, None);
+            self.tonemap
+                .draw(encoder, &self.picture.light, target, None);
             Picture::Last
         } else {
             Picture::None
@@ -188,4 +198,10 @@ impl Renderer {
             ..DrawStats::default()
         }
     }
+}
+
+/// The number of a frame's map.
+fn map_number(frame: &Frame) -> u32 {
+    let view = &frame.view;
+    view.strategy.uniform(&view.eye, &view.projection).kind[0]
 }

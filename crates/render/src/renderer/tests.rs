@@ -131,5 +131,5 @@ fn other_options_are_taken_when_their_pipelines_are_made_and_no_frame_is_left_ou
         assert!(picture == before);
     }
     assert!(!renderer.is_busy());
-    assert_eq!(renderer.targets.size, (SIZE.0 / 2, SIZE.1 / 2));
+    assert_eq!(renderer.picture.targets.size, (SIZE.0 / 2, SIZE.1 / 2));
 }

@@ -27,7 +27,8 @@ use uniform::{FIGURES, MapUniform};
 
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::{DrawList, LandDraws};
-use crate::figures::Figures;
+use crate::figure_buffers::Statics;
+use crate::figure_draws::FigureDraws;
 use crate::gpu::Gpu;
 use crate::pipelines::Pipelines;
 use crate::timing::Timing;
@@ -309,7 +310,7 @@ impl Shadows {
         encoder: &mut CommandEncoder,
         pipelines: &Pipelines,
         chunks: &ChunkStore,
-        figures: &Figures,
+        (figures, models): (&FigureDraws, &Statics),
         mut timing: Option<&Timing>,
     ) -> (ShadowStats, bool) {
         let mut stats = ShadowStats::default();
@@ -339,7 +340,8 @@ impl Shadows {
             let begun = self.maps.begin(encoder, place, !merges, timing.take());
             if let Some(mut pass) = begun {
                 let coarse = self.quality == ShadowQuality::Low;
-                stats.triangles += figures.draw_shadows(&mut pass, &pipelines.figures, coarse);
+                stats.triangles +=
+                    figures.draw_shadows(&mut pass, models, &pipelines.figures, coarse);
             }
         }
         (stats, stamps && timing.is_none())

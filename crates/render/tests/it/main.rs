@@ -23,3 +23,4 @@ mod sky;
 mod spaces;
 mod sun_rays;
 mod tiles;
+mod views;

@@ -18,7 +18,8 @@ use antipode_geometry::{
     Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{
-    AdapterChoice, DrawStats, Gpu, Offscreen, Options, Renderer, Shaders, ShadowQuality,
+    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Renderer, Shaders,
+    ShadowQuality,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
@@ -136,6 +137,37 @@ impl Studio {
         let picture = self.offscreen.read(&self.gpu).unwrap();
         assert_eq!(self.gpu.take_error(), None);
         (picture, stats)
+    }
+
+    /// The picture of a frame, and those of further views of its content of these sizes, all by one submission.
+    pub fn views(
+        &mut self,
+        frame: &Frame,
+        further: &[(View, (u32, u32))],
+    ) -> (RgbaImage, Vec<RgbaImage>) {
+        let target = |(_, (width, height)): &(View, (u32, u32))| {
+            Offscreen::new(&self.gpu, *width, *height, PLAIN)
+        };
+        let targets: Vec<_> = further.iter().map(target).collect();
+        let views = further.iter().zip(&targets);
+        let views: Vec<_> = views
+            .map(|((view, size), target)| FurtherView {
+                view,
+                size: *size,
+                target: target.view(),
+            })
+            .collect();
+        self.renderer.complete_next();
+        let mut encoder = self.gpu.encoder();
+        let view = self.offscreen.view();
+        let (_, stats) = self.renderer.draw_views(frame, &views, &mut encoder, view);
+        self.gpu.queue.submit([encoder.finish()]);
+        assert!(stats.iter().all(|it| it.picture == Picture::New));
+        let read = |target: &Offscreen| target.read(&self.gpu).unwrap();
+        let pictures = targets.iter().map(read).collect();
+        let picture = self.offscreen.read(&self.gpu).unwrap();
+        assert_eq!(self.gpu.take_error(), None);
+        (picture, pictures)
     }
 
     /// An encoder for [`Studio::record`], once the adapter has done all that it was given.

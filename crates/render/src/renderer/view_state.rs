@@ -1,0 +1,259 @@
+//! What a view has for itself on the adapter: its targets, what its shaders are told, and its draws. Nothing of it is shared,
+//! so that several views can be drawn by one submission.
+
+use antipode_frame::Frame;
+use wgpu::{
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
+    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
+    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, StoreOp,
+};
+
+use super::DrawStats;
+use crate::celestial::{Celestial, FAINTEST};
+use crate::chunk_store::ChunkStore;
+use crate::draw_list::{DrawList, LandDraws};
+use crate::figure_buffers::Statics;
+use crate::figure_draws::FigureDraws;
+use crate::figures::Figures;
+use crate::heavens::Heavens;
+use crate::marker::MarkerBalls;
+use crate::outlines::Outlines;
+use crate::pages::Pages;
+use crate::pipelines::{Pipelines, scene_layout};
+use crate::plan::{FramePlan, LandBook, Planner};
+use crate::shadow::{Shadows, Shot};
+use crate::targets::Targets;
+use crate::tile::Tile;
+use crate::tonemap::Tonemap;
+use crate::uniforms::SceneUniform;
+
+/// What a view's pictures are drawn with from one frame to the next.
+#[derive(Debug)]
+pub(super) struct ViewState {
+    uniform: Buffer,
+    bindings: BindGroup,
+    pub targets: Targets,
+    /// Its light, as the tone map reads it.
+    pub light: BindGroup,
+    planner: Planner,
+    list: DrawList,
+    land: LandDraws,
+    pub figures: FigureDraws,
+    marker: MarkerBalls,
+    outlines: Outlines,
+}
+
+/// What all views are drawn from.
+#[derive(Clone, Copy)]
+pub(super) struct Scenery<'a> {
+    pub pipelines: &'a Pipelines,
+    pub pages: &'a Pages,
+    pub models: &'a Statics,
+    pub celestial: &'a Celestial,
+}
+
+impl ViewState {
+    /// A view that is drawn `size` pixels large, with so many samples of a pixel.
+    pub fn new(
+        device: &Device,
+        (heavens, shadows): (&Heavens, &Shadows),
+        tonemap: &Tonemap,
+        land: LandDraws,
+        (size, samples): ((u32, u32), u32),
+    ) -> Self {
+        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("scene"),
+            size: size_of::<SceneUniform>() as u64,
+            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let layout = scene_layout(device);
+        let targets = Targets::new(device, size, samples);
+        Self {
+            bindings: bind_scene(device, &layout, &uniform, (heavens, shadows)),
+            uniform,
+            light: tonemap.bind(device, &targets.light),
+            targets,
+            planner: Planner::default(),
+            list: DrawList::default(),
+            land,
+            figures: FigureDraws::new(device),
+            marker: MarkerBalls::new(device),
+            outlines: Outlines::new(device),
+        }
+    }
+
+    /// Draws in targets of another size from now on.
+    pub fn fit(&mut self, device: &Device, tonemap: &Tonemap, (size, samples): ((u32, u32), u32)) {
+        self.targets = Targets::new(device, size, samples);
+        self.light = tonemap.bind(device, &self.targets.light);
+    }
+
+    /// Draws each mesh by a call of its own from now on.
+    pub fn draw_singly(&mut self) {
+        self.land.draw_singly();
+    }
+
+    /// Buffers for the land of another view.
+    pub fn more_land(&self) -> LandDraws {
+        self.land.another()
+    }
+
+    /// Reads other shadow maps from now on.
+    pub fn rebind(&mut self, device: &Device, extras: (&Heavens, &Shadows)) {
+        let layout = scene_layout(device);
+        self.bindings = bind_scene(device, &layout, &self.uniform, extras);
+    }
+
+    /// Decides what to draw of the land in a picture `height_px` pixels high.
+    pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
+        self.planner.plan(frame, height_px, book)
+    }
+
+    /// Takes a frame's figures and what is laid over its world; `map` is that of the shadows that its figures are to throw.
+    pub fn take_figures(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        frame: &Frame,
+        figures: &Figures,
+        plan: &mut FramePlan,
+        map: Option<Shot>,
+    ) {
+        self.marker.prepare(queue, frame);
+        self.outlines.prepare(device, queue, frame);
+        let seen = figures.seen(frame, plan, map);
+        self.figures.take(device, queue, seen);
+    }
+
+    /// Takes a frame's land, and tells the shaders of the frame, which is drawn `drawn` pixels large.
+    pub fn take_land(
+        &mut self,
+        queue: &Queue,
+        frame: &Frame,
+        (chunks, book, shadows): (&ChunkStore, &LandBook, &Shadows),
+        plan: &mut FramePlan,
+        drawn: (u32, u32),
+    ) {
+        chunks.list(frame, book.land(), plan, shadows, &mut self.list);
+        self.land.send(queue, &mut self.list);
+        let scene = SceneUniform::new(frame, drawn, &shadows.uniform(frame));
+        queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
+    }
+
+    /// Draws the light of a frame that was taken.
+    pub fn draw(
+        &self,
+        frame: &Frame,
+        scenery: Scenery<'_>,
+        encoder: &mut CommandEncoder,
+        (tile, stamp): (Option<Tile>, Option<RenderPassTimestampWrites<'_>>),
+        stats: &mut DrawStats,
+    ) {
+        let Scenery {
+            pipelines, models, ..
+        } = scenery;
+        let mut pass = self.begin(encoder, frame.content.sky.horizon, stamp);
+        if let Some(tile) = tile {
+            tile.lay(&mut pass);
+        }
+        pass.set_bind_group(0, &self.bindings, &[]);
+        // Figures stand before the land more often than behind it.
+        stats.add(self.figures.draw(&mut pass, models, pipelines));
+        let terrain = |number| pipelines.terrain.numbered(number);
+        stats.add(
+            self.land
+                .draw(&mut pass, &self.list, scenery.pages, terrain),
+        );
+        draw_sky(frame, scenery, &mut pass, stats);
+        stats.add(self.figures.draw_clear(&mut pass, models, pipelines));
+        if self.marker.shown() {
+            for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
+                pass.set_pipeline(pipeline);
+                stats.add(self.marker.draw(&mut pass));
+            }
+        }
+        if self.outlines.shown() {
+            for pipeline in [&pipelines.outlines_hidden, &pipelines.outlines] {
+                pass.set_pipeline(pipeline);
+                stats.add(self.outlines.draw(&mut pass));
+            }
+        }
+    }
+
+    fn begin<'e>(
+        &self,
+        encoder: &'e mut CommandEncoder,
+        horizon: [f32; 3],
+        timestamp_writes: Option<RenderPassTimestampWrites<'_>>,
+    ) -> RenderPass<'e> {
+        let [r, g, b] = horizon.map(f64::from);
+        let clear = LoadOp::Clear(Color { r, g, b, a: 1.0 });
+        let light = &self.targets.light;
+        let (view, resolve_target, store) = match &self.targets.samples {
+            Some(samples) => (samples, Some(light), StoreOp::Discard),
+            None => (light, None, StoreOp::Store),
+        };
+        encoder.begin_render_pass(&RenderPassDescriptor {
+            label: Some("scene"),
+            color_attachments: &[Some(RenderPassColorAttachment {
+                view,
+                depth_slice: None,
+                resolve_target,
+                ops: Operations { load: clear, store },
+            })],
+            depth_stencil_attachment: Some(RenderPassDepthStencilAttachment {
+                view: &self.targets.depth,
+                depth_ops: Some(Operations {
+                    load: LoadOp::Clear(0.0),
+                    store: StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            timestamp_writes,
+            ..Default::default()
+        })
+    }
+}
+
+/// What lies behind everything, from the back to the front.
+fn draw_sky(frame: &Frame, scenery: Scenery<'_>, pass: &mut RenderPass<'_>, stats: &mut DrawStats) {
+    let (pipelines, sky) = (scenery.pipelines, &frame.content.sky);
+    let mut cover = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline| {
+        pass.set_pipeline(pipeline);
+        pass.draw(0..3, 0..1);
+        stats.add((1, 1));
+    };
+    if sky.dome {
+        cover(pass, &pipelines.sky);
+        if sky.stars > FAINTEST {
+            cover(pass, &pipelines.band);
+        }
+    }
+    let celestial = scenery.celestial.draw(pass, sky, &pipelines.celestial);
+    if sky.dome && sky.clouds > 0.0 {
+        cover(pass, &pipelines.clouds);
+    }
+    stats.add(celestial);
+}
+
+/// What the scene's shaders read.
+fn bind_scene(
+    device: &Device,
+    layout: &BindGroupLayout,
+    uniform: &Buffer,
+    (heavens, shadows): (&Heavens, &Shadows),
+) -> BindGroup {
+    let uniform = wgpu::BindGroupEntry {
+        binding: 0,
+        resource: uniform.as_entire_binding(),
+    };
+    let entries: Vec<_> = std::iter::once(uniform)
+        .chain(heavens.bind())
+        .chain(shadows.bind())
+        .collect();
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("scene"),
+        layout,
+        entries: &entries,
+    })
+}

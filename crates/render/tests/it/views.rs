@@ -1,0 +1,96 @@
+//! Several views of one content: each has its own picture, and none changes another's.
+
+use crate::common::{GEOMETRIES, Studio, difference, frame, land, space, standing};
+
+use antipode_frame::{Figure, Frame, ModelId, View};
+use antipode_geometry::{Geometry, Hemisphere, Projection};
+use antipode_render::ShadowQuality;
+use glam::DVec3;
+
+const SIZE: (u32, u32) = (160, 90);
+const SMALL: (u32, u32) = (96, 54);
+const ASPECT: f64 = 16.0 / 9.0;
+
+/// Land, and a figure two metres before an eye and another behind it.
+fn before_and_behind(geometry: Geometry) -> Frame {
+    let space = space(geometry);
+    let point = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let figure = |ahead_m: f64, model| {
+        let feet = point.moved(DVec3::new(ahead_m, -1.6, 0.0));
+        Figure::standing(model, feet, 0.4)
+    };
+    frame(&space, point, ASPECT).with_content(|it| {
+        it.land = land(&space, point, 1);
+        it.figures = vec![
+            figure(2.0, ModelId::Astronaut),
+            figure(-2.5, ModelId::CarBody),
+        ];
+    })
+}
+
+/// The view to the other side, of another field.
+fn back(frame: &Frame) -> View {
+    let mut view = frame.view.clone();
+    view.eye.yaw += std::f64::consts::PI;
+    view.eye.pitch = -0.2;
+    view.projection = Projection::new(1.0, ASPECT, 0.02);
+    view
+}
+
+#[test]
+fn another_view_in_the_same_submission_changes_no_bit_of_the_first_and_is_not_changed_by_it() {
+    for geometry in GEOMETRIES {
+        for quality in [ShadowQuality::Off, ShadowQuality::Low] {
+            let Some(mut studio) = Studio::shadowed(SIZE, quality) else {
+                return;
+            };
+            let frame = before_and_behind(geometry);
+            let alone = studio.picture(&frame);
+            let further = [(back(&frame), SMALL), (frame.view.clone(), SIZE)];
+            let (first, others) = studio.views(&frame, &further);
+            assert!(first == alone, "{geometry} {quality:?}");
+            // The same once more from the same eye: what it throws no shadows of its own for, the first does.
+            let (_, mean) = difference(&others[1], &alone);
+            assert!(mean < 0.01, "{geometry} {quality:?}: {mean}");
+
+            let own = Studio::shadowed(SMALL, quality)
+                .map(|mut studio| studio.picture(&frame.seen_by(back(&frame))))
+                .unwrap();
+            let (_, mean) = difference(&others[0], &own);
+            assert!(mean < 0.6, "{geometry} {quality:?}: {mean}");
+        }
+    }
+}
+
+#[test]
+fn views_come_and_go_and_change_their_size_from_frame_to_frame() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let frame = before_and_behind(Geometry::Hyperbolic);
+    let alone = studio.picture(&frame);
+    let view = back(&frame);
+    let small = studio.views(&frame, &[(view.clone(), SMALL)]).1;
+    for further in [
+        vec![],
+        vec![(view.clone(), (48, 27)), (view.clone(), SMALL)],
+        vec![(view.clone(), SMALL)],
+    ] {
+        let (first, others) = studio.views(&frame, &further);
+        assert!(first == alone);
+        for ((_, size), other) in further.iter().zip(&others) {
+            assert_eq!(other.dimensions(), *size);
+            assert!(*size != SMALL || *other == small[0]);
+        }
+    }
+}
+
+#[test]
+fn two_renderers_draw_one_content_alike() {
+    let frame = before_and_behind(Geometry::Spherical);
+    let draw = || Some(Studio::shadowed(SIZE, ShadowQuality::Low)?.picture(&frame));
+    let (Some(one), Some(other)) = (draw(), draw()) else {
+        return;
+    };
+    assert!(one == other);
+}
