@@ -4,6 +4,7 @@ struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) place: vec2<f32>,      // from the middle of the patch, 1 at its edge
     @location(1) light: vec3<f32>,
+    @location(2) view: vec4<f32>,       // of a body that stands in the world
 }
 
 // Corners of two triangles that make a square of half width 1.
@@ -120,7 +121,8 @@ fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instan
     let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb.x);
     let space = space_at(index);
     var out: VertexOut;
-    out.clip = clip_from_view(space, vec4<f32>(at.xyz / space.curve.x, at.w));
+    out.view = vec4<f32>(at.xyz / space.curve.x, at.w);
+    out.clip = clip_from_view(space, out.view);
     out.place = corner;
     out.light = select(vec3<f32>(0.20, 0.24, 0.34), vec3<f32>(3.4, 2.6, 1.5), is_sun);
     return out;
@@ -128,6 +130,9 @@ fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instan
 
 @fragment
 fn fragment_orb(in: VertexOut) -> @location(0) vec4<f32> {
+    if is_cut(in.view) {
+        discard;
+    }
     let away = length(in.place);
     let near = max(1.0 - away, 0.0);
     let near2 = near * near;

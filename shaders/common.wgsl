@@ -62,6 +62,7 @@ struct Scene {
     ring_x: vec4<f32>,         // in a closed world, metres of the chart along x for a difference in view coordinates,
     ring_y: vec4<f32>,         // and along y and z
     ring_z: vec4<f32>,
+    cuts: mat4x4<f32>,         // columns: covectors of view coordinates; what has a negative product with one is cut off
     shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
@@ -69,6 +70,14 @@ struct Scene {
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
+
+// Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
+override CUTS: bool = false;
+
+// Whether a view point is cut off. To be asked after everything that looks at the next pixel.
+fn is_cut(view: vec4<f32>) -> bool {
+    return CUTS && any(view * scene.cuts < vec4<f32>(0.0));
+}
 
 // The space, for a vertex or fragment with some number of its own, which no number changes. Branches on what this
 // gives depend on more than uniforms: lavapipe compiles a shader with branches on uniforms alone anew for every frame,

@@ -212,7 +212,11 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
-    return vec4<f32>(figure_light(in, in.albedo.a) * in.veil.a + in.veil.rgb, 1.0);
+    let light = figure_light(in, in.albedo.a);
+    if is_cut(in.view) {
+        discard;
+    }
+    return vec4<f32>(light * in.veil.a + in.veil.rgb, 1.0);
 }
 
 // Glass: what it sends back and what it shines by itself comes on top of what shines through.
@@ -220,5 +224,8 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
 fn fragment_clear(in: VertexOut) -> @location(0) vec4<f32> {
     let cover = in.albedo.a;
     let light = figure_light(in, 0.9) * in.veil.a + in.veil.rgb;
+    if is_cut(in.view) {
+        discard;
+    }
     return vec4<f32>(light * cover, cover);
 }

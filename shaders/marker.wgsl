@@ -14,6 +14,7 @@ struct VertexOut {
     @location(1) toward_eye: vec3<f32>,
     @location(2) colour: vec4<f32>,
     @location(3) edge: f32,
+    @location(4) view: vec4<f32>,
 }
 
 @vertex
@@ -23,6 +24,7 @@ fn vertex(in: VertexIn) -> VertexOut {
     let centre = port_to_view(space, in.offset, in.hemisphere);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
+    out.view = view;
     // Over so small a ball, view coordinates are as good as flat.
     out.outward = (view.xyz - centre.xyz) / in.shape.x;
     out.toward_eye = -normalize(view.xyz);
@@ -34,6 +36,9 @@ fn vertex(in: VertexIn) -> VertexOut {
 }
 
 fn shade(in: VertexOut, share: f32) -> vec4<f32> {
+    if is_cut(in.view) {
+        discard;
+    }
     let facing = abs(dot(normalize(in.outward), normalize(in.toward_eye)));
     let edge = 1.0 - facing;
     let opacity = mix(in.colour.a, in.edge, edge * edge * edge) * share;

@@ -14,6 +14,7 @@ struct VertexIn {
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
     @location(0) colour: vec4<f32>,     // a: opacity
+    @location(1) view: vec4<f32>,
 }
 
 // Half of a line's width, pixels.
@@ -34,6 +35,7 @@ fn vertex(in: VertexIn) -> VertexOut {
     let here = clip_from_view(space, view);
     let there = clip_from_view(space, port_to_view(space, placed(in, in.there), in.hemisphere));
     var out: VertexOut;
+    out.view = view;
     let clear = 1.0 - fog_at(eye_distance(space, view));
     out.colour = vec4<f32>(in.colour.rgb, 0.9 * clear);
     if min(here.w, there.w) < NEAREST {
@@ -51,12 +53,18 @@ fn vertex(in: VertexIn) -> VertexOut {
 
 @fragment
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
+    if is_cut(in.view) {
+        discard;
+    }
     return vec4<f32>(in.colour.rgb * in.colour.a, in.colour.a);
 }
 
 // What lies behind land or a figure still shows, faintly.
 @fragment
 fn fragment_hidden(in: VertexOut) -> @location(0) vec4<f32> {
+    if is_cut(in.view) {
+        discard;
+    }
     let opacity = in.colour.a * 0.25;
     return vec4<f32>(in.colour.rgb * opacity, opacity);
 }

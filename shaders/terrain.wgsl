@@ -249,6 +249,9 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
 fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    if is_cut(in.view) {
+        discard;
+    }
     return ringed(land_colour(in, point), ring);
 }
 
@@ -263,7 +266,7 @@ fn is_trimmed(in: VertexOut) -> bool {
 fn fragment_rim(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
-    if is_trimmed(in) {
+    if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
     return ringed(land_colour(in, point), ring);
@@ -285,6 +288,9 @@ fn own_depth(in: VertexOut) -> f32 {
 fn fragment_deep(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
+    if is_cut(in.view) {
+        discard;
+    }
     return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
 }
 
@@ -292,7 +298,7 @@ fn fragment_deep(in: VertexOut) -> DeepOut {
 fn fragment_deep_rim(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
-    if is_trimmed(in) {
+    if is_trimmed(in) || is_cut(in.view) {
         discard;
     }
     return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));
@@ -316,7 +322,7 @@ fn is_left_out(in: VertexOut) -> bool {
 fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
-    if is_left_out(in) || is_trimmed(in) {
+    if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
     return ringed(land_colour(in, point), ring);
@@ -326,7 +332,7 @@ fn fragment_blending(in: VertexOut) -> @location(0) vec4<f32> {
 fn fragment_deep_blending(in: VertexOut) -> DeepOut {
     let point = shaded_at(in.place.xyz, in.view, in.facing, in.frame_normal);
     let ring = ring_at(in.place.xyz, in.view);
-    if is_left_out(in) || is_trimmed(in) {
+    if is_left_out(in) || is_trimmed(in) || is_cut(in.view) {
         discard;
     }
     return DeepOut(ringed(land_colour(in, point), ring), own_depth(in));

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Eye, Projection, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Projection, SpaceUniform, Strategy};
+use glam::{DMat4, DVec3, DVec4};
 
 use crate::{ModelId, Quality};
 
@@ -23,6 +24,66 @@ pub struct View {
     pub contour_bands: bool,
     /// What the picture may leave out or simplify.
     pub quality: Quality,
+    /// An isometry of the space, applied to view coordinates: what is seen stands where that takes it. Metres, and w without
+    /// unit; the identity for a picture as the eye sees it. What it leaves of the eye's picture is told of nothing, so
+    /// another than the identity has everything drawn, in the picture or not.
+    pub isometry: DMat4,
+    /// Covectors n of view coordinates, after the isometry: of land, figures and what stands among them, only that is drawn
+    /// for which `n . view >= 0` by all of them. The sheets where that is 0 are totally geodesic. All zero for none.
+    pub cuts: [DVec4; View::CUTS],
+}
+
+impl View {
+    /// Sheets that a picture may be cut by at once.
+    pub const CUTS: usize = 4;
+
+    /// Whether the isometry is another than the identity.
+    pub fn is_moved(&self) -> bool {
+        self.isometry != DMat4::IDENTITY
+    }
+
+    /// Whether anything may be cut off.
+    pub fn is_cut(&self) -> bool {
+        self.cuts != [DVec4::ZERO; Self::CUTS]
+    }
+
+    /// View coordinates after the isometry.
+    pub fn moved(&self, view: DVec4) -> DVec4 {
+        if self.is_moved() {
+            self.isometry * view
+        } else {
+            view
+        }
+    }
+
+    /// View coordinates of a chart point, after the isometry.
+    pub fn point(&self, point: ChartPoint) -> DVec4 {
+        self.moved(self.strategy.view_point(&self.eye, point))
+    }
+
+    /// The chart directions at the eye that are to the right, upwards and into the picture. They turn with the isometry as
+    /// its part of three by three does: exactly where it keeps the eye in its place or the space is flat.
+    pub fn axes(&self) -> [DVec3; 3] {
+        let eye = &self.eye;
+        if !self.is_moved() {
+            return [eye.right(), eye.up(), eye.front()];
+        }
+        let back = glam::DMat3::from_mat4(self.isometry).transpose();
+        [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| eye.to_chart(back * axis))
+    }
+
+    /// What the shaders need to know of the space, the eye, the projection and the isometry.
+    pub fn uniform(&self) -> SpaceUniform {
+        let uniform = self.strategy.uniform(&self.eye, &self.projection);
+        if !self.is_moved() {
+            return uniform;
+        }
+        let view = self.isometry * self.strategy.view_matrix(&self.eye);
+        SpaceUniform {
+            view: view.as_mat4().to_cols_array_2d(),
+            ..uniform
+        }
+    }
 }
 
 /// What the player sees in the own hand, in first person.

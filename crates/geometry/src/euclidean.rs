@@ -61,8 +61,12 @@ impl Strategy for Euclidean {
         projection.clip(Depth::Reciprocal, view)
     }
 
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
+        DMat4::from_mat3(rotation(eye))
+    }
+
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
-        let view = DMat4::from_mat3(rotation(eye));
+        let view = self.view_matrix(eye);
         SpaceUniform::new(SpaceUniform::FLAT, view, projection, f64::INFINITY, 0.0)
     }
 }

@@ -258,8 +258,12 @@ impl Strategy for Horizon {
         projection.clip(depth, view)
     }
 
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
+        DMat4::from_mat3(rotation(eye))
+    }
+
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
-        let view = DMat4::from_mat3(rotation(eye));
+        let view = self.view_matrix(eye);
         let kappa = self.kappa(eye);
         SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge_m(kappa))
     }

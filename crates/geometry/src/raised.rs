@@ -213,8 +213,12 @@ impl Strategy for Raised {
         projection.clip(Depth::Exponential { radius_m }, view)
     }
 
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
+        DMat4::from_mat3(rotation(eye))
+    }
+
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
-        let view = DMat4::from_mat3(rotation(eye));
+        let view = self.view_matrix(eye);
         let h = self.offset(eye);
         SpaceUniform::new(SpaceUniform::RAISED, view, projection, self.radius_m, h)
     }

@@ -260,11 +260,14 @@ impl Strategy for Spherical {
         projection.clip(Depth::Great, view)
     }
 
-    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
         // The shader's points have xyz in metres and w without unit, before and after.
         let metres = DVec4::new(self.radius_m, self.radius_m, self.radius_m, 1.0);
-        let view =
-            DMat4::from_diagonal(metres) * self.view(eye) * DMat4::from_diagonal(metres.recip());
+        DMat4::from_diagonal(metres) * self.view(eye) * DMat4::from_diagonal(metres.recip())
+    }
+
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
+        let view = self.view_matrix(eye);
         SpaceUniform::new(SpaceUniform::SPHERE, view, projection, self.radius_m, 0.0)
     }
 }

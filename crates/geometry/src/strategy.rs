@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::kernel::distance;
 use crate::{
@@ -209,6 +209,9 @@ pub trait Strategy: Debug + Send + Sync {
 
     /// A point of the picture: clip coordinates of a point in view coordinates.
     fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4;
+
+    /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates.
+    fn view_matrix(&self, eye: &Eye) -> DMat4;
 
     /// What the shaders need to know of the space, the eye and the projection.
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{Eye, Strategy};
 use antipode_scene::frame::{Content, Frame, Quality, Sky, View};
+use glam::{DMat4, DVec4};
 
 use crate::accuracy::projection;
 
@@ -19,6 +20,8 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             fog_distance_m: 1e5,
             contour_bands: false,
             quality: Quality::Balanced,
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; View::CUTS],
         },
         content: Arc::new(Content {
             sky: Sky {

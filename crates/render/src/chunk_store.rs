@@ -375,7 +375,7 @@ impl ChunkStore {
         // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
-        let hides = Tolerance::of(frame.view.quality).hides && is_open;
+        let hides = Tolerance::of(frame.view.quality).hides && is_open && !frame.view.is_moved();
         for choice in &plan.chunks {
             let coord = land[choice.place].coord;
             let Some(chunk) = self.chunks.get(&coord) else {
@@ -437,7 +437,7 @@ fn instance(frame: &Frame, coord: ChunkCoord, choice: &ChunkChoice) -> ChunkInst
     let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
     match &choice.port {
         Port::Vertex => plain,
-        Port::Frame(affine) => plain.framed(affine),
+        Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),
     }
 }
 

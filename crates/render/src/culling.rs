@@ -98,8 +98,11 @@ impl<'a> Shown<'a> {
     }
 
     /// Whether a ball is behind none of the picture's sides: [`Strategy::ball_rises_m`]. In a closed world too, where
-    /// what is behind the eye comes round as view coordinates do.
+    /// what is behind the eye comes round as view coordinates do. Of a view that is moved that is not known.
     fn sees(&self, ball: &Ball) -> bool {
+        if self.frame.view.is_moved() {
+            return true;
+        }
         let (strategy, eye) = (&*self.frame.view.strategy, &self.frame.view.eye);
         let rises_m = strategy.ball_rises_m(eye, ball.middle, ball.radius_m);
         let at = (self.view)(ball.middle).truncate();

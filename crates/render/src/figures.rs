@@ -142,7 +142,7 @@ fn put(
         way = match bounds.object(frame, figure.point, middle, half, tolerance_px) {
             Some((affine, error_px)) => {
                 plan.stats.error_at_least(error_px);
-                instance.frame = frame_rows(&affine);
+                instance.frame = frame_rows(&affine.moved(&frame.view));
                 Way::Framed
             }
             None => Way::Vertex,

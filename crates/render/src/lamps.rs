@@ -56,7 +56,7 @@ fn curvature(frame: &Frame) -> Option<(f64, f64)> {
 
 /// A point in view coordinates with w in metres, as `lit_at` of lights.wgsl has it.
 fn place(frame: &Frame, point: ChartPoint) -> DVec4 {
-    let view = frame.view.strategy.view_point(&frame.view.eye, point);
+    let view = frame.view.point(point);
     let w = curvature(frame).map_or(0.0, |(_, radius_m)| view.w * radius_m);
     view.truncate().extend(w)
 }

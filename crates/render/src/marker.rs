@@ -130,10 +130,7 @@ impl Ring {
         let [r, g, b] = colour.map(|channel| channel * light);
         let [x, y, z] = offset_of(frame, marker.point);
         let closed = frame.view.strategy.geometry() == Geometry::Spherical;
-        let middle = frame
-            .view
-            .strategy
-            .view_point(&frame.view.eye, marker.point);
+        let middle = frame.view.point(marker.point);
         Self {
             centre: if closed {
                 middle.as_vec4().into()
@@ -160,7 +157,7 @@ fn chart_axes(frame: &Frame, middle: ChartPoint) -> [[f32; 4]; 3] {
     let strategy = &*frame.view.strategy;
     let weights = DVec4::new(1.0, 1.0, 1.0, strategy.radius_m().powi(2));
     let column = |axis: DVec3| {
-        let at = |by_m: f64| strategy.view_point(&frame.view.eye, middle.moved(axis * by_m));
+        let at = |by_m: f64| frame.view.point(middle.moved(axis * by_m));
         (at(STEP_M) - at(-STEP_M)) / (2.0 * STEP_M)
     };
     let columns = DVec3::AXES.map(column);

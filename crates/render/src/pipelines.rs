@@ -20,6 +20,9 @@ use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance, OutlineInstance};
 
+/// Added to the number of a map for pipelines of views that sheets may cut.
+pub const CUT: u32 = 4;
+
 /// Everything the scene is drawn with.
 #[derive(Debug)]
 pub struct Pipelines {
@@ -50,8 +53,8 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, and so many
-    /// samples a pixel and shadows of a quality.
+    /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, with [`CUT`] for views
+    /// that sheets may cut, and so many samples a pixel and shadows of a quality.
     ///
     /// # Errors
     /// What the device has to say against one of them.
@@ -145,6 +148,13 @@ impl FigurePipelines {
         let buffers = [vertex_layout(), instances, skin_layout()];
         let plain =
             |vertex, fragment, way| maker.make(&module, [vertex, fragment], &buffers[..2], way);
+        // It is before the eye, and not in the world that is cut.
+        let whole = Maker {
+            cuts: false,
+            ..maker.clone()
+        };
+        let hand =
+            |fragment, way| whole.make(&module, ["vertex_hand", fragment], &buffers[..2], way);
         let bent = |vertex| {
             let way = Way {
                 bends: true,
@@ -159,8 +169,8 @@ impl FigurePipelines {
             bent_framed: bent("vertex_bent_framed"),
             clear: plain("vertex", "fragment_clear", GLASS),
             clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
-            hand: plain("vertex_hand", "fragment", SOLID),
-            hand_clear: plain("vertex_hand", "fragment_clear", GLASS),
+            hand: hand("fragment", SOLID),
+            hand_clear: hand("fragment_clear", GLASS),
             caster: maker.caster(&module, "vertex_caster", &buffers[..2]),
             bent_caster: maker.caster(&module, "vertex_caster_bent", &buffers),
         }
@@ -233,6 +243,8 @@ pub(crate) struct Maker<'a> {
     samples: u32,
     pub(crate) shadows: ShadowQuality,
     by_figures: bool,
+    /// Whether sheets may cut off what is drawn.
+    cuts: bool,
 }
 
 impl<'a> Maker<'a> {
@@ -263,10 +275,11 @@ impl<'a> Maker<'a> {
                 "bent shadow caster",
                 &[None, Some(&joints_layout), Some(&caster)],
             ),
-            kind: f64::from(kind),
+            kind: f64::from(kind & !CUT),
             samples,
             shadows: ShadowQuality::Off,
             by_figures: true,
+            cuts: kind & CUT != 0,
         }
     }
 
@@ -377,7 +390,8 @@ impl<'a> Maker<'a> {
         let buffers: Vec<_> = buffers.iter().cloned().map(Some).collect();
         let shadows = ("SHADOWS", f64::from(self.shadows.number()));
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
-        let constants = [("GEO_KIND", self.kind), shadows, by_figures];
+        let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
+        let constants = [("GEO_KIND", self.kind), shadows, by_figures, cuts];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

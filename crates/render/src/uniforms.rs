@@ -1,6 +1,6 @@
 //! What the shaders are told each frame, laid out as they read it.
 
-use antipode_frame::{Frame, Orbs};
+use antipode_frame::{Frame, Orbs, View};
 use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
@@ -46,6 +46,7 @@ pub struct SceneUniform {
     ring: [f32; 4],
     ring_edges: [f32; 4],
     ring_axes: [[f32; 4]; 3],
+    cuts: [[f32; 4]; View::CUTS],
     shades: [[f32; 4]; SHADES],
     lamps: [LampUniform; LAMPS],
     beams: [BeamUniform; BEAMS],
@@ -55,7 +56,7 @@ pub struct SceneUniform {
 impl SceneUniform {
     /// Everything the shaders need to know of a frame drawn `size` pixels large.
     pub fn new(frame: &Frame, size: (u32, u32), shadows: &ShadowUniform) -> Self {
-        let (eye, sky) = (&frame.view.eye, &frame.content.sky);
+        let sky = &frame.content.sky;
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
@@ -63,18 +64,19 @@ impl SceneUniform {
         let shades = shades(frame);
         let rim_m = frame.view.strategy.rim_m().unwrap_or(0.0) as f32;
         let ring = Ring::of(frame);
+        let [right, up, front] = frame.view.axes().map(|axis| axis.as_vec3());
         Self {
-            space: frame.view.strategy.uniform(eye, &frame.view.projection),
-            right: with(eye.right().as_vec3(), frame.content.time_s),
+            space: frame.view.uniform(),
+            right: with(right, frame.content.time_s),
             up: with(
-                eye.up().as_vec3(),
+                up,
                 if frame.view.contour_bands {
                     CONTOUR_STRENGTH
                 } else {
                     0.0
                 },
             ),
-            front: with(eye.front().as_vec3(), frame.view.fog_distance_m.max(1.0)),
+            front: with(front, frame.view.fog_distance_m.max(1.0)),
             top: with(sky.top.into(), sky.stars),
             horizon: with(sky.horizon.into(), f32::from(u8::from(sky.dome))),
             glare: with(sky.glare.into(), sin / length),
@@ -100,6 +102,7 @@ impl SceneUniform {
             ring: ring.light,
             ring_edges: [ring.edges, 0.0, 0.0, 0.0],
             ring_axes: ring.axes,
+            cuts: frame.view.cuts.map(|cut| cut.as_vec4().into()),
             shades,
             lamps: lamps(frame),
             beams: beams(frame),
@@ -113,7 +116,7 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
     let Some(orbs) = frame.content.sky.orbs else {
         return [0.0; 4];
     };
-    let view = frame.view.strategy.view_point(&frame.view.eye, which(orbs));
+    let view = frame.view.point(which(orbs));
     let units = view.truncate() / frame.view.strategy.radius_m();
     units.extend(view.w).as_vec4().into()
 }

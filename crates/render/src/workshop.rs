@@ -11,6 +11,8 @@ use std::thread::{Builder, JoinHandle};
 
 /// Maps that shaders are compiled for: numbers that `SpaceUniform::kind` begins with.
 const MAPS: u32 = 4;
+/// These, and the same for views that are cut, which nobody makes ahead.
+const NUMBERS: u32 = 2 * MAPS;
 
 /// Makes what a map needs, by the map's number; or says why it cannot.
 type Make<T> = Box<dyn Fn(u32) -> Result<T, String> + Send + Sync>;
@@ -28,8 +30,8 @@ pub struct Workshop<T: Send + Sync + 'static> {
 struct Shelf<T> {
     make: Make<T>,
     /// Or why they cannot be made.
-    made: [OnceLock<Result<T, String>>; MAPS as usize],
-    /// The map that frames wait for, which goes before others; [`MAPS`] for none.
+    made: [OnceLock<Result<T, String>>; NUMBERS as usize],
+    /// The map that frames wait for, which goes before others; [`NUMBERS`] for none.
     wanted: AtomicU32,
     /// Nothing more is to be made for it in the thread.
     closes: AtomicBool,
@@ -51,19 +53,19 @@ impl<T> Shelf<T> {
     fn new(make: Make<T>) -> Self {
         Self {
             make,
-            made: [const { OnceLock::new() }; MAPS as usize],
-            wanted: AtomicU32::new(MAPS),
+            made: [const { OnceLock::new() }; NUMBERS as usize],
+            wanted: AtomicU32::new(NUMBERS),
             closes: AtomicBool::new(false),
         }
     }
 
     fn slot(&self, map: u32) -> &OnceLock<Result<T, String>> {
-        &self.made[(map % MAPS) as usize]
+        &self.made[(map % NUMBERS) as usize]
     }
 
     /// Makes what a map needs, or waits for the thread that does.
     fn finish(&self, map: u32) {
-        self.slot(map).get_or_init(|| (self.make)(map % MAPS));
+        self.slot(map).get_or_init(|| (self.make)(map % NUMBERS));
     }
 
     fn is_made(&self, map: u32) -> bool {
@@ -81,7 +83,7 @@ impl<T: Send + Sync + 'static> Worker<T> {
         let work = move || {
             for (shelf, ordered) in asked {
                 let wanted = shelf.wanted.load(Ordering::Relaxed);
-                for map in [wanted, ordered].into_iter().filter(|map| *map < MAPS) {
+                for map in [wanted, ordered].into_iter().filter(|map| *map < NUMBERS) {
                     if !shelf.closes.load(Ordering::Relaxed) {
                         shelf.finish(map);
                     }
@@ -148,7 +150,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         }
         if let Some(worker) = &self.thread {
             // One that has ended leaves the making to the frame.
-            let _ = worker.orders.send((shelf, map % MAPS));
+            let _ = worker.orders.send((shelf, map % NUMBERS));
         }
     }
 
@@ -166,7 +168,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         if shelf.is_made(map) {
             return;
         }
-        if shelf.wanted.swap(map % MAPS, Ordering::Relaxed) != map % MAPS {
+        if shelf.wanted.swap(map % NUMBERS, Ordering::Relaxed) != map % NUMBERS {
             self.order(map);
         }
         let worker = self.thread.as_ref();
@@ -186,7 +188,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         if let Some(next) = self.next.take() {
             next.close();
             // Orders that came meanwhile were passed over.
-            self.shelf.wanted.store(MAPS, Ordering::Relaxed);
+            self.shelf.wanted.store(NUMBERS, Ordering::Relaxed);
             self.shelf.closes.store(false, Ordering::Relaxed);
         }
     }

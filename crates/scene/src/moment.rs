@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
 
 use crate::actors::ActorId;
 use crate::aimed::{Aim, Optics};
@@ -187,6 +187,8 @@ impl Scene {
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
             contour_bands: self.shown.viewing.contour_bands,
             quality: self.shown.quality,
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; View::CUTS],
             strategy,
         };
         Frame {

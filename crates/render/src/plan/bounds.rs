@@ -3,7 +3,7 @@
 //! An edge strays by `bend L^2` (see [`Bend`]), and a first-order frame about the middle of something of diameter L by
 //! no more at its ends.
 
-use antipode_frame::Frame;
+use antipode_frame::{Frame, View};
 use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy, side_normals};
 use glam::{DMat3, DVec3, DVec4};
 
@@ -93,6 +93,15 @@ impl Affine {
         };
         affine.base = affine.at(origin - middle.pos);
         affine
+    }
+
+    /// The same as a picture has it, after its isometry.
+    #[must_use]
+    pub fn moved(&self, view: &View) -> Self {
+        Self {
+            base: view.moved(self.base),
+            columns: self.columns.map(|column| view.moved(column)),
+        }
     }
 
     /// View coordinates at `x` metres from the origin.

@@ -84,7 +84,11 @@ impl Planner {
         let scale = PictureScale::new(&frame.view.projection, height_px);
         let tolerance = Tolerance::of(frame.view.quality);
         let mut stats = PlanStats::default();
-        let mut candidates = candidates(frame, book, scale, &tolerance, &mut stats);
+        let mut candidates = if frame.view.is_moved() {
+            all(frame, book)
+        } else {
+            candidates(frame, book, scale, &tolerance, &mut stats)
+        };
         let bounds = Bounds::new(frame, scale, self.bend(frame, scale));
         if hides(frame, book, &tolerance) {
             candidates = unhidden(frame, book, candidates, scale, &tolerance, &mut stats);
@@ -136,8 +140,25 @@ impl Planner {
 /// Whether land hides land in a frame.
 fn hides(frame: &Frame, book: &LandBook, tolerance: &Tolerance) -> bool {
     tolerance.hides
+        && !frame.view.is_moved()
         && frame.view.strategy.keeps_azimuths()
         && !skyline::is_underground(frame, book.columns())
+}
+
+/// All chunks: what a view that is moved shows of them is not known.
+fn all(frame: &Frame, book: &LandBook) -> Vec<Candidate> {
+    let (strategy, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
+    let home = ChunkCoord::containing(eye.point).index;
+    let chunks = book.land().iter().enumerate();
+    let candidate = |(place, chunk): (usize, &ChunkLand)| {
+        let steps = chunk.coord.index - home;
+        Candidate {
+            place,
+            cell: strategy.sight_cell(eye, chunk.coord.hemisphere, chunk.min, chunk.max),
+            ring: skyline::ring(steps.x, steps.z),
+        }
+    };
+    chunks.map(candidate).collect()
 }
 
 /// The chunks in the picture and before the fog that span more than the tolerance.

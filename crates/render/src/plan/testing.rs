@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use antipode_frame::{Content, Frame, Quality, Sky, View};
 use antipode_geometry::{Eye, Geometry, HyperbolicMap, Projection, Strategy, picture};
-use glam::DVec2;
+use glam::{DMat4, DVec2, DVec4};
 
 /// The same numbers on every run.
 pub struct Numbers(u64);
@@ -77,6 +77,8 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             fog_distance_m: 400.0,
             contour_bands: false,
             quality: Quality::Balanced,
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; View::CUTS],
         },
         content: Arc::new(Content {
             sky: Sky {

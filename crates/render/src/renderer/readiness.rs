@@ -5,7 +5,7 @@ use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
 
 use super::{DrawStats, Options, Picture, Renderer, check};
 use crate::error::RenderError;
-use crate::pipelines::{Pipelines, scene_layout};
+use crate::pipelines::{CUT, Pipelines, scene_layout};
 use crate::shaders::Shaders;
 use crate::shadow::ShadowQuality;
 use crate::targets::drawn_size;
@@ -200,8 +200,8 @@ impl Renderer {
     }
 }
 
-/// The number of a frame's map.
+/// The number of a frame's map, with that of views that are cut where it is one.
 fn map_number(frame: &Frame) -> u32 {
-    let view = &frame.view;
-    view.strategy.uniform(&view.eye, &view.projection).kind[0]
+    let cut = if frame.view.is_cut() { CUT } else { 0 };
+    frame.view.uniform().kind[0] | cut
 }

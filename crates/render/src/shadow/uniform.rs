@@ -71,11 +71,7 @@ pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
             DMat4::from_translation(reference - *anchor)
         }
         Light::Star { .. } => {
-            let view = frame
-                .view
-                .strategy
-                .uniform(eye, &frame.view.projection)
-                .view;
+            let view = frame.view.uniform().view;
             glam::Mat4::from_cols_array_2d(&view).as_dmat4().inverse()
         }
     }

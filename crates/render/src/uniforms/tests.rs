@@ -59,6 +59,7 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
         ("ring_x", offset_of!(SceneUniform, ring_axes)),
         ("ring_y", offset_of!(SceneUniform, ring_axes) + 16),
         ("ring_z", offset_of!(SceneUniform, ring_axes) + 32),
+        ("cuts", offset_of!(SceneUniform, cuts)),
         ("shades", offset_of!(SceneUniform, shades)),
         ("lamps", offset_of!(SceneUniform, lamps)),
         ("beams", offset_of!(SceneUniform, beams)),

@@ -1,11 +1,14 @@
 //! Several views of one content: each has its own picture, and none changes another's.
 
+use std::sync::Arc;
+
 use crate::common::{GEOMETRIES, Studio, difference, frame, land, space, standing};
 
 use antipode_frame::{Figure, Frame, ModelId, View};
 use antipode_geometry::{Geometry, Hemisphere, Projection};
 use antipode_render::ShadowQuality;
-use glam::DVec3;
+use glam::{DMat4, DVec3, DVec4};
+use image::{RgbaImage, imageops};
 
 const SIZE: (u32, u32) = (160, 90);
 const SMALL: (u32, u32) = (96, 54);
@@ -93,4 +96,67 @@ fn two_renderers_draw_one_content_alike() {
         return;
     };
     assert!(one == other);
+}
+
+/// The half of a picture that begins at a column.
+fn half(picture: &RgbaImage, from: u32) -> RgbaImage {
+    imageops::crop_imm(picture, from, 0, SIZE.0 / 2, SIZE.1).to_image()
+}
+
+#[test]
+fn a_half_turn_about_the_line_of_sight_turns_the_picture_and_another_turns_it_back() {
+    let turn = DMat4::from_diagonal(DVec4::new(-1.0, -1.0, 1.0, 1.0));
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::shadowed(SIZE, ShadowQuality::Low) else {
+            return;
+        };
+        let frame = before_and_behind(geometry);
+        let upright = studio.picture(&frame);
+        let turned = frame.clone().with_view(|it| it.isometry = turn);
+        let turned = imageops::rotate180(&studio.picture(&turned));
+        let (_, mean) = difference(&turned, &upright);
+        assert!(mean < 0.7, "{geometry}: {mean}");
+        let back = frame.with_view(|it| it.isometry = turn * turn);
+        assert!(studio.picture(&back) == upright, "{geometry}");
+    }
+}
+
+#[test]
+fn a_sheet_through_the_eye_cuts_off_just_the_half_of_the_picture_on_its_far_side() {
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let frame = before_and_behind(geometry);
+        let whole = studio.picture(&frame);
+        let cut = frame.with_view(|it| it.cuts[1] = DVec4::X);
+        let picture = studio.picture(&cut);
+        let middle = SIZE.0 / 2;
+        assert!(half(&picture, middle) == half(&whole, middle), "{geometry}");
+        let empty = cut.with_content(|it| {
+            it.land = Arc::default();
+            it.figures.clear();
+            it.loaded_world += 1000;
+        });
+        let empty = studio.picture(&empty);
+        assert!(half(&picture, 0) == half(&empty, 0), "{geometry}");
+        assert!(half(&whole, 0) != half(&empty, 0), "{geometry}");
+    }
+}
+
+#[test]
+fn a_sheet_before_the_eye_cuts_off_what_stands_nearer() {
+    let Some(mut studio) = Studio::new(SIZE) else {
+        return;
+    };
+    let frame = before_and_behind(Geometry::Euclidean).with_content(|it| it.land = Arc::default());
+    let without = frame.clone().with_content(|it| it.figures.clear());
+    let without = studio.picture(&without);
+    let mut changed = |beyond_m: f64| {
+        let cut = DVec4::new(0.0, 0.0, -1.0, -beyond_m);
+        let cut = frame.clone().with_view(|it| it.cuts[3] = cut);
+        difference(&studio.picture(&cut), &without).1
+    };
+    assert!(changed(0.5) > 1.0);
+    assert!(changed(4.0) == 0.0);
 }

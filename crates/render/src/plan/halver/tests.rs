@@ -9,7 +9,7 @@ use antipode_geometry::{
     ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, picture,
 };
 use antipode_terrain::Level;
-use glam::{DVec3, IVec3};
+use glam::{DMat4, DVec3, DVec4, IVec3};
 
 use super::super::ChunkLand;
 use super::super::bounds::{Bounds, PictureScale};
@@ -51,6 +51,8 @@ fn frame() -> Frame {
             fog_distance_m: 100.0,
             contour_bands: false,
             quality: Quality::Balanced,
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; View::CUTS],
         },
         content: Arc::new(Content {
             sky: Sky {

@@ -22,7 +22,7 @@ use antipode_render::{
     ShadowQuality,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
-use glam::{DVec3, IVec3, Vec3};
+use glam::{DMat4, DVec3, DVec4, IVec3, Vec3};
 use image::RgbaImage;
 
 /// The number of the next world.
@@ -243,6 +243,8 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
             fog_distance_m: 150.0,
             contour_bands: false,
             quality: Quality::default(),
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; View::CUTS],
         },
         content: Arc::new(antipode_frame::Content {
             sky,
