@@ -69,6 +69,12 @@ impl Frame {
         self
     }
 
+    /// The marker, if there is one to be drawn.
+    pub fn marker(&self) -> Option<&Marker> {
+        let marker = self.content.marker.as_ref();
+        marker.filter(|_| self.view.shows_marks)
+    }
+
     /// The same content, looked at by somebody else.
     #[must_use]
     pub fn seen_by(&self, view: View) -> Self {

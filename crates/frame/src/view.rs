@@ -20,6 +20,8 @@ pub struct View {
     pub hand: Option<Hand>,
     /// Distance in metres, measured in the space, at which the fog is complete.
     pub fog_distance_m: f32,
+    /// Whether the marker and the outlines of hit shapes are drawn: what the player is told, and not the world.
+    pub shows_marks: bool,
     /// Whether faint contour bands are drawn on the land.
     pub contour_bands: bool,
     /// What the picture may leave out or simplify.

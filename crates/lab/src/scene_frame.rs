@@ -18,6 +18,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             strategy,
             hand: None,
             fog_distance_m: 1e5,
+            shows_marks: true,
             contour_bands: false,
             quality: Quality::Balanced,
             isometry: DMat4::IDENTITY,

@@ -67,7 +67,7 @@ impl MarkerBalls {
 
     /// Takes this frame's ball.
     pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
-        let marker = frame.content.marker.as_ref();
+        let marker = frame.marker();
         let ball = marker.filter(|marker| marker.shape == MarkerShape::Ball);
         self.shown = ball.is_some();
         if let Some(marker) = ball {
@@ -117,7 +117,7 @@ pub struct Ring {
 impl Ring {
     /// That of a frame's marker.
     pub fn of(frame: &Frame) -> Self {
-        let marker = frame.content.marker.as_ref();
+        let marker = frame.marker();
         let Some(marker) = marker.filter(|marker| marker.shape != MarkerShape::Ball) else {
             return Self::default();
         };

@@ -89,7 +89,7 @@ impl Outlines {
     /// Takes this frame's shapes.
     pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
         self.counts = [0; 3];
-        if frame.content.hit_shapes.is_empty() {
+        if frame.content.hit_shapes.is_empty() || !frame.view.shows_marks {
             return;
         }
         let mut shapes: Vec<_> = frame.content.hit_shapes.iter().collect();

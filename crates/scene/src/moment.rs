@@ -185,6 +185,7 @@ impl Scene {
             projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             hand: moment.hand,
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
+            shows_marks: true,
             contour_bands: self.shown.viewing.contour_bands,
             quality: self.shown.quality,
             isometry: DMat4::IDENTITY,

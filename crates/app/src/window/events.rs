@@ -42,13 +42,21 @@ impl Open {
         }
     }
 
+    /// Draws a frame with which the menu's picture is taken.
+    fn draw_last(&mut self) {
+        self.game.play.portrait.is_wanted = true;
+        if let Err(error) = self.draw(false) {
+            tracing::info!("no picture for the menu: {error}");
+        }
+    }
+
     /// Takes an event of the window.
     pub fn handle(&mut self, event: &WindowEvent) {
         self.redraw.touch(Instant::now());
         match event {
             WindowEvent::CloseRequested => {
                 if self.game.is_playing() {
-                    self.begin_picture();
+                    self.draw_last();
                 }
                 self.game.close_window();
             }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use antipode_scene::Shutter;
-use antipode_scene::frame::Frame;
+use antipode_scene::frame::{Frame, View};
 use antipode_settings::{Config, Keeper, Opened, Value};
 use antipode_ui::Screen;
 
@@ -17,6 +17,7 @@ use super::options::Options;
 use super::overlays::Overlays;
 use super::phase::{Next, Phase, Request};
 use super::play::{CHUNK_BUDGET, Play};
+use super::portrait::portrait_of;
 use super::shots::Shots;
 use super::waits::Waits;
 use crate::cli::Common;
@@ -28,9 +29,6 @@ use crate::session::Worlds;
 const SOFTWARE_FRAME: Duration = Duration::from_millis(50);
 /// The same while the player is at another window.
 const UNWATCHED_FRAME: Duration = Duration::from_millis(200);
-
-/// Width over height of the menu's pictures of worlds.
-const PORTRAIT_ASPECT: f64 = 16.0 / 9.0;
 
 /// The game.
 pub struct Game {
@@ -267,16 +265,12 @@ impl Game {
         Some(frame)
     }
 
-    /// What a picture of the open world for the menu shows: the world, and nothing that the player is told of it.
-    pub fn portrait(&mut self, height_px: u32) -> Option<Frame> {
-        Some(
-            self.frame(PORTRAIT_ASPECT, height_px)?
-                .with_view(|it| it.hand = None)
-                .with_content(|it| {
-                    it.marker = None;
-                    it.hit_shapes = Vec::new();
-                }),
-        )
+    /// The view of the picture of the open world for the menu, if one is to be taken with a frame: the world, and nothing
+    /// that the player is told of it. The picture is to come back with the world's number.
+    pub fn portrait(&mut self, frame: &Frame) -> Option<(u64, View)> {
+        let play = &mut self.play;
+        let is_wanted = std::mem::take(&mut play.portrait.is_wanted);
+        is_wanted.then(|| (play.portrait.expect(play.opened), portrait_of(frame)))
     }
 
     /// What of the last step the next picture shows, and of the next one's turn.

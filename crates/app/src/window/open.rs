@@ -11,7 +11,7 @@ use super::hearing::Ears;
 use super::pads::Pads;
 use super::pointer::Pointer;
 use super::redraw::{REST, Redraw};
-use super::stage::Stage;
+use super::stage::{Showing, Stage};
 use super::waits::Part;
 use super::wheel::Wheel;
 use crate::failure::Failure;
@@ -129,13 +129,13 @@ impl Open {
         self.game.waits.spent_on(Part::Interface);
         let repaint = output.viewport_output.get(&egui::ViewportId::ROOT);
         let wait = repaint.map_or(Duration::MAX, |viewport| viewport.repaint_delay);
-        let keeps = self.game.shots.begin();
-        self.stage.show(
-            texture,
-            (frame.as_ref(), output),
-            keeps,
-            &mut self.game.waits,
-        )?;
+        let showing = Showing {
+            thumbnail: frame.as_ref().and_then(|frame| self.game.portrait(frame)),
+            frame: frame.as_ref(),
+            interface: output,
+            keeps: self.game.shots.begin(),
+        };
+        self.stage.show(texture, showing, &mut self.game.waits)?;
         self.game
             .play
             .drawn(frame.is_some() && !self.stage.is_land_coming());
@@ -162,11 +162,8 @@ impl Open {
         Ok(())
     }
 
-    /// Takes over the pictures that have been drawn, and begins those that are wanted.
+    /// Takes over the pictures that have been drawn, and begins the next tile of a larger one.
     fn take_pictures(&mut self) {
-        if std::mem::take(&mut self.game.play.portrait.is_wanted) {
-            self.begin_picture();
-        }
         while let Some(picture) = self.stage.finished_screenshot() {
             self.game.shots.keep(picture, &mut self.game.menus);
         }
@@ -207,14 +204,5 @@ impl Open {
                 .handle_platform_output(&self.stage.window, platform);
         }
         output
-    }
-
-    /// Has a picture of the open world drawn for the menu.
-    pub(super) fn begin_picture(&mut self) {
-        if let Some(frame) = self.game.portrait(self.stage.height_px()) {
-            let play = &mut self.game.play;
-            let world = play.portrait.expect(play.opened);
-            self.stage.begin_thumbnail(world, &frame);
-        }
     }
 }

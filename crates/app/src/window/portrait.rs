@@ -1,7 +1,22 @@
 //! A world's picture for the menu: drawn while the game goes on, even while the world is being closed.
 
+use antipode_scene::frame::{Frame, View};
 use crossbeam_channel::{Receiver, Sender, bounded};
 use image::RgbaImage;
+
+/// Width over height of the menu's pictures of worlds.
+const ASPECT: f64 = 16.0 / 9.0;
+
+/// What a frame shows, with nothing that the player is told of it, in a picture for the menu.
+pub fn portrait_of(frame: &Frame) -> View {
+    let mut view = View {
+        hand: None,
+        shows_marks: false,
+        ..frame.view.clone()
+    };
+    view.projection.sx = view.projection.sy / ASPECT;
+    view
+}
 
 /// What becomes of the picture of the open world.
 #[derive(Debug, Default)]

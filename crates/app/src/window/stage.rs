@@ -4,19 +4,18 @@ mod canvas;
 mod input;
 mod pictures;
 mod recovery;
+mod show;
 pub mod world;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use antipode_render::{AdapterChoice, Gpu, Offscreen, Options, PictureReading, Renderer, Shaders};
-use antipode_scene::frame::Frame;
+use antipode_render::{AdapterChoice, Gpu, Options, PictureReading, Renderer, Shaders};
 use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
 
-use super::waits::{Part, Waits};
 use crate::cli::Common;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
@@ -25,15 +24,8 @@ use crate::overlay::Overlay;
 use crate::picture::adapter_choice;
 use canvas::Canvas;
 use recovery::Recoveries;
+pub use show::Showing;
 use world::Pictured;
-
-/// Colour behind the menu when no world is open, linear light.
-const BACKDROP: wgpu::Color = wgpu::Color {
-    r: 0.012,
-    g: 0.018,
-    b: 0.035,
-    a: 1.0,
-};
 
 /// Window, surface, renderer and interface.
 pub struct Stage {
@@ -249,38 +241,6 @@ impl Stage {
         }
     }
 
-    /// Draws the world, if there is one, and the interface, and shows them. `keeps`: what is shown is read back too.
-    ///
-    /// # Errors
-    /// When the adapter refuses to draw the world.
-    pub fn show(
-        &mut self,
-        texture: wgpu::SurfaceTexture,
-        (frame, interface): (Option<&Frame>, egui::FullOutput),
-        keeps: bool,
-        waits: &mut Waits,
-    ) -> Result<(), Failure> {
-        let target = texture
-            .texture
-            .create_view(&wgpu::TextureViewDescriptor::default());
-        let kept = (keeps && self.can_keep())
-            .then(|| self.offscreen((self.config.width, self.config.height)));
-        let copy = kept.as_ref().map(Offscreen::view);
-        let painted = self.paint(frame, interface, &target, copy);
-        waits.spent_on(Part::Record);
-        if let Some(painted) = painted {
-            self.gpu.queue.submit([painted]);
-        }
-        if let Some(kept) = kept {
-            self.screenshots.push_back(kept.begin_read(&self.gpu));
-        }
-        self.window.pre_present_notify();
-        self.gpu.queue.present(texture);
-        self.renderer
-            .fault()
-            .map_or(Ok(()), |fault| Err(fault.into()))
-    }
-
     /// Size of the window, pixels.
     pub fn size(&self) -> (u32, u32) {
         (self.config.width, self.config.height)
@@ -289,38 +249,6 @@ impl Stage {
     /// Longest side of a picture that can be drawn, pixels.
     pub fn largest_side(&self) -> u32 {
         self.renderer.largest_side()
-    }
-
-    fn paint(
-        &mut self,
-        frame: Option<&Frame>,
-        interface: egui::FullOutput,
-        target: &wgpu::TextureView,
-        copy: Option<&wgpu::TextureView>,
-    ) -> Option<wgpu::CommandBuffer> {
-        let mut encoder = self.gpu.encoder();
-        let shows_world = frame.is_some_and(|frame| {
-            let stats = self.renderer.draw(frame, &mut encoder, target);
-            self.pictured.note(&stats, frame.view.quality)
-        });
-        if !shows_world {
-            clear(&mut encoder, target);
-        }
-        match copy {
-            Some(copy) if shows_world => self.renderer.show_again(&mut encoder, copy),
-            Some(copy) => clear(&mut encoder, copy),
-            None => {}
-        }
-        if self.gpu.lost().is_some() {
-            // The interface's painter breaks on an adapter that takes nothing any more.
-            self.overlay.skip(&interface.textures_delta);
-            return None;
-        }
-        let targets: Vec<_> = [target].into_iter().chain(copy).collect();
-        let size = (self.config.width, self.config.height);
-        self.overlay
-            .paint(&self.gpu, &mut encoder, &targets, size, interface);
-        Some(encoder.finish())
     }
 }
 
@@ -339,22 +267,6 @@ fn best_format(
     formats
         .find(|&format| is_plain(format))
         .unwrap_or(otherwise)
-}
-
-fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("backdrop"),
-        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-            view: target,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(BACKDROP),
-                store: wgpu::StoreOp::Store,
-            },
-        })],
-        ..Default::default()
-    });
 }
 
 #[cfg(test)]

@@ -75,6 +75,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             strategy: Arc::clone(space),
             hand: None,
             fog_distance_m: 400.0,
+            shows_marks: true,
             contour_bands: false,
             quality: Quality::Balanced,
             isometry: DMat4::IDENTITY,

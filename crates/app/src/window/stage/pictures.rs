@@ -1,35 +1,16 @@
 //! Pictures that are kept: read back from the adapter while the game goes on.
 
-use antipode_render::{Offscreen, Picture, RenderError, Tile};
+use antipode_render::{Offscreen, RenderError, Tile};
 use antipode_scene::frame::Frame;
 use image::RgbaImage;
 
 use super::{Stage, is_plain};
 
 /// Size of the menu's pictures in pixels.
-const THUMBNAIL: (u32, u32) = (320, 180);
+pub(super) const THUMBNAIL: (u32, u32) = (320, 180);
 
 impl Stage {
-    /// Has a small picture of the world drawn for the menu, in place of one that is not finished. `world` comes
-    /// back with it. There is none where the adapter cannot make one.
-    pub fn begin_thumbnail(&mut self, world: u64, frame: &Frame) {
-        if !is_plain(self.config.format) && !self.config.format.is_srgb() {
-            return;
-        }
-        let (width, height) = THUMBNAIL;
-        let offscreen = Offscreen::new(&self.gpu, width, height, self.config.format);
-        let mut encoder = self.gpu.encoder();
-        self.renderer.resize(width, height);
-        let stats = self.renderer.draw(frame, &mut encoder, offscreen.view());
-        self.gpu.queue.submit([encoder.finish()]);
-        self.renderer.resize(self.config.width, self.config.height);
-        if stats.picture != Picture::New {
-            return;
-        }
-        self.thumbnail = Some((world, offscreen.begin_read(&self.gpu)));
-    }
-
-    /// The picture begun last, once, as soon as the adapter has finished it. Never waits.
+    /// The menu's picture taken last, once, as soon as the adapter has finished it. Never waits.
     pub fn finished_thumbnail(&mut self) -> Option<(u64, RgbaImage)> {
         let (world, reading) = self.thumbnail.take()?;
         match reading.poll(&self.gpu) {

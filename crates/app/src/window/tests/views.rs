@@ -2,6 +2,7 @@
 
 use antipode_settings::{Value, open, read};
 
+use super::super::portrait::portrait_of;
 use super::*;
 
 fn set(game: &mut Game, id: &'static str, on: bool) {
@@ -40,13 +41,14 @@ fn the_menus_picture_shows_the_world_and_nothing_of_the_display() {
             && seen.content.marker.is_some()
             && !seen.content.hit_shapes.is_empty()
     );
-    let picture = game.portrait(400).unwrap();
-    assert!(
-        picture.view.hand.is_none()
-            && picture.content.marker.is_none()
-            && picture.content.hit_shapes.is_empty()
+    let picture = portrait_of(&seen);
+    assert!(picture.hand.is_none() && !picture.shows_marks);
+    let tangent = |sx: f64, sy: f64| sy / sx;
+    assert_eq!(
+        tangent(picture.projection.sx, picture.projection.sy),
+        16.0 / 9.0
     );
-    assert_eq!(picture.content.figures.len(), seen.content.figures.len());
+    assert_eq!(picture.eye, seen.view.eye);
 }
 
 /// Whether the land of the map is painted: there is no other shape of so many corners.

@@ -49,6 +49,7 @@ fn frame() -> Frame {
             strategy,
             hand: None,
             fog_distance_m: 100.0,
+            shows_marks: true,
             contour_bands: false,
             quality: Quality::Balanced,
             isometry: DMat4::IDENTITY,

@@ -241,6 +241,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
             strategy: Arc::clone(space),
             hand: None,
             fog_distance_m: 150.0,
+            shows_marks: true,
             contour_bands: false,
             quality: Quality::default(),
             isometry: DMat4::IDENTITY,

@@ -1,0 +1,147 @@
+//! A frame of the window: the world, the interface over it, and the pictures that are taken with it.
+
+use antipode_render::{FurtherView, Offscreen, Picture};
+use antipode_scene::frame::{Frame, View};
+
+use super::Stage;
+use super::pictures::THUMBNAIL;
+use crate::failure::Failure;
+use crate::window::waits::{Part, Waits};
+
+/// Colour behind the menu when no world is open, linear light.
+const BACKDROP: wgpu::Color = wgpu::Color {
+    r: 0.012,
+    g: 0.018,
+    b: 0.035,
+    a: 1.0,
+};
+
+/// What a frame of the window shows, and what is kept of it.
+pub struct Showing<'a> {
+    /// The world, if there is one.
+    pub frame: Option<&'a Frame>,
+    /// The interface over it.
+    pub interface: egui::FullOutput,
+    /// Whether what is shown is read back, too.
+    pub keeps: bool,
+    /// The view of the menu's picture that is to be taken with it, and what the picture is to come back with.
+    pub thumbnail: Option<(u64, View)>,
+}
+
+/// What a frame of the window is drawn into.
+struct Sheets<'a> {
+    target: &'a wgpu::TextureView,
+    /// What is read back of it.
+    copy: Option<&'a wgpu::TextureView>,
+    thumbnail: Option<(&'a View, &'a Offscreen)>,
+}
+
+impl Stage {
+    /// Draws the world, if there is one, and the interface, and shows them.
+    ///
+    /// # Errors
+    /// When the adapter refuses to draw the world.
+    pub fn show(
+        &mut self,
+        texture: wgpu::SurfaceTexture,
+        showing: Showing<'_>,
+        waits: &mut Waits,
+    ) -> Result<(), Failure> {
+        let target = texture
+            .texture
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        let kept = (showing.keeps && self.can_keep()).then(|| self.offscreen(self.size()));
+        let thumbnail = showing.thumbnail.filter(|_| self.can_keep());
+        let thumbnail = thumbnail.map(|(world, view)| (world, view, self.offscreen(THUMBNAIL)));
+        let sheets = Sheets {
+            target: &target,
+            copy: kept.as_ref().map(Offscreen::view),
+            thumbnail: thumbnail.as_ref().map(|(_, view, sheet)| (view, sheet)),
+        };
+        let (painted, is_pictured) = self.paint(showing.frame, showing.interface, &sheets);
+        waits.spent_on(Part::Record);
+        if let Some(painted) = painted {
+            self.gpu.queue.submit([painted]);
+        }
+        if let Some(kept) = kept {
+            self.screenshots.push_back(kept.begin_read(&self.gpu));
+        }
+        if let Some((world, _, sheet)) = thumbnail.filter(|_| is_pictured) {
+            self.thumbnail = Some((world, sheet.begin_read(&self.gpu)));
+        }
+        self.window.pre_present_notify();
+        self.gpu.queue.present(texture);
+        self.renderer
+            .fault()
+            .map_or(Ok(()), |fault| Err(fault.into()))
+    }
+
+    /// Returns with what is drawn whether the menu's picture is.
+    fn paint(
+        &mut self,
+        frame: Option<&Frame>,
+        interface: egui::FullOutput,
+        sheets: &Sheets<'_>,
+    ) -> (Option<wgpu::CommandBuffer>, bool) {
+        let mut encoder = self.gpu.encoder();
+        let (shows_world, is_pictured) = match frame {
+            Some(frame) => self.paint_world(frame, sheets, &mut encoder),
+            None => (false, false),
+        };
+        if !shows_world {
+            clear(&mut encoder, sheets.target);
+        }
+        match sheets.copy {
+            Some(copy) if shows_world => self.renderer.show_again(&mut encoder, copy),
+            Some(copy) => clear(&mut encoder, copy),
+            None => {}
+        }
+        if self.gpu.lost().is_some() {
+            // The interface's painter breaks on an adapter that takes nothing any more.
+            self.overlay.skip(&interface.textures_delta);
+            return (None, false);
+        }
+        let targets: Vec<_> = [sheets.target].into_iter().chain(sheets.copy).collect();
+        let size = self.size();
+        self.overlay
+            .paint(&self.gpu, &mut encoder, &targets, size, interface);
+        (Some(encoder.finish()), is_pictured)
+    }
+
+    /// Draws a world; returns whether there is a picture of it, and one for the menu.
+    fn paint_world(
+        &mut self,
+        frame: &Frame,
+        sheets: &Sheets<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+    ) -> (bool, bool) {
+        let thumbnail = sheets.thumbnail.map(|(view, sheet)| FurtherView {
+            view,
+            size: THUMBNAIL,
+            target: sheet.view(),
+        });
+        let further: Vec<_> = thumbnail.into_iter().collect();
+        let (stats, others) = self
+            .renderer
+            .draw_views(frame, &further, encoder, sheets.target);
+        let is_drawn = others.last().is_some_and(|it| it.picture == Picture::New);
+        let shows_world = self.pictured.note(&stats, frame.view.quality);
+        (shows_world, thumbnail.is_some() && is_drawn)
+    }
+}
+
+fn clear(encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView) {
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("backdrop"),
+        color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+            view: target,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(BACKDROP),
+                store: wgpu::StoreOp::Store,
+            },
+        })],
+        ..Default::default()
+    });
+}
