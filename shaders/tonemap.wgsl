@@ -1,7 +1,9 @@
 // From light to display: filmic curve, the display's transfer curve where the target does not apply it,
-// and half a step of ordered noise against banding. Scales the picture up where it was drawn smaller.
+// and half a step of ordered noise against banding. Scales the picture up where it was drawn smaller, and swaps its sides
+// where a mirror shows it.
 
 override SCALED: bool = false;
+override SWAPPED: bool = false;
 override ENCODED: bool = false;
 
 @group(0) @binding(0) var picture: texture_2d<f32>;
@@ -17,7 +19,7 @@ fn vertex(@builtin(vertex_index) index: u32) -> VertexOut {
     let corner = vec2<f32>(f32((index << 1u) & 2u), f32(index & 2u));
     var out: VertexOut;
     out.clip = vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
-    out.place = vec2<f32>(corner.x, 1.0 - corner.y);
+    out.place = vec2<f32>(select(corner.x, 1.0 - corner.x, SWAPPED), 1.0 - corner.y);
     return out;
 }
 

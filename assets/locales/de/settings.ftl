@@ -77,6 +77,11 @@ setting-compass = Kompass
 setting-compass-about = Zeigt oben, wo Norden ist; in sphärischen Welten auch die Halbkugel und den Weg zum Äquator.
 setting-minimap = Umgebungskarte
 setting-minimap-about = Eine runde Karte des Landes um dich: Höhen, Lampen und wer in der Nähe ist.
+setting-rear-mirror = Rückspiegel
+setting-rear-mirror-about = Ein Spiegel oben im Blick über die Haube eines Autos. Automatisch: auf einer Grafikkarte, nicht wo der Prozessor zeichnet.
+setting-rear-mirror-auto = Automatisch
+setting-rear-mirror-off = Aus
+setting-rear-mirror-on = Ein
 setting-straight-shots = Gerade Schüsse
 setting-straight-shots-about = Kugeln folgen den geradesten Linien des Raums, statt im Bogen zu fallen.
 

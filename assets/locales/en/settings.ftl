@@ -77,6 +77,11 @@ setting-compass = Compass
 setting-compass-about = Shows at the top where north is; in spherical worlds also the hemisphere and the way to the equator.
 setting-minimap = Map
 setting-minimap-about = A round map of the land about you: heights, lamps, and who is near.
+setting-rear-mirror = Rear mirror
+setting-rear-mirror-about = A mirror at the top of the view from a car's bonnet. Automatic is on with a graphics card, off without.
+setting-rear-mirror-auto = Automatic
+setting-rear-mirror-off = Off
+setting-rear-mirror-on = On
 setting-straight-shots = Straight shots
 setting-straight-shots-about = Bullets follow the straightest lines of the space instead of falling in an arc.
 

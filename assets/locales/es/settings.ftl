@@ -77,6 +77,11 @@ setting-compass = Brújula
 setting-compass-about = Muestra arriba dónde está el norte; en los mundos esféricos, también el hemisferio y el camino al ecuador.
 setting-minimap = Minimapa
 setting-minimap-about = Un mapa redondo del terreno a tu alrededor: alturas, lámparas y quién está cerca.
+setting-rear-mirror = Espejo retrovisor
+setting-rear-mirror-about = Un espejo arriba en la vista desde el capó del coche. Automático: con tarjeta gráfica, y no donde dibuja el procesador.
+setting-rear-mirror-auto = Automático
+setting-rear-mirror-off = No
+setting-rear-mirror-on = Sí
 setting-straight-shots = Disparos rectos
 setting-straight-shots-about = Las balas siguen las líneas más rectas del espacio en vez de caer en arco.
 

@@ -77,6 +77,11 @@ setting-compass = Kompas
 setting-compass-about = Pokazuje u góry, gdzie jest północ; w światach sferycznych także półkulę i drogę do równika.
 setting-minimap = Minimapa
 setting-minimap-about = Okrągła mapa terenu wokół ciebie: wysokości, lampy i kto jest w pobliżu.
+setting-rear-mirror = Lusterko wsteczne
+setting-rear-mirror-about = Lusterko u góry widoku znad maski auta. Automatycznie: na karcie graficznej, a nie tam, gdzie rysuje procesor.
+setting-rear-mirror-auto = Automatycznie
+setting-rear-mirror-off = Wyłączone
+setting-rear-mirror-on = Włączone
 setting-straight-shots = Proste strzały
 setting-straight-shots-about = Pociski lecą po najprostszych liniach przestrzeni, zamiast opadać łukiem.
 

@@ -77,6 +77,11 @@ setting-compass = 罗盘
 setting-compass-about = 在上方显示北方；在球面世界中还显示所在半球和通往赤道的方向。
 setting-minimap = 小地图
 setting-minimap-about = 你周围地面的圆形地图：高度、灯，以及附近有谁。
+setting-rear-mirror = 后视镜
+setting-rear-mirror-about = 引擎盖视角上方的镜子。自动：使用显卡时开启，由处理器绘制时关闭。
+setting-rear-mirror-auto = 自动
+setting-rear-mirror-off = 关
+setting-rear-mirror-on = 开
 setting-straight-shots = 直线射击
 setting-straight-shots-about = 子弹沿空间中最直的线飞行，而不是沿弧线落下。
 

@@ -53,6 +53,7 @@ pub fn model(
             .filter(|_| !scene.is_driving())
             .map(|_| scene.brush_radius_m()),
         speed_km_h: scene.driven_car().map(|car| 3.6 * car.speed_m_s),
+        mirror: false,
         show_crosshair: scene.camera_mode() == CameraMode::First
             || scene.inventory().held().is_some(),
         loading: None,

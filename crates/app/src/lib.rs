@@ -14,6 +14,7 @@ pub mod hud;
 pub mod lab_command;
 pub mod log;
 pub mod log_file;
+mod mirror;
 pub mod names;
 pub mod navigator;
 pub mod options;

@@ -7,7 +7,7 @@ use std::time::Duration;
 use antipode_geometry::HyperbolicMap;
 use antipode_language::{Language, Texts};
 use antipode_render::ShadowQuality;
-use antipode_scene::frame::Quality;
+use antipode_scene::frame::{Frame, Quality};
 use antipode_scene::{Scene, Viewing};
 use antipode_settings::{Config, Map, Settings, Shadows, config_path};
 
@@ -92,6 +92,13 @@ pub fn shadows(settings: &Settings, software: bool) -> ShadowQuality {
         Shadows::Off => ShadowQuality::Off,
         Shadows::Auto | Shadows::Low => ShadowQuality::Low,
         Shadows::High => ShadowQuality::High,
+    }
+}
+
+/// Takes the mirror out of a picture that is to have none; `software`: whether the processor draws.
+pub fn fit_mirror(frame: &mut Frame, settings: &Settings, software: bool) {
+    if !settings.rear_mirror.is_on(software) {
+        frame.mirror = None;
     }
 }
 

@@ -11,6 +11,7 @@ use image::RgbaImage;
 
 use crate::cli::{Adapter, Common};
 use crate::failure::Failure;
+use crate::mirror::Mirror;
 use crate::options;
 use crate::overlay::Overlay;
 
@@ -108,9 +109,7 @@ impl Studio {
     pub fn draw(&mut self, frame: &Frame) -> Result<(DrawStats, Duration), Failure> {
         let began = Instant::now();
         let mut encoder = self.gpu.encoder();
-        let stats = self
-            .renderer
-            .draw(frame, &mut encoder, self.offscreen.view());
+        let stats = self.record(frame, &mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
         let recorded = began.elapsed();
         self.gpu.wait()?;
@@ -130,9 +129,7 @@ impl Studio {
     ) -> Result<RgbaImage, Failure> {
         self.renderer.complete_next();
         let mut encoder = self.gpu.encoder();
-        let stats = self
-            .renderer
-            .draw(frame, &mut encoder, self.offscreen.view());
+        let stats = self.record(frame, &mut encoder);
         if let Some(display) = display(&stats) {
             let output = self.display(texts, &display);
             self.overlay.paint(
@@ -146,6 +143,18 @@ impl Studio {
         self.gpu.queue.submit([encoder.finish()]);
         self.drawn_in_full()?;
         Ok(self.offscreen.read(&self.gpu)?)
+    }
+
+    fn record(&mut self, frame: &Frame, encoder: &mut wgpu::CommandEncoder) -> DrawStats {
+        let mirror = Mirror::of(frame, self.size);
+        let further: Vec<_> = mirror.iter().map(Mirror::further).collect();
+        let target = self.offscreen.view();
+        self.renderer.draw_views(frame, &further, encoder, target).0
+    }
+
+    /// Whether the processor draws.
+    pub fn is_software(&self) -> bool {
+        self.gpu.is_software()
     }
 
     /// What a refused shader was to draw is missing in the picture.

@@ -47,6 +47,9 @@ pub struct Frame {
     pub content: Arc<Content>,
     /// From where and how it is seen.
     pub view: View,
+    /// What the rear mirror of the car that is driven shows, seen from its bonnet; left and right not yet swapped, and of a
+    /// picture as wide as high.
+    pub mirror: Option<View>,
 }
 
 impl Frame {
@@ -78,8 +81,11 @@ impl Frame {
     /// The same content, looked at by somebody else.
     #[must_use]
     pub fn seen_by(&self, view: View) -> Self {
-        let content = Arc::clone(&self.content);
-        Self { content, view }
+        Self {
+            content: Arc::clone(&self.content),
+            view,
+            mirror: None,
+        }
     }
 
     /// Changes the land of this picture alone.

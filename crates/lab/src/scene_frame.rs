@@ -24,6 +24,7 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; View::CUTS],
         },
+        mirror: None,
         content: Arc::new(Content {
             sky: Sky {
                 top: dark,

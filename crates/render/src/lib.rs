@@ -54,7 +54,7 @@ pub use plan::{
     tolerance_px,
 };
 pub use refinery::Delivery;
-pub use renderer::{DrawStats, FurtherView, Options, Picture, Renderer};
+pub use renderer::{DrawStats, FurtherView, Options, Picture, Place, Renderer};
 pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
 pub use tile::Tile;

@@ -1,7 +1,7 @@
 //! Draws one frame after another: the scene as light, then the light as a picture.
 
 use antipode_frame::{Frame, View};
-use wgpu::{CommandEncoder, Device, Queue, TextureView};
+use wgpu::{CommandEncoder, Device, Queue, RenderPassTimestampWrites, TextureView};
 
 use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
@@ -18,7 +18,7 @@ use crate::shadow::Shadows;
 use crate::targets::drawn_size;
 use crate::tile::Tile;
 use crate::timing::Timing;
-use crate::tonemap::Tonemap;
+use crate::tonemap::{MirrorPlace, Tonemap};
 use crate::workshop::Workshop;
 
 mod options;
@@ -31,17 +31,27 @@ use options::check;
 pub use options::{DrawStats, Options, Picture};
 use view_state::{Scenery, ViewState};
 
-/// Another view of what a frame shows, drawn with it into a target of its own.
+/// Another view of what a frame shows, drawn with it.
 ///
 /// It takes land and shadows as they are for the frame's own view: those follow its eye, and edges of land are halved for that.
 #[derive(Clone, Copy, Debug)]
 pub struct FurtherView<'a> {
     /// From where and how it is seen.
     pub view: &'a View,
-    /// Width and height of the target, pixels.
+    /// Width and height of where it is shown, pixels.
     pub size: (u32, u32),
-    /// What it is drawn into, of the format that the options name.
-    pub target: &'a TextureView,
+    /// Where that is.
+    pub place: Place<'a>,
+}
+
+/// Where a further view is shown.
+#[derive(Clone, Copy, Debug)]
+pub enum Place<'a> {
+    /// All over a texture as large as it, of the format that the options name.
+    Texture(&'a TextureView),
+    /// Over a part of the frame's own picture, left and right swapped as in a mirror: that part's upper left corner, pixels.
+    /// All of it is to be in the picture.
+    Mirror((u32, u32)),
 }
 
 /// Holds everything on the adapter that outlives a frame.
@@ -160,8 +170,24 @@ impl Renderer {
 
     /// Records the picture of the last frame into another target of the same size and format.
     pub fn show_again(&self, encoder: &mut CommandEncoder, target: &TextureView) {
-        self.tonemap
-            .draw(encoder, &self.picture.light, target, None);
+        self.show(encoder, target, None);
+    }
+
+    /// Shows the light of the last frame, and of its mirrors.
+    fn show(
+        &self,
+        encoder: &mut CommandEncoder,
+        target: &TextureView,
+        stamp: Option<RenderPassTimestampWrites<'_>>,
+    ) {
+        let light = &self.picture.light;
+        self.tonemap.draw(encoder, light, target, stamp);
+        for state in &self.further {
+            if let Some(place) = &state.mirror {
+                self.tonemap
+                    .lay_mirror(encoder, &state.light, target, place);
+            }
+        }
     }
 
     /// Whether the next frame of the same moment would show more than the last one did: meshes wait for room, or
@@ -243,7 +269,7 @@ impl Renderer {
         self.chunks.end_rush();
         self.pictured = Some(frame.content.loaded_world);
         let end = self.timing.as_ref().map(Timing::end);
-        self.tonemap.draw(encoder, &self.picture.light, target, end);
+        self.show(encoder, target, end);
         if let Some(timing) = &self.timing {
             timing.record(encoder);
         }
@@ -312,6 +338,7 @@ impl Renderer {
         let stats = views.map(|(it, state)| {
             let frame = frame.seen_by(it.view.clone());
             let map = self.map_of_further(&frame);
+            state.mirror = None;
             let Some(pipelines) = self.pipelines.get(map) else {
                 return DrawStats::nothing();
             };
@@ -324,7 +351,13 @@ impl Renderer {
             let mut stats = self.planned(&plan);
             let scenery = self.scenery(pipelines);
             state.draw(&frame, scenery, encoder, (None, None), &mut stats);
-            self.tonemap.draw(encoder, &state.light, it.target, None);
+            match it.place {
+                Place::Texture(target) => self.tonemap.draw(encoder, &state.light, target, None),
+                Place::Mirror(corner) => {
+                    let size = it.size;
+                    state.mirror = Some(MirrorPlace { corner, size });
+                }
+            }
             stats
         });
         let stats = stats.collect();

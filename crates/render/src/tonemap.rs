@@ -1,7 +1,7 @@
 //! From the light of the scene to the picture shown.
 
 use wgpu::{
-    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations,
+    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations, RenderPass,
     RenderPassColorAttachment, RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline,
     Sampler, ShaderStages, StoreOp, TextureFormat, TextureView,
 };
@@ -14,6 +14,8 @@ use crate::shaders::{Shaders, TONEMAP, accepted};
 #[derive(Debug)]
 pub struct Tonemap {
     pipeline: RenderPipeline,
+    /// The same with left and right swapped, at whatever size.
+    mirror: RenderPipeline,
     layout: BindGroupLayout,
     sampler: Sampler,
 }
@@ -46,7 +48,8 @@ impl Tonemap {
             ..Default::default()
         });
         Self {
-            pipeline: pipeline(device, shaders, &layout, output, scaled),
+            pipeline: pipeline(device, shaders, &layout, output, (scaled, false)),
+            mirror: pipeline(device, shaders, &layout, output, (true, true)),
             layout,
             sampler,
         }
@@ -70,7 +73,7 @@ impl Tonemap {
         })
     }
 
-    /// Records the pass.
+    /// Records the pass over all of a target.
     pub fn draw(
         &self,
         encoder: &mut CommandEncoder,
@@ -78,24 +81,61 @@ impl Tonemap {
         target: &TextureView,
         timestamp_writes: Option<RenderPassTimestampWrites<'_>>,
     ) {
-        let mut pass = encoder.begin_render_pass(&RenderPassDescriptor {
-            label: Some("picture"),
-            color_attachments: &[Some(RenderPassColorAttachment {
-                view: target,
-                depth_slice: None,
-                resolve_target: None,
-                ops: Operations {
-                    load: LoadOp::Clear(Color::BLACK),
-                    store: StoreOp::Store,
-                },
-            })],
-            timestamp_writes,
-            ..Default::default()
-        });
+        let load = LoadOp::Clear(Color::BLACK);
+        let mut pass = begin(encoder, target, load, timestamp_writes);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, light, &[]);
         pass.draw(0..3, 0..1);
     }
+
+    /// Records the pass over a part of a target, with left and right swapped.
+    pub fn lay_mirror(
+        &self,
+        encoder: &mut CommandEncoder,
+        light: &BindGroup,
+        target: &TextureView,
+        place: &MirrorPlace,
+    ) {
+        let mut pass = begin(encoder, target, LoadOp::Load, None);
+        let [x, y, width, height] = [place.corner.0, place.corner.1, place.size.0, place.size.1];
+        pass.set_scissor_rect(x, y, width, height);
+        let [x, y, width, height] = [x, y, width, height].map(|pixels| pixels as f32);
+        pass.set_viewport(x, y, width, height, 0.0, 1.0);
+        pass.set_pipeline(&self.mirror);
+        pass.set_bind_group(0, light, &[]);
+        pass.draw(0..3, 0..1);
+    }
+}
+
+/// The part of a picture that a mirror takes, pixels from its upper left corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MirrorPlace {
+    /// Its own upper left corner.
+    pub corner: (u32, u32),
+    /// Width and height.
+    pub size: (u32, u32),
+}
+
+fn begin<'e>(
+    encoder: &'e mut CommandEncoder,
+    target: &TextureView,
+    load: LoadOp<Color>,
+    timestamp_writes: Option<RenderPassTimestampWrites<'_>>,
+) -> RenderPass<'e> {
+    encoder.begin_render_pass(&RenderPassDescriptor {
+        label: Some("picture"),
+        color_attachments: &[Some(RenderPassColorAttachment {
+            view: target,
+            depth_slice: None,
+            resolve_target: None,
+            ops: Operations {
+                load,
+                store: StoreOp::Store,
+            },
+        })],
+        timestamp_writes,
+        ..Default::default()
+    })
 }
 
 fn layout(device: &Device) -> BindGroupLayout {
@@ -122,7 +162,7 @@ fn pipeline(
     shaders: Shaders,
     layout: &BindGroupLayout,
     output: TextureFormat,
-    scaled: bool,
+    (scaled, swapped): (bool, bool),
 ) -> RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("tonemap"),
@@ -132,15 +172,20 @@ fn pipeline(
     let module = shaders.compile(device, TONEMAP);
     let constants = [
         ("SCALED", f64::from(u8::from(scaled))),
+        ("SWAPPED", f64::from(u8::from(swapped))),
         ("ENCODED", f64::from(u8::from(!output.is_srgb()))),
     ];
+    let compilation_options = wgpu::PipelineCompilationOptions {
+        constants: &constants,
+        ..Default::default()
+    };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("tonemap"),
         layout: Some(&layout),
         vertex: wgpu::VertexState {
             module: &module,
             entry_point: Some("vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            compilation_options: compilation_options.clone(),
             buffers: &[],
         },
         primitive: wgpu::PrimitiveState::default(),
@@ -149,10 +194,7 @@ fn pipeline(
         fragment: Some(wgpu::FragmentState {
             module: &module,
             entry_point: Some("fragment"),
-            compilation_options: wgpu::PipelineCompilationOptions {
-                constants: &constants,
-                ..Default::default()
-            },
+            compilation_options,
             targets: &[Some(output.into())],
         }),
         multiview_mask: None,

@@ -8,6 +8,7 @@ use glam::{DMat4, DVec3, DVec4};
 use crate::actors::ActorId;
 use crate::aimed::{Aim, Optics};
 use crate::camera::{CameraMode, CameraPose};
+use crate::car::mirror::rear_view;
 use crate::day;
 use crate::frame::{
     BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, View,
@@ -166,6 +167,16 @@ impl Scene {
         world_id: u64,
     ) -> Frame {
         let (eye, strategy) = (moment.camera.eye, moment.strategy);
+        let bonnet = match moment.taker {
+            Taker::Player {
+                mode: CameraMode::First,
+                drives: Some(id),
+                ..
+            } => Some(Who::Car(id)),
+            Taker::Player { .. } | Taker::Photographer => None,
+        };
+        let own_car = moment.figures.iter().find(|(who, _)| Some(*who) == bonnet);
+        let own_car = own_car.map(|(_, car)| *car);
         let without_who = |(_, figure)| figure;
         let content = Content {
             sky: day::sky(moment.time_of_day_s, &*strategy, &eye),
@@ -194,6 +205,7 @@ impl Scene {
         };
         Frame {
             content: Arc::new(content),
+            mirror: own_car.map(|car| rear_view(&view, &car)),
             view,
         }
     }

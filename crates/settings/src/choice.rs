@@ -148,6 +148,29 @@ impl Shadows {
 }
 
 choice! {
+    /// Whether there is a mirror over the view from a car's bonnet.
+    RearMirror {
+        /// On a graphics card, and not in software.
+        Auto = "auto",
+        /// None.
+        Off = "off",
+        /// Always.
+        On = "on",
+    } default Auto
+}
+
+impl RearMirror {
+    /// Whether there is one; `software`: whether the processor draws.
+    pub fn is_on(self, software: bool) -> bool {
+        match self {
+            Self::Auto => !software,
+            Self::Off => false,
+            Self::On => true,
+        }
+    }
+}
+
+choice! {
     /// Share of the window's resolution that the world is drawn in, along each side.
     RenderScale {
         /// All of it on a graphics card, half in software.

@@ -4,7 +4,9 @@ use std::fmt;
 
 use thiserror::Error;
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows, words};
+use crate::choice::{
+    FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows, words,
+};
 use crate::settings::Settings;
 
 words! {
@@ -314,7 +316,7 @@ macro_rules! choice_of {
 
 const PERCENT: Kind = slider(0.0, 100.0, 5.0, "unit-percent");
 
-static FIELDS: [Field; 33] = [
+static FIELDS: [Field; 34] = [
     number!(
         "mouse-sensitivity",
         Look,
@@ -362,6 +364,7 @@ static FIELDS: [Field; 33] = [
     toggle!("contour-bands", World, contour_bands),
     toggle!("compass", World, compass),
     toggle!("minimap", World, minimap),
+    choice_of!("rear-mirror", World, rear_mirror, RearMirror),
     toggle!("straight-shots", World, straight_shots),
     number!("volume-master", Sound, volume_master_pc, PERCENT),
     number!("volume-effects", Sound, volume_effects_pc, PERCENT),

@@ -1,6 +1,6 @@
 //! The settings as typed values. Ranges and words are in the table of [`crate::fields`].
 
-use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RenderScale, Shadows};
+use crate::choice::{FrameCap, Language, Map, Msaa, Quality, RearMirror, RenderScale, Shadows};
 use crate::field::{Field, Given, SetError, Value, field};
 
 /// What the player has chosen. Every value here is within the range of its field.
@@ -40,6 +40,8 @@ pub struct Settings {
     pub compass: bool,
     /// Whether the display has a map of the land about the player.
     pub minimap: bool,
+    /// Whether there is a mirror over the view from a car's bonnet.
+    pub rear_mirror: RearMirror,
     /// Whether bullets follow the space's geodesics instead of falling.
     pub straight_shots: bool,
     /// Volume of everything together, percent.
@@ -94,6 +96,7 @@ impl Default for Settings {
             contour_bands: false,
             compass: true,
             minimap: true,
+            rear_mirror: RearMirror::default(),
             straight_shots: false,
             volume_master_pc: 80.0,
             volume_effects_pc: 80.0,

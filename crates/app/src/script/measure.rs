@@ -8,6 +8,7 @@ use super::say;
 use crate::cli::Adapter;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
+use crate::options;
 use crate::perf::{Report, Times};
 use crate::picture::Studio;
 
@@ -48,7 +49,9 @@ impl Runner {
         let aspect = self.studio.as_ref().map_or(16.0 / 9.0, Studio::aspect);
         let scene = self.scene()?;
         let fov_y_rad = scene.viewing().fov_y_rad;
-        let frame = scene.frame(fov_y_rad, aspect, id);
+        let mut frame = scene.frame(fov_y_rad, aspect, id);
+        let software = self.studio.as_ref().is_some_and(Studio::is_software);
+        options::fit_mirror(&mut frame, &self.config.settings, software);
         main += building.elapsed();
         times.step.push(stepped);
         if self.scene()?.marker().is_some_and(|marker| marker.active) {

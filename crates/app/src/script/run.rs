@@ -36,7 +36,7 @@ pub struct Runner {
     shooting: Shooting,
     pub(super) controls: Controls,
     /// The settings that hold; a script changes no file.
-    config: Config,
+    pub(super) config: Config,
     pub(super) session: Option<Session>,
     ending: Ending,
     pub(super) studio: Option<Studio>,
@@ -252,7 +252,10 @@ impl Runner {
         };
         let fov_y_rad = session.scene.viewing().fov_y_rad;
         let mut frame = session.scene.frame(fov_y_rad, studio.aspect(), id);
+        options::fit_mirror(&mut frame, &self.config.settings, studio.is_software());
+        let has_mirror = frame.mirror.is_some() && !self.display_hidden;
         if self.display_hidden {
+            frame.mirror = None;
             frame.view.hand = None;
             frame.content_mut().marker = None;
         }
@@ -272,6 +275,7 @@ impl Runner {
             (!self.display_hidden).then(|| {
                 let seen = scene.seen();
                 let mut model = hud::model(texts, scene, &seen, fps, figures);
+                model.mirror = has_mirror;
                 navigator.add_to(&mut model, (scene, &seen), settings, (id, WHOLE_MAP));
                 model
             })

@@ -19,6 +19,8 @@ pub struct Display {
     pub(super) hidden: bool,
     pub(super) figures: bool,
     pub(super) hit_shapes: bool,
+    /// Whether the last picture of the world has a rear mirror.
+    has_mirror: bool,
     pub(super) fps: FrameRate,
     /// What the last frame was drawn with, and the adapter's own time in milliseconds where it can tell.
     pub(super) drawn: Option<(Drawn, Option<f64>)>,
@@ -40,6 +42,7 @@ impl Display {
         });
         let seen = session.between.seen(scene);
         let mut model = hud::model(texts, scene, &seen, fps, figures);
+        model.mirror = self.has_mirror;
         let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
         let surveyed = (play.opened, columns);
         self.navigator
@@ -48,13 +51,15 @@ impl Display {
     }
 
     /// Adds to a picture of the world what is asked for, and leaves out what is hidden.
-    pub fn apply_to(&self, frame: &mut Frame, scene: &Scene) {
+    pub fn apply_to(&mut self, frame: &mut Frame, scene: &Scene) {
         if self.hidden {
+            frame.mirror = None;
             frame.view.hand = None;
             frame.content_mut().marker = None;
         }
         if self.hit_shapes {
             frame.content_mut().hit_shapes = scene.hit_shapes();
         }
+        self.has_mirror = frame.mirror.is_some();
     }
 }

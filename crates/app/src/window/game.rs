@@ -261,6 +261,8 @@ impl Game {
         }
         let fov_y_rad = scene.viewing().fov_y_rad;
         let mut frame = session.between.frame(scene, shutter, fov_y_rad, aspect, id);
+        let software = self.menus.software.is_some();
+        crate::options::fit_mirror(&mut frame, &self.options.config.settings, software);
         self.display.apply_to(&mut frame, &session.scene);
         Some(frame)
     }

@@ -81,6 +81,7 @@ pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; View::CUTS],
         },
+        mirror: None,
         content: Arc::new(Content {
             sky: Sky {
                 top: dark,

@@ -186,8 +186,7 @@ impl Renderer {
     ) -> DrawStats {
         self.chunks.apply(frame);
         let picture = if self.pictured == Some(frame.content.loaded_world) {
-            self.tonemap
-                .draw(encoder, &self.picture.light, target, None);
+            self.show_again(encoder, target);
             Picture::Last
         } else {
             Picture::None

@@ -24,7 +24,7 @@ use crate::plan::{FramePlan, LandBook, Planner};
 use crate::shadow::{Shadows, Shot};
 use crate::targets::Targets;
 use crate::tile::Tile;
-use crate::tonemap::Tonemap;
+use crate::tonemap::{MirrorPlace, Tonemap};
 use crate::uniforms::SceneUniform;
 
 /// What a view's pictures are drawn with from one frame to the next.
@@ -35,6 +35,8 @@ pub(super) struct ViewState {
     pub targets: Targets,
     /// Its light, as the tone map reads it.
     pub light: BindGroup,
+    /// What of the frame's picture it takes, if it is a mirror's.
+    pub mirror: Option<MirrorPlace>,
     planner: Planner,
     list: DrawList,
     land: LandDraws,
@@ -74,6 +76,7 @@ impl ViewState {
             uniform,
             light: tonemap.bind(device, &targets.light),
             targets,
+            mirror: None,
             planner: Planner::default(),
             list: DrawList::default(),
             land,

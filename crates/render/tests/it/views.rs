@@ -8,7 +8,7 @@ use antipode_frame::{Figure, Frame, ModelId, View};
 use antipode_geometry::{Geometry, Hemisphere, Projection};
 use antipode_render::ShadowQuality;
 use glam::{DMat4, DVec3, DVec4};
-use image::{RgbaImage, imageops};
+use image::{Rgba, RgbaImage, imageops};
 
 const SIZE: (u32, u32) = (160, 90);
 const SMALL: (u32, u32) = (96, 54);
@@ -159,4 +159,50 @@ fn a_sheet_before_the_eye_cuts_off_what_stands_nearer() {
     };
     assert!(changed(0.5) > 1.0);
     assert!(changed(4.0) == 0.0);
+}
+
+#[test]
+fn a_mirror_shows_what_is_behind_with_its_sides_swapped_and_leaves_the_rest_of_the_picture() {
+    let (corner, size) = ((40, 4), (80, 20));
+    for geometry in GEOMETRIES {
+        let Some(mut studio) = Studio::new(SIZE) else {
+            return;
+        };
+        let mut frame = before_and_behind(geometry);
+        let eye = frame.view.eye.point;
+        // On the right of who looks ahead.
+        let feet = eye.moved(DVec3::new(-4.0, -1.6, 1.0));
+        let behind = Figure::standing(ModelId::AstronautTeal, feet, 0.0);
+        frame.content_mut().figures = vec![behind];
+        let mut view = back(&frame);
+        view.eye.pitch = 0.0;
+        view.projection = Projection::new(0.5, 4.0, 0.02);
+        let alone = studio.picture(&frame);
+        let rear = studio.views(&frame, &[(view.clone(), size)]).1;
+        let mirrored = studio.with_mirror(&frame, &view, corner, size);
+        let part = |picture: &RgbaImage| {
+            imageops::crop_imm(picture, corner.0, corner.1, size.0, size.1).to_image()
+        };
+        let swapped = imageops::flip_horizontal(&rear[0]);
+        let (most, mean) = difference(&part(&mirrored), &swapped);
+        assert!(most <= 1 && mean < 0.5, "{geometry}: {most} {mean}");
+        let mut rest = mirrored.clone();
+        imageops::replace(&mut rest, &part(&alone), corner.0.into(), corner.1.into());
+        assert!(rest == alone, "{geometry}");
+
+        let without = frame.clone().with_content(|it| it.figures.clear());
+        let without = studio.with_mirror(&without, &view, corner, size);
+        let changed = |left: bool| {
+            let pixels = part(&mirrored);
+            let bare = part(&without);
+            let pairs = pixels.enumerate_pixels().zip(bare.pixels());
+            let is_there = |((x, _, p), q): &((u32, u32, &Rgba<u8>), &Rgba<u8>)| {
+                let apart = (0..3).any(|c| p.0[c].abs_diff(q.0[c]) > 12);
+                apart && (*x < size.0 / 2) == left
+            };
+            pairs.filter(is_there).count()
+        };
+        assert!(changed(false) > 20, "{geometry}: {}", changed(false));
+        assert_eq!(changed(true), 0, "{geometry}");
+    }
 }

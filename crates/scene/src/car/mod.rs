@@ -5,6 +5,7 @@ pub(crate) mod doors;
 pub(crate) mod drive;
 pub(crate) mod harm;
 pub(crate) mod lights;
+pub(crate) mod mirror;
 pub mod tuning;
 
 use std::f64::consts::TAU;

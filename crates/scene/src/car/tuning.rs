@@ -19,6 +19,12 @@ pub const SEAT_M: DVec3 = DVec3::new(-0.16, 0.40, -0.23);
 pub const EYES_UP_M: f64 = 0.85;
 /// The camera on the bonnet, in the car's axes, in metres.
 pub const BONNET_M: DVec3 = DVec3::new(0.70, 1.16, 0.0);
+/// The eye of the rear mirror, over the tail, in the car's axes, in metres.
+pub const MIRROR_M: DVec3 = DVec3::new(-1.80, 1.20, 0.0);
+/// Vertical field of view of the mirror, in radians.
+pub const MIRROR_FOV_Y_RAD: f64 = 0.36;
+/// It looks so far up from straight back, in radians.
+pub const MIRROR_UP_RAD: f64 = 0.04;
 /// The camera behind the car: behind it and above the ground it stands on, in metres.
 pub const CHASE_BACK_M: f64 = 5.4;
 /// In metres.

@@ -70,3 +70,36 @@ fn from_the_bonnet_the_land_leans_and_the_bonnet_does_not() {
         assert!(up.x.abs() < 1e-9, "{geometry:?}: the horizon is level");
     }
 }
+
+#[test]
+fn the_mirror_shows_what_is_behind_the_car_and_is_there_from_the_bonnet_alone() {
+    for geometry in [
+        Geometry::Euclidean,
+        Geometry::Hyperbolic,
+        Geometry::Spherical,
+    ] {
+        let mut scene = driving(geometry);
+        let turn = Actions {
+            toggle_camera: true,
+            ..still()
+        };
+        for _ in 0..2 {
+            let frame = scene.frame(1.2, 16.0 / 9.0, 1);
+            let from_bonnet = scene.camera_mode() == CameraMode::First;
+            assert_eq!(frame.mirror.is_some(), from_bonnet, "{geometry:?}");
+            if let Some(mirror) = frame.mirror {
+                let car = car(&scene);
+                let seen = |own: DVec3| mirror.point(car.place(own)).truncate();
+                let behind = seen(DVec3::new(-6.0, 1.0, 0.0));
+                assert!(behind.z < 0.0 && behind.x.abs() < 0.1, "{behind}");
+                // To who looks back what is on the car's right is on the left, until the mirror swaps it.
+                let right = seen(DVec3::new(-6.0, 1.0, 1.0));
+                assert!(right.x < -0.5, "{geometry:?}: {right}");
+                let bonnet = seen(DVec3::new(1.0, 1.0, 0.0));
+                assert!(bonnet.z > 0.0, "{geometry:?}: {bonnet}");
+                assert!(mirror.hand.is_none());
+            }
+            steps(&mut scene, 1, &turn);
+        }
+    }
+}

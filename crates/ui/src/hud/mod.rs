@@ -7,6 +7,7 @@ mod harm;
 mod hint;
 pub(crate) mod hotbar;
 mod minimap;
+mod mirror;
 mod plate;
 mod speech;
 mod wounds;
@@ -24,6 +25,7 @@ pub use figures::FigureModel;
 pub use harm::HarmModel;
 pub use hint::HintModel;
 pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode, Tints, tints_of};
+pub use mirror::mirror_place;
 pub use speech::SpeechModel;
 pub use wounds::WoundModel;
 
@@ -107,6 +109,8 @@ pub struct HudModel {
     pub brush_radius_m: Option<f64>,
     /// Speed of the car that the player drives, km/h; in the brush's place.
     pub speed_km_h: Option<f64>,
+    /// Whether the picture has a rear mirror: [`mirror_place`].
+    pub mirror: bool,
     /// Whether to mark the middle of the screen.
     pub show_crosshair: bool,
     /// Share of the land around that is there, 0 to 1, while some is missing.
@@ -163,10 +167,19 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
         Rect::NOTHING
     };
     let figures = figures::show(&painter, screen, position, texts, model);
-    let strip = model.compass.as_ref().map_or(Rect::NOTHING, |compass| {
-        compass::show(&painter, screen, (position, figures), texts, compass)
+    let mirror = if model.mirror {
+        mirror::show(&painter, ctx.content_rect())
+    } else {
+        Rect::NOTHING
+    };
+    let below = screen.with_min_y(screen.min.y.max(mirror.max.y + GRID));
+    let has_room = !model.mirror || screen.height() >= mirror::COMPASS_FROM;
+    let compass = model.compass.as_ref().filter(|_| has_room);
+    let strip = compass.map_or(Rect::NOTHING, |compass| {
+        compass::show(&painter, below, (position, figures), texts, compass)
     });
-    let top = position.max.y.max(figures.max.y).max(strip.max.y) + GRID;
+    let lowest = [position, figures, mirror, strip].map(|it| it.max.y);
+    let top = lowest.into_iter().fold(f32::NEG_INFINITY, f32::max) + GRID;
     notices(&painter, screen, top, texts, model);
     let bar = hotbar::show(&painter, screen, model);
     // Beside so much to read the instruments keep below it.

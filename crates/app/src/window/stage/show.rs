@@ -1,11 +1,12 @@
 //! A frame of the window: the world, the interface over it, and the pictures that are taken with it.
 
-use antipode_render::{FurtherView, Offscreen, Picture};
+use antipode_render::{FurtherView, Offscreen, Picture, Place};
 use antipode_scene::frame::{Frame, View};
 
 use super::Stage;
 use super::pictures::THUMBNAIL;
 use crate::failure::Failure;
+use crate::mirror::Mirror;
 use crate::window::waits::{Part, Waits};
 
 /// Colour behind the menu when no world is open, linear light.
@@ -115,12 +116,14 @@ impl Stage {
         sheets: &Sheets<'_>,
         encoder: &mut wgpu::CommandEncoder,
     ) -> (bool, bool) {
+        let mirror = Mirror::of(frame, self.size());
         let thumbnail = sheets.thumbnail.map(|(view, sheet)| FurtherView {
             view,
             size: THUMBNAIL,
-            target: sheet.view(),
+            place: Place::Texture(sheet.view()),
         });
-        let further: Vec<_> = thumbnail.into_iter().collect();
+        let further = mirror.as_ref().map(Mirror::further);
+        let further: Vec<_> = further.into_iter().chain(thumbnail).collect();
         let (stats, others) = self
             .renderer
             .draw_views(frame, &further, encoder, sheets.target);

@@ -55,6 +55,7 @@ fn frame() -> Frame {
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; View::CUTS],
         },
+        mirror: None,
         content: Arc::new(Content {
             sky: Sky {
                 top: black,

@@ -18,8 +18,8 @@ use antipode_geometry::{
     Hemisphere, Projection, Strategy, strategy,
 };
 use antipode_render::{
-    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Renderer, Shaders,
-    ShadowQuality,
+    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Place, Renderer,
+    Shaders, ShadowQuality,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DMat4, DVec3, DVec4, IVec3, Vec3};
@@ -154,7 +154,7 @@ impl Studio {
             .map(|((view, size), target)| FurtherView {
                 view,
                 size: *size,
-                target: target.view(),
+                place: Place::Texture(target.view()),
             })
             .collect();
         self.renderer.complete_next();
@@ -168,6 +168,27 @@ impl Studio {
         let picture = self.offscreen.read(&self.gpu).unwrap();
         assert_eq!(self.gpu.take_error(), None);
         (picture, pictures)
+    }
+
+    /// The picture of a frame with a mirror of that size in it.
+    pub fn with_mirror(
+        &mut self,
+        frame: &Frame,
+        view: &View,
+        corner: (u32, u32),
+        size: (u32, u32),
+    ) -> RgbaImage {
+        let place = Place::Mirror(corner);
+        let mirror = FurtherView { view, size, place };
+        self.renderer.complete_next();
+        let mut encoder = self.gpu.encoder();
+        let target = self.offscreen.view();
+        self.renderer
+            .draw_views(frame, &[mirror], &mut encoder, target);
+        self.gpu.queue.submit([encoder.finish()]);
+        let picture = self.offscreen.read(&self.gpu).unwrap();
+        assert_eq!(self.gpu.take_error(), None);
+        picture
     }
 
     /// An encoder for [`Studio::record`], once the adapter has done all that it was given.
@@ -247,6 +268,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
             isometry: DMat4::IDENTITY,
             cuts: [DVec4::ZERO; View::CUTS],
         },
+        mirror: None,
         content: Arc::new(antipode_frame::Content {
             sky,
             land: Arc::default(),

@@ -43,6 +43,7 @@ pub fn full_hud() -> HudModel {
         geometry: "hyperbolic".to_owned(),
         brush_radius_m: Some(5.0),
         speed_km_h: None,
+        mirror: true,
         show_crosshair: true,
         loading: Some(0.43),
         time_label: "12:40".to_owned(),
