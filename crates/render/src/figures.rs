@@ -17,7 +17,7 @@ use crate::pipelines::{FigurePipelines, Pipelines};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::{JOINTS, JointRows, Posed};
 use crate::shadow::{Caster, Shot};
-use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
+use crate::uniforms::{FigureInstance, chart_index, frame_rows, offset_of};
 
 /// How figures are carried into the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -321,18 +321,18 @@ fn put(
     let (low, high) = turned(limits, figure.turn.as_quat());
     let middle = figure.point.moved(low.midpoint(high).as_dvec3());
     let half = (0.5 * (high - low)).as_dvec3();
-    let hemisphere = figure.point.hemisphere;
+    let chart = figure.point.chart;
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
         offset: offset_of(frame, figure.point),
-        flags: hemisphere_index(hemisphere) | u32::from(figure.hostile) << 1,
+        flags: chart_index(chart) | u32::from(figure.hostile) << 1,
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
     };
     let mut way = Way::Shade;
     if wanted.seen {
-        instance.lights = lights_near(frame, hemisphere, min, max);
+        instance.lights = lights_near(frame, chart, min, max);
         let tolerance_px = Tolerance::of(frame.quality).shape_px;
         let bounds = &plan.bounds;
         way = match bounds.object(frame, figure.point, middle, half, tolerance_px) {
@@ -349,11 +349,7 @@ fn put(
         way,
         instance,
         joints: None,
-        room: wanted.shades.then_some(Caster {
-            hemisphere,
-            min,
-            max,
-        }),
+        room: wanted.shades.then_some(Caster { chart, min, max }),
     });
 }
 

@@ -73,7 +73,7 @@ impl Field {
         let corner = coord.origin() - 1.0;
         let mut middle = corner + SPAN_M / 2.0;
         middle.y = if solid { heights.1 } else { heights.0 };
-        if (self.sample(ChartPoint::new(coord.hemisphere, middle)) < 0.0) != solid {
+        if (self.sample(ChartPoint::new(coord.chart, middle)) < 0.0) != solid {
             return false;
         }
         for stage in STAGES {
@@ -151,11 +151,8 @@ impl Field {
 
     /// Whether any cell of the chunk touches the part of its chart that is meshed.
     fn within_rim(&self, coord: ChunkCoord) -> bool {
-        let Some(rim_m) = self.rim_m() else {
-            return true;
-        };
         let low = DVec2::new(f64::from(coord.index.x), f64::from(coord.index.z)) * 32.0;
-        DVec2::ZERO.clamp(low, low + 32.0).length() <= rim_m + RIM_REACH_M
+        self.domain(coord.chart).least_outside_m(low, low + 32.0) <= RIM_REACH_M
     }
 }
 

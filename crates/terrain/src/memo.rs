@@ -1,6 +1,6 @@
 //! What neighbouring points have in common: cells of noise, and places in noise space.
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use glam::{DVec3, Vec4};
 
 use crate::field::Field;
@@ -130,7 +130,7 @@ pub(crate) struct Places {
     keys: Box<[u64]>,
     points: Box<[Vec4]>,
     /// The square that the last point was in, and its corners.
-    last: Option<(Hemisphere, f64, f64)>,
+    last: Option<(ChartId, f64, f64)>,
     corners: [Vec4; 4],
 }
 
@@ -160,11 +160,11 @@ impl Places {
         }
         let (x, z) = (point.pos.x / self.spacing_m, point.pos.z / self.spacing_m);
         let (i, k) = (x.floor(), z.floor());
-        let square = Some((point.hemisphere, i, k));
+        let square = Some((point.chart, i, k));
         if self.last != square {
             self.last = square;
             self.corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)]
-                .map(|(a, b)| self.node(field, point.hemisphere, (i + a) as i32, (k + b) as i32));
+                .map(|(a, b)| self.node(field, point.chart, (i + a) as i32, (k + b) as i32));
         }
         let [a, b, c, d] = self.corners;
         let (u, w) = ((x - i) as f32, (z - k) as f32);
@@ -177,16 +177,14 @@ impl Places {
         place.truncate().as_dvec3()
     }
 
-    fn node(&mut self, field: &Field, hemisphere: Hemisphere, i: i32, k: i32) -> Vec4 {
+    fn node(&mut self, field: &Field, chart: ChartId, i: i32, k: i32) -> Vec4 {
         let wrapped = |n: i32| n.cast_unsigned() as usize % PLACES;
         let at = wrapped(i) * PLACES + wrapped(k);
-        let side = u64::from(hemisphere == Hemisphere::B);
+        let side = u64::from(chart == ChartId::SECOND);
         let key = u64::from(i.cast_unsigned()) << 33 | u64::from(k.cast_unsigned()) << 1 | side;
         if self.keys[at] != key {
             let ground = DVec3::new(f64::from(i), 0.0, f64::from(k)) * self.spacing_m;
-            let place = field
-                .strategy()
-                .noise_point(ChartPoint::new(hemisphere, ground));
+            let place = field.strategy().noise_point(ChartPoint::new(chart, ground));
             self.keys[at] = key;
             self.points[at] = place.as_vec3().extend(0.0);
         }

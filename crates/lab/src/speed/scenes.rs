@@ -175,7 +175,7 @@ pub fn keep_whole(
     }
     let mut kept = 0;
     for (coord, mesh) in meshes {
-        let elsewhere = coord.hemisphere != frame.eye.point.hemisphere;
+        let elsewhere = coord.chart != frame.eye.point.chart;
         if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, coord, mesh)) {
             continue;
         }
@@ -202,5 +202,5 @@ fn trims(frame: &Frame, coord: ChunkCoord, mesh: &ChunkMesh) -> bool {
         corner(places().reduce(Vec3::min)),
         corner(places().reduce(Vec3::max)),
     );
-    frame.strategy.trims(&frame.eye, coord.hemisphere, min, max)
+    frame.strategy.trims(&frame.eye, coord.chart, min, max)
 }

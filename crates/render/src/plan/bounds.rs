@@ -4,7 +4,9 @@
 //! no more at its ends.
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy, side_normals};
+use antipode_geometry::{
+    ChartPoint, Domain, Eye, Geometry, Projection, SightCell, Strategy, side_normals,
+};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -127,7 +129,7 @@ impl Bounds {
     /// lies from the eye. In a chart with a rim it is a place near by, rather nearer to the pole.
     pub fn bend_eye(frame: &Frame) -> Eye {
         let mut point = ChartPoint::default();
-        if frame.strategy.rim_m().is_some() {
+        if frame.strategy.domain(frame.eye.point.chart) != Domain::Everywhere {
             let step_m = frame.strategy.radius_at_m(&frame.eye) * BEND_STEP;
             point = frame.eye.point;
             point.pos = (point.pos / step_m).trunc() * step_m;
@@ -158,7 +160,7 @@ impl Bounds {
             space,
             eye,
             eye.point,
-            space.reference(eye, eye.point.hemisphere),
+            space.reference(eye, eye.point.chart),
             1.0,
         );
         Self {
@@ -184,14 +186,11 @@ impl Bounds {
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
     pub fn nearest_chart_m(frame: &Frame, chunk: &ChunkLand) -> f64 {
-        let mut eye = frame.eye.point;
-        if eye.hemisphere != chunk.coord.hemisphere {
-            match frame.strategy.carry(eye) {
-                Some(crossing) => eye = crossing.point,
-                None => return f64::INFINITY,
-            }
-        }
-        eye.pos.distance(eye.pos.clamp(chunk.min, chunk.max))
+        let carried = frame.strategy.carry(frame.eye.point, chunk.coord.chart);
+        carried.map_or(f64::INFINITY, |eye| {
+            let eye = eye.point.pos;
+            eye.distance(eye.clamp(chunk.min, chunk.max))
+        })
     }
 
     /// The chunk's frame and its error in pixels, if it stays within the tolerance.
@@ -204,7 +203,7 @@ impl Bounds {
         if self.flat {
             return Some((self.affine, 0.0));
         }
-        if chunk.coord.hemisphere != frame.eye.point.hemisphere {
+        if chunk.coord.chart != frame.eye.point.chart {
             return None;
         }
         let tolerance_px = CRACK_SHARE * tolerance_px;
@@ -213,8 +212,8 @@ impl Bounds {
         if guess > FRAME_WORTH_TRYING * tolerance_px {
             return None;
         }
-        let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
-        let origin = frame.strategy.reference(&frame.eye, chunk.coord.hemisphere);
+        let middle = ChartPoint::new(chunk.coord.chart, 0.5 * (chunk.min + chunk.max));
+        let origin = frame.strategy.reference(&frame.eye, chunk.coord.chart);
         let error_px = self.strays_px(frame, &self.affine, middle, origin, 0.5 * size)?;
         (error_px <= tolerance_px).then_some((self.affine, error_px))
     }
@@ -270,7 +269,7 @@ impl Bounds {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
 
     use super::super::bend::off_line;
     use super::super::testing::{Numbers, frame, spaces};
@@ -286,15 +285,15 @@ mod tests {
         };
         for (name, space, dials) in spaces() {
             for _ in 0..150 {
-                let reach_m = space.rim_m().unwrap_or(900.0);
+                let reach_m = space.domain(ChartId::FIRST).radius_m().unwrap_or(900.0);
                 let level = numbers.turn() * numbers.between(0.0, reach_m);
                 let limits = space.limits();
                 let (low, high) = limits.map_or((-50.0, 50.0), |l| (l.bedrock_m, l.ceiling_m));
                 let mut frame = frame(&space);
                 frame.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
-                frame.eye.point.hemisphere = match space.rim_m() {
-                    Some(_) if numbers.between(0.0, 1.0) > 0.5 => Hemisphere::B,
-                    _ => Hemisphere::A,
+                frame.eye.point.chart = match space.domain(ChartId::FIRST).radius_m() {
+                    Some(_) if numbers.between(0.0, 1.0) > 0.5 => ChartId::SECOND,
+                    _ => ChartId::FIRST,
                 };
                 frame.eye.yaw = numbers.between(-3.0, 3.0);
                 frame.eye.dial = numbers.between(dials[0], dials[1]);

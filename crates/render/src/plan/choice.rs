@@ -63,7 +63,7 @@ pub fn choose(
 ) -> ChunkChoice {
     let trimmed = frame
         .strategy
-        .trims(&frame.eye, chunk.coord.hemisphere, chunk.min, chunk.max);
+        .trims(&frame.eye, chunk.coord.chart, chunk.min, chunk.max);
     let affine = bounds
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);

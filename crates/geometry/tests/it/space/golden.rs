@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, Strategy, picture,
+    ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, Strategy, picture,
 };
 use glam::{DVec3, DVec4};
 use serde::Deserialize;
@@ -29,7 +29,7 @@ struct Camera {
 
 #[derive(Deserialize)]
 struct EyeRow {
-    hemisphere: Hemisphere,
+    chart: ChartId,
     pos: DVec3,
     dial: f64,
     lift: f64,
@@ -65,7 +65,7 @@ struct Pair {
 impl EyeRow {
     fn eye(&self) -> Eye {
         Eye {
-            point: ChartPoint::new(self.hemisphere, self.pos),
+            point: ChartPoint::new(self.chart, self.pos),
             yaw: self.yaw,
             pitch: self.pitch,
             roll: 0.0,
