@@ -80,6 +80,55 @@ pub struct HeightLimits {
     pub ceiling_m: f64,
 }
 
+/// How the space in which terrain noise is sampled lies in a chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoiseFrame {
+    /// Square with the chart.
+    Square(SquareFrame),
+    /// About the centre of a sphere: a column of the chart is part of a radius.
+    Radial,
+}
+
+/// A chart's place in a space whose axes are the chart's but for quarter turns, exact for coordinates in whole metres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SquareFrame {
+    /// Quarter turns about +y, as of `Quat::from_rotation_y`: one takes +z to +x.
+    pub quarter_turns: u8,
+    /// Where the chart's centre lies, x and z in whole metres.
+    pub centre_m: DVec2,
+}
+
+impl SquareFrame {
+    /// A vector of the chart in that space.
+    pub fn turned(self, v: DVec3) -> DVec3 {
+        match self.quarter_turns % 4 {
+            0 => v,
+            1 => DVec3::new(v.z, v.y, -v.x),
+            2 => DVec3::new(-v.x, v.y, -v.z),
+            _ => DVec3::new(-v.z, v.y, v.x),
+        }
+    }
+
+    /// A vector of that space in the chart.
+    pub fn turned_back(self, v: DVec3) -> DVec3 {
+        let back = Self {
+            quarter_turns: 4 - self.quarter_turns % 4,
+            ..self
+        };
+        back.turned(v)
+    }
+
+    /// A place of the chart in that space.
+    pub fn placed(self, pos: DVec3) -> DVec3 {
+        self.turned(pos) + DVec3::new(self.centre_m.x, 0.0, self.centre_m.y)
+    }
+
+    /// A place of that space in the chart.
+    pub fn taken(self, pos: DVec3) -> DVec3 {
+        self.turned_back(pos - DVec3::new(self.centre_m.x, 0.0, self.centre_m.y))
+    }
+}
+
 /// The charts of a world.
 pub trait Atlas {
     /// The part of a chart that is its own.
@@ -129,9 +178,17 @@ pub trait Atlas {
         None
     }
 
+    /// How the space in which terrain noise is sampled lies in a chart.
+    fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
+        NoiseFrame::Square(SquareFrame::default())
+    }
+
     /// Where the terrain noise is sampled, in metres: continuous over the whole space.
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        point.pos
+        match self.noise_frame(point.chart) {
+            NoiseFrame::Square(frame) => frame.placed(point.pos),
+            NoiseFrame::Radial => point.pos,
+        }
     }
 
     /// Where the chart's centre stands in the one space that physics works in, in metres.

@@ -2,11 +2,9 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 /// A chart of a world's atlas: a number that the atlas gives it, for good. A chart that is made on demand has the same
 /// number whenever it is made, since the number says which chart it is and not how many there were before.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct ChartId([u64; 2]);
 
 impl ChartId {

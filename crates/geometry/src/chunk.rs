@@ -1,7 +1,6 @@
 //! Chunks: the cubes of 32 cells that terrain is made, saved and drawn in.
 
 use glam::{DVec3, IVec3};
-use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 
 use crate::{ChartId, ChartPoint};
@@ -10,7 +9,7 @@ use crate::{ChartId, ChartPoint};
 pub const CHUNK_CELLS: i32 = 32;
 
 /// A chunk's place: chart and index in whole chunks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct ChunkCoord {
     /// The chart the chunk lies in.
     pub chart: ChartId,

@@ -30,7 +30,7 @@ mod strategy;
 mod triangle;
 mod uniform;
 
-pub use atlas::{Atlas, Domain, HeightLimits};
+pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
 pub use chart::ChartId;
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use euclidean::Euclidean;

@@ -1,12 +1,11 @@
 //! A place in the world's charts, and the step from one chart to another.
 
 use glam::{DQuat, DVec3};
-use serde::{Deserialize, Serialize};
 
 use crate::ChartId;
 
 /// A point in metres of a chart, from the chart's centre; y is up.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ChartPoint {
     /// The chart that the position is written in.
     pub chart: ChartId,
@@ -33,7 +32,7 @@ impl ChartPoint {
 }
 
 /// A point written in another chart, and the turn that goes with it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {
     /// The same point of the space, in that chart.
     pub point: ChartPoint,

@@ -43,7 +43,7 @@ pub struct Drum {
 
 impl Drum {
     /// Least and greatest corner of as high a box that goes that far to each side.
-    pub(crate) fn square(&self, half: DVec3) -> [DVec3; 2] {
+    pub fn square(&self, half: DVec3) -> [DVec3; 2] {
         let at = |y: f64| DVec3::new(self.middle.x, y, self.middle.y);
         [at(self.heights_m[0]) - half, at(self.heights_m[1]) + half]
     }

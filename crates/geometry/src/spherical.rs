@@ -14,8 +14,8 @@ use crate::projection::Depth;
 use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::{
-    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Eye, Geometry, HeightLimits, Projection,
-    SightCell, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Eye, Geometry, HeightLimits, NoiseFrame,
+    Projection, SightCell, SpaceUniform, Strategy, Viewer,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -188,6 +188,10 @@ impl Atlas for Spherical {
             ground_max_m: 0.5 * self.radius_m,
             ceiling_m: 1.2 * self.radius_m,
         })
+    }
+
+    fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
+        NoiseFrame::Radial
     }
 
     fn noise_point(&self, point: ChartPoint) -> DVec3 {

@@ -10,7 +10,9 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Domain, Geometry, Strategy};
+use antipode_geometry::{
+    ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame, Strategy,
+};
 use glam::DVec3;
 
 use crate::biome::Biome;
@@ -100,11 +102,14 @@ impl Field {
     /// wherever the point is.
     pub fn sample(&self, point: ChartPoint) -> f32 {
         let ChartPoint { chart, pos } = point;
-        let sum = if self.upright() {
-            upright::sum_at(&self.lattice, &self.octaves, pos)
-        } else {
-            let column = self.column(chart, pos.x, pos.z);
-            tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
+        let sum = match self.strategy.noise_frame(chart) {
+            NoiseFrame::Square(frame) => {
+                upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
+            }
+            NoiseFrame::Radial => {
+                let column = self.column(chart, pos.x, pos.z);
+                tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
+            }
         };
         self.relief.value(pos.y, sum)
     }
@@ -137,19 +142,50 @@ impl Field {
         let step_m = f64::from(step_m);
         let rows = self.relief.rows(first.y, step_m, height);
         if rows.open.0 == rows.open.1 {
-            rows.fill_closed(height, out);
-        } else if self.upright() {
-            let ground = (&self.relief, &rows);
-            upright::fill(
-                &self.lattice,
-                &self.octaves,
-                ground,
-                (first, step_m),
-                counts,
-                out,
-            );
+            return rows.fill_closed(height, out);
+        }
+        match self.strategy.noise_frame(chart) {
+            NoiseFrame::Square(frame) => {
+                self.fill_square(frame, (first, step_m), counts, &rows, out);
+            }
+            NoiseFrame::Radial => self.fill_tilted(chart, (first, step_m), counts, &rows, out),
+        }
+    }
+
+    /// [`Self::fill_grid`] where columns stand upright in the lattice: as the grid lies in the lattice's own axes, and
+    /// from there to its places.
+    fn fill_square(
+        &self,
+        frame: SquareFrame,
+        (first, step_m): (DVec3, f64),
+        counts: [usize; 3],
+        rows: &Rows,
+        out: &mut [f32],
+    ) {
+        let fill = |first, counts, out: &mut [f32]| {
+            let ground = (&self.relief, rows);
+            let (lattice, octaves) = (&self.lattice, &self.octaves);
+            upright::fill(lattice, octaves, ground, (first, step_m), counts, out);
+        };
+        let [width, height, depth] = counts;
+        let last = first + DVec3::new(width as f64 - 1.0, 0.0, depth as f64 - 1.0) * step_m;
+        let [from, to] = [first, last].map(|corner| frame.placed(corner));
+        let corner = from.min(to);
+        if frame.quarter_turns.is_multiple_of(4) {
+            return fill(corner, counts, out);
+        }
+        let [across, along] = if frame.quarter_turns.is_multiple_of(2) {
+            [width, depth]
         } else {
-            self.fill_tilted(chart, (first, step_m), counts, &rows, out);
+            [depth, width]
+        };
+        let mut turned = vec![0.0; across * height * along];
+        fill(corner, [across, height, along], &mut turned);
+        for (n, column) in out.chunks_exact_mut(height).enumerate() {
+            let at = DVec3::new((n / depth) as f64, 0.0, (n % depth) as f64) * step_m;
+            let place = (frame.placed(first + at) - corner) / step_m;
+            let from = (place.x as usize * along + place.z as usize) * height;
+            column.copy_from_slice(&turned[from..from + height]);
         }
     }
 
@@ -222,11 +258,6 @@ impl Field {
         }
     }
 
-    /// Whether the noise's axes are the chart's.
-    pub(crate) fn upright(&self) -> bool {
-        self.strategy.geometry() != Geometry::Spherical
-    }
-
     /// A column of the chart in the lattice of the first octave. Noise space is radial about
     /// the sphere's centre, so the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
@@ -253,7 +284,7 @@ pub(crate) fn editable_y_m(strategy: &dyn Strategy) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::strategy;
+    use antipode_geometry::{Geometry, strategy};
 
     use super::*;
 

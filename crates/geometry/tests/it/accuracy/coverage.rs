@@ -147,7 +147,17 @@ const EXCUSED: &[(&str, &str)] = &[
         "the same function: tests/it/space/crossing.rs",
     ),
     ("Atlas::spread_m", "a bound: tests/it/space/crossing.rs"),
-    ("Crossing::within", "takes over what it is given"),
+    ("ChartPoint::within", "takes over what it is given"),
+    (
+        "Atlas::turned",
+        "exact quarter turns: tests/it/space/atlas.rs",
+    ),
+    (
+        "Atlas::turned_back",
+        "exact quarter turns: tests/it/space/atlas.rs",
+    ),
+    ("Atlas::placed", "a turn and a sum: tests/it/space/atlas.rs"),
+    ("Atlas::taken", "a turn and a sum: tests/it/space/atlas.rs"),
     (
         "Atlas::noise_point",
         "continuity over the equator is what counts: tests/it/space/crossing.rs",
