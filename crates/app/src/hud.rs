@@ -1,6 +1,6 @@
 //! From the scene to what the heads-up display shows.
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, HyperbolicMap};
+use antipode_geometry::{ChartId, ChartPoint, Eye, HyperbolicMap};
 use antipode_language::Texts;
 use antipode_scene::day::hour;
 use antipode_scene::tuning::FULL_HEALTH;
@@ -38,8 +38,8 @@ pub fn model(
         slots: slots(texts, scene),
         selected: usize::from(scene.inventory().selected()),
         curvature: dial(scene.lens()),
-        hemisphere: scene.strategy().rim_m().map(|_| {
-            if feet.hemisphere == Hemisphere::A {
+        hemisphere: scene.strategy().is_closed().then(|| {
+            if feet.chart == ChartId::FIRST {
                 'A'
             } else {
                 'B'

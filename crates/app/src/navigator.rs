@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use antipode_geometry::Hemisphere;
+use antipode_geometry::ChartId;
 use antipode_scene::bearings::{Bearings, LandmarkKind};
 use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Scene, Seen};
@@ -103,9 +103,10 @@ fn compass(bearings: &Bearings) -> CompassModel {
     CompassModel {
         heading_rad: (heading_rad - bearings.north_rad).rem_euclid(TAU),
         equator: bearings.equator.map(|equator| EquatorView {
-            hemisphere: match equator.hemisphere {
-                Hemisphere::A => 'A',
-                Hemisphere::B => 'B',
+            hemisphere: if equator.chart == ChartId::SECOND {
+                'B'
+            } else {
+                'A'
             },
             distance_m: equator.distance_m,
             bearing_rad: (equator.heading_rad - heading_rad).rem_euclid(TAU),
@@ -157,7 +158,7 @@ mod tests {
             heading_rad,
             north_rad: PI,
             equator: Some(Equator {
-                hemisphere: Hemisphere::B,
+                chart: ChartId::SECOND,
                 distance_m: 12.0,
                 heading_rad: FRAC_PI_2,
             }),

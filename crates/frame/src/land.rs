@@ -134,13 +134,13 @@ impl ChunkChange {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use glam::IVec3;
 
     use super::*;
 
     fn coord(x: i32) -> ChunkCoord {
-        ChunkCoord::new(Hemisphere::A, IVec3::new(x, 0, 0))
+        ChunkCoord::new(ChartId::FIRST, IVec3::new(x, 0, 0))
     }
 
     fn put(x: i32) -> ChunkChange {

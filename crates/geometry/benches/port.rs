@@ -55,7 +55,7 @@ fn sight_cell(bencher: Bencher<'_, '_>, geometry: Geometry) {
     bencher.counter(ItemsCount::new(POINTS)).bench_local(|| {
         for point in &points {
             let max = point.pos + 32.0;
-            black_box(space.sight_cell(black_box(&eye), point.hemisphere, point.pos, max));
+            black_box(space.sight_cell(black_box(&eye), point.chart, point.pos, max));
         }
     });
 }

@@ -1,34 +1,33 @@
 //! Chunks: the cubes of 32 cells that terrain is made, saved and drawn in.
 
 use glam::{DVec3, IVec3};
-use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
 
-use crate::{ChartPoint, Hemisphere};
+use crate::{ChartId, ChartPoint};
 
 /// Cells along each edge of a chunk; a cell is one metre.
 pub const CHUNK_CELLS: i32 = 32;
 
 /// A chunk's place: chart and index in whole chunks.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct ChunkCoord {
     /// The chart the chunk lies in.
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     /// Index in chunks: the chunk covers `32 * index ..= 32 * (index + 1)` metres.
     pub index: IVec3,
 }
 
 impl ChunkCoord {
     /// The chunk with that index in that chart.
-    pub const fn new(hemisphere: Hemisphere, index: IVec3) -> Self {
-        Self { hemisphere, index }
+    pub const fn new(chart: ChartId, index: IVec3) -> Self {
+        Self { chart, index }
     }
 
     /// The chunk that holds the point. Points on a shared face belong to the chunk above it.
     /// Places beyond the range of `i32` chunks saturate.
     pub fn containing(point: ChartPoint) -> Self {
         let index = (point.pos / f64::from(CHUNK_CELLS)).floor();
-        Self::new(point.hemisphere, index.as_ivec3())
+        Self::new(point.chart, index.as_ivec3())
     }
 
     /// The corner with the smallest coordinates, in chart metres.
@@ -54,11 +53,11 @@ impl ChunkCoord {
     /// The chunk that lies `step` chunks away in the same chart; indices saturate.
     #[must_use]
     pub fn offset(self, step: IVec3) -> Self {
-        Self::new(self.hemisphere, self.index.saturating_add(step))
+        Self::new(self.chart, self.index.saturating_add(step))
     }
 
-    fn key(self) -> (Hemisphere, [i32; 3]) {
-        (self.hemisphere, self.index.to_array())
+    fn key(self) -> (ChartId, [i32; 3]) {
+        (self.chart, self.index.to_array())
     }
 }
 
@@ -85,20 +84,20 @@ mod tests {
             IVec3::new(-1, 2, -7),
             IVec3::new(40_000, -3, 0),
         ] {
-            let chunk = ChunkCoord::new(Hemisphere::B, index);
-            let inside = ChartPoint::new(Hemisphere::B, chunk.origin());
+            let chunk = ChunkCoord::new(ChartId::SECOND, index);
+            let inside = ChartPoint::new(ChartId::SECOND, chunk.origin());
             assert_eq!(ChunkCoord::containing(inside), chunk);
             let below = inside.moved(DVec3::splat(-1e-6));
             assert_eq!(ChunkCoord::containing(below), chunk.offset(IVec3::NEG_ONE));
-            let far = ChartPoint::new(Hemisphere::B, chunk.max());
+            let far = ChartPoint::new(ChartId::SECOND, chunk.max());
             assert_eq!(ChunkCoord::containing(far), chunk.offset(IVec3::ONE));
         }
     }
 
     #[test]
     fn order_is_by_chart_then_index() {
-        let a = ChunkCoord::new(Hemisphere::A, IVec3::new(5, 5, 5));
-        let b = ChunkCoord::new(Hemisphere::B, IVec3::new(0, 0, 0));
+        let a = ChunkCoord::new(ChartId::FIRST, IVec3::new(5, 5, 5));
+        let b = ChunkCoord::new(ChartId::SECOND, IVec3::new(0, 0, 0));
         assert!(a < b);
         assert!(a.offset(IVec3::new(0, 0, -1)) < a);
     }

@@ -4,7 +4,9 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 
 use crate::projection::Depth;
 use crate::sight::Axis;
-use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy};
+use crate::{
+    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
+};
 
 /// Flat space.
 #[derive(Debug, Clone, Copy, Default)]
@@ -14,6 +16,8 @@ pub struct Euclidean;
 pub(crate) fn rotation(eye: &Eye) -> DMat3 {
     DMat3::from_cols(eye.right(), eye.up(), -eye.front()).transpose()
 }
+
+impl Atlas for Euclidean {}
 
 impl Strategy for Euclidean {
     fn geometry(&self) -> Geometry {
@@ -52,7 +56,7 @@ impl Strategy for Euclidean {
         normal.normalize_or_zero()
     }
 
-    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+    fn sight_cell(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
         let (low, high) = (min - eye.point.pos, max - eye.point.pos);
         Axis::new(0.0, 0.0).cell_of_box(low, high, f64::INFINITY, f64::INFINITY)
     }

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::sight::Side;
-use crate::{Eye, Hemisphere, Projection, SightCell, Strategy};
+use crate::{ChartId, Eye, Projection, SightCell, Strategy};
 
 /// A cell is divided at most this often before it is taken as seen.
 const DIVISIONS: u32 = 2;
@@ -55,15 +55,15 @@ impl Frustum {
         &self,
         space: &dyn Strategy,
         eye: &Eye,
-        hemisphere: Hemisphere,
+        chart: ChartId,
         min: DVec3,
         max: DVec3,
     ) -> Option<SightCell> {
-        let cell = space.sight_cell(eye, hemisphere, min, max);
+        let cell = space.sight_cell(eye, chart, min, max);
         let corners = [min, max];
         let seen = self.sees(&cell)
             && (cell.half_width_rad < NARROW_RAD
-                || self.sees_a_part(space, eye, hemisphere, corners, DIVISIONS));
+                || self.sees_a_part(space, eye, chart, corners, DIVISIONS));
         seen.then_some(cell)
     }
 
@@ -71,7 +71,7 @@ impl Frustum {
         &self,
         space: &dyn Strategy,
         eye: &Eye,
-        hemisphere: Hemisphere,
+        chart: ChartId,
         [min, max]: [DVec3; 2],
         divisions: u32,
     ) -> bool {
@@ -80,11 +80,11 @@ impl Frustum {
             let step = DVec3::new(f64::from(part % 2), 0.0, f64::from(part / 2)) * half;
             let low = min + step;
             let high = DVec3::new(low.x + half.x, max.y, low.z + half.z);
-            let cell = space.sight_cell(eye, hemisphere, low, high);
+            let cell = space.sight_cell(eye, chart, low, high);
             self.sees(&cell)
                 && (divisions == 1
                     || cell.half_width_rad < NARROW_RAD
-                    || self.sees_a_part(space, eye, hemisphere, [low, high], divisions - 1))
+                    || self.sees_a_part(space, eye, chart, [low, high], divisions - 1))
         })
     }
 }

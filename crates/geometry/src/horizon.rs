@@ -17,7 +17,9 @@ use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
-use crate::{ChartPoint, Eye, Geometry, Hemisphere, Projection, SpaceUniform, Strategy, Viewer};
+use crate::{
+    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SpaceUniform, Strategy, Viewer,
+};
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
 const RADIUS_NOTCHES_M: f64 = 80.0;
@@ -105,6 +107,8 @@ impl Horizon {
         Axis::new(kappa, eye.lift_m)
     }
 }
+
+impl Atlas for Horizon {}
 
 impl Strategy for Horizon {
     fn geometry(&self) -> Geometry {
@@ -208,14 +212,14 @@ impl Strategy for Horizon {
         }
     }
 
-    fn trims(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
+    fn trims(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> bool {
         let (level, upright) = Self::edge_m(self.kappa(eye));
         let foot = eye.point.pos - DVec3::Y * eye.lift_m;
         let far = (min - foot).abs().max((max - foot).abs());
         far.x.hypot(far.z) > level || far.y > upright
     }
 
-    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+    fn sight_cell(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
         let kappa = self.kappa(eye);
         // Past a quarter turn over its sheet an eye sees heights the other way round.
         if kappa > 0.0 && kappa.sqrt() * eye.lift_m.abs() > HIGHEST_EYE_RAD {

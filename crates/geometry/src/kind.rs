@@ -1,4 +1,4 @@
-//! Which space a world is in, and which of the two charts a point is written in.
+//! Which space a world is in, and through which map it is seen.
 
 use std::fmt;
 use std::str::FromStr;
@@ -125,46 +125,6 @@ impl FromStr for HyperbolicMap {
     }
 }
 
-/// One of the two charts that cover the sphere. The other spaces have one chart and use `A`.
-#[derive(
-    Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
-)]
-pub enum Hemisphere {
-    /// About the pole (0, 0, 0, 1); the only chart of flat and hyperbolic worlds.
-    #[default]
-    A,
-    /// About the pole (0, 0, 0, -1).
-    B,
-}
-
-impl Hemisphere {
-    /// The hemisphere on the far side of the equator.
-    #[must_use]
-    pub fn other(self) -> Self {
-        match self {
-            Self::A => Self::B,
-            Self::B => Self::A,
-        }
-    }
-
-    /// 0 for A, 1 for B: the number that shaders and saves know.
-    pub fn index(self) -> u32 {
-        match self {
-            Self::A => 0,
-            Self::B => 1,
-        }
-    }
-
-    /// The hemisphere with that number, if there is one.
-    pub fn from_index(index: u32) -> Option<Self> {
-        match index {
-            0 => Some(Self::A),
-            1 => Some(Self::B),
-            _ => None,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -176,14 +136,5 @@ mod tests {
         }
         let refused = "Spherical".parse::<Geometry>();
         assert!(refused.is_err_and(|e| e.to_string().contains("\"Spherical\"")));
-    }
-
-    #[test]
-    fn hemisphere_numbers_read_back() {
-        for hemisphere in [Hemisphere::A, Hemisphere::B] {
-            assert_eq!(Hemisphere::from_index(hemisphere.index()), Some(hemisphere));
-            assert_ne!(hemisphere.other(), hemisphere);
-        }
-        assert_eq!(Hemisphere::from_index(2), None);
     }
 }

@@ -9,6 +9,8 @@
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
 
+mod atlas;
+mod chart;
 pub mod charts;
 mod chunk;
 mod euclidean;
@@ -28,12 +30,14 @@ mod strategy;
 mod triangle;
 mod uniform;
 
+pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
+pub use chart::ChartId;
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use euclidean::Euclidean;
 pub use eye::Eye;
 pub use frustum::{Frustum, side_normals};
 pub use horizon::Horizon;
-pub use kind::{Geometry, Hemisphere, HyperbolicMap, ParseGeometryError, ParseMapError};
+pub use kind::{Geometry, HyperbolicMap, ParseGeometryError, ParseMapError};
 pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use raised::Raised;
@@ -41,7 +45,7 @@ pub use real::Real;
 pub use sight::{Drum, SightCell, azimuth_spread};
 pub use spherical::Spherical;
 pub use strategy::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII, HeightLimits,
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII,
     SPHERE_RADIUS_RANGE_M, Strategy, Viewer, picture, strategy,
 };
 pub use triangle::equilateral_angle_sum_rad;

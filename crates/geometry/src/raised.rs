@@ -18,7 +18,8 @@ use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    ChartPoint, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
+    Viewer,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -106,6 +107,8 @@ fn d_coth(d: f64) -> f64 {
     if d < 1e-8 { 1.0 } else { d / d.tanh() }
 }
 
+impl Atlas for Raised {}
+
 impl Strategy for Raised {
     fn geometry(&self) -> Geometry {
         Geometry::Hyperbolic
@@ -180,7 +183,7 @@ impl Strategy for Raised {
     }
 
     /// The chart never exceeds the space's own distances from the eye.
-    fn sight_cell(&self, eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+    fn sight_cell(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
         let (low, high) = (min - eye.point.pos, max - eye.point.pos);
         let plan = Plan::of_box(low, high);
         let h = self.offset(eye);

@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 
 use glam::{DVec2, DVec3};
 
-use crate::Hemisphere;
+use crate::ChartId;
 use crate::scalar::{acos_k, cos_k, sin_k};
 
 /// A cell of directions about the upright through the eye, in the chart's axes at the eye.
@@ -32,7 +32,7 @@ pub struct SightCell {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drum {
     /// The chart it lies in.
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     /// The middle of its circle, x and z in metres.
     pub middle: DVec2,
     /// Radius of its circle, in metres.
@@ -43,7 +43,7 @@ pub struct Drum {
 
 impl Drum {
     /// Least and greatest corner of as high a box that goes that far to each side.
-    pub(crate) fn square(&self, half: DVec3) -> [DVec3; 2] {
+    pub fn square(&self, half: DVec3) -> [DVec3; 2] {
         let at = |y: f64| DVec3::new(self.middle.x, y, self.middle.y);
         [at(self.heights_m[0]) - half, at(self.heights_m[1]) + half]
     }

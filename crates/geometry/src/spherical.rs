@@ -13,10 +13,9 @@ use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
 use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
-use crate::strategy::HeightLimits;
 use crate::{
-    ChartPoint, Crossing, Drum, Eye, Geometry, Hemisphere, Projection, SightCell, SpaceUniform,
-    Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Eye, Geometry, HeightLimits, NoiseFrame,
+    Projection, SightCell, SpaceUniform, Strategy, Viewer,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -29,14 +28,28 @@ pub struct Spherical {
     radius_m: f64,
 }
 
+/// Whether a chart is that of hemisphere B; all others count as A.
+fn is_b(chart: ChartId) -> bool {
+    chart == ChartId::SECOND
+}
+
+/// The chart on the far side of the equator.
+fn other(chart: ChartId) -> ChartId {
+    if is_b(chart) {
+        ChartId::FIRST
+    } else {
+        ChartId::SECOND
+    }
+}
+
 /// The mirror G of hemisphere B's chart.
-fn mirrored(hemisphere: Hemisphere, v: DVec3) -> DVec3 {
-    sphere::mirrored(hemisphere == Hemisphere::B, v.to_array()).into()
+fn mirrored(chart: ChartId, v: DVec3) -> DVec3 {
+    sphere::mirrored(is_b(chart), v.to_array()).into()
 }
 
 /// The 4-vector of hemisphere A moved to its place in the given hemisphere.
-fn placed(hemisphere: Hemisphere, v: DVec4) -> DVec4 {
-    sphere::placed(hemisphere == Hemisphere::B, v.to_array()).into()
+fn placed(chart: ChartId, v: DVec4) -> DVec4 {
+    sphere::placed(is_b(chart), v.to_array()).into()
 }
 
 impl Spherical {
@@ -48,13 +61,13 @@ impl Spherical {
     /// The point of the unit three-sphere that a chart point is.
     fn model(self, point: ChartPoint) -> DVec4 {
         let p = (point.pos / self.radius_m).to_array();
-        sphere::point(point.hemisphere == Hemisphere::B, p).into()
+        sphere::point(is_b(point.chart), p).into()
     }
 
     /// A chart direction at a chart point as a tangent of the unit three-sphere.
     fn tangent(self, point: ChartPoint, direction: DVec3) -> DVec4 {
         let p = (point.pos / self.radius_m).to_array();
-        sphere::direction(point.hemisphere == Hemisphere::B, p, direction.to_array()).into()
+        sphere::direction(is_b(point.chart), p, direction.to_array()).into()
     }
 
     /// The rotation that takes the model to view coordinates, in units of the radius.
@@ -80,15 +93,121 @@ impl Spherical {
     fn unmodel(self, x: DVec4) -> ChartPoint {
         let level = x.x.hypot(x.z);
         let y = x.y.atan2(level.hypot(x.w));
-        let hemisphere = if level.atan2(x.w) > FRAC_PI_2 {
-            Hemisphere::B
+        let chart = if level.atan2(x.w) > FRAC_PI_2 {
+            ChartId::SECOND
         } else {
-            Hemisphere::A
+            ChartId::FIRST
         };
-        let r = level.atan2(placed(hemisphere, x).w);
+        let r = level.atan2(placed(chart, x).w);
         let per_level = if level > 0.0 { r / level } else { 0.0 };
         let unit = DVec3::new(x.x * per_level, y, x.z * per_level);
-        ChartPoint::new(hemisphere, mirrored(hemisphere, unit) * self.radius_m)
+        ChartPoint::new(chart, mirrored(chart, unit) * self.radius_m)
+    }
+
+    /// Distance of the equator from a chart's centre, metres.
+    fn rim_m(self) -> f64 {
+        FRAC_PI_2 * self.radius_m
+    }
+
+    /// A point in the other chart.
+    ///
+    /// With c the ground direction, the point goes to `G c (pi R - r)` and every vector by
+    /// `G (1 - 2 c c^T)`, the rotation about +y by `2 atan2(c.z, c.x)`. At the pole any c will
+    /// do; +x is taken.
+    fn over(self, point: ChartPoint) -> Crossing {
+        let level = DVec3::new(point.pos.x, 0.0, point.pos.z);
+        let r = level.length();
+        let c = if r > 0.0 { level / r } else { DVec3::X };
+        let across = c * (PI * self.radius_m - r);
+        let pos = DVec3::new(-across.x, point.pos.y, across.z);
+        Crossing {
+            point: ChartPoint::new(other(point.chart), pos),
+            turn_rad: 2.0 * c.z.atan2(c.x),
+        }
+    }
+}
+
+impl Atlas for Spherical {
+    fn domain(&self, _chart: ChartId) -> Domain {
+        Domain::Disc {
+            radius_m: self.rim_m(),
+        }
+    }
+
+    fn has_chart(&self, chart: ChartId) -> bool {
+        chart <= ChartId::SECOND
+    }
+
+    fn is_closed(&self) -> bool {
+        true
+    }
+
+    fn all_charts(&self) -> Option<Vec<ChartId>> {
+        Some(vec![ChartId::FIRST, ChartId::SECOND])
+    }
+
+    fn cross(&self, point: ChartPoint) -> Option<Crossing> {
+        let r = point.pos.x.hypot(point.pos.z);
+        let past = r > self.rim_m() + CROSSING_HYSTERESIS_M;
+        past.then(|| self.over(point))
+    }
+
+    fn carry(&self, point: ChartPoint, to: ChartId) -> Option<Crossing> {
+        if to == point.chart {
+            Some(Crossing::within(point))
+        } else {
+            self.has_chart(to).then(|| self.over(point))
+        }
+    }
+
+    fn images(&self, point: ChartPoint, reach_m: f64) -> Vec<Crossing> {
+        let near = point.pos.x.hypot(point.pos.z) > self.rim_m() - reach_m;
+        near.then(|| self.over(point)).into_iter().collect()
+    }
+
+    /// Carrying keeps radial lengths and angles about the pole, so a disc's width there is at most its angle here times
+    /// the largest radius that it gets.
+    fn spread_m(&self, point: ChartPoint, radius_m: f64, past_m: f64) -> f64 {
+        let r = point.pos.x.hypot(point.pos.z);
+        let angle = if radius_m < r {
+            (radius_m / r).asin()
+        } else {
+            PI
+        };
+        let rim_m = self.rim_m();
+        let farthest = (2.0 * rim_m - (r - radius_m)).min(rim_m + past_m);
+        radius_m + farthest * angle
+    }
+
+    /// The eye at height y has its antipode at -y, so with all ground above 0 every sight line
+    /// meets ground before it gets there, and everything is seen exactly once.
+    fn limits(&self) -> Option<HeightLimits> {
+        Some(HeightLimits {
+            bedrock_m: 0.1 * self.radius_m,
+            ground_min_m: 0.15 * self.radius_m,
+            ground_max_m: 0.5 * self.radius_m,
+            ceiling_m: 1.2 * self.radius_m,
+        })
+    }
+
+    fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
+        NoiseFrame::Radial
+    }
+
+    fn noise_point(&self, point: ChartPoint) -> DVec3 {
+        let p = mirrored(point.chart, point.pos / self.radius_m);
+        let r = p.x.hypot(p.z);
+        let pole = if is_b(point.chart) { -r.cos() } else { r.cos() };
+        DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
+    }
+
+    /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
+    fn chart_origin_m(&self, chart: ChartId) -> DVec3 {
+        if is_b(chart) {
+            DVec3::X * (8.0 * self.radius_m).log2().ceil().exp2()
+        } else {
+            DVec3::ZERO
+        }
     }
 }
 
@@ -137,65 +256,11 @@ impl Strategy for Spherical {
         sphere::normal(p, normal.to_array()).into()
     }
 
-    fn cross(&self, point: ChartPoint) -> Option<Crossing> {
-        let r = point.pos.x.hypot(point.pos.z);
-        let past = r > FRAC_PI_2 * self.radius_m + CROSSING_HYSTERESIS_M;
-        if past { self.carry(point) } else { None }
-    }
-
-    /// With c the ground direction, the point goes to `G c (pi R - r)` and every vector by
-    /// `G (1 - 2 c c^T)`, the rotation about +y by `2 atan2(c.z, c.x)`. At the pole any c will
-    /// do; +x is taken.
-    fn carry(&self, point: ChartPoint) -> Option<Crossing> {
-        let level = DVec3::new(point.pos.x, 0.0, point.pos.z);
-        let r = level.length();
-        let c = if r > 0.0 { level / r } else { DVec3::X };
-        let across = c * (PI * self.radius_m - r);
-        let pos = DVec3::new(-across.x, point.pos.y, across.z);
-        Some(Crossing {
-            point: ChartPoint::new(point.hemisphere.other(), pos),
-            turn_rad: 2.0 * c.z.atan2(c.x),
-        })
-    }
-
-    fn rim_m(&self) -> Option<f64> {
-        Some(FRAC_PI_2 * self.radius_m)
-    }
-
-    /// The eye at height y has its antipode at -y, so with all ground above 0 every sight line
-    /// meets ground before it gets there, and everything is seen exactly once.
-    fn limits(&self) -> Option<HeightLimits> {
-        Some(HeightLimits {
-            bedrock_m: 0.1 * self.radius_m,
-            ground_min_m: 0.15 * self.radius_m,
-            ground_max_m: 0.5 * self.radius_m,
-            ceiling_m: 1.2 * self.radius_m,
-        })
-    }
-
-    fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        let p = mirrored(point.hemisphere, point.pos / self.radius_m);
-        let r = p.x.hypot(p.z);
-        let pole = match point.hemisphere {
-            Hemisphere::A => r.cos(),
-            Hemisphere::B => -r.cos(),
-        };
-        DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
-    }
-
-    /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
-    fn chart_origin_m(&self, hemisphere: Hemisphere) -> DVec3 {
-        match hemisphere {
-            Hemisphere::A => DVec3::ZERO,
-            Hemisphere::B => DVec3::X * (8.0 * self.radius_m).log2().ceil().exp2(),
-        }
-    }
-
     fn has_sky(&self) -> bool {
         false
     }
 
-    fn reference(&self, _eye: &Eye, _hemisphere: Hemisphere) -> DVec3 {
+    fn reference(&self, _eye: &Eye, _chart: ChartId) -> DVec3 {
         DVec3::ZERO
     }
 
@@ -203,16 +268,16 @@ impl Strategy for Spherical {
         PI * self.radius_m
     }
 
-    fn trims(&self, _eye: &Eye, _hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
+    fn trims(&self, _eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> bool {
         let far = min.abs().max(max.abs());
-        far.x.hypot(far.z) > FRAC_PI_2 * self.radius_m
+        far.x.hypot(far.z) > self.rim_m()
     }
 
     /// The feet of the box's points lie within half its level diagonal of the foot of its middle,
     /// since the sheet is never wider than its chart. Seen from the eye's own foot, that cap has a
     /// distance D and a radius a: it spans level distances D - a to D + a, and azimuths
     /// `asin(sin a / sin D)` to either side, by the right triangle at its tangent.
-    fn sight_cell(&self, eye: &Eye, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell {
+    fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
         // The chart's uprights end a quarter turn up, far over the ceiling.
         let highest = 1.5 * self.radius_m;
         if eye.point.pos.y.abs() > highest {
@@ -220,8 +285,8 @@ impl Strategy for Spherical {
         }
         let heights = [min.y, max.y].map(|y| y.clamp(-highest, highest));
         let foot = |pos: DVec3| DVec3::new(pos.x, 0.0, pos.z);
-        let eye_foot = ChartPoint::new(eye.point.hemisphere, foot(eye.point.pos));
-        let middle = self.model(ChartPoint::new(hemisphere, foot(0.5 * (min + max))));
+        let eye_foot = ChartPoint::new(eye.point.chart, foot(eye.point.pos));
+        let middle = self.model(ChartPoint::new(chart, foot(0.5 * (min + max))));
         let x = self.tangent(eye_foot, DVec3::X).dot(middle);
         let z = self.tangent(eye_foot, DVec3::Z).dot(middle);
         let away = x.hypot(z).atan2(self.model(eye_foot).dot(middle));
@@ -244,7 +309,7 @@ impl Strategy for Spherical {
     fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
         let half_m = FRAC_1_SQRT_2 * drum.radius_m;
         let [min, max] = drum.square(DVec3::new(half_m, 0.0, half_m));
-        self.sight_cell(eye, drum.hemisphere, min, max)
+        self.sight_cell(eye, drum.chart, min, max)
     }
 
     /// Ways of the sphere are no longer than those of its charts.

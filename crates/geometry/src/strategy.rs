@@ -9,8 +9,8 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::kernel::distance;
 use crate::{
-    ChartPoint, Crossing, Drum, Euclidean, Eye, Frustum, Geometry, Hemisphere, Horizon,
-    HyperbolicMap, Projection, Raised, SightCell, SpaceUniform, Spherical,
+    Atlas, ChartId, ChartPoint, Drum, Euclidean, Eye, Frustum, Geometry, Horizon, HyperbolicMap,
+    Projection, Raised, SightCell, SpaceUniform, Spherical,
 };
 
 /// Radius of curvature of hyperbolic worlds unless a world says otherwise, in metres.
@@ -34,26 +34,13 @@ pub struct Dial {
     pub default: f64,
 }
 
-/// Heights in chart metres between which a space can hold a world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HeightLimits {
-    /// Nothing is dug below this.
-    pub bedrock_m: f64,
-    /// The natural ground lies no lower than this.
-    pub ground_min_m: f64,
-    /// The natural ground lies no higher than this.
-    pub ground_max_m: f64,
-    /// Nothing is built or flown above this.
-    pub ceiling_m: f64,
-}
-
 /// View coordinates of chart points, for one eye.
 pub type Viewer<'a> = Box<dyn Fn(ChartPoint) -> DVec4 + 'a>;
 
 /// A space: how chart points look from an eye, and what the charts are like.
 ///
 /// View coordinates are x right, y up, z back, in metres, and w without unit.
-pub trait Strategy: Debug + Send + Sync {
+pub trait Strategy: Atlas + Debug + Send + Sync {
     /// Which of the three spaces this is.
     fn geometry(&self) -> Geometry;
 
@@ -109,45 +96,13 @@ pub trait Strategy: Debug + Send + Sync {
     /// the chart's frame at the point: its dot product with a light's chart direction is N.L.
     fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3;
 
-    /// The point in the other chart, once it is past the rim by more than the hysteresis that
-    /// keeps a body standing on the line from flipping to and fro.
-    fn cross(&self, _point: ChartPoint) -> Option<Crossing> {
-        None
-    }
-
-    /// The same point of the space in the other chart, wherever it is. `None` where there is
-    /// only one chart.
-    fn carry(&self, _point: ChartPoint) -> Option<Crossing> {
-        None
-    }
-
-    /// Chart radius of the equator in metres, where charts meet.
-    fn rim_m(&self) -> Option<f64> {
-        None
-    }
-
-    /// Heights that the space limits a world to.
-    fn limits(&self) -> Option<HeightLimits> {
-        None
-    }
-
-    /// Where the terrain noise is sampled, in metres: continuous over the whole space.
-    fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        point.pos
-    }
-
-    /// Where the chart's centre stands in the one space that physics works in, in metres.
-    fn chart_origin_m(&self, _hemisphere: Hemisphere) -> DVec3 {
-        DVec3::ZERO
-    }
-
     /// Whether sight lines can miss the ground for ever, so that a sky is seen.
     fn has_sky(&self) -> bool {
         true
     }
 
     /// The chart point that positions sent to the GPU are relative to.
-    fn reference(&self, eye: &Eye, _hemisphere: Hemisphere) -> DVec3 {
+    fn reference(&self, eye: &Eye, _chart: ChartId) -> DVec3 {
         eye.point.pos
     }
 
@@ -158,12 +113,12 @@ pub trait Strategy: Debug + Send + Sync {
 
     /// Whether part of the chart box from `min` to `max` metres lies beyond what its chart draws,
     /// so that it must be trimmed.
-    fn trims(&self, _eye: &Eye, _hemisphere: Hemisphere, _min: DVec3, _max: DVec3) -> bool {
+    fn trims(&self, _eye: &Eye, _chart: ChartId, _min: DVec3, _max: DVec3) -> bool {
         false
     }
 
     /// The directions in which the chart box from `min` to `max` metres is seen.
-    fn sight_cell(&self, eye: &Eye, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> SightCell;
+    fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell;
 
     /// A cell that holds those of all chart boxes inside an upright drum whose circles about their
     /// own middles are inside too, so that a drum that is not seen tells that none of them is.
@@ -181,7 +136,7 @@ pub trait Strategy: Debug + Send + Sync {
             } else {
                 PI
             },
-            ..self.sight_cell(eye, drum.hemisphere, min, max)
+            ..self.sight_cell(eye, drum.chart, min, max)
         }
     }
 
@@ -297,7 +252,7 @@ mod tests {
             let space = strategy(geometry, 32.0);
             let sphere = geometry == Geometry::Spherical;
             assert_eq!(space.geometry(), geometry);
-            assert_eq!(space.rim_m().is_some(), sphere);
+            assert_eq!(space.all_charts().is_some(), sphere);
             assert_eq!(space.limits().is_some(), sphere);
             assert_eq!(space.has_sky(), !sphere);
             assert_eq!(space.dial().is_some(), geometry == Geometry::Hyperbolic);

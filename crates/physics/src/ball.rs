@@ -150,7 +150,7 @@ pub fn meets_capsule(
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use antipode_geometry::{ChunkCoord, Hemisphere};
+    use antipode_geometry::{ChartId, ChunkCoord};
     use glam::IVec3;
 
     use super::*;
@@ -173,7 +173,7 @@ mod tests {
         ];
         let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
         let mut world = PhysicsWorld::new();
-        let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
+        let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
         world.set_terrain(coord, DVec3::ZERO, Some(collider));
         world
     }

@@ -309,7 +309,7 @@ fn standing_box(block: &Block, at: DVec3) -> Aabb {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use glam::IVec3;
 
     use super::*;
@@ -327,7 +327,7 @@ mod tests {
         let mut world = PhysicsWorld::new();
         for x in [3, -2, 1, 0, -1, 2] {
             let coord = ChunkCoord {
-                hemisphere: Hemisphere::A,
+                chart: ChartId::FIRST,
                 index: IVec3::new(x, 0, 0),
             };
             world.set_terrain(
@@ -359,7 +359,7 @@ mod tests {
             let [(positions, low), (_, top)] = shape(high);
             TerrainCollider::rebuild(before, &positions, &[low, top]).unwrap()
         };
-        let (coord, at) = (ChunkCoord::new(Hemisphere::A, IVec3::ZERO), DVec3::ZERO);
+        let (coord, at) = (ChunkCoord::new(ChartId::FIRST, IVec3::ZERO), DVec3::ZERO);
         let first = build(None, 20.0);
         let second = build(Some(&first), 25.0);
         let mut world = PhysicsWorld::new();

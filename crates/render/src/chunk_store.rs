@@ -149,7 +149,7 @@ impl ChunkStore {
         // What is built may reach into a chunk that was empty; land that streams in elsewhere is no part of the edit.
         let is_near_edit = |coord: &ChunkCoord| {
             let beside = |it: &ChunkCoord| (it.index - coord.index).abs().max_element() <= 1;
-            let mut same_chart = edited.iter().filter(|it| it.hemisphere == coord.hemisphere);
+            let mut same_chart = edited.iter().filter(|it| it.chart == coord.chart);
             same_chart.any(beside)
         };
         for change in &news.changes {
@@ -213,7 +213,7 @@ impl ChunkStore {
         }
         let away = |coord: &ChunkCoord| {
             let middle = coord.origin() + 0.5 * f64::from(antipode_geometry::CHUNK_CELLS);
-            let other_chart = coord.hemisphere != frame.view.eye.point.hemisphere;
+            let other_chart = coord.chart != frame.view.eye.point.chart;
             (
                 other_chart,
                 middle.distance_squared(frame.view.eye.point.pos),
@@ -382,7 +382,7 @@ impl ChunkStore {
                 continue;
             };
             let shades = shades_on(frame, &chunk.land);
-            let lights = lights_near(frame, coord.hemisphere, chunk.land.min, chunk.land.max);
+            let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = instance(frame, coord, choice)
                 .shaded(shades, reach == ShadowReach::All)
@@ -394,16 +394,12 @@ impl ChunkStore {
                 let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
                     let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
-                    let cell = || frustum.cell_seen(space, eye, coord.hemisphere, min, max);
+                    let cell = || frustum.cell_seen(space, eye, coord.chart, min, max);
                     if hides && cell().is_none() {
                         return None;
                     }
-                    let hemisphere = coord.hemisphere;
-                    let of = Caster {
-                        hemisphere,
-                        min,
-                        max,
-                    };
+                    let chart = coord.chart;
+                    let of = Caster { chart, min, max };
                     Some(numbered(shadows.reach_within(frame, reach, &of)))
                 };
                 let whole = numbered(shadows.told_apart(reach));
@@ -433,8 +429,8 @@ impl ChunkStore {
 }
 
 fn instance(frame: &Frame, coord: ChunkCoord, choice: &ChunkChoice) -> ChunkInstance {
-    let reference = whole_reference(frame, coord.hemisphere);
-    let plain = ChunkInstance::new(coord.origin(), coord.hemisphere, reference);
+    let reference = whole_reference(frame, coord.chart);
+    let plain = ChunkInstance::new(coord.origin(), coord.chart, reference);
     match &choice.port {
         Port::Vertex => plain,
         Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),

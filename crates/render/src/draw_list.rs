@@ -231,7 +231,7 @@ fn buffer<T>(device: &Device, count: usize, usage: BufferUsages) -> Buffer {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use glam::DVec3;
 
     use super::*;
@@ -253,7 +253,7 @@ mod tests {
     fn list(count: u32, of: impl Fn(u32) -> (u8, usize)) -> DrawList {
         let mut list = DrawList::default();
         for i in 0..count {
-            let instance = ChunkInstance::new(DVec3::ZERO, Hemisphere::A, DVec3::ZERO);
+            let instance = ChunkInstance::new(DVec3::ZERO, ChartId::FIRST, DVec3::ZERO);
             let (pipeline, page) = of(i);
             let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
             list.add(instance, pieces.map(|piece| (pipeline, piece)).into_iter());

@@ -15,7 +15,7 @@ use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
 use crate::shadow::{Caster, Shot};
-use crate::uniforms::{FigureInstance, frame_rows, hemisphere_index, offset_of};
+use crate::uniforms::{FigureInstance, chart_index, frame_rows, offset_of};
 
 /// The models, which all views draw figures with.
 #[derive(Debug)]
@@ -125,18 +125,18 @@ fn put(
     let (low, high) = turned(limits, figure.turn.as_quat());
     let middle = figure.point.moved(low.midpoint(high).as_dvec3());
     let half = (0.5 * (high - low)).as_dvec3();
-    let hemisphere = figure.point.hemisphere;
+    let chart = figure.point.chart;
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
         offset: offset_of(frame, figure.point),
-        flags: hemisphere_index(hemisphere) | u32::from(figure.hostile) << 1,
+        flags: chart_index(chart) | u32::from(figure.hostile) << 1,
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
     };
     let mut way = Way::Shade;
     if wanted.seen {
-        instance.lights = lights_near(frame, hemisphere, min, max);
+        instance.lights = lights_near(frame, chart, min, max);
         let tolerance_px = Tolerance::of(frame.view.quality).shape_px;
         let bounds = &plan.bounds;
         way = match bounds.object(frame, figure.point, middle, half, tolerance_px) {
@@ -153,11 +153,7 @@ fn put(
         way,
         instance,
         joints: None,
-        room: wanted.shades.then_some(Caster {
-            hemisphere,
-            min,
-            max,
-        }),
+        room: wanted.shades.then_some(Caster { chart, min, max }),
     });
 }
 

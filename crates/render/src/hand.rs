@@ -57,9 +57,8 @@ fn grip(model: ModelId) -> Grip {
 /// The lights that reach the hand, but those that are carried beside it: so near, they would bleach it.
 fn lights_beyond(frame: &Frame, carried_m: f64) -> [u32; 3] {
     let eye = frame.view.eye.point;
-    let is_carried =
-        |at: ChartPoint| at.hemisphere == eye.hemisphere && at.pos.distance(eye.pos) < carried_m;
-    let mut mask = lights_near(frame, eye.hemisphere, eye.pos, eye.pos);
+    let is_carried = |at: ChartPoint| at.chart == eye.chart && at.pos.distance(eye.pos) < carried_m;
+    let mut mask = lights_near(frame, eye.chart, eye.pos, eye.pos);
     for (i, lamp) in frame.content.lights.lamps.iter().take(LAMPS).enumerate() {
         mask[i / 32] &= !(u32::from(is_carried(lamp.point)) << (i % 32));
     }

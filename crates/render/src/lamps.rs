@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_frame::{BeamLight, Frame, LampLight};
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4};
 
@@ -124,21 +124,13 @@ fn axis(frame: &Frame, beam: &BeamLight) -> DVec4 {
 }
 
 /// Which lamps, by 64 bits, and which beams may light a box of the chart from `min` to `max` metres.
-pub fn lights_near(frame: &Frame, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> [u32; 3] {
+pub fn lights_near(frame: &Frame, chart: ChartId, min: DVec3, max: DVec3) -> [u32; 3] {
     let lights = &frame.content.lights;
     if lights.lamps.is_empty() && lights.beams.is_empty() {
         return [0; 3];
     }
     let near = |point: ChartPoint, range_m: f64| {
-        let here = if point.hemisphere == hemisphere {
-            Some(point)
-        } else {
-            frame
-                .view
-                .strategy
-                .carry(point)
-                .map(|crossing| crossing.point)
-        };
+        let here = frame.view.strategy.carry(point, chart).map(|it| it.point);
         let stretch = if curvature(frame).is_some() {
             CHART_STRETCH
         } else {

@@ -8,7 +8,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
 use crate::ball::ball;
-use crate::uniforms::{MarkerInstance, hemisphere_index, offset_of};
+use crate::uniforms::{MarkerInstance, chart_index, offset_of};
 
 /// The inner ball's radius as a share of the outer's.
 const BALL_SHARE: f64 = 0.2;
@@ -174,7 +174,7 @@ fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
     let [r, g, b] = BALL;
     let of_radius = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
         offset: offset_of(frame, marker.point),
-        hemisphere: hemisphere_index(marker.point.hemisphere),
+        chart: chart_index(marker.point.chart),
         colour: [r, g, b, face],
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };

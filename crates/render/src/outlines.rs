@@ -7,7 +7,7 @@ use bytemuck::{Pod, Zeroable};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
 
-use crate::uniforms::{OutlineInstance, hemisphere_index, offset_of};
+use crate::uniforms::{OutlineInstance, chart_index, offset_of};
 
 /// Linear light of what moves, and of what rests.
 const AWAKE: [f32; 3] = [0.05, 1.1, 0.12];
@@ -158,7 +158,7 @@ fn instance(frame: &Frame, shape: &HitShape) -> OutlineInstance {
     let [r, g, b] = if shape.awake { AWAKE } else { ASLEEP };
     OutlineInstance {
         offset: offset_of(frame, shape.point),
-        hemisphere: hemisphere_index(shape.point.hemisphere),
+        chart: chart_index(shape.point.chart),
         turn: shape.turn.as_quat().to_array(),
         size: [x, y, z, low],
         colour: [r, g, b, high],

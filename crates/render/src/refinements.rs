@@ -230,7 +230,7 @@ impl GpuChunk {
     fn nearest_m(&self, frame: &Frame) -> f64 {
         let boxed_m = Bounds::nearest_chart_m(frame, &self.land);
         let coord = self.land.coord;
-        if boxed_m > LOOKED_AT_WITHIN_M || frame.view.eye.point.hemisphere != coord.hemisphere {
+        if boxed_m > LOOKED_AT_WITHIN_M || frame.view.eye.point.chart != coord.chart {
             return boxed_m;
         }
         let eye = (frame.view.eye.point.pos - coord.origin()).as_vec3();

@@ -39,7 +39,7 @@ pub fn mask(
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
 
     use super::*;
 
@@ -47,7 +47,7 @@ mod tests {
     fn a_seam_is_drawn_beside_what_is_finer_only() {
         let [full, half, quarter, eighth] = Level::ALL;
         let coord = ChunkCoord {
-            hemisphere: Hemisphere::B,
+            chart: ChartId::SECOND,
             index: IVec3::new(3, -2, 7),
         };
         let around = [
@@ -59,7 +59,7 @@ mod tests {
             Some(half),
         ];
         let finest = |other: ChunkCoord| {
-            assert_eq!(other.hemisphere, Hemisphere::B);
+            assert_eq!(other.chart, ChartId::SECOND);
             let step = other.index - coord.index;
             FACES
                 .iter()

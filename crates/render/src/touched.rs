@@ -23,7 +23,7 @@ impl Touched {
         let cell_m = DVec3::splat(f64::from(new.level.step_m()));
         Some(Self {
             of: Caster {
-                hemisphere: coord.hemisphere,
+                chart: coord.chart,
                 min: coord.origin() + low - cell_m,
                 max: coord.origin() + high + cell_m,
             },
@@ -71,7 +71,7 @@ fn changed(old: &ChunkMesh, new: &ChunkMesh) -> Option<[UVec3; 2]> {
 #[cfg(test)]
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use glam::{IVec3, Vec3};
 
     use super::*;
@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn what_an_edit_has_changed_is_a_cell_around_the_vertices_that_are_new_or_gone() {
-        let coord = ChunkCoord::new(Hemisphere::B, IVec3::new(1, 0, -1));
+        let coord = ChunkCoord::new(ChartId::SECOND, IVec3::new(1, 0, -1));
         let [kept, gone, new] = [
             Vec3::new(2.0, 3.0, 4.0),
             Vec3::new(10.0, 5.5, 6.0),
@@ -97,7 +97,7 @@ mod tests {
         let origin = DVec3::new(32.0, 0.0, -32.0);
         assert_eq!(found.of.min, origin + DVec3::new(9.0, 4.0, 5.0));
         assert_eq!(found.of.max, origin + DVec3::new(11.0, 6.5, 8.0));
-        assert!(found.is_edited && found.of.hemisphere == Hemisphere::B);
+        assert!(found.is_edited && found.of.chart == ChartId::SECOND);
         assert!(between(&[kept, gone], &[gone, kept]).is_none());
         let all = between(&[], &[new]).unwrap();
         assert_eq!(all.of.middle(), origin + new.as_dvec3());

@@ -1,7 +1,7 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_frame::{Frame, Orbs, View};
-use antipode_geometry::{ChartPoint, Hemisphere, SpaceUniform};
+use antipode_geometry::{ChartId, ChartPoint, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
@@ -62,7 +62,12 @@ impl SceneUniform {
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let shades = shades(frame);
-        let rim_m = frame.view.strategy.rim_m().unwrap_or(0.0) as f32;
+        let rim_m = frame
+            .view
+            .strategy
+            .domain(eye.point.chart)
+            .radius_m()
+            .unwrap_or(0.0) as f32;
         let ring = Ring::of(frame);
         let [right, up, front] = frame.view.axes().map(|axis| axis.as_vec3());
         Self {
@@ -124,22 +129,14 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
 /// Feet with a shade below them. Close to where two charts meet they are in both, for land of either.
 fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
     let space = &*frame.view.strategy;
-    let at_rim = |point: &ChartPoint| {
-        let away_m = point.pos.x.hypot(point.pos.z);
-        space
-            .rim_m()
-            .is_some_and(|rim_m| (rim_m - away_m).abs() < SHADE_REACH_M)
-    };
     let figures = frame
         .content
         .figures
         .iter()
         .filter(|figure| figure.model.casts_shade());
     figures.map(|figure| figure.point).flat_map(move |point| {
-        let carried = Some(point)
-            .filter(at_rim)
-            .and_then(|point| space.carry(point));
-        std::iter::once(point).chain(carried.map(|crossing| crossing.point))
+        let images = space.images(point, SHADE_REACH_M).into_iter();
+        std::iter::once(point).chain(images.map(|image| image.point))
     })
 }
 
@@ -157,7 +154,7 @@ fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
     for (shade, point) in shades.iter_mut().zip(&feet) {
         *shade = with(
             offset_of(frame, *point).into(),
-            hemisphere_index(point.hemisphere) as f32,
+            chart_index(point.chart) as f32,
         );
     }
     shades
@@ -166,7 +163,7 @@ fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
 /// How many shades may fall on a chunk's land: all or none.
 pub fn shades_on(frame: &Frame, land: &ChunkLand) -> u32 {
     let falls = |feet: ChartPoint| {
-        feet.hemisphere == land.coord.hemisphere
+        feet.chart == land.coord.chart
             && feet.pos.distance(feet.pos.clamp(land.min, land.max)) < SHADE_REACH_M
     };
     if shaded_feet(frame).any(falls) {
@@ -181,18 +178,18 @@ fn with(v: Vec3, w: f32) -> [f32; 4] {
 }
 
 /// The whole metres next to a frame's reference, from which chunks are measured: those differences are exact.
-pub fn whole_reference(frame: &Frame, hemisphere: Hemisphere) -> DVec3 {
+pub fn whole_reference(frame: &Frame, chart: ChartId) -> DVec3 {
     frame
         .view
         .strategy
-        .reference(&frame.view.eye, hemisphere)
+        .reference(&frame.view.eye, chart)
         .round()
 }
 
 /// The rest of the reference. A space with two charts has it at both their centres, where there is no rest.
 fn reference_fraction(frame: &Frame) -> DVec3 {
-    let hemisphere = frame.view.eye.point.hemisphere;
-    frame.view.strategy.reference(&frame.view.eye, hemisphere) - whole_reference(frame, hemisphere)
+    let chart = frame.view.eye.point.chart;
+    frame.view.strategy.reference(&frame.view.eye, chart) - whole_reference(frame, chart)
 }
 
 /// Where a chunk stands; the instance attributes of terrain.wgsl.
@@ -201,7 +198,7 @@ fn reference_fraction(frame: &Frame) -> DVec3 {
 pub struct ChunkInstance {
     /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
-    /// The hemisphere's number in the lowest bit, in the next whether a figure's shadow may fall on the chunk, and
+    /// The chart's number in the lowest bit, in the next whether a figure's shadow may fall on the chunk, and
     /// above how many figures' shades may.
     pub flags: u32,
     /// The chunk's corner wrapped to [-128, 128) metres.
@@ -217,10 +214,10 @@ pub struct ChunkInstance {
 
 impl ChunkInstance {
     /// The chunk with its corner at `origin`, for positions relative to `reference`; both in chart metres.
-    pub fn new(origin: DVec3, hemisphere: Hemisphere, reference: DVec3) -> Self {
+    pub fn new(origin: DVec3, chart: ChartId, reference: DVec3) -> Self {
         Self {
             offset: (origin - reference).as_vec3().into(),
-            flags: hemisphere_index(hemisphere),
+            flags: chart_index(chart),
             world: origin.map(wrap_m).as_vec3().into(),
             blend: 0.0,
             frame: [[0.0; 4]; 4],
@@ -283,7 +280,7 @@ fn wrap_m(x: f64) -> f64 {
 pub struct FigureInstance {
     /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// The hemisphere's number in the lowest bit, whether it is red in the next, and above them the figure's place in its
+    /// The chart's number in the lowest bit, whether it is red in the next, and above them the figure's place in its
     /// batch of joints.
     pub flags: u32,
     /// How it is turned in the chart: a quaternion, its real part last.
@@ -315,7 +312,7 @@ pub struct MarkerInstance {
     /// The centre from the reference, metres.
     pub offset: [f32; 3],
     /// 0 or 1.
-    pub hemisphere: u32,
+    pub chart: u32,
     /// Linear light; last, the opacity seen face on.
     pub colour: [f32; 4],
     /// Radius in metres, opacity seen edge on, and room.
@@ -335,7 +332,7 @@ pub struct OutlineInstance {
     /// Its point from the reference, metres.
     pub offset: [f32; 3],
     /// 0 or 1.
-    pub hemisphere: u32,
+    pub chart: u32,
     /// Turn as a quaternion (x, y, z, w).
     pub turn: [f32; 4],
     /// What the unit shape is stretched by along each axis, metres; last, the height of its lower middle over its
@@ -350,23 +347,16 @@ impl OutlineInstance {
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
 }
 
-/// The shaders' number of a hemisphere.
-pub fn hemisphere_index(hemisphere: Hemisphere) -> u32 {
-    match hemisphere {
-        Hemisphere::A => 0,
-        Hemisphere::B => 1,
-    }
+/// The shaders' number of a chart.
+pub fn chart_index(chart: ChartId) -> u32 {
+    u32::from(chart == ChartId::SECOND)
 }
 
 /// A point as the shaders take it: metres from the reference of its chart.
 pub fn offset_of(frame: &Frame, point: ChartPoint) -> [f32; 3] {
-    (point.pos
-        - frame
-            .view
-            .strategy
-            .reference(&frame.view.eye, point.hemisphere))
-    .as_vec3()
-    .into()
+    (point.pos - frame.view.strategy.reference(&frame.view.eye, point.chart))
+        .as_vec3()
+        .into()
 }
 
 #[cfg(test)]

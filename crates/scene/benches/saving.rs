@@ -38,7 +38,7 @@ fn records(among: Among) -> RecordChanges {
     let mut records = RecordChanges::new();
     for id in 0..lamps {
         let pos = [f64::from(id % 300), 0.0, f64::from(id / 300)];
-        let lamp = LampRecord { hemisphere: 0, pos };
+        let lamp = LampRecord { chart: 0, pos };
         records.insert(RecordKind::Lamp.numbered(id), Some(Record::Lamp(lamp)));
     }
     if matches!(among, Among::AsMuchAsItTakesIn) {

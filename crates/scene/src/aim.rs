@@ -33,7 +33,7 @@ pub fn aim(
 ) -> DVec3 {
     let way = over(strategy, from, to).pos - from.pos;
     let first = lower_arc(way, speed_m_s, gravity_m_s2);
-    if from.hemisphere == to.hemisphere {
+    if from.chart == to.chart {
         return first;
     }
     let shot = Shot {
@@ -131,7 +131,7 @@ impl Shot<'_> {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
     use proptest::{prop_assert, proptest};
 
     use super::*;
@@ -169,15 +169,15 @@ mod tests {
             before in 0.5f64..12.0, beyond in 0.5f64..12.0, rise in -3.0f64..3.0,
         ) {
             let space = strategy(Geometry::Spherical, radius_m);
-            let rim_m = space.rim_m().unwrap_or(0.0);
+            let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or(0.0);
             let height_m = 0.3 * radius_m;
-            let at = |hemisphere, angle: f64, level_m: f64, y: f64| {
-                ChartPoint::new(hemisphere, DVec3::new(level_m * angle.cos(), y, level_m * angle.sin()))
+            let at = |chart, angle: f64, level_m: f64, y: f64| {
+                ChartPoint::new(chart, DVec3::new(level_m * angle.cos(), y, level_m * angle.sin()))
             };
-            let from = at(Hemisphere::A, around, rim_m - before, height_m);
+            let from = at(ChartId::FIRST, around, rim_m - before, height_m);
             // The same place of the equator is at the mirrored angle in the other chart.
             let turned = std::f64::consts::PI - around - aside * 10.0 / rim_m;
-            let to = at(Hemisphere::B, turned, rim_m - beyond, height_m + rise);
+            let to = at(ChartId::SECOND, turned, rim_m - beyond, height_m + rise);
             prop_assert!(passes(&*space, from, to) < 0.02, "{}", passes(&*space, from, to));
         }
     }

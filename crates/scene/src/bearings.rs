@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy, Viewer};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy, Viewer};
 use glam::{DVec2, DVec3};
 
 use crate::actors::Actors;
@@ -35,7 +35,7 @@ pub struct Bearings {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equator {
     /// Where the player is.
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     /// How far it is along the ground sheet, metres.
     pub distance_m: f64,
     /// The heading that leads there.
@@ -83,7 +83,7 @@ pub(crate) fn map_eye(about: ChartPoint) -> Eye {
 }
 
 fn on_sheet(point: ChartPoint) -> ChartPoint {
-    ChartPoint::new(point.hemisphere, point.pos.with_y(0.0))
+    ChartPoint::new(point.chart, point.pos.with_y(0.0))
 }
 
 impl<'a> Locator<'a> {
@@ -108,10 +108,11 @@ impl<'a> Locator<'a> {
 /// Which way the player looks, and where that is.
 pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
     let feet = now.feet();
-    let equator = now.world.strategy.rim_m().map(|rim_m| {
+    let domain = now.world.strategy.domain(feet.chart);
+    let equator = domain.radius_m().map(|rim_m| {
         let (x, z) = (feet.pos.x, feet.pos.z);
         Equator {
-            hemisphere: feet.hemisphere,
+            chart: feet.chart,
             distance_m: (rim_m - x.hypot(z)).max(0.0),
             heading_rad: z.atan2(x),
         }
@@ -124,7 +125,7 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
 }
 
 fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
-    let Some(rim_m) = strategy.rim_m() else {
+    let Some(rim_m) = strategy.domain(ChartId::FIRST).radius_m() else {
         return OPEN_NORTH_RAD;
     };
     let eye = map_eye(feet);
@@ -189,11 +190,14 @@ mod tests {
     #[test]
     fn over_the_equator_the_map_goes_on_as_the_ground_does() {
         let space = strategy(Geometry::Spherical, 32.0);
-        let rim_m = space.rim_m().unwrap_or_default();
+        let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or_default();
         let eye = map_eye(ChartPoint::a(DVec3::new(0.0, 9.0, rim_m - 5.0)));
         let locator = Locator::new(&*space, &eye);
         let ahead = ChartPoint::a(DVec3::new(0.0, 9.0, rim_m + 7.0));
-        let over = space.carry(ahead).map(|crossing| crossing.point);
+        let over = space
+            .images(ahead, f64::INFINITY)
+            .pop()
+            .map(|crossing| crossing.point);
         let (here, there) = (locator.at(ahead), over.map(|over| locator.at(over)));
         assert!((here - DVec2::new(0.0, 12.0)).length() < 1e-9, "{here}");
         assert!(there.is_some_and(|there| (there - here).length() < 1e-9));

@@ -1,6 +1,6 @@
 //! Where the player's body may be: within the world, and not inside the ground.
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use antipode_physics::Character;
 use glam::DVec3;
 
@@ -29,7 +29,7 @@ pub(crate) fn place(
     grounded: bool,
 ) {
     let point = within_world(&*world.strategy, point);
-    let feet = point.pos + world.strategy.chart_origin_m(point.hemisphere);
+    let feet = point.pos + world.strategy.chart_origin_m(point.chart);
     if let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) {
         position.0 = point;
         body.0 = Character::at(feet);
@@ -71,10 +71,10 @@ pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> b
     let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) else {
         return false;
     };
-    let hemisphere = position.0.hemisphere;
-    let origin = world.strategy.chart_origin_m(hemisphere);
+    let chart = position.0.chart;
+    let origin = world.strategy.chart_origin_m(chart);
     let solid = |at: DVec3| {
-        let point = ChartPoint::new(hemisphere, at - origin);
+        let point = ChartPoint::new(chart, at - origin);
         world.ground.is_solid(point)
     };
     body.0.feet = position.0.pos + origin;
@@ -95,7 +95,7 @@ fn set_down(world: &World, actors: &mut Actors) {
     if body.0.grounded || body.0.velocity != DVec3::ZERO {
         return;
     }
-    let origin = world.strategy.chart_origin_m(position.0.hemisphere);
+    let origin = world.strategy.chart_origin_m(position.0.chart);
     body.0.feet = position.0.pos + origin;
     let lands = world
         .physics
@@ -113,7 +113,7 @@ fn raise_to_surface(world: &World, actors: &mut Actors, player: &mut Player) -> 
         return false;
     }
     let pos = DVec3::new(feet.pos.x, surface_m, feet.pos.z);
-    let surface = ChartPoint::new(feet.hemisphere, pos);
+    let surface = ChartPoint::new(feet.chart, pos);
     teleport(world, actors, player, surface);
     true
 }
@@ -130,19 +130,23 @@ pub(crate) fn within_world(strategy: &dyn Strategy, point: ChartPoint) -> ChartP
     if !point.pos.is_finite() {
         point.pos = DVec3::ZERO;
     }
-    let (Some(rim_m), Some(limits)) = (strategy.rim_m(), strategy.limits()) else {
-        let farthest = DVec3::splat(FARTHEST_M);
-        return ChartPoint::new(Hemisphere::A, point.pos.clamp(-farthest, farthest));
-    };
+    if !strategy.has_chart(point.chart) {
+        point.chart = ChartId::FIRST;
+    }
+    let edge_m = strategy.domain(point.chart).half_width_m();
     let axis_m = point.pos.x.hypot(point.pos.z);
-    if axis_m > 2.0 * rim_m {
-        let share = rim_m / axis_m;
+    if axis_m > 2.0 * edge_m {
+        let share = edge_m / axis_m;
         point.pos.x *= share;
         point.pos.z *= share;
     } else if let Some(crossing) = strategy.cross(point) {
         point = crossing.point;
     }
-    point.pos.y = point.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+    let farthest = DVec3::splat(FARTHEST_M);
+    point.pos = point.pos.clamp(-farthest, farthest);
+    if let Some(limits) = strategy.limits() {
+        point.pos.y = point.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
+    }
     point
 }
 
@@ -170,13 +174,16 @@ mod tests {
     #[test]
     fn a_place_outside_comes_to_the_border_and_no_place_to_the_middle() {
         let flat = strategy(Geometry::Euclidean, 0.0);
-        let far = ChartPoint::new(Hemisphere::B, DVec3::new(1e300, -1e12, 5.0));
+        let far = ChartPoint::new(ChartId::SECOND, DVec3::new(1e300, -1e12, 5.0));
         let border = ChartPoint::a(DVec3::new(FARTHEST_M, -FARTHEST_M, 5.0));
         assert_eq!(within_world(&*flat, far), border);
         let nowhere = ChartPoint::a(DVec3::new(f64::NAN, 1.0, f64::INFINITY));
         assert_eq!(within_world(&*flat, nowhere).pos, DVec3::ZERO);
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let (rim_m, limits) = (sphere.rim_m().unwrap_or(0.0), sphere.limits());
+        let (rim_m, limits) = (
+            sphere.domain(ChartId::FIRST).radius_m().unwrap_or(0.0),
+            sphere.limits(),
+        );
         for pos in [
             DVec3::new(0.0, 1e8, 0.0),
             DVec3::new(1e9, -4.0, 1e9),
@@ -187,6 +194,6 @@ mod tests {
             assert!(limits.is_some_and(|l| (l.bedrock_m..=l.ceiling_m).contains(&inside.y)));
         }
         let over = within_world(&*sphere, ChartPoint::a(DVec3::new(rim_m + 9.0, 8.0, 0.0)));
-        assert_eq!(over.hemisphere, Hemisphere::B);
+        assert_eq!(over.chart, ChartId::SECOND);
     }
 }

@@ -58,7 +58,7 @@ pub(crate) fn spawn(
     native: bool,
 ) -> Entity {
     let id = actors.give_number::<Bot>();
-    let origin = world.strategy.chart_origin_m(point.hemisphere);
+    let origin = world.strategy.chart_origin_m(point.chart);
     let bot = Bot {
         id: id.0,
         hostile,

@@ -114,7 +114,7 @@ pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Strategy, physics: &Ph
     let Some(way) = arm.try_normalize() else {
         return;
     };
-    let from = camera.about.pos + strategy.chart_origin_m(camera.about.hemisphere);
+    let from = camera.about.pos + strategy.chart_origin_m(camera.about.chart);
     // What touches from the start is not told from what is in the ground.
     let free_m = physics
         .cast_sphere(from, way, CAMERA_RADIUS_M, arm.length())
@@ -126,7 +126,7 @@ pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Strategy, physics: &Ph
 
 /// Backs away from the head in two legs, up and then back, each as far as a small sphere finds room.
 fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> CameraPose {
-    let origin = strategy.chart_origin_m(head.point.hemisphere);
+    let origin = strategy.chart_origin_m(head.point.chart);
     let above = leg(
         physics,
         head.point.pos + origin,
@@ -136,7 +136,7 @@ fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Camera
     let back = leg(physics, above, -head.front(), THIRD_PERSON_BACK_M);
     let shins = head.point.pos + origin - DVec3::Y * (head.lift_m - SHINS_M);
     let back = over_ground(physics, back, shins);
-    let point = ChartPoint::new(head.point.hemisphere, back - origin);
+    let point = ChartPoint::new(head.point.chart, back - origin);
     let eye = Eye {
         lift_m: head.lift_m + point.pos.y - head.point.pos.y,
         point,
@@ -144,7 +144,7 @@ fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> Camera
     };
     CameraPose {
         eye,
-        about: ChartPoint::new(head.point.hemisphere, above - origin),
+        about: ChartPoint::new(head.point.chart, above - origin),
         ..CameraPose::within(*head)
     }
 }

@@ -9,7 +9,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use glam::{DVec3, Vec3};
 
 use crate::day::key_shadow;
@@ -83,9 +83,10 @@ pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoi
     let away_m = x.hypot(z);
     let (sin, cos) = (away_m / strategy.radius_m()).sin_cos();
     let along_z = if away_m > 0.0 { sin * z / away_m } else { 0.0 };
-    let to_a = match point.hemisphere {
-        Hemisphere::A => cos,
-        Hemisphere::B => -cos,
+    let to_a = if point.chart == ChartId::SECOND {
+        -cos
+    } else {
+        cos
     };
     let noon = to_a.atan2(-along_z);
     let local_s = time_of_day_s + (0.25 - noon / TAU) * DAY_S;
@@ -96,14 +97,14 @@ pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoi
 /// seen from the centre of A.
 fn over_land(turn: f64, height: f64, radius_m: f64) -> ChartPoint {
     let (sin, cos) = turn.sin_cos();
-    let hemisphere = if sin < 0.0 {
-        Hemisphere::B
+    let chart = if sin < 0.0 {
+        ChartId::SECOND
     } else {
-        Hemisphere::A
+        ChartId::FIRST
     };
     let from_centre = FRAC_PI_2 - sin.abs().clamp(0.0, 1.0).asin();
     let z = -from_centre.copysign(cos);
-    ChartPoint::new(hemisphere, DVec3::new(0.0, height, z) * radius_m)
+    ChartPoint::new(chart, DVec3::new(0.0, height, z) * radius_m)
 }
 
 /// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of common.wgsl.
@@ -129,10 +130,10 @@ mod tests {
 
     const RADIUS_M: f64 = 64.0;
 
-    fn eye(hemisphere: Hemisphere, x: f64, z: f64) -> Eye {
+    fn eye(chart: ChartId, x: f64, z: f64) -> Eye {
         let pos = DVec3::new(x, 0.3 * RADIUS_M, z);
         Eye {
-            point: ChartPoint::new(hemisphere, pos),
+            point: ChartPoint::new(chart, pos),
             yaw: 0.4,
             pitch: 0.1,
             roll: 0.0,
@@ -147,7 +148,10 @@ mod tests {
 
     #[test]
     fn noon_at_the_centre_of_one_hemisphere_is_midnight_at_that_of_the_other() {
-        let (a, b) = (eye(Hemisphere::A, 0.0, 0.0), eye(Hemisphere::B, 0.0, 0.0));
+        let (a, b) = (
+            eye(ChartId::FIRST, 0.0, 0.0),
+            eye(ChartId::SECOND, 0.0, 0.0),
+        );
         assert_eq!((day_at(150.0, &a), day_at(150.0, &b)), (1.0, 0.0));
         assert_eq!((day_at(450.0, &a), day_at(450.0, &b)), (0.0, 1.0));
         let noon = sky(150.0, &*strategy(Geometry::Spherical, RADIUS_M), &a);
@@ -157,7 +161,7 @@ mod tests {
     #[test]
     fn morning_sweeps_round_the_world() {
         let rim_m = FRAC_PI_2 * RADIUS_M;
-        let places = [-0.9, -0.45, 0.0, 0.45, 0.9].map(|z| eye(Hemisphere::A, 0.0, z * rim_m));
+        let places = [-0.9, -0.45, 0.0, 0.45, 0.9].map(|z| eye(ChartId::FIRST, 0.0, z * rim_m));
         let dawns = places.map(|place| {
             let dark_s = (0..DAY_S as u32).rfind(|s| day_at(f64::from(*s), &place) == 0.0);
             let dark_s = f64::from(dark_s.unwrap_or_default());
@@ -174,32 +178,35 @@ mod tests {
 
     #[test]
     fn light_changes_without_a_step_all_day_and_on_a_walk_over_the_equator() {
-        let place = eye(Hemisphere::A, 12.0, 40.0);
+        let place = eye(ChartId::FIRST, 12.0, 40.0);
         for tick in 0..6000 {
             let at = f64::from(tick) * 0.1;
             let (a, b) = (day_at(at, &place), day_at(at + 0.1, &place));
             assert!((a - b).abs() < 0.003, "{a} and {b} at {at} s");
         }
         let space = strategy(Geometry::Spherical, RADIUS_M);
-        let rim = eye(Hemisphere::A, 0.0, FRAC_PI_2 * RADIUS_M);
-        let carried = space.carry(rim.point).map(|crossing| crossing.point);
+        let rim = eye(ChartId::FIRST, 0.0, FRAC_PI_2 * RADIUS_M);
+        let carried = space
+            .images(rim.point, f64::INFINITY)
+            .pop()
+            .map(|crossing| crossing.point);
         let other = Eye {
             point: carried.unwrap_or(rim.point),
             ..rim
         };
-        assert_ne!(other.point.hemisphere, rim.point.hemisphere);
+        assert_ne!(other.point.chart, rim.point.chart);
         assert!((day_at(260.0, &rim) - day_at(260.0, &other)).abs() < 1e-6);
     }
     /// The point of the ground at an angle from the centre of A and at a heading from +x there.
     fn place(from_centre: f64, heading: f64) -> Eye {
-        let (hemisphere, away, mirrored) = if from_centre > FRAC_PI_2 {
-            (Hemisphere::B, PI - from_centre, -1.0)
+        let (chart, away, mirrored) = if from_centre > FRAC_PI_2 {
+            (ChartId::SECOND, PI - from_centre, -1.0)
         } else {
-            (Hemisphere::A, from_centre, 1.0)
+            (ChartId::FIRST, from_centre, 1.0)
         };
         let away_m = away * RADIUS_M;
         eye(
-            hemisphere,
+            chart,
             mirrored * away_m * heading.cos(),
             away_m * heading.sin(),
         )
@@ -245,13 +252,13 @@ mod tests {
     #[test]
     fn the_poles_of_the_suns_way_have_no_hour() {
         let space = strategy(Geometry::Spherical, RADIUS_M);
-        let at = |x: f64| local_time_s(77.0, &*space, eye(Hemisphere::A, x, 0.0).point);
+        let at = |x: f64| local_time_s(77.0, &*space, eye(ChartId::FIRST, x, 0.0).point);
         let rim_m = FRAC_PI_2 * RADIUS_M;
         assert_eq!((at(rim_m), at(-rim_m)), (None, None));
         assert!(at(rim_m - 4.0).is_some() && at(4.0 - rim_m).is_some());
-        let middle = local_time_s(77.0, &*space, eye(Hemisphere::A, 0.0, 0.0).point);
+        let middle = local_time_s(77.0, &*space, eye(ChartId::FIRST, 0.0, 0.0).point);
         assert!(middle.is_some_and(|local_s| (local_s - 77.0).abs() < 1e-9));
-        let other = local_time_s(77.0, &*space, eye(Hemisphere::B, 0.0, 0.0).point);
+        let other = local_time_s(77.0, &*space, eye(ChartId::SECOND, 0.0, 0.0).point);
         assert!(other.is_some_and(|local_s| (local_s - 377.0).abs() < 1e-9));
     }
 }

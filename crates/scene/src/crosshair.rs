@@ -60,7 +60,7 @@ impl<'a> Crosshair<'a> {
             .filter(|it| it.entity != self.now.actors.player)
             .collect();
         self.first(self.eye(), reach_m, &|a, b| {
-            let origin = self.now.world.strategy.chart_origin_m(a.hemisphere);
+            let origin = self.now.world.strategy.chart_origin_m(a.chart);
             let (a, b) = (a.pos + origin, b.pos + origin);
             let meets = |it: &Standing| meets_capsule(a, b, 0.0, it.feet, it.height_m, it.radius_m);
             others.iter().filter_map(meets).reduce(f64::min)

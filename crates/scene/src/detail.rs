@@ -50,8 +50,6 @@ impl Sharpness {
 pub(crate) struct Sight {
     strategy: Arc<dyn Strategy>,
     eye: Eye,
-    /// The eye's place in the other chart, where there is one.
-    over: Option<ChartPoint>,
     sharpness: Sharpness,
     scale: [f64; 6 * SCALE_AT_M.len()],
 }
@@ -62,7 +60,6 @@ impl Sight {
         Self {
             strategy: Arc::clone(strategy),
             eye: *eye,
-            over: strategy.carry(eye.point).map(|over| over.point),
             sharpness,
             scale: scale(&**strategy, eye),
         }
@@ -71,7 +68,7 @@ impl Sight {
     /// Do the sizes still hold from here?
     pub(crate) fn holds(&self, strategy: &dyn Strategy, eye: &Eye, sharpness: Sharpness) -> bool {
         let (there, here) = (self.eye.point, eye.point);
-        let roamed = there.hemisphere != here.hemisphere || there.pos.distance(here.pos) > ROAM_M;
+        let roamed = there.chart != here.chart || there.pos.distance(here.pos) > ROAM_M;
         let rescaled = || {
             let mut pairs = self.scale.into_iter().zip(scale(strategy, eye));
             pairs.any(|(before, now)| differs(before, now))
@@ -84,13 +81,10 @@ impl Sight {
         view.truncate().normalize_or(DVec3::NEG_Z)
     }
 
-    /// Where the eye is in the chart of a hemisphere.
+    /// Where the eye is in a chunk's chart.
     fn eye_in(&self, coord: ChunkCoord) -> Option<DVec3> {
-        if coord.hemisphere == self.eye.point.hemisphere {
-            Some(self.eye.point.pos)
-        } else {
-            self.over.map(|over| over.pos)
-        }
+        let carried = self.strategy.carry(self.eye.point, coord.chart);
+        carried.map(|eye| eye.point.pos)
     }
 }
 
@@ -108,11 +102,11 @@ impl Detail for Sight {
             size_rad(
                 &*self.strategy,
                 &self.eye,
-                ChartPoint::new(coord.hemisphere, pos),
+                ChartPoint::new(coord.chart, pos),
             )
         };
         let mut size = at(nearest);
-        if self.strategy.rim_m().is_some() {
+        if self.strategy.is_closed() {
             // In a closed space things grow again towards the antipode.
             for corner in lattice(3) {
                 size = size.max(at(low + corner * (high - low)));
@@ -127,7 +121,7 @@ impl Detail for Sight {
         let mut directions = [DVec3::ZERO; 27];
         for (direction, share) in directions.iter_mut().zip(lattice(3)) {
             let pos = coord.origin() + share * f64::from(CHUNK_CELLS);
-            let point = ChartPoint::new(coord.hemisphere, pos);
+            let point = ChartPoint::new(coord.chart, pos);
             *direction = self.direction(point);
             seen = seen || self.strategy.distance_m(self.eye.point, point, &self.eye) <= limit_m;
         }
@@ -165,7 +159,7 @@ fn lattice(n: u32) -> impl Iterator<Item = DVec3> {
 /// value of the derivative of the direction in which the point is seen.
 fn size_rad(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> f64 {
     let direction = |pos| {
-        let view = strategy.view_point(eye, ChartPoint::new(point.hemisphere, pos));
+        let view = strategy.view_point(eye, ChartPoint::new(point.chart, pos));
         view.truncate().normalize_or(DVec3::NEG_Z)
     };
     let here = direction(point.pos);
@@ -184,7 +178,7 @@ fn scale(strategy: &dyn Strategy, eye: &Eye) -> [f64; 6 * SCALE_AT_M.len()] {
     let ways = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     let steps = ways.flat_map(|way| SCALE_AT_M.map(|length_m| way * length_m));
     for (size, step) in sizes.iter_mut().zip(steps) {
-        let point = ChartPoint::new(eye.point.hemisphere, eye.point.pos + step);
+        let point = ChartPoint::new(eye.point.chart, eye.point.pos + step);
         *size = size_rad(strategy, eye, point);
     }
     sizes

@@ -68,7 +68,7 @@ impl Drop {
 
     /// Whether it is near enough to a point to move there.
     fn is_near(&self, point: ChartPoint) -> bool {
-        self.point.hemisphere == point.hemisphere && self.point.pos.distance(point.pos) < NEAR_M
+        self.point.chart == point.chart && self.point.pos.distance(point.pos) < NEAR_M
     }
 
     /// Whether it moves while the player's feet are there.
@@ -138,7 +138,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outb
 
 impl Drop {
     fn fall(&mut self, world: &World) {
-        let origin = world.strategy.chart_origin_m(self.point.hemisphere);
+        let origin = world.strategy.chart_origin_m(self.point.chart);
         if world.ground.is_solid(self.point) {
             // Ground was built over it.
             self.point.pos.y += STEP_S * 4.0;
@@ -170,8 +170,8 @@ impl Drop {
         inventory: &mut Inventory,
         outbox: &mut Outbox,
     ) -> bool {
-        let is_near = self.point.hemisphere == middle.hemisphere
-            && self.point.pos.distance(middle.pos) < PICK_UP_M;
+        let is_near =
+            self.point.chart == middle.chart && self.point.pos.distance(middle.pos) < PICK_UP_M;
         if !is_near || self.age_s < PICK_UP_AFTER_S {
             return false;
         }

@@ -101,7 +101,7 @@ impl Ground {
 
     /// Where a chunk stands in physics space.
     fn origin(&self, coord: ChunkCoord) -> DVec3 {
-        coord.origin() + self.strategy.chart_origin_m(coord.hemisphere)
+        coord.origin() + self.strategy.chart_origin_m(coord.chart)
     }
 
     /// Lets a chunk go, and returns what there was of it.
@@ -190,7 +190,7 @@ impl Ground {
     /// Height of the topmost surface of untouched ground in a point's column, metres.
     pub fn untouched_height(&self, point: ChartPoint) -> f64 {
         self.field
-            .surface_height(point.hemisphere, point.pos.x, point.pos.z)
+            .surface_height(point.chart, point.pos.x, point.pos.z)
     }
 }
 
@@ -203,7 +203,7 @@ pub fn height_below(
 ) -> Option<f64> {
     let is_solid_at = |y: f64| {
         is_solid(ChartPoint::new(
-            point.hemisphere,
+            point.chart,
             DVec3::new(point.pos.x, y, point.pos.z),
         ))
     };
@@ -223,15 +223,13 @@ pub fn height_below(
     Some(f64::midpoint(air, rock))
 }
 
-/// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it, in the other
-/// chart too where the equator is near. Chunks that a closed world does not have are left out.
+/// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it, in other charts too
+/// where their domains are near. Chunks that a closed world does not have are left out.
 pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
     let reach = DVec3::splat(reach_m);
     let mut near = chunks_in_box(point, -reach, reach);
-    if let (Some(rim), Some(over)) = (strategy.rim_m(), strategy.carry(point))
-        && point.pos.x.hypot(point.pos.z) > rim - 2.0 * reach_m
-    {
-        near.extend(chunks_in_box(over.point, -reach, reach));
+    for image in strategy.images(point, 2.0 * reach_m) {
+        near.extend(chunks_in_box(image.point, -reach, reach));
     }
     near.retain(|coord| is_in_world(strategy, *coord));
     near
@@ -246,7 +244,7 @@ fn chunks_in_box(point: ChartPoint, low: DVec3, high: DVec3) -> Vec<ChunkCoord> 
         for y in low.y..=high.y {
             for z in low.z..=high.z {
                 found.push(ChunkCoord {
-                    hemisphere: point.hemisphere,
+                    chart: point.chart,
                     index: IVec3::new(x, y, z),
                 });
             }
@@ -259,7 +257,7 @@ fn chunks_in_box(point: ChartPoint, low: DVec3, high: DVec3) -> Vec<ChunkCoord> 
 mod tests {
     #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
@@ -284,15 +282,15 @@ mod tests {
     #[test]
     fn near_the_equator_both_hemispheres_are_needed() {
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let rim = sphere.rim_m().unwrap_or_default();
+        let rim = sphere.domain(ChartId::FIRST).radius_m().unwrap_or_default();
         let near = chunks_near(
             &*sphere,
             ChartPoint::a(DVec3::new(rim - 1.0, 10.0, 0.0)),
             4.0,
         );
-        assert!(near.iter().any(|c| c.hemisphere == Hemisphere::B));
+        assert!(near.iter().any(|c| c.chart == ChartId::SECOND));
         let far = chunks_near(&*sphere, ChartPoint::a(DVec3::new(0.0, 10.0, 0.0)), 4.0);
-        assert!(far.iter().all(|c| c.hemisphere == Hemisphere::A));
+        assert!(far.iter().all(|c| c.chart == ChartId::FIRST));
     }
 
     #[test]

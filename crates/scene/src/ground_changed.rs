@@ -31,7 +31,7 @@ pub(crate) fn tell(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
     wake::<Car>(world, actors, chunks);
     let places = chunks
         .iter()
-        .map(|coord| ChartPoint::new(coord.hemisphere, coord.centre()));
+        .map(|coord| ChartPoint::new(coord.chart, coord.centre()));
     actors.npcs.events.extend(places.map(Event::Ground));
 }
 

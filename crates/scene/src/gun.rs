@@ -115,7 +115,7 @@ pub(crate) fn step_bullets(
 pub(crate) fn muzzle_of(world: &World, head: &Eye) -> ChartPoint {
     let (right, up, ahead) = MUZZLE_M;
     let way = head.right() * right + head.up() * up + head.front() * ahead;
-    let from = head.point.pos + world.strategy.chart_origin_m(head.point.hemisphere);
+    let from = head.point.pos + world.strategy.chart_origin_m(head.point.chart);
     let length_m = way.length();
     let free = world
         .physics

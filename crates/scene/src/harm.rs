@@ -95,12 +95,8 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
 /// radians, if from one.
 pub(crate) fn last(now: Situation<'_>) -> Option<(f64, Option<f64>)> {
     let hurt = now.player.condition.hurt?;
-    let turned_rad = if hurt.at.hemisphere == now.feet().hemisphere {
-        0.0
-    } else {
-        let over = now.world.strategy.carry(hurt.at);
-        over.map_or(0.0, |crossing| crossing.turn_rad)
-    };
+    let carried = now.world.strategy.carry(hurt.at, now.feet().chart);
+    let turned_rad = carried.map_or(0.0, |crossing| crossing.turn_rad);
     Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
 }
 
@@ -213,7 +209,7 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-    use antipode_geometry::Geometry;
+    use antipode_geometry::{ChartId, Geometry};
 
     use super::*;
     use crate::Scene;
@@ -336,15 +332,26 @@ mod tests {
     #[test]
     fn over_the_equator_harm_still_comes_from_where_it_came_from() {
         let mut scene = scene(Geometry::Spherical);
-        let rim_m = scene.sim.world.strategy.rim_m().unwrap();
+        let rim_m = scene
+            .sim
+            .world
+            .strategy
+            .domain(ChartId::FIRST)
+            .radius_m()
+            .unwrap();
         // So near that either chart keeps it.
         let way = DVec3::new(0.6, 0.0, 0.8) * (rim_m - 0.05);
         scene.teleport(ChartPoint::a(way.with_y(20.0)));
         let way = DVec3::new(9.0, 0.0, 31.0);
         strike(&mut scene, way);
-        let over = scene.sim.world.strategy.carry(scene.feet()).unwrap();
+        let over = scene
+            .sim
+            .world
+            .strategy
+            .carry(scene.feet(), ChartId::SECOND)
+            .unwrap();
         scene.teleport(over.point);
-        assert_eq!(scene.feet().hemisphere, over.point.hemisphere);
+        assert_eq!(scene.feet().chart, over.point.chart);
         let from = -over.turn_vector(way);
         let (_, told) = scene.last_hurt().unwrap();
         let off = (told.unwrap() - from.z.atan2(from.x) + PI).rem_euclid(TAU) - PI;

@@ -180,8 +180,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors) {
     let feet = actors.feet();
     for lamp in actors.ecs.query_mut::<&mut Lamp>() {
         // What is known of ground further off leaves out what once was changed there.
-        let is_near =
-            lamp.point.hemisphere != feet.hemisphere || lamp.point.pos.distance(feet.pos) < NEAR_M;
+        let is_near = lamp.point.chart != feet.chart || lamp.point.pos.distance(feet.pos) < NEAR_M;
         if lamp.unchecked && is_near {
             lamp.rests_m = rest(&world.ground, lamp);
             lamp.unchecked = false;

@@ -290,9 +290,10 @@ impl Scene {
 /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
 fn fog_distance_m(world: &World, eye: &Eye, pictured: &dyn Strategy) -> f32 {
     let far_m = pictured.sight_limit_m(eye);
-    match world.strategy.rim_m() {
-        Some(rim) => (rim * 3.0) as f32,
-        None => ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32,
+    if world.strategy.is_closed() {
+        (world.strategy.domain(eye.point.chart).half_width_m() * 3.0) as f32
+    } else {
+        ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32
     }
 }
 

@@ -20,7 +20,7 @@ const CHART_SLACK: f64 = 1.01;
 /// What a pick ended on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
-    /// The point reached, in the chart of the hemisphere it lies in.
+    /// The point reached, in the chart that it lies in.
     pub point: ChartPoint,
     /// Its distance along the geodesic in metres of the space.
     pub distance_m: f64,
@@ -108,18 +108,14 @@ fn next(
 /// another ends nowhere; an open one ends where its map would cover the space a second time.
 fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f64) -> bool {
     let at = point.pos;
-    strategy.rim_m().is_some()
+    strategy.is_closed()
         || (at.distance(eye.point.pos) <= CHART_SLACK * reach_m
-            && !strategy.trims(eye, point.hemisphere, at, at))
+            && !strategy.trims(eye, point.chart, at, at))
 }
 
 /// `b` in the chart of `a`.
 pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
-    if a.hemisphere == b.hemisphere {
-        b
-    } else {
-        strategy.carry(b).map_or(b, |over| over.point)
-    }
+    strategy.carry(b, a.chart).map_or(b, |over| over.point)
 }
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.
@@ -135,7 +131,7 @@ pub(crate) fn segment_hit(
     if length < 1e-9 {
         return None;
     }
-    let origin = a.pos + strategy.chart_origin_m(a.hemisphere);
+    let origin = a.pos + strategy.chart_origin_m(a.chart);
     physics
         .cast_ray(origin, way / length, length)
         .map(|hit| (hit.distance_m / length).clamp(0.0, 1.0))

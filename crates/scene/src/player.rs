@@ -69,7 +69,7 @@ impl Player {
     }
 }
 
-/// Where an entity's feet are, in the chart of the hemisphere it is in.
+/// Where an entity's feet are, in the chart that it is in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Position(pub ChartPoint);
 
@@ -149,7 +149,7 @@ pub fn wish(actions: &Actions, look: &Look) -> DVec3 {
     (ahead * actions.forward + right * actions.strafe).clamp_length_max(1.0)
 }
 
-/// Carries a body over the equator when it has left its hemisphere; returns whether it did.
+/// Carries a body into the next chart when it has left its own; returns whether it did.
 /// Position, velocity and heading all turn with the chart, so in the space nothing changes.
 pub fn cross(
     strategy: &dyn Strategy,
@@ -205,7 +205,7 @@ pub fn wrap_angle(angle_rad: f64) -> f64 {
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn over_the_equator_a_body_keeps_its_speed_and_its_way_through_the_space() {
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let rim = sphere.rim_m().unwrap_or(0.0);
+        let rim = sphere.domain(ChartId::FIRST).radius_m().unwrap_or(0.0);
         let point = ChartPoint::a(DVec3::new(rim + 0.3, 8.0, 0.0));
         let (mut position, mut look, mut body, ..) = components(point, level(0.4));
         body.0.velocity = DVec3::new(3.0, -1.0, 2.0);
@@ -278,7 +278,7 @@ mod tests {
             &eye(&position, &look, 0.0, 1.62),
         );
         assert!(cross(&*sphere, &mut position, &mut look, &mut body));
-        assert_eq!(position.0.hemisphere, Hemisphere::B);
+        assert_eq!(position.0.chart, ChartId::SECOND);
         assert!((body.0.velocity.length() - 14f64.sqrt()).abs() < 1e-9);
         assert!((body.0.velocity.y + 1.0).abs() < 1e-12);
         let after = sphere.distance_m(

@@ -1,6 +1,6 @@
 //! What the probe says of the world at a moment.
 
-use antipode_geometry::{ChartPoint, Hemisphere, HyperbolicMap};
+use antipode_geometry::{ChartId, ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
 use glam::DVec3;
 
@@ -19,10 +19,11 @@ use crate::probe::{
 use crate::projectile::Projectile;
 use crate::situation::Situation;
 
-fn hemisphere(point: ChartPoint) -> char {
-    match point.hemisphere {
-        Hemisphere::A => 'A',
-        Hemisphere::B => 'B',
+fn chart(point: ChartPoint) -> char {
+    if point.chart == ChartId::SECOND {
+        'B'
+    } else {
+        'A'
     }
 }
 
@@ -40,7 +41,7 @@ fn car_probe(car: &CarView) -> CarProbe {
             contact: wheel.contact,
             compression: wheel.compression_m,
         }),
-        hemisphere: hemisphere(car.point),
+        hemisphere: chart(car.point),
     }
 }
 
@@ -106,7 +107,7 @@ fn player_probe(now: Situation<'_>) -> PlayerProbe {
         pitch: look.pitch.to_degrees(),
         grounded: body.grounded,
         health: now.actors.health(),
-        hemisphere: hemisphere(position.0),
+        hemisphere: chart(position.0),
         in_car: now.actors.cars.is_driving(),
         animation: animation(now, &body),
     }
@@ -155,7 +156,7 @@ fn bot_probe(view: &BotView) -> BotProbe {
         pos: view.point.pos.to_array(),
         health: view.health,
         hostile: view.fights,
-        hemisphere: hemisphere(view.point),
+        hemisphere: chart(view.point),
         state: view.state.name(),
     }
 }
@@ -166,14 +167,14 @@ fn projectile_probe(id: ActorId, bullet: &Projectile) -> ProjectileProbe {
         pos: bullet.point.pos.to_array(),
         vel: bullet.velocity.to_array(),
         age: bullet.age_s,
-        hemisphere: hemisphere(bullet.point),
+        hemisphere: chart(bullet.point),
     }
 }
 
 fn lamp_probe(_: ActorId, lamp: &Lamp) -> LampProbe {
     LampProbe {
         pos: lamp.point.pos.to_array(),
-        hemisphere: hemisphere(lamp.point),
+        hemisphere: chart(lamp.point),
     }
 }
 
@@ -181,6 +182,6 @@ fn drop_probe(_: ActorId, drop: &Drop) -> DropProbe {
     DropProbe {
         stack: drop.stack,
         pos: drop.point.pos.to_array(),
-        hemisphere: hemisphere(drop.point),
+        hemisphere: chart(drop.point),
     }
 }

@@ -156,7 +156,7 @@ pub(crate) fn step(ecs: &mut hecs::World, air: &Air<'_>) -> Hits {
 impl Projectile {
     /// Moves it by one step; returns whether it is still in the world.
     fn fly(&mut self, air: &Air<'_>, hits: &mut Hits) -> bool {
-        let origin = air.strategy.chart_origin_m(self.point.hemisphere);
+        let origin = air.strategy.chart_origin_m(self.point.chart);
         let before = self.point.pos + origin;
         let (mut ball, goal) = self.start(air, before);
         let gravity_m_s2 = if goal.is_some() {
@@ -283,7 +283,7 @@ impl Projectile {
             ..*eye
         };
         let ahead = ChartPoint::new(
-            self.point.hemisphere,
+            self.point.chart,
             self.point.pos + self.velocity.normalize_or(DVec3::Y) * 1e-3,
         );
         *way = air

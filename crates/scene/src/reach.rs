@@ -1,6 +1,6 @@
 //! What ground bodies reach: within it the chunk workers keep colliders and samples.
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartPoint, Strategy};
 use antipode_streaming::Reach;
 use glam::DVec3;
 
@@ -30,7 +30,8 @@ const HIGHEST_RAD: f64 = 1.3;
 /// Where the ground around a body with its feet at `feet` must be solid; its velocity in m/s.
 pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
     let Some(reach_m) = chart_reach_m(strategy, feet.pos.y) else {
-        return [Hemisphere::A, Hemisphere::B].map(Reach::whole).to_vec();
+        let charts = strategy.all_charts().unwrap_or_default();
+        return charts.into_iter().map(Reach::whole).collect();
     };
     let mut reaches = vec![around_body(feet, reach_m)];
     let ahead = DVec3::from(
@@ -40,15 +41,13 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
     );
     let way = ahead * AHEAD_S;
     if way.length() > reach_m - AHEAD_M {
-        let there = ChartPoint::new(feet.hemisphere, feet.pos + way);
+        let there = ChartPoint::new(feet.chart, feet.pos + way);
         reaches.push(swept(feet, there));
     }
     reaches.push(column(feet));
-    if let (Some(rim_m), Some(over)) = (strategy.rim_m(), strategy.carry(feet))
-        && feet.pos.x.hypot(feet.pos.z) > rim_m - reach_m - AHEAD_M
-    {
-        reaches.push(around_body(over.point, reach_m));
-        reaches.push(column(over.point));
+    for image in strategy.images(feet, reach_m + AHEAD_M) {
+        reaches.push(around_body(image.point, reach_m));
+        reaches.push(column(image.point));
     }
     reaches
 }
@@ -64,7 +63,7 @@ pub(crate) fn of_others(
         let there = point.pos + velocity * OTHERS_AHEAD_S;
         for at in [point.pos, there] {
             cells.insert((
-                point.hemisphere,
+                point.chart,
                 (at / OTHERS_CELL_M).floor().as_i64vec3().to_array(),
             ));
         }
@@ -73,8 +72,8 @@ pub(crate) fn of_others(
     cells
         .into_iter()
         .take(MOST_OTHERS)
-        .map(|(hemisphere, cell)| Reach {
-            hemisphere,
+        .map(|(chart, cell)| Reach {
+            chart,
             min: corner(cell) - margin_m,
             max: corner(cell) + OTHERS_CELL_M + margin_m,
         })
@@ -87,7 +86,7 @@ fn around_body(feet: ChartPoint, reach_m: f64) -> Reach {
 
 fn swept(from: ChartPoint, to: ChartPoint) -> Reach {
     Reach {
-        hemisphere: from.hemisphere,
+        chart: from.chart,
         min: from.pos.min(to.pos) - AHEAD_M,
         max: from.pos.max(to.pos) + AHEAD_M,
     }
@@ -95,7 +94,7 @@ fn swept(from: ChartPoint, to: ChartPoint) -> Reach {
 
 fn column(feet: ChartPoint) -> Reach {
     Reach {
-        hemisphere: feet.hemisphere,
+        chart: feet.chart,
         min: feet.pos - DVec3::new(COLUMN_M, GROUND_SEARCH_M, COLUMN_M),
         max: feet.pos + DVec3::new(COLUMN_M, LIFT_SEES_M, COLUMN_M),
     }
@@ -106,7 +105,7 @@ fn column(feet: ChartPoint) -> Reach {
 /// The charts of a closed space are wider than the space: over a height `a` in radians lengths are
 /// shrunk by `cos(a)`, and round the pole, at the equator, by `2 / pi`.
 fn chart_reach_m(strategy: &dyn Strategy, y_m: f64) -> Option<f64> {
-    if strategy.rim_m().is_none() {
+    if !strategy.is_closed() {
         return Some(STEP_SEES_M);
     }
     let height_rad = (y_m.abs() + STEP_SEES_M) / strategy.radius_m();
@@ -116,13 +115,13 @@ fn chart_reach_m(strategy: &dyn Strategy, y_m: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
     fn has(reaches: &[Reach], point: ChartPoint) -> bool {
         reaches.iter().any(|reach| {
-            reach.hemisphere == point.hemisphere
+            reach.chart == point.chart
                 && point.pos.cmpge(reach.min).all()
                 && point.pos.cmple(reach.max).all()
         })
@@ -150,7 +149,7 @@ mod tests {
     fn everything_a_pick_may_follow_on_a_sphere_is_within_reach() {
         for radius_m in [16.0, 32.0, 64.0, 128.0, 256.0] {
             let space = strategy(Geometry::Spherical, radius_m);
-            let rim_m = space.rim_m().unwrap_or_default();
+            let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or_default();
             for (far, high) in [(0.0, 0.3), (0.5, 0.2), (0.97, 0.4), (1.0, 0.5), (0.6, 1.1)] {
                 let feet = ChartPoint::a(DVec3::new(far * rim_m, high * radius_m, 0.0));
                 let reaches = of_body(&*space, feet, DVec3::ZERO);
@@ -168,7 +167,10 @@ mod tests {
                         let limits = space.limits().map(|l| (l.bedrock_m, l.ceiling_m));
                         let (low, top) = limits.unwrap_or_default();
                         let there = end.pos.y > low && end.pos.y < top;
-                        let other = space.carry(end).map_or(end, |over| over.point);
+                        let other = space
+                            .images(end, f64::INFINITY)
+                            .pop()
+                            .map_or(end, |over| over.point);
                         assert!(
                             !there || has(&reaches, end) || has(&reaches, other),
                             "{radius_m} {far} {high}: {end:?}"

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use antipode_storage::{
     BotRecord, CourseRecord, DropRecord, PlayerKept, PlayerRecord, Record, RecordKey, RecordKind,
     Records, SlotRecord, ViewRecord,
@@ -51,7 +51,7 @@ pub(crate) fn player(
         notices.push(Notice::PlayerDamaged);
     }
     let start = kept.start.as_ref();
-    player.start = start.and_then(|it| point(world, it.hemisphere, it.pos));
+    player.start = start.and_then(|it| point(world, it.chart, it.pos));
     player.round.been = kept.been_round;
     player.flashlight = kept.flashlight;
     let (least, most, usual) = BRUSH_RADIUS_M;
@@ -96,8 +96,8 @@ fn place_player(
     if !numbers.into_iter().all(|n| n.is_finite()) {
         return false;
     }
-    let hemisphere = hemisphere(world, record.hemisphere);
-    let point = ChartPoint::new(hemisphere, DVec3::from_array(record.pos));
+    let chart = chart(world, record.chart);
+    let point = ChartPoint::new(chart, DVec3::from_array(record.pos));
     let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
     body::place(world, actors, player, point, velocity, record.grounded);
     actors.set_look(record.yaw, record.pitch);
@@ -158,7 +158,7 @@ fn thing(
             true
         }
         Record::Lamp(it) => {
-            let at = point(world, it.hemisphere, it.pos);
+            let at = point(world, it.chart, it.pos);
             at.map(|at| actors.enter(Lamp::standing(at))).is_some()
         }
         Record::Drop(it) => drop(world, actors, it, notices),
@@ -201,7 +201,7 @@ fn drop(
         notices.push(Notice::UnknownItem(record.item.clone()));
         return false;
     };
-    let Some(at) = point(world, record.hemisphere, record.pos) else {
+    let Some(at) = point(world, record.chart, record.pos) else {
         return false;
     };
     let count = record.count.max(1);
@@ -210,7 +210,7 @@ fn drop(
 }
 
 fn figure(world: &World, actors: &mut Actors, record: &BotRecord) -> bool {
-    let at = point(world, record.hemisphere, record.pos);
+    let at = point(world, record.chart, record.pos);
     let Some(at) = at.filter(|_| record.yaw.is_finite()) else {
         return false;
     };
@@ -240,16 +240,17 @@ pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving:
 /// A saved place, if it is one of this world.
 pub(crate) fn point(world: &World, record: u8, pos: [f64; 3]) -> Option<ChartPoint> {
     let pos = DVec3::from_array(pos);
-    let at = ChartPoint::new(hemisphere(world, record), pos);
+    let at = ChartPoint::new(chart(world, record), pos);
     pos.is_finite()
         .then(|| body::within_world(&*world.strategy, at))
 }
 
-fn hemisphere(world: &World, record: u8) -> Hemisphere {
-    if record == 1 && world.strategy.rim_m().is_some() {
-        Hemisphere::B
+fn chart(world: &World, record: u8) -> ChartId {
+    let chart = ChartId::new(record.into());
+    if world.strategy.has_chart(chart) {
+        chart
     } else {
-        Hemisphere::A
+        ChartId::FIRST
     }
 }
 

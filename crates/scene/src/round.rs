@@ -76,7 +76,7 @@ fn leads_round(way: &[DVec3], at: DVec3) -> bool {
 
 /// Tells the player of the first time round.
 pub(crate) fn notice(world: &World, feet: ChartPoint, round: &mut Round, outbox: &mut Outbox) {
-    if round.been || world.strategy.rim_m().is_none() {
+    if round.been || !world.strategy.is_closed() {
         return;
     }
     let Some(at) = world.strategy.noise_point(feet).try_normalize() else {

@@ -27,7 +27,7 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
     let now = scene.now();
     let actors = now.actors;
     let head = now.head_through(&scene.picturing()).point;
-    let inside_own = eye.point.hemisphere == actors.feet().hemisphere
+    let inside_own = eye.point.chart == actors.feet().chart
         && eye.point.pos.distance(head.pos) < FIGURE_SEEN_FROM_M;
     let mut seen = Vec::new();
     for (entity, position, look, appearance, body, bot) in &mut actors.ecs.query::<(
@@ -81,7 +81,7 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
         return feet;
     }
     let from = feet.moved(DVec3::Y * KNEES_M);
-    let origin = world.strategy.chart_origin_m(feet.hemisphere);
+    let origin = world.strategy.chart_origin_m(feet.chart);
     let most_m = KNEES_M + DEEPEST_SOLES_M;
     let ground = world
         .physics

@@ -109,7 +109,7 @@ impl<'a> Situation<'a> {
             })
             .map(|(entity, position, _)| Standing {
                 entity,
-                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.hemisphere),
+                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.chart),
                 height_m: tuning.height_m,
                 radius_m: tuning.radius_m,
             })

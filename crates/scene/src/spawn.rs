@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use antipode_terrain::Field;
 use glam::DVec3;
 
@@ -24,7 +24,7 @@ const CLEARANCE_M: f64 = 0.15;
 
 /// The feet of a new player. A closed world is entered at its pole, from where every straight walk comes home.
 pub fn spawn_point(field: &Field) -> ChartPoint {
-    let closed = field.strategy().rim_m().is_some();
+    let closed = field.strategy().is_closed();
     let rings = if closed { &RINGS_M[..1] } else { &RINGS_M[..] };
     let mut best: Option<(f64, DVec3)> = None;
     for &ring_m in rings {
@@ -82,7 +82,7 @@ fn column(field: &Field, x: f64, z: f64) -> (f64, f64) {
         (0.0, near),
         (0.0, -near),
     ]
-    .map(|(dx, dz)| field.surface_height(Hemisphere::A, x + dx, z + dz));
+    .map(|(dx, dz)| field.surface_height(ChartId::FIRST, x + dx, z + dz));
     let high = around.iter().copied().fold(f64::MIN, f64::max);
     let low = around.iter().copied().fold(f64::MAX, f64::min);
     (high, high - low)

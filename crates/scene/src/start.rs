@@ -10,7 +10,7 @@ mod tests;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Projection, Strategy};
 use antipode_terrain::Field;
 use glam::{DVec2, DVec3};
 
@@ -113,8 +113,8 @@ impl Search<'_> {
     fn ground(&self, point: ChartPoint) -> ChartPoint {
         let point = self.strategy().cross(point).map_or(point, |it| it.point);
         let (x, z) = (point.pos.x, point.pos.z);
-        let y = self.field.surface_height(point.hemisphere, x, z);
-        ChartPoint::new(point.hemisphere, point.pos.with_y(y))
+        let y = self.field.surface_height(point.chart, x, z);
+        ChartPoint::new(point.chart, point.pos.with_y(y))
     }
 
     /// How far the ground about a place spreads in height, in metres.
@@ -147,8 +147,8 @@ impl Search<'_> {
 
     /// Places to stand on, the highest first, and the headings to look in.
     fn places(&self) -> Vec<(ChartPoint, Vec<f64>)> {
-        let rim_m = self.strategy().rim_m();
-        let reach_m = rim_m.map_or(SEARCH.0, |rim_m| (SEARCH.1 * rim_m).min(SEARCH.0));
+        let edge_m = self.strategy().domain(ChartId::FIRST).half_width_m();
+        let reach_m = (SEARCH.1 * edge_m).min(SEARCH.0);
         let mut places = Vec::new();
         for ring in 0..=RINGS.0 {
             let turns = if ring == 0 { 1 } else { RINGS.1 };
@@ -160,7 +160,7 @@ impl Search<'_> {
                 if self.spread_m(self.ground(feet), DVec2::splat(0.7), 0.0) > STEEPEST_M {
                     continue;
                 }
-                let headings = if rim_m.is_some() && ring > 0 {
+                let headings = if self.strategy().is_closed() && ring > 0 {
                     vec![angle, player::wrap_angle(angle + PI)]
                 } else {
                     let all = 0..HEADINGS;
@@ -184,7 +184,7 @@ impl Search<'_> {
         let level = self.eye(feet, Look { yaw, pitch: 0.0 });
         let spots = self.survey(feet, yaw);
         let (far_m, edge_rad) = self.far_land(&level, &spots);
-        let closed = self.strategy().rim_m().is_some();
+        let closed = self.strategy().is_closed();
         let pitches = if closed { &CLOSED_DEG[..] } else { &OPEN_DEG };
         let edge_rad = if closed { 0.0 } else { edge_rad.min(0.0) };
         let mut best = None;

@@ -167,7 +167,7 @@ fn walk(
         sink: actions.sink,
     };
     let strategy = &*world.strategy;
-    let origin = strategy.chart_origin_m(position.0.hemisphere);
+    let origin = strategy.chart_origin_m(position.0.chart);
     body.0.feet = position.0.pos + origin;
     world
         .physics

@@ -6,9 +6,9 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use antipode_terrain::Biome;
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
 
 use crate::bearings::{Locator, map_eye};
 use crate::scene::Scene;
@@ -39,7 +39,7 @@ const RELIEF: f32 = 1.4;
 const LEAST_PATCH_M2: f32 = 1.0;
 
 /// A column of the chart, by whole multiples of [`NODE_M`].
-type Node = (Hemisphere, i32, i32);
+type Node = (ChartId, i32, i32);
 
 /// A column as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,18 +170,18 @@ impl Survey {
 
 fn node_of(point: ChartPoint) -> Node {
     let whole = |x: f64| (x / NODE_M).round() as i32;
-    (point.hemisphere, whole(point.pos.x), whole(point.pos.z))
+    (point.chart, whole(point.pos.x), whole(point.pos.z))
 }
 
-fn column((hemisphere, i, j): Node) -> ChartPoint {
+fn column((chart, i, j): Node) -> ChartPoint {
     let at = DVec3::new(f64::from(i), 0.0, f64::from(j)) * NODE_M;
-    ChartPoint::new(hemisphere, at)
+    ChartPoint::new(chart, at)
 }
 
 fn reach_m(strategy: &dyn Strategy) -> f64 {
-    strategy
-        .rim_m()
-        .map_or(REACH_M, |rim_m| REACH_M.min(2.0 * rim_m * CLOSED_SHARE))
+    // Twice as far lies what is on the other side of a closed world.
+    let farthest_m = 2.0 * strategy.domain(ChartId::FIRST).half_width_m();
+    REACH_M.min(farthest_m * CLOSED_SHARE)
 }
 
 /// The columns that a map about the feet needs, with how far each is on it.
@@ -190,18 +190,18 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
     let locator = Locator::new(strategy, &eye);
     let margin_m = 1.5 * NODE_M;
     let reach_m = reach_m(strategy) + margin_m;
-    let rim_m = strategy.rim_m();
-    let span = reach_m * rim_m.map_or(1.0, |_| WIDEST);
-    let over = strategy.carry(feet).map(|crossing| crossing.point);
+    let span = reach_m * if strategy.is_closed() { WIDEST } else { 1.0 };
+    let images = strategy.images(feet, span);
     let mut found = Vec::new();
-    for middle in [Some(feet), over].into_iter().flatten() {
+    for middle in std::iter::once(feet).chain(images.iter().map(|image| image.point)) {
+        let domain = strategy.domain(middle.chart);
         let (_, x, z) = node_of(middle);
         let around = (span / NODE_M).ceil() as i32;
         for i in x.saturating_sub(around)..=x.saturating_add(around) {
             for j in z.saturating_sub(around)..=z.saturating_add(around) {
-                let node = (middle.hemisphere, i, j);
+                let node = (middle.chart, i, j);
                 let point = column(node);
-                if rim_m.is_some_and(|rim_m| point.pos.length() > rim_m + margin_m) {
+                if domain.outside_m(point.pos.xz()) > margin_m {
                     continue;
                 }
                 let away_m = locator.at(point).length();
@@ -214,21 +214,21 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
     found
 }
 
-/// Squares of four columns that are all there, at least one of them within the chart's rim.
+/// Squares of four columns that are all there, at least one of them within the chart's domain.
 fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
     let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
-    let rim_m = strategy.rim_m().unwrap_or(f64::INFINITY);
-    let patch = |&(hemisphere, i, j): &Node| {
-        let corner = |di, dj| places.get(&(hemisphere, i + di, j + dj)).copied();
+    let patch = |&(chart, i, j): &Node| {
+        let corner = |di, dj| places.get(&(chart, i + di, j + dj)).copied();
         Some([corner(0, 0)?, corner(1, 0)?, corner(0, 1)?, corner(1, 1)?])
     };
     nodes
         .iter()
         .filter_map(patch)
         .filter(|patch| {
-            patch
-                .iter()
-                .any(|node| column(nodes[*node as usize]).pos.length() <= rim_m)
+            patch.iter().any(|node| {
+                let point = column(nodes[*node as usize]);
+                strategy.domain(point.chart).outside_m(point.pos.xz()) <= 0.0
+            })
         })
         .collect()
 }
@@ -238,7 +238,7 @@ fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
 fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
     let (mut low, mut high) = scene.sim.world.ground.height_range_m();
     let feet = scene.feet();
-    let touched = column.hemisphere == feet.hemisphere
+    let touched = column.chart == feet.chart
         && (column.pos - feet.pos).with_y(0.0).length() < 2.0 * CHANGES_M;
     if touched {
         low = low.min(feet.pos.y - CHANGES_M);

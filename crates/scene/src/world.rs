@@ -60,7 +60,7 @@ impl World {
 
     /// Has bodies be exact about a place.
     pub fn centre_on_body(&mut self, point: ChartPoint) {
-        let origin = self.strategy.chart_origin_m(point.hemisphere);
+        let origin = self.strategy.chart_origin_m(point.chart);
         self.physics.recentre(point.pos + origin);
     }
 
@@ -75,8 +75,8 @@ impl World {
     pub fn lets_move(&self, coord: ChunkCoord) -> bool {
         let about = self.bodies_about;
         let apart = coord.index.as_i64vec3() - about.index.as_i64vec3();
-        self.strategy.rim_m().is_some()
-            || coord.hemisphere == about.hemisphere
+        self.strategy.is_closed()
+            || coord.chart == about.chart
                 && apart.abs().max_element() <= i64::from(BODIES_WITHIN_CHUNKS)
     }
 
@@ -93,7 +93,7 @@ impl World {
 
     /// What of a reach lies where bodies move.
     pub fn within_bodies(&self, reach: &Reach) -> Option<Reach> {
-        if self.strategy.rim_m().is_some() {
+        if self.strategy.is_closed() {
             return Some(*reach);
         }
         let (cell, within) = (f64::from(CHUNK_CELLS), f64::from(BODIES_WITHIN_CHUNKS));
@@ -101,7 +101,7 @@ impl World {
         // The least of a reach is its own chunk's, so it has to end short of the next.
         let high = self.bodies_about.origin() + cell * (within + 1.0) - SHORT_OF_NEXT_M;
         let (min, max) = (reach.min.max(low), reach.max.min(high));
-        let there = reach.hemisphere == self.bodies_about.hemisphere && min.cmple(max).all();
+        let there = reach.chart == self.bodies_about.chart && min.cmple(max).all();
         there.then_some(Reach { min, max, ..*reach })
     }
 

@@ -9,9 +9,9 @@ use crate::schema::chart;
 /// The player's body.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlayerRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// Feet, chart metres.
     pub pos: [f64; 3],
     /// Velocity, metres per second.
@@ -44,9 +44,9 @@ pub struct SlotRecord {
 /// A lamp that was put down.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct LampRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// Its foot, chart metres.
     pub pos: [f64; 3],
 }
@@ -54,9 +54,9 @@ pub struct LampRecord {
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// Its middle, chart metres.
     pub pos: [f64; 3],
     /// The item's identifier.
@@ -68,9 +68,9 @@ pub struct DropRecord {
 /// A figure that nobody plays.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BotRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// Feet, chart metres.
     pub pos: [f64; 3],
     /// Heading, radians.
@@ -88,9 +88,9 @@ pub struct BotRecord {
 /// A car.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CarRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// The ground below its middle when it stands on level ground, chart metres.
     pub pos: [f64; 3],
     /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
@@ -112,9 +112,9 @@ pub struct CarRecord {
 /// A place.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaceRecord {
-    /// Hemisphere: 0 for A, 1 for B.
+    /// Chart: 0 for A, 1 for B.
     #[serde(deserialize_with = "chart")]
-    pub hemisphere: u8,
+    pub chart: u8,
     /// Chart metres.
     pub pos: [f64; 3],
 }

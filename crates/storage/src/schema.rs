@@ -53,8 +53,8 @@ pub struct WorldMeta {
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
 )]
 pub struct ChunkKey {
-    /// Hemisphere: 0 for A, 1 for B.
-    pub hemisphere: u8,
+    /// Chart: 0 for A, 1 for B.
+    pub chart: u8,
     /// Index along x.
     pub x: i32,
     /// Index along y (up).
@@ -73,7 +73,7 @@ impl ChunkKey {
     /// sign flipped, so that neighbours along z lie side by side in the store.
     pub(crate) fn to_bytes(self) -> [u8; Self::BYTES] {
         let mut bytes = [0; Self::BYTES];
-        bytes[0] = self.hemisphere;
+        bytes[0] = self.chart;
         for (slot, index) in bytes[1..].chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
             slot.copy_from_slice(&((index as u32) ^ 0x8000_0000).to_be_bytes());
         }
@@ -82,14 +82,14 @@ impl ChunkKey {
 
     /// The inverse of [`Self::to_bytes`]; `None` for any other length.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (&hemisphere, rest) = bytes.split_first()?;
+        let (&chart, rest) = bytes.split_first()?;
         let (words, []) = rest.as_chunks::<4>() else {
             return None;
         };
         let &[x, y, z] = words else { return None };
         let index = |word| (u32::from_be_bytes(word) ^ 0x8000_0000) as i32;
         Some(Self {
-            hemisphere,
+            chart,
             x: index(x),
             y: index(y),
             z: index(z),
@@ -113,14 +113,14 @@ const MAX_CHART_BYTES: usize = 144;
 /// follows; fails for such, since this version knows no such chart.
 pub(crate) fn chart<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
     match u8::deserialize(from)? {
-        hemisphere @ (0 | 1) => Ok(hemisphere),
+        chart @ (0 | 1) => Ok(chart),
         _ => Err(D::Error::custom("a chart that this version does not know")),
     }
 }
 
 impl std::fmt::Display for ChunkKey {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let chart = if self.hemisphere == 0 { 'A' } else { 'B' };
+        let chart = if self.chart == 0 { 'A' } else { 'B' };
         write!(f, "chunk {chart} ({}, {}, {})", self.x, self.y, self.z)
     }
 }

@@ -187,7 +187,7 @@ pub(crate) mod v4 {
     /// What version 4 kept of a figure that nobody plays.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     pub(crate) struct BotRecord {
-        pub hemisphere: u8,
+        pub chart: u8,
         pub pos: [f64; 3],
         pub yaw: f64,
         pub health: f64,
@@ -208,7 +208,7 @@ pub(crate) mod v4 {
     impl From<BotRecord> for schema::BotRecord {
         fn from(old: BotRecord) -> Self {
             Self {
-                hemisphere: old.hemisphere,
+                chart: old.chart,
                 pos: old.pos,
                 yaw: old.yaw,
                 health: old.health,

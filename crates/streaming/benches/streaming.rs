@@ -8,7 +8,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, strategy};
 use antipode_streaming::{Config, Streamer, Until, Wish};
 use antipode_terrain::{Field, Stroke};
 use glam::DVec3;
@@ -23,7 +23,7 @@ fn main() {
 fn world(config: Config) -> (Streamer, DVec3) {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
     let field = Arc::new(Field::new(11, Arc::clone(&space)));
-    let ground_m = field.surface_height(Hemisphere::A, 0.0, 0.0);
+    let ground_m = field.surface_height(ChartId::FIRST, 0.0, 0.0);
     let corner = DVec3::new(0.0, (ground_m / 32.0).round() * 32.0, 0.0);
     let mut streamer = Streamer::start(field, space, None, config).expect("threads");
     streamer.wish(&Wish::new(ChartPoint::a(corner), DVec3::X, 1));

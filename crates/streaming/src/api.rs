@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::thread;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Samples};
 use glam::DVec3;
@@ -38,7 +38,7 @@ impl Default for Config {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reach {
     /// The chart.
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     /// Least corner in chart metres; may be infinite.
     pub min: DVec3,
     /// Greatest corner in chart metres; may be infinite.
@@ -49,15 +49,15 @@ impl Reach {
     /// All points of a point's chart within `reach_m` of it along each axis.
     pub fn around(point: ChartPoint, reach_m: f64) -> Self {
         Self {
-            hemisphere: point.hemisphere,
+            chart: point.chart,
             min: point.pos - reach_m,
             max: point.pos + reach_m,
         }
     }
 
     /// All of a chart.
-    pub fn whole(hemisphere: Hemisphere) -> Self {
-        Self::around(ChartPoint::new(hemisphere, DVec3::ZERO), f64::INFINITY)
+    pub fn whole(chart: ChartId) -> Self {
+        Self::around(ChartPoint::new(chart, DVec3::ZERO), f64::INFINITY)
     }
 }
 
@@ -106,7 +106,7 @@ impl Wish {
             front,
             view_distance,
             bodies_distance: 0,
-            bodies: [Hemisphere::A, Hemisphere::B].map(Reach::whole).to_vec(),
+            bodies: [ChartId::FIRST, ChartId::SECOND].map(Reach::whole).to_vec(),
             detail: None,
         }
     }

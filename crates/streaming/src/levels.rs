@@ -71,14 +71,14 @@ pub(crate) fn allowed(beside: impl Iterator<Item = Level>) -> Option<(Level, Lev
 #[cfg(test)]
 mod tests {
     use super::*;
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use proptest::prelude::*;
 
     const ERRORS_M: [f64; 4] = [0.0, 0.25, 0.75, 2.0];
 
     fn chunk(index: IVec3) -> ChunkCoord {
         ChunkCoord {
-            hemisphere: Hemisphere::A,
+            chart: ChartId::FIRST,
             index,
         }
     }

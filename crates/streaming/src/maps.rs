@@ -58,7 +58,7 @@ impl Hasher for ChunkHasher {
 mod tests {
     use std::hash::BuildHasher;
 
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
     use glam::IVec3;
 
     use super::*;
@@ -70,12 +70,11 @@ mod tests {
         let mut buckets = vec![0_u32; 1 << 12];
         let mut tags = [0_u32; 128];
         let mut hashes = HashSet::new();
-        for hemisphere in [Hemisphere::A, Hemisphere::B] {
+        for chart in [ChartId::FIRST, ChartId::SECOND] {
             for x in side.clone() {
                 for y in side.clone() {
                     for z in side.clone() {
-                        let hash =
-                            hasher.hash_one(ChunkCoord::new(hemisphere, IVec3::new(x, y, z)));
+                        let hash = hasher.hash_one(ChunkCoord::new(chart, IVec3::new(x, y, z)));
                         buckets[(hash & 0xfff) as usize] += 1;
                         tags[(hash >> 57) as usize] += 1;
                         hashes.insert(hash);

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_terrain::{Content, Field, Level, RIM_REACH_M};
-use glam::{DVec2, Vec3Swizzles};
+use glam::Vec3Swizzles;
 
 use crate::api::Detail;
 use crate::levels::{choose, relax};
@@ -201,7 +201,7 @@ impl Request {
 
     /// What may be drawn, in chunks of full level.
     fn budget(&self, looks: &ChunkMap<Look>, strict: &ChunkMap<Level>) -> f64 {
-        if matches!(self.range, Range::Sphere(_)) {
+        if matches!(self.range, Range::Whole(_)) {
             return CLOSED_BUDGET;
         }
         FAR_SHARE * cost(strict, |coord| self.is_near(coord) && looks[&coord].wanted)
@@ -283,14 +283,11 @@ fn errors_m(field: &Field, edited: bool) -> [f64; Level::ALL.len()] {
     })
 }
 
-/// Does the chunk touch the line where its chart ends?
+/// Does the chunk touch the line where its chart's domain ends?
 fn meets_rim(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
-    strategy.rim_m().is_some_and(|rim_m| {
-        let (low, high) = (coord.min().xz(), coord.max().xz());
-        let nearest_m = DVec2::ZERO.clamp(low, high).length();
-        let farthest_m = low.abs().max(high.abs()).length();
-        nearest_m <= rim_m + RIM_REACH_M && farthest_m >= rim_m
-    })
+    let (low, high) = (coord.min().xz(), coord.max().xz());
+    let domain = strategy.domain(coord.chart);
+    domain.least_outside_m(low, high) <= RIM_REACH_M && domain.most_outside_m(low, high) >= 0.0
 }
 
 #[cfg(test)]

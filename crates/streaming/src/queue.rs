@@ -110,10 +110,8 @@ impl Queue {
 fn rank(strategy: &dyn Strategy, aim: Option<Aim>, coord: ChunkCoord, missing: bool) -> Rank {
     let Some(aim) = aim else { return (0, 0) };
     let half = DVec3::splat(f64::from(CHUNK_CELLS) / 2.0);
-    let mut middle = ChartPoint::new(coord.hemisphere, coord.origin() + half);
-    if middle.hemisphere != aim.centre.hemisphere
-        && let Some(crossing) = strategy.carry(middle)
-    {
+    let mut middle = ChartPoint::new(coord.chart, coord.origin() + half);
+    if let Some(crossing) = strategy.carry(middle, aim.centre.chart) {
         middle = crossing.point;
     }
     let to = middle.pos - aim.centre.pos;
@@ -140,12 +138,12 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
     use glam::IVec3;
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
         ChunkCoord {
-            hemisphere: Hemisphere::A,
+            chart: ChartId::FIRST,
             index: IVec3::new(x, y, z),
         }
     }
@@ -201,16 +199,17 @@ mod tests {
     #[test]
     fn over_the_equator_is_as_near_as_it_is_in_the_space() {
         let space = strategy(Geometry::Spherical, 32.0);
-        let rim = space.rim_m().unwrap();
+        let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
         let mut queue = Queue::default();
         queue.look(ChartPoint::a(DVec3::new(0.0, 8.0, rim - 1.0)), DVec3::ZERO);
-        let across = space
-            .carry(ChartPoint::a(DVec3::new(0.0, 8.0, rim + 4.0)))
-            .unwrap()
-            .point;
+        let across = space.images(
+            ChartPoint::a(DVec3::new(0.0, 8.0, rim + 4.0)),
+            f64::INFINITY,
+        )[0]
+        .point;
         let near = ChunkCoord::containing(across);
         let far = ChunkCoord {
-            hemisphere: near.hemisphere,
+            chart: near.chart,
             index: IVec3::new(near.index.x, near.index.y, -1 - near.index.z),
         };
         queue.push(near, true, &*space);

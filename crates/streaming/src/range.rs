@@ -1,10 +1,10 @@
-//! Which chunks are wanted: a cube around the player, or the whole of a spherical world.
+//! Which chunks are wanted: a cube around the player, or the whole of a closed world.
 
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, Strategy};
 use antipode_terrain::RIM_REACH_M;
-use glam::{DVec2, IVec3, Vec3Swizzles};
+use glam::{IVec3, Vec3Swizzles};
 
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
@@ -25,39 +25,45 @@ pub(crate) enum Range {
         view: i32,
     },
     /// The whole of a closed world.
-    Sphere(Closed),
+    Whole(Closed),
 }
 
-/// The chunks that a closed world has: in both hemispheres those that come within `reach_m` of the
-/// axis, in the layers `layers` (chunk y).
+/// The chunks that a closed world has: of each chart those that come within [`RIM_REACH_M`] of its domain, in the layers
+/// `layers` (chunk y).
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Closed {
-    reach_m: f64,
+    charts: Vec<(ChartId, Domain)>,
     layers: RangeInclusive<i32>,
 }
 
 impl Closed {
     /// The chunks of the given space; `None` if it is open and has them all.
     fn of(strategy: &dyn Strategy) -> Option<Self> {
-        let (rim_m, limits) = (strategy.rim_m()?, strategy.limits()?);
+        let (charts, limits) = (strategy.all_charts()?, strategy.limits()?);
         let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
         // One cell more on either side: a chunk's border is meshed by the chunk below.
         let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
         Some(Self {
-            reach_m: rim_m + RIM_REACH_M,
+            charts: charts
+                .into_iter()
+                .map(|chart| (chart, strategy.domain(chart)))
+                .collect(),
             layers,
         })
     }
 
     fn has(&self, coord: ChunkCoord) -> bool {
         let (low, high) = (coord.min().xz(), coord.max().xz());
-        let axis_m = DVec2::ZERO.clamp(low, high).length();
-        self.layers.contains(&coord.index.y) && axis_m <= self.reach_m
+        let mut charts = self.charts.iter();
+        self.layers.contains(&coord.index.y)
+            && charts.any(|(chart, domain)| {
+                *chart == coord.chart && domain.least_outside_m(low, high) <= RIM_REACH_M
+            })
     }
 }
 
 /// Does the world have this chunk? An open one has all; a closed one those between bedrock and
-/// ceiling that reach into their hemisphere or the margin past its rim.
+/// ceiling that reach into the domain of their chart or the margin around it.
 pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
     Closed::of(strategy).is_none_or(|closed| closed.has(coord))
 }
@@ -71,7 +77,7 @@ impl Range {
         bodies: u32,
     ) -> Self {
         if let Some(closed) = Closed::of(strategy) {
-            return Self::Sphere(closed);
+            return Self::Whole(closed);
         }
         let view = view.clamp(1, LARGEST_DISTANCE) as i32;
         Self::Around {
@@ -94,7 +100,7 @@ impl Range {
     fn viewed(&self, coord: ChunkCoord, beyond: i32) -> bool {
         match self {
             Self::Around { centre, view, .. } => is_around(*centre, coord, view + beyond),
-            Self::Nothing | Self::Sphere(_) => self.contains(coord),
+            Self::Nothing | Self::Whole(_) => self.contains(coord),
         }
     }
 
@@ -114,7 +120,7 @@ impl Range {
             Self::Around {
                 centre, distance, ..
             } => is_around(*centre, coord, distance + beyond),
-            Self::Sphere(closed) => closed.has(coord),
+            Self::Whole(closed) => closed.has(coord),
         }
     }
 
@@ -135,17 +141,14 @@ impl Range {
             Self::Around {
                 centre, distance, ..
             } => around(*centre, -distance - beyond, distance + beyond).collect(),
-            Self::Sphere(Closed { reach_m, layers }) => {
-                let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
-                let (low, high) = (
-                    IVec3::new(-side, *layers.start(), -side),
-                    IVec3::new(side, *layers.end(), side),
-                );
-                [Hemisphere::A, Hemisphere::B]
-                    .into_iter()
-                    .flat_map(|hemisphere| boxed(hemisphere, low, high))
-                    .filter(|&coord| self.contains(coord))
-                    .collect()
+            Self::Whole(Closed { charts, layers }) => {
+                let all = charts.iter().flat_map(|(chart, domain)| {
+                    let reach_m = domain.half_width_m() + RIM_REACH_M;
+                    let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
+                    let low = IVec3::new(-side, *layers.start(), -side);
+                    boxed(*chart, low, IVec3::new(side, *layers.end(), side))
+                });
+                all.filter(|&coord| self.contains(coord)).collect()
             }
         }
     }
@@ -153,14 +156,14 @@ impl Range {
 
 fn is_around(centre: ChunkCoord, coord: ChunkCoord, distance: i32) -> bool {
     let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
-    coord.hemisphere == centre.hemisphere && apart.abs().max_element() <= i64::from(distance)
+    coord.chart == centre.chart && apart.abs().max_element() <= i64::from(distance)
 }
 
-fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
+fn boxed(chart: ChartId, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
     (low.x..=high.x).flat_map(move |x| {
         (low.y..=high.y).flat_map(move |y| {
             (low.z..=high.z).map(move |z| ChunkCoord {
-                hemisphere,
+                chart,
                 index: IVec3::new(x, y, z),
             })
         })
@@ -171,7 +174,7 @@ fn boxed(hemisphere: Hemisphere, low: IVec3, high: IVec3) -> impl Iterator<Item 
 /// of the range of indices there are fewer.
 pub(crate) fn around(coord: ChunkCoord, low: i32, high: i32) -> impl Iterator<Item = ChunkCoord> {
     boxed(
-        coord.hemisphere,
+        coord.chart,
         coord.index.saturating_add(IVec3::splat(low)),
         coord.index.saturating_add(IVec3::splat(high)),
     )
@@ -185,7 +188,7 @@ mod tests {
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
         ChunkCoord {
-            hemisphere: Hemisphere::A,
+            chart: ChartId::FIRST,
             index: IVec3::new(x, y, z),
         }
     }
@@ -215,12 +218,12 @@ mod tests {
     fn a_sphere_is_wanted_whole_wherever_the_player_is() {
         let space = strategy(Geometry::Spherical, 32.0);
         let range = Range::wished(&*space, ChartPoint::a(DVec3::new(3.0, 9.0, 1.0)), 1, 0);
-        let away = ChartPoint::new(Hemisphere::B, DVec3::new(-40.0, 9.0, 1.0));
+        let away = ChartPoint::new(ChartId::SECOND, DVec3::new(-40.0, 9.0, 1.0));
         assert_eq!(range, Range::wished(&*space, away, 7, 0));
         let all = range.all();
         // The equator lies 50.3 m out, the margin ends at 58.3: two chunks on either side.
         assert_eq!(
-            all.iter().filter(|c| c.hemisphere == Hemisphere::B).count() * 2,
+            all.iter().filter(|c| c.chart == ChartId::SECOND).count() * 2,
             all.len()
         );
         assert!(range.contains(chunk(1, 0, 1)) && range.contains(chunk(-2, 0, -2)));

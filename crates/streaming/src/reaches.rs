@@ -1,6 +1,6 @@
 //! Where ground is solid: the chunks that bodies reach, and those a little beyond, which stay so.
 
-use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Hemisphere};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord};
 use glam::{DVec3, IVec3};
 
 use crate::api::Reach;
@@ -15,7 +15,7 @@ const MOST_LISTED: i64 = 4096;
 /// All chunks from `low` to `high`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct ChunkBox {
-    hemisphere: Hemisphere,
+    chart: ChartId,
     low: IVec3,
     high: IVec3,
 }
@@ -26,14 +26,14 @@ impl ChunkBox {
         // Casts of what is infinite end at the end of the indices.
         let index = |at: DVec3| (at / cell).floor().as_ivec3();
         Self {
-            hemisphere: reach.hemisphere,
+            chart: reach.chart,
             low: index(reach.min - beyond_m),
             high: index(reach.max + beyond_m),
         }
     }
 
     fn has(&self, coord: ChunkCoord) -> bool {
-        coord.hemisphere == self.hemisphere
+        coord.chart == self.chart
             && coord.index.cmpge(self.low).all()
             && coord.index.cmple(self.high).all()
     }
@@ -44,15 +44,11 @@ impl ChunkBox {
     }
 
     fn all(self) -> impl Iterator<Item = ChunkCoord> {
-        let Self {
-            hemisphere,
-            low,
-            high,
-        } = self;
+        let Self { chart, low, high } = self;
         (low.x..=high.x).flat_map(move |x| {
             (low.y..=high.y).flat_map(move |y| {
                 (low.z..=high.z).map(move |z| ChunkCoord {
-                    hemisphere,
+                    chart,
                     index: IVec3::new(x, y, z),
                 })
             })
@@ -107,7 +103,7 @@ mod tests {
 
     fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
         ChunkCoord {
-            hemisphere: Hemisphere::A,
+            chart: ChartId::FIRST,
             index: IVec3::new(x, y, z),
         }
     }
@@ -120,7 +116,7 @@ mod tests {
         assert!(!reaches.wants(chunk(-1, 0, 0)) && reaches.keeps(chunk(-1, 0, 0)));
         assert!(!reaches.keeps(chunk(-2, 0, 0)) && !reaches.keeps(chunk(2, 0, 0)));
         let other = ChunkCoord {
-            hemisphere: Hemisphere::B,
+            chart: ChartId::SECOND,
             ..chunk(0, 0, 0)
         };
         assert!(!reaches.keeps(other));
@@ -129,7 +125,7 @@ mod tests {
 
     #[test]
     fn a_whole_chart_is_within_reach_but_not_listed() {
-        let reaches = Reaches::of(&[Reach::whole(Hemisphere::A)]);
+        let reaches = Reaches::of(&[Reach::whole(ChartId::FIRST)]);
         assert!(reaches.wants(chunk(i32::MIN, 5, i32::MAX)));
         assert_eq!(reaches.list(), None);
     }

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use antipode_geometry::{ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartId, ChunkCoord};
 use antipode_storage::{Batch, ChunkKey, StorageError, WorldStore};
 use glam::IVec3;
 
@@ -46,27 +46,23 @@ impl Vault for WorldStore {
 
 /// The stored name of a chunk.
 pub(crate) fn key_of(coord: ChunkCoord) -> ChunkKey {
-    let hemisphere = match coord.hemisphere {
-        Hemisphere::A => 0,
-        Hemisphere::B => 1,
-    };
     ChunkKey {
-        hemisphere,
+        chart: u8::from(coord.chart == ChartId::SECOND),
         x: coord.index.x,
         y: coord.index.y,
         z: coord.index.z,
     }
 }
 
-/// The chunk of a stored name; `None` for a hemisphere that does not exist.
+/// The chunk of a stored name; `None` for a chart that does not exist.
 pub(crate) fn coord_of(key: &ChunkKey) -> Option<ChunkCoord> {
-    let hemisphere = match key.hemisphere {
-        0 => Hemisphere::A,
-        1 => Hemisphere::B,
+    let chart = match key.chart {
+        0 => ChartId::FIRST,
+        1 => ChartId::SECOND,
         _ => return None,
     };
     Some(ChunkCoord {
-        hemisphere,
+        chart,
         index: IVec3::new(key.x, key.y, key.z),
     })
 }
@@ -78,13 +74,13 @@ mod tests {
     #[test]
     fn names_translate_both_ways_and_strange_ones_are_refused() {
         let coord = ChunkCoord {
-            hemisphere: Hemisphere::B,
+            chart: ChartId::SECOND,
             index: IVec3::new(-3, 0, i32::MAX),
         };
         assert_eq!(coord_of(&key_of(coord)), Some(coord));
         assert_eq!(
             coord_of(&ChunkKey {
-                hemisphere: 2,
+                chart: 2,
                 ..key_of(coord)
             }),
             None

@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use antipode_geometry::{ChunkCoord, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChunkCoord, Geometry, strategy};
 use antipode_terrain::{Field, Level, Mesher};
 use divan::Bencher;
 use glam::IVec3;
@@ -18,7 +18,7 @@ fn main() {
 /// A volcanic world, of four octaves, and a chunk that its surface runs through.
 fn ground() -> (Field, ChunkCoord) {
     let coord = ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::ZERO,
     };
     (Field::new(20, strategy(Geometry::Euclidean, 20.0)), coord)

@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry,
-    Hemisphere, strategy,
+    ChartId, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M,
+    Geometry, strategy,
 };
 use antipode_terrain::{ChunkEdits, Field, Level, SAMPLES, Stroke, march};
 use divan::Bencher;
@@ -28,7 +28,7 @@ fn field(geometry: Geometry) -> Field {
 
 fn chunk() -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::ZERO,
     }
 }
@@ -45,7 +45,7 @@ fn sample(bencher: Bencher<'_, '_>, geometry: Geometry) {
 fn content(bencher: Bencher<'_, '_>, layer: i32) {
     let field = field(Geometry::Euclidean);
     let coord = ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(0, layer, 0),
     };
     bencher.bench_local(|| field.content(black_box(coord)));

@@ -216,7 +216,7 @@ impl Encoder {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
     use glam::DVec3;
     use noise::{NoiseFn, Perlin};
 
@@ -302,8 +302,8 @@ mod tests {
                     let t = f64::from(n);
                     let y = low + (high - low) * (t * 0.618).fract();
                     let pos = DVec3::new((t * 0.0117).sin() * 23.0, y, t * 0.006 - 12.0);
-                    let hemisphere = [Hemisphere::A, Hemisphere::B][n as usize % 2];
-                    let point = ChartPoint::new(hemisphere, pos);
+                    let chart = [ChartId::FIRST, ChartId::SECOND][n as usize % 2];
+                    let point = ChartPoint::new(chart, pos);
                     let normal = Vec3::new(0.3, (t * 0.37).fract() as f32, 0.1).normalize();
                     let found = painter.paint(point, normal);
                     let exact = plainly(&field, seed, point, normal);

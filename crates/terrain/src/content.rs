@@ -11,7 +11,7 @@
 //! three in four in the volcanic land, whose relief is greatest. On the sphere the ground's range
 //! decides alone: ground is squeezed into so few layers that nearly all their chunks hold surface.
 
-use antipode_geometry::{ChartPoint, ChunkCoord};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, NoiseFrame};
 use glam::{DVec2, DVec3};
 
 use crate::field::{Field, RIM_REACH_M};
@@ -57,7 +57,7 @@ impl Field {
             Content::Air
         } else if relief.value(last, relief.sum_m()) < -ROUNDING_M {
             Content::Solid
-        } else if !self.upright() {
+        } else if self.strategy().noise_frame(coord.chart) == NoiseFrame::Radial {
             Content::Surface
         } else if first >= low && self.is_all(false, coord, (first, last.min(high))) {
             Content::Air
@@ -73,9 +73,10 @@ impl Field {
         let corner = coord.origin() - 1.0;
         let mut middle = corner + SPAN_M / 2.0;
         middle.y = if solid { heights.1 } else { heights.0 };
-        if (self.sample(ChartPoint::new(coord.hemisphere, middle)) < 0.0) != solid {
+        if (self.sample(ChartPoint::new(coord.chart, middle)) < 0.0) != solid {
             return false;
         }
+        let corner = self.noise_corner(coord.chart, corner);
         for stage in STAGES {
             match self.doubtful(solid, corner, heights, stage) {
                 Doubt::None => return true,
@@ -84,6 +85,12 @@ impl Field {
             }
         }
         false
+    }
+
+    /// The least corner of a chunk's samples in noise space, given that in the chart.
+    fn noise_corner(&self, chart: ChartId, corner: DVec3) -> DVec3 {
+        let point = |pos| self.strategy().noise_point(ChartPoint::new(chart, pos));
+        point(corner).min(point(corner + SPAN_M))
     }
 
     /// Where between two heights samples may not all be as asked, by nodes of a stage.
@@ -151,11 +158,8 @@ impl Field {
 
     /// Whether any cell of the chunk touches the part of its chart that is meshed.
     fn within_rim(&self, coord: ChunkCoord) -> bool {
-        let Some(rim_m) = self.rim_m() else {
-            return true;
-        };
         let low = DVec2::new(f64::from(coord.index.x), f64::from(coord.index.z)) * 32.0;
-        DVec2::ZERO.clamp(low, low + 32.0).length() <= rim_m + RIM_REACH_M
+        self.domain(coord.chart).least_outside_m(low, low + 32.0) <= RIM_REACH_M
     }
 }
 

@@ -3,7 +3,7 @@
 //! Signs are kept as bits, a column of samples in one word, so that empty cells cost nothing and
 //! a vertex is found by counting the bits before its own: no table of a chunk's edges is needed.
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::{ChunkCoord, Domain};
 use glam::DVec2;
 
 use crate::field::{Field, RIM_REACH_M};
@@ -124,12 +124,11 @@ pub(crate) fn case(columns: [u64; 4], j: usize) -> usize {
     layer(0) | layer(1) << 4
 }
 
-/// Which columns of a chunk's cells are meshed: on the sphere those only that touch the ground
-/// up to [`RIM_REACH_M`] past the rim.
+/// Which columns of a chunk's cells are meshed: those that touch the ground up to [`RIM_REACH_M`] past the domain of
+/// their chart.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Reach {
-    /// Distance from the pole, metres, where there is a limit.
-    limit_m: Option<f64>,
+    domain: Domain,
     origin: DVec2,
     step_m: f64,
     cells: usize,
@@ -139,7 +138,7 @@ impl Reach {
     pub(crate) fn new(field: &Field, coord: ChunkCoord, level: Level) -> Self {
         let origin = coord.origin();
         Self {
-            limit_m: field.rim_m().map(|rim_m| rim_m + RIM_REACH_M),
+            domain: field.domain(coord.chart),
             origin: DVec2::new(origin.x, origin.z),
             step_m: f64::from(level.step_m()),
             cells: level.cells(),
@@ -148,17 +147,14 @@ impl Reach {
 
     /// Whether the column of cells `(i, k)` is meshed.
     pub(crate) fn has_cell(&self, i: usize, k: usize) -> bool {
-        let Some(limit_m) = self.limit_m else {
-            return true;
-        };
         let low = self.origin + DVec2::new(i as f64, k as f64) * self.step_m;
-        DVec2::ZERO.clamp(low, low + self.step_m).length() <= limit_m
+        self.domain.least_outside_m(low, low + self.step_m) <= RIM_REACH_M
     }
 
     /// Whether edges along x, y and z from the corners of column `(i, k)` belong to cells that
     /// are meshed.
     pub(crate) fn has_edges(&self, i: usize, k: usize) -> [bool; 3] {
-        if self.limit_m.is_none() {
+        if self.domain == Domain::Everywhere {
             return [true; 3];
         }
         let cell = |di: usize, dk: usize| {

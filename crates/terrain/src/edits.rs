@@ -208,7 +208,7 @@ pub fn apply_edits(
             for z in -1..=1 {
                 let offset = IVec3::new(x, y, z);
                 let owner = ChunkCoord {
-                    hemisphere: coord.hemisphere,
+                    chart: coord.chart,
                     index: coord.index.saturating_add(offset),
                 };
                 let Some(edits) = lookup(owner) else {

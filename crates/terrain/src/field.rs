@@ -10,7 +10,9 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy};
+use antipode_geometry::{
+    ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame, Strategy,
+};
 use glam::DVec3;
 
 use crate::biome::Biome;
@@ -23,7 +25,7 @@ use crate::{tilted, upright};
 
 /// Field values lie within this of zero, metres.
 pub const FIELD_BAND_M: f32 = 8.0;
-/// Ground is meshed this far past a hemisphere's rim, metres, for colliders.
+/// Ground is meshed this far past the domain of a chart, metres, for colliders.
 pub const RIM_REACH_M: f64 = 8.0;
 /// Share of the sphere's range of heights that ground may use.
 const SPHERE_SHARE: f64 = 0.98;
@@ -87,8 +89,8 @@ impl Field {
         &self.encoder
     }
 
-    pub(crate) fn rim_m(&self) -> Option<f64> {
-        self.strategy.rim_m()
+    pub(crate) fn domain(&self, chart: ChartId) -> Domain {
+        self.strategy.domain(chart)
     }
 
     /// Lowest and highest height that untouched ground can have, metres.
@@ -99,12 +101,15 @@ impl Field {
     /// The field at a point: below zero is solid, within [`FIELD_BAND_M`] of zero, and finite
     /// wherever the point is.
     pub fn sample(&self, point: ChartPoint) -> f32 {
-        let ChartPoint { hemisphere, pos } = point;
-        let sum = if self.upright() {
-            upright::sum_at(&self.lattice, &self.octaves, pos)
-        } else {
-            let column = self.column(hemisphere, pos.x, pos.z);
-            tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
+        let ChartPoint { chart, pos } = point;
+        let sum = match self.strategy.noise_frame(chart) {
+            NoiseFrame::Square(frame) => {
+                upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
+            }
+            NoiseFrame::Radial => {
+                let column = self.column(chart, pos.x, pos.z);
+                tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
+            }
         };
         self.relief.value(pos.y, sum)
     }
@@ -113,13 +118,7 @@ impl Field {
     pub fn samples(&self, coord: ChunkCoord) -> Samples {
         let mut samples = Samples::empty(editable_y_m(&*self.strategy));
         let first = coord.origin() - 1.0;
-        self.fill_grid(
-            coord.hemisphere,
-            first,
-            1,
-            [SAMPLES; 3],
-            samples.values_mut(),
-        );
+        self.fill_grid(coord.chart, first, 1, [SAMPLES; 3], samples.values_mut());
         samples
     }
 
@@ -130,7 +129,7 @@ impl Field {
     /// is asked for in. What `out` has no room for is left out.
     pub(crate) fn fill_grid(
         &self,
-        hemisphere: Hemisphere,
+        chart: ChartId,
         first: DVec3,
         step_m: u32,
         counts: [usize; 3],
@@ -138,32 +137,63 @@ impl Field {
     ) {
         let [_, height, depth] = counts;
         if height > BLOCK || depth > BLOCK {
-            return self.fill_blocks(hemisphere, first, step_m, counts, out);
+            return self.fill_blocks(chart, first, step_m, counts, out);
         }
         let step_m = f64::from(step_m);
         let rows = self.relief.rows(first.y, step_m, height);
         if rows.open.0 == rows.open.1 {
-            rows.fill_closed(height, out);
-        } else if self.upright() {
-            let ground = (&self.relief, &rows);
-            upright::fill(
-                &self.lattice,
-                &self.octaves,
-                ground,
-                (first, step_m),
-                counts,
-                out,
-            );
+            return rows.fill_closed(height, out);
+        }
+        match self.strategy.noise_frame(chart) {
+            NoiseFrame::Square(frame) => {
+                self.fill_square(frame, (first, step_m), counts, &rows, out);
+            }
+            NoiseFrame::Radial => self.fill_tilted(chart, (first, step_m), counts, &rows, out),
+        }
+    }
+
+    /// [`Self::fill_grid`] where columns stand upright in the lattice: as the grid lies in the lattice's own axes, and
+    /// from there to its places.
+    fn fill_square(
+        &self,
+        frame: SquareFrame,
+        (first, step_m): (DVec3, f64),
+        counts: [usize; 3],
+        rows: &Rows,
+        out: &mut [f32],
+    ) {
+        let fill = |first, counts, out: &mut [f32]| {
+            let ground = (&self.relief, rows);
+            let (lattice, octaves) = (&self.lattice, &self.octaves);
+            upright::fill(lattice, octaves, ground, (first, step_m), counts, out);
+        };
+        let [width, height, depth] = counts;
+        let last = first + DVec3::new(width as f64 - 1.0, 0.0, depth as f64 - 1.0) * step_m;
+        let [from, to] = [first, last].map(|corner| frame.placed(corner));
+        let corner = from.min(to);
+        if frame.quarter_turns.is_multiple_of(4) {
+            return fill(corner, counts, out);
+        }
+        let [across, along] = if frame.quarter_turns.is_multiple_of(2) {
+            [width, depth]
         } else {
-            self.fill_tilted(hemisphere, (first, step_m), counts, &rows, out);
+            [depth, width]
+        };
+        let mut turned = vec![0.0; across * height * along];
+        fill(corner, [across, height, along], &mut turned);
+        for (n, column) in out.chunks_exact_mut(height).enumerate() {
+            let at = DVec3::new((n / depth) as f64, 0.0, (n % depth) as f64) * step_m;
+            let place = (frame.placed(first + at) - corner) / step_m;
+            let from = (place.x as usize * along + place.z as usize) * height;
+            column.copy_from_slice(&turned[from..from + height]);
         }
     }
 
     /// Height of the topmost surface of untouched ground over `(x, z)`, metres.
-    pub fn surface_height(&self, hemisphere: Hemisphere, x: f64, z: f64) -> f64 {
+    pub fn surface_height(&self, chart: ChartId, x: f64, z: f64) -> f64 {
         const STEP_M: f64 = 0.5;
         const HALVINGS: u32 = 24;
-        let at = |y| self.sample(ChartPoint::new(hemisphere, DVec3::new(x, y, z)));
+        let at = |y| self.sample(ChartPoint::new(chart, DVec3::new(x, y, z)));
         let (low, high) = self.ground_range_m();
         let mut air = high + STEP_M;
         while air > low && at(air - STEP_M) >= 0.0 {
@@ -184,7 +214,7 @@ impl Field {
     /// [`Self::fill_grid`] where columns slant through the lattice.
     fn fill_tilted(
         &self,
-        hemisphere: Hemisphere,
+        chart: ChartId,
         (first, step_m): (DVec3, f64),
         [width, height, depth]: [usize; 3],
         rows: &Rows,
@@ -197,7 +227,7 @@ impl Field {
             for i in from..width.min(from + BLOCK) {
                 for k in 0..depth {
                     let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
-                    columns.push(self.column(hemisphere, x, z));
+                    columns.push(self.column(chart, x, z));
                 }
             }
             tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
@@ -207,7 +237,7 @@ impl Field {
     /// [`Self::fill_grid`] of grids with longer columns and rows than are filled at once.
     fn fill_blocks(
         &self,
-        hemisphere: Hemisphere,
+        chart: ChartId,
         first: DVec3,
         step_m: u32,
         [width, height, depth]: [usize; 3],
@@ -219,7 +249,7 @@ impl Field {
                 let (rows, deep) = (BLOCK.min(height - j), BLOCK.min(depth - k));
                 let corner = first + DVec3::new(0.0, j as f64, k as f64) * f64::from(step_m);
                 let block = &mut block[..width * rows * deep];
-                self.fill_grid(hemisphere, corner, step_m, [width, rows, deep], block);
+                self.fill_grid(chart, corner, step_m, [width, rows, deep], block);
                 for (n, column) in block.chunks_exact(rows).enumerate() {
                     let at = ((n / deep) * depth + k + n % deep) * height + j;
                     out[at..at + rows].copy_from_slice(column);
@@ -228,15 +258,10 @@ impl Field {
         }
     }
 
-    /// Whether the noise's axes are the chart's.
-    pub(crate) fn upright(&self) -> bool {
-        self.strategy.geometry() != Geometry::Spherical
-    }
-
     /// A column of the chart in the lattice of the first octave. Noise space is radial about
     /// the sphere's centre, so the height stretches the point on the ground.
-    fn column(&self, hemisphere: Hemisphere, x: f64, z: f64) -> Column {
-        let ground = ChartPoint::new(hemisphere, DVec3::new(x, 0.0, z));
+    fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
+        let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
         let base = self.strategy.noise_point(ground) * frequencies;
         Column {
@@ -259,7 +284,7 @@ pub(crate) fn editable_y_m(strategy: &dyn Strategy) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::strategy;
+    use antipode_geometry::{Geometry, strategy};
 
     use super::*;
 
@@ -276,12 +301,12 @@ mod tests {
             ] {
                 let [width, height, depth] = counts;
                 let mut out = vec![0.0; width * height * depth];
-                field.fill_grid(Hemisphere::B, first, step_m, counts, &mut out);
+                field.fill_grid(ChartId::SECOND, first, step_m, counts, &mut out);
                 for (n, found) in out.into_iter().enumerate() {
                     let (column, j) = (n / height, n % height);
                     let steps = [column / depth, j, column % depth].map(|c| c as f64);
                     let p = first + DVec3::from(steps) * f64::from(step_m);
-                    let single = field.sample(ChartPoint::new(Hemisphere::B, p));
+                    let single = field.sample(ChartPoint::new(ChartId::SECOND, p));
                     assert_eq!(found, single, "{geometry:?} {step_m} {p}");
                 }
             }

@@ -91,7 +91,7 @@ impl<'a> Maker<'a> {
         let normal = normal.normalize_or(Vec3::Y);
         let local = DVec3::from(place.map(f64::from)) / f64::from(PARTS_PER_M);
         let point = ChartPoint {
-            hemisphere: self.coord.hemisphere,
+            chart: self.coord.chart,
             pos: self.origin + local,
         };
         let colour = self.painter.paint(point, normal);

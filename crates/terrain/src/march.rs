@@ -174,7 +174,7 @@ impl Around {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
     use glam::IVec3;
 
     use super::*;
@@ -184,7 +184,7 @@ mod tests {
         for (geometry, radius_m) in [(Geometry::Euclidean, 20.0), (Geometry::Spherical, 32.0)] {
             for seed in 0..5 {
                 let field = Field::new(seed, strategy(geometry, radius_m));
-                let coord = ChunkCoord::new(Hemisphere::B, IVec3::new(-1, 0, 1));
+                let coord = ChunkCoord::new(ChartId::SECOND, IVec3::new(-1, 0, 1));
                 let samples = field.samples(coord);
                 let found = march(&samples, &field, coord);
                 let mut plain = Mesher::default();

@@ -1,6 +1,6 @@
 //! What neighbouring points have in common: cells of noise, and places in noise space.
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, NoiseFrame};
 use glam::{DVec3, Vec4};
 
 use crate::field::Field;
@@ -120,33 +120,33 @@ const SPACING_M: [f64; 2] = [1.0, 2.0];
 /// Places along x and z that are remembered: those of a chunk all but never meet.
 const PLACES: usize = 32;
 
+/// The key of a place so far off that nothing is painted there.
+const NO_PLACE: u64 = 0x8000_0000_8000_0000;
+
 /// Points of noise space.
 #[derive(Debug)]
 pub(crate) struct Places {
-    /// What a metre of height adds, as a share of the ground point; zero where noise space is
-    /// the chart.
+    /// What a metre of height adds, as a share of the ground point.
     stretch: f64,
     spacing_m: f64,
+    /// The chart of the last point, and how noise space lies in it.
+    frame: Option<(ChartId, NoiseFrame)>,
     keys: Box<[u64]>,
     points: Box<[Vec4]>,
     /// The square that the last point was in, and its corners.
-    last: Option<(Hemisphere, f64, f64)>,
+    last: Option<(ChartId, f64, f64)>,
     corners: [Vec4; 4],
 }
 
 impl Places {
     pub(crate) fn new(field: &Field) -> Self {
         let radius_m = field.strategy().radius_m();
-        let (stretch, count) = if field.upright() {
-            (0.0, 0)
-        } else {
-            (radius_m.recip(), PLACES * PLACES)
-        };
         Self {
-            stretch,
+            stretch: radius_m.recip(),
+            frame: None,
             spacing_m: SPACING_M[usize::from(radius_m >= 32.0)],
-            keys: vec![u64::MAX; count].into_boxed_slice(),
-            points: vec![Vec4::ZERO; count].into_boxed_slice(),
+            keys: Box::default(),
+            points: Box::default(),
             last: None,
             corners: [Vec4::ZERO; 4],
         }
@@ -155,16 +155,20 @@ impl Places {
     /// Where the noise of a point is found.
     #[inline]
     pub(crate) fn at(&mut self, field: &Field, point: ChartPoint) -> DVec3 {
-        if self.stretch == 0.0 {
-            return point.pos;
+        let frame = match self.frame {
+            Some((chart, frame)) if chart == point.chart => frame,
+            _ => self.enter(field, point.chart),
+        };
+        if let NoiseFrame::Square(frame) = frame {
+            return frame.placed(point.pos);
         }
         let (x, z) = (point.pos.x / self.spacing_m, point.pos.z / self.spacing_m);
         let (i, k) = (x.floor(), z.floor());
-        let square = Some((point.hemisphere, i, k));
+        let square = Some((point.chart, i, k));
         if self.last != square {
             self.last = square;
             self.corners = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)]
-                .map(|(a, b)| self.node(field, point.hemisphere, (i + a) as i32, (k + b) as i32));
+                .map(|(a, b)| self.node(field, point.chart, (i + a) as i32, (k + b) as i32));
         }
         let [a, b, c, d] = self.corners;
         let (u, w) = ((x - i) as f32, (z - k) as f32);
@@ -177,16 +181,25 @@ impl Places {
         place.truncate().as_dvec3()
     }
 
-    fn node(&mut self, field: &Field, hemisphere: Hemisphere, i: i32, k: i32) -> Vec4 {
+    /// Forgets the places of another chart.
+    fn enter(&mut self, field: &Field, chart: ChartId) -> NoiseFrame {
+        let frame = field.strategy().noise_frame(chart);
+        self.frame = Some((chart, frame));
+        if frame == NoiseFrame::Radial {
+            self.last = None;
+            self.keys = vec![NO_PLACE; PLACES * PLACES].into_boxed_slice();
+            self.points = vec![Vec4::ZERO; PLACES * PLACES].into_boxed_slice();
+        }
+        frame
+    }
+
+    fn node(&mut self, field: &Field, chart: ChartId, i: i32, k: i32) -> Vec4 {
         let wrapped = |n: i32| n.cast_unsigned() as usize % PLACES;
         let at = wrapped(i) * PLACES + wrapped(k);
-        let side = u64::from(hemisphere == Hemisphere::B);
-        let key = u64::from(i.cast_unsigned()) << 33 | u64::from(k.cast_unsigned()) << 1 | side;
+        let key = u64::from(i.cast_unsigned()) << 32 | u64::from(k.cast_unsigned());
         if self.keys[at] != key {
             let ground = DVec3::new(f64::from(i), 0.0, f64::from(k)) * self.spacing_m;
-            let place = field
-                .strategy()
-                .noise_point(ChartPoint::new(hemisphere, ground));
+            let place = field.strategy().noise_point(ChartPoint::new(chart, ground));
             self.keys[at] = key;
             self.points[at] = place.as_vec3().extend(0.0);
         }

@@ -177,7 +177,7 @@ impl Field {
         let mut samples = Samples::at(level, editable_y_m(&**self.strategy()));
         let origin = coord.origin();
         samples.fill_with(|first, step_m, counts, out| {
-            self.fill_grid(coord.hemisphere, origin + first, step_m, counts, out);
+            self.fill_grid(coord.chart, origin + first, step_m, counts, out);
         });
         samples
     }

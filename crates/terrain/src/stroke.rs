@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Strategy};
 use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
@@ -14,7 +14,7 @@ use crate::level::Level;
 pub const FALLOFF_PER_M2: f64 = 0.1;
 /// Radii are held to this, metres, so that no input can ask for a world's worth of work.
 const MAX_RADIUS_M: f64 = 16.0;
-/// Samples of a hemisphere this far past its rim are the last that any mesh looks at: the
+/// Samples of a chart this far past its domain are the last that any mesh looks at: the
 /// meshed cells' far corners and the border that their normals need.
 const EDITED_PAST_RIM_M: f64 = RIM_REACH_M + 4.0;
 
@@ -30,9 +30,9 @@ pub struct Stroke {
     pub amount: f32,
 }
 
-/// A square of lattice columns of one hemisphere that holds all that a stroke changes there.
+/// A square of lattice columns of one chart that holds all that a stroke changes there.
 struct Window {
-    hemisphere: Hemisphere,
+    chart: ChartId,
     x: RangeInclusive<i64>,
     z: RangeInclusive<i64>,
 }
@@ -111,7 +111,7 @@ impl Stroke {
         let [x0, y0, z0] = coord.index.to_array().map(|c| i64::from(c) * 32);
         let mut changed = false;
         for mut window in self.windows(strategy) {
-            if window.hemisphere != coord.hemisphere {
+            if window.chart != coord.chart {
                 continue;
             }
             window.x = common(&window.x, &(x0..=x0 + 31));
@@ -142,7 +142,7 @@ impl Stroke {
                     for z in seen.chunks(&(column.z..=column.z)) {
                         for y in seen.chunks(&column.y) {
                             found.insert(ChunkCoord {
-                                hemisphere: window.hemisphere,
+                                chart: window.chart,
                                 index: IVec3::new(x, y, z),
                             });
                         }
@@ -153,51 +153,37 @@ impl Stroke {
         found.into_iter().collect()
     }
 
-    /// Where columns may be reached: around the middle, and near the equator around the same
-    /// point in the other chart.
+    /// Where columns may be reached: around the middle, and around the same point in each chart whose domain is near.
     fn windows(&self, strategy: &dyn Strategy) -> Vec<Window> {
         if !self.centre.pos.is_finite() || !self.radius_m.is_finite() {
             return Vec::new();
         }
         let around = |point: ChartPoint, half: f64| Window {
-            hemisphere: point.hemisphere,
+            chart: point.chart,
             x: whole(point.pos.x - half, point.pos.x + half),
             z: whole(point.pos.z - half, point.pos.z + half),
         };
         let radius = self.radius_m();
         let mut windows = vec![around(self.centre, radius)];
-        if let (Some(rim_m), Some(there)) = (strategy.rim_m(), strategy.carry(self.centre)) {
-            let r = DVec2::new(self.centre.pos.x, self.centre.pos.z).length();
-            if r + radius >= rim_m - EDITED_PAST_RIM_M {
-                // Carrying keeps radial lengths and angles about the pole, so the disc's width
-                // there is at most its angle here times the largest radius that it gets.
-                let angle = if radius < r {
-                    (radius / r).asin()
-                } else {
-                    std::f64::consts::PI
-                };
-                let farthest = (2.0 * rim_m - (r - radius)).min(rim_m + EDITED_PAST_RIM_M);
-                windows.push(around(there.point, radius + farthest * angle));
-            }
-        }
+        let images = strategy.images(self.centre, radius + EDITED_PAST_RIM_M);
+        let spread = strategy.spread_m(self.centre, radius, EDITED_PAST_RIM_M);
+        windows.extend(images.into_iter().map(|image| around(image.point, spread)));
         windows
     }
 
     fn columns(&self, strategy: &dyn Strategy, window: &Window) -> Vec<Reached> {
         let (low, high) = editable_y_m(strategy);
         let editable = whole(low, high);
-        let farthest2 = strategy
-            .rim_m()
-            .map_or(f64::INFINITY, |rim_m| (rim_m + EDITED_PAST_RIM_M).powi(2));
+        let domain = strategy.domain(window.chart);
         let radius2 = self.radius_m().powi(2);
         let mut reached = Vec::new();
         for x in window.x.clone() {
             for z in window.z.clone() {
                 let here = DVec2::new(x as f64, z as f64);
-                if here.length_squared() > farthest2 {
+                if domain.outside_m(here) > EDITED_PAST_RIM_M {
                     continue;
                 }
-                let Some(distance2_m2) = self.distance2(strategy, window.hemisphere, here) else {
+                let Some(distance2_m2) = self.distance2(strategy, window.chart, here) else {
                     continue;
                 };
                 if distance2_m2 > radius2 {
@@ -221,15 +207,10 @@ impl Stroke {
 
     /// Squared horizontal distance from the middle to a column, in the middle's chart. Carrying
     /// moves columns as wholes: it keeps heights and does not look at them.
-    fn distance2(
-        &self,
-        strategy: &dyn Strategy,
-        hemisphere: Hemisphere,
-        column: DVec2,
-    ) -> Option<f64> {
-        let mut point = ChartPoint::new(hemisphere, DVec3::new(column.x, 0.0, column.y));
-        if hemisphere != self.centre.hemisphere {
-            point = strategy.carry(point)?.point;
+    fn distance2(&self, strategy: &dyn Strategy, chart: ChartId, column: DVec2) -> Option<f64> {
+        let mut point = ChartPoint::new(chart, DVec3::new(column.x, 0.0, column.y));
+        if chart != self.centre.chart {
+            point = strategy.carry(point, self.centre.chart)?.point;
         }
         let offset = point.pos - self.centre.pos;
         Some(offset.x * offset.x + offset.z * offset.z)

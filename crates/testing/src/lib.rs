@@ -2,6 +2,7 @@
 //! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. And how far what two pictures show is apart.
 
 pub mod pictures;
+pub mod tiled;
 
 use std::ffi::OsStr;
 use std::fmt::Display;

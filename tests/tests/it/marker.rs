@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap, Projection};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, HyperbolicMap, Projection};
 use antipode_scene::tuning::{FOV_Y_RAD, NEAR_M, REACH_M};
 use antipode_scene::{Actions, Scene, WorldSetup};
 use glam::DVec3;
@@ -79,12 +79,15 @@ fn the_marker_is_drawn_within_a_pixel_of_the_centre_everywhere() {
         Geometry::Spherical,
     ] {
         let mut scene = scene(geometry);
-        let rim = scene.strategy().rim_m();
+        let rim = scene.strategy().domain(ChartId::FIRST).radius_m();
         let mut places = vec![scene.feet()];
         let far = rim.map_or(300.0, |rim| rim - 0.5);
         places.push(ChartPoint::a(DVec3::new(far * 0.8, 17.0, far * 0.6)));
         if rim.is_some() {
-            places.push(ChartPoint::new(Hemisphere::B, DVec3::new(-3.0, 15.0, 40.0)));
+            places.push(ChartPoint::new(
+                ChartId::SECOND,
+                DVec3::new(-3.0, 15.0, 40.0),
+            ));
         }
         let mut hits = 0;
         for place in places {

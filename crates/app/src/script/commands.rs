@@ -25,7 +25,7 @@ pub enum Argument {
     /// What can be put into the world: `bot`, `hostile`, `car` or `lamp`.
     Spawned,
     /// `A` or `B`.
-    Hemisphere,
+    ChartId,
     /// A number, a file: nothing that could be guessed.
     Free,
     /// Another command.
@@ -71,8 +71,8 @@ const fn command(
 /// Every command.
 pub static COMMANDS: [CommandInfo; 25] = {
     use Argument::{
-        Button, Free, Geometry, Hemisphere, Item, Key, KeyOrButton, Option, Setting, Spawned,
-        Value, World,
+        Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, Setting, Spawned, Value,
+        World,
     };
     [
         command(
@@ -101,11 +101,11 @@ pub static COMMANDS: [CommandInfo; 25] = {
         command("shot", "FILE.png", &[Free]),
         command("set", "SETTING VALUE", &[Setting, Value]),
         command("give", "ITEM N", &[Item, Free]),
-        command("teleport", "X Y Z [A|B]", &[Free, Free, Free, Hemisphere]),
+        command("teleport", "X Y Z [A|B]", &[Free, Free, Free, ChartId]),
         command(
             "spawn",
             "bot|hostile|car|lamp X Y Z [A|B]",
-            &[Spawned, Free, Free, Free, Hemisphere],
+            &[Spawned, Free, Free, Free, ChartId],
         ),
         command("perf", "SECONDS", &[Free]),
     ]

@@ -1,9 +1,9 @@
 //! Carrying orders out: one way for scripts, which wait for each, and for the console, which never waits.
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartPoint, Strategy};
 use antipode_scene::Scene;
 use antipode_settings::Value;
-use glam::DVec3;
+use glam::{DVec3, Vec3Swizzles};
 
 use super::parse::{Order, Setting, Spawned};
 use crate::bindings::Input;
@@ -90,14 +90,13 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             let left = host.scene()?.inventory_mut().give(*item, *count);
             possible(left == 0, "there is no room for all of them")
         }
-        Order::Teleport(place, hemisphere) => teleport(
-            host,
-            ChartPoint::new(*hemisphere, DVec3::from_array(*place)),
-        ),
-        Order::Spawn(spawned, place, hemisphere) => spawn(
+        Order::Teleport(place, chart) => {
+            teleport(host, ChartPoint::new(*chart, DVec3::from_array(*place)))
+        }
+        Order::Spawn(spawned, place, chart) => spawn(
             host,
             *spawned,
-            ChartPoint::new(*hemisphere, DVec3::from_array(*place)),
+            ChartPoint::new(*chart, DVec3::from_array(*place)),
         ),
         Order::New(_)
         | Order::Load(_)
@@ -190,19 +189,16 @@ fn spawn<H: Host + ?Sized>(
 
 /// Whether a player can stand there; a sentence when not.
 fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String> {
-    match strategy.rim_m() {
-        Some(rim_m) => {
-            let from_centre_m = point.pos.x.hypot(point.pos.z);
-            if from_centre_m > rim_m + RIM_SLACK_M {
-                return Err(format!(
-                    "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
-                ));
-            }
-        }
-        None if point.hemisphere == Hemisphere::B => {
-            return Err("this space has no hemisphere B".to_owned());
-        }
-        None => {}
+    if !strategy.has_chart(point.chart) {
+        return Err(format!("this space has no hemisphere {:?}", point.chart));
+    }
+    let domain = strategy.domain(point.chart);
+    if domain.outside_m(point.pos.xz()) > RIM_SLACK_M {
+        let from_centre_m = point.pos.x.hypot(point.pos.z);
+        let rim_m = domain.half_width_m();
+        return Err(format!(
+            "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
+        ));
     }
     match strategy.limits() {
         Some(limits) if !(limits.bedrock_m..=limits.ceiling_m).contains(&point.pos.y) => {
@@ -226,25 +222,25 @@ fn possible(done: bool, otherwise: &str) -> Result<(), Failure> {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
     #[test]
     fn nobody_is_sent_out_of_the_world() {
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let at = |x: f64, y: f64, hemisphere| {
-            check_place(&*sphere, ChartPoint::new(hemisphere, DVec3::new(x, y, 0.0)))
+        let at = |x: f64, y: f64, chart| {
+            check_place(&*sphere, ChartPoint::new(chart, DVec3::new(x, y, 0.0)))
         };
-        assert_eq!(at(0.0, 20.0, Hemisphere::B), Ok(()));
-        assert_eq!(at(50.0, 20.0, Hemisphere::A), Ok(()));
-        assert!(at(60.0, 20.0, Hemisphere::A).is_err_and(|said| said.contains("rim")));
+        assert_eq!(at(0.0, 20.0, ChartId::SECOND), Ok(()));
+        assert_eq!(at(50.0, 20.0, ChartId::FIRST), Ok(()));
+        assert!(at(60.0, 20.0, ChartId::FIRST).is_err_and(|said| said.contains("rim")));
         for y in [0.0, 60.0, 1e8] {
-            assert!(at(0.0, y, Hemisphere::A).is_err_and(|said| said.contains("height")));
+            assert!(at(0.0, y, ChartId::FIRST).is_err_and(|said| said.contains("height")));
         }
         let flat = strategy(Geometry::Euclidean, f64::INFINITY);
         let far = DVec3::new(1e8, 1e8, -1e8);
         assert_eq!(check_place(&*flat, ChartPoint::a(far)), Ok(()));
-        assert!(check_place(&*flat, ChartPoint::new(Hemisphere::B, far)).is_err());
+        assert!(check_place(&*flat, ChartPoint::new(ChartId::SECOND, far)).is_err());
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::str::FromStr;
 
-use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap};
+use antipode_geometry::{ChartId, Geometry, HyperbolicMap};
 use antipode_scene::frame::Quality;
 use antipode_scene::{Item, NpcMode};
 use antipode_settings::{Settings, Value};
@@ -72,9 +72,9 @@ pub enum Order {
     /// Put items into the hotbar.
     Give(Item, u32),
     /// Move the player's feet.
-    Teleport([f64; 3], Hemisphere),
+    Teleport([f64; 3], ChartId),
     /// Put something into the world.
-    Spawn(Spawned, [f64; 3], Hemisphere),
+    Spawn(Spawned, [f64; 3], ChartId),
     /// Measure over some seconds.
     Perf(f64),
 }
@@ -443,23 +443,23 @@ fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
             ));
         }
     };
-    let (at, hemisphere) = place(at, side)?;
-    Ok(Order::Spawn(spawned, at, hemisphere))
+    let (at, chart) = place(at, side)?;
+    Ok(Order::Spawn(spawned, at, chart))
 }
 
 fn teleport(at: [&str; 3], side: &[&str]) -> Result<Order, String> {
-    let (at, hemisphere) = place(at, side)?;
-    Ok(Order::Teleport(at, hemisphere))
+    let (at, chart) = place(at, side)?;
+    Ok(Order::Teleport(at, chart))
 }
 
-fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], Hemisphere), String> {
-    let hemisphere = match side {
-        [] | ["A"] => Hemisphere::A,
-        ["B"] => Hemisphere::B,
+fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
+    let chart = match side {
+        [] | ["A"] => ChartId::FIRST,
+        ["B"] => ChartId::SECOND,
         _ => return Err("a hemisphere is A or B".to_owned()),
     };
     let [x, y, z] = at.map(|text| number(text, -FARTHEST_M, FARTHEST_M));
-    Ok(([x?, y?, z?], hemisphere))
+    Ok(([x?, y?, z?], chart))
 }
 
 #[cfg(test)]

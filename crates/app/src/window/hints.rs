@@ -44,7 +44,7 @@ impl Place {
     pub fn of(scene: &Scene) -> Self {
         Self {
             has_dial: scene.lens().range().is_some(),
-            closed: scene.strategy().rim_m().is_some(),
+            closed: scene.strategy().is_closed(),
             pitch_rad: scene.head().pitch,
         }
     }

@@ -37,7 +37,7 @@ pub fn projection() -> Projection {
 pub struct Case {
     pub space: SpaceUniform,
     pub p: Vec3,
-    pub hemisphere: u32,
+    pub chart: u32,
     pub n: Vec3,
     pub pad: u32,
 }
@@ -74,11 +74,11 @@ pub fn answers(gpu: Option<&Gpu>, cases: &[Case]) -> Result<Option<Vec<Answer>>,
 
 /// A case: a point and a normal of the chart, seen by an eye.
 pub fn case(space: &dyn Strategy, eye: &Eye, point: ChartPoint, normal: DVec3) -> Case {
-    let reference = space.reference(eye, point.hemisphere);
+    let reference = space.reference(eye, point.chart);
     Case {
         space: space.uniform(eye, &projection()),
         p: (point.pos - reference).as_vec3(),
-        hemisphere: point.hemisphere.index(),
+        chart: point.chart.number() as u32,
         n: normal.as_vec3(),
         pad: 0,
     }
@@ -88,7 +88,7 @@ pub fn case(space: &dyn Strategy, eye: &Eye, point: ChartPoint, normal: DVec3) -
 /// is measured from the whole metres next to the reference, which is exact, then comes the place in
 /// the chunk, and last the rest of the reference.
 pub fn sent(space: &dyn Strategy, eye: &Eye, chunk: ChunkCoord, local: Vec3) -> Vec3 {
-    let reference = space.reference(eye, chunk.hemisphere);
+    let reference = space.reference(eye, chunk.chart);
     let whole = reference.round();
     let offset = (chunk.origin() - whole).as_vec3();
     offset + local - (reference - whole).as_vec3()
@@ -101,7 +101,7 @@ pub fn single_view(case: &Case) -> Vec4 {
     let ported = match case.space.kind[0] {
         0 => [p[0], p[1], p[2], 1.0],
         1 => RaisedMap::from_uniform(curve, radius_m).port(p),
-        2 => sphere_kernel::port(curve[0], case.hemisphere == 1, p),
+        2 => sphere_kernel::port(curve[0], case.chart == 1, p),
         _ => HorizonMap::from_uniform(curve, case.space.edge[2], radius_m).port(p),
     };
     Mat4::from_cols_array_2d(&case.space.view) * Vec4::from_array(ported)

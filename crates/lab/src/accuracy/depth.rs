@@ -129,7 +129,7 @@ fn order(
     };
     let radius = space.radius_at_m(&eye);
     let scale = if radius.is_finite() { radius } else { RADIUS_M };
-    let reach = if space.rim_m().is_some() {
+    let reach = if space.is_closed() {
         // Two near distances before the antipode, where one point fills the view.
         std::f64::consts::PI * radius - 2.0 * NEAR_M
     } else {
@@ -166,9 +166,9 @@ fn depth_on_gpu(answer: &Answer) -> f64 {
 
 fn depth_in_double(setting: &Setting, eye: &Eye, case: &cases::Case) -> f64 {
     let space = setting.space.as_ref();
-    let hemisphere = antipode_geometry::Hemisphere::from_index(case.hemisphere).unwrap_or_default();
-    let pos = space.reference(eye, hemisphere) + case.p.as_dvec3();
-    let view = space.view_point(eye, ChartPoint::new(hemisphere, pos));
+    let chart = antipode_geometry::ChartId::new(case.chart.into());
+    let pos = space.reference(eye, chart) + case.p.as_dvec3();
+    let view = space.view_point(eye, ChartPoint::new(chart, pos));
     let clip = space
         .clip_from_view(eye, &cases::projection(), view)
         .as_vec4();

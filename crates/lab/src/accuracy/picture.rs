@@ -3,7 +3,7 @@
 //! The middle of an edge is ported in `f64` and compared with the straight line between its ported
 //! ends. Culling is compared with a dense sample of each chunk.
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Euclidean, Eye, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Euclidean, Eye, Strategy};
 use glam::{DVec2, DVec3, IVec3};
 
 use super::cases::{self, LIFT_M, Setting};
@@ -48,7 +48,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
 
 /// An eye where a player may stand.
 pub fn standing(rng: &mut Numbers, setting: &Setting) -> Eye {
-    let sphere = setting.space.rim_m();
+    let sphere = setting.space.domain(ChartId::FIRST).radius_m();
     let reach = sphere.map_or(1e4, |rim| 0.95 * rim);
     let level = rng.turn() * rng.between(0.0, reach);
     let height = sphere.map_or(rng.between(-20.0, 60.0), |_| {
@@ -66,12 +66,12 @@ pub fn standing(rng: &mut Numbers, setting: &Setting) -> Eye {
 
 /// A chart point that the space may hold, within 200 m of the eye.
 pub fn seen_point(rng: &mut Numbers, setting: &Setting, eye: &Eye) -> ChartPoint {
-    let Some(rim) = setting.space.rim_m() else {
+    let Some(rim) = setting.space.domain(ChartId::FIRST).radius_m() else {
         let u = rng.direction() * rng.magnitude(1.5, 200.0);
         return ChartPoint::a(eye.point.pos + u * DVec3::new(1.0, 0.3, 1.0));
     };
     let level = rng.turn() * rng.between(0.0, rim);
-    let side = [Hemisphere::A, Hemisphere::B][(rng.bits() % 2) as usize];
+    let side = [ChartId::FIRST, ChartId::SECOND][(rng.bits() % 2) as usize];
     let height = rng.between(0.15, 0.5) * setting.space.radius_m();
     ChartPoint::new(side, DVec3::new(level.x, height, level.y))
 }
@@ -165,8 +165,11 @@ fn shows(space: &dyn Strategy, eye: &Eye, chunk: ChunkCoord, n: i32) -> bool {
         );
         let pos = chunk.min() + size * (part / f64::from(n - 1));
         // What lies past the rim belongs to the other chart, and is not drawn.
-        let past = space.rim_m().is_some_and(|rim| pos.x.hypot(pos.z) > rim);
-        !past && place(space, eye, ChartPoint::new(chunk.hemisphere, pos)).is_some()
+        let past = space
+            .domain(ChartId::FIRST)
+            .radius_m()
+            .is_some_and(|rim| pos.x.hypot(pos.z) > rim);
+        !past && place(space, eye, ChartPoint::new(chunk.chart, pos)).is_some()
     })
 }
 
@@ -183,12 +186,12 @@ fn chunks_about(space: &dyn Strategy, eye: &Eye) -> Vec<ChunkCoord> {
         }
         all
     };
-    let Some(rim) = space.rim_m() else {
+    let Some(rim) = space.domain(ChartId::FIRST).radius_m() else {
         return around(6, -1..=1, home);
     };
     let far = (rim / 32.0).ceil() as i32;
     let high = (1.2 * space.radius_m() / 32.0).ceil() as i32 - 1;
-    [Hemisphere::A, Hemisphere::B]
+    [ChartId::FIRST, ChartId::SECOND]
         .into_iter()
         .flat_map(|side| around(far, 0..=high, ChunkCoord::new(side, IVec3::ZERO)))
         .collect()
@@ -209,10 +212,10 @@ fn culling(bench: &Bench, setting: &Setting, found: &mut Findings) {
             let shown = shows(space, &eye, chunk, if bench.effort.quick { 6 } else { 9 });
             let (min, max) = (chunk.min(), chunk.max());
             let ours = frustum
-                .cell_seen(space, &eye, chunk.hemisphere, min, max)
+                .cell_seen(space, &eye, chunk.chart, min, max)
                 .is_some();
             let textbook = straight
-                .cell_seen(&Euclidean, &eye, chunk.hemisphere, min, max)
+                .cell_seen(&Euclidean, &eye, chunk.chart, min, max)
                 .is_some();
             visible += u64::from(shown);
             kept += u64::from(ours);

@@ -5,7 +5,7 @@
 //! the chunk and takes off the rest of a metre. Reference:
 //! the same difference in `f64`, ported in `f64`.
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Hemisphere};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Eye};
 use glam::{DVec3, Vec3};
 
 use super::cases::{self, LIFT_M, RADIUS_M, Setting};
@@ -79,7 +79,7 @@ fn camera(rng: &mut Numbers, (low, high): (f64, f64)) -> Eye {
 pub fn vertex(rng: &mut Numbers, eye: &Eye, (low, high): (f64, f64)) -> (ChunkCoord, Vec3) {
     loop {
         let p = eye.point.pos + rng.direction() * rng.magnitude(low, high);
-        let chunk = ChunkCoord::containing(ChartPoint::new(eye.point.hemisphere, p));
+        let chunk = ChunkCoord::containing(ChartPoint::new(eye.point.chart, p));
         let local = (p - chunk.origin()).as_vec3();
         let exact = chunk.origin() + local.as_dvec3() - eye.point.pos;
         if exact.length() >= low {
@@ -203,10 +203,10 @@ fn port_and_back(bench: &Bench, setting: &Setting, reach: f64, found: &mut Findi
     for _ in 0..bench.effort.count(20_000) {
         let mut eye = camera(&mut rng, (1.0, 30.0));
         eye.dial = setting.dial;
-        let (point, scale) = if space.rim_m().is_some() {
+        let (point, scale) = if space.is_closed() {
             let radius = space.radius_m();
             let level = rng.turn() * rng.between(0.0, 1.56) * radius;
-            let side = [Hemisphere::A, Hemisphere::B][(rng.bits() % 2) as usize];
+            let side = [ChartId::FIRST, ChartId::SECOND][(rng.bits() % 2) as usize];
             eye.point.pos.y = rng.between(0.1, 1.2) * radius;
             let pos = DVec3::new(level.x, rng.between(0.1, 1.2) * radius, level.y);
             (ChartPoint::new(side, pos), radius)
@@ -214,12 +214,12 @@ fn port_and_back(bench: &Bench, setting: &Setting, reach: f64, found: &mut Findi
             let u = rng.direction() * rng.magnitude(1e-3, reach);
             (ChartPoint::a(eye.point.pos + u), u.length().max(RADIUS_M))
         };
-        if space.trims(&eye, point.hemisphere, point.pos, point.pos) {
+        if space.trims(&eye, point.chart, point.pos, point.pos) {
             continue;
         }
         let back = space.chart_point(&eye, space.view_point(&eye, point));
         let gap = (back.pos - point.pos).length() / scale;
-        let error = if back.hemisphere == point.hemisphere {
+        let error = if back.chart == point.chart {
             gap
         } else {
             f64::NAN

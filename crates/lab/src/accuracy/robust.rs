@@ -1,6 +1,6 @@
 //! A fuzz over every magnitude of `f32`, and the same bits on every run and thread.
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry};
 use glam::{DVec3, Vec3};
 
 use super::cases::{self, LIFT_M, Setting};
@@ -62,14 +62,14 @@ const CEILING: f64 = 1.2;
 fn any_point(rng: &mut Numbers, setting: &Setting, eye: &Eye) -> Vec3 {
     let p = any_vector(rng).as_dvec3() * 0.5;
     let space = setting.space.as_ref();
-    if let Some(rim) = space.rim_m() {
+    if let Some(rim) = space.domain(ChartId::FIRST).radius_m() {
         let ceiling = CEILING * space.radius_m();
         let level = (rim / p.x.hypot(p.z)).min(1.0);
         return DVec3::new(p.x * level, p.y.clamp(-ceiling, ceiling), p.z * level).as_vec3();
     }
     let trimmed = |p: DVec3| {
         let pos = eye.point.pos + p;
-        space.trims(eye, eye.point.hemisphere, pos, pos)
+        space.trims(eye, eye.point.chart, pos, pos)
     };
     if trimmed(p) {
         // A flat world bent to a sphere ends at the edge of its chart.
@@ -95,8 +95,8 @@ fn thrown(rng: &mut Numbers, setting: &Setting) -> (Thrown, cases::Case) {
     let p = any_point(rng, setting, &eye);
     // A normal has some length that can be normalised; its components may be tiny or 0.
     let n = any_vector(rng).as_dvec3().normalize_or(DVec3::Y);
-    let b = space.rim_m().is_some() && rng.bits().is_multiple_of(2);
-    let side = if b { Hemisphere::B } else { Hemisphere::A };
+    let b = space.is_closed() && rng.bits().is_multiple_of(2);
+    let side = if b { ChartId::SECOND } else { ChartId::FIRST };
     let pos = space.reference(&eye, side) + p.as_dvec3();
     let point = ChartPoint::new(side, pos);
     let mut case = cases::case(space, &eye, point, n);
@@ -111,7 +111,7 @@ fn finite(setting: &Setting, (eye, point, n): &Thrown) -> bool {
     let clip = space.clip_from_view(eye, &cases::projection(), view);
     let normal = space.port_normal(eye, *point, *n);
     let far = point.pos + DVec3::splat(32.0);
-    let cell = space.sight_cell(eye, point.hemisphere, point.pos, far);
+    let cell = space.sight_cell(eye, point.chart, point.pos, far);
     let distance = space.eye_distance_m(eye, view);
     view.is_finite()
         && clip.is_finite()

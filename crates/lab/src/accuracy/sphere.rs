@@ -5,7 +5,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, strategy};
 use glam::{DVec2, DVec3, DVec4, Vec3};
 
 use super::cases::{self, single_view};
@@ -80,7 +80,9 @@ fn equator(bench: &Bench, radius: f64, found: &mut Findings) -> Result<(), LabEr
     let (mut list, mut points) = (Vec::new(), Vec::new());
     for i in 0..bench.effort.count(20_000) {
         let (eye, a) = at_the_rim(&mut rng, radius, i);
-        let Some(b) = space.carry(a) else { continue };
+        let Some(b) = space.images(a, f64::INFINITY).pop() else {
+            continue;
+        };
         for point in [a, b.point] {
             list.push(cases::case(space.as_ref(), &eye, point, DVec3::Y));
         }
@@ -171,7 +173,7 @@ fn at_an_end(rng: &mut Numbers, radius: f64, r: f64, i: usize) -> (Eye, ChartPoi
     let pos = DVec3::new(level.x, height, level.y).as_vec3().as_dvec3();
     // The antipode of (r, y) in chart A: turned half about the axis in B, and under ground.
     let at = if i.is_multiple_of(2) {
-        ChartPoint::new(Hemisphere::B, DVec3::new(level.x, -height, -level.y))
+        ChartPoint::new(ChartId::SECOND, DVec3::new(level.x, -height, -level.y))
     } else {
         ChartPoint::a(DVec3::new(
             rng.between(-20.0, 20.0),
@@ -199,7 +201,7 @@ fn teleports(bench: &Bench, found: &mut Findings) {
     let mut single = start.pos.as_vec3();
     let (mut ours, mut textbook) = (Worst::default(), Worst::default());
     for i in 1..=crossings {
-        if let Some(over) = space.carry(here) {
+        if let Some(over) = space.images(here, f64::INFINITY).pop() {
             facing = over.turn_vector(facing);
             here = over.point;
         }

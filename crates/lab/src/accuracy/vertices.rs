@@ -73,21 +73,21 @@ fn sent(rng: &mut Numbers, setting: &Setting, eye: &Eye) -> Option<Seen> {
     let chunk = ChunkCoord::containing(wanted);
     // Land's vertices lie on a grid.
     let local = ((wanted.pos - chunk.origin()).as_vec3() * GRID_PER_M).round() / GRID_PER_M;
-    let point = ChartPoint::new(wanted.hemisphere, chunk.origin() + local.as_dvec3());
+    let point = ChartPoint::new(wanted.chart, chunk.origin() + local.as_dvec3());
     let place = |point| {
         let view = space.view_point(eye, point);
         pixel(space.clip_from_view(eye, &cases::projection(), view)).map(|at| (view, at))
     };
     let (view, at) = place(point)?;
-    let trimmed = space.trims(eye, point.hemisphere, point.pos, point.pos);
+    let trimmed = space.trims(eye, point.chart, point.pos, point.pos);
     if trimmed || space.eye_distance_m(eye, view) > space.sight_limit_m(eye) {
         return None;
     }
-    let reference = space.reference(eye, point.hemisphere);
+    let reference = space.reference(eye, point.chart);
     let mut case = cases::case(space, eye, point, DVec3::Y);
     case.p = cases::sent(space, eye, chunk, local);
     let world = (point.pos.as_vec3() - reference.as_vec3()).as_dvec3();
-    let textbook = place(ChartPoint::new(point.hemisphere, reference + world));
+    let textbook = place(ChartPoint::new(point.chart, reference + world));
     Some(Seen {
         eye: *eye,
         point,
@@ -104,7 +104,7 @@ fn words_of(seen: &Seen) -> String {
         seen.eye.yaw,
         seen.eye.pitch,
         words(seen.point.pos),
-        seen.point.hemisphere
+        seen.point.chart
     )
 }
 

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    CHUNK_CELLS, ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, Strategy,
-    picture, strategy,
+    CHUNK_CELLS, ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, Strategy, picture,
+    strategy,
 };
 use glam::DVec3;
 
@@ -25,7 +25,7 @@ const SPHERE_RADIUS_M: f64 = 32.0;
 struct Case {
     space: Arc<dyn Strategy>,
     eye: Eye,
-    boxes: Vec<(Hemisphere, DVec3, DVec3)>,
+    boxes: Vec<(ChartId, DVec3, DVec3)>,
 }
 
 fn projection() -> Projection {
@@ -34,7 +34,7 @@ fn projection() -> Projection {
 
 fn cases(space: &Arc<dyn Strategy>, dial: f64, count: usize) -> Vec<Case> {
     let mut numbers = Numbers::new(61);
-    let closed = space.rim_m();
+    let closed = space.domain(ChartId::FIRST).radius_m();
     let one = |_| {
         let (ground_m, reach) = match closed {
             Some(rim_m) => (
@@ -52,13 +52,13 @@ fn cases(space: &Arc<dyn Strategy>, dial: f64, count: usize) -> Vec<Case> {
             dial,
             lift_m: 1.65,
         };
-        let hemispheres: &[_] = if closed.is_some() {
-            &[Hemisphere::A, Hemisphere::B]
+        let charts: &[_] = if closed.is_some() {
+            &[ChartId::FIRST, ChartId::SECOND]
         } else {
-            &[Hemisphere::A]
+            &[ChartId::FIRST]
         };
         let mut boxes = Vec::new();
-        for &hemisphere in hemispheres {
+        for &chart in charts {
             for x in -reach..reach {
                 for z in -reach..reach {
                     let edge = f64::from(CHUNK_CELLS);
@@ -68,7 +68,7 @@ fn cases(space: &Arc<dyn Strategy>, dial: f64, count: usize) -> Vec<Case> {
                         ground_m - 0.5 * height,
                         f64::from(z) * edge,
                     );
-                    boxes.push((hemisphere, min, min + DVec3::new(edge, height, edge)));
+                    boxes.push((chart, min, min + DVec3::new(edge, height, edge)));
                 }
             }
         }
@@ -82,9 +82,13 @@ fn cases(space: &Arc<dyn Strategy>, dial: f64, count: usize) -> Vec<Case> {
 }
 
 /// Whether any of the samples is in the picture.
-fn seen(case: &Case, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
+fn seen(case: &Case, chart: ChartId, min: DVec3, max: DVec3) -> bool {
     let projection = projection();
-    let rim_m = case.space.rim_m().unwrap_or(f64::INFINITY);
+    let rim_m = case
+        .space
+        .domain(ChartId::FIRST)
+        .radius_m()
+        .unwrap_or(f64::INFINITY);
     let limit_m = case.space.sight_limit_m(&case.eye);
     let step = (max - min) / f64::from(SAMPLES - 1);
     (0..SAMPLES.pow(3)).any(|i| {
@@ -95,7 +99,7 @@ fn seen(case: &Case, hemisphere: Hemisphere, min: DVec3, max: DVec3) -> bool {
         }
         let view = case
             .space
-            .view_point(&case.eye, ChartPoint::new(hemisphere, pos));
+            .view_point(&case.eye, ChartPoint::new(chart, pos));
         let clip = case.space.clip_from_view(&case.eye, &projection, view);
         Projection::screen(clip).is_some_and(|s| s.abs().max_element() <= 1.0)
             && case.space.eye_distance_m(&case.eye, view) <= limit_m
@@ -107,9 +111,9 @@ type Test = fn(&Case) -> Vec<bool>;
 fn by_cells(case: &Case) -> Vec<bool> {
     let space = case.space.as_ref();
     let frustum = space.frustum(&case.eye, &projection());
-    let one = |&(hemisphere, min, max): &_| {
+    let one = |&(chart, min, max): &_| {
         frustum
-            .cell_seen(space, &case.eye, hemisphere, min, max)
+            .cell_seen(space, &case.eye, chart, min, max)
             .is_some()
     };
     case.boxes.iter().map(one).collect()
@@ -118,9 +122,7 @@ fn by_cells(case: &Case) -> Vec<bool> {
 fn by_whole_cells(case: &Case) -> Vec<bool> {
     let space = case.space.as_ref();
     let frustum = space.frustum(&case.eye, &projection());
-    let one = |&(hemisphere, min, max): &_| {
-        frustum.sees(&space.sight_cell(&case.eye, hemisphere, min, max))
-    };
+    let one = |&(chart, min, max): &_| frustum.sees(&space.sight_cell(&case.eye, chart, min, max));
     case.boxes.iter().map(one).collect()
 }
 
@@ -128,7 +130,7 @@ fn by_whole_cells(case: &Case) -> Vec<bool> {
 /// chart is taken to where it would be if the charts were laid out rim to rim.
 fn by_flat_frustum(case: &Case) -> Vec<bool> {
     let projection = projection();
-    let away = case.space.rim_m().unwrap_or(0.0) * 2.0;
+    let away = case.space.domain(ChartId::FIRST).radius_m().unwrap_or(0.0) * 2.0;
     let sides = [
         DVec3::new(projection.sx, 0.0, -1.0),
         DVec3::new(-projection.sx, 0.0, -1.0),
@@ -136,8 +138,8 @@ fn by_flat_frustum(case: &Case) -> Vec<bool> {
         DVec3::new(0.0, -projection.sy, -1.0),
     ];
     let sides = sides.map(|s| case.eye.to_chart(s.normalize_or_zero()));
-    let one = |&(hemisphere, min, max): &(Hemisphere, DVec3, DVec3)| {
-        let shift = if hemisphere == case.eye.point.hemisphere {
+    let one = |&(chart, min, max): &(ChartId, DVec3, DVec3)| {
+        let shift = if chart == case.eye.point.chart {
             DVec3::ZERO
         } else {
             DVec3::X * away

@@ -57,7 +57,7 @@ pub fn lit(frame: &Frame, count: usize) -> Frame {
 /// The radius of a disc of ground as large as a flat one of the given radius squared: on a sphere
 /// `2 pi R^2 (1 - cos(r/R))` instead of `pi r^2`.
 fn level_m(frame: &Frame, flat2: f64) -> f64 {
-    if frame.view.strategy.rim_m().is_none() {
+    if !frame.view.strategy.is_closed() {
         return flat2.sqrt();
     }
     let radius_m = frame.view.strategy.radius_m();

@@ -174,7 +174,7 @@ pub fn keep_whole(
     }
     let mut kept = 0;
     for (coord, mesh) in meshes {
-        let elsewhere = coord.hemisphere != frame.view.eye.point.hemisphere;
+        let elsewhere = coord.chart != frame.view.eye.point.chart;
         if mesh.is_empty() || elsewhere || frames.iter().any(|own| trims(own, coord, mesh)) {
             continue;
         }
@@ -205,5 +205,5 @@ fn trims(frame: &Frame, coord: ChunkCoord, mesh: &ChunkMesh) -> bool {
     frame
         .view
         .strategy
-        .trims(&frame.view.eye, coord.hemisphere, min, max)
+        .trims(&frame.view.eye, coord.chart, min, max)
 }

@@ -166,7 +166,7 @@ fn is_needless(frame: &Frame, coord: ChunkCoord) -> bool {
     let mut directions = Vec::new();
     for place in 0..27 {
         let step = IVec3::new(place % 3, place / 3 % 3, place / 9).as_dvec3();
-        let point = ChartPoint::new(coord.hemisphere, coord.origin() + 16.0 * step);
+        let point = ChartPoint::new(coord.chart, coord.origin() + 16.0 * step);
         let view = space.view_point(eye, point);
         nearest_m = nearest_m.min(space.eye_distance_m(eye, view));
         directions.push(view.truncate().normalize_or(DVec3::NEG_Z));

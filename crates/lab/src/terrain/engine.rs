@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use antipode_geometry::{
-    ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, Hemisphere,
-    Strategy, strategy,
+    ChartId, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, Strategy,
+    strategy,
 };
 use antipode_scene::{Scene, WorldSetup};
 use antipode_storage::WorldStore;
@@ -41,7 +41,7 @@ pub fn space(geometry: Geometry) -> Arc<dyn Strategy> {
 
 /// The ground, and the chunk at the middle of the world: its surface runs through it.
 pub fn surface_chunk(geometry: Geometry) -> (Field, ChunkCoord) {
-    let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
+    let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
     (Field::new(SEED, space(geometry)), coord)
 }
 

@@ -1,7 +1,7 @@
 //! The field: nanoseconds a sample beside noise libraries, and how quickly and how often a chunk without a surface is
 //! told from its bounds.
 
-use antipode_geometry::{ChunkCoord, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChunkCoord, Geometry};
 use antipode_terrain::{Content, Field, SAMPLES};
 use glam::IVec3;
 
@@ -59,7 +59,7 @@ fn around(geometry: Geometry, effort: Effort) -> Vec<ChunkCoord> {
     for x in -wide..=wide {
         for y in -high..=high {
             for z in -wide..=wide {
-                let coord = ChunkCoord::new(Hemisphere::A, IVec3::new(x, y, z));
+                let coord = ChunkCoord::new(ChartId::FIRST, IVec3::new(x, y, z));
                 if antipode_streaming::is_in_world(&*space(geometry), coord) {
                     found.push(coord);
                 }

@@ -4,7 +4,7 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::frame::LandCursor;
 use antipode_scene::tuning::{FOV_Y_RAD, STEP_S};
 use antipode_scene::{Actions, Scene};
@@ -189,7 +189,7 @@ fn fly(length_m: f64) -> Result<Vec<Logged>, LabError> {
     let (_, high_m) = Field::new(SEED, space(Geometry::Euclidean)).ground_range_m();
     let start = DVec3::new(16.0, high_m + ABOVE_M, 16.0);
     scene.set_flying(true);
-    scene.teleport(ChartPoint::new(Hemisphere::A, start));
+    scene.teleport(ChartPoint::new(ChartId::FIRST, start));
     scene.aim(0.0, PITCH_RAD);
     if !scene.settle(PATIENCE) {
         return Err(LabError::Scene(

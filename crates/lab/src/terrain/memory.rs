@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Actions, Scene};
 use antipode_storage::{SavesDir, WorldStore};
@@ -165,7 +165,7 @@ fn go(store: Arc<WorldStore>, seconds: usize) -> Result<Way, LabError> {
     let field = Field::new(SEED, space(Geometry::Euclidean));
     let mut scene = open(Geometry::Euclidean, VIEW_DISTANCE, Some(store))?;
     let mut at = DVec3::new(0.0, 0.0, 16.0);
-    at.y = field.surface_height(Hemisphere::A, at.x, at.z) + ABOVE_M;
+    at.y = field.surface_height(ChartId::FIRST, at.x, at.z) + ABOVE_M;
     scene.set_flying(true);
     scene.teleport(ChartPoint::a(at));
     scene.aim(0.0, -0.7);
@@ -201,7 +201,7 @@ fn go(store: Arc<WorldStore>, seconds: usize) -> Result<Way, LabError> {
 fn along(scene: &Scene, field: &Field, dig: bool) -> Actions {
     let feet = scene.feet().pos;
     let ground =
-        [0.0, 4.0].map(|ahead| field.surface_height(Hemisphere::A, feet.x + ahead, feet.z));
+        [0.0, 4.0].map(|ahead| field.surface_height(ChartId::FIRST, feet.x + ahead, feet.z));
     let over_m = feet.y - ground[0].max(ground[1]);
     Actions {
         forward: 1.0,

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkEdits, EDIT_STEP, Field, Samples, Stroke};
 use glam::{DVec3, IVec3};
 
@@ -35,7 +35,7 @@ impl Strokes {
     /// That many strokes at the corner that is nearest to the ground at the world's middle: a second of digging, a
     /// second of building, and so on.
     pub fn new(field: &Field, count: usize) -> Self {
-        let ground_m = field.surface_height(Hemisphere::A, 0.0, 0.0);
+        let ground_m = field.surface_height(ChartId::FIRST, 0.0, 0.0);
         let corner = DVec3::new(0.0, (ground_m / 32.0).round() * 32.0, 0.0);
         let strokes: Vec<Stroke> = (0..count).map(|n| stroke(corner, n)).collect();
         let bases = around(corner).map(|at| field.sample(ChartPoint::a(at)));
@@ -80,7 +80,7 @@ impl Strokes {
     /// Whether a chunk touches the corner.
     pub fn touches(&self, coord: ChunkCoord) -> bool {
         let away = (coord.centre() - self.corner).abs();
-        coord.hemisphere == Hemisphere::A && away.max_element() < 32.0
+        coord.chart == ChartId::FIRST && away.max_element() < 32.0
     }
 }
 

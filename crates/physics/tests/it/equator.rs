@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::common::{STEP_S, Soup};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_physics::{PhysicsWorld, VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::{DVec3, IVec3, Vec3};
 
@@ -15,13 +15,13 @@ const INWARDS_M: f64 = 32.0;
 
 /// A world whose ground has the same height at one place of the space whichever chart it is seen from.
 fn world(space: &dyn Strategy, waves_m: f64) -> PhysicsWorld {
-    let rim_m = space.rim_m().unwrap();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap();
     let most = (rim_m + BEYOND_M) as i32 + 1;
     let mut world = PhysicsWorld::new();
-    for hemisphere in [Hemisphere::A, Hemisphere::B] {
+    for chart in [ChartId::FIRST, ChartId::SECOND] {
         let height = |x: i32, z: i32| {
             let at = DVec3::new(f64::from(x), 0.0, f64::from(z));
-            let n = space.noise_point(ChartPoint::new(hemisphere, at));
+            let n = space.noise_point(ChartPoint::new(chart, at));
             let wave = (0.35 * n.x).sin() + (0.31 * n.y).cos() + (0.4 * n.z).sin();
             Vec3::new(x as f32, (10.0 + waves_m * wave) as f32, z as f32)
         };
@@ -41,8 +41,8 @@ fn world(space: &dyn Strategy, waves_m: f64) -> PhysicsWorld {
                 soup.quad(corners, Vec3::Y);
             }
         }
-        let coord = ChunkCoord::new(hemisphere, IVec3::ZERO);
-        world.set_terrain(coord, space.chart_origin_m(hemisphere), Some(soup.build()));
+        let coord = ChunkCoord::new(chart, IVec3::ZERO);
+        world.set_terrain(coord, space.chart_origin_m(chart), Some(soup.build()));
     }
     world
 }
@@ -70,15 +70,15 @@ fn drive(
     aside: f64,
     boost: bool,
 ) -> Run {
-    let rim_m = space.rim_m().unwrap();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap();
     let heading = azimuth + aside;
     let way = DVec3::new(heading.cos(), 0.0, heading.sin());
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
-    let mut hemisphere = Hemisphere::A;
-    let origin = |hemisphere| space.chart_origin_m(hemisphere);
+    let mut chart = ChartId::FIRST;
+    let origin = |chart| space.chart_origin_m(chart);
     let mut physics = VehiclePhysics::default();
     let never = |_: DVec3| false;
-    let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0 + origin(hemisphere);
+    let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0 + origin(chart);
     let free = physics.upright_at(world, at, way, &never).unwrap();
     let mut vehicle = physics.vehicle(free);
     for _ in 0..90 {
@@ -112,16 +112,16 @@ fn drive(
             ahead: glam::DQuat::from_rotation_y(back) * motion.ahead(),
             contacts: vehicle.wheels().map(|wheel| wheel.contact),
         };
-        if hemisphere == Hemisphere::B {
+        if chart == ChartId::SECOND {
             run.after.push(felt);
             continue;
         }
         run.before.push(felt);
         assert!(run.before.len() < 300, "it does not get there: {motion:?}");
-        let point = ChartPoint::new(hemisphere, motion.place - origin(hemisphere));
+        let point = ChartPoint::new(chart, motion.place - origin(chart));
         if let Some(crossing) = space.cross(point) {
-            hemisphere = crossing.point.hemisphere;
-            let place = crossing.point.pos + origin(hemisphere);
+            chart = crossing.point.chart;
+            let place = crossing.point.pos + origin(chart);
             physics.carry(&mut vehicle, place, crossing.rotation());
             back = -crossing.turn_rad;
         }

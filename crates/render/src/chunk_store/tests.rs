@@ -2,7 +2,7 @@
 
 use std::mem::offset_of;
 
-use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap, picture};
+use antipode_geometry::{ChartId, Geometry, HyperbolicMap, picture};
 use glam::{IVec3, Vec3};
 
 use super::*;
@@ -52,7 +52,7 @@ fn land_that_streams_in_beside_an_edit_is_no_part_of_it() {
         }
     };
     let put = |x: i32, height: f32| {
-        let coord = ChunkCoord::new(Hemisphere::A, IVec3::new(x, 0, 0));
+        let coord = ChunkCoord::new(ChartId::FIRST, IVec3::new(x, 0, 0));
         ChunkChange::Put(coord, Arc::new(mesh(height)))
     };
     let mut frame = testing::frame(&picture(

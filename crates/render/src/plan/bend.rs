@@ -162,8 +162,8 @@ fn bend_at(space: &dyn Strategy, eye: &Eye, distance_m: f64, sine: f64) -> f64 {
         let turn = f64::from(azimuth) * std::f64::consts::TAU / f64::from(azimuths);
         let toward = DVec3::new(level * turn.cos(), sine, level * turn.sin());
         let middle = eye.point.moved(toward * distance_m);
-        let in_chart = |rim_m: f64| middle.pos.x.hypot(middle.pos.z) <= OVER_RIM * rim_m;
-        if space.rim_m().is_none_or(in_chart) {
+        let edge_m = space.domain(middle.chart).half_width_m();
+        if middle.pos.x.hypot(middle.pos.z) <= OVER_RIM * edge_m {
             let place = Place::new(space, eye, middle);
             // Of one azimuth the middle lies in the plane z = 0, and on both sides of it all looks the same.
             let ways = edge_ways().filter(|way| azimuths > 1 || way.z > 0.0);

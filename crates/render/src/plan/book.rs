@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use antipode_geometry::{Drum, Hemisphere};
+use antipode_geometry::{ChartId, Drum};
 use glam::{DVec2, IVec2};
 
 use super::skyline::Column;
@@ -33,13 +33,13 @@ pub struct Tract {
     chunks: Range<usize>,
 }
 
-type ColumnKey = (Hemisphere, [i32; 2], [i32; 2]);
+type ColumnKey = (ChartId, [i32; 2], [i32; 2]);
 
 /// What tells columns apart and brings those of a tract together.
 fn column_key(chunk: &ChunkLand) -> ColumnKey {
     let at = [chunk.coord.index.x, chunk.coord.index.z];
     let tract = at.map(|i| i >> TRACT_COLUMNS_LOG2);
-    (chunk.coord.hemisphere, tract, at)
+    (chunk.coord.chart, tract, at)
 }
 
 impl LandBook {
@@ -87,9 +87,7 @@ impl LandBook {
         };
         Tract {
             drum: Drum {
-                hemisphere: members()
-                    .next()
-                    .map_or(Hemisphere::A, |c| c.coord.hemisphere),
+                chart: members().next().map_or(ChartId::FIRST, |c| c.coord.chart),
                 middle,
                 radius_m: members().map(reach).fold(0.0, f64::max),
                 heights_m: [min.y, max.y],

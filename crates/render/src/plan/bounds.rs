@@ -4,7 +4,9 @@
 //! no more at its ends.
 
 use antipode_frame::{Frame, View};
-use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, SightCell, Strategy, side_normals};
+use antipode_geometry::{
+    ChartPoint, Domain, Eye, Geometry, Projection, SightCell, Strategy, side_normals,
+};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -136,7 +138,7 @@ impl Bounds {
     /// lies from the eye. In a chart with a rim it is a place near by, rather nearer to the pole.
     pub fn bend_eye(frame: &Frame) -> Eye {
         let mut point = ChartPoint::default();
-        if frame.view.strategy.rim_m().is_some() {
+        if frame.view.strategy.domain(frame.view.eye.point.chart) != Domain::Everywhere {
             let step_m = frame.view.strategy.radius_at_m(&frame.view.eye) * BEND_STEP;
             point = frame.view.eye.point;
             point.pos = (point.pos / step_m).trunc() * step_m;
@@ -167,7 +169,7 @@ impl Bounds {
             space,
             eye,
             eye.point,
-            space.reference(eye, eye.point.hemisphere),
+            space.reference(eye, eye.point.chart),
             1.0,
         );
         Self {
@@ -193,14 +195,14 @@ impl Bounds {
 
     /// Chart distance from the eye to the nearest corner, edge or face of a chunk's land, metres.
     pub fn nearest_chart_m(frame: &Frame, chunk: &ChunkLand) -> f64 {
-        let mut eye = frame.view.eye.point;
-        if eye.hemisphere != chunk.coord.hemisphere {
-            match frame.view.strategy.carry(eye) {
-                Some(crossing) => eye = crossing.point,
-                None => return f64::INFINITY,
-            }
-        }
-        eye.pos.distance(eye.pos.clamp(chunk.min, chunk.max))
+        let carried = frame
+            .view
+            .strategy
+            .carry(frame.view.eye.point, chunk.coord.chart);
+        carried.map_or(f64::INFINITY, |eye| {
+            let eye = eye.point.pos;
+            eye.distance(eye.clamp(chunk.min, chunk.max))
+        })
     }
 
     /// The chunk's frame and its error in pixels, if it stays within the tolerance.
@@ -213,7 +215,7 @@ impl Bounds {
         if self.flat {
             return Some((self.affine, 0.0));
         }
-        if chunk.coord.hemisphere != frame.view.eye.point.hemisphere {
+        if chunk.coord.chart != frame.view.eye.point.chart {
             return None;
         }
         let tolerance_px = CRACK_SHARE * tolerance_px;
@@ -222,11 +224,11 @@ impl Bounds {
         if guess > FRAME_WORTH_TRYING * tolerance_px {
             return None;
         }
-        let middle = ChartPoint::new(chunk.coord.hemisphere, 0.5 * (chunk.min + chunk.max));
+        let middle = ChartPoint::new(chunk.coord.chart, 0.5 * (chunk.min + chunk.max));
         let origin = frame
             .view
             .strategy
-            .reference(&frame.view.eye, chunk.coord.hemisphere);
+            .reference(&frame.view.eye, chunk.coord.chart);
         let error_px = self.strays_px(frame, &self.affine, middle, origin, 0.5 * size)?;
         (error_px <= tolerance_px).then_some((self.affine, error_px))
     }
@@ -288,7 +290,7 @@ impl Bounds {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Hemisphere;
+    use antipode_geometry::ChartId;
 
     use super::super::bend::off_line;
     use super::super::testing::{Numbers, frame, spaces};
@@ -304,15 +306,15 @@ mod tests {
         };
         for (name, space, dials) in spaces() {
             for _ in 0..150 {
-                let reach_m = space.rim_m().unwrap_or(900.0);
+                let reach_m = space.domain(ChartId::FIRST).radius_m().unwrap_or(900.0);
                 let level = numbers.turn() * numbers.between(0.0, reach_m);
                 let limits = space.limits();
                 let (low, high) = limits.map_or((-50.0, 50.0), |l| (l.bedrock_m, l.ceiling_m));
                 let mut frame = frame(&space);
                 frame.view.eye.point.pos = DVec3::new(level.x, numbers.between(low, high), level.y);
-                frame.view.eye.point.hemisphere = match space.rim_m() {
-                    Some(_) if numbers.between(0.0, 1.0) > 0.5 => Hemisphere::B,
-                    _ => Hemisphere::A,
+                frame.view.eye.point.chart = match space.domain(ChartId::FIRST).radius_m() {
+                    Some(_) if numbers.between(0.0, 1.0) > 0.5 => ChartId::SECOND,
+                    _ => ChartId::FIRST,
                 };
                 frame.view.eye.yaw = numbers.between(-3.0, 3.0);
                 frame.view.eye.dial = numbers.between(dials[0], dials[1]);

@@ -61,12 +61,11 @@ pub fn choose(
     bounds: &Bounds,
     tolerance: &Tolerance,
 ) -> ChunkChoice {
-    let trimmed = frame.view.strategy.trims(
-        &frame.view.eye,
-        chunk.coord.hemisphere,
-        chunk.min,
-        chunk.max,
-    );
+    let trimmed =
+        frame
+            .view
+            .strategy
+            .trims(&frame.view.eye, chunk.coord.chart, chunk.min, chunk.max);
     let affine = bounds
         .affine(frame, chunk, tolerance.shape_px)
         .filter(|_| !trimmed);

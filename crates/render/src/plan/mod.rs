@@ -154,7 +154,7 @@ fn all(frame: &Frame, book: &LandBook) -> Vec<Candidate> {
         let steps = chunk.coord.index - home;
         Candidate {
             place,
-            cell: strategy.sight_cell(eye, chunk.coord.hemisphere, chunk.min, chunk.max),
+            cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max),
             ring: skyline::ring(steps.x, steps.z),
         }
     };
@@ -182,8 +182,8 @@ fn candidates(
         }
         for place in book.chunks(tract) {
             let chunk = &book.land()[place];
-            let hemisphere = chunk.coord.hemisphere;
-            let cell = frustum.cell_seen(strategy, eye, hemisphere, chunk.min, chunk.max);
+            let chart = chunk.coord.chart;
+            let cell = frustum.cell_seen(strategy, eye, chart, chunk.min, chunk.max);
             match cell.filter(|cell| cell.nearest_m <= fog_m) {
                 Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
                     stats.triangles_small += chunk.triangles;

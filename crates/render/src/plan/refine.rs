@@ -97,19 +97,10 @@ impl RefineRules {
     /// The places of the eye from a chunk's corner; none where they have none in its chart. They are whole parts of a
     /// metre and corners whole metres, so differences from them are exact, and come out the same in every chunk.
     pub fn eyes_from(&self, frame: &Frame, chunk: &ChunkLand) -> Vec<Vec3> {
-        let hemisphere = chunk.coord.hemisphere;
-        let eyes = self.key.way.places().filter_map(|eye| {
-            if eye.hemisphere == hemisphere {
-                Some(eye.pos)
-            } else {
-                frame
-                    .view
-                    .strategy
-                    .carry(eye)
-                    .map(|crossing| crossing.point.pos)
-            }
-        });
-        eyes.map(|eye| (eye - chunk.coord.origin()).as_vec3())
+        let chart = chunk.coord.chart;
+        let places = self.key.way.places();
+        let eyes = places.filter_map(|eye| frame.view.strategy.carry(eye, chart));
+        eyes.map(|eye| (eye.point.pos - chunk.coord.origin()).as_vec3())
             .collect()
     }
 
@@ -170,18 +161,18 @@ impl RefineRules {
         chunk: &ChunkLand,
         near_m: f64,
     ) -> f64 {
-        let mut eye = frame.view.eye.point;
-        if eye.hemisphere != self.key.way.hemisphere() {
-            match frame.view.strategy.carry(eye) {
-                Some(crossing) => eye = crossing.point,
-                None => return unhalved_error_px(frame, now, chunk),
-            }
-        }
+        let carried = frame
+            .view
+            .strategy
+            .carry(frame.view.eye.point, self.key.way.chart());
+        let Some(eye) = carried.map(|crossing| crossing.point) else {
+            return unhalved_error_px(frame, now, chunk);
+        };
         let places = self.key.way.places();
         let moved_m = places
             .map(|place| place.pos.distance(eye.pos))
             .fold(f64::INFINITY, f64::min);
-        let is_here = eye.hemisphere == chunk.coord.hemisphere;
+        let is_here = eye.chart == chunk.coord.chart;
         let heights = is_here.then_some([chunk.min.y - eye.pos.y, chunk.max.y - eye.pos.y]);
         let left = (error_px / self.tolerance.shape_px).max(1.0);
         let longest_square = chunk.longest_edge_m().powi(2);
@@ -207,7 +198,7 @@ impl RefineRules {
 /// The most that the edges of a chunk stray as they are, in pixels.
 pub fn unhalved_error_px(frame: &Frame, bounds: &Bounds, chunk: &ChunkLand) -> f64 {
     let near_m = Bounds::nearest_chart_m(frame, chunk);
-    let sines = if frame.view.eye.point.hemisphere == chunk.coord.hemisphere {
+    let sines = if frame.view.eye.point.chart == chunk.coord.chart {
         let heights = [chunk.min.y, chunk.max.y].map(|y| y - frame.view.eye.point.pos.y);
         let far_m = near_m + (chunk.max - chunk.min).length();
         sines_between(heights, [near_m.max(0.05), far_m])

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use antipode_frame::Frame;
-use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Hemisphere, SightCell, azimuth_spread};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord, SightCell, azimuth_spread};
 use glam::{DVec2, DVec3, IVec2, IVec3};
 
 use super::bounds::PictureScale;
@@ -138,7 +138,7 @@ impl<'a> Skyline<'a> {
         let min = DVec3::new(corner.x, top_m, corner.y);
         let max = min + DVec3::new(side, 0.0, side);
         let (space, eye) = (&self.frame.view.strategy, &self.frame.view.eye);
-        space.sight_cell(eye, Hemisphere::A, min, max)
+        space.sight_cell(eye, ChartId::FIRST, min, max)
     }
 
     fn raise_parts(&mut self, column: &Column, ring: u32) {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use antipode_frame::Quality;
-use antipode_geometry::Hemisphere;
+use antipode_geometry::ChartId;
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::{DVec3, IVec2, IVec3, Vec3};
 
@@ -17,11 +17,12 @@ fn land(numbers: &mut Numbers, frame: &Frame) -> Vec<ChunkLand> {
     let mut found = BTreeMap::new();
     let home = ChunkCoord::containing(frame.view.eye.point).index;
     for _ in 0..600 {
-        let closed = frame.view.strategy.rim_m().is_some();
+        let closed = frame.view.strategy.is_closed();
         let reach = frame
             .view
             .strategy
-            .rim_m()
+            .domain(ChartId::FIRST)
+            .radius_m()
             .map_or(14.0, |rim_m| 1.0 + rim_m / 32.0);
         let index = DVec3::new(
             numbers.between(-reach, reach),
@@ -35,8 +36,12 @@ fn land(numbers: &mut Numbers, frame: &Frame) -> Vec<ChunkLand> {
             home
         };
         let other = closed && numbers.between(0.0, 1.0) > 0.5;
-        let hemisphere = if other { Hemisphere::B } else { Hemisphere::A };
-        let coord = ChunkCoord { hemisphere, index };
+        let chart = if other {
+            ChartId::SECOND
+        } else {
+            ChartId::FIRST
+        };
+        let coord = ChunkCoord { chart, index };
         let mut corner = || {
             DVec3::from_array(std::array::from_fn(|_| {
                 numbers.between(-4.0, 36.0).clamp(0.0, 32.0)
@@ -69,7 +74,7 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
     let home = ChunkCoord::containing(eye.point).index;
     let mut seen = Vec::new();
     for (place, chunk) in land.iter().enumerate() {
-        let cell = frustum.cell_seen(space, eye, chunk.coord.hemisphere, chunk.min, chunk.max);
+        let cell = frustum.cell_seen(space, eye, chunk.coord.chart, chunk.min, chunk.max);
         match cell.filter(|cell| cell.nearest_m <= f64::from(frame.view.fog_distance_m)) {
             Some(cell) if scale.spans_px(&cell) < tolerance.small_px => {
                 stats.triangles_small += chunk.triangles;
@@ -127,7 +132,7 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
 /// A frame from somewhere, looking somewhere.
 fn pose(numbers: &mut Numbers, frame: &mut Frame, dials: [f64; 2]) {
     let space = Arc::clone(&frame.view.strategy);
-    let reach_m = space.rim_m().unwrap_or(500.0);
+    let reach_m = space.domain(ChartId::FIRST).radius_m().unwrap_or(500.0);
     let level = numbers.turn() * numbers.between(0.0, reach_m);
     let (low, high) = space
         .limits()
@@ -177,7 +182,7 @@ fn tracts_and_what_is_wanted_of_the_skyline_change_no_decision() {
 /// The land of a chunk where the ground is as high as `height_m` says at x and z in whole metres of the chart, and
 /// straight between; nothing where none of it lies in the chunk.
 fn chunk(index: IVec3, height_m: impl Fn(f64, f64) -> f64) -> Option<ChunkLand> {
-    let coord = ChunkCoord::new(Hemisphere::A, index);
+    let coord = ChunkCoord::new(ChartId::FIRST, index);
     let cells = CHUNK_CELLS as u32;
     let over = |x: u32, z: u32| {
         let at = coord.origin() + DVec3::new(f64::from(x), 0.0, f64::from(z));

@@ -1,7 +1,7 @@
 //! The straight way along which an eye is expected to go on: land is refined for all of it at once, so that what is
 //! made for it still holds when it is shown.
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use glam::{DVec3, IVec3};
 
 /// A way begins and ends on a grid of this width, metres: an eye that stands, or moves by less, asks for nothing new.
@@ -18,7 +18,7 @@ const LONGEST_M: f64 = 6.0;
 /// A straight way of an eye along the chart; a single place, where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
-    hemisphere: Hemisphere,
+    chart: ChartId,
     from: IVec3,
     to: IVec3,
 }
@@ -28,7 +28,7 @@ impl Way {
     pub fn new(from: &ChartPoint, step: DVec3) -> Self {
         let cell = |pos: DVec3| (pos / GRID_M).round().as_ivec3();
         Self {
-            hemisphere: from.hemisphere,
+            chart: from.chart,
             from: cell(from.pos),
             to: cell(from.pos + step.clamp_length_max(LONGEST_M)),
         }
@@ -40,12 +40,12 @@ impl Way {
 
     /// Places along it: no eye that it covers is farther than [`Way::slack_m`] from one of them.
     pub fn places(&self) -> impl Iterator<Item = ChartPoint> + use<> {
-        let ([from, to], hemisphere) = (self.ends(), self.hemisphere);
+        let ([from, to], chart) = (self.ends(), self.chart);
         let steps = self.strides();
         (0..=steps).map(move |i| {
             let part = f64::from(i) / f64::from(steps.max(1));
             let pos = (from.lerp(to, part) * PARTS_PER_M).round() / PARTS_PER_M;
-            ChartPoint::new(hemisphere, pos)
+            ChartPoint::new(chart, pos)
         })
     }
 
@@ -65,10 +65,7 @@ impl Way {
 
     /// How far an eye is from it, metres along its chart; infinite from where that does not reach.
     pub fn away_m(&self, strategy: &dyn Strategy, eye: &ChartPoint) -> f64 {
-        if eye.hemisphere == self.hemisphere {
-            return self.distance_m(eye.pos);
-        }
-        let carried = strategy.carry(*eye);
+        let carried = strategy.carry(*eye, self.chart);
         carried.map_or(f64::INFINITY, |crossing| {
             self.distance_m(crossing.point.pos)
         })
@@ -89,7 +86,7 @@ impl Way {
 
     /// Whether what is made for it holds for an eye.
     pub fn covers(&self, eye: &ChartPoint) -> bool {
-        eye.hemisphere == self.hemisphere && self.distance_m(eye.pos) <= CELL_M
+        eye.chart == self.chart && self.distance_m(eye.pos) <= CELL_M
     }
 
     /// Whether it is a single place.
@@ -98,8 +95,8 @@ impl Way {
     }
 
     /// The chart that it lies in.
-    pub fn hemisphere(&self) -> Hemisphere {
-        self.hemisphere
+    pub fn chart(&self) -> ChartId {
+        self.chart
     }
 }
 
@@ -127,7 +124,7 @@ mod tests {
                 let nearest = nearest.fold(f64::INFINITY, f64::min);
                 assert!(nearest <= way.slack_m(), "{way:?} {eye:?}: {nearest}");
             }
-            assert!(!way.covers(&ChartPoint::new(Hemisphere::B, eye.pos)));
+            assert!(!way.covers(&ChartPoint::new(ChartId::SECOND, eye.pos)));
         }
     }
 
@@ -145,14 +142,14 @@ mod tests {
     #[test]
     fn a_way_is_as_far_from_an_eye_in_the_other_chart() {
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let rim_m = sphere.rim_m().unwrap();
+        let rim_m = sphere.domain(ChartId::FIRST).radius_m().unwrap();
         let at = |x: f64| ChartPoint::a(DVec3::new(x, 4.0, 0.0));
         let way = Way::new(&at(rim_m - 0.5), DVec3::ZERO);
-        let over = sphere.carry(at(rim_m + 2.0)).unwrap().point;
-        assert_eq!(over.hemisphere, Hemisphere::B);
+        let over = sphere.images(at(rim_m + 2.0), f64::INFINITY)[0].point;
+        assert_eq!(over.chart, ChartId::SECOND);
         let away_m = way.away_m(&*sphere, &over);
         assert!((away_m - 2.5).abs() < 0.5, "{away_m}");
-        let antipode = ChartPoint::new(Hemisphere::B, DVec3::new(0.0, 4.0, 0.0));
+        let antipode = ChartPoint::new(ChartId::SECOND, DVec3::new(0.0, 4.0, 0.0));
         assert!(way.away_m(&*sphere, &antipode) > rim_m);
     }
 }

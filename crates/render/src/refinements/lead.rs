@@ -29,8 +29,8 @@ impl Lead {
     pub fn frame(&mut self, strategy: &dyn Strategy, eye: &ChartPoint) {
         self.age += 1;
         let mut last = self.last.replace(*eye);
-        if let Some(before) = last.filter(|last| last.hemisphere != eye.hemisphere) {
-            let crossing = strategy.carry(before);
+        if let Some(before) = last.filter(|last| last.chart != eye.chart) {
+            let crossing = strategy.carry(before, eye.chart);
             self.step = crossing.map_or(DVec3::ZERO, |crossing| crossing.rotation() * self.step);
             last = crossing.map(|crossing| crossing.point);
         }
@@ -82,21 +82,21 @@ impl Lead {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-    use antipode_geometry::{Geometry, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
     #[test]
     fn who_runs_over_the_equator_is_led_on_the_same_way() {
         let sphere = strategy(Geometry::Spherical, 32.0);
-        let rim_m = sphere.rim_m().unwrap();
+        let rim_m = sphere.domain(ChartId::FIRST).radius_m().unwrap();
         let mut lead = Lead::default();
         // Past the rim the way goes on in the other chart, whose axes are turned against those of the first.
         let heading = DVec3::new(0.5, 0.0, 0.75_f64.sqrt());
         let at = |step: i32| {
             let from_middle_m = rim_m + 0.1 * f64::from(step);
             let eye = ChartPoint::a(heading * from_middle_m + DVec3::Y * 4.0);
-            let crossing = (step >= 0).then(|| sphere.carry(eye).unwrap());
+            let crossing = (step >= 0).then(|| sphere.images(eye, f64::INFINITY)[0]);
             crossing.map_or(eye, |crossing| crossing.point)
         };
         lead.begin();

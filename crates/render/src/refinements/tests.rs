@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use antipode_frame::{ChunkChange, Frame, Land};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap, picture};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, HyperbolicMap, picture};
 use antipode_terrain::{Content, Field, march};
 use glam::{DVec2, DVec3, IVec3};
 
@@ -19,7 +19,7 @@ fn land(field: &Field, reach: i32) -> Arc<Land> {
     for x in -2..=reach {
         for (y, z) in (-2..=2).flat_map(|y| (-3..=3).map(move |z| (y, z))) {
             let coord = ChunkCoord {
-                hemisphere: Hemisphere::A,
+                chart: ChartId::FIRST,
                 index: IVec3::new(x, y, z),
             };
             if field.content(coord) == Content::Surface {
@@ -64,7 +64,7 @@ fn true_error_px(store: &ChunkStore, frame: &Frame, land: &[ChunkLand], plan: &F
             let corners = chunk.source.indices.as_chunks::<3>().0;
             triangles.extend(corners.iter().map(|c| c.map(at)));
         }
-        let of = |p: DVec3| view(ChartPoint::new(coord.hemisphere, coord.origin() + p)).truncate();
+        let of = |p: DVec3| view(ChartPoint::new(coord.chart, coord.origin() + p)).truncate();
         for corners in triangles {
             let seen = corners.map(of);
             if seen.iter().any(|v| v.z > -1e-3) {
@@ -126,7 +126,7 @@ impl Run {
 
     /// One frame, `x` metres east: how far off what is drawn is, and how far off it is said to be at most, pixels.
     fn go_to(&mut self, x: f64) -> (f64, f64) {
-        let ground_m = self.field.surface_height(Hemisphere::A, x, 4.0);
+        let ground_m = self.field.surface_height(ChartId::FIRST, x, 4.0);
         self.frame.view.eye.point = ChartPoint::a(DVec3::new(x, ground_m + 1.62, 4.0));
         self.store.apply(&self.frame);
         let book = self.store.land();

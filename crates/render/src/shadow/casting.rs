@@ -45,7 +45,7 @@ impl Shadows {
                 continue;
             };
             heights = [heights[0].min(low), heights[1].max(high)];
-            let middle = ChartPoint::new(room.hemisphere, room.middle());
+            let middle = ChartPoint::new(room.chart, room.middle());
             is_near |= strategy.distance_m(frame.view.eye.point, middle, &frame.view.eye)
                 < 2.0 * FIGURES_M;
             if self.merges() {
@@ -66,7 +66,7 @@ impl Shadows {
             heights,
         };
         let eye = &frame.view.eye;
-        let reference = frame.view.strategy.reference(eye, eye.point.hemisphere);
+        let reference = frame.view.strategy.reference(eye, eye.point.chart);
         let from = match light {
             Light::Far { anchor, .. } => (reference - anchor).extend(1.0),
             Light::Star { .. } => DVec4::W,

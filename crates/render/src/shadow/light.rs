@@ -8,7 +8,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::culling::Ball;
@@ -85,12 +85,11 @@ fn body(frame: &Frame) -> DVec4 {
 impl Light {
     /// A frame's key light.
     pub fn of(frame: &Frame) -> Self {
-        match frame.view.strategy.rim_m() {
-            None => {
-                let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
-                far(toward.normalize_or(DVec3::Y), frame.view.eye.point.pos)
-            }
-            Some(_) => star(body(frame), frame.view.strategy.radius_m()),
+        if frame.view.strategy.has_sky() {
+            let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
+            far(toward.normalize_or(DVec3::Y), frame.view.eye.point.pos)
+        } else {
+            star(body(frame), frame.view.strategy.radius_m())
         }
     }
 
@@ -214,7 +213,7 @@ pub type Rectangle = [DVec2; 2];
 #[derive(Clone, Copy, Debug)]
 pub struct Caster {
     /// Its chart.
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     /// Lowest corner, metres.
     pub min: DVec3,
     /// Highest corner, metres.
@@ -235,7 +234,7 @@ impl Caster {
     /// All of a chunk's land.
     pub fn of(land: &ChunkLand) -> Self {
         Self {
-            hemisphere: land.coord.hemisphere,
+            chart: land.coord.chart,
             min: land.min,
             max: land.max,
         }
@@ -246,7 +245,7 @@ impl Light {
     /// The heights towards the light between which a box lies, if any of it falls on a crop. A star's maps hold all
     /// distances.
     pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
-        let middle = ChartPoint::new(of.hemisphere, of.middle());
+        let middle = ChartPoint::new(of.chart, of.middle());
         let reach = of.reach();
         let base = self.base(strategy, middle);
         match self {
@@ -302,7 +301,7 @@ impl Light {
     ) -> Option<Rectangle> {
         let radius_m = match self {
             Self::Far { across, .. } => {
-                let middle = ChartPoint::new(of.hemisphere, of.middle());
+                let middle = ChartPoint::new(of.chart, of.middle());
                 let at = self.on_plane(0, self.base(strategy, middle));
                 let spread = DVec2::from(across.map(|way| way.abs().dot(of.reach())));
                 return Some([at - spread, at + spread]);
@@ -318,7 +317,7 @@ impl Light {
                 ends[(corner >> axis & 1) as usize]
             };
             let pos = DVec3::new(choose(0), choose(1), choose(2));
-            let base = self.base(strategy, ChartPoint::new(of.hemisphere, pos));
+            let base = self.base(strategy, ChartPoint::new(of.chart, pos));
             let own = rows.map(|row| row.dot(base));
             let away = DVec3::new(own[0], own[1], own[2]).length();
             let depth = ahead(own, face);

@@ -171,7 +171,7 @@ impl Shadows {
         while used < left
             && let Some(coord) = todo.pop()
         {
-            let instance = ChunkInstance::new(coord.origin(), coord.hemisphere, from);
+            let instance = ChunkInstance::new(coord.origin(), coord.chart, from);
             used += chunks.list_caster(coord, instance, list);
         }
         draws.send(&self.queue, list);

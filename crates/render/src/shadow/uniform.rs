@@ -67,7 +67,7 @@ pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
     let eye: &Eye = &frame.view.eye;
     match light {
         Light::Far { anchor, .. } => {
-            let reference = frame.view.strategy.reference(eye, eye.point.hemisphere);
+            let reference = frame.view.strategy.reference(eye, eye.point.chart);
             DMat4::from_translation(reference - *anchor)
         }
         Light::Star { .. } => {

@@ -152,7 +152,7 @@ fn instances_are_laid_out_as_the_shaders_read_them() {
 #[test]
 fn chunks_far_away_keep_their_place_and_grain() {
     let origin = DVec3::new(1_000_000.0 * 32.0, -32.0, 96.0);
-    let instance = ChunkInstance::new(origin, Hemisphere::B, origin - DVec3::new(0.25, 1.5, 3.0));
+    let instance = ChunkInstance::new(origin, ChartId::SECOND, origin - DVec3::new(0.25, 1.5, 3.0));
     assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
     assert_eq!(instance.flags, 1);
     assert_eq!(instance.shaded(8, false).flags, 0b10_0001);

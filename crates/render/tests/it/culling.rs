@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_frame::{Clip, Figure, Frame, LampLight, ModelId, Posture, Quality};
-use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Strategy, picture};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Strategy, picture};
 use antipode_render::ShadowQuality;
 use glam::{DQuat, DVec3, Vec3};
 
@@ -54,21 +54,17 @@ fn views() -> Vec<(&'static str, Arc<dyn Strategy>, f64)> {
 
 /// An eye somewhere on the ground, in a closed world often beside the equator, that looks anywhere.
 fn any_eye(numbers: &mut Numbers, space: &Arc<dyn Strategy>, dial: f64) -> Eye {
-    let hemisphere = match space.rim_m() {
-        Some(_) if numbers.next() < 0.5 => Hemisphere::B,
-        _ => Hemisphere::A,
+    let chart = match space.domain(ChartId::FIRST).radius_m() {
+        Some(_) if numbers.next() < 0.5 => ChartId::SECOND,
+        _ => ChartId::FIRST,
     };
     let away_m = space
-        .rim_m()
+        .domain(ChartId::FIRST)
+        .radius_m()
         .map_or(8.0, |rim_m| rim_m * numbers.next().sqrt());
     let angle = numbers.between(-3.2, 3.2);
     Eye {
-        point: standing(
-            space,
-            hemisphere,
-            away_m * angle.cos(),
-            away_m * angle.sin(),
-        ),
+        point: standing(space, chart, away_m * angle.cos(), away_m * angle.sin()),
         yaw: numbers.between(-3.2, 3.2),
         pitch: numbers.between(-1.2, 0.7),
         roll: 0.0,
@@ -79,7 +75,7 @@ fn any_eye(numbers: &mut Numbers, space: &Arc<dyn Strategy>, dial: f64) -> Eye {
 
 /// A sun low behind the eye, or anywhere.
 fn light(numbers: &mut Numbers, scene: &mut Frame) {
-    if scene.view.strategy.rim_m().is_some() {
+    if scene.view.strategy.is_closed() {
         let time_s = numbers.between(0.0, 600.0);
         scene.content_mut().sky =
             antipode_scene::day::sky(time_s, &*scene.view.strategy, &scene.view.eye);
@@ -99,7 +95,10 @@ fn light(numbers: &mut Numbers, scene: &mut Frame) {
 /// on the edge of the picture.
 fn place(numbers: &mut Numbers, scene: &Frame) -> ChartPoint {
     let (space, eye) = (&scene.view.strategy, &scene.view.eye);
-    let far_m = space.rim_m().map_or(40.0, |rim_m| 2.0 * rim_m);
+    let far_m = space
+        .domain(ChartId::FIRST)
+        .radius_m()
+        .map_or(40.0, |rim_m| 2.0 * rim_m);
     let away_m = far_m.powf(numbers.next());
     let choice = numbers.next();
     if choice < 0.4 {
@@ -107,7 +106,7 @@ fn place(numbers: &mut Numbers, scene: &Frame) -> ChartPoint {
         let away = DVec3::new(angle.cos(), 0.0, angle.sin()) * away_m.min(30.0);
         let at = eye.point.moved(away);
         let at = space.cross(at).map_or(at, |crossing| crossing.point);
-        return standing(space, at.hemisphere, at.pos.x, at.pos.z).moved(DVec3::NEG_Y * 1.7);
+        return standing(space, at.chart, at.pos.x, at.pos.z).moved(DVec3::NEG_Y * 1.7);
     }
     if choice < 0.6 {
         return space.along(eye, numbers.way(), away_m);
@@ -174,7 +173,8 @@ fn outside_of_equal_pictures(
     whole.renderer().draw_unseen();
     let (mut numbers, mut outside) = (Numbers(dial.to_bits() ^ 5), 0);
     let closed = space
-        .rim_m()
+        .domain(ChartId::FIRST)
+        .radius_m()
         .map(|_| land(&space, ChartPoint::default(), 1));
     for number in 0..PICTURES {
         let eye = any_eye(&mut numbers, &space, dial);
@@ -222,7 +222,7 @@ fn who_is_out_of_the_picture_throws_a_shadow_into_it() {
         return;
     };
     let space = picture(Geometry::Euclidean, 1.0, HyperbolicMap::Raised, false);
-    let eye = standing(&space, Hemisphere::A, 4.0, 4.0).moved(DVec3::Y * 2.0);
+    let eye = standing(&space, ChartId::FIRST, 4.0, 4.0).moved(DVec3::Y * 2.0);
     let mut scene = frame(&space, eye, ASPECT);
     scene.view.eye.pitch = -0.9;
     scene.content_mut().sky.key_direction = Vec3::new(-0.8, 0.5, 0.0).normalize().into();
@@ -230,7 +230,7 @@ fn who_is_out_of_the_picture_throws_a_shadow_into_it() {
     let empty = studio.picture(&scene);
     let behind = |i: u32| {
         let z = 4.0 + f64::from(i) - 3.0;
-        let point = standing(&space, Hemisphere::A, 0.5, z).moved(DVec3::NEG_Y * 1.7);
+        let point = standing(&space, ChartId::FIRST, 0.5, z).moved(DVec3::NEG_Y * 1.7);
         Figure::standing(ModelId::Astronaut, point, 0.0)
     };
     scene.content_mut().figures = (0..7).map(behind).collect();

@@ -6,7 +6,7 @@ use crate::common::sun_rays::Rays;
 use crate::common::told::told;
 use crate::common::triangles::{Surface, Triangle, triangles};
 use crate::common::worlds::World;
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_render::ShadowQuality;
 use image::{Rgba, RgbaImage};
 
@@ -68,7 +68,7 @@ fn is_lit(rays: &Rays<'_>, surface: &Surface, triangles: &[Triangle], (x, y): At
         return false;
     };
     let triangle = &triangles[seen.triangle as usize];
-    let point = ChartPoint::new(triangle.hemisphere, triangle.at(seen.weights));
+    let point = ChartPoint::new(triangle.chart, triangle.at(seen.weights));
     triangle.is_seam || rays.is_faced(seen.triangle) && rays.hit(point, seen.triangle).is_none()
 }
 
@@ -190,7 +190,7 @@ fn looked_at(quality: ShadowQuality) -> Option<Found> {
         for (n, (at, time_s, [yaw, pitch])) in looks.into_iter().enumerate() {
             world.scene.set_time_of_day_s(time_s);
             if let Some([x, z]) = at {
-                world.stand(Hemisphere::A, x, z);
+                world.stand(ChartId::FIRST, x, z);
             }
             world.aim(yaw, pitch);
             let name = format!("{quality:?}-{geometry}-{seed}-{n}");

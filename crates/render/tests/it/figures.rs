@@ -6,7 +6,7 @@ use crate::common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing}
 use antipode_frame::{
     ChunkChange, Clip, Figure, Frame, Hand, LampLight, ModelId, Posture, Quality,
 };
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry};
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
@@ -130,12 +130,15 @@ fn beyond_the_equator_a_figure_is_lit_as_on_this_side() {
     let Some(mut studio) = Studio::new(SIZE) else {
         return;
     };
-    let rim_m = space(Geometry::Spherical).rim_m().unwrap();
-    let at = |hemisphere, z: f64| ChartPoint::new(hemisphere, DVec3::new(0.0, 0.0, z));
+    let rim_m = space(Geometry::Spherical)
+        .domain(ChartId::FIRST)
+        .radius_m()
+        .unwrap();
+    let at = |chart, z: f64| ChartPoint::new(chart, DVec3::new(0.0, 0.0, z));
     let (near, far) = (rim_m - 4.5, rim_m - 1.5);
-    let here = colour_ahead(&mut studio, near, at(Hemisphere::A, far), 0.3);
+    let here = colour_ahead(&mut studio, near, at(ChartId::FIRST, far), 0.3);
     // Here the other chart is turned by half a turn.
-    let there = colour_ahead(&mut studio, far, at(Hemisphere::B, far), 0.3 + PI);
+    let there = colour_ahead(&mut studio, far, at(ChartId::SECOND, far), 0.3 + PI);
     for (here, there) in here.into_iter().zip(there) {
         assert!((here - there).abs() < 6.0, "{here} {there}");
     }
@@ -241,7 +244,7 @@ fn every_model_is_seen_in_every_space() {
     };
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
+        let stand = standing(&space, ChartId::FIRST, 4.0, 4.0);
         let mut frame = frame(&space, stand, ASPECT);
         for quality in [Quality::Balanced, Quality::Exact] {
             frame.view.quality = quality;
@@ -352,7 +355,7 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
     let mut shown = Vec::new();
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
+        let stand = standing(&space, ChartId::FIRST, 4.0, 4.0);
         let mut frame = frame(&space, stand, ASPECT);
         frame.view.eye = Eye {
             yaw: 0.4,

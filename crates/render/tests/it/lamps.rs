@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::common::{Studio, frame, noon, space};
 use antipode_frame::{ChunkChange, LampLight, Land, Lights, Sky};
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry, Strategy};
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec2, DVec3, DVec4};
 use image::RgbaImage;
@@ -41,12 +41,8 @@ fn on_wall(space: &dyn Strategy, eye: &Eye, at: DVec2) -> ChartPoint {
 }
 
 /// The same place in the given chart.
-fn carried(space: &dyn Strategy, point: ChartPoint, hemisphere: Hemisphere) -> DVec3 {
-    if point.hemisphere == hemisphere {
-        point.pos
-    } else {
-        space.carry(point).unwrap().point.pos
-    }
+fn carried(space: &dyn Strategy, point: ChartPoint, chart: ChartId) -> DVec3 {
+    space.carry(point, chart).unwrap().point.pos
 }
 
 /// The wall as meshes: in each chart whatever of it lies there, by chunks.
@@ -58,21 +54,21 @@ fn wall(space: &dyn Strategy, eye: &Eye) -> Land {
     for (i, j) in (0..squares).flat_map(|i| (0..squares).map(move |j| (i, j))) {
         let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| place(i, j));
         let points = corners.map(|at| on_wall(space, eye, at));
-        for hemisphere in [Hemisphere::A, Hemisphere::B] {
-            if points.iter().all(|point| point.hemisphere != hemisphere) {
+        for chart in [ChartId::FIRST, ChartId::SECOND] {
+            if points.iter().all(|point| point.chart != chart) {
                 continue;
             }
-            let chart = |at: DVec2| carried(space, on_wall(space, eye, at), hemisphere);
-            let at = corners.map(chart);
+            let place = |at: DVec2| carried(space, on_wall(space, eye, at), chart);
+            let at = corners.map(place);
             let middle = at.iter().sum::<DVec3>() / 4.0;
-            let coord = ChunkCoord::containing(ChartPoint::new(hemisphere, middle));
+            let coord = ChunkCoord::containing(ChartPoint::new(chart, middle));
             let mesh = meshes.entry(coord).or_default();
             let first = mesh.vertices.len() as u32;
             for (corner, pos) in corners.iter().zip(at) {
                 // A covector of the chart: square to what leads along the wall there.
                 let step = 1e-3;
-                let right = chart(*corner + DVec2::X * step) - pos;
-                let up = chart(*corner + DVec2::Y * step) - pos;
+                let right = place(*corner + DVec2::X * step) - pos;
+                let up = place(*corner + DVec2::Y * step) - pos;
                 let normal = right.cross(up).normalize();
                 let local = (pos - coord.origin()).as_vec3();
                 mesh.vertices
@@ -158,10 +154,13 @@ fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
         return;
     };
     let space = space(Geometry::Spherical);
-    let (rim_m, height_m) = (space.rim_m().unwrap(), 0.3 * space.radius_m());
-    let eye = |hemisphere, angle: f64, level_m: f64, yaw: f64| Eye {
+    let (rim_m, height_m) = (
+        space.domain(ChartId::FIRST).radius_m().unwrap(),
+        0.3 * space.radius_m(),
+    );
+    let eye = |chart, angle: f64, level_m: f64, yaw: f64| Eye {
         point: ChartPoint::new(
-            hemisphere,
+            chart,
             DVec3::new(level_m * angle.cos(), height_m, level_m * angle.sin()),
         ),
         yaw,
@@ -173,19 +172,19 @@ fn a_lamp_lights_a_wall_alike_at_both_centres_and_over_the_equator() {
     // The height shrinks ways on the ground, so the equator is a little nearer than it is in the chart.
     let ground = 0.3f64.cos();
     let places = [
-        ("the centre of A", eye(Hemisphere::A, 0.0, 0.0, 0.3)),
-        ("the centre of B", eye(Hemisphere::B, 0.0, 0.0, -1.2)),
+        ("the centre of A", eye(ChartId::FIRST, 0.0, 0.0, 0.3)),
+        ("the centre of B", eye(ChartId::SECOND, 0.0, 0.0, -1.2)),
         (
             "aslant over the equator",
-            eye(Hemisphere::A, 0.9, rim_m - 4.0 / ground, 0.9 + 0.5),
+            eye(ChartId::FIRST, 0.9, rim_m - 4.0 / ground, 0.9 + 0.5),
         ),
         (
             "the lamp in A, the wall in B",
-            eye(Hemisphere::A, -2.0, rim_m - 3.2 / ground, -2.0),
+            eye(ChartId::FIRST, -2.0, rim_m - 3.2 / ground, -2.0),
         ),
         (
             "along the equator",
-            eye(Hemisphere::B, 0.4, rim_m - 0.3, 0.4 + FRAC_PI_2),
+            eye(ChartId::SECOND, 0.4, rim_m - 0.3, 0.4 + FRAC_PI_2),
         ),
     ];
     let found = places.map(|(name, eye)| (name, brightening(&mut studio, &space, eye)));

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{Studio, difference, frame, land, plates, space, standing};
 use antipode_frame::{ChunkChange, Frame, Quality};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use antipode_terrain::{ChunkMesh, Level};
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -12,7 +12,7 @@ use image::RgbaImage;
 const SIZE: (u32, u32) = (240, 180);
 const ASPECT: f64 = 4.0 / 3.0;
 const HOME: ChunkCoord = ChunkCoord {
-    hemisphere: Hemisphere::A,
+    chart: ChartId::FIRST,
     index: IVec3::ZERO,
 };
 
@@ -163,7 +163,7 @@ fn a_frame_sends_a_budget_of_new_land_but_every_edit_and_a_single_picture_everyt
         return;
     };
     let space = space(Geometry::Euclidean);
-    let stand = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let stand = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let mut frame = frame(&space, stand, ASPECT);
     let made = land(&space, stand, 3);
     let meshes = made.meshes().filter(|(_, mesh)| !mesh.is_empty());
@@ -198,7 +198,7 @@ fn one_call_draws_many_chunks_and_where_it_cannot_one_call_draws_one() {
     };
     for geometry in crate::common::GEOMETRIES {
         let space = space(geometry);
-        let stand = standing(&space, Hemisphere::A, 5.0, 3.0);
+        let stand = standing(&space, ChartId::FIRST, 5.0, 3.0);
         let mut frame = frame(&space, stand, ASPECT);
         frame.content_mut().loaded_world = 10 + geometry as u64;
         frame.content_mut().land = land(&space, stand, 3);

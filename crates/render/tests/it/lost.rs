@@ -4,7 +4,7 @@ use crate::common::{PLAIN, adapter, difference, frame, land, space, standing};
 use std::sync::Arc;
 
 use antipode_frame::Frame;
-use antipode_geometry::{Geometry, Hemisphere};
+use antipode_geometry::{ChartId, Geometry};
 use antipode_render::{Gpu, Offscreen, Options, RenderError, Renderer, Shaders};
 use image::RgbaImage;
 
@@ -19,7 +19,7 @@ const OPTIONS: Options = Options {
 
 fn view() -> Frame {
     let space = space(Geometry::Hyperbolic);
-    let point = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let point = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let empty = frame(&space, point, 16.0 / 9.0);
     empty.with_content(|it| it.land = land(&space, point, 1))
 }

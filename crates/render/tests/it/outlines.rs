@@ -2,7 +2,7 @@
 
 use crate::common::{GEOMETRIES, Studio, frame, plates, seen_at, space, standing};
 use antipode_frame::{ChunkChange, Frame, HitForm, HitShape};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use glam::{DQuat, DVec3, Vec3};
 use image::RgbaImage;
 
@@ -58,10 +58,10 @@ fn places() -> Vec<(Frame, String)> {
     let mut places = Vec::new();
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        for hemisphere in [Hemisphere::A, Hemisphere::B] {
-            if hemisphere == Hemisphere::A || geometry == Geometry::Spherical {
-                let stand = standing(&space, hemisphere, 4.0, 4.0);
-                let name = format!("{geometry} {hemisphere:?}");
+        for chart in [ChartId::FIRST, ChartId::SECOND] {
+            if chart == ChartId::FIRST || geometry == Geometry::Spherical {
+                let stand = standing(&space, chart, 4.0, 4.0);
+                let name = format!("{geometry} {chart:?}");
                 places.push((frame(&space, stand, ASPECT), name));
             }
         }

@@ -6,7 +6,7 @@ use crate::common::{
     GEOMETRIES, PLAIN, Studio, difference, frame, land, plates, seen_at, space, standing,
 };
 use antipode_frame::{ChunkChange, Figure, Frame, ModelId};
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry};
 use antipode_render::{AdapterChoice, Gpu};
 use antipode_terrain::ChunkMesh;
 use glam::{DVec3, IVec3, Vec3};
@@ -18,7 +18,7 @@ const ASPECT: f64 = 16.0 / 9.0;
 
 fn view(geometry: Geometry, pitch: f64) -> Frame {
     let space = space(geometry);
-    let point = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let point = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let empty = frame(&space, point, ASPECT);
     empty
         .with_view(|it| it.eye = Eye { pitch, ..it.eye })
@@ -162,7 +162,7 @@ fn chunks_beyond_the_fog_or_behind_the_eye_are_left_out_unseen() {
     let space = space(Geometry::Euclidean);
     let mut frame = view(Geometry::Euclidean, -0.1);
     let far = ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(30, 0, 0),
     };
     let mesh = solid_chunks(&frame)

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::common::{Studio, frame, land, standing};
 use antipode_frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
-use antipode_geometry::{Eye, Geometry, Hemisphere, HyperbolicMap, Strategy, picture};
+use antipode_geometry::{ChartId, Eye, Geometry, HyperbolicMap, Strategy, picture};
 use antipode_render::{DrawStats, tolerance_px};
 use image::RgbaImage;
 
@@ -73,7 +73,7 @@ fn what_the_planner_leaves_out_is_not_missed() {
     };
     for (name, space, dial) in views() {
         for (x, z) in [(4.0, 4.0), (-30.0, 21.0)] {
-            let stand = standing(&space, Hemisphere::A, x, z);
+            let stand = standing(&space, ChartId::FIRST, x, z);
             let mut frame = frame(&space, stand, 16.0 / 9.0);
             frame.view.eye.dial = dial;
             frame.view.fog_distance_m = (space.sight_limit_m(&frame.view.eye) as f32).min(150.0);
@@ -108,7 +108,7 @@ fn the_highest_curvature_draws_less_than_half_of_the_flat_view() {
     };
     let mut drawn = |name: &str| {
         let (_, space, dial) = views().into_iter().find(|(n, ..)| *n == name).unwrap();
-        let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
+        let stand = standing(&space, ChartId::FIRST, 4.0, 4.0);
         let mut frame = frame(&space, stand, 16.0 / 9.0);
         frame.view.eye = Eye {
             dial,
@@ -129,7 +129,7 @@ fn what_a_figure_gains_by_distance_is_one_matrix() {
         return;
     };
     for (name, space, dial) in views() {
-        let stand = standing(&space, Hemisphere::A, 4.0, 4.0);
+        let stand = standing(&space, ChartId::FIRST, 4.0, 4.0);
         let mut frame = frame(&space, stand, 16.0 / 9.0);
         frame.view.eye = Eye {
             dial,

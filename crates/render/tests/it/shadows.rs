@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::common::{GEOMETRIES, Studio, difference, frame, one_chunk, seen_at, space};
 use antipode_frame::{ChunkChange, Figure, Frame, ModelId};
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry};
 use antipode_render::ShadowQuality;
 use antipode_terrain::{ChunkMesh, Vertex};
 use glam::{DVec3, IVec3, Vec3};
@@ -61,7 +61,7 @@ fn scene(geometry: Geometry) -> Frame {
         ChartPoint::a(DVec3::new(10.0, FLOOR_M + 6.0, 10.0)),
         ASPECT,
     );
-    let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
+    let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
     scene.change_land([ChunkChange::Put(coord, floor_and_pillar())]);
     scene.view.eye.yaw = std::f64::consts::FRAC_PI_4;
     scene.view.eye.pitch = -0.75;
@@ -114,7 +114,7 @@ fn is_shaded_by(frame: &Frame, point: DVec3, is_in: impl Fn(DVec3) -> bool) -> b
             let x = from * cos + way * sin;
             let view = (x.truncate() * radius_m).extend(x.w);
             let there = frame.view.strategy.chart_point(&frame.view.eye, view);
-            there.hemisphere == Hemisphere::A && is_in(there.pos)
+            there.chart == ChartId::FIRST && is_in(there.pos)
         });
     }
     let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
@@ -352,7 +352,7 @@ fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
     let wanted = space.curved(&frame.view.eye, over);
     let level = over.pos.with_y(0.0);
     let way = level.normalize() * (PI * space.radius_m() - level.length());
-    let seen = |at: DVec3| space.curved(&frame.view.eye, ChartPoint::new(Hemisphere::B, at));
+    let seen = |at: DVec3| space.curved(&frame.view.eye, ChartPoint::new(ChartId::SECOND, at));
     let past = [1.0, -1.0]
         .iter()
         .flat_map(|x| [1.0, -1.0].map(|z| DVec3::new(x * way.x, over.pos.y, z * way.z)))
@@ -363,7 +363,7 @@ fn land_past_the_equator_which_no_picture_shows_throws_no_shadow() {
         })
         .unwrap();
     assert!((seen(past) - wanted).length() < 1e-6);
-    let coord = ChunkCoord::containing(ChartPoint::new(Hemisphere::B, past));
+    let coord = ChunkCoord::containing(ChartPoint::new(ChartId::SECOND, past));
     let corner = coord.index.as_dvec3() * 32.0;
     let mut mesh = ChunkMesh::default();
     let at = Vec3::Y * (past.y - corner.y) as f32;
@@ -418,7 +418,7 @@ fn floor_with_a_step() -> Arc<ChunkMesh> {
 #[test]
 fn what_turns_away_though_its_normals_do_not_is_as_light_as_the_land_beside_it() {
     for geometry in GEOMETRIES {
-        let coord = ChunkCoord::new(Hemisphere::A, IVec3::ZERO);
+        let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
         let frame =
             scene(geometry).with_content(|it| it.land = one_chunk(coord, floor_with_a_step()));
         for quality in [ShadowQuality::Low, ShadowQuality::High] {

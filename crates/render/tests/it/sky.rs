@@ -1,7 +1,7 @@
 //! What is seen in the sky: clouds, the band of stars, and the sun and the moon of a closed world.
 
 use crate::common::{Studio, difference, frame, plates, seen_at, space};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::day::sky;
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
@@ -70,7 +70,7 @@ fn the_sun_of_a_closed_world_stands_in_it_and_lights_what_is_near_it() {
     let square =
         [[2.0, -4.0], [2.0, 4.0], [9.0, 4.0], [9.0, -4.0]].map(|[x, z]| Vec3::new(x, ground, z));
     let chunk = ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: glam::IVec3::ZERO,
     };
     let eye = ChartPoint::a(DVec3::new(0.0, f64::from(ground) + 1.6, 0.0));

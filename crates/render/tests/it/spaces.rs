@@ -10,7 +10,7 @@ use crate::common::{
     space,
 };
 use antipode_frame::{ChunkChange, Frame, Marker, MarkerShape};
-use antipode_geometry::{ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry, Strategy, strategy};
 use antipode_terrain::ChunkMesh;
 use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
@@ -78,12 +78,12 @@ fn letter_f() -> Arc<ChunkMesh> {
     )
 }
 
-fn reading(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, mesh: Arc<ChunkMesh>) -> Frame {
+fn reading(space: &Arc<dyn Strategy>, chart: ChartId, mesh: Arc<ChunkMesh>) -> Frame {
     let corner = ChunkCoord {
-        hemisphere,
+        chart,
         index: IVec3::ZERO,
     };
-    let eye = ChartPoint::new(hemisphere, DVec3::new(6.0, 6.0, 8.5));
+    let eye = ChartPoint::new(chart, DVec3::new(6.0, 6.0, 8.5));
     frame(space, eye, ASPECT).with_content(|it| it.land = one_chunk(corner, mesh))
 }
 
@@ -107,15 +107,15 @@ fn the_letter_f_reads_as_f_in_every_space_and_hemisphere() {
     };
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        let hemispheres: &[_] = if space.rim_m().is_some() {
-            &[Hemisphere::A, Hemisphere::B]
+        let charts: &[_] = if space.is_closed() {
+            &[ChartId::FIRST, ChartId::SECOND]
         } else {
-            &[Hemisphere::A]
+            &[ChartId::FIRST]
         };
-        for &hemisphere in hemispheres {
-            let mut frame = reading(&space, hemisphere, letter_f());
+        for &chart in charts {
+            let mut frame = reading(&space, chart, letter_f());
             frame.content_mut().loaded_world =
-                geometry as u64 * 2 + u64::from(hemisphere == Hemisphere::B);
+                geometry as u64 * 2 + u64::from(chart == ChartId::SECOND);
             let picture = studio.picture(&frame);
             let [upper_left, upper_right, lower_left, lower_right] = [
                 red(&picture, 0.0..0.5, 0.0..0.5),
@@ -126,11 +126,11 @@ fn the_letter_f_reads_as_f_in_every_space_and_hemisphere() {
             let quarters = (upper_left, upper_right, lower_left, lower_right);
             assert!(
                 upper_right > 300,
-                "{geometry} {hemisphere:?}: arms at the upper right, {quarters:?}"
+                "{geometry} {chart:?}: arms at the upper right, {quarters:?}"
             );
             assert!(
                 lower_left > 200 && lower_left > 4 * lower_right,
-                "{geometry} {hemisphere:?}: {quarters:?}"
+                "{geometry} {chart:?}: {quarters:?}"
             );
         }
     }
@@ -144,8 +144,8 @@ fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
     let mut world = 0;
     for geometry in GEOMETRIES {
         let space = space(geometry);
-        for hemisphere in [Hemisphere::A, Hemisphere::B] {
-            if hemisphere == Hemisphere::B && space.rim_m().is_none() {
+        for chart in [ChartId::FIRST, ChartId::SECOND] {
+            if chart == ChartId::SECOND && !space.is_closed() {
                 continue;
             }
             let mut turned = ChunkMesh::clone(&letter_f());
@@ -155,14 +155,9 @@ fn surfaces_are_seen_from_outside_only_in_every_space_and_hemisphere() {
                 .for_each(|t| t.swap(1, 2));
             for (mesh, seen) in [(letter_f(), true), (Arc::new(turned), false)] {
                 world += 1;
-                let frame =
-                    reading(&space, hemisphere, mesh).with_content(|it| it.loaded_world = world);
+                let frame = reading(&space, chart, mesh).with_content(|it| it.loaded_world = world);
                 let found = red(&studio.picture(&frame), 0.0..1.0, 0.0..1.0);
-                assert_eq!(
-                    found > 500,
-                    seen,
-                    "{geometry} {hemisphere:?} {seen}: {found}"
-                );
+                assert_eq!(found > 500, seen, "{geometry} {chart:?} {seen}: {found}");
             }
         }
     }
@@ -174,7 +169,7 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
         return;
     };
     let space = space(Geometry::Spherical);
-    let rim_m = space.rim_m().unwrap();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap();
     let angle = 0.7_f64;
     let ground = DVec3::new(angle.cos(), 0.0, angle.sin()) * (rim_m + 0.1);
     let before = ChartPoint::a(ground + DVec3::Y * 22.0);
@@ -188,7 +183,7 @@ fn the_picture_is_the_same_before_and_after_crossing_the_equator() {
             ..frame.view.eye
         };
         let one = studio.picture(&frame);
-        let crossing = space.carry(before).unwrap();
+        let crossing = space.images(before, f64::INFINITY)[0];
         frame.view.eye = Eye {
             point: crossing.point,
             yaw: yaw - crossing.turn_rad,
@@ -214,10 +209,10 @@ fn land_past_the_equator_is_left_to_the_other_chart() {
 }
 
 fn land_ends_at_the_equator(studio: &mut Studio, space: &Arc<dyn Strategy>) {
-    let rim_m = space.rim_m().unwrap();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap();
     let column = (rim_m / 32.0).floor();
     let corner = ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(column as i32, 0, -1),
     };
     let reach = (rim_m - 32.0 * column) as f32;
@@ -264,7 +259,7 @@ fn a_marker_behind_land_still_shows_but_faintly() {
         [20.0, 20.0, 0.0],
     ]
     .map(Vec3::from)]);
-    let frame = reading(&space, Hemisphere::A, wall);
+    let frame = reading(&space, ChartId::FIRST, wall);
     let plain = studio.picture(&frame);
     let mut change = |x: f64| {
         let point = ChartPoint::a(DVec3::new(x, 6.0, 8.5));
@@ -299,7 +294,7 @@ fn the_ring_about_a_brush_is_thin_lies_on_the_land_and_leaves_its_middle_free() 
         [20.0, 20.0, 0.0],
     ]
     .map(Vec3::from)]);
-    let frame = reading(&space, Hemisphere::A, wall);
+    let frame = reading(&space, ChartId::FIRST, wall);
     let plain = studio.picture(&frame);
     let middle = ChartPoint::a(DVec3::new(20.0, 6.0, 8.5));
     let radius_m = 4.0;
@@ -339,16 +334,15 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
         return;
     };
     let radius_m = 4.0;
-    for (geometry, chunk, hemisphere, east_m) in [
-        (Geometry::Euclidean, 0, Hemisphere::A, 16.0),
-        (Geometry::Hyperbolic, 0, Hemisphere::A, 16.0),
+    for (geometry, chunk, chart, east_m) in [
+        (Geometry::Euclidean, 0, ChartId::FIRST, 16.0),
+        (Geometry::Hyperbolic, 0, ChartId::FIRST, 16.0),
         // The equator is 50.3 m from the middle of each chart.
-        (Geometry::Spherical, 1, Hemisphere::A, 44.0),
-        (Geometry::Spherical, 1, Hemisphere::B, 44.0),
+        (Geometry::Spherical, 1, ChartId::FIRST, 44.0),
+        (Geometry::Spherical, 1, ChartId::SECOND, 44.0),
     ] {
         let space = space(geometry);
-        let at =
-            |east_m: f64, y: f64, z: f64| ChartPoint::new(hemisphere, DVec3::new(east_m, y, z));
+        let at = |east_m: f64, y: f64, z: f64| ChartPoint::new(chart, DVec3::new(east_m, y, z));
         let mut frame = frame(&space, at(east_m - 8.0, 13.0, 8.0), ASPECT);
         frame.view.eye.pitch = -0.95;
         let cell = |x: u8, z: u8| {
@@ -364,7 +358,7 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
         let cells: Vec<_> = (0..16)
             .flat_map(|x| (0..9).map(move |z| cell(x, z)))
             .collect();
-        let coord = ChunkCoord::new(hemisphere, IVec3::new(chunk, 0, 0));
+        let coord = ChunkCoord::new(chart, IVec3::new(chunk, 0, 0));
         frame.change_land([ChunkChange::Put(coord, plates(&cells))]);
         let plain = studio.picture(&frame);
         let middle = at(east_m, 2.0, 8.0);
@@ -385,7 +379,7 @@ fn the_ring_is_as_large_as_what_the_brush_digs_in_every_space() {
         for turn in 0..16 {
             let way = DVec3::new(f64::from(turn).cos(), 0.0, f64::from(turn).sin());
             let seen = |share: f64| seen_at(&frame, middle.moved(way * radius_m * share), SIZE);
-            let said = format!("{geometry} {hemisphere:?}, turn {turn}: {:?}", seen(1.0));
+            let said = format!("{geometry} {chart:?}, turn {turn}: {:?}", seen(1.0));
             assert!(is_changed(seen(1.0)), "not on the ring, {said}");
             assert!(
                 !is_changed(seen(0.8)) && !is_changed(seen(1.2)),

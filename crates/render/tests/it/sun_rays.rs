@@ -56,7 +56,7 @@ fn judge(
         .map(|seen| {
             let seen = seen.as_ref()?;
             let triangle = &triangles[seen.triangle as usize];
-            let point = ChartPoint::new(triangle.hemisphere, triangle.at(seen.weights));
+            let point = ChartPoint::new(triangle.chart, triangle.at(seen.weights));
             Some(rays.is_faced(seen.triangle) && rays.hit(point, seen.triangle).is_none())
         })
         .collect();

@@ -2,7 +2,7 @@
 
 use crate::common::{GEOMETRIES, PLAIN, Studio, frame, land, space, standing};
 use antipode_frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
-use antipode_geometry::{Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, Eye, Geometry};
 use antipode_render::{Offscreen, Tile};
 use image::{RgbaImage, imageops};
 
@@ -12,7 +12,7 @@ const TIMES: u32 = 2;
 /// A view with land, a figure and, where there is one, sky with the sun in it.
 fn view(geometry: Geometry, quality: Quality) -> Frame {
     let space = space(geometry);
-    let point = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let point = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let empty = frame(&space, point, f64::from(SIZE.0) / f64::from(SIZE.1));
     let [x, y, z] = empty.content.sky.sun_direction;
     let eye = Eye {

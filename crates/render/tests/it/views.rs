@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::common::{GEOMETRIES, Studio, difference, frame, land, space, standing};
 
 use antipode_frame::{Figure, Frame, ModelId, View};
-use antipode_geometry::{Geometry, Hemisphere, Projection};
+use antipode_geometry::{ChartId, Geometry, Projection};
 use antipode_render::ShadowQuality;
 use glam::{DMat4, DVec3, DVec4};
 use image::{Rgba, RgbaImage, imageops};
@@ -17,7 +17,7 @@ const ASPECT: f64 = 16.0 / 9.0;
 /// Land, and a figure two metres before an eye and another behind it.
 fn before_and_behind(geometry: Geometry) -> Frame {
     let space = space(geometry);
-    let point = standing(&space, Hemisphere::A, 5.0, 3.0);
+    let point = standing(&space, ChartId::FIRST, 5.0, 3.0);
     let figure = |ahead_m: f64, model| {
         let feet = point.moved(DVec3::new(ahead_m, -1.6, 0.0));
         Figure::standing(model, feet, 0.4)

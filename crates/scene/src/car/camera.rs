@@ -134,7 +134,9 @@ impl Chase {
 
     /// Goes over the equator with the car: what it follows keeps its own place in the space.
     pub fn carry(&mut self, strategy: &dyn Strategy, crossing: &Crossing) {
-        let over = strategy.carry(self.point).unwrap_or(*crossing);
+        let over = strategy
+            .carry(self.point, crossing.point.chart)
+            .unwrap_or(*crossing);
         self.point = over.point;
         self.velocity = over.turn_vector(self.velocity);
         self.yaw = wrap_angle(self.yaw - crossing.turn_rad);
@@ -178,7 +180,7 @@ impl Chase {
             pitch,
             ..*head
         };
-        let origin = strategy.chart_origin_m(car.point.hemisphere);
+        let origin = strategy.chart_origin_m(car.point.chart);
         let from = car.place(SEAT_M + DVec3::Y * EYES_UP_M).pos + origin;
         let looked_at = self.point.pos + origin + DVec3::Y * CHASE_LOOKS_UP_M;
         let length_m = CHASE_BACK_M.hypot(CHASE_UP_M - CHASE_LOOKS_UP_M);
@@ -205,12 +207,12 @@ impl Chase {
         let pos = pos - origin;
         CameraPose {
             eye: Eye {
-                point: ChartPoint::new(car.point.hemisphere, pos),
+                point: ChartPoint::new(car.point.chart, pos),
                 pitch,
                 lift_m: pos.y - car.point.pos.y,
                 ..seen
             },
-            about: ChartPoint::new(car.point.hemisphere, looked_at - origin),
+            about: ChartPoint::new(car.point.chart, looked_at - origin),
             room_rad: self.room_rad(),
         }
     }

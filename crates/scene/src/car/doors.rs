@@ -157,9 +157,9 @@ pub(crate) fn get_out(actors: &mut Actors, gaze: &mut Gaze) {
 
 /// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
 fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<ChartPoint> {
-    let hemisphere = car.point.hemisphere;
+    let chart = car.point.chart;
     let physics = &world.physics;
-    let origin = world.strategy.chart_origin_m(hemisphere);
+    let origin = world.strategy.chart_origin_m(chart);
     let level = DQuat::from_rotation_y(-car.yaw());
     let inside = car.middle().pos + origin;
     let (height_m, radius_m) = (tuning.height_m, tuning.radius_m);
@@ -184,15 +184,13 @@ fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<C
         let is_free = (on_roof || !is_within(tuning, car, feet - origin))
             && !physics.overlaps_capsule(feet, height_m, radius_m)
             && !is_rock(world, feet - origin + DVec3::Y * (0.5 * height_m), car);
-        let spot = ChartPoint::new(hemisphere, feet - origin);
+        let spot = ChartPoint::new(chart, feet - origin);
         is_free.then(|| body::within_world(&*world.strategy, spot))
     })
 }
 
 fn is_rock(world: &World, pos: DVec3, car: &CarView) -> bool {
-    world
-        .ground
-        .is_solid(ChartPoint::new(car.point.hemisphere, pos))
+    world.ground.is_solid(ChartPoint::new(car.point.chart, pos))
 }
 
 /// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
@@ -202,7 +200,7 @@ fn flip_car(world: &World, actors: &mut Actors, player: &mut Player) {
     let Some(car) = driven.or_else(|| Crosshair::aimed(now).car(REACH_M, false)) else {
         return;
     };
-    let origin = world.strategy.chart_origin_m(car.point.hemisphere);
+    let origin = world.strategy.chart_origin_m(car.point.chart);
     let solid = |at: DVec3| is_rock(world, at - origin, &car);
     let physics = &mut actors.cars.physics;
     let Some(Car { vehicle, .. }) = one_mut(&mut actors.ecs, car.id) else {
@@ -221,7 +219,7 @@ fn make_way(world: &World, actors: &mut Actors, player: &mut Player, id: ActorId
         return;
     };
     let is_caught = !actors.cars.is_driving()
-        && feet.hemisphere == car.point.hemisphere
+        && feet.chart == car.point.chart
         && is_within(&actors.tuning, &car, feet.pos);
     if is_caught && let Some(spot) = free_spot(world, &actors.tuning, &car) {
         body::place(world, actors, player, spot, DVec3::ZERO, false);

@@ -82,9 +82,9 @@ impl Car {
     /// Brings one that was put somewhere, or was built over, to the first free place above.
     fn put_free(&mut self, world: &World, physics: &mut VehiclePhysics) {
         let (motion, point) = (self.vehicle.motion(), self.point(world));
-        let origin = world.strategy.chart_origin_m(self.hemisphere);
+        let origin = world.strategy.chart_origin_m(self.chart);
         let solid = |at: DVec3| {
-            let at = ChartPoint::new(self.hemisphere, at - origin);
+            let at = ChartPoint::new(self.chart, at - origin);
             world.ground.is_solid(at)
         };
         if !(self.unplaced || solid(motion.middle()))
@@ -121,8 +121,8 @@ impl Car {
     /// Carries it over the equator whole: place, stance, velocity and spin.
     fn cross(&mut self, world: &World, physics: &mut VehiclePhysics) -> Option<Crossing> {
         let crossing = world.strategy.cross(self.point(world))?;
-        self.hemisphere = crossing.point.hemisphere;
-        let place = crossing.point.pos + world.strategy.chart_origin_m(self.hemisphere);
+        self.chart = crossing.point.chart;
+        let place = crossing.point.pos + world.strategy.chart_origin_m(self.chart);
         physics.carry(&mut self.vehicle, place, crossing.rotation());
         Some(crossing)
     }
@@ -153,7 +153,7 @@ pub(super) fn seat_driver(
         .query_one_mut::<(&mut Position, &mut Body)>(actors.player)
     {
         position.0 = seat;
-        body.0.feet = seat.pos + world.strategy.chart_origin_m(seat.hemisphere);
+        body.0.feet = seat.pos + world.strategy.chart_origin_m(seat.chart);
         body.0.velocity = car.velocity;
         body.0.grounded = true;
     }

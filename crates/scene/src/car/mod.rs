@@ -10,7 +10,7 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use antipode_physics::{Obstacle, Vehicle, VehicleMotion, VehiclePhysics, VehicleWheel};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
@@ -20,7 +20,7 @@ use crate::actors::{ActorId, Actors};
 use crate::body;
 use crate::camera::CameraMode;
 use crate::ground_changed::OnGround;
-use crate::persist::hemisphere_record;
+use crate::persist::chart_record;
 use crate::restore::{self, FASTEST_RESTORED_M_S};
 use crate::spawn::FIRST_YAW_RAD;
 use crate::world::World;
@@ -40,7 +40,7 @@ const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 #[derive(Debug)]
 pub(crate) struct Car {
     vehicle: Vehicle,
-    hemisphere: Hemisphere,
+    chart: ChartId,
     lights: bool,
     /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
     unplaced: bool,
@@ -130,15 +130,15 @@ impl Actors {
 impl Car {
     /// The ground below its middle, when it stands on level ground.
     fn point(&self, world: &World) -> ChartPoint {
-        let origin = world.strategy.chart_origin_m(self.hemisphere);
-        ChartPoint::new(self.hemisphere, self.vehicle.motion().place - origin)
+        let origin = world.strategy.chart_origin_m(self.chart);
+        ChartPoint::new(self.chart, self.vehicle.motion().place - origin)
     }
 
     /// What is to be saved of it.
     pub fn record(&self, world: &World) -> CarRecord {
         let (vehicle, motion) = (&self.vehicle, self.vehicle.motion());
         CarRecord {
-            hemisphere: hemisphere_record(self.hemisphere),
+            chart: chart_record(self.chart),
             pos: self.point(world).pos.to_array(),
             turn: motion.turn.to_array(),
             vel: motion.velocity.to_array(),
@@ -174,13 +174,13 @@ pub(crate) fn spawn(world: &World, actors: &mut Actors, point: ChartPoint, yaw: 
     }
     let point = body::within_world(&*world.strategy, point);
     let motion = VehicleMotion {
-        place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+        place: point.pos + world.strategy.chart_origin_m(point.chart),
         turn: DQuat::from_rotation_y(-yaw),
         ..VehicleMotion::default()
     };
     actors.enter(Car {
         vehicle: actors.cars.physics.vehicle(motion),
-        hemisphere: point.hemisphere,
+        chart: point.chart,
         lights: false,
         unplaced: true,
     });
@@ -194,13 +194,13 @@ pub(crate) fn restore(world: &World, actors: &mut Actors, record: &CarRecord) ->
     let spin = DVec3::from_array(record.spin);
     let is_sound =
         turn.is_finite() && turn.length() > 0.1 && velocity.is_finite() && spin.is_finite();
-    let point = restore::point(world, record.hemisphere, record.pos);
+    let point = restore::point(world, record.chart, record.pos);
     let Some(point) = point.filter(|_| is_sound) else {
         return false;
     };
     let physics = &actors.cars.physics;
     let mut vehicle = physics.vehicle(VehicleMotion {
-        place: point.pos + world.strategy.chart_origin_m(point.hemisphere),
+        place: point.pos + world.strategy.chart_origin_m(point.chart),
         turn: unit(turn),
         velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
         spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
@@ -208,7 +208,7 @@ pub(crate) fn restore(world: &World, actors: &mut Actors, record: &CarRecord) ->
     physics.restore(&mut vehicle, record.steer, record.springs, record.rests);
     actors.enter(Car {
         vehicle,
-        hemisphere: point.hemisphere,
+        chart: point.chart,
         lights: record.lights,
         unplaced: false,
     });
@@ -274,7 +274,7 @@ pub(crate) fn give_first(world: &World, actors: &mut Actors, start: ChartPoint) 
             let beside = at + DVec3::new(dx, 0.0, dz);
             world
                 .ground
-                .untouched_height(ChartPoint::new(start.hemisphere, beside))
+                .untouched_height(ChartPoint::new(start.chart, beside))
         })
     };
     let mut best: Option<(f64, DVec3)> = None;
@@ -293,7 +293,7 @@ pub(crate) fn give_first(world: &World, actors: &mut Actors, start: ChartPoint) 
         }
     }
     best.is_some_and(|(_, at)| {
-        let point = ChartPoint::new(start.hemisphere, at);
+        let point = ChartPoint::new(start.chart, at);
         spawn(world, actors, point, FIRST_YAW_RAD)
     })
 }

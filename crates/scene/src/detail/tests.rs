@@ -1,7 +1,7 @@
 //! Sizes against the flat space's own, and what makes them be taken anew.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
-use antipode_geometry::{Geometry, Hemisphere, HyperbolicMap, picture};
+use antipode_geometry::{ChartId, Geometry, HyperbolicMap, picture};
 use glam::IVec3;
 
 use super::*;
@@ -31,7 +31,7 @@ fn space(geometry: Geometry) -> Arc<dyn Strategy> {
 
 fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(x, y, z),
     }
 }
@@ -83,10 +83,10 @@ fn on_a_sphere_land_grows_again_towards_the_antipode() {
         ..Eye::default()
     };
     let sight = Sight::new(&sphere, &eye, SHARP);
-    let rim_m = sphere.rim_m().unwrap();
+    let rim_m = sphere.domain(ChartId::FIRST).radius_m().unwrap();
     let middle = sight.pixels_per_metre(chunk((rim_m / 32.0) as i32 - 1, 0, 0));
     let antipode = ChunkCoord {
-        hemisphere: Hemisphere::B,
+        chart: ChartId::SECOND,
         index: IVec3::ZERO,
     };
     assert!(sight.pixels_per_metre(antipode) > 1.5 * middle);
@@ -127,7 +127,7 @@ fn what_the_eye_may_roam_to_is_within_what_was_told() {
             };
             for coord in [chunk(2, 0, 0), chunk(-3, 0, 1), chunk(1, 1, -2)] {
                 let nearest = moved.point.pos.clamp(coord.min(), coord.max());
-                let point = ChartPoint::new(coord.hemisphere, nearest);
+                let point = ChartPoint::new(coord.chart, nearest);
                 let there = size_rad(&*space, &moved, point) * 700.0;
                 let most = told.pixels_per_metre(coord);
                 assert!(

@@ -17,7 +17,7 @@ pub(crate) struct Way {
 
 fn level(point: ChartPoint) -> Eye {
     Eye {
-        point: ChartPoint::new(point.hemisphere, point.pos.with_y(0.0)),
+        point: ChartPoint::new(point.chart, point.pos.with_y(0.0)),
         ..Eye::default()
     }
 }
@@ -44,7 +44,7 @@ pub(crate) fn ahead(
 ) -> ChartPoint {
     let eye = level(from);
     let end = strategy.along(&eye, eye.to_view(heading), level_m);
-    ChartPoint::new(end.hemisphere, end.pos.with_y(from.pos.y))
+    ChartPoint::new(end.chart, end.pos.with_y(from.pos.y))
 }
 
 /// The unit level direction from one place to another; zero where there is no way to go.
@@ -68,7 +68,7 @@ pub(crate) fn toward(yaw_rad: f64) -> DVec3 {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, Hemisphere, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
 
@@ -99,12 +99,12 @@ mod tests {
     #[test]
     fn over_the_equator_the_way_is_the_short_one() {
         let space = strategy(Geometry::Spherical, 32.0);
-        let rim_m = space.rim_m().unwrap_or_default();
-        let near = |hemisphere, x| ChartPoint::new(hemisphere, DVec3::new(x, 8.0, 0.0));
+        let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or_default();
+        let near = |chart, x| ChartPoint::new(chart, DVec3::new(x, 8.0, 0.0));
         let over = way(
             &*space,
-            near(Hemisphere::A, rim_m - 4.0),
-            near(Hemisphere::B, 5.0 - rim_m),
+            near(ChartId::FIRST, rim_m - 4.0),
+            near(ChartId::SECOND, 5.0 - rim_m),
         );
         assert!((over.level_m - 9.0).abs() < 1e-6);
         assert!((over.heading - DVec3::X).length() < 1e-6, "{over:?}");

@@ -290,13 +290,13 @@ impl Npc<'_> {
             (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;
         }
-        let origin = strategy.chart_origin_m(self.position.0.hemisphere);
+        let origin = strategy.chart_origin_m(self.position.0.chart);
         self.body.0.feet = self.position.0.pos + origin;
         let physics = &world.physics;
         if self.is_buried(around) {
-            let hemisphere = self.position.0.hemisphere;
+            let chart = self.position.0.chart;
             let ground = &world.ground;
-            let solid = |at: DVec3| ground.is_solid(ChartPoint::new(hemisphere, at - origin));
+            let solid = |at: DVec3| ground.is_solid(ChartPoint::new(chart, at - origin));
             physics.lift_out_sized(&mut self.body.0, around.tuning, &solid);
         }
         physics.move_character(&mut self.body.0, around.tuning, input, STEP_S);

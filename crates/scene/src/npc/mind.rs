@@ -179,8 +179,7 @@ impl Mind {
     /// Sets out to a place; one that is much the same keeps the steps that were found.
     pub fn go(&mut self, goal: Goal) {
         let same = self.goal.is_some_and(|old| {
-            old.point.hemisphere == goal.point.hemisphere
-                && (old.point.pos - goal.point.pos).length() < 1e-6
+            old.point.chart == goal.point.chart && (old.point.pos - goal.point.pos).length() < 1e-6
         });
         if !same {
             self.planned_s = f64::INFINITY;

@@ -5,7 +5,7 @@
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 
-use antipode_geometry::{ChartPoint, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use glam::DVec3;
 use pathfinding::prelude::astar;
 
@@ -81,7 +81,7 @@ impl Land<'_> {
         let target = over(self.strategy, from, target);
         if let Some(end) = self.straight(from, target.pos) {
             return Some(Route {
-                steps: vec![self.placed(from.hemisphere, end)],
+                steps: vec![self.placed(from.chart, end)],
                 reaches: true,
             });
         }
@@ -95,7 +95,7 @@ impl Land<'_> {
         let mut at = from.pos;
         for index in 1..=count as u32 {
             let next = from.pos + level * (f64::from(index) / count);
-            let floor = self.floor(from.hemisphere, next.with_y(at.y))?;
+            let floor = self.floor(from.chart, next.with_y(at.y))?;
             let run_m = (floor - at).with_y(0.0).length();
             if (floor.y - at.y).abs() > STEEPEST * run_m + UNEVEN_M || self.is_blocked(from, floor)
             {
@@ -114,18 +114,18 @@ impl Land<'_> {
     }
 
     /// The point in the chart that it belongs to.
-    fn placed(&self, hemisphere: Hemisphere, pos: DVec3) -> ChartPoint {
-        let point = ChartPoint::new(hemisphere, pos);
+    fn placed(&self, chart: ChartId, pos: DVec3) -> ChartPoint {
+        let point = ChartPoint::new(chart, pos);
         self.strategy.cross(point).map_or(point, |over| over.point)
     }
 
-    fn density(&self, hemisphere: Hemisphere, pos: DVec3) -> f64 {
-        f64::from(self.ground.density(self.placed(hemisphere, pos)))
+    fn density(&self, chart: ChartId, pos: DVec3) -> f64 {
+        f64::from(self.ground.density(self.placed(chart, pos)))
     }
 
     /// The floor of a column near a height, with room to stand on it.
-    fn floor(&self, hemisphere: Hemisphere, near: DVec3) -> Option<DVec3> {
-        let at = |y: f64| self.density(hemisphere, near.with_y(y));
+    fn floor(&self, chart: ChartId, near: DVec3) -> Option<DVec3> {
+        let at = |y: f64| self.density(chart, near.with_y(y));
         let mut high = (near.y + FLOOR_ABOVE_M, at(near.y + FLOOR_ABOVE_M));
         let bottom = near.y - FLOOR_BELOW_M;
         while high.0 > bottom {
@@ -143,14 +143,14 @@ impl Land<'_> {
     }
 
     /// What it costs in metres to go from a floor to the next, if one can; both free to stand on.
-    fn cost_m(&self, hemisphere: Hemisphere, from: DVec3, to: DVec3) -> Option<f64> {
+    fn cost_m(&self, chart: ChartId, from: DVec3, to: DVec3) -> Option<f64> {
         let rise = to.y - from.y;
         let run_m = (to - from).with_y(0.0).length();
         if rise < -DROPS_M {
             return None;
         }
         let half = from.midpoint(to).with_y(from.y);
-        let middle = self.floor(hemisphere, half);
+        let middle = self.floor(chart, half);
         let walks = middle.is_some_and(|middle| {
             let steepest = STEEPEST * 0.5 * run_m + UNEVEN_M;
             (middle.y - from.y).abs() <= steepest && (to.y - middle.y).abs() <= steepest
@@ -222,7 +222,7 @@ impl<'a> Search<'a> {
             self.expanded.set(0);
             self.search(|node| *node == best)?
         };
-        let placed = |node: &Node| self.land.placed(self.from.hemisphere, self.pos(*node));
+        let placed = |node: &Node| self.land.placed(self.from.chart, self.pos(*node));
         let mut steps: Vec<_> = path.iter().skip(1).map(placed).collect();
         steps.reverse();
         Some(Route { steps, reaches })
@@ -277,7 +277,7 @@ impl<'a> Search<'a> {
         let next = self.floor(column)?;
         let cost_m = self
             .land
-            .cost_m(self.from.hemisphere, self.pos(node), self.pos(next))?;
+            .cost_m(self.from.chart, self.pos(node), self.pos(next))?;
         Some((next, (cost_m * PER_M) as u64))
     }
 
@@ -288,7 +288,7 @@ impl<'a> Search<'a> {
         }
         let found = self
             .land
-            .floor(self.from.hemisphere, self.pos(column))
+            .floor(self.from.chart, self.pos(column))
             .filter(|floor| !self.land.is_blocked(self.from, *floor))
             .map(|floor| Node {
                 y_cm: ((floor.y - self.from.pos.y) * 100.0).round() as i32,
@@ -319,7 +319,7 @@ mod tests {
         let samples = Samples::from_fn(|p| (p.y - height(p.x, p.z)) as f32);
         let chunk = Chunk {
             coord: ChunkCoord {
-                hemisphere: Hemisphere::A,
+                chart: ChartId::FIRST,
                 index: IVec3::ZERO,
             },
             mesh: Arc::default(),

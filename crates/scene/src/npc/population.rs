@@ -39,7 +39,7 @@ pub(super) fn come_and_go(world: &World, actors: &mut Actors, player: &Player) {
     for view in gone {
         actors.remove::<Bot>(ActorId(view.bot.id));
     }
-    let closed = world.strategy.rim_m().is_some();
+    let closed = world.strategy.is_closed();
     let most = if closed { MOST_LIVING.1 } else { MOST_LIVING.0 };
     if left.len() >= most {
         return;

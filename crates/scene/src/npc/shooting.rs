@@ -119,7 +119,7 @@ impl Npc<'_> {
         let mut gone_m = 0.0;
         while gone_m + LAST_M < away_m {
             let after = ball.fallen(BULLET.gravity_m_s2, TESTED_S);
-            let next = ChartPoint::new(at.hemisphere, after.centre);
+            let next = ChartPoint::new(at.chart, after.centre);
             gone_m += (after.centre - ball.centre).length();
             if segment_hit(strategy, &around.world.physics, at, next).is_some()
                 || self.meets_friend(around, at, next)

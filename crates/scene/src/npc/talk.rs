@@ -111,7 +111,7 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
         0 => triangle(now, home.level_m),
         1 => horizon(now),
         // Who is at home need not be told the way.
-        2 if home.level_m < AT_HOME_M && strategy.rim_m().is_none() => horizon(now),
+        2 if home.level_m < AT_HOME_M && !strategy.is_closed() => horizon(now),
         _ => way_home(strategy, now.feet(), home),
     }
 }
@@ -121,7 +121,7 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
 fn triangle(now: Situation<'_>, home_m: f64) -> Line {
     let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
     let strategy = &*now.world.strategy;
-    let closed = strategy.rim_m().is_some();
+    let closed = strategy.is_closed();
     let curvature_per_m2 = if closed {
         strategy.curvature_per_m2()
     } else {
@@ -162,7 +162,8 @@ fn way_home(strategy: &dyn Strategy, feet: ChartPoint, home: Way) -> Line {
         there_m: there_m.round() as u32,
         // From the pole to the equator is a quarter of the way round.
         round_m: strategy
-            .rim_m()
+            .domain(feet.chart)
+            .radius_m()
             .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),
     }
 }

@@ -1,6 +1,6 @@
 //! Bullets without a world.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-use antipode_geometry::{ChunkCoord, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChunkCoord, Geometry, strategy};
 use antipode_physics::TerrainCollider;
 use glam::IVec3;
 
@@ -87,7 +87,7 @@ fn ledge() -> PhysicsWorld {
         .enumerate()
     {
         let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
-        let coord = ChunkCoord::new(Hemisphere::A, IVec3::splat(number as i32));
+        let coord = ChunkCoord::new(ChartId::FIRST, IVec3::splat(number as i32));
         world.set_terrain(coord, DVec3::ZERO, Some(collider));
     }
     world
@@ -153,13 +153,13 @@ fn over_the_equator_a_bullet_keeps_its_way() {
     let space = strategy(Geometry::Spherical, 32.0);
     let mut ecs = hecs::World::new();
     let by = entity(&mut ecs);
-    let rim_m = space.rim_m().unwrap();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap();
     let mut bullets = Actors::with_player(());
     let start = ChartPoint::a(DVec3::new(rim_m - 2.0, 10.0, 0.0));
     fire(&mut bullets, start, DVec3::new(40.0, 6.0, 0.0), by);
     fly(&*space, &mut bullets, &[], 12);
     let bullet = &flying(&bullets)[0];
-    assert_eq!(bullet.point.hemisphere, Hemisphere::B);
+    assert_eq!(bullet.point.chart, ChartId::SECOND);
     assert!((bullet.point.pos.x.hypot(bullet.point.pos.z) - (rim_m - 6.0)).abs() < 0.01);
     assert!((bullet.velocity.with_y(0.0).length() - 40.0).abs() < 1e-9);
 }

@@ -5,7 +5,7 @@
     reason = "tests fail by panicking"
 )]
 
-use antipode_geometry::{Geometry, strategy};
+use antipode_geometry::{ChartId, Geometry, strategy};
 use antipode_physics::CharacterTuning;
 
 use super::*;
@@ -133,9 +133,7 @@ fn a_new_world_begins_higher_than_the_land_about_is_and_the_same_each_time() {
                 let by = DVec3::new(way.cos(), 0.0, way.sin()) * 30.0;
                 let at = world.field.strategy().cross(start.feet.moved(by));
                 let at = at.map_or(start.feet.moved(by), |it| it.point);
-                world
-                    .field
-                    .surface_height(at.hemisphere, at.pos.x, at.pos.z)
+                world.field.surface_height(at.chart, at.pos.x, at.pos.z)
             });
             higher += u32::from(start.feet.pos.y > around.sum::<f64>() / 16.0);
         }
@@ -159,7 +157,7 @@ fn who_walks_straight_on_from_the_start_of_a_closed_world_comes_home() {
                 yaw -= crossing.turn_rad;
             }
         }
-        assert_eq!(at.hemisphere, start.feet.hemisphere, "seed {seed}");
+        assert_eq!(at.chart, start.feet.chart, "seed {seed}");
         let off_m = (at.pos - start.feet.pos).with_y(0.0).length();
         assert!(off_m < 0.1, "seed {seed}: {off_m} m from home");
     }
@@ -180,7 +178,8 @@ fn met_m(world: &World, start: &Start, at: DVec2) -> Option<f64> {
     let farthest_m = world
         .field
         .strategy()
-        .rim_m()
+        .domain(ChartId::FIRST)
+        .radius_m()
         .map_or(240.0, |rim_m| 4.0 * rim_m);
     let step_m = farthest_m / 400.0;
     (1..400)

@@ -1,7 +1,7 @@
 //! Wherever a walking body is put, it ends up standing on free ground of its world.
 
 use crate::common::{LIMIT, scene, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::{Actions, Hint, Scene, WorldSetup};
 use glam::DVec3;
 
@@ -113,7 +113,7 @@ fn at_the_ceiling_of_a_closed_world_no_speed_builds_up() {
     let mut scene = scene(Geometry::Spherical);
     let ceiling_m = scene.strategy().limits().unwrap().ceiling_m;
     scene.set_flying(true);
-    let start = ChartPoint::new(Hemisphere::B, DVec3::new(3.0, ceiling_m - 0.5, 0.0));
+    let start = ChartPoint::new(ChartId::SECOND, DVec3::new(3.0, ceiling_m - 0.5, 0.0));
     scene.teleport(start);
     assert!(scene.wait_for_step(LIMIT));
     let rise = Actions {

@@ -119,7 +119,7 @@ fn it_drives_where_it_points_with_the_player_and_two_runs_are_alike() {
         assert!(forwards > 3.0, "{geometry:?} {way}");
         let player = scene.feet();
         assert!(player.pos.distance(after.point.pos) < 1.0);
-        assert_eq!(player.hemisphere, after.point.hemisphere);
+        assert_eq!(player.chart, after.point.chart);
         let (_, again, _) = run(geometry);
         assert_eq!(after, again, "{geometry:?}");
     }

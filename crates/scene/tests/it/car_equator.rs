@@ -2,7 +2,7 @@
 
 use crate::common::cars::{ahead, car, enter, stand_beside, still};
 use crate::common::{LIMIT, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_physics::VehicleWheel;
 use antipode_scene::{Actions, CarView, Scene};
 use glam::{DQuat, DVec3};
@@ -18,10 +18,10 @@ fn bound_for_the_equator(seed: u64, azimuth: f64, aside: f64) -> Scene {
         assert!(scene.wait_for_step(LIMIT));
         scene
     };
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     let from_m = rim_m - 24.0;
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
-    let at = ChartPoint::new(Hemisphere::A, out * from_m + DVec3::Y * 12.0);
+    let at = ChartPoint::new(ChartId::FIRST, out * from_m + DVec3::Y * 12.0);
     assert!(scene.spawn_car(at, azimuth + aside));
     scene.teleport(at.moved(DVec3::Y * 6.0));
     assert!(scene.wait_for_step(LIMIT));
@@ -46,8 +46,12 @@ fn cross(scene: &mut Scene, wish: Actions) -> Option<Crossed> {
     for _ in 0..600 {
         steps(scene, 1, &wish);
         let over = car(scene);
-        if over.point.hemisphere != before[1].point.hemisphere {
-            let turn_rad = scene.strategy().carry(before[1].point)?.turn_rad;
+        if over.point.chart != before[1].point.chart {
+            let turn_rad = scene
+                .strategy()
+                .images(before[1].point, f64::INFINITY)
+                .pop()?
+                .turn_rad;
             let next = |scene: &mut Scene| {
                 steps(scene, 1, &wish);
                 car(scene)
@@ -133,7 +137,7 @@ fn over_the_equator_nothing_jerks_that_would_not_jerk_elsewhere() {
         let turned = kept.dot(heading(&crossed.over)).clamp(-1.0, 1.0).acos();
         assert!(turned < 0.04, "{seed} {azimuth}: {turned} rad in a step");
         let player = scene.feet();
-        assert_eq!(player.hemisphere, crossed.over.point.hemisphere);
+        assert_eq!(player.chart, crossed.over.point.chart);
     }
     assert_eq!((crossings, lost), (12, 0));
     assert!(worse <= 1, "{worse} of {crossings}");
@@ -165,7 +169,7 @@ fn over_the_equator_wheels_let_go_no_more_often_than_elsewhere() {
                 left -= 1;
                 steps(&mut scene, 1, &ahead());
                 let now = car(&scene);
-                let crosses = now.point.hemisphere != last.point.hemisphere;
+                let crosses = now.point.chart != last.point.chart;
                 if crosses {
                     // In the step that ends beyond, the wheels still touched the old chart's land.
                     let step = now;

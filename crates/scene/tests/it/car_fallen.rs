@@ -161,7 +161,7 @@ fn it_is_set_upright_with_its_heading_and_lights_kept() {
         let stands = car(&scene);
         assert!(upright(&scene) > 0.6, "{stands:?}");
         assert!(scene.is_driving() && stands.lights && scene.cars().len() == 1);
-        assert_eq!(lies.point.hemisphere, stands.point.hemisphere);
+        assert_eq!(lies.point.chart, stands.point.chart);
         let heading = |car: &CarView| (car.turn * DVec3::X).with_y(0.0).normalize();
         let kept = heading(&lies).dot(heading(&stands));
         assert!(kept > 0.8, "{geometry:?} {stance:?}: {kept}");

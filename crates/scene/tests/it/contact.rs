@@ -1,7 +1,7 @@
 //! What stands on the ground is drawn on it, and seen from behind down to its legs.
 
 use crate::common::{LIMIT, setup, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::{Actions, CameraMode, NpcMode, Scene, WorldSetup};
 use antipode_terrain::Field;
@@ -27,7 +27,7 @@ fn drawn_ground_m(frame: &Frame, at: ChartPoint) -> f64 {
     for (coord, mesh) in frame.content.land.meshes() {
         let here = at.pos - coord.origin();
         let inside = (-0.1..32.1).contains(&here.x) && (-0.1..32.1).contains(&here.z);
-        if coord.hemisphere != at.hemisphere || !inside {
+        if coord.chart != at.chart || !inside {
             continue;
         }
         let positions = mesh.positions();
@@ -117,7 +117,7 @@ fn from_behind_the_legs_are_seen_over_the_ground_and_over_the_hotbar() {
             let way = f64::from(spot) * 2.4;
             let away_m = 7.0 * f64::from(spot);
             let (x, z) = (away_m * way.cos(), away_m * way.sin());
-            let y = field.surface_height(Hemisphere::A, x, z) + 0.5;
+            let y = field.surface_height(ChartId::FIRST, x, z) + 0.5;
             scene.teleport(ChartPoint::a(DVec3::new(x, y, z)));
             steps(&mut scene, 60, &Actions::default());
             for step in 0..72 {

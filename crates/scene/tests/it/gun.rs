@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::common::{scene, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, HyperbolicMap};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, HyperbolicMap};
 use antipode_scene::tuning::BOT_HEALTH;
 use antipode_scene::{Actions, NpcMode, Scene};
 use glam::DVec3;
@@ -77,8 +77,8 @@ fn places(scene: &Scene, around: ChartPoint, toward: impl Fn(usize) -> f64) -> V
             let way = DVec3::new(angle.cos(), 0.0, angle.sin());
             let moved = around.moved(way * level_m);
             let place = scene.strategy().cross(moved).map_or(moved, |it| it.point);
-            let y = field.surface_height(place.hemisphere, place.pos.x, place.pos.z);
-            ChartPoint::new(place.hemisphere, place.pos.with_y(y + 0.1))
+            let y = field.surface_height(place.chart, place.pos.x, place.pos.z);
+            ChartPoint::new(place.chart, place.pos.with_y(y + 0.1))
         })
         .collect()
 }
@@ -87,8 +87,8 @@ fn places(scene: &Scene, around: ChartPoint, toward: impl Fn(usize) -> f64) -> V
 fn hits(scene: &mut Scene, at: ChartPoint, toward: impl Fn(usize) -> f64) -> (usize, usize) {
     scene.set_npcs(NpcMode::Still);
     let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
-    let y = field.surface_height(at.hemisphere, at.pos.x, at.pos.z) + 5.0;
-    let stand = ChartPoint::new(at.hemisphere, at.pos.with_y(y));
+    let y = field.surface_height(at.chart, at.pos.x, at.pos.z) + 5.0;
+    let stand = ChartPoint::new(at.chart, at.pos.with_y(y));
     scene.set_flying(true);
     scene.teleport(stand);
     steps(scene, 30, &Actions::default());
@@ -154,10 +154,10 @@ fn every_target_under_the_crosshair_is_hit_on_a_sphere_and_over_its_equator() {
     let mut scene = scene(Geometry::Spherical);
     let at = scene.feet();
     assert_eq!(hits(&mut scene, at, golden), (TARGETS, TARGETS));
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     let angle = 0.7;
     let way = DVec3::new(f64::cos(angle), 0.0, f64::sin(angle));
-    let before = ChartPoint::new(Hemisphere::A, way * (rim_m - 4.0));
+    let before = ChartPoint::new(ChartId::FIRST, way * (rim_m - 4.0));
     let over = |n: usize| angle + (golden(n) / PI) * (FRAC_PI_2 * 0.55);
     assert_eq!(hits(&mut scene, before, over), (TARGETS, TARGETS));
 }

@@ -2,7 +2,7 @@
 
 use crate::common::figures::{SECOND, beside, bot, pass};
 use crate::common::{scene, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::tuning::DAY_S;
 use antipode_scene::{Actions, Scene, State};
 use glam::DVec3;
@@ -13,8 +13,8 @@ fn world(geometry: Geometry) -> (Scene, f64) {
     let mut scene = scene(geometry);
     let sunset_s = if geometry == Geometry::Spherical {
         let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
-        let y = field.surface_height(Hemisphere::B, 1.0, 0.0) + 0.2;
-        scene.teleport(ChartPoint::new(Hemisphere::B, DVec3::new(1.0, y, 0.0)));
+        let y = field.surface_height(ChartId::SECOND, 1.0, 0.0) + 0.2;
+        scene.teleport(ChartPoint::new(ChartId::SECOND, DVec3::new(1.0, y, 0.0)));
         0.0
     } else {
         300.0

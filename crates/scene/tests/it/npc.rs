@@ -11,7 +11,7 @@ fn hostile_ones_notice_come_keep_their_distance_and_hit() {
     for geometry in Geometry::ALL {
         let mut scene = world(geometry);
         let place = beside(&scene, 20.0, 3.0);
-        let crosses = place.hemisphere != scene.feet().hemisphere;
+        let crosses = place.chart != scene.feet().chart;
         assert_eq!(crosses, geometry == Geometry::Spherical, "over the equator");
         let id = scene.spawn_bot(place, 3.0, true);
         pass(&mut scene, 1.0);

@@ -23,7 +23,7 @@ fn peaceful_ones_walk_about_and_get_on_in_every_space_and_over_the_equator() {
             pass(&mut scene, 1.0);
             for (index, id) in ids.into_iter().enumerate() {
                 let view = bot(&scene, id);
-                charts.insert(format!("{:?}", view.point.hemisphere));
+                charts.insert(format!("{:?}", view.point.chart));
                 let eye = Eye {
                     point: at[index],
                     ..Eye::default()
@@ -237,7 +237,7 @@ fn who_is_talked_to_says_what_is_true_of_the_place() {
 /// The angles between three lamps that are `side_m` metres from one another, each sighted in the picture from the other
 /// two, in degrees together: in open worlds as on the land, by the compass.
 fn sighted_sum_deg(scene: &Scene, side_m: f64) -> f64 {
-    let closed = scene.strategy().rim_m().is_some();
+    let closed = scene.strategy().is_closed();
     let pictured = scene.lens().strategy();
     let first = scene.head();
     let on_land = |turn: f64| {

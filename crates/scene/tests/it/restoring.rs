@@ -141,7 +141,7 @@ fn things_of_a_newer_version_go_back_into_the_save_as_they_came() {
             count: 3,
         });
         state.drops.push(DropRecord {
-            hemisphere: 0,
+            chart: 0,
             pos: [1.0, 2.0, 3.0],
             item: "portal".to_owned(),
             count: 2,

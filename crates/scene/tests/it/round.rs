@@ -53,7 +53,7 @@ fn go(scene: &mut Scene, beside_rad: f64, rounds: f64) -> (f64, Vec<Hint>) {
         let before = scene.feet();
         steps(scene, 1, &on);
         let at = scene.feet();
-        if at.hemisphere == before.hemisphere {
+        if at.chart == before.chart {
             gone_m += (at.pos - before.pos).length();
         }
         told.extend(scene.take_hints());

@@ -120,7 +120,7 @@ fn written_last(kept: &Kept) -> Vec<String> {
 fn a_step_of_walking_saves_the_player_and_the_time_and_nothing_of_a_hundred_thousand_others() {
     let lamp = |id: u32| {
         let pos = [f64::from(id % 300), 500.0, f64::from(id / 300)];
-        let lamp = LampRecord { hemisphere: 0, pos };
+        let lamp = LampRecord { chart: 0, pos };
         (RecordKind::Lamp.numbered(id), Some(Record::Lamp(lamp)))
     };
     let walk = Actions {

@@ -48,10 +48,7 @@ fn a_fall_is_heard_once_and_the_louder_the_farther() {
     for drop_m in [1.0, 12.0] {
         let mut scene = standing(Geometry::Euclidean);
         let feet = scene.feet();
-        scene.teleport(ChartPoint::new(
-            feet.hemisphere,
-            feet.pos + DVec3::Y * drop_m,
-        ));
+        scene.teleport(ChartPoint::new(feet.chart, feet.pos + DVec3::Y * drop_m));
         steps(&mut scene, 200, &Actions::default());
         let heard = scene.take_sounds();
         let [SoundEvent::Landed { speed_m_s, .. }, ref after @ ..] = heard[..] else {

@@ -1,7 +1,7 @@
 //! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
 
 use crate::common::{scene, steps};
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
 use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Actions, Scene};
@@ -44,7 +44,7 @@ fn covered_m2(plan: &Plan) -> f64 {
 fn the_map_fills_its_circle_everywhere_and_over_the_equator_too() {
     for geometry in Geometry::ALL {
         let mut scene = scene(geometry);
-        let rim_m = scene.strategy().rim_m();
+        let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m();
         for x in [0.0, 31.0, rim_m.map_or(500.0, |rim_m| rim_m - 0.5)] {
             scene.set_flying(true);
             scene.teleport(ChartPoint::a(DVec3::new(x, 30.0, 2.0)));
@@ -117,7 +117,7 @@ fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
     }
     let mut scene = scene(Geometry::Spherical);
     scene.set_flying(true);
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     let start = ChartPoint::a(DVec3::new(0.0, 15.0, rim_m - 3.0));
     scene.teleport(start);
     scene.aim(std::f64::consts::FRAC_PI_2, 0.0);
@@ -132,7 +132,7 @@ fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
     };
     let mut last = relative(&scene);
     let equator = scene.bearings().equator.unwrap();
-    assert!((equator.distance_m - 3.0).abs() < 0.3 && equator.hemisphere == Hemisphere::A);
+    assert!((equator.distance_m - 3.0).abs() < 0.3 && equator.chart == ChartId::FIRST);
     assert!((equator.heading_rad - std::f64::consts::FRAC_PI_2).abs() < 1e-6);
     for _ in 0..90 {
         steps(&mut scene, 1, &ahead);
@@ -144,18 +144,18 @@ fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
         last = now;
     }
     let equator = scene.bearings().equator.unwrap();
-    assert_eq!(equator.hemisphere, Hemisphere::B);
+    assert_eq!(equator.chart, ChartId::SECOND);
 }
 
 #[test]
 fn lamps_and_bots_are_marked_where_they_stand() {
     let mut scene = scene(Geometry::Spherical);
     scene.set_flying(true);
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     scene.teleport(ChartPoint::a(DVec3::new(rim_m - 4.0, 15.0, 0.0)));
     steps(&mut scene, 1, &Actions::default());
     let over = ChartPoint::a(DVec3::new(rim_m + 6.0, 9.0, 0.0));
-    let over = scene.strategy().carry(over).unwrap().point;
+    let over = scene.strategy().images(over, f64::INFINITY)[0].point;
     assert!(scene.spawn_lamp(over));
     scene.spawn_bot(scene.feet().moved(DVec3::new(-8.0, -3.0, 0.0)), 0.0, true);
     scene.spawn_bot(ChartPoint::a(DVec3::new(-rim_m, 9.0, 0.0)), 0.0, false);

@@ -1,7 +1,7 @@
 //! What is pointed at and what is handed to the renderer.
 
 use crate::common::{LIMIT, scene, steps};
-use antipode_geometry::{ChartPoint, FAR_LIMIT_RADII, Geometry};
+use antipode_geometry::{ChartId, ChartPoint, FAR_LIMIT_RADII, Geometry};
 use antipode_scene::frame::{ChunkChange, LandCursor};
 use antipode_scene::{Actions, CameraMode, Item, Scene};
 use glam::DVec3;
@@ -37,7 +37,7 @@ fn from_behind_at_a_wall_the_wall_is_pointed_at_and_not_what_is_past_it() {
 fn on_a_sphere_everything_in_reach_is_there_after_a_step() {
     let mut scene = scene(Geometry::Spherical);
     scene.set_flying(true);
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     for at in [
         DVec3::new(rim_m - 2.0, 30.0, 0.0),
         DVec3::new(0.0, 37.0, 20.0),
@@ -171,7 +171,7 @@ fn a_lamp_in_hand_is_shown_where_it_comes_to_hang() {
         };
         steps(&mut scene, 1, &put);
         let lamp = scene.lamps()[0].glow();
-        assert_eq!(lamp.hemisphere, shown.point.hemisphere);
+        assert_eq!(lamp.chart, shown.point.chart);
         let off_m = lamp.pos.distance(shown.point.pos);
         assert!(off_m < 0.02, "{geometry:?}: {off_m} m off");
     }

@@ -143,7 +143,7 @@ fn a_state_of_version_1_shows_the_one_picture_it_knew() {
 proptest! {
     #[test]
     fn chunk_keys_survive_and_keep_their_order(a: (u8, i32, i32, i32), b: (u8, i32, i32, i32)) {
-        let key = |(hemisphere, x, y, z)| ChunkKey { hemisphere, x, y, z };
+        let key = |(chart, x, y, z)| ChunkKey { chart, x, y, z };
         let (a, b) = (key(a), key(b));
         prop_assert_eq!(ChunkKey::from_bytes(&a.to_bytes()), Some(a));
         prop_assert_eq!(a.cmp(&b), a.to_bytes().cmp(&b.to_bytes()));

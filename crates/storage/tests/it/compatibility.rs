@@ -40,13 +40,13 @@ const V7: &str = concat!(
 );
 
 const FAR: ChunkKey = ChunkKey {
-    hemisphere: 1,
+    chart: 1,
     x: i32::MIN,
     y: 0,
     z: i32::MAX,
 };
 const NEAR: ChunkKey = ChunkKey {
-    hemisphere: 0,
+    chart: 0,
     x: -1,
     y: 2,
     z: 0,

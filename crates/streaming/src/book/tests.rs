@@ -3,7 +3,7 @@
 use std::sync::atomic::AtomicBool;
 use std::sync::{Mutex, OnceLock};
 
-use antipode_geometry::Hemisphere;
+use antipode_geometry::ChartId;
 use antipode_storage::{Batch, ChunkKey};
 use glam::IVec3;
 
@@ -29,7 +29,7 @@ impl Vault for Disk {
 
 fn chunk(x: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(x, 0, 0),
     }
 }

@@ -11,7 +11,7 @@ use super::*;
 use crate::api::{Detail, Reach, Wish};
 use crate::ledger::wishing::{LEAST_SETTLED, SETTLED_SHARE};
 use crate::levels::faces;
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, strategy};
 use glam::{DVec3, IVec3};
 use views::{Rings, Vanishing};
 
@@ -23,7 +23,7 @@ fn ledger(edited: &[ChunkCoord]) -> Ledger {
 
 fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(x, y, z),
     }
 }

@@ -3,7 +3,7 @@
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 
 use super::*;
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Geometry, strategy};
 use glam::DVec3;
 
 use crate::api::Reach;
@@ -143,7 +143,7 @@ fn chunks_under_half_a_pixel_are_not_loaded_but_those_near_bodies_are() {
     // 32 m make half a pixel at 64 m.
     assert!(!small.is_empty());
     assert!(small.iter().all(|coord| coord.index.x.abs() <= 3));
-    request.bodies = Reaches::of(&[Reach::whole(Hemisphere::A)]);
+    request.bodies = Reaches::of(&[Reach::whole(ChartId::FIRST)]);
     assert!(near(&request.plan(&field).plan).len() > small.len());
 }
 
@@ -182,7 +182,7 @@ fn at_the_rim_both_charts_are_finer() {
     let (request, field) = request(Geometry::Spherical, 256.0, far, 1);
     let space = field.strategy();
     let chunk_at = |x: f64| ChunkCoord::containing(ChartPoint::a(DVec3::new(x, 60.0, 0.0)));
-    let rim_m = space.rim_m().unwrap_or_default();
+    let rim_m = space.domain(ChartId::FIRST).radius_m().unwrap_or_default();
     assert!(meets_rim(&**space, chunk_at(rim_m)));
     assert!(!meets_rim(&**space, chunk_at(rim_m - 64.0)));
     assert!(

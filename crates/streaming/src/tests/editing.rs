@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use antipode_terrain::{ChunkMesh, Content, EDIT_STEP, UNITS_PER_M};
 use glam::{DVec3, IVec3};
 
@@ -141,11 +141,11 @@ fn an_edit_at_the_equator_changes_both_charts_in_one_batch() {
     let mut game = Game::new(Geometry::Spherical, 2, None, None);
     game.wish(DVec3::new(0.0, 8.0, 0.0), 1);
     game.wait(Until::Idle);
-    let at = game.ground(game.space.rim_m().unwrap(), 0.0);
+    let at = game.ground(game.space.domain(ChartId::FIRST).radius_m().unwrap(), 0.0);
     game.edit(at, 20.0);
     let batches = game.wait(Until::Edits).batches;
     assert_eq!(batches.len(), 1);
-    let sides: BTreeSet<_> = batches[0].iter().map(|coord| coord.hemisphere).collect();
+    let sides: BTreeSet<_> = batches[0].iter().map(|coord| coord.chart).collect();
     assert_eq!(sides.len(), 2);
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use antipode_terrain::{Level, Stroke};
 use glam::{DVec3, IVec3};
 
@@ -189,7 +189,7 @@ fn the_whole_of_a_large_sphere_is_there_at_levels_that_suit_it() {
     let mut game = Game::of(Geometry::Spherical, 96.0, 2);
     game.look(DVec3::new(0.0, 30.0, 0.0), 1);
     game.wait(Until::Idle);
-    let rim_m = game.space.rim_m().unwrap();
+    let rim_m = game.space.domain(ChartId::FIRST).radius_m().unwrap();
     assert!(game.levels().len() >= 2);
     let rings = [0.0, 0.5, 0.95].map(|share| share * rim_m);
     for ring in rings {

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry};
 use antipode_terrain::Content;
 use crossbeam_channel::{Sender, unbounded};
 use glam::DVec3;
@@ -111,10 +111,10 @@ fn a_sphere_is_there_whole_and_stays() {
     game.wait(Until::Idle);
     let all = Range::wished(&*game.space, ChartPoint::a(DVec3::ZERO), 1, 0).all();
     assert!(all.iter().all(|&coord| game.streamer.is_resident(coord)));
-    let sides = [Hemisphere::A, Hemisphere::B]
-        .map(|h| game.chunks.keys().filter(|c| c.hemisphere == h).count());
+    let sides = [ChartId::FIRST, ChartId::SECOND]
+        .map(|h| game.chunks.keys().filter(|c| c.chart == h).count());
     assert!(sides[0] >= 4 && sides[1] >= 4, "{sides:?}");
-    let across = ChartPoint::new(Hemisphere::B, DVec3::new(10.0, 8.0, 3.0));
+    let across = ChartPoint::new(ChartId::SECOND, DVec3::new(10.0, 8.0, 3.0));
     game.streamer.wish(&Wish::new(across, DVec3::X, 1));
     let seen = game.wait(Until::Idle);
     assert!(seen.loaded.is_empty() && seen.unloaded.is_empty());

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_storage::{Batch, ChunkKey, RecordChanges};
 use antipode_terrain::{Field, Samples, Stroke};
 use crossbeam_channel::{Receiver, Sender, bounded};
@@ -94,7 +94,7 @@ impl Game {
 
     /// The place where the ground crosses a column, chart metres.
     fn ground(&self, x: f64, z: f64) -> DVec3 {
-        DVec3::new(x, self.field.surface_height(Hemisphere::A, x, z), z)
+        DVec3::new(x, self.field.surface_height(ChartId::FIRST, x, z), z)
     }
 
     fn wish(&mut self, at: DVec3, view_distance: u32) {
@@ -186,7 +186,7 @@ fn stroke(at: DVec3, amount: f32) -> Stroke {
 
 fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(x, y, z),
     }
 }

@@ -416,13 +416,11 @@ fn a_record_of_the_wrong_length_or_place_is_told() {
     let at = Game::flat(1).ground(16.0, 16.0);
     let key = key_of(ChunkCoord::containing(ChartPoint::a(at)));
     memory.chunks.lock().unwrap().insert(key, vec![5; 7]);
-    memory.chunks.lock().unwrap().insert(
-        antipode_storage::ChunkKey {
-            hemisphere: 9,
-            ..key
-        },
-        vec![5; 7],
-    );
+    memory
+        .chunks
+        .lock()
+        .unwrap()
+        .insert(antipode_storage::ChunkKey { chart: 9, ..key }, vec![5; 7]);
     let game = open(&memory);
     assert_eq!(game.problems.len(), 2, "{:?}", game.problems);
     assert_eq!(game.streamer.edited_count(), 1);

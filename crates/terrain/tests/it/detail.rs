@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::common::{Random, flat};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_terrain::{Biome, ChunkMesh, Field, Level, Mesher};
 use glam::{DVec3, IVec3, Vec3};
 
@@ -114,12 +114,16 @@ impl Errors {
 
 /// How far the vertices of full surfaces are from a level's: nearest, and up or down.
 fn measure(field: &Field, level: Level, chunks: usize, random: &mut Random) -> [Errors; 2] {
-    let reach = field.strategy().rim_m().map_or(4000.0, |rim| rim * 0.6);
+    let reach = field
+        .strategy()
+        .domain(ChartId::FIRST)
+        .radius_m()
+        .map_or(4000.0, |rim| rim * 0.6);
     let mut mesher = Mesher::default();
     let mut found = [Vec::new(), Vec::new()];
     for _ in 0..chunks {
         let [x, z] = [(); 2].map(|()| random.between(-reach, reach));
-        let y = field.surface_height(Hemisphere::A, x, z);
+        let y = field.surface_height(ChartId::FIRST, x, z);
         let coord = ChunkCoord::containing(ChartPoint::a(DVec3::new(x, y, z)));
         let full = mesher.march(&field.samples(coord), field, coord);
         // A surface that leaves the chunk at one level only is in the next chunk at the other.

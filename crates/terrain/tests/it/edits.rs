@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::common::{Random, World, chunk, flat, sphere};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_terrain::{ChunkEdits, EDIT_LIMIT_M, EDIT_STEP, EditsError, Level, Stroke};
 use glam::{DVec2, DVec3};
 
@@ -29,7 +29,7 @@ fn a_second_at_60_hz_digs_what_a_second_at_30_hz_does() {
             for _ in 0..rate {
                 world.apply(&one);
             }
-            world.edits[&chunk(Hemisphere::A, 0, 0, 0)].clone()
+            world.edits[&chunk(ChartId::FIRST, 0, 0, 0)].clone()
         });
         for i in 6..27 {
             for j in 6..27 {
@@ -98,7 +98,7 @@ fn strokes_commute_with_padding() {
     let mut world = World::new(4, flat());
     let centre = DVec3::new(31.7, 16.2, 0.4);
     world.apply(&stroke(centre, 6.0, 2.0));
-    let chunks = [(0, -1), (1, -1), (0, 0), (1, 0)].map(|(x, z)| chunk(Hemisphere::A, x, 0, z));
+    let chunks = [(0, -1), (1, -1), (0, 0), (1, 0)].map(|(x, z)| chunk(ChartId::FIRST, x, 0, z));
     for coord in chunks {
         let before = world.field.samples(coord);
         let after = world.samples(coord);
@@ -134,10 +134,10 @@ fn changed_blocks(world: &mut World, one: &Stroke, all: &[ChunkCoord]) -> BTreeS
 #[test]
 fn remeshed_names_every_chunk_that_sees_a_change() {
     let mut all = Vec::new();
-    for hemisphere in [Hemisphere::A, Hemisphere::B] {
+    for chart in [ChartId::FIRST, ChartId::SECOND] {
         for x in -2..2 {
             for z in -2..2 {
-                all.push(chunk(hemisphere, x, 0, z));
+                all.push(chunk(chart, x, 0, z));
             }
         }
     }
@@ -145,7 +145,7 @@ fn remeshed_names_every_chunk_that_sees_a_change() {
     let (mut both, mut exact) = (0, 0);
     for n in 0..24 {
         let space = sphere();
-        let rim = space.rim_m().unwrap();
+        let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
         let mut world = World::new(n, space.clone());
         let angle = random.between(0.0, std::f64::consts::TAU);
         let ground = DVec2::from_angle(angle) * random.between(rim - 30.0, rim + 0.2);
@@ -155,7 +155,7 @@ fn remeshed_names_every_chunk_that_sees_a_change() {
         let changed = changed_blocks(&mut world, &one, &all);
         assert!(changed.is_subset(&named), "{changed:?} {named:?}");
         exact += usize::from(all.iter().all(|c| named.contains(c) == changed.contains(c)));
-        both += usize::from(changed.iter().any(|c| c.hemisphere == Hemisphere::B));
+        both += usize::from(changed.iter().any(|c| c.chart == ChartId::SECOND));
         let touched = one.touched(&*space);
         assert!(touched.is_sorted() && touched.iter().all(|c| named.contains(c)));
     }
@@ -173,7 +173,7 @@ fn coarse_chunks_that_see_a_change_are_named_too() {
             let space = flat();
             let mut world = World::new(n, space.clone());
             let all: Vec<_> = (0..27)
-                .map(|c| chunk(Hemisphere::A, c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1))
+                .map(|c| chunk(ChartId::FIRST, c % 3 - 1, c / 3 % 3 - 1, c / 9 - 1))
                 .collect();
             let centre = DVec3::from([(); 3].map(|()| random.between(-2.0, 34.0)));
             let one = stroke(centre, random.between(1.0, 6.0), 4.0);
@@ -197,7 +197,7 @@ fn coarse_chunks_that_see_a_change_are_named_too() {
 #[test]
 fn both_charts_hold_the_same_hole() {
     let space = sphere();
-    let rim = space.rim_m().unwrap();
+    let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
     let mut world = World::new(8, space.clone());
     let ground = DVec2::from_angle(0.9) * (rim - 1.5);
     let centre = DVec3::new(ground.x, 10.0, ground.y);
@@ -208,7 +208,7 @@ fn both_charts_hold_the_same_hole() {
             let offset = DVec2::from_angle(0.9 + f64::from(across) * 0.03);
             let ground = offset * (rim + f64::from(step) * 0.2);
             let here = ChartPoint::a(DVec3::new(ground.x, 10.5, ground.y));
-            let there = space.carry(here).unwrap().point;
+            let there = space.images(here, f64::INFINITY)[0].point;
             let [a, b] = [here, there].map(|p| {
                 let coord = ChunkCoord::containing(p);
                 world.samples(coord).density(p.pos - coord.origin())
@@ -229,7 +229,7 @@ fn both_charts_hold_the_same_hole() {
 #[test]
 fn a_stroke_misses_no_sample_of_the_other_chart() {
     let space = sphere();
-    let rim = space.rim_m().unwrap();
+    let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
     for (from_rim, radius) in [(-2.0, 10.0), (-9.0, 10.0), (0.1, 4.0)] {
         let ground = DVec2::from_angle(2.2) * (rim + from_rim);
         let centre = DVec3::new(ground.x, 11.0, ground.y);
@@ -239,12 +239,12 @@ fn a_stroke_misses_no_sample_of_the_other_chart() {
         for x in -58..=58 {
             for z in -58..=58 {
                 let p = DVec3::new(f64::from(x), 11.0, f64::from(z));
-                let carried = space.carry(ChartPoint::new(Hemisphere::B, p)).unwrap();
+                let carried = space.images(ChartPoint::new(ChartId::SECOND, p), f64::INFINITY)[0];
                 let d2 = carried.point.pos.distance_squared(centre);
                 if d2 > radius * radius || p.length() > rim + 11.0 {
                     continue;
                 }
-                let coord = ChunkCoord::containing(ChartPoint::new(Hemisphere::B, p));
+                let coord = ChunkCoord::containing(ChartPoint::new(ChartId::SECOND, p));
                 let [i, j, k] = (p - coord.origin()).to_array().map(|c| c as usize);
                 let found = world.edits.get(&coord).map_or(0.0, |e| e.delta(i, j, k));
                 let expected = (4.0 * (-0.1 * d2).exp()) as f32;
@@ -278,8 +278,8 @@ fn dig_and_build_as_far_as_it_goes(space: &Arc<dyn Strategy>) {
         }
     }
     assert!(limits.ceiling_m > 34.0 && limits.ceiling_m < 64.0);
-    let low = world.samples(chunk(Hemisphere::A, 0, 0, 0));
-    let high = world.samples(chunk(Hemisphere::A, 0, 1, 0));
+    let low = world.samples(chunk(ChartId::FIRST, 0, 0, 0));
+    let high = world.samples(chunk(ChartId::FIRST, 0, 1, 0));
     for n in 0..=32 {
         for m in 0..=16 {
             let at = |y| DVec3::new(f64::from(n), y, f64::from(m) * 2.0);
@@ -324,7 +324,7 @@ fn nonsense_strokes_do_nothing() {
     );
     assert!(stroke(DVec3::Y * 8.0, 1e9, 1.0).touched(&*space).len() < 100);
     let mut edits = ChunkEdits::new();
-    let coord = chunk(Hemisphere::A, 0, 0, 0);
+    let coord = chunk(ChartId::FIRST, 0, 0, 0);
     assert!(!stroke(DVec3::Y * 8.0, 5.0, f32::NAN).apply(coord, &mut edits, &*space));
     assert!(edits.is_empty());
     let far = stroke(DVec3::new(1e30, 0.0, 1e30), 5.0, 1.0);

@@ -1,7 +1,7 @@
 //! The field: its formula, its bounds, its continuity, and what chunks can hold.
 
 use crate::common::{Random, chunk, flat, sphere};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, strategy};
 use antipode_terrain::{Biome, Content, FIELD_BAND_M, Field, march};
 use glam::{DVec2, DVec3};
 use noise::{NoiseFn, Perlin};
@@ -58,7 +58,7 @@ fn the_field_of_a_sphere_is_the_same_noise_squeezed() {
         let mut random = Random(8);
         for _ in 0..2000 {
             let p = ChartPoint::new(
-                [Hemisphere::A, Hemisphere::B][usize::from(random.unit() < 0.5)],
+                [ChartId::FIRST, ChartId::SECOND][usize::from(random.unit() < 0.5)],
                 DVec3::new(
                     random.between(-radius, radius),
                     random.between(low, high),
@@ -111,7 +111,7 @@ fn golden_values() {
 
 #[test]
 fn seeds_of_one_biome_differ() {
-    let height = |seed| Field::new(seed, flat()).surface_height(Hemisphere::A, 40.5, -13.25);
+    let height = |seed| Field::new(seed, flat()).surface_height(ChartId::FIRST, 40.5, -13.25);
     let heights: Vec<_> = (0..6).map(|n| height(2 + 5 * n)).collect();
     for (n, a) in heights.iter().enumerate() {
         for b in &heights[n + 1..] {
@@ -124,13 +124,13 @@ fn seeds_of_one_biome_differ() {
 fn single_samples_and_chunks_agree_and_neighbours_overlap_bit_for_bit() {
     for space in [flat(), sphere()] {
         let field = Field::new(9, space);
-        let here = field.samples(chunk(Hemisphere::B, 0, 0, -1));
-        let next = field.samples(chunk(Hemisphere::B, 1, 0, -1));
-        let above = field.samples(chunk(Hemisphere::B, 0, 1, -1));
+        let here = field.samples(chunk(ChartId::SECOND, 0, 0, -1));
+        let next = field.samples(chunk(ChartId::SECOND, 1, 0, -1));
+        let above = field.samples(chunk(ChartId::SECOND, 0, 1, -1));
         for n in (0..35).step_by(3) {
             for m in 0..35 {
                 let p = DVec3::new(n as f64 - 1.0, m as f64 - 1.0, 6.0 - 32.0);
-                let single = field.sample(ChartPoint::new(Hemisphere::B, p));
+                let single = field.sample(ChartPoint::new(ChartId::SECOND, p));
                 assert_eq!(here.get(n, m, 7), single);
                 for side in 0..3 {
                     assert_eq!(here.get(32 + side, m, n), next.get(side, m, n));
@@ -145,15 +145,15 @@ fn single_samples_and_chunks_agree_and_neighbours_overlap_bit_for_bit() {
 fn the_field_is_continuous_over_the_equator() {
     let space = sphere();
     let field = Field::new(21, space.clone());
-    let rim = space.rim_m().unwrap();
+    let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
     let mut random = Random(5);
     for _ in 0..500 {
         let angle = random.between(0.0, std::f64::consts::TAU);
         let ground = DVec2::from_angle(angle) * (rim + random.between(-8.0, 8.0));
         let y = random.between(4.0, 17.0);
         let here = ChartPoint::a(DVec3::new(ground.x, y, ground.y));
-        let there = space.carry(here).unwrap().point;
-        assert_eq!(there.hemisphere, Hemisphere::B);
+        let there = space.images(here, f64::INFINITY)[0].point;
+        assert_eq!(there.chart, ChartId::SECOND);
         let (a, b) = (field.sample(here), field.sample(there));
         assert!((a - b).abs() < 1e-4, "{here:?}: {a} {b}");
     }
@@ -171,7 +171,7 @@ fn spherical_ground_keeps_strictly_within_its_limits_and_uses_them() {
             for _ in 0..2000 {
                 let x = random.between(-radius, radius);
                 let z = random.between(-radius, radius);
-                let y = field.surface_height(Hemisphere::A, x, z);
+                let y = field.surface_height(ChartId::FIRST, x, z);
                 lowest = lowest.min(y);
                 highest = highest.max(y);
                 let under = ChartPoint::a(DVec3::new(x, limits.ground_min_m, z));
@@ -202,7 +202,7 @@ fn far_away_and_nonsense_coordinates_are_finite() {
         }
     }
     let field = Field::new(0, flat());
-    let far = chunk(Hemisphere::A, 3_125_000, 0, -3_125_000);
+    let far = chunk(ChartId::FIRST, 3_125_000, 0, -3_125_000);
     let mesh = march(&field.samples(far), &field, far);
     assert!(mesh.triangles().len() > 500, "ground goes on at 1e8 m");
 }
@@ -213,7 +213,7 @@ fn surface_height_is_where_air_ends() {
         let field = Field::new(3, space);
         for n in 0..200 {
             let (x, z) = (f64::from(n) * 0.37 - 30.0, f64::from(n) * 0.11 - 9.0);
-            let y = field.surface_height(Hemisphere::A, x, z);
+            let y = field.surface_height(ChartId::FIRST, x, z);
             let at = |y| field.sample(ChartPoint::a(DVec3::new(x, y, z)));
             assert!(at(y + 1e-3) >= 0.0 && at(y - 1e-3) < 0.0, "({x}, {z}): {y}");
         }
@@ -223,7 +223,7 @@ fn surface_height_is_where_air_ends() {
 #[test]
 fn content_costs_layers_only_where_ground_can_be() {
     let field = Field::new(0, flat());
-    let at = |y| field.content(chunk(Hemisphere::A, 7, y, -3));
+    let at = |y| field.content(chunk(ChartId::FIRST, 7, y, -3));
     assert_eq!(at(-2), Content::Solid);
     assert_eq!(
         at(-1),
@@ -238,7 +238,7 @@ fn content_costs_layers_only_where_ground_can_be() {
     );
 
     let forest = Field::new(2, flat());
-    let above = chunk(Hemisphere::A, 7, 1, -3);
+    let above = chunk(ChartId::FIRST, 7, 1, -3);
     assert_eq!(
         forest.content(above),
         Content::Air,
@@ -246,7 +246,7 @@ fn content_costs_layers_only_where_ground_can_be() {
     );
 
     let field = Field::new(0, sphere());
-    let at = |x, y| field.content(chunk(Hemisphere::B, x, y, 0));
+    let at = |x, y| field.content(chunk(ChartId::SECOND, x, y, 0));
     assert_eq!(at(0, -1), Content::Solid);
     assert_eq!(at(1, 0), Content::Surface);
     assert_eq!(at(0, 1), Content::Air);
@@ -273,7 +273,7 @@ fn most_chunks_without_surface_are_known_and_none_is_mistaken() {
         for layer in [-1, 0, 1] {
             let (mut free, mut known) = (0, 0);
             for n in 0..49 {
-                let coord = chunk(Hemisphere::A, n % 7 * 5 - 300, layer, n / 7 * 9);
+                let coord = chunk(ChartId::FIRST, n % 7 * 5 - 300, layer, n / 7 * 9);
                 let (found, truth) = (field.content(coord), truly(&field, coord));
                 assert!(
                     found == truth || found == Content::Surface,
@@ -293,7 +293,7 @@ fn content_of_spheres_of_every_size_is_never_mistaken() {
         for seed in 0..5 {
             let field = Field::new(seed, strategy(Geometry::Spherical, radius));
             for layer in -1..5 {
-                let coord = chunk(Hemisphere::B, -1, layer, 0);
+                let coord = chunk(ChartId::SECOND, -1, layer, 0);
                 let (found, truth) = (field.content(coord), truly(&field, coord));
                 assert!(
                     found == truth || found == Content::Surface,
@@ -309,7 +309,7 @@ proptest! {
     #[test]
     fn content_is_never_wrong(seed in 0_u64..1000, x in -2_i32..2, y in -2_i32..3, z in -2_i32..2, curved: bool) {
         let field = Field::new(seed, if curved { sphere() } else { flat() });
-        let coord = chunk(Hemisphere::A, x, y, z);
+        let coord = chunk(ChartId::FIRST, x, y, z);
         let samples = field.samples(coord);
         match field.content(coord) {
             Content::Air => {
@@ -329,7 +329,7 @@ fn every_biome_makes_ground_in_its_own_colours() {
     let mut means = Vec::new();
     for seed in 0..5 {
         let field = Field::new(seed, flat());
-        let coord = chunk(Hemisphere::A, 2, 0, 1);
+        let coord = chunk(ChartId::FIRST, 2, 0, 1);
         let mesh = march(&field.samples(coord), &field, coord);
         assert!(!mesh.is_empty(), "{}", Biome::from_seed(seed).name());
         let sum = mesh.vertices.iter().fold(DVec3::ZERO, |sum, v| {

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use crate::common::{Random, World, chunk, flat, sphere};
-use antipode_geometry::{ChartPoint, ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_terrain::{ChunkMesh, Level, Mesher, RIM_REACH_M, Samples, Stroke};
 use glam::{DVec3, I64Vec3, IVec3};
 
@@ -110,7 +110,7 @@ impl Block {
 }
 
 /// Digs tunnels along axes through faces, edges and corners of a block's chunks, and builds.
-fn tunnel(world: &mut World, hemisphere: Hemisphere, first: IVec3, size: i32, random: &mut Random) {
+fn tunnel(world: &mut World, chart: ChartId, first: IVec3, size: i32, random: &mut Random) {
     for n in 0..8 {
         let side = f64::from(size) * 32.0;
         // On a plane between chunks, on two of them, or anywhere.
@@ -123,7 +123,7 @@ fn tunnel(world: &mut World, hemisphere: Hemisphere, first: IVec3, size: i32, ra
         for step in 0..16 {
             at[along] = side * f64::from(step) / 16.0;
             world.apply(&Stroke {
-                centre: ChartPoint::new(hemisphere, first.as_dvec3() * 32.0 + DVec3::from(at)),
+                centre: ChartPoint::new(chart, first.as_dvec3() * 32.0 + DVec3::from(at)),
                 radius_m,
                 amount,
             });
@@ -133,21 +133,22 @@ fn tunnel(world: &mut World, hemisphere: Hemisphere, first: IVec3, size: i32, ra
 
 fn edited_blocks_are_watertight(space: &Arc<dyn Strategy>, seed: u64, first: IVec3, size: i32) {
     let mut random = Random(seed * 77 + 5);
-    let hemisphere = Hemisphere::A;
+    let chart = ChartId::FIRST;
     let mut world = World::new(seed, Arc::clone(space));
     let mut mesher = Mesher::default();
     let reach_m = space
-        .rim_m()
+        .domain(ChartId::FIRST)
+        .radius_m()
         .map_or(f64::INFINITY, |rim_m| rim_m + RIM_REACH_M);
     let mut edges = 0;
     for edited in [false, true] {
         if edited {
-            tunnel(&mut world, hemisphere, first, size, &mut random);
+            tunnel(&mut world, chart, first, size, &mut random);
         }
         for _ in 0..3 {
             let levels = random_levels(size, &mut random);
             let block = Block::new(first, &levels, |index, level| {
-                let coord = ChunkCoord { hemisphere, index };
+                let coord = ChunkCoord { chart, index };
                 let samples = world.samples_at(coord, level);
                 mesher.march(&samples, &world.field, coord)
             });
@@ -182,12 +183,12 @@ fn coarse_ground_has_no_empty_triangles_and_faces_the_air() {
     for (seed, space) in [(11, flat()), (13, flat()), (14, sphere())] {
         let mut world = World::new(seed, space);
         let first = IVec3::new(-1, 0, -1);
-        tunnel(&mut world, Hemisphere::A, first, 2, &mut Random(seed));
+        tunnel(&mut world, ChartId::FIRST, first, 2, &mut Random(seed));
         for level in Level::ALL {
             let (mut area, mut wrong) = (0.0, 0.0);
             for n in 0..8 {
                 let index = first + IVec3::new(n % 2, n / 2 % 2, n / 4);
-                let coord = chunk(Hemisphere::A, index.x, index.y, index.z);
+                let coord = chunk(ChartId::FIRST, index.x, index.y, index.z);
                 let samples = world.samples_at(coord, level);
                 let mesh = antipode_terrain::march(&samples, &world.field, coord);
                 assert_eq!(mesh.level, level);
@@ -221,7 +222,7 @@ fn noise_at_every_sample_is_watertight_at_any_mix_of_levels() {
         let levels = random_levels(3, &mut random);
         let block = Block::new(IVec3::ZERO, &levels, |index, level| {
             let coord = ChunkCoord {
-                hemisphere: Hemisphere::A,
+                chart: ChartId::FIRST,
                 index,
             };
             let samples = Samples::from_fn_at(level, |local| {
@@ -253,7 +254,7 @@ fn a_ball_over_chunks_of_any_levels_is_closed_and_holds_its_volume() {
         let levels = random_levels(2, &mut random);
         let block = Block::new(IVec3::ZERO, &levels, |index, level| {
             let coord = ChunkCoord {
-                hemisphere: Hemisphere::A,
+                chart: ChartId::FIRST,
                 index,
             };
             let samples = Samples::from_fn_at(level, |local| {
@@ -285,8 +286,8 @@ fn samples_at_shared_places_are_the_same_bit_for_bit_at_every_level() {
     ] {
         let mut world = World::new(seed, space);
         let first = IVec3::new(-1, 0, 0);
-        tunnel(&mut world, Hemisphere::A, first, 2, &mut Random(seed));
-        let coord = chunk(Hemisphere::A, -1, 0, 0);
+        tunnel(&mut world, ChartId::FIRST, first, 2, &mut Random(seed));
+        let coord = chunk(ChartId::FIRST, -1, 0, 0);
         let full = world.samples_at(coord, Level::FULL);
         assert!(full == world.samples(coord));
         for level in Level::ALL {
@@ -313,7 +314,7 @@ fn seams_are_flat_slivers() {
     let world = World::new(4, flat());
     let mut seen = 0;
     for level in &Level::ALL[1..] {
-        let coord = chunk(Hemisphere::A, 3, 0, -2);
+        let coord = chunk(ChartId::FIRST, 3, 0, -2);
         let samples = world.field.samples_at(coord, *level);
         let mesh = antipode_terrain::march(&samples, &world.field, coord);
         for face in 0..6 {

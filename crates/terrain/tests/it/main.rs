@@ -13,3 +13,4 @@ mod field;
 mod levels;
 mod mesh;
 mod seams;
+mod tiled;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use crate::common::{Random, chunk, flat, sphere};
-use antipode_geometry::Hemisphere;
+use antipode_geometry::ChartId;
 use antipode_terrain::{ChunkMesh, Field, Level, Samples, march};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -42,7 +42,7 @@ fn meshes_of_random_samples_are_watertight() {
     for seed in 0..3 {
         let random = std::cell::RefCell::new(Random(seed));
         let samples = Samples::from_fn(|_| random.borrow_mut().between(-1.0, 1.0) as f32);
-        let mesh = march(&samples, &field, chunk(Hemisphere::A, 0, 0, 0));
+        let mesh = march(&samples, &field, chunk(ChartId::FIRST, 0, 0, 0));
         assert!(mesh.triangles().len() > 50_000);
         assert_watertight(&mesh);
     }
@@ -56,7 +56,7 @@ fn ground_through_samples_gives_no_empty_triangles() {
     let samples = Samples::from_fn(|_| random.borrow_mut().between(-2.0, 2.0).round() as f32);
     let flat_ground = Samples::from_fn(|p| (p.y - 16.0) as f32);
     for samples in [samples, flat_ground] {
-        let mesh = march(&samples, &field, chunk(Hemisphere::A, 0, 0, 0));
+        let mesh = march(&samples, &field, chunk(ChartId::FIRST, 0, 0, 0));
         assert_watertight(&mesh);
         for &t in mesh.triangles() {
             let [a, b, c] = corners(&mesh, t);
@@ -70,7 +70,7 @@ fn a_ball_is_closed_round_and_faces_outward() {
     let field = Field::new(0, flat());
     let centre = DVec3::new(15.3, 16.1, 16.7);
     let samples = Samples::from_fn(|p| (p.distance(centre) - 11.0) as f32);
-    let mesh = march(&samples, &field, chunk(Hemisphere::A, 0, 0, 0));
+    let mesh = march(&samples, &field, chunk(ChartId::FIRST, 0, 0, 0));
     assert_watertight(&mesh);
     let centre = centre.as_vec3();
     let mut volume = 0.0;
@@ -95,7 +95,7 @@ fn a_ball_is_closed_round_and_faces_outward() {
 fn ground_faces_the_air_its_normals_point_to() {
     for space in [flat(), sphere()] {
         let field = Field::new(13, space);
-        let coord = chunk(Hemisphere::B, -1, 0, 0);
+        let coord = chunk(ChartId::SECOND, -1, 0, 0);
         let mesh = march(&field.samples(coord), &field, coord);
         let (mut area, mut wrong) = (0.0, 0.0);
         for &t in mesh.triangles() {
@@ -118,11 +118,11 @@ fn ground_faces_the_air_its_normals_point_to() {
 #[test]
 fn the_sphere_is_meshed_to_its_reach_and_no_farther() {
     let space = sphere();
-    let reach = space.rim_m().unwrap() + 8.0;
+    let reach = space.domain(ChartId::FIRST).radius_m().unwrap() + 8.0;
     let field = Field::new(2, space);
     let mut farthest: f64 = 0.0;
     for (x, z) in [(1, 0), (1, 1), (-2, 0), (0, 1)] {
-        let coord = chunk(Hemisphere::A, x, 0, z);
+        let coord = chunk(ChartId::FIRST, x, 0, z);
         let mesh = march(&field.samples(coord), &field, coord);
         for &t in mesh.triangles() {
             let nearest = corners(&mesh, t)
@@ -146,7 +146,7 @@ fn solid_and_empty_blocks_have_no_mesh() {
         let mesh = march(
             &Samples::from_fn(|_| value),
             &field,
-            chunk(Hemisphere::A, 0, 0, 0),
+            chunk(ChartId::FIRST, 0, 0, 0),
         );
         assert!(mesh.is_empty() && mesh.vertices.is_empty());
     }
@@ -160,7 +160,7 @@ fn triangles_come_where_their_corners_were_just_used() {
     for level in Level::ALL {
         let (mut misses, mut corners) = (0, 0);
         for x in 0..4 {
-            let coord = chunk(Hemisphere::A, x, 0, 1);
+            let coord = chunk(ChartId::FIRST, x, 0, 1);
             let mesh = march(&field.samples_at(coord, level), &field, coord);
             let mut kept = std::collections::VecDeque::new();
             for &index in mesh.surface_indices() {

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use crate::common::{Random, World, flat, sphere};
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Strategy};
 use antipode_terrain::{ChunkMesh, RIM_REACH_M, Stroke, march};
 use glam::{DVec3, IVec3};
 
@@ -74,7 +74,7 @@ fn assert_faces_match(
             let mut index = coord.index;
             index[axis] += step;
             let neighbour = ChunkCoord {
-                hemisphere: coord.hemisphere,
+                chart: coord.chart,
                 index,
             };
             if let Some(other) = meshes.get(&neighbour) {
@@ -98,24 +98,25 @@ fn assert_faces_match(
 /// Digs and builds at random corners of 3 x 3 x 3 chunks, meshing again only the chunks that the
 /// strokes name; every face of those must match after every edit, and at the end every
 /// mesh must be the one made afresh.
-fn edit_corners(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, count: usize, first: IVec3) {
+fn edit_corners(space: &Arc<dyn Strategy>, chart: ChartId, count: usize, first: IVec3) {
     let mut world = World::new(17, Arc::clone(space));
     let mut random = Random(23);
     let mut meshes = BTreeMap::new();
     for n in 0..27 {
         let index = first + IVec3::new(n % 3, n / 3 % 3, n / 9);
-        let coord = ChunkCoord { hemisphere, index };
+        let coord = ChunkCoord { chart, index };
         meshes.insert(coord, march(&world.samples(coord), &world.field, coord));
     }
     let reach_m = space
-        .rim_m()
+        .domain(ChartId::FIRST)
+        .radius_m()
         .map_or(f64::INFINITY, |rim_m| rim_m + RIM_REACH_M);
     let mut edges = 0;
     for _ in 0..count {
         let corner =
             [(); 3].map(|()| 32.0 * (1.0 + random.unit().round()) + random.between(-2.0, 2.0));
         let stroke = Stroke {
-            centre: ChartPoint::new(hemisphere, first.as_dvec3() * 32.0 + DVec3::from(corner)),
+            centre: ChartPoint::new(chart, first.as_dvec3() * 32.0 + DVec3::from(corner)),
             radius_m: random.between(1.0, 10.0),
             amount: random.between(-6.0, 6.0) as f32,
         };
@@ -144,10 +145,10 @@ fn edit_corners(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, count: usize,
 
 #[test]
 fn a_thousand_edits_at_chunk_corners_leave_no_gap() {
-    edit_corners(&flat(), Hemisphere::A, 1000, IVec3::new(-1, -1, 4));
+    edit_corners(&flat(), ChartId::FIRST, 1000, IVec3::new(-1, -1, 4));
 }
 
 #[test]
 fn edits_at_corners_near_the_equator_leave_no_gap() {
-    edit_corners(&sphere(), Hemisphere::B, 200, IVec3::new(0, -1, -2));
+    edit_corners(&sphere(), ChartId::SECOND, 200, IVec3::new(0, -1, -2));
 }

@@ -1,7 +1,7 @@
 //! `frame_vector` against the derivative of the f64 port: the image of the unit normal of a surface.
 
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, Strategy, picture, strategy,
+    ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, Strategy, picture, strategy,
 };
 use glam::{DMat3, DVec3, DVec4};
 
@@ -68,17 +68,17 @@ fn frame_vectors_are_what_the_port_makes_of_unit_normals() {
         let mut eye = rng.eye(DVec3::new(0.0, 12.0, 0.0));
         eye.dial = rng.between(2.0, 20.0);
         let away = rng.direction() * rng.between(0.5, 30.0);
-        let hemisphere = if kind == 1 && i % 8 < 4 {
-            Hemisphere::B
+        let chart = if kind == 1 && i % 8 < 4 {
+            ChartId::SECOND
         } else {
-            Hemisphere::A
+            ChartId::FIRST
         };
         let pos = if kind == 1 {
             away.with_y(rng.between(4.0, 16.0))
         } else {
             eye.point.pos + away
         };
-        let point = ChartPoint::new(hemisphere, pos.as_vec3().as_dvec3());
+        let point = ChartPoint::new(chart, pos.as_vec3().as_dvec3());
         let n = rng.direction().as_vec3().as_dvec3();
         let radius_m = space.radius_at_m(&eye);
         let radius_m = if radius_m.is_finite() { radius_m } else { 1.0 };

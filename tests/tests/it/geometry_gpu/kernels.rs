@@ -43,7 +43,7 @@ fn case(space: SpaceUniform, row: &[f64], n: DVec3) -> Case {
     Case {
         space,
         p: vector(row).as_vec3(),
-        hemisphere: 0,
+        chart: 0,
         n: n.as_vec3(),
         pad: 0,
     }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, SpaceUniform, Strategy,
-    picture, scalar, strategy,
+    ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy, picture,
+    scalar, strategy,
 };
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, Vec3};
@@ -16,7 +16,7 @@ use serde_json::Value;
 pub struct Case {
     pub space: SpaceUniform,
     pub p: Vec3,
-    pub hemisphere: u32,
+    pub chart: u32,
     pub n: Vec3,
     pub pad: u32,
 }
@@ -58,7 +58,7 @@ fn vec4(value: &Value) -> DVec4 {
 fn chart_point(value: &Value) -> ChartPoint {
     let b = value["hemisphere"].as_str() == Some("B");
     ChartPoint::new(
-        if b { Hemisphere::B } else { Hemisphere::A },
+        if b { ChartId::SECOND } else { ChartId::FIRST },
         vec3(&value["pos"]),
     )
 }
@@ -83,11 +83,11 @@ pub fn case(
     point: ChartPoint,
     n: DVec3,
 ) -> Case {
-    let reference = space.reference(eye, point.hemisphere);
+    let reference = space.reference(eye, point.chart);
     Case {
         space: space.uniform(eye, projection),
         p: (point.pos - reference).as_vec3(),
-        hemisphere: point.hemisphere.index(),
+        chart: point.chart.number() as u32,
         n: n.as_vec3(),
         pad: 0,
     }
@@ -180,9 +180,9 @@ pub fn dense(count: u32) -> Vec<Probe> {
             };
             let (at, to) = (spot(&mut rng), spot(&mut rng));
             let b = if i % 4 < 2 {
-                Hemisphere::B
+                ChartId::SECOND
             } else {
-                Hemisphere::A
+                ChartId::FIRST
             };
             (rng.eye(at), ChartPoint::new(b, to.as_vec3().as_dvec3()))
         } else {

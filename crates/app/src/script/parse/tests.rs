@@ -90,7 +90,7 @@ fn orders_carry_their_numbers() {
     assert_eq!(one("aim -90 10.5"), Ok(Order::Aim(-90.0, 10.5)));
     assert_eq!(
         one("teleport 1 2 3 B"),
-        Ok(Order::Teleport([1.0, 2.0, 3.0], Hemisphere::B))
+        Ok(Order::Teleport([1.0, 2.0, 3.0], ChartId::SECOND))
     );
     assert_eq!(one("set fly on"), Ok(Order::Set(Setting::Fly(true))));
     assert_eq!(

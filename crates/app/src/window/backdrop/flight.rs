@@ -188,6 +188,6 @@ impl Flight {
         let crossing = self.scene.strategy().cross(point);
         let point = crossing.map_or(point, |crossing| crossing.point);
         self.field
-            .surface_height(point.hemisphere, point.pos.x, point.pos.z)
+            .surface_height(point.chart, point.pos.x, point.pos.z)
     }
 }

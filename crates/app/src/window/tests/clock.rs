@@ -1,6 +1,6 @@
 //! The clock in a closed world: of the place, in the display and in the photo mode.
 
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use glam::DVec3;
 
 use super::*;
@@ -18,7 +18,7 @@ fn over_the_far_side(dir: &TempDir) -> Game {
     tick_until(&mut game, Game::is_playing);
     let scene = &mut game.play.phase.session_mut().unwrap().scene;
     scene.set_flying(true);
-    scene.teleport(ChartPoint::new(Hemisphere::B, DVec3::new(0.5, 8.0, 0.0)));
+    scene.teleport(ChartPoint::new(ChartId::SECOND, DVec3::new(0.5, 8.0, 0.0)));
     scene.set_time_of_day_s(150.0);
     game
 }

@@ -6,7 +6,7 @@ mod purity;
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Hemisphere, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::tuning::STEP_S;
 use antipode_scene::{Actions, CameraMode, Scene};
@@ -107,8 +107,8 @@ impl Film {
     fn go_to_equator(&mut self, before_m: f64) {
         let scene = self.scene();
         let field = Field::new(scene.setup().seed, Arc::clone(scene.strategy()));
-        let x = scene.strategy().rim_m().unwrap() - before_m;
-        let y = field.surface_height(Hemisphere::A, x, 0.0) + 0.2;
+        let x = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap() - before_m;
+        let y = field.surface_height(ChartId::FIRST, x, 0.0) + 0.2;
         scene.teleport(ChartPoint::a(DVec3::new(x, y, 0.0)));
         scene.aim(0.1, -0.1);
         assert!(scene.wait_for_step(LIMIT));
@@ -116,7 +116,7 @@ impl Film {
     }
 
     fn is_over(&mut self) -> bool {
-        self.scene().feet().hemisphere == Hemisphere::B
+        self.scene().feet().chart == ChartId::SECOND
     }
 
     fn drive(&mut self) {
@@ -139,7 +139,7 @@ impl Film {
 
 /// A place as one of a space without charts, metres.
 fn place(space: &dyn Strategy, point: ChartPoint) -> DVec4 {
-    if space.rim_m().is_some() {
+    if space.is_closed() {
         space.curved(&Eye::default(), point) * space.radius_m()
     } else {
         point.pos.extend(0.0)
@@ -239,7 +239,7 @@ fn level_strip(film: &mut Film, length_m: f64) -> DVec3 {
         let (x, z) = (f64::from(cell % 40) - 20.0, f64::from(cell / 40) - 20.0);
         let heights: Vec<f64> = (0..=20)
             .map(|part| x + length_m * f64::from(part) / 20.0)
-            .map(|x| field.surface_height(Hemisphere::A, x, z))
+            .map(|x| field.surface_height(ChartId::FIRST, x, z))
             .collect();
         let low = heights.iter().copied().fold(f64::MAX, f64::min);
         let high = heights.iter().copied().fold(f64::MIN, f64::max);

@@ -1,6 +1,6 @@
 //! The photo mode and screenshots in a running world, without an adapter.
 
-use antipode_geometry::Hemisphere;
+use antipode_geometry::ChartId;
 use antipode_render::RenderError;
 use image::{Rgba, RgbaImage};
 
@@ -185,7 +185,7 @@ fn the_camera_crosses_the_equator_of_a_closed_world() {
             .strategy
             .distance_m(eye.point, frame.view.eye.point, eye);
         assert!(step_m < 1.0, "leapt {step_m} m");
-        crossed |= frame.view.eye.point.hemisphere == Hemisphere::B;
+        crossed |= frame.view.eye.point.chart == ChartId::SECOND;
         last = frame;
     }
     assert!(crossed);

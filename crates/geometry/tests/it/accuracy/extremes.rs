@@ -2,7 +2,7 @@
 
 use antipode_geometry::kernel::{depth, distance, exponential, frame, linear, translation};
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, Eye, Geometry, Hemisphere, Real, Spherical, Strategy, strategy,
+    Atlas, ChartId, ChartPoint, ChunkCoord, Eye, Geometry, Real, Spherical, strategy,
 };
 use glam::{DVec3, Vec3};
 
@@ -232,14 +232,14 @@ fn a_hundred_thousand_composed_moves_stay_orthogonal() {
 fn crossing_the_equator_moves_the_picture_by_less_than_the_eye_can_tell() {
     let mut rng = Numbers(6);
     let space = Spherical::new(32.0);
-    let rim = space.rim_m().unwrap();
+    let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
     for _ in 0..5000 {
         let angle = rng.between(-3.2, 3.2);
         let spot = |r: f64, y: f64| DVec3::new(r * angle.cos(), y, r * angle.sin());
         let here = ChartPoint::a(spot(rim + rng.between(-0.3, 0.3), rng.between(3.0, 30.0)));
-        let there = space.carry(here).unwrap().point;
+        let there = space.images(here, f64::INFINITY)[0].point;
         let single = |point: ChartPoint| {
-            let b = point.hemisphere == Hemisphere::B;
+            let b = point.chart == ChartId::SECOND;
             let p = point.pos.as_vec3().to_array();
             antipode_geometry::kernel::sphere::port(1.0 / 32.0_f32, b, p)
         };

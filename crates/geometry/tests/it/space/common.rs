@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere, Projection, Strategy, strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, Projection, Strategy, strategy};
 use glam::{DVec2, DVec3, DVec4};
 use proptest::prelude::{ProptestConfig, Strategy as Generator, any, prop};
 use proptest::test_runner::RngSeed;
@@ -53,8 +53,8 @@ pub fn pixel(space: &dyn Strategy, eye: &Eye, view: DVec4) -> Option<DVec2> {
 pub fn chart_point(range_m: f64) -> impl Generator<Value = ChartPoint> {
     let angle = -3.2..3.2_f64;
     (any::<bool>(), 0.0..range_m, 2.0..38.0_f64, angle).prop_map(|(b, r, y, angle)| {
-        let hemisphere = if b { Hemisphere::B } else { Hemisphere::A };
-        ChartPoint::new(hemisphere, DVec3::new(r * angle.cos(), y, r * angle.sin()))
+        let chart = if b { ChartId::SECOND } else { ChartId::FIRST };
+        ChartPoint::new(chart, DVec3::new(r * angle.cos(), y, r * angle.sin()))
     })
 }
 
@@ -84,7 +84,7 @@ pub fn vector(range: f64) -> impl Generator<Value = DVec3> {
 
 /// The point in chart A, where the space has no other.
 pub fn in_space(space: &dyn Strategy, point: ChartPoint) -> ChartPoint {
-    match space.rim_m() {
+    match space.domain(ChartId::FIRST).radius_m() {
         Some(_) => point,
         None => ChartPoint::a(point.pos),
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, Drum, Eye, Geometry, Hemisphere, Horizon, Projection, Raised, Strategy,
+    ChartId, ChartPoint, ChunkCoord, Drum, Eye, Geometry, Horizon, Projection, Raised, Strategy,
     strategy,
 };
 use glam::{DVec2, DVec3, IVec3};
@@ -40,7 +40,7 @@ fn samples(min: DVec3, max: DVec3, n: u32) -> impl Iterator<Item = DVec3> {
 fn shown(space: &dyn Strategy, eye: &Eye, point: ChartPoint) -> bool {
     let view = space.view_point(eye, point);
     let near = space.eye_distance_m(eye, view) <= space.sight_limit_m(eye)
-        && !space.trims(eye, point.hemisphere, point.pos, point.pos);
+        && !space.trims(eye, point.chart, point.pos, point.pos);
     let clip = space.clip_from_view(eye, &projection(), view);
     near && Projection::screen(clip).is_some_and(|at| at.abs().max_element() <= 1.0)
 }
@@ -60,7 +60,7 @@ proptest! {
                 eye.dial = -eye.dial;
             }
             let sphere = space.geometry() == Geometry::Spherical;
-            let hemisphere = if sphere && other { Hemisphere::B } else { Hemisphere::A };
+            let chart = if sphere && other { ChartId::SECOND } else { ChartId::FIRST };
             let min = if sphere {
                 (corner * DVec3::new(0.2, 0.1, 0.2)).abs().min(DVec3::splat(40.0 * space.radius_m() / 64.0))
             } else {
@@ -68,13 +68,13 @@ proptest! {
             };
             let size = if sphere { size.min(DVec3::splat(12.0)) } else { size };
             let max = min + size;
-            let cell = space.sight_cell(&eye, hemisphere, min, max);
+            let cell = space.sight_cell(&eye, chart, min, max);
             let frustum = space.frustum(&eye, &projection());
-            let seen = frustum.cell_seen(space.as_ref(), &eye, hemisphere, min, max).is_some();
+            let seen = frustum.cell_seen(space.as_ref(), &eye, chart, min, max).is_some();
             for pos in samples(min, max, 7) {
-                let point = ChartPoint::new(hemisphere, pos);
+                let point = ChartPoint::new(chart, pos);
                 let view = space.view_point(&eye, point);
-                if !space.trims(&eye, hemisphere, pos, pos) {
+                if !space.trims(&eye, chart, pos, pos) {
                     let direction = eye.to_chart(view.truncate());
                     prop_assert!(cell.holds(direction, 1e-6), "{space:?} {cell:?} {direction:?}");
                     let distance = space.eye_distance_m(&eye, view);
@@ -98,17 +98,17 @@ proptest! {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
             let sphere = space.geometry() == Geometry::Spherical;
-            let hemisphere = if sphere && other { Hemisphere::B } else { Hemisphere::A };
+            let chart = if sphere && other { ChartId::SECOND } else { ChartId::FIRST };
             let middle = if sphere { corner * 0.2 } else { eye.point.pos + corner };
             let (min, max) = (middle + low.min(high) * size, middle + low.max(high) * size);
             let (across, aside) = (0.5 * (max - min), 0.5 * (min + max) - middle);
             let drum = Drum {
-                hemisphere,
+                chart,
                 middle: DVec2::new(middle.x, middle.z),
                 radius_m: aside.x.hypot(aside.z) + across.x.hypot(across.z),
                 heights_m: [min.y, max.y],
             };
-            let inner = space.sight_cell(&eye, hemisphere, min, max);
+            let inner = space.sight_cell(&eye, chart, min, max);
             let outer = space.sight_cell_of(&eye, &drum);
             if inner.is_empty() {
                 continue;
@@ -142,7 +142,7 @@ proptest! {
                 eye.dial = -eye.dial;
             }
             let middle = in_space(space.as_ref(), eye.point.moved(away * reach_m));
-            let middle = match space.carry(middle).filter(|_| other) {
+            let middle = match space.images(middle, f64::INFINITY).pop().filter(|_| other) {
                 Some(crossing) => crossing.point,
                 None => middle,
             };
@@ -176,12 +176,12 @@ fn kept_and_wasted(space: &dyn Strategy, eye: &Eye, around: i32) -> (u32, u32, u
                     max.y = max.y.clamp(limits.bedrock_m, limits.ceiling_m);
                 }
                 if frustum
-                    .cell_seen(space, eye, chunk.hemisphere, min, max)
+                    .cell_seen(space, eye, chunk.chart, min, max)
                     .is_some()
                 {
                     kept += 1;
                     let any = samples(min, max, 6)
-                        .any(|pos| shown(space, eye, ChartPoint::new(chunk.hemisphere, pos)));
+                        .any(|pos| shown(space, eye, ChartPoint::new(chunk.chart, pos)));
                     wasted += u32::from(!any);
                 }
             }
@@ -203,7 +203,7 @@ fn culling_is_worth_its_while() {
                 dial: 10.0,
                 lift_m: 1.62,
             };
-            let around = if space.rim_m().is_some() { 1 } else { 6 };
+            let around = if space.is_closed() { 1 } else { 6 };
             let counts = kept_and_wasted(space.as_ref(), &eye, around);
             all += counts.0;
             kept += counts.1;
@@ -239,7 +239,7 @@ fn far_hyperbolic_chunks_are_not_drawn() {
     let sees = |x: f64| {
         let min = DVec3::new(x, -5.0, -5.0);
         frustum
-            .cell_seen(&space, &eye, Hemisphere::A, min, min + 10.0)
+            .cell_seen(&space, &eye, ChartId::FIRST, min, min + 10.0)
             .is_some()
     };
     assert!(sees(300.0));
@@ -256,14 +256,14 @@ fn land_overhead_and_land_behind_are_told_apart_on_the_sphere() {
         ..Eye::default()
     };
     let frustum = space.frustum(&eye, &projection());
-    let sees = |hemisphere, min: DVec3, size: f64| {
+    let sees = |chart, min: DVec3, size: f64| {
         frustum
-            .cell_seen(space.as_ref(), &eye, hemisphere, min, min + size)
+            .cell_seen(space.as_ref(), &eye, chart, min, min + size)
             .is_some()
     };
     // The other pole stands overhead; the ground underfoot is behind.
-    assert!(sees(Hemisphere::B, DVec3::new(-2.0, 3.0, -2.0), 4.0));
-    assert!(!sees(Hemisphere::A, DVec3::new(0.0, 1.0, 0.0), 0.5));
+    assert!(sees(ChartId::SECOND, DVec3::new(-2.0, 3.0, -2.0), 4.0));
+    assert!(!sees(ChartId::FIRST, DVec3::new(0.0, 1.0, 0.0), 0.5));
     // Nearly the whole chart.
-    assert!(sees(Hemisphere::A, DVec3::new(-24.0, 1.0, -24.0), 20.0));
+    assert!(sees(ChartId::FIRST, DVec3::new(-24.0, 1.0, -24.0), 20.0));
 }

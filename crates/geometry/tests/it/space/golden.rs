@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, Hemisphere, HyperbolicMap, Projection, Strategy, picture,
+    ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, Strategy, picture,
 };
 use glam::{DVec3, DVec4};
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 #[derive(Deserialize)]
 struct File {
@@ -27,9 +27,30 @@ struct Camera {
     near: f64,
 }
 
+/// A point as the tables have it.
+#[derive(Deserialize)]
+struct Point {
+    hemisphere: char,
+    pos: DVec3,
+}
+
+impl From<Point> for ChartPoint {
+    fn from(row: Point) -> Self {
+        let chart = match row.hemisphere {
+            'B' => ChartId::SECOND,
+            _ => ChartId::FIRST,
+        };
+        Self::new(chart, row.pos)
+    }
+}
+
+fn point<'a, D: Deserializer<'a>>(from: D) -> Result<ChartPoint, D::Error> {
+    Point::deserialize(from).map(ChartPoint::from)
+}
+
 #[derive(Deserialize)]
 struct EyeRow {
-    hemisphere: Hemisphere,
+    hemisphere: char,
     pos: DVec3,
     dial: f64,
     lift: f64,
@@ -43,6 +64,7 @@ struct Port {
     level: bool,
     radius: f64,
     eye: EyeRow,
+    #[serde(deserialize_with = "point")]
     point: ChartPoint,
     normal: DVec3,
     view: DVec4,
@@ -57,7 +79,9 @@ struct Pair {
     level: bool,
     radius: f64,
     eye: EyeRow,
+    #[serde(deserialize_with = "point")]
     a: ChartPoint,
+    #[serde(deserialize_with = "point")]
     b: ChartPoint,
     distance: f64,
 }
@@ -65,7 +89,11 @@ struct Pair {
 impl EyeRow {
     fn eye(&self) -> Eye {
         Eye {
-            point: ChartPoint::new(self.hemisphere, self.pos),
+            point: Point {
+                hemisphere: self.hemisphere,
+                pos: self.pos,
+            }
+            .into(),
             yaw: self.yaw,
             pitch: self.pitch,
             roll: 0.0,

@@ -2,7 +2,8 @@
 
 use antipode_geometry::charts::{cylindrical, inner};
 use antipode_geometry::{
-    ChartPoint, Euclidean, Eye, Geometry, Horizon, HyperbolicMap, Strategy, picture, strategy,
+    ChartId, ChartPoint, Euclidean, Eye, Geometry, Horizon, HyperbolicMap, Strategy, picture,
+    strategy,
 };
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, proptest};
@@ -91,7 +92,10 @@ fn only_the_picture_changes_with_the_map() {
             let other = picture(geometry, 32.0, map, true);
             assert_eq!(other.geometry(), world.geometry());
             assert_eq!(other.radius_m(), world.radius_m());
-            assert_eq!(other.rim_m(), world.rim_m());
+            assert_eq!(
+                other.domain(ChartId::FIRST).radius_m(),
+                world.domain(ChartId::FIRST).radius_m()
+            );
             assert_eq!(other.limits(), world.limits());
             assert_eq!(other.has_sky(), world.has_sky());
             let point = ChartPoint::a(DVec3::new(60.0, 9.0, -3.0));
@@ -106,7 +110,7 @@ fn what_would_cover_the_sphere_twice_is_trimmed() {
     let (space, eye) = (Horizon::bent(), eye(-20.0));
     let trims = |step: DVec3| {
         let at = eye.point.pos + step;
-        space.trims(&eye, eye.point.hemisphere, at, at)
+        space.trims(&eye, eye.point.chart, at, at)
     };
     // k = 1/4: a half turn is 12.6 m.
     assert!(!trims(DVec3::new(11.0, 0.0, 0.0)));

@@ -1,5 +1,6 @@
 //! What must hold of the curved spaces: golden values, identities and round trips.
 
+mod atlas;
 mod common;
 mod crossing;
 mod culling;

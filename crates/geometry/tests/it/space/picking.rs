@@ -26,7 +26,7 @@ proptest! {
         for space in spaces() {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
-            let end = if space.rim_m().is_some() { 100.0 } else { 390.0 };
+            let end = if space.is_closed() { 100.0 } else { 390.0 };
             let mut last = f64::INFINITY;
             let mut distance = 0.1;
             while distance < end {
@@ -67,7 +67,10 @@ fn the_far_ground_of_the_sphere_is_overhead() {
         pitch: 1.5,
         ..Eye::default()
     };
-    let far = ChartPoint::new(antipode_geometry::Hemisphere::B, DVec3::new(0.0, 6.0, 0.0));
+    let far = ChartPoint::new(
+        antipode_geometry::ChartId::SECOND,
+        DVec3::new(0.0, 6.0, 0.0),
+    );
     let view = space.view_point(&eye, far);
     let distance = space.eye_distance_m(&eye, view);
     assert!((distance - (std::f64::consts::PI * 32.0 - 14.0)).abs() < 1e-10);

@@ -1,6 +1,6 @@
 //! The port and its inverse, everywhere the game uses them.
 
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere, Spherical, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Geometry, Spherical, Strategy};
 use glam::DVec3;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 
@@ -24,7 +24,7 @@ proptest! {
     fn spherical_chart_points_come_back(eye in eye(50.0), point in chart_point(50.2)) {
         let space = Spherical::new(32.0);
         let back = space.chart_point(&eye, space.view_point(&eye, point));
-        prop_assert_eq!(back.hemisphere, point.hemisphere);
+        prop_assert_eq!(back.chart, point.chart);
         prop_assert!((back.pos - point.pos).length() < 1e-11);
     }
 
@@ -62,7 +62,7 @@ proptest! {
 #[test]
 fn points_across_the_equator_come_back_in_their_own_chart() {
     let space = Spherical::new(32.0);
-    let rim = space.rim_m().unwrap();
+    let rim = space.domain(ChartId::FIRST).radius_m().unwrap();
     let eye = antipode_geometry::Eye {
         point: ChartPoint::a(DVec3::new(rim - 1.0, 9.0, 0.0)),
         ..Default::default()
@@ -70,14 +70,14 @@ fn points_across_the_equator_come_back_in_their_own_chart() {
     for over in [1e-9, 1e-3, 0.5, 10.0] {
         let past = ChartPoint::a(DVec3::new(rim + over, 5.0, 2.0));
         let back = space.chart_point(&eye, space.view_point(&eye, past));
-        let carried = space.carry(past).unwrap().point;
-        assert_eq!(back.hemisphere, Hemisphere::B);
+        let carried = space.images(past, f64::INFINITY)[0].point;
+        assert_eq!(back.chart, ChartId::SECOND);
         assert!((back.pos - carried.pos).length() < 1e-12, "{over}");
     }
-    for hemisphere in [Hemisphere::A, Hemisphere::B] {
-        let pole = ChartPoint::new(hemisphere, DVec3::Y * 5.0);
+    for chart in [ChartId::FIRST, ChartId::SECOND] {
+        let pole = ChartPoint::new(chart, DVec3::Y * 5.0);
         let back = space.chart_point(&eye, space.view_point(&eye, pole));
-        assert_eq!(back.hemisphere, hemisphere);
+        assert_eq!(back.chart, chart);
         assert!((back.pos - pole.pos).length() < 1e-12);
     }
 }

@@ -7,7 +7,7 @@
     reason = "tests fail by panicking"
 )]
 
-use antipode_geometry::{ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartId, ChunkCoord};
 use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld, TerrainCollider};
 use glam::{DVec3, IVec3, Vec3};
 
@@ -151,7 +151,7 @@ impl Soup {
 
 pub fn coord(x: i32, y: i32, z: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere: Hemisphere::A,
+        chart: ChartId::FIRST,
         index: IVec3::new(x, y, z),
     }
 }

@@ -41,10 +41,10 @@ fn a_box_is_left_out_only_where_no_point_of_it_is_on_the_map() {
         let wave = |f: f64| (t * f).sin();
         let min = DVec3::new(36.0 * wave(1.3), 5.0 + 4.0 * wave(0.7), 36.0 * wave(2.1));
         let of = Caster {
-            hemisphere: if i % 3 == 0 {
-                Hemisphere::B
+            chart: if i % 3 == 0 {
+                ChartId::SECOND
             } else {
-                Hemisphere::A
+                ChartId::FIRST
             },
             min,
             max: min + DVec3::new(3.0, 5.0, 8.0),
@@ -67,7 +67,7 @@ fn a_box_is_left_out_only_where_no_point_of_it_is_on_the_map() {
             for corner in 0..27_u32 {
                 let share = |n: u32| f64::from(corner / n % 3) * 0.5;
                 let inside = DVec3::new(share(1), share(3), share(9)) * (of.max - of.min);
-                let base = light.base(&**space, ChartPoint::new(of.hemisphere, min + inside));
+                let base = light.base(&**space, ChartPoint::new(of.chart, min + inside));
                 let c = clip * base;
                 if c.w > 1e-9 && (c.x / c.w).abs() < 1.0 && (c.y / c.w).abs() < 1.0 {
                     found[case] += 1;

@@ -14,8 +14,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use antipode_frame::{ChunkChange, Frame, Land, Quality, Sky, View};
 use antipode_geometry::{
-    ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye, Geometry,
-    Hemisphere, Projection, Strategy, strategy,
+    ChartId, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye,
+    Geometry, Projection, Strategy, strategy,
 };
 use antipode_render::{
     AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Place, Renderer,
@@ -250,10 +250,10 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         dial: 10.0,
         lift_m: 1.62,
     };
-    let sky = match (space.has_sky(), point.hemisphere) {
+    let sky = match (space.has_sky(), point.chart) {
         (true, _) => noon(),
-        (false, Hemisphere::A) => antipode_scene::day::sky(150.0, &**space, &eye),
-        (false, Hemisphere::B) => antipode_scene::day::sky(450.0, &**space, &eye),
+        (false, ChartId::SECOND) => antipode_scene::day::sky(450.0, &**space, &eye),
+        (false, _) => antipode_scene::day::sky(150.0, &**space, &eye),
     };
     Frame {
         view: View {
@@ -286,25 +286,25 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
 /// Generated land within `reach` chunks of `centre`; all of a closed world.
 pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Arc<Land> {
     let field = Field::new(2, Arc::clone(space));
-    let closed = space.rim_m().is_some();
+    let closed = space.is_closed();
     let (middle, reach) = if closed {
         (IVec3::ZERO, 3)
     } else {
         (ChunkCoord::containing(centre).index, reach)
     };
-    let hemispheres: &[Hemisphere] = if closed {
-        &[Hemisphere::A, Hemisphere::B]
+    let charts: &[ChartId] = if closed {
+        &[ChartId::FIRST, ChartId::SECOND]
     } else {
-        &[Hemisphere::A]
+        &[ChartId::FIRST]
     };
     let mut land = Land::default();
     let span = || -reach..=reach;
-    for &hemisphere in hemispheres {
+    for &chart in charts {
         for (x, y, z) in
             span().flat_map(|x| span().flat_map(move |y| span().map(move |z| (x, y, z))))
         {
             let coord = ChunkCoord {
-                hemisphere,
+                chart,
                 index: middle + IVec3::new(x, y, z),
             };
             if field.content(coord) == Content::Surface {
@@ -322,11 +322,11 @@ pub fn one_chunk(coord: ChunkCoord, mesh: Arc<ChunkMesh>) -> Arc<Land> {
 }
 
 /// A point 1.7 m above the generated ground.
-pub fn standing(space: &Arc<dyn Strategy>, hemisphere: Hemisphere, x: f64, z: f64) -> ChartPoint {
+pub fn standing(space: &Arc<dyn Strategy>, chart: ChartId, x: f64, z: f64) -> ChartPoint {
     let field = Field::new(2, Arc::clone(space));
     ChartPoint::new(
-        hemisphere,
-        DVec3::new(x, field.surface_height(hemisphere, x, z) + 1.7, z),
+        chart,
+        DVec3::new(x, field.surface_height(chart, x, z) + 1.7, z),
     )
 }
 

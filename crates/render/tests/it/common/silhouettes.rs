@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint};
 use glam::{DVec2, DVec3, DVec4};
 
 use super::triangles::{Surface, Triangle};
@@ -36,8 +36,8 @@ impl Silhouettes {
             marked: vec![false; (size.0 * size.1) as usize],
         };
         let viewer = frame.view.strategy.viewer(&frame.view.eye);
-        let clip = |hemisphere, at| {
-            let view = viewer(ChartPoint::new(hemisphere, at));
+        let clip = |chart, at| {
+            let view = viewer(ChartPoint::new(chart, at));
             frame
                 .view
                 .strategy
@@ -47,14 +47,18 @@ impl Silhouettes {
             if sides.seen == 0 || sides.turned == 0 {
                 continue;
             }
-            let hemisphere = if is_b { Hemisphere::B } else { Hemisphere::A };
+            let chart = if is_b {
+                ChartId::SECOND
+            } else {
+                ChartId::FIRST
+            };
             let [a, b] = sides.ends;
-            let ends = [clip(hemisphere, a), clip(hemisphere, b)];
+            let ends = [clip(chart, a), clip(chart, b)];
             let length = on_screen(size, ends[0]).distance(on_screen(size, ends[1]));
             let parts = PARTS.max((length.min(4096.0) * 2.0) as u32);
             for part in 0..=parts {
                 let at = a.lerp(b, f64::from(part) / f64::from(parts));
-                found.mark(surface, clip(hemisphere, at), reach);
+                found.mark(surface, clip(chart, at), reach);
             }
         }
         found
@@ -100,19 +104,19 @@ fn on_screen(size: (u32, u32), clip: DVec4) -> DVec2 {
 /// For each edge, how many of its triangles are seen from their front and how many from behind.
 fn by_edge(
     triangles: &[Triangle],
-    clip: &dyn Fn(Hemisphere, DVec3) -> DVec4,
+    clip: &dyn Fn(ChartId, DVec3) -> DVec4,
     surface: &Surface,
 ) -> HashMap<(bool, [Corner; 2]), Sides> {
     let mut edges: HashMap<_, Sides> = HashMap::new();
     // A seam is less than a pixel high, and land goes on past it.
     for triangle in triangles.iter().filter(|t| !t.is_seam) {
-        let clips = triangle.corners.map(|c| clip(triangle.hemisphere, c));
+        let clips = triangle.corners.map(|c| clip(triangle.chart, c));
         if clips.iter().any(|c| c.w <= 0.0) {
             continue;
         }
         let [a, b, c] = clips.map(|c| on_screen(surface.size, c));
         let is_seen = (b - a).perp_dot(c - a) < 0.0;
-        let is_b = triangle.hemisphere == Hemisphere::B;
+        let is_b = triangle.chart == ChartId::SECOND;
         let keys = triangle
             .corners
             .map(|c| (is_b, c.to_array().map(f64::to_bits)));

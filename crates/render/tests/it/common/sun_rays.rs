@@ -47,7 +47,7 @@ impl<'a> Rays<'a> {
         let light = light_of(frame);
         let own = |t: &Triangle| {
             t.corners
-                .map(|c| own(frame, &light, ChartPoint::new(t.hemisphere, c)))
+                .map(|c| own(frame, &light, ChartPoint::new(t.chart, c)))
         };
         let seen: Vec<_> = triangles.iter().map(own).collect();
         let (mut low, mut high) = (DVec2::splat(-1.0), DVec2::splat(1.0));

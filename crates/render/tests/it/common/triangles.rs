@@ -2,7 +2,7 @@
 //! the geometry crate in 64 bits, without the adapter.
 
 use antipode_frame::{Frame, Land};
-use antipode_geometry::{ChartPoint, ChunkCoord, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord};
 use antipode_terrain::Level;
 use glam::{DVec2, DVec3, DVec4, IVec3};
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ const FACES: [IVec3; 6] = [
 /// A triangle of the land, counter-clockwise seen from the air.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
-    pub hemisphere: Hemisphere,
+    pub chart: ChartId,
     pub corners: [DVec3; 3],
     /// Unit normals of the vertices.
     pub normals: [DVec3; 3],
@@ -58,7 +58,7 @@ pub fn triangles(land: &Land) -> Vec<Triangle> {
             for corners in indices.as_chunks::<3>().0 {
                 let vertices = corners.map(|i| mesh.vertices[i as usize]);
                 found.push(Triangle {
-                    hemisphere: coord.hemisphere,
+                    chart: coord.chart,
                     corners: vertices.map(|v| coord.origin() + v.position().as_dvec3()),
                     normals: vertices.map(|v| v.normal().as_dvec3()),
                     is_seam,
@@ -120,7 +120,7 @@ impl Surface {
         let viewer = frame.view.strategy.viewer(&frame.view.eye);
         for (number, triangle) in triangles.iter().enumerate() {
             let clip = |chart| {
-                let view = viewer(ChartPoint::new(triangle.hemisphere, chart));
+                let view = viewer(ChartPoint::new(triangle.chart, chart));
                 frame
                     .view
                     .strategy
@@ -229,7 +229,7 @@ impl Surface {
                 let chart = corners[0].chart * parts.x
                     + corners[1].chart * parts.y
                     + corners[2].chart * parts.z;
-                let rim_m = frame.view.strategy.rim_m();
+                let rim_m = frame.view.strategy.domain(ChartId::FIRST).radius_m();
                 if rim_m.is_some_and(|rim_m| chart.x.hypot(chart.z) > rim_m + PAST_RIM_M) {
                     continue;
                 }

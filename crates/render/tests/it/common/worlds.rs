@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartPoint, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::{Actions, Scene, WorldSetup};
 use glam::DVec3;
 
@@ -64,11 +64,11 @@ impl World {
     }
 
     /// Stands on the ground of a column; `None` in the chart of A.
-    pub fn stand(&mut self, hemisphere: Hemisphere, x: f64, z: f64) {
+    pub fn stand(&mut self, chart: ChartId, x: f64, z: f64) {
         let field =
             antipode_terrain::Field::new(self.scene.setup().seed, self.scene.strategy().clone());
-        let y = field.surface_height(hemisphere, x, z) + 0.2;
-        let point = ChartPoint::new(hemisphere, DVec3::new(x, y, z));
+        let y = field.surface_height(chart, x, z) + 0.2;
+        let point = ChartPoint::new(chart, DVec3::new(x, y, z));
         self.scene.teleport(point);
         assert!(self.scene.wait_for_step(LIMIT));
         self.settle();

@@ -6,7 +6,7 @@
     reason = "each test program uses its own part, and fails by panicking"
 )]
 
-use antipode_geometry::{ChartPoint, Eye, Geometry, Hemisphere};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry};
 use antipode_scene::bot::BotView;
 use antipode_scene::{Actions, Scene};
 use glam::DVec3;
@@ -24,7 +24,7 @@ pub fn beside(scene: &Scene, dx: f64, dz: f64) -> ChartPoint {
     if let Some(crossing) = scene.strategy().cross(point) {
         point = crossing.point;
     }
-    point.pos.y = field.surface_height(point.hemisphere, point.pos.x, point.pos.z) + 0.2;
+    point.pos.y = field.surface_height(point.chart, point.pos.x, point.pos.z) + 0.2;
     point
 }
 
@@ -47,10 +47,10 @@ pub fn away_m(scene: &Scene, point: ChartPoint) -> f64 {
 
 /// Puts the player near the equator of a closed world, in hemisphere A.
 pub fn go_to_equator(scene: &mut Scene) {
-    let rim_m = scene.strategy().rim_m().unwrap();
+    let rim_m = scene.strategy().domain(ChartId::FIRST).radius_m().unwrap();
     let field = antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
     let x = rim_m - 4.0;
-    let y = field.surface_height(Hemisphere::A, x, 0.0) + 0.2;
+    let y = field.surface_height(ChartId::FIRST, x, 0.0) + 0.2;
     scene.teleport(ChartPoint::a(DVec3::new(x, y, 0.0)));
     steps(scene, SECOND / 2, &Actions::default());
 }
@@ -59,7 +59,7 @@ pub fn go_to_equator(scene: &mut Scene) {
 pub fn world(geometry: Geometry) -> Scene {
     let mut scene = scene(geometry);
     steps(&mut scene, SECOND / 2, &Actions::default());
-    if scene.strategy().rim_m().is_some() {
+    if scene.strategy().is_closed() {
         go_to_equator(&mut scene);
     }
     scene

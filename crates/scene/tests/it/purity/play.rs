@@ -1,7 +1,7 @@
 //! What is played for the tests of purity: who is there, what is done from outside and by the player, and how the player
 //! sees it.
 
-use antipode_geometry::{ChartPoint, Geometry};
+use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::frame::Quality;
 use antipode_scene::probe::ChunkProbe;
 use antipode_scene::{Actions, NpcMode, Probe, Scene, Viewing};
@@ -182,7 +182,7 @@ fn told(scene: &Scene) -> Probe {
 fn peopled(scene: &mut Scene) {
     scene.set_npcs(NpcMode::On);
     scene.give_first_car();
-    let far = scene.strategy().rim_m().is_none();
+    let far = !scene.strategy().is_closed();
     for (away_m, hostile) in [(7.0, false), (-12.0, true), (30.0, false)] {
         let at = beside(scene, away_m, 3.0);
         scene.spawn_bot(at, 0.5, hostile);
@@ -207,11 +207,10 @@ fn arrange(scene: &mut Scene, step: usize) {
         1080 => go_beside(scene, 2.0),
         1140 => look_at_car(scene),
         1740 => {
-            if let Some(rim_m) = scene.strategy().rim_m() {
+            if let Some(rim_m) = scene.strategy().domain(ChartId::FIRST).radius_m() {
                 let field =
                     antipode_terrain::Field::new(scene.setup().seed, scene.strategy().clone());
-                let height_m =
-                    field.surface_height(antipode_geometry::Hemisphere::A, rim_m - 3.0, 0.0);
+                let height_m = field.surface_height(ChartId::FIRST, rim_m - 3.0, 0.0);
                 scene.teleport(ChartPoint::a(DVec3::new(rim_m - 3.0, height_m + 0.3, 0.0)));
                 scene.aim(0.0, -0.2);
             }

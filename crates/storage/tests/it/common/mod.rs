@@ -27,7 +27,7 @@ pub fn meta(name: &str) -> WorldMeta {
 pub fn state(simulated_s: f64) -> WorldState {
     WorldState {
         player: PlayerRecord {
-            hemisphere: 1,
+            chart: 1,
             pos: [1.5, -2.25, 1e6],
             vel: [0.125, -9.81, 0.0],
             yaw: 3.0,
@@ -61,17 +61,17 @@ pub fn state(simulated_s: f64) -> WorldState {
         view_distance: 6,
         flashlight: true,
         lamps: vec![LampRecord {
-            hemisphere: 1,
+            chart: 1,
             pos: [1.0, 2.0, -3.5],
         }],
         drops: vec![DropRecord {
-            hemisphere: 0,
+            chart: 0,
             pos: [4.0, 5.0, 6.5],
             item: "bullet".to_owned(),
             count: 3,
         }],
         bots: vec![BotRecord {
-            hemisphere: 1,
+            chart: 1,
             pos: [7.0, 8.0, 9.5],
             yaw: 0.75,
             health: 2.0,
@@ -80,7 +80,7 @@ pub fn state(simulated_s: f64) -> WorldState {
             native: true,
         }],
         cars: vec![CarRecord {
-            hemisphere: 0,
+            chart: 0,
             pos: [10.0, 11.0, 12.5],
             turn: [0.0, 0.6, 0.0, 0.8],
             vel: [1.0, -2.0, 3.5],
@@ -93,7 +93,7 @@ pub fn state(simulated_s: f64) -> WorldState {
         driving: Some(0),
         car_given: true,
         start: Some(PlaceRecord {
-            hemisphere: 1,
+            chart: 1,
             pos: [13.0, 14.0, 15.5],
         }),
         been_round: true,
@@ -103,7 +103,7 @@ pub fn state(simulated_s: f64) -> WorldState {
 /// The chunk `x` chunks along x in hemisphere A.
 pub fn key(x: i32) -> ChunkKey {
     ChunkKey {
-        hemisphere: 0,
+        chart: 0,
         x,
         y: -1,
         z: 3,

@@ -2,7 +2,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_geometry::{ChunkCoord, Geometry, Hemisphere, Strategy, strategy};
+use antipode_geometry::{ChartId, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_terrain::{ChunkEdits, Field, Level, Samples, Stroke, apply_edits};
 use glam::IVec3;
 
@@ -17,9 +17,9 @@ pub fn sphere() -> Arc<dyn Strategy> {
     strategy(Geometry::Spherical, SPHERE_RADIUS_M)
 }
 
-pub fn chunk(hemisphere: Hemisphere, x: i32, y: i32, z: i32) -> ChunkCoord {
+pub fn chunk(chart: ChartId, x: i32, y: i32, z: i32) -> ChunkCoord {
     ChunkCoord {
-        hemisphere,
+        chart,
         index: IVec3::new(x, y, z),
     }
 }

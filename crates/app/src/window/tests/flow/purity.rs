@@ -67,7 +67,7 @@ impl Film {
         let scene = self.scene();
         let field = Field::new(scene.setup().seed, Arc::clone(scene.strategy()));
         let mut point = scene.feet().moved(DVec3::new(dx, 0.0, dz));
-        point.pos.y = field.surface_height(point.hemisphere, point.pos.x, point.pos.z) + 0.3;
+        point.pos.y = field.surface_height(point.chart, point.pos.x, point.pos.z) + 0.3;
         point
     }
 
@@ -116,7 +116,7 @@ impl Film {
             1020 => input(&mut self.game, Input::Key("Space"), false),
             1026 => self.tap("KeyL"),
             1080 => {
-                if let Some(rim_m) = self.scene().strategy().rim_m() {
+                if let Some(rim_m) = self.scene().strategy().domain(ChartId::FIRST).radius_m() {
                     let at = ChartPoint::a(DVec3::new(rim_m - 3.0, 0.0, 0.0));
                     let off = at.pos - self.scene().feet().pos;
                     let at = self.beside((off.x, off.z));

@@ -1,0 +1,198 @@
+//! The charts of a world, and how they hang together.
+
+use glam::{DVec2, DVec3};
+
+use crate::{ChartId, ChartPoint, Crossing};
+
+/// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
+/// here only as far as what stands near the edge needs it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Domain {
+    /// All of it: there is no other chart.
+    Everywhere,
+    /// A disc about the centre.
+    Disc {
+        /// Its radius, metres.
+        radius_m: f64,
+    },
+    /// A square about the centre, its sides along the axes.
+    Square {
+        /// Half the length of a side, metres.
+        half_m: f64,
+    },
+}
+
+impl Domain {
+    /// The radius of a disc, metres.
+    pub fn radius_m(self) -> Option<f64> {
+        match self {
+            Self::Disc { radius_m } => Some(radius_m),
+            Self::Everywhere | Self::Square { .. } => None,
+        }
+    }
+
+    /// How far it reaches along the axes, metres.
+    pub fn half_width_m(self) -> f64 {
+        match self {
+            Self::Everywhere => f64::INFINITY,
+            Self::Disc { radius_m } => radius_m,
+            Self::Square { half_m } => half_m,
+        }
+    }
+
+    /// How far outside a place of the plan lies, metres; less than 0 inside, by how far it is to the edge.
+    pub fn outside_m(self, at: DVec2) -> f64 {
+        match self {
+            Self::Everywhere => f64::NEG_INFINITY,
+            Self::Disc { radius_m } => at.length() - radius_m,
+            Self::Square { half_m } => {
+                let past = at.abs() - half_m;
+                if past.max_element() > 0.0 {
+                    past.max(DVec2::ZERO).length()
+                } else {
+                    past.max_element()
+                }
+            }
+        }
+    }
+
+    /// [`Domain::outside_m`] of the place of a box for which it is least.
+    pub fn least_outside_m(self, low: DVec2, high: DVec2) -> f64 {
+        self.outside_m(DVec2::ZERO.clamp(low, high))
+    }
+
+    /// [`Domain::outside_m`] of the corner of a box for which it is greatest: the domains are convex.
+    pub fn most_outside_m(self, low: DVec2, high: DVec2) -> f64 {
+        self.outside_m(low.abs().max(high.abs()))
+    }
+}
+
+/// Heights in chart metres between which a space can hold a world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HeightLimits {
+    /// Nothing is dug below this.
+    pub bedrock_m: f64,
+    /// The natural ground lies no lower than this.
+    pub ground_min_m: f64,
+    /// The natural ground lies no higher than this.
+    pub ground_max_m: f64,
+    /// Nothing is built or flown above this.
+    pub ceiling_m: f64,
+}
+
+/// How the space in which terrain noise is sampled lies in a chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum NoiseFrame {
+    /// Square with the chart.
+    Square(SquareFrame),
+    /// About the centre of a sphere: a column of the chart is part of a radius.
+    Radial,
+}
+
+/// A chart's place in a space whose axes are the chart's but for quarter turns, exact for coordinates in whole metres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SquareFrame {
+    /// Quarter turns about +y, as of `Quat::from_rotation_y`: one takes +z to +x.
+    pub quarter_turns: u8,
+    /// Where the chart's centre lies, x and z in whole metres.
+    pub centre_m: DVec2,
+}
+
+impl SquareFrame {
+    /// A vector of the chart in that space.
+    pub fn turned(self, v: DVec3) -> DVec3 {
+        match self.quarter_turns % 4 {
+            0 => v,
+            1 => DVec3::new(v.z, v.y, -v.x),
+            2 => DVec3::new(-v.x, v.y, -v.z),
+            _ => DVec3::new(-v.z, v.y, v.x),
+        }
+    }
+
+    /// A vector of that space in the chart.
+    pub fn turned_back(self, v: DVec3) -> DVec3 {
+        let back = Self {
+            quarter_turns: 4 - self.quarter_turns % 4,
+            ..self
+        };
+        back.turned(v)
+    }
+
+    /// A place of the chart in that space.
+    pub fn placed(self, pos: DVec3) -> DVec3 {
+        self.turned(pos) + DVec3::new(self.centre_m.x, 0.0, self.centre_m.y)
+    }
+
+    /// A place of that space in the chart.
+    pub fn taken(self, pos: DVec3) -> DVec3 {
+        self.turned_back(pos - DVec3::new(self.centre_m.x, 0.0, self.centre_m.y))
+    }
+}
+
+/// The charts of a world.
+pub trait Atlas {
+    /// The part of a chart that is its own.
+    fn domain(&self, _chart: ChartId) -> Domain {
+        Domain::Everywhere
+    }
+
+    /// Whether there is such a chart.
+    fn has_chart(&self, chart: ChartId) -> bool {
+        chart == ChartId::FIRST
+    }
+
+    /// Whether who walks straight on comes round: the world is finite, and all of its land is at hand.
+    fn is_closed(&self) -> bool {
+        self.all_charts().is_some()
+    }
+
+    /// All charts of a closed world; none of one that goes on for ever.
+    fn all_charts(&self) -> Option<Vec<ChartId>> {
+        None
+    }
+
+    /// The point in the chart that it belongs to, once it is outside of its own by more than the hysteresis that keeps a
+    /// body standing on the line from flipping to and fro.
+    fn cross(&self, _point: ChartPoint) -> Option<Crossing> {
+        None
+    }
+
+    /// The same point of the space written in a chart, which may be its own; none where that chart does not reach so far.
+    fn carry(&self, point: ChartPoint, to: ChartId) -> Option<Crossing> {
+        (to == point.chart).then(|| Crossing::within(point))
+    }
+
+    /// The same point in every other chart whose domain comes within `reach_m` metres of it.
+    fn images(&self, _point: ChartPoint, _reach_m: f64) -> Vec<Crossing> {
+        Vec::new()
+    }
+
+    /// Half the side of a square about a point's image in another chart that holds all that is within `radius_m` metres of
+    /// the point along its own chart, and at most `past_m` metres outside of the other one's domain.
+    fn spread_m(&self, _point: ChartPoint, radius_m: f64, _past_m: f64) -> f64 {
+        radius_m
+    }
+
+    /// Heights that the space limits a world to.
+    fn limits(&self) -> Option<HeightLimits> {
+        None
+    }
+
+    /// How the space in which terrain noise is sampled lies in a chart.
+    fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
+        NoiseFrame::Square(SquareFrame::default())
+    }
+
+    /// Where the terrain noise is sampled, in metres: continuous over the whole space.
+    fn noise_point(&self, point: ChartPoint) -> DVec3 {
+        match self.noise_frame(point.chart) {
+            NoiseFrame::Square(frame) => frame.placed(point.pos),
+            NoiseFrame::Radial => point.pos,
+        }
+    }
+
+    /// Where the chart's centre stands in the one space that physics works in, in metres.
+    fn chart_origin_m(&self, _chart: ChartId) -> DVec3 {
+        DVec3::ZERO
+    }
+}
