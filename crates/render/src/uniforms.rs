@@ -65,11 +65,11 @@ impl SceneUniform {
         let rim_m = frame
             .view
             .strategy
-            .domain(eye.point.chart)
+            .domain(frame.view.eye.point.chart)
             .radius_m()
             .unwrap_or(0.0) as f32;
         let ring = Ring::of(frame);
-        let [right, up, front] = frame.view.axes().map(|axis| axis.as_vec3());
+        let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
             space: frame.view.uniform(),
             right: with(right, frame.content.time_s),

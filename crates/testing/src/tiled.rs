@@ -7,7 +7,7 @@ use antipode_geometry::{
     Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Euclidean, Eye, Geometry, NoiseFrame,
     Projection, SightCell, SpaceUniform, SquareFrame, Strategy,
 };
-use glam::{DVec2, DVec3, DVec4, I64Vec2};
+use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
 /// Edge of a square, metres.
 pub const TILE_M: f64 = 64.0;
@@ -182,6 +182,10 @@ impl Strategy for TiledFlat {
 
     fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {
         Euclidean.clip_from_view(eye, projection, view)
+    }
+
+    fn view_matrix(&self, eye: &Eye) -> DMat4 {
+        Euclidean.view_matrix(eye)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {

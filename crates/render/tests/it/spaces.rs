@@ -269,7 +269,7 @@ fn a_marker_behind_land_still_shows_but_faintly() {
                 radius_m: 4.0,
                 active: false,
                 shape: MarkerShape::Ball,
-            })
+            });
         });
         let (x, y) = seen_at(&marked, point, SIZE);
         let (p, q) = (studio.picture(&marked), &plain);
@@ -405,7 +405,7 @@ fn the_ring_is_nowhere_but_on_its_circle_however_rugged_the_land() {
                 it.marker = Some(Marker {
                     active: true,
                     ..marker
-                })
+                });
             });
             let pictures = [studio.picture(&plain), studio.picture(&ringed)];
             let triangles = triangles(&plain.content.land);

@@ -203,12 +203,8 @@ fn surface(world: &mut World, place: DVec3, coords: &[ChunkCoord]) -> HashMap<IV
 /// Whether each of some vertices is among others, to half a millimetre.
 fn holds(others: &HashMap<IVec3, DVec3>, vertices: &HashMap<IVec3, DVec3>) -> bool {
     let around = |key: IVec3| {
-        let steps = -1..=1;
-        let all = steps.clone().flat_map(move |x| {
-            let steps = -1..=1;
-            steps.flat_map(move |y| (-1..=1).map(move |z| key + IVec3::new(x, y, z)))
-        });
-        all
+        let steps = (-1..=1).flat_map(|x| (-1..=1).map(move |y| (x, y)));
+        steps.flat_map(move |(x, y)| (-1..=1).map(move |z| key + IVec3::new(x, y, z)))
     };
     vertices.iter().all(|(key, at)| {
         let mut near = around(*key).filter_map(|key| others.get(&key));
