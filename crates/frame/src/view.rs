@@ -26,9 +26,9 @@ pub struct View {
     pub contour_bands: bool,
     /// What the picture may leave out or simplify.
     pub quality: Quality,
-    /// An isometry of the space, applied to view coordinates: what is seen stands where that takes it. Metres, and w without
-    /// unit; the identity for a picture as the eye sees it. What it leaves of the eye's picture is told of nothing, so
-    /// another than the identity has everything drawn, in the picture or not.
+    /// An isometry of the space, applied to view coordinates (metres, and w without unit): what is seen stands where that takes
+    /// it. The identity for a picture as the eye sees it. What of the world a picture by another one shows is not worked out:
+    /// all of it is drawn.
     pub isometry: DMat4,
     /// Covectors n of view coordinates, after the isometry: of land, figures and what stands among them, only that is drawn
     /// for which `n . view >= 0` by all of them. The sheets where that is 0 are totally geodesic. All zero for none.

@@ -5,7 +5,8 @@ use std::ops::Range;
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
 use crate::figure_buffers::{BATCH, Place, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
-use crate::pipelines::{FigurePipelines, Pipelines};
+use crate::figure_pipelines::FigurePipelines;
+use crate::pipelines::Pipelines;
 use crate::rig::{JOINTS, JointRows};
 use crate::shadow::Caster;
 use crate::uniforms::FigureInstance;

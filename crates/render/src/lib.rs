@@ -14,6 +14,7 @@ mod draw_list;
 mod error;
 mod figure_buffers;
 mod figure_draws;
+mod figure_pipelines;
 mod figures;
 mod flash;
 mod gpu;

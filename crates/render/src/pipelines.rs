@@ -9,16 +9,15 @@ use wgpu::{
 
 use crate::celestial::{CelestialPipelines, Star};
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
-use crate::figure_buffers::{joints_layout, skin_layout, vertex_layout};
+use crate::figure_buffers::joints_layout;
+use crate::figure_pipelines::FigurePipelines;
 use crate::heavens::Heavens;
 use crate::outlines;
-use crate::shaders::{
-    CELESTIAL, FIGURE, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted,
-};
+use crate::shaders::{CELESTIAL, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
-use crate::uniforms::{ChunkInstance, FigureInstance, MarkerInstance, OutlineInstance};
+use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
 
 /// Added to the number of a map for pipelines of views that sheets may cut.
 pub const CUT: u32 = 4;
@@ -116,67 +115,6 @@ impl Pipelines {
     }
 }
 
-/// The ways of drawing figures.
-#[derive(Debug)]
-pub struct FigurePipelines {
-    /// Ported by vertex.
-    pub plain: RenderPipeline,
-    /// Ported as a whole.
-    pub framed: RenderPipeline,
-    /// Bent by a skeleton, and ported by vertex.
-    pub bent: RenderPipeline,
-    /// Bent by a skeleton, and ported as a whole.
-    pub bent_framed: RenderPipeline,
-    /// What light goes through, ported by vertex.
-    pub clear: RenderPipeline,
-    /// The same, ported as a whole.
-    pub clear_framed: RenderPipeline,
-    /// In the player's hand.
-    pub hand: RenderPipeline,
-    /// The same of what light goes through.
-    pub hand_clear: RenderPipeline,
-    /// Into a shadow map.
-    pub caster: RenderPipeline,
-    /// Bent by a skeleton, into a shadow map.
-    pub bent_caster: RenderPipeline,
-}
-
-impl FigurePipelines {
-    fn made_by(maker: &Maker<'_>) -> Self {
-        let module = maker.compile(FIGURE);
-        let instances = instances::<FigureInstance>(&FigureInstance::ATTRIBUTES);
-        let buffers = [vertex_layout(), instances, skin_layout()];
-        let plain =
-            |vertex, fragment, way| maker.make(&module, [vertex, fragment], &buffers[..2], way);
-        // It is before the eye, and not in the world that is cut.
-        let whole = Maker {
-            cuts: false,
-            ..maker.clone()
-        };
-        let hand =
-            |fragment, way| whole.make(&module, ["vertex_hand", fragment], &buffers[..2], way);
-        let bent = |vertex| {
-            let way = Way {
-                bends: true,
-                ..SOLID
-            };
-            maker.make(&module, [vertex, "fragment"], &buffers, way)
-        };
-        Self {
-            plain: plain("vertex", "fragment", SOLID),
-            framed: plain("vertex_framed", "fragment", SOLID),
-            bent: bent("vertex_bent"),
-            bent_framed: bent("vertex_bent_framed"),
-            clear: plain("vertex", "fragment_clear", GLASS),
-            clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
-            hand: hand("fragment", SOLID),
-            hand_clear: hand("fragment_clear", GLASS),
-            caster: maker.caster(&module, "vertex_caster", &buffers[..2]),
-            bent_caster: maker.caster(&module, "vertex_caster_bent", &buffers),
-        }
-    }
-}
-
 /// How something meets what is drawn already.
 #[derive(Clone, Copy)]
 pub(crate) struct Way {
@@ -197,8 +135,14 @@ pub(crate) const SOLID: Way = Way {
     bends: false,
 };
 
+/// The same of what joints bend.
+pub(crate) const BENT: Way = Way {
+    bends: true,
+    ..SOLID
+};
+
 /// Colours come multiplied by their opacity.
-const GLASS: Way = Way {
+pub(crate) const GLASS: Way = Way {
     compare: CompareFunction::GreaterEqual,
     writes_depth: false,
     blend: Some(BlendState::PREMULTIPLIED_ALPHA_BLENDING),
@@ -300,7 +244,15 @@ impl<'a> Maker<'a> {
         }
     }
 
-    fn compile(&self, shader: Shader) -> ShaderModule {
+    /// One that makes the same for what no sheet cuts.
+    pub(crate) fn uncut(&self) -> Self {
+        Self {
+            cuts: false,
+            ..self.clone()
+        }
+    }
+
+    pub(crate) fn compile(&self, shader: Shader) -> ShaderModule {
         self.shaders.compile(self.device, shader)
     }
 
@@ -337,7 +289,7 @@ impl<'a> Maker<'a> {
     }
 
     /// What throws shadows, from both sides: land has no underside where it ends.
-    fn caster(
+    pub(crate) fn caster(
         &self,
         module: &ShaderModule,
         entry: &str,
@@ -454,7 +406,7 @@ fn layout(
     }
 }
 
-fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
+pub(crate) fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout<'_> {
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 

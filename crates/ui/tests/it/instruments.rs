@@ -3,8 +3,8 @@
 use crate::common::hud::{full_hud, hud, hud_in, says};
 use crate::common::painted;
 use antipode_language::{Language, Texts};
-use antipode_ui::HudModel;
-use egui::{Pos2, Rect, Shape, vec2};
+use antipode_ui::{HudModel, mirror_place};
+use egui::{Pos2, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 
 /// What the land of the map covers, if it is drawn.
@@ -98,6 +98,23 @@ fn the_map_is_there_at_a_scale_of_two_with_nothing_on_it() {
 
 #[test]
 fn the_compass_stands_between_the_plates_at_640_by_360() {
-    let shown = hud(full_hud(), vec2(640.0, 360.0));
+    let without_mirror = HudModel {
+        mirror: false,
+        ..full_hud()
+    };
+    let shown = hud(without_mirror, vec2(640.0, 360.0));
     assert!(says(&shown, "B · equator 402 m"));
+}
+
+#[test]
+fn the_compass_stands_below_the_mirror_and_makes_room_for_it_in_a_low_window() {
+    let equator = |size: Vec2| {
+        let shown = hud(full_hud(), size);
+        let mut texts = painted(shown.output()).into_iter();
+        texts.find(|it| it.text == "B · equator 402 m")
+    };
+    let size = vec2(1280.0, 720.0);
+    let below = equator(size).expect("the compass is there").rect.min.y;
+    assert!(below > mirror_place(size.x, size.y).max.y, "{below}");
+    assert!(equator(vec2(640.0, 360.0)).is_none());
 }
