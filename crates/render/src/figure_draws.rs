@@ -182,10 +182,13 @@ impl FigureDraws {
             if indices.is_empty() {
                 continue;
             }
-            pass.set_pipeline(match run.joints {
-                Some(_) => &pipelines.bent_caster,
-                None => &pipelines.caster,
-            });
+            match run.joints {
+                Some(_) => pass.set_pipeline(&pipelines.bent_caster),
+                None => {
+                    pass.set_pipeline(&pipelines.caster);
+                    pass.set_bind_group(1, &self.joints_bound, &[0]);
+                }
+            }
             triangles += self.draw_run(pass, models, run, indices);
         }
         triangles

@@ -53,8 +53,8 @@ impl FigurePipelines {
             clear_framed: plain("vertex_framed", "fragment_clear", GLASS),
             hand: hand("fragment", SOLID),
             hand_clear: hand("fragment_clear", GLASS),
-            caster: maker.caster(&module, "vertex_caster", &buffers[..2]),
-            bent_caster: maker.caster(&module, "vertex_caster_bent", &buffers),
+            caster: maker.figure_caster(&module, "vertex_caster", &buffers[..2]),
+            bent_caster: maker.figure_caster(&module, "vertex_caster_bent", &buffers),
         }
     }
 }

@@ -182,7 +182,7 @@ pub(crate) struct Maker<'a> {
     layout: PipelineLayout,
     bent_layout: PipelineLayout,
     caster_layout: PipelineLayout,
-    bent_caster_layout: PipelineLayout,
+    figure_caster_layout: PipelineLayout,
     kind: f64,
     samples: u32,
     pub(crate) shadows: ShadowQuality,
@@ -215,8 +215,8 @@ impl<'a> Maker<'a> {
             layout: layout("scene", &[Some(scene_layout)]),
             bent_layout: layout("bent", &[Some(scene_layout), Some(&joints_layout)]),
             caster_layout: layout("shadow caster", &[None, None, Some(&caster)]),
-            bent_caster_layout: layout(
-                "bent shadow caster",
+            figure_caster_layout: layout(
+                "figure shadow caster",
                 &[None, Some(&joints_layout), Some(&caster)],
             ),
             kind: f64::from(kind & !CUT),
@@ -295,10 +295,26 @@ impl<'a> Maker<'a> {
         entry: &str,
         buffers: &[VertexBufferLayout<'_>],
     ) -> RenderPipeline {
-        let layout = match entry {
-            "vertex_caster_bent" => &self.bent_caster_layout,
-            _ => &self.caster_layout,
-        };
+        self.cast(&self.caster_layout, (module, entry), buffers)
+    }
+
+    /// As [`Maker::caster`], of figures. All of them have the same layout, bent or not: adapters keep what is bound behind
+    /// the joints from one pipeline to the next only where the layouts agree as far as that.
+    pub(crate) fn figure_caster(
+        &self,
+        module: &ShaderModule,
+        entry: &str,
+        buffers: &[VertexBufferLayout<'_>],
+    ) -> RenderPipeline {
+        self.cast(&self.figure_caster_layout, (module, entry), buffers)
+    }
+
+    fn cast(
+        &self,
+        layout: &PipelineLayout,
+        (module, entry): (&ShaderModule, &str),
+        buffers: &[VertexBufferLayout<'_>],
+    ) -> RenderPipeline {
         let compare = match entry {
             "vertex_hole" => CompareFunction::Always,
             _ => CompareFunction::Greater,

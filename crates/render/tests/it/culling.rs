@@ -225,7 +225,7 @@ fn who_is_out_of_the_picture_throws_a_shadow_into_it() {
     let eye = standing(&space, ChartId::FIRST, 4.0, 4.0).moved(DVec3::Y * 2.0);
     let mut scene = frame(&space, eye, ASPECT);
     scene.view.eye.pitch = -0.9;
-    scene.content_mut().sky.key_direction = Vec3::new(-0.8, 0.5, 0.0).normalize().into();
+    scene.content_mut().sky.key_direction = Vec3::new(-0.8, 0.28, 0.0).normalize().into();
     scene.content_mut().land = land(&space, eye, 1);
     let empty = studio.picture(&scene);
     let behind = |i: u32| {
