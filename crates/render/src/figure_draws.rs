@@ -182,12 +182,11 @@ impl FigureDraws {
             if indices.is_empty() {
                 continue;
             }
-            match run.joints {
-                Some(_) => pass.set_pipeline(&pipelines.bent_caster),
-                None => {
-                    pass.set_pipeline(&pipelines.caster);
-                    pass.set_bind_group(1, &self.joints_bound, &[0]);
-                }
+            if run.joints.is_some() {
+                pass.set_pipeline(&pipelines.bent_caster);
+            } else {
+                pass.set_pipeline(&pipelines.caster);
+                pass.set_bind_group(1, &self.joints_bound, &[0]);
             }
             triangles += self.draw_run(pass, models, run, indices);
         }

@@ -186,6 +186,10 @@ const EXCUSED: &[(&str, &str)] = &[
         "a bound: tests/it/space/culling.rs",
     ),
     (
+        "Strategy::view_matrix",
+        "goes into the uniform: the shader's rows on the adapter go through it",
+    ),
+    (
         "Strategy::uniform",
         "casts; the shader's rows on the adapter go through it",
     ),
