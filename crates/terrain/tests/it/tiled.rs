@@ -23,6 +23,11 @@ fn charts() -> [ChartId; 4] {
     })
 }
 
+/// The samples that a chunk owns, by their places in it.
+fn cells() -> impl Iterator<Item = (usize, usize, usize)> {
+    (0..32 * 32 * 32).map(|n| (n / 1024, n / 32 % 32, n % 32))
+}
+
 /// Whether meshes of a point's chart may look at it: near its domain.
 fn is_looked_at(point: ChartPoint) -> bool {
     let at = DVec2::new(point.pos.x, point.pos.z);
@@ -116,11 +121,7 @@ fn a_stroke_over_edges_and_corners_changes_what_it_changes_in_one_chart() {
     let touched: Vec<ChunkCoord> = many.edits.keys().copied().collect();
     let mut changed = 0;
     for coord in touched {
-        for (i, j, k) in [(); 32 * 32 * 32]
-            .iter()
-            .enumerate()
-            .map(|(n, ())| (n / 1024, n / 32 % 32, n % 32))
-        {
+        for (i, j, k) in cells() {
             let local = DVec3::new(i as f64, j as f64, k as f64);
             let point = ChartPoint::new(coord.chart, coord.origin() + local);
             if !is_looked_at(point) {
@@ -162,11 +163,7 @@ fn each_sample_is_changed_in_every_chart_that_has_it() {
     };
     let mut shared = 0;
     for (coord, edits) in &many.edits {
-        for (i, j, k) in [(); 32 * 32 * 32]
-            .iter()
-            .enumerate()
-            .map(|(n, ())| (n / 1024, n / 32 % 32, n % 32))
-        {
+        for (i, j, k) in cells() {
             let local = DVec3::new(i as f64, j as f64, k as f64);
             let point = ChartPoint::new(coord.chart, coord.origin() + local);
             for image in TiledFlat.images(point, RIM_REACH_M) {

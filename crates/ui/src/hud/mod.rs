@@ -148,19 +148,7 @@ pub struct HudModel {
 pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     let screen = inset(ctx.content_rect(), GRID);
     let painter = ctx.layer_painter(LayerId::background());
-    wounds::show(&painter, ctx.content_rect(), &model.wounds);
-    if let Some(harm) = model.harm {
-        harm::show(&painter, ctx.content_rect(), harm);
-    }
-    for from_rad in &model.hidden_foes {
-        harm::hidden(&painter, ctx.content_rect(), *from_rad);
-    }
-    if model.show_crosshair {
-        crosshair(&painter, ctx.content_rect().center());
-    }
-    if model.struck {
-        harm::struck(&painter, ctx.content_rect().center());
-    }
+    about_the_aim(&painter, ctx.content_rect(), model);
     let position = if model.figures.is_some() {
         position(&painter, screen, texts, model)
     } else {
@@ -206,6 +194,23 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
         speech::show(&painter, ctx.content_rect(), room, speech);
     }
     instruments
+}
+
+/// Wounds, where harm comes from, and the crosshair.
+fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
+    wounds::show(painter, whole, &model.wounds);
+    if let Some(harm) = model.harm {
+        harm::show(painter, whole, harm);
+    }
+    for from_rad in &model.hidden_foes {
+        harm::hidden(painter, whole, *from_rad);
+    }
+    if model.show_crosshair {
+        crosshair(painter, whole.center());
+    }
+    if model.struck {
+        harm::struck(painter, whole.center());
+    }
 }
 
 /// A small cross with a gap, dark under light so it shows on snow and at night.
