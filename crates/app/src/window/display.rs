@@ -50,10 +50,13 @@ impl Display {
         Some(model)
     }
 
-    /// Adds to a picture of the world what is asked for, and leaves out what is hidden.
-    pub fn apply_to(&mut self, frame: &mut Frame, scene: &Scene) {
-        if self.hidden {
+    /// Adds to a picture of the world what is asked for, and leaves out what is hidden: the mirror behind the menu, too,
+    /// where no display frames it.
+    pub fn apply_to(&mut self, frame: &mut Frame, scene: &Scene, is_played: bool) {
+        if self.hidden || !is_played {
             frame.mirror = None;
+        }
+        if self.hidden {
             frame.view.hand = None;
             frame.content_mut().marker = None;
         }

@@ -249,6 +249,7 @@ impl Game {
         }
         let (id, shutter) = (self.play.opened, self.shutter());
         let is_loading = matches!(self.play.phase, Phase::Loading(_));
+        let is_played = matches!(self.play.phase, Phase::Playing(_));
         let session = self.play.phase.session_mut()?;
         let scene = &mut session.scene;
         // Behind the loading screen nothing is seen; what drawing would cost goes into making the land.
@@ -263,7 +264,7 @@ impl Game {
         let mut frame = session.between.frame(scene, shutter, fov_y_rad, aspect, id);
         let software = self.menus.software.is_some();
         crate::options::fit_mirror(&mut frame, &self.options.config.settings, software);
-        self.display.apply_to(&mut frame, &session.scene);
+        self.display.apply_to(&mut frame, &session.scene, is_played);
         Some(frame)
     }
 

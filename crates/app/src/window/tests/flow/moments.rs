@@ -3,7 +3,7 @@
 use antipode_geometry::{Eye, Geometry};
 use antipode_scene::frame::{Frame, ModelId};
 use antipode_scene::{Actions, Between, Scene, Shutter, WorldSetup};
-use antipode_settings::MouseButton;
+use antipode_settings::{Given, MouseButton};
 use glam::DVec3;
 
 use super::super::super::pace::Pace;
@@ -169,6 +169,24 @@ fn a_paused_world_stands_still_in_the_middle_of_a_step_and_goes_on_from_there() 
         assert!(next.view.eye.point.pos.distance(last.view.eye.point.pos) < 0.05);
         assert!((next.view.eye.yaw - last.view.eye.yaw).abs() < 1e-9);
     }
+}
+
+#[test]
+fn the_rear_mirror_is_there_while_one_drives_and_not_behind_the_menu() {
+    let mut film = Film::new(Geometry::Euclidean);
+    let settings = &mut film.game.options.config.settings;
+    settings.set("rear-mirror", Given::Word("on")).unwrap();
+    film.drive();
+    if film.scene().camera_mode() == CameraMode::Third {
+        film.scene().step(&Actions {
+            toggle_camera: true,
+            ..Actions::default()
+        });
+    }
+    assert!(film.picture().mirror.is_some());
+    input(&mut film.game, Input::Key("Escape"), true);
+    assert!(is_paused(&film.game));
+    assert!(film.picture().mirror.is_none());
 }
 
 #[test]
