@@ -19,8 +19,8 @@ pub use posture::{Clip, Posture};
 pub use quality::{ParseQualityError, Quality};
 pub use view::{Hand, View};
 
-/// What a world looks like at a moment, whoever looks.
-#[derive(Clone, Debug)]
+/// What a world looks like at a moment, whoever looks. The default is an empty one without light.
+#[derive(Clone, Debug, Default)]
 pub struct Content {
     /// Sky and light of the moment, about the eye of the picture that it was made for.
     pub sky: Sky,
@@ -53,6 +53,15 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// A picture without a mirror.
+    pub fn new(content: Content, view: View) -> Self {
+        Self {
+            content: Arc::new(content),
+            view,
+            mirror: None,
+        }
+    }
+
     /// The content, to be changed for this picture alone.
     pub fn content_mut(&mut self) -> &mut Content {
         Arc::make_mut(&mut self.content)
@@ -165,6 +174,31 @@ pub struct Sky {
     pub drift: f32,
     /// Sun and moon of a world without a sky.
     pub orbs: Option<Orbs>,
+}
+
+/// No light and nothing to be seen, with sun and moon overhead.
+impl Default for Sky {
+    fn default() -> Self {
+        let (dark, up) = ([0.0; 3], [0.0, 1.0, 0.0]);
+        Self {
+            top: dark,
+            horizon: dark,
+            glare: dark,
+            stars: 0.0,
+            sun_direction: up,
+            moon_direction: up,
+            key_direction: up,
+            key_shadow: 1.0,
+            key_colour: dark,
+            moon_colour: dark,
+            ambient_sky: dark,
+            ambient_ground: dark,
+            dome: false,
+            clouds: 0.0,
+            drift: 0.0,
+            orbs: None,
+        }
+    }
 }
 
 /// Sun and moon that stand in a closed world, among its land.

@@ -39,6 +39,22 @@ impl View {
     /// Sheets that a picture may be cut by at once.
     pub const CUTS: usize = 4;
 
+    /// The world as an eye sees it, with an empty hand, without fog, neither moved nor cut.
+    pub fn new(eye: Eye, projection: Projection, strategy: Arc<dyn Strategy>) -> Self {
+        Self {
+            eye,
+            projection,
+            strategy,
+            hand: None,
+            fog_distance_m: f32::INFINITY,
+            shows_marks: true,
+            contour_bands: false,
+            quality: Quality::default(),
+            isometry: DMat4::IDENTITY,
+            cuts: [DVec4::ZERO; Self::CUTS],
+        }
+    }
+
     /// Whether the isometry is another than the identity.
     pub fn is_moved(&self) -> bool {
         self.isometry != DMat4::IDENTITY

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
-use glam::{DMat4, DVec3, DVec4};
+use glam::DVec3;
 
 use crate::actors::ActorId;
 use crate::aimed::{Aim, Optics};
@@ -192,16 +192,11 @@ impl Scene {
             loaded_world: world_id,
         };
         let view = View {
-            eye,
-            projection: Projection::new(fov_y_rad, aspect, NEAR_M),
             hand: moment.hand,
             fog_distance_m: fog_distance_m(&self.sim.world, &eye, &*strategy),
-            shows_marks: true,
             contour_bands: self.shown.viewing.contour_bands,
             quality: self.shown.quality,
-            isometry: DMat4::IDENTITY,
-            cuts: [DVec4::ZERO; View::CUTS],
-            strategy,
+            ..View::new(eye, Projection::new(fov_y_rad, aspect, NEAR_M), strategy)
         };
         Frame {
             content: Arc::new(content),

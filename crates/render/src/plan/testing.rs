@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use antipode_frame::{Content, Frame, Quality, Sky, View};
+use antipode_frame::{Content, Frame, View};
 use antipode_geometry::{Eye, Geometry, HyperbolicMap, Projection, Strategy, picture};
-use glam::{DMat4, DVec2, DVec4};
+use glam::DVec2;
 
 /// The same numbers on every run.
 pub struct Numbers(u64);
@@ -64,50 +64,18 @@ pub fn spaces() -> Vec<(&'static str, Arc<dyn Strategy>, [f64; 2])> {
 
 /// A frame without land or light, seen from the middle of the chart.
 pub fn frame(space: &Arc<dyn Strategy>) -> Frame {
-    let (dark, up) = ([0.0; 3], [0.0, 1.0, 0.0]);
-    Frame {
-        view: View {
-            eye: Eye {
-                lift_m: 1.62,
-                ..Eye::default()
-            },
-            projection: Projection::new(75_f64.to_radians(), 16.0 / 9.0, 0.02),
-            strategy: Arc::clone(space),
-            hand: None,
-            fog_distance_m: 400.0,
-            shows_marks: true,
-            contour_bands: false,
-            quality: Quality::Balanced,
-            isometry: DMat4::IDENTITY,
-            cuts: [DVec4::ZERO; View::CUTS],
-        },
-        mirror: None,
-        content: Arc::new(Content {
-            sky: Sky {
-                top: dark,
-                horizon: dark,
-                glare: dark,
-                stars: 0.0,
-                sun_direction: up,
-                moon_direction: up,
-                key_direction: up,
-                key_shadow: 1.0,
-                key_colour: dark,
-                ambient_sky: dark,
-                ambient_ground: dark,
-                moon_colour: dark,
-                dome: false,
-                clouds: 0.0,
-                drift: 0.0,
-                orbs: None,
-            },
-            land: Arc::default(),
-            figures: Vec::new(),
-            lights: antipode_frame::Lights::default(),
-            marker: None,
-            hit_shapes: Vec::new(),
-            time_s: 0.0,
-            loaded_world: 1,
-        }),
-    }
+    let eye = Eye {
+        lift_m: 1.62,
+        ..Eye::default()
+    };
+    let projection = Projection::new(75_f64.to_radians(), 16.0 / 9.0, 0.02);
+    let content = Content {
+        loaded_world: 1,
+        ..Content::default()
+    };
+    let view = View {
+        fog_distance_m: 400.0,
+        ..View::new(eye, projection, Arc::clone(space))
+    };
+    Frame::new(content, view)
 }

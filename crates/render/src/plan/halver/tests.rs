@@ -2,14 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
-use antipode_frame::{Content, Frame, Quality, Sky, View};
+use antipode_frame::{Content, Frame, View};
 use antipode_geometry::{
     ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, picture,
 };
 use antipode_terrain::Level;
-use glam::{DMat4, DVec3, DVec4, IVec3};
+use glam::{DVec3, IVec3};
 
 use super::super::ChunkLand;
 use super::super::bounds::{Bounds, PictureScale};
@@ -37,53 +36,17 @@ fn meadow(corner: DVec3) -> ChunkMesh {
 
 fn frame() -> Frame {
     let strategy = picture(Geometry::Hyperbolic, 20.0, HyperbolicMap::Raised, false);
-    let black = [0.0; 3];
-    Frame {
-        view: View {
-            eye: Eye {
-                point: ChartPoint::a(DVec3::new(30.2, 12.0, 7.4)),
-                dial: 20.0,
-                ..Eye::default()
-            },
-            projection: Projection::new(1.3, 1.7, 0.02),
-            strategy,
-            hand: None,
-            fog_distance_m: 100.0,
-            shows_marks: true,
-            contour_bands: false,
-            quality: Quality::Balanced,
-            isometry: DMat4::IDENTITY,
-            cuts: [DVec4::ZERO; View::CUTS],
-        },
-        mirror: None,
-        content: Arc::new(Content {
-            sky: Sky {
-                top: black,
-                horizon: black,
-                glare: black,
-                stars: 0.0,
-                sun_direction: black,
-                moon_direction: black,
-                key_direction: black,
-                key_shadow: 1.0,
-                key_colour: black,
-                ambient_sky: black,
-                ambient_ground: black,
-                moon_colour: black,
-                dome: true,
-                clouds: 0.0,
-                drift: 0.0,
-                orbs: None,
-            },
-            land: Arc::default(),
-            figures: Vec::new(),
-            lights: antipode_frame::Lights::default(),
-            marker: None,
-            hit_shapes: Vec::new(),
-            time_s: 0.0,
-            loaded_world: 1,
-        }),
-    }
+    let eye = Eye {
+        point: ChartPoint::a(DVec3::new(30.2, 12.0, 7.4)),
+        dial: 20.0,
+        ..Eye::default()
+    };
+    let content = Content {
+        loaded_world: 1,
+        ..Content::default()
+    };
+    let view = View::new(eye, Projection::new(1.3, 1.7, 0.02), strategy);
+    Frame::new(content, view)
 }
 
 fn bounds(frame: &Frame) -> Bounds {

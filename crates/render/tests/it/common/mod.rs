@@ -12,7 +12,7 @@ pub mod worlds;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use antipode_frame::{ChunkChange, Frame, Land, Quality, Sky, View};
+use antipode_frame::{ChunkChange, Frame, Land, Sky, View};
 use antipode_geometry::{
     ChartId, ChartPoint, ChunkCoord, DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Eye,
     Geometry, Projection, Strategy, strategy,
@@ -22,7 +22,7 @@ use antipode_render::{
     Shaders, ShadowQuality,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
-use glam::{DMat4, DVec3, DVec4, IVec3, Vec3};
+use glam::{DVec3, IVec3, Vec3};
 use image::RgbaImage;
 
 /// The number of the next world.
@@ -255,32 +255,18 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
         (false, ChartId::SECOND) => antipode_scene::day::sky(450.0, &**space, &eye),
         (false, _) => antipode_scene::day::sky(150.0, &**space, &eye),
     };
-    Frame {
-        view: View {
-            eye,
-            projection: Projection::new(75f64.to_radians(), aspect, 0.02),
-            strategy: Arc::clone(space),
-            hand: None,
-            fog_distance_m: 150.0,
-            shows_marks: true,
-            contour_bands: false,
-            quality: Quality::default(),
-            isometry: DMat4::IDENTITY,
-            cuts: [DVec4::ZERO; View::CUTS],
-        },
-        mirror: None,
-        content: Arc::new(antipode_frame::Content {
-            sky,
-            land: Arc::default(),
-            figures: Vec::new(),
-            lights: antipode_frame::Lights::default(),
-            marker: None,
-            hit_shapes: Vec::new(),
-            time_s: 0.0,
-            // Each picture made from nothing is of a world of its own.
-            loaded_world: WORLDS.fetch_add(1, Ordering::Relaxed),
-        }),
-    }
+    let content = antipode_frame::Content {
+        sky,
+        // Each picture made from nothing is of a world of its own.
+        loaded_world: WORLDS.fetch_add(1, Ordering::Relaxed),
+        ..antipode_frame::Content::default()
+    };
+    let projection = Projection::new(75f64.to_radians(), aspect, 0.02);
+    let view = View {
+        fog_distance_m: 150.0,
+        ..View::new(eye, projection, Arc::clone(space))
+    };
+    Frame::new(content, view)
 }
 
 /// Generated land within `reach` chunks of `centre`; all of a closed world.
