@@ -1,5 +1,6 @@
 //! What a test does where the machine lacks what it needs: it passes and says loudly that it tested nothing, or fails
-//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. And how far what two pictures show is apart.
+//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. And a
+//! space that no player gets: flat, but in charts without number.
 
 pub mod pictures;
 pub mod tiled;
