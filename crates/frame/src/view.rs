@@ -38,6 +38,8 @@ pub struct View {
 impl View {
     /// Sheets that a picture may be cut by at once.
     pub const CUTS: usize = 4;
+    /// A distance of fog that is beyond all land, metres.
+    pub const NO_FOG_M: f32 = 1e5;
 
     /// The world as an eye sees it, with an empty hand, without fog, neither moved nor cut.
     pub fn new(eye: Eye, projection: Projection, strategy: Arc<dyn Strategy>) -> Self {
@@ -46,7 +48,7 @@ impl View {
             projection,
             strategy,
             hand: None,
-            fog_distance_m: f32::INFINITY,
+            fog_distance_m: Self::NO_FOG_M,
             shows_marks: true,
             contour_bands: false,
             quality: Quality::default(),

@@ -13,9 +13,5 @@ pub fn bare(strategy: Arc<dyn Strategy>, eye: &Eye) -> Frame {
         loaded_world: 1,
         ..Content::default()
     };
-    let view = View {
-        fog_distance_m: 1e5,
-        ..View::new(*eye, projection(), strategy)
-    };
-    Frame::new(content, view)
+    Frame::new(content, View::new(*eye, projection(), strategy))
 }

@@ -2,15 +2,12 @@
 
 use antipode_geometry::Geometry;
 use antipode_render::{AdapterChoice, Gpu};
-use antipode_scene::frame::{Frame, Quality};
+use antipode_scene::frame::{Frame, Quality, View};
 
 use crate::speed::scenes::{Look, Order, fixed, keep_common, looks, sphere_looks};
 use crate::speed::stage::{Taken, race};
 use crate::speed::{equal, lamps, quality, shadows, vertex_stage};
 use crate::{Cell, Effort, LabError, Section, Table};
-
-/// Fog out of the way of what has to be the same everywhere, metres.
-const NO_FOG_M: f32 = 1e5;
 
 /// Size of the pictures that the bar on cost is for.
 const BAR_SIZE: (u32, u32) = (1280, 720);
@@ -115,7 +112,7 @@ fn lit_triangles(
     for (frame, looks, land) in [(open, looks(), NEAR), (closed, sphere_looks(), SPHERE)] {
         let mut frame = lamps::lit(frame, lamps::FEW).with_view(|it| {
             it.quality = land.quality;
-            it.fog_distance_m = NO_FOG_M;
+            it.fog_distance_m = View::NO_FOG_M;
         });
         let chunks = keep_common(gpu, &mut frame, &looks, BAR_SIZE.1, land.order)?;
         let land = format!(
@@ -141,7 +138,7 @@ fn same_triangles(
 ) -> Result<[Table; 2], LabError> {
     let mut frame = frame.clone().with_view(|it| {
         it.quality = land.quality;
-        it.fog_distance_m = NO_FOG_M;
+        it.fog_distance_m = View::NO_FOG_M;
     });
     let chunks = keep_common(gpu, &mut frame, looks, BAR_SIZE.1, land.order)?;
     let rivals = looks.iter().map(|look| look.at(&frame)).collect();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_frame::{Frame, Quality};
+use antipode_frame::{Frame, Quality, View};
 use antipode_geometry::ChartPoint;
 use glam::{DVec3, Vec3};
 
@@ -65,7 +65,8 @@ impl RefineRules {
         let key = RefineKey::of(frame, bounds, step);
         let slack_m = key.way.slack_m();
         let tolerance = Tolerance::of(frame.view.quality);
-        let farthest_m = f64::from(frame.view.fog_distance_m.max(0.0)) + CHUNK_DIAGONAL_M;
+        let farthest_m =
+            f64::from(frame.view.fog_distance_m.clamp(0.0, View::NO_FOG_M)) + CHUNK_DIAGONAL_M;
         let reach_m = bounds
             .refine_within_m(&tolerance, COARSEST_EDGE_M)
             .min(farthest_m)

@@ -45,7 +45,10 @@ fn frame() -> Frame {
         loaded_world: 1,
         ..Content::default()
     };
-    let view = View::new(eye, Projection::new(1.3, 1.7, 0.02), strategy);
+    let view = View {
+        fog_distance_m: 100.0,
+        ..View::new(eye, Projection::new(1.3, 1.7, 0.02), strategy)
+    };
     Frame::new(content, view)
 }
 
