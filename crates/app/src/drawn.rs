@@ -76,7 +76,7 @@ fn picture_label(texts: &Texts, lens: &Lens) -> String {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::Geometry;
+    use antipode_geometry::{Geometry, strategy};
 
     use super::*;
 
@@ -99,11 +99,11 @@ mod tests {
     #[test]
     fn the_picture_is_named_with_its_dial() {
         let texts = Texts::default();
-        let mut lens = Lens::new(Geometry::Hyperbolic, 20.0);
+        let mut lens = Lens::new(strategy(Geometry::Hyperbolic, 20.0));
         assert_eq!(picture_label(&texts, &lens), "raised map 10.0");
         assert!(lens.set_map(HyperbolicMap::Horizon) && lens.set_curvature(3.25));
         assert_eq!(picture_label(&texts, &lens), "horizon map 3.2");
-        let mut lens = Lens::new(Geometry::Euclidean, f64::INFINITY);
+        let mut lens = Lens::new(strategy(Geometry::Euclidean, f64::INFINITY));
         assert_eq!(picture_label(&texts, &lens), "");
         assert!(lens.set_bend(-4.0));
         assert_eq!(picture_label(&texts, &lens), "bend -4.0");

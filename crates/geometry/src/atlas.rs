@@ -1,8 +1,8 @@
 //! The charts of a world, and how they hang together.
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3Swizzles};
 
-use crate::{ChartId, ChartPoint, Crossing};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
@@ -59,6 +59,17 @@ impl Domain {
     /// [`Domain::outside_m`] of the place of a box for which it is least.
     pub fn least_outside_m(self, low: DVec2, high: DVec2) -> f64 {
         self.outside_m(DVec2::ZERO.clamp(low, high))
+    }
+
+    /// Whether a chunk of the chart comes within so many metres of it.
+    pub fn reaches(self, coord: ChunkCoord, past_m: f64) -> bool {
+        self.least_outside_m(coord.min().xz(), coord.max().xz()) <= past_m
+    }
+
+    /// How many chunks it is at most along the axes from the centre to one that comes within so many metres of it; more
+    /// than there are where the domain has no end.
+    pub fn side_chunks(self, past_m: f64) -> i32 {
+        ((self.half_width_m() + past_m) / f64::from(CHUNK_CELLS)).ceil() as i32
     }
 
     /// [`Domain::outside_m`] of the corner of a box for which it is greatest: the domains are convex.

@@ -1,6 +1,7 @@
 //! The name of a chart.
 
 use std::fmt;
+use std::str::FromStr;
 
 /// A chart of a world's atlas: a number that the atlas gives it, for good. A chart that is made on demand has the same
 /// number whenever it is made, since the number says which chart it is and not how many there were before.
@@ -24,13 +25,47 @@ impl ChartId {
     }
 }
 
-/// The letter of the first two, the number of others.
-impl fmt::Debug for ChartId {
+/// The letter of the first two, the number of others in hexadecimal digits.
+impl fmt::Display for ChartId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::FIRST => f.pad("A"),
             Self::SECOND => f.pad("B"),
-            other => write!(f, "#{:x}", other.number()),
+            other => write!(f, "{:#x}", other.number()),
+        }
+    }
+}
+
+impl fmt::Debug for ChartId {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// What is no name of a chart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ParseChartError;
+
+impl fmt::Display for ParseChartError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a chart is A or B, or a hexadecimal number such as 0x1f")
+    }
+}
+
+impl std::error::Error for ParseChartError {}
+
+impl FromStr for ChartId {
+    type Err = ParseChartError;
+
+    fn from_str(name: &str) -> Result<Self, ParseChartError> {
+        match name {
+            "A" => Ok(Self::FIRST),
+            "B" => Ok(Self::SECOND),
+            _ => {
+                let digits = name.strip_prefix("0x").filter(|it| !it.starts_with('+'));
+                let number = digits.and_then(|it| u128::from_str_radix(it, 16).ok());
+                number.map(Self::new).ok_or(ParseChartError)
+            }
         }
     }
 }
@@ -47,6 +82,21 @@ mod tests {
         assert!(charts.is_sorted_by(|a, b| a < b));
         assert_eq!(charts[..2], [ChartId::FIRST, ChartId::SECOND]);
         let names = charts.map(|chart| format!("{chart:?}"));
-        assert_eq!(names[..3], ["A", "B", "#2"]);
+        assert_eq!(names[..4], ["A", "B", "0x2", "0x10000000000000000"]);
+        assert_eq!(names.map(|name| name.parse()), charts.map(Ok));
+        for name in [
+            "",
+            "C",
+            "a",
+            "2",
+            "0x",
+            "0x+2",
+            "0x-2",
+            "0xg",
+            "0x1 ",
+            &format!("0x1{:032x}", 0),
+        ] {
+            assert_eq!(name.parse::<ChartId>(), Err(ParseChartError), "{name}");
+        }
     }
 }

@@ -56,6 +56,15 @@ impl ChunkCoord {
         Self::new(self.chart, self.index.saturating_add(step))
     }
 
+    /// The chunks of a chart from one index to another, both among them.
+    pub fn boxed(chart: ChartId, low: IVec3, high: IVec3) -> impl Iterator<Item = Self> + Clone {
+        (low.x..=high.x).flat_map(move |x| {
+            (low.y..=high.y).flat_map(move |y| {
+                (low.z..=high.z).map(move |z| Self::new(chart, IVec3::new(x, y, z)))
+            })
+        })
+    }
+
     fn key(self) -> (ChartId, [i32; 3]) {
         (self.chart, self.index.to_array())
     }

@@ -13,6 +13,7 @@ mod atlas;
 mod chart;
 pub mod charts;
 mod chunk;
+mod chunk_cube;
 mod euclidean;
 mod eye;
 mod frustum;
@@ -31,8 +32,9 @@ mod triangle;
 mod uniform;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
-pub use chart::ChartId;
+pub use chart::{ChartId, ParseChartError};
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
+pub use chunk_cube::ChunkCube;
 pub use euclidean::Euclidean;
 pub use eye::Eye;
 pub use frustum::{Frustum, side_normals};

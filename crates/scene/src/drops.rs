@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Eye};
+use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_physics::{Ball, BallTuning};
 use glam::{DQuat, DVec3};
 
@@ -13,6 +13,7 @@ use crate::inventory::{Inventory, Stack};
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
+use crate::pick::over;
 use crate::player::Player;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
@@ -66,14 +67,15 @@ impl Drop {
         }
     }
 
-    /// Whether it is near enough to a point to move there.
-    fn is_near(&self, point: ChartPoint) -> bool {
-        self.point.chart == point.chart && self.point.pos.distance(point.pos) < NEAR_M
+    /// Whether it is nearer than so many metres of the chart to a point.
+    fn is_near(&self, strategy: &dyn Strategy, point: ChartPoint, within_m: f64) -> bool {
+        let there = over(strategy, self.point, point);
+        there.chart == self.point.chart && there.pos.distance(self.point.pos) < within_m
     }
 
     /// Whether it moves while the player's feet are there.
-    pub(crate) fn is_awake(&self, feet: ChartPoint) -> bool {
-        !self.rests && self.is_near(feet)
+    pub(crate) fn is_awake(&self, strategy: &dyn Strategy, feet: ChartPoint) -> bool {
+        !self.rests && self.is_near(strategy, feet, NEAR_M)
     }
 }
 
@@ -105,7 +107,7 @@ pub(crate) fn throw_away(
 pub(crate) fn shown(world: &World, feet: ChartPoint, drop: &Drop) -> Figure {
     let item = drop.stack.item;
     let (turn, height_m) = lying(item);
-    let lies = drop.rests && drop.is_near(feet);
+    let lies = drop.rests && drop.is_near(&*world.strategy, feet, NEAR_M);
     let up = if lies {
         world.ground.normal(drop.point).as_dvec3()
     } else {
@@ -125,13 +127,14 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outb
         .moved(DVec3::Y * (0.5 * actors.tuning.height_m));
     for drop in actors.ecs.query_mut::<&mut Drop>() {
         drop.age_s += STEP_S;
-        if drop.is_awake(middle) {
+        if drop.is_awake(&*world.strategy, middle) {
             drop.fall(world);
         }
     }
     if player.picks_up() {
         retain(&mut actors.ecs, |drop: &mut Drop| {
-            !drop.is_picked_up(middle, &mut player.inventory, outbox)
+            let is_near = drop.is_near(&*world.strategy, middle, PICK_UP_M);
+            !(is_near && drop.is_picked_up(&mut player.inventory, outbox))
         });
     }
 }
@@ -164,15 +167,8 @@ impl Drop {
     }
 
     /// Goes to the player as far as there is room; returns whether nothing of it is left.
-    fn is_picked_up(
-        &mut self,
-        middle: ChartPoint,
-        inventory: &mut Inventory,
-        outbox: &mut Outbox,
-    ) -> bool {
-        let is_near =
-            self.point.chart == middle.chart && self.point.pos.distance(middle.pos) < PICK_UP_M;
-        if !is_near || self.age_s < PICK_UP_AFTER_S {
+    fn is_picked_up(&mut self, inventory: &mut Inventory, outbox: &mut Outbox) -> bool {
+        if self.age_s < PICK_UP_AFTER_S {
             return false;
         }
         let left = inventory.give(self.stack.item, self.stack.count);

@@ -29,7 +29,13 @@ pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
         ball(BULLET.radius_m, it.point, flies)
     };
     shapes.extend(now.actors.map(bullet));
-    let drop = |_, it: &Drop| ball(DROP.radius_m, it.point, it.is_awake(now.feet()));
+    let drop = |_, it: &Drop| {
+        ball(
+            DROP.radius_m,
+            it.point,
+            it.is_awake(&*now.world.strategy, now.feet()),
+        )
+    };
     shapes.extend(now.actors.map(drop));
     shapes
 }

@@ -13,6 +13,7 @@ use crate::inventory::Inventory;
 use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
+use crate::pick::over;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -180,7 +181,8 @@ pub(crate) fn step(world: &World, actors: &mut Actors) {
     let feet = actors.feet();
     for lamp in actors.ecs.query_mut::<&mut Lamp>() {
         // What is known of ground further off leaves out what once was changed there.
-        let is_near = lamp.point.chart != feet.chart || lamp.point.pos.distance(feet.pos) < NEAR_M;
+        let there = over(&*world.strategy, feet, lamp.point);
+        let is_near = there.chart != feet.chart || there.pos.distance(feet.pos) < NEAR_M;
         if lamp.unchecked && is_near {
             lamp.rests_m = rest(&world.ground, lamp);
             lamp.unchecked = false;

@@ -63,8 +63,7 @@ impl Default for DialGoals {
 /// The picture of a world: which one is shown, which one is wanted, and the dial that glides between them.
 #[derive(Clone, Debug)]
 pub struct Lens {
-    geometry: Geometry,
-    radius_m: f64,
+    world: Arc<dyn Strategy>,
     shown: LensView,
     wanted: LensView,
     goals: DialGoals,
@@ -75,22 +74,21 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// The picture of a new world, its dial at rest; `radius_m` is the world's radius of curvature in metres.
-    pub fn new(geometry: Geometry, radius_m: f64) -> Self {
-        let view = if geometry == Geometry::Hyperbolic {
+    /// The picture of a new world in that space, its dial at rest.
+    pub fn new(world: Arc<dyn Strategy>) -> Self {
+        let view = if world.geometry() == Geometry::Hyperbolic {
             LensView::Map(HyperbolicMap::default())
         } else {
             LensView::Plain
         };
         let mut lens = Self {
-            geometry,
-            radius_m,
             shown: view,
             wanted: view,
             goals: DialGoals::default(),
             value: 0.0,
             share: 1.0,
-            strategy: picture(geometry, radius_m, HyperbolicMap::default(), false),
+            strategy: Arc::clone(&world),
+            world,
         };
         lens.arrive(view);
         lens
@@ -150,7 +148,7 @@ impl Lens {
     /// Asks for the space's other picture: the other map of a hyperbolic world, bent or not in a flat one.
     /// Returns false where there is no other.
     pub fn turn_map(&mut self) -> bool {
-        self.wanted = match (self.geometry, self.wanted) {
+        self.wanted = match (self.world.geometry(), self.wanted) {
             (_, LensView::Map(map)) => LensView::Map(map.other()),
             (_, LensView::Bent) => LensView::Plain,
             (Geometry::Euclidean, LensView::Plain) => LensView::Bent,
@@ -179,7 +177,8 @@ impl Lens {
     /// Bends a flat world's picture at once, up to 20 hyperbolic and down to -20 spherical; 0 unbends it.
     /// Returns false when out of range or the world is not flat.
     pub fn set_bend(&mut self, value: f64) -> bool {
-        if self.geometry != Geometry::Euclidean || !self.set_at_once(LensView::Bent, value) {
+        if self.world.geometry() != Geometry::Euclidean || !self.set_at_once(LensView::Bent, value)
+        {
             return false;
         }
         if value == 0.0 {
@@ -212,7 +211,7 @@ impl Lens {
                 self.set_goal(view, goal);
             }
         }
-        let view = match self.geometry {
+        let view = match self.world.geometry() {
             Geometry::Hyperbolic => LensView::Map(map),
             Geometry::Euclidean if bent => LensView::Bent,
             _ => LensView::Plain,
@@ -319,12 +318,12 @@ impl Lens {
     /// The strategy of a picture of this world, with a share of its curvature.
     pub(crate) fn pictured(&self, view: LensView, share: f64) -> Arc<dyn Strategy> {
         let (map, bent) = match view {
-            LensView::Plain => (HyperbolicMap::default(), false),
+            LensView::Plain => return Arc::clone(&self.world),
             LensView::Map(map) => (map, false),
             LensView::Bent => (HyperbolicMap::default(), true),
         };
-        let radius_m = self.radius_m / share.max(SHARE_SWAP_AT);
-        picture(self.geometry, radius_m, map, bent)
+        let radius_m = self.world.radius_m() / share.max(SHARE_SWAP_AT);
+        picture(self.world.geometry(), radius_m, map, bent)
     }
 }
 

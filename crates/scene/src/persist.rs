@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::ChartId;
 use antipode_storage::{
     BotRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, Record,
     RecordKey, RecordKind, SlotRecord, ViewRecord,
@@ -64,7 +63,7 @@ fn player_record(actors: &Actors, player: &Player, slots: &[SlotRecord]) -> Opti
     });
     Some(PlayerKept {
         body: PlayerRecord {
-            chart: chart_record(position.0.chart),
+            chart: position.0.chart.number(),
             pos: position.0.pos.to_array(),
             vel: body.0.velocity.to_array(),
             yaw: look.yaw,
@@ -80,7 +79,7 @@ fn player_record(actors: &Actors, player: &Player, slots: &[SlotRecord]) -> Opti
         flashlight: player.flashlight,
         driving: actors.cars.driven().map(|id| id.0),
         start: player.start.map(|start| PlaceRecord {
-            chart: chart_record(start.chart),
+            chart: start.chart.number(),
             pos: start.pos.to_array(),
         }),
         been_round: player.round.been,
@@ -106,14 +105,14 @@ fn things(actors: &Actors, player: &Player, all: &mut All) {
     let mut lamps = actors.ecs.query::<(&ActorId, &Lamp)>();
     all.extend(lamps.iter().map(|(id, lamp)| {
         let record = Record::Lamp(LampRecord {
-            chart: chart_record(lamp.point.chart),
+            chart: lamp.point.chart.number(),
             pos: lamp.point.pos.to_array(),
         });
         (RecordKind::Lamp.numbered(id.0), record)
     }));
     let drop_record = |id: ActorId, drop: &Drop| {
         let record = Record::Drop(DropRecord {
-            chart: chart_record(drop.point.chart),
+            chart: drop.point.chart.number(),
             pos: drop.point.pos.to_array(),
             item: drop.stack.item.id().to_owned(),
             count: drop.stack.count,
@@ -135,7 +134,7 @@ fn figures(actors: &Actors, all: &mut All) {
     let living = figures.iter().filter(|(.., health, _)| health.0 > 0.0);
     all.extend(living.map(|(bot, position, look, health, mind)| {
         let record = Record::Figure(BotRecord {
-            chart: chart_record(position.0.chart),
+            chart: position.0.chart.number(),
             pos: position.0.pos.to_array(),
             yaw: look.yaw,
             health: health.0,
@@ -145,9 +144,4 @@ fn figures(actors: &Actors, all: &mut All) {
         });
         (RecordKind::Figure.numbered(bot.id), record)
     }));
-}
-
-/// A chart as it is stored.
-pub(crate) fn chart_record(chart: ChartId) -> u8 {
-    u8::from(chart == ChartId::SECOND)
 }

@@ -74,8 +74,8 @@ pub struct PlayerProbe {
     pub grounded: bool,
     /// Health, 0 to 20.
     pub health: f64,
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
     /// Whether the player sits in a car.
     pub in_car: bool,
     /// What the figure is doing: `idle`, `walk`, `run`, `jump`, `fly`, `drive` or `die`.
@@ -114,8 +114,8 @@ pub struct CarProbe {
     pub brakes: bool,
     /// Front left, front right, rear left, rear right.
     pub wheels: [WheelProbe; 4],
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
 }
 
 /// A wheel of a car in a probe.
@@ -148,8 +148,8 @@ pub struct BotProbe {
     pub health: f64,
     /// Whether it fights the player, be it for good or until it has calmed down.
     pub hostile: bool,
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
     /// What it does: `idle`, `wander`, `watch`, `aside`, `sit`, `chase`, `fight`, `search`, `flee` or `dead`.
     pub state: &'static str,
 }
@@ -165,8 +165,8 @@ pub struct ProjectileProbe {
     pub vel: [f64; 3],
     /// Since it was fired, seconds.
     pub age: f64,
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
 }
 
 /// A lamp in a probe.
@@ -174,8 +174,8 @@ pub struct ProjectileProbe {
 pub struct LampProbe {
     /// Foot, metres.
     pub pos: [f64; 3],
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
 }
 
 /// Something that lies about in a probe.
@@ -186,8 +186,8 @@ pub struct DropProbe {
     pub stack: Stack,
     /// Middle, metres.
     pub pos: [f64; 3],
-    /// `A` or `B`.
-    pub hemisphere: char,
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
 }
 
 /// The brush marker in a probe.

@@ -1,6 +1,6 @@
 //! What the probe says of the world at a moment.
 
-use antipode_geometry::{ChartId, ChartPoint, HyperbolicMap};
+use antipode_geometry::{ChartPoint, HyperbolicMap};
 use antipode_physics::Character;
 use glam::DVec3;
 
@@ -19,12 +19,8 @@ use crate::probe::{
 use crate::projectile::Projectile;
 use crate::situation::Situation;
 
-fn chart(point: ChartPoint) -> char {
-    if point.chart == ChartId::SECOND {
-        'B'
-    } else {
-        'A'
-    }
+fn chart(point: ChartPoint) -> String {
+    point.chart.to_string()
 }
 
 fn car_probe(car: &CarView) -> CarProbe {

@@ -2,6 +2,7 @@
 
 use antipode_geometry::{ChartPoint, Strategy};
 use antipode_streaming::Reach;
+use antipode_terrain::RIM_REACH_M;
 use glam::DVec3;
 
 use crate::world::GROUND_SEARCH_M;
@@ -42,7 +43,7 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
     let way = ahead * AHEAD_S;
     if way.length() > reach_m - AHEAD_M {
         let there = ChartPoint::new(feet.chart, feet.pos + way);
-        reaches.push(swept(feet, there));
+        reaches.extend(everywhere(strategy, swept(feet, there)));
     }
     reaches.push(column(feet));
     for image in strategy.images(feet, reach_m + AHEAD_M) {
@@ -55,6 +56,7 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
 /// Where the ground around others than the player must be solid, each with its place and velocity in m/s. Those close
 /// together share one reach, `margin_m` metres wider than the cells they are in.
 pub(crate) fn of_others(
+    strategy: &dyn Strategy,
     others: impl Iterator<Item = (ChartPoint, DVec3)>,
     margin_m: f64,
 ) -> Vec<Reach> {
@@ -77,7 +79,26 @@ pub(crate) fn of_others(
             min: corner(cell) - margin_m,
             max: corner(cell) + OTHERS_CELL_M + margin_m,
         })
+        .flat_map(|reach| everywhere(strategy, reach))
         .collect()
+}
+
+/// A reach, and what holds the same place in every other chart whose domain it comes into.
+fn everywhere(strategy: &dyn Strategy, reach: Reach) -> Vec<Reach> {
+    let middle = ChartPoint::new(reach.chart, reach.min.midpoint(reach.max));
+    let half = (reach.max - reach.min) * 0.5;
+    let radius_m = half.x.hypot(half.z);
+    let mut reaches = vec![reach];
+    for image in strategy.images(middle, radius_m) {
+        let wide_m = strategy.spread_m(middle, radius_m, RIM_REACH_M);
+        let half = DVec3::new(wide_m, half.y, wide_m);
+        reaches.push(Reach {
+            chart: image.point.chart,
+            min: image.point.pos - half,
+            max: image.point.pos + half,
+        });
+    }
+    reaches
 }
 
 fn around_body(feet: ChartPoint, reach_m: f64) -> Reach {

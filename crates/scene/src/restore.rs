@@ -238,15 +238,15 @@ pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving:
 }
 
 /// A saved place, if it is one of this world.
-pub(crate) fn point(world: &World, record: u8, pos: [f64; 3]) -> Option<ChartPoint> {
+pub(crate) fn point(world: &World, record: u128, pos: [f64; 3]) -> Option<ChartPoint> {
     let pos = DVec3::from_array(pos);
     let at = ChartPoint::new(chart(world, record), pos);
     pos.is_finite()
         .then(|| body::within_world(&*world.strategy, at))
 }
 
-fn chart(world: &World, record: u8) -> ChartId {
-    let chart = ChartId::new(record.into());
+fn chart(world: &World, record: u128) -> ChartId {
+    let chart = ChartId::new(record);
     if world.strategy.has_chart(chart) {
         chart
     } else {

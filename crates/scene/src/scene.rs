@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::strategy;
+use antipode_geometry::{Strategy, strategy};
 use antipode_storage::{CourseRecord, Records, StorageError, WorldStore};
 use antipode_streaming::{Config, Streamer};
 use antipode_terrain::Field;
@@ -62,8 +62,21 @@ impl Scene {
         store: Option<Arc<WorldStore>>,
         workers: usize,
     ) -> Result<Self, SceneError> {
-        let strategy = strategy(setup.geometry, setup.radius_m);
-        let field = Arc::new(Field::new(setup.seed, Arc::clone(&strategy)));
+        let space = strategy(setup.geometry, setup.radius_m);
+        Self::open_in(space, setup, store, workers)
+    }
+
+    /// As [`Scene::open_with`], in a space that need not be the one that the setup names.
+    ///
+    /// # Errors
+    /// As [`Scene::open`].
+    pub fn open_in(
+        space: Arc<dyn Strategy>,
+        setup: WorldSetup,
+        store: Option<Arc<WorldStore>>,
+        workers: usize,
+    ) -> Result<Self, SceneError> {
+        let field = Arc::new(Field::new(setup.seed, Arc::clone(&space)));
         let (saved, notices) = match &store {
             Some(store) => saved_records(store)?,
             None => Default::default(),
@@ -74,7 +87,7 @@ impl Scene {
             workers,
             ..Config::default()
         };
-        let streamer = Streamer::start(Arc::clone(&field), strategy, store, config)?;
+        let streamer = Streamer::start(Arc::clone(&field), space, store, config)?;
         let mut scene = Self::fresh(setup, &field, streamer);
         scene.sim.outbox.notices = notices;
         scene.kept.stored = stored;
@@ -97,7 +110,7 @@ impl Scene {
 
     /// A world that nobody has played yet, and that is kept nowhere.
     fn fresh(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
-        let lens = Lens::new(setup.geometry, setup.radius_m);
+        let lens = Lens::new(Arc::clone(field.strategy()));
         Self {
             sim: Simulation {
                 world: World::new(setup.within_range(), field, streamer),

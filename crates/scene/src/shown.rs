@@ -11,6 +11,7 @@ use crate::frame::{Figure, ModelId};
 use crate::lamp::Lamp;
 use crate::moment::Who;
 use crate::npc::mind::Mind;
+use crate::pick::over;
 use crate::player::{Appearance, Body, Look, Position};
 use crate::projectile::Projectile;
 use crate::scene::Scene;
@@ -27,8 +28,8 @@ pub(crate) fn figures_seen_by(scene: &Scene, eye: &Eye, sees_player: bool) -> Ve
     let now = scene.now();
     let actors = now.actors;
     let head = now.head_through(&scene.picturing()).point;
-    let inside_own = eye.point.chart == actors.feet().chart
-        && eye.point.pos.distance(head.pos) < FIGURE_SEEN_FROM_M;
+    let from = over(&*now.world.strategy, head, eye.point);
+    let inside_own = from.chart == head.chart && from.pos.distance(head.pos) < FIGURE_SEEN_FROM_M;
     let mut seen = Vec::new();
     for (entity, position, look, appearance, body, bot) in &mut actors.ecs.query::<(
         Entity,

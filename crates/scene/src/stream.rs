@@ -4,7 +4,6 @@ use std::time::Duration;
 
 use std::sync::Arc;
 
-use antipode_geometry::ChunkCoord;
 use antipode_streaming::{Detail, Reach, StreamingError, Until, Update, Wish};
 use glam::DVec3;
 use thiserror::Error;
@@ -47,7 +46,7 @@ impl Scene {
     pub fn request_ground(&mut self) {
         self.renew_sight();
         let head = self.head();
-        self.sim.world.bodies_about = ChunkCoord::containing(head.point);
+        self.sim.world.move_bodies_about(head.point);
         let eye = self.shown.watched.unwrap_or(head);
         let sight = self.shown.sight.clone();
         let world = &self.sim.world;
@@ -56,7 +55,7 @@ impl Scene {
             front: eye.front(),
             view_distance: world.setup.view_distance,
             bodies: reaches(world, &self.sim.actors),
-            bodies_distance: BODIES_WITHIN_CHUNKS,
+            bodies_distance: BODIES_WITHIN_CHUNKS.into(),
             detail: sight.map(|sight| sight as Arc<dyn Detail>),
         };
         let World {
@@ -290,11 +289,19 @@ fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
     let cars = actors.car_views(world).into_iter();
     let cars = cars.map(|it| (it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
-    reaches.extend(reach::of_others(cars, OTHERS_MARGIN_M));
-    reaches.extend(reach::of_others(bullets.into_iter(), OTHERS_MARGIN_M));
+    reaches.extend(reach::of_others(&*world.strategy, cars, OTHERS_MARGIN_M));
+    reaches.extend(reach::of_others(
+        &*world.strategy,
+        bullets.into_iter(),
+        OTHERS_MARGIN_M,
+    ));
     let bots = bot::views(actors);
     let living = bots.iter().map(|view| (view.point, DVec3::ZERO));
-    reaches.extend(reach::of_others(living, crate::npc::ASKS_M));
+    reaches.extend(reach::of_others(
+        &*world.strategy,
+        living,
+        crate::npc::ASKS_M,
+    ));
     let within = |reach: &Reach| world.within_bodies(reach);
     reaches.iter().filter_map(within).collect()
 }

@@ -11,6 +11,7 @@ use antipode_terrain::Biome;
 use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
 
 use crate::bearings::{Locator, map_eye};
+use crate::pick::over;
 use crate::scene::Scene;
 
 /// Distance of columns in the chart, metres.
@@ -179,7 +180,10 @@ fn column((chart, i, j): Node) -> ChartPoint {
 }
 
 fn reach_m(strategy: &dyn Strategy) -> f64 {
-    // Twice as far lies what is on the other side of a closed world.
+    if !strategy.is_closed() {
+        return REACH_M;
+    }
+    // Twice as far lies what is on the other side of the world.
     let farthest_m = 2.0 * strategy.domain(ChartId::FIRST).half_width_m();
     REACH_M.min(farthest_m * CLOSED_SHARE)
 }
@@ -238,8 +242,9 @@ fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
 fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
     let (mut low, mut high) = scene.sim.world.ground.height_range_m();
     let feet = scene.feet();
-    let touched = column.chart == feet.chart
-        && (column.pos - feet.pos).with_y(0.0).length() < 2.0 * CHANGES_M;
+    let there = over(&**scene.strategy(), feet, column);
+    let touched =
+        there.chart == feet.chart && (there.pos - feet.pos).with_y(0.0).length() < 2.0 * CHANGES_M;
     if touched {
         low = low.min(feet.pos.y - CHANGES_M);
         high = high.max(feet.pos.y + CHANGES_M);

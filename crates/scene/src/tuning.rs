@@ -45,7 +45,7 @@ pub const FULL_HEALTH: f64 = 20.0;
 /// Default view distance in chunks, and its allowed range.
 pub const VIEW_DISTANCE_CHUNKS: (u32, u32, u32) = (1, 16, 4);
 /// Bodies in open worlds move within so many chunks of the player's: those farther off rest where they are.
-pub const BODIES_WITHIN_CHUNKS: u32 = 4;
+pub const BODIES_WITHIN_CHUNKS: u16 = 4;
 /// What changed is committed at least this often, in simulated seconds.
 pub const AUTOSAVE_S: f64 = 3.0;
 /// Metres that a cycle of the walk covers, two steps: the speed at which the clip's feet stand still, times its length.

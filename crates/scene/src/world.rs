@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
+use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
-use antipode_terrain::{Field, Samples};
+use antipode_terrain::{Field, RIM_REACH_M, Samples};
 use glam::DVec3;
 
 use crate::day;
@@ -30,23 +30,31 @@ pub(crate) struct World {
     pub physics: PhysicsWorld,
     pub ground: Ground,
     /// The chunk of the player's head when the step began: bodies move about it.
-    pub bodies_about: ChunkCoord,
+    bodies_about: ChunkCoord,
+    /// The chunks about it, in an open world those that bodies move in.
+    bodies_within: ChunkCube,
     pub time_of_day_s: f64,
     pub simulated_s: f64,
+}
+
+fn cube_of_bodies(strategy: &dyn Strategy, about: ChunkCoord) -> ChunkCube {
+    ChunkCube::about(strategy, about, BODIES_WITHIN_CHUNKS, RIM_REACH_M)
 }
 
 impl World {
     /// A world that has just begun, with no land in it yet.
     pub fn new(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
         let strategy = Arc::clone(field.strategy());
+        let bodies_about = ChunkCoord::containing(ChartPoint::a(DVec3::ZERO));
         Self {
             setup,
+            bodies_about,
+            bodies_within: cube_of_bodies(&*strategy, bodies_about),
             ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
             strategy,
             streamer,
             holds_land: false,
             physics: PhysicsWorld::new(),
-            bodies_about: ChunkCoord::containing(ChartPoint::a(DVec3::ZERO)),
             time_of_day_s: DAY_START_S,
             simulated_s: 0.0,
         }
@@ -54,8 +62,17 @@ impl World {
 
     /// Has bodies move about the player's head, and be exact about the feet.
     pub fn centre_on(&mut self, head: ChartPoint, feet: ChartPoint) {
-        self.bodies_about = ChunkCoord::containing(head);
+        self.move_bodies_about(head);
         self.centre_on_body(feet);
+    }
+
+    /// Has bodies move about the player's head.
+    pub fn move_bodies_about(&mut self, head: ChartPoint) {
+        let about = ChunkCoord::containing(head);
+        if about != self.bodies_about {
+            self.bodies_about = about;
+            self.bodies_within = cube_of_bodies(&*self.strategy, about);
+        }
     }
 
     /// Has bodies be exact about a place.
@@ -73,11 +90,7 @@ impl World {
     /// Whether bodies move in a chunk: in an open world within a distance of the player that is always the same, however
     /// far the view is; in a closed one everywhere.
     pub fn lets_move(&self, coord: ChunkCoord) -> bool {
-        let about = self.bodies_about;
-        let apart = coord.index.as_i64vec3() - about.index.as_i64vec3();
-        self.strategy.is_closed()
-            || coord.chart == about.chart
-                && apart.abs().max_element() <= i64::from(BODIES_WITHIN_CHUNKS)
+        self.strategy.is_closed() || self.bodies_within.has(coord, BODIES_WITHIN_CHUNKS)
     }
 
     /// Whether a body may move in a chunk now: it is near enough, and all that it has of ground is there.
@@ -96,13 +109,13 @@ impl World {
         if self.strategy.is_closed() {
             return Some(*reach);
         }
-        let (cell, within) = (f64::from(CHUNK_CELLS), f64::from(BODIES_WITHIN_CHUNKS));
-        let low = self.bodies_about.origin() - cell * within;
+        let span = self.bodies_within.span(reach.chart, BODIES_WITHIN_CHUNKS)?;
+        let [low, high] = span.map(|index| index.as_dvec3() * f64::from(CHUNK_CELLS));
         // The least of a reach is its own chunk's, so it has to end short of the next.
-        let high = self.bodies_about.origin() + cell * (within + 1.0) - SHORT_OF_NEXT_M;
+        let high = high + f64::from(CHUNK_CELLS) - SHORT_OF_NEXT_M;
         let (min, max) = (reach.min.max(low), reach.max.min(high));
-        let there = reach.chart == self.bodies_about.chart && min.cmple(max).all();
-        there.then_some(Reach { min, max, ..*reach })
+        let is_there = min.cmple(max).all();
+        is_there.then_some(Reach { min, max, ..*reach })
     }
 
     /// The time of day at a place, in seconds, 0 to 600; none at the poles of the sun's way.

@@ -88,7 +88,7 @@ pub(crate) fn sealed_record(
 
 /// Seals the packed edits of a chunk.
 pub(crate) fn sealed_chunk(key: ChunkKey, sequence: u64, body: &[u8]) -> Put {
-    let key = key.to_bytes().to_vec();
+    let key = key.to_bytes();
     let bytes = codec::seal(SCHEMA_VERSION, Kind::Chunk, &key, sequence, body);
     Put {
         kind: Kind::Chunk,

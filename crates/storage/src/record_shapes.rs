@@ -9,9 +9,9 @@ use crate::schema::chart;
 /// The player's body.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlayerRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Feet, chart metres.
     pub pos: [f64; 3],
     /// Velocity, metres per second.
@@ -44,9 +44,9 @@ pub struct SlotRecord {
 /// A lamp that was put down.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct LampRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Its foot, chart metres.
     pub pos: [f64; 3],
 }
@@ -54,9 +54,9 @@ pub struct LampRecord {
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Its middle, chart metres.
     pub pos: [f64; 3],
     /// The item's identifier.
@@ -68,9 +68,9 @@ pub struct DropRecord {
 /// A figure that nobody plays.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BotRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Feet, chart metres.
     pub pos: [f64; 3],
     /// Heading, radians.
@@ -88,9 +88,9 @@ pub struct BotRecord {
 /// A car.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CarRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// The ground below its middle when it stands on level ground, chart metres.
     pub pos: [f64; 3],
     /// How it is turned from facing along +x, a unit quaternion x, y, z, w of the chart.
@@ -112,9 +112,9 @@ pub struct CarRecord {
 /// A place.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaceRecord {
-    /// Chart: 0 for A, 1 for B.
-    #[serde(deserialize_with = "chart")]
-    pub chart: u8,
+    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Chart metres.
     pub pos: [f64; 3],
 }

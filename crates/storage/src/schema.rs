@@ -8,8 +8,8 @@
 //!
 //! Records of things have versions of their own, each kind for itself: see `record.rs`.
 
-use serde::de::{DeserializeOwned, Error};
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
 
 use crate::codec::{self, Fault, Kind, Record};
 use crate::schema_history::{v1, v2, v3, v4, v5};
@@ -48,13 +48,14 @@ pub struct WorldMeta {
     pub cheated: bool,
 }
 
-/// Which chunk: its hemisphere (0 for A, 1 for B) and its index in chunks.
+/// Which chunk: its chart, and its index in chunks.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
 )]
 pub struct ChunkKey {
-    /// Chart: 0 for A, 1 for B.
-    pub chart: u8,
+    /// The number of the chart: 0 and 1 for hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
     /// Index along x.
     pub x: i32,
     /// Index along y (up).
@@ -64,64 +65,129 @@ pub struct ChunkKey {
 }
 
 impl ChunkKey {
-    /// Length of [`Self::to_bytes`].
+    /// Length of [`Self::to_bytes`] for the charts that are a byte.
     pub(crate) const BYTES: usize = 1 + Self::INDEX_BYTES;
     /// Bytes of the three indices.
     const INDEX_BYTES: usize = 12;
 
-    /// A key whose order as bytes is the order of `ChunkKey`: big-endian with the
-    /// sign flipped, so that neighbours along z lie side by side in the store.
-    pub(crate) fn to_bytes(self) -> [u8; Self::BYTES] {
-        let mut bytes = [0; Self::BYTES];
-        bytes[0] = self.chart;
-        for (slot, index) in bytes[1..].chunks_exact_mut(4).zip([self.x, self.y, self.z]) {
-            slot.copy_from_slice(&((index as u32) ^ 0x8000_0000).to_be_bytes());
+    /// A key whose order as bytes is the order of `ChunkKey`: the chart as in [`chart`], then the indices big-endian with
+    /// the sign flipped, so that neighbours along z lie side by side in the store.
+    pub(crate) fn to_bytes(self) -> Vec<u8> {
+        let mut bytes = chart::to_bytes(self.chart);
+        for index in [self.x, self.y, self.z] {
+            bytes.extend(((index as u32) ^ 0x8000_0000).to_be_bytes());
         }
         bytes
     }
 
-    /// The inverse of [`Self::to_bytes`]; `None` for any other length.
+    /// The inverse of [`Self::to_bytes`]; `None` for what is none.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<Self> {
-        let (&chart, rest) = bytes.split_first()?;
+        let (chart, rest) = bytes.split_at_checked(bytes.len().checked_sub(Self::INDEX_BYTES)?)?;
         let (words, []) = rest.as_chunks::<4>() else {
             return None;
         };
         let &[x, y, z] = words else { return None };
         let index = |word| (u32::from_be_bytes(word) ^ 0x8000_0000) as i32;
         Some(Self {
-            chart,
+            chart: chart::from_bytes(chart)?,
             x: index(x),
             y: index(y),
             z: index(z),
         })
     }
 
-    /// Whether bytes are the key of a chunk of a chart with a name, which only a later game knows: the chart as in
-    /// [`chart`], then the indices. It is longer than any key of the two hemispheres.
+    /// Whether bytes are the key of a chunk of a chart with a name, which may be one that only a later game knows: the
+    /// chart as in [`chart`], then the indices. It is longer than any key of the two hemispheres.
     pub(crate) fn is_of_named_chart(bytes: &[u8]) -> bool {
         bytes.split_first().is_some_and(|(&length, rest)| {
             let length = usize::from(length);
-            (2..=MAX_CHART_BYTES).contains(&length) && rest.len() == length + Self::INDEX_BYTES
+            (2..=chart::MAX_NAME_BYTES).contains(&length)
+                && rest.len() == length + Self::INDEX_BYTES
         })
     }
 }
 
-/// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
-const MAX_CHART_BYTES: usize = 144;
+/// A chart as it is stored: the byte 0 or 1 for hemisphere A or B. A larger one is the length of a name, which follows.
+/// The names that this version knows are numbers of charts: 16 bytes, big-endian.
+pub(crate) mod chart {
+    use serde::de::Error;
+    use serde::{Deserializer, Serialize, Serializer};
 
-/// Reads a chart as it is stored: the byte 0 or 1 for hemisphere A or B. A larger one is the length of a name, which
-/// follows; fails for such, since this version knows no such chart.
-pub(crate) fn chart<'a, D: Deserializer<'a>>(from: D) -> Result<u8, D::Error> {
-    match u8::deserialize(from)? {
-        chart @ (0 | 1) => Ok(chart),
-        _ => Err(D::Error::custom("a chart that this version does not know")),
+    /// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
+    pub(crate) const MAX_NAME_BYTES: usize = 144;
+    /// Charts below this have no name.
+    const NAMED: u128 = 2;
+    /// Length of the name that is a number.
+    const NAME_BYTES: u8 = 16;
+
+    /// The bytes of a chart.
+    pub(crate) fn to_bytes(chart: u128) -> Vec<u8> {
+        let mut bytes = vec![NAME_BYTES];
+        bytes.extend(chart.to_be_bytes());
+        if chart < NAMED {
+            bytes = vec![chart as u8];
+        }
+        bytes
+    }
+
+    /// The chart of all these bytes; `None` for one that this version does not know.
+    pub(crate) fn from_bytes(bytes: &[u8]) -> Option<u128> {
+        match bytes {
+            &[chart] => Some(u128::from(chart)).filter(|chart| *chart < NAMED),
+            &[NAME_BYTES, ref name @ ..] => named(name.try_into().ok()?),
+            _ => None,
+        }
+    }
+
+    fn named(name: [u8; NAME_BYTES as usize]) -> Option<u128> {
+        Some(u128::from_be_bytes(name)).filter(|chart| *chart >= NAMED)
+    }
+
+    pub(crate) fn serialize<S: Serializer>(chart: &u128, to: S) -> Result<S::Ok, S::Error> {
+        if *chart < NAMED {
+            to.serialize_u8(*chart as u8)
+        } else {
+            (NAME_BYTES, chart.to_be_bytes()).serialize(to)
+        }
+    }
+
+    /// Fails for a chart that this version does not know.
+    pub(crate) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<u128, D::Error> {
+        from.deserialize_tuple(2, Parts)
+    }
+
+    /// The byte, and the name if there is one.
+    struct Parts;
+
+    impl<'a> serde::de::Visitor<'a> for Parts {
+        type Value = u128;
+
+        fn expecting(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+            to.write_str("a chart")
+        }
+
+        fn visit_seq<A: serde::de::SeqAccess<'a>>(self, mut from: A) -> Result<u128, A::Error> {
+            let unknown = || A::Error::custom("a chart that this version does not know");
+            match from.next_element::<u8>()?.ok_or_else(unknown)? {
+                chart if u128::from(chart) < NAMED => Ok(u128::from(chart)),
+                NAME_BYTES => {
+                    let name = from.next_element()?.ok_or_else(unknown)?;
+                    named(name).ok_or_else(unknown)
+                }
+                _ => Err(unknown()),
+            }
+        }
     }
 }
 
 impl std::fmt::Display for ChunkKey {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let chart = if self.chart == 0 { 'A' } else { 'B' };
-        write!(f, "chunk {chart} ({}, {}, {})", self.x, self.y, self.z)
+        match self.chart {
+            0 => f.write_str("chunk A")?,
+            1 => f.write_str("chunk B")?,
+            chart => write!(f, "chunk {chart:#x}")?,
+        }
+        write!(f, " ({}, {}, {})", self.x, self.y, self.z)
     }
 }
 

@@ -208,7 +208,7 @@ pub(crate) mod v4 {
     impl From<BotRecord> for schema::BotRecord {
         fn from(old: BotRecord) -> Self {
             Self {
-                chart: old.chart,
+                chart: old.chart.into(),
                 pos: old.pos,
                 yaw: old.yaw,
                 health: old.health,

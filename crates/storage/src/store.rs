@@ -187,17 +187,14 @@ impl Store {
     }
 
     /// The sealed bytes of one chunk.
-    pub(crate) fn chunk(
-        &self,
-        key: &[u8; ChunkKey::BYTES],
-    ) -> Result<Option<Vec<u8>>, StorageError> {
+    pub(crate) fn chunk(&self, key: &[u8]) -> Result<Option<Vec<u8>>, StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            let Some(table) = absent(read.open_table(CHUNKS)).map_err(|e| self.error(e))? else {
-                return Ok(None);
+            let value = match key.try_into() {
+                Ok(key) => value_of(&read, CHUNKS, key),
+                Err(_) => value_of(&read, NAMED, key),
             };
-            let value = table.get(key).map_err(|e| self.error(e))?;
-            Ok(value.map(|value| value.value().to_vec()))
+            value.map_err(|e| self.error(e))
         })
     }
 
@@ -205,7 +202,7 @@ impl Store {
     pub(crate) fn value(&self, key: &str) -> Result<Option<Vec<u8>>, StorageError> {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
-            value_in(&read, key).map_err(|e| self.error(e))
+            value_of(&read, VALUES, key).map_err(|e| self.error(e))
         })
     }
 
@@ -216,7 +213,7 @@ impl Store {
         guard(&self.path, || {
             let read = self.db()?.begin_read().map_err(|e| self.error(e))?;
             for (kind, key) in [(Kind::Meta, META_KEY), (Kind::State, STATE_KEY)] {
-                if let Some(bytes) = value_in(&read, key).map_err(|e| self.error(e))? {
+                if let Some(bytes) = value_of(&read, VALUES, key).map_err(|e| self.error(e))? {
                     each(Raw {
                         kind,
                         key: key.as_bytes().to_vec(),
@@ -348,8 +345,12 @@ pub(crate) fn peek_chunk_count(path: &Path, world: &str) -> Result<Option<usize>
     Ok(look.map(|look| usize::try_from(look.chunks).unwrap_or(usize::MAX)))
 }
 
-fn value_in(read: &ReadTransaction, key: &str) -> Result<Option<Vec<u8>>, redb::Error> {
-    let Some(table) = absent(read.open_table(VALUES))? else {
+fn value_of<K: redb::Key + 'static>(
+    read: &ReadTransaction,
+    table: TableDefinition<'static, K, &'static [u8]>,
+    key: K::SelfType<'_>,
+) -> Result<Option<Vec<u8>>, redb::Error> {
+    let Some(table) = absent(read.open_table(table))? else {
         return Ok(None);
     };
     Ok(table.get(key)?.map(|value| value.value().to_vec()))

@@ -334,7 +334,7 @@ mod tests {
         let bytes = store.chunk(&ChunkKey::default().to_bytes()).unwrap();
         let put = Put {
             kind: Kind::Chunk,
-            key: elsewhere.to_bytes().to_vec(),
+            key: elsewhere.to_bytes(),
             bytes,
         };
         store.write(&[put]).unwrap();

@@ -134,10 +134,8 @@ impl Request {
 
     /// Squared distance from the middle of the range in chunks; 0 in a closed world, which has none.
     fn apart2(&self, coord: ChunkCoord) -> i64 {
-        let Range::Around { centre, .. } = &self.range else {
-            return 0;
-        };
-        (coord.index.as_i64vec3() - centre.index.as_i64vec3()).length_squared()
+        let apart = self.range.apart(coord);
+        apart.map_or(0, |it| it.length_squared())
     }
 
     /// Every chunk with a surface that is large enough to be there, and those near bodies that
@@ -209,11 +207,8 @@ impl Request {
 
     /// Whether the chunk is so near that nothing but the quality tells its level.
     fn is_near(&self, coord: ChunkCoord) -> bool {
-        let Range::Around { centre, .. } = &self.range else {
-            return false;
-        };
-        let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
-        apart.abs().max_element() <= NEAR_CHUNKS
+        let apart = self.range.apart(coord);
+        apart.is_some_and(|it| it.abs().max_element() <= NEAR_CHUNKS)
     }
 
     fn levels(&self, looks: &ChunkMap<Look>, leniency: f64) -> ChunkMap<Level> {

@@ -1,14 +1,16 @@
-//! Which chunks are wanted: a cube around the player, or the whole of a closed world.
+//! Which chunks are wanted: a cube around the player, in every chart that comes into it, or the whole of a closed world.
 
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, Strategy};
+use antipode_geometry::{
+    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, ChunkCube, Domain, Strategy,
+};
 use antipode_terrain::RIM_REACH_M;
-use glam::{IVec3, Vec3Swizzles};
+use glam::{I64Vec3, IVec3};
 
 /// Chunks beyond the wished distance that are kept, so that walking to and fro over a border does
 /// not load and unload.
-const KEPT_BEYOND: i32 = 1;
+const KEPT_BEYOND: u16 = 1;
 
 /// The largest distance in chunks that a wish can ask for.
 const LARGEST_DISTANCE: u32 = 64;
@@ -18,11 +20,11 @@ const LARGEST_DISTANCE: u32 = 64;
 pub(crate) enum Range {
     /// Nothing has been wished yet.
     Nothing,
-    /// All chunks within a Chebyshev distance, in chunks; those beyond `view`, another such distance, only for bodies.
+    /// What lies around a chunk in a world without end, up to so many chunks; beyond `view` chunks only for bodies.
     Around {
-        centre: ChunkCoord,
-        distance: i32,
-        view: i32,
+        cube: ChunkCube,
+        distance: u16,
+        view: u16,
     },
     /// The whole of a closed world.
     Whole(Closed),
@@ -53,19 +55,23 @@ impl Closed {
     }
 
     fn has(&self, coord: ChunkCoord) -> bool {
-        let (low, high) = (coord.min().xz(), coord.max().xz());
         let mut charts = self.charts.iter();
         self.layers.contains(&coord.index.y)
-            && charts.any(|(chart, domain)| {
-                *chart == coord.chart && domain.least_outside_m(low, high) <= RIM_REACH_M
-            })
+            && charts
+                .any(|(chart, domain)| *chart == coord.chart && domain.reaches(coord, RIM_REACH_M))
     }
 }
 
-/// Does the world have this chunk? An open one has all; a closed one those between bedrock and
-/// ceiling that reach into the domain of their chart or the margin around it.
+/// Does the world have this chunk? It has those that reach into the domain of their chart or the margin around it; a
+/// closed one those among them that lie between bedrock and ceiling.
 pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
-    Closed::of(strategy).is_none_or(|closed| closed.has(coord))
+    match Closed::of(strategy) {
+        Some(closed) => closed.has(coord),
+        None => {
+            let domain = strategy.domain(coord.chart);
+            strategy.has_chart(coord.chart) && domain.reaches(coord, RIM_REACH_M)
+        }
+    }
 }
 
 impl Range {
@@ -79,11 +85,22 @@ impl Range {
         if let Some(closed) = Closed::of(strategy) {
             return Self::Whole(closed);
         }
-        let view = view.clamp(1, LARGEST_DISTANCE) as i32;
+        let within = |chunks: u32| chunks.min(LARGEST_DISTANCE) as u16;
+        let view = within(view).max(1);
+        let distance = view.max(within(bodies));
+        let centre = ChunkCoord::containing(centre);
         Self::Around {
-            centre: ChunkCoord::containing(centre),
-            distance: view.max(bodies.min(LARGEST_DISTANCE) as i32),
+            cube: ChunkCube::about(strategy, centre, distance + KEPT_BEYOND, RIM_REACH_M),
+            distance,
             view,
+        }
+    }
+
+    /// How far a chunk is from the middle, in chunks along the axes of its chart; none where there is no middle.
+    pub(crate) fn apart(&self, coord: ChunkCoord) -> Option<I64Vec3> {
+        match self {
+            Self::Around { cube, .. } => cube.apart(coord),
+            Self::Nothing | Self::Whole(_) => None,
         }
     }
 
@@ -97,9 +114,9 @@ impl Range {
         self.viewed(coord, KEPT_BEYOND)
     }
 
-    fn viewed(&self, coord: ChunkCoord, beyond: i32) -> bool {
+    fn viewed(&self, coord: ChunkCoord, beyond: u16) -> bool {
         match self {
-            Self::Around { centre, view, .. } => is_around(*centre, coord, view + beyond),
+            Self::Around { cube, view, .. } => cube.has(coord, view + beyond),
             Self::Nothing | Self::Whole(_) => self.contains(coord),
         }
     }
@@ -114,12 +131,10 @@ impl Range {
         self.within(coord, KEPT_BEYOND)
     }
 
-    fn within(&self, coord: ChunkCoord, beyond: i32) -> bool {
+    fn within(&self, coord: ChunkCoord, beyond: u16) -> bool {
         match self {
             Self::Nothing => false,
-            Self::Around {
-                centre, distance, ..
-            } => is_around(*centre, coord, distance + beyond),
+            Self::Around { cube, distance, .. } => cube.has(coord, distance + beyond),
             Self::Whole(closed) => closed.has(coord),
         }
     }
@@ -135,18 +150,15 @@ impl Range {
         self.list(KEPT_BEYOND)
     }
 
-    fn list(&self, beyond: i32) -> Vec<ChunkCoord> {
+    fn list(&self, beyond: u16) -> Vec<ChunkCoord> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Around {
-                centre, distance, ..
-            } => around(*centre, -distance - beyond, distance + beyond).collect(),
+            Self::Around { cube, distance, .. } => cube.chunks(distance + beyond),
             Self::Whole(Closed { charts, layers }) => {
                 let all = charts.iter().flat_map(|(chart, domain)| {
-                    let reach_m = domain.half_width_m() + RIM_REACH_M;
-                    let side = (reach_m / f64::from(CHUNK_CELLS)).ceil() as i32;
+                    let side = domain.side_chunks(RIM_REACH_M);
                     let low = IVec3::new(-side, *layers.start(), -side);
-                    boxed(*chart, low, IVec3::new(side, *layers.end(), side))
+                    ChunkCoord::boxed(*chart, low, IVec3::new(side, *layers.end(), side))
                 });
                 all.filter(|&coord| self.contains(coord)).collect()
             }
@@ -154,30 +166,11 @@ impl Range {
     }
 }
 
-fn is_around(centre: ChunkCoord, coord: ChunkCoord, distance: i32) -> bool {
-    let apart = coord.index.as_i64vec3() - centre.index.as_i64vec3();
-    coord.chart == centre.chart && apart.abs().max_element() <= i64::from(distance)
-}
-
-fn boxed(chart: ChartId, low: IVec3, high: IVec3) -> impl Iterator<Item = ChunkCoord> {
-    (low.x..=high.x).flat_map(move |x| {
-        (low.y..=high.y).flat_map(move |y| {
-            (low.z..=high.z).map(move |z| ChunkCoord {
-                chart,
-                index: IVec3::new(x, y, z),
-            })
-        })
-    })
-}
-
 /// The chunks of the cube from `low` to `high` steps around a chunk, of its own chart; at the end
 /// of the range of indices there are fewer.
 pub(crate) fn around(coord: ChunkCoord, low: i32, high: i32) -> impl Iterator<Item = ChunkCoord> {
-    boxed(
-        coord.chart,
-        coord.index.saturating_add(IVec3::splat(low)),
-        coord.index.saturating_add(IVec3::splat(high)),
-    )
+    let index = |steps| coord.index.saturating_add(IVec3::splat(steps));
+    ChunkCoord::boxed(coord.chart, index(low), index(high))
 }
 
 #[cfg(test)]

@@ -99,7 +99,10 @@ impl Streamer {
             .as_ref()
             .map_or(Ok(Vec::new()), |vault| vault.edited())
             .map_err(StreamingError::Store)?;
-        let edited: HashSet<_> = keys.iter().filter_map(coord_of).collect();
+        let coords = keys.iter().map(coord_of);
+        let edited: HashSet<_> = coords
+            .filter(|coord| strategy.has_chart(coord.chart))
+            .collect();
         let mut ready = VecDeque::new();
         if edited.len() < keys.len() {
             let strange = keys.len() - edited.len();

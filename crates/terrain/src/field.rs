@@ -189,6 +189,14 @@ impl Field {
         }
     }
 
+    /// By how many quarter turns a chart is turned against the space.
+    pub(crate) fn quarter_turns(&self, chart: ChartId) -> usize {
+        match self.strategy.noise_frame(chart) {
+            NoiseFrame::Square(frame) => usize::from(frame.quarter_turns % 4),
+            NoiseFrame::Radial => 0,
+        }
+    }
+
     /// Height of the topmost surface of untouched ground over `(x, z)`, metres.
     pub fn surface_height(&self, chart: ChartId, x: f64, z: f64) -> f64 {
         const STEP_M: f64 = 0.5;

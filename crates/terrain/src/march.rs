@@ -13,7 +13,7 @@ use crate::maker::Maker;
 use crate::mesh::{ChunkMesh, Vertex};
 use crate::samples::Samples;
 use crate::seam::Tailor;
-use crate::tables::{EDGES, TRIANGLES};
+use crate::tables::{TRIANGLES, TURNS, Turn};
 
 /// Columns of cells side by side in a strip: as many as leave two rows of their vertices in the
 /// cache of a GPU.
@@ -44,7 +44,8 @@ impl Mesher {
         let reach = Reach::new(field, coord, level);
         let maker = Maker::new(samples, field, coord);
         self.signs.read(samples);
-        self.make_surface(&maker, &reach, level.cells());
+        let turn = &TURNS[field.quarter_turns(coord.chart)];
+        self.make_surface(&maker, &reach, turn, level.cells());
         let seams = self
             .tailor
             .sew(&maker, &reach, &mut self.vertices, &mut self.indices);
@@ -58,30 +59,30 @@ impl Mesher {
     }
 
     /// Compiled for newer processors too: they count bits and round in one instruction each.
-    fn make_surface(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
+    fn make_surface(&mut self, maker: &Maker<'_>, reach: &Reach, turn: &Turn, cells: usize) {
         #[cfg(target_arch = "x86_64")]
         if crate::wide::has_newer() {
             #[expect(unsafe_code, reason = "a function that not every processor can run")]
             // SAFETY: the processor has just been asked for what the function is compiled for.
-            return unsafe { self.make_surface_newer(maker, reach, cells) };
+            return unsafe { self.make_surface_newer(maker, reach, turn, cells) };
         }
-        self.make_surface_plain(maker, reach, cells);
+        self.make_surface_plain(maker, reach, turn, cells);
     }
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,bmi1,bmi2,lzcnt,popcnt")]
-    fn make_surface_newer(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
-        self.make_surface_plain(maker, reach, cells);
+    fn make_surface_newer(&mut self, maker: &Maker<'_>, reach: &Reach, turn: &Turn, cells: usize) {
+        self.make_surface_plain(maker, reach, turn, cells);
     }
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn make_surface_plain(&mut self, maker: &Maker<'_>, reach: &Reach, cells: usize) {
+    fn make_surface_plain(&mut self, maker: &Maker<'_>, reach: &Reach, turn: &Turn, cells: usize) {
         self.vertices.clear();
         self.indices.clear();
         self.make_vertices(maker, reach, cells + 1);
         if !self.vertices.is_empty() {
-            self.make_triangles(reach, cells);
+            self.make_triangles(reach, turn, cells);
         }
     }
 
@@ -115,7 +116,7 @@ impl Mesher {
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn make_triangles(&mut self, reach: &Reach, cells: usize) {
+    fn make_triangles(&mut self, reach: &Reach, turn: &Turn, cells: usize) {
         for strip in (0..cells).step_by(STRIP) {
             for i in 0..cells {
                 for k in strip..strip + STRIP {
@@ -124,11 +125,12 @@ impl Mesher {
                     if crossed == 0 || !reach.has_cell(i, k) {
                         continue;
                     }
-                    let around = self.lines_around(i, k, cells + 1);
+                    let around = self.lines_around(turn, i, k, cells + 1);
                     while crossed != 0 {
                         let j = crossed.trailing_zeros() as usize;
                         crossed &= crossed - 1;
-                        for edges in TRIANGLES[case(columns, j)].as_chunks::<3>().0 {
+                        let row = TRIANGLES[usize::from(turn.cases[case(columns, j)])];
+                        for edges in row.as_chunks::<3>().0 {
                             self.indices
                                 .extend_from_slice(&edges.map(|edge| around.vertex(edge, j)));
                         }
@@ -140,11 +142,11 @@ impl Mesher {
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn lines_around(&self, i: usize, k: usize, corners: usize) -> Around {
+    fn lines_around(&self, turn: &Turn, i: usize, k: usize, corners: usize) -> Around {
         let at = i * corners + k;
         let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| &self.lines[n]);
         let mut around = Around([(0, 0); 16]);
-        for (to, edge) in around.0.iter_mut().zip(EDGES) {
+        for (to, edge) in around.0.iter_mut().zip(turn.edges) {
             let column = edge.corner & 1 | edge.corner >> 1 & 2;
             let upper = edge.corner >> 1 & 1;
             let Lines { masks, first } = *columns[column];
@@ -159,12 +161,12 @@ impl Mesher {
     }
 }
 
-/// Of each of [`EDGES`] over a column of cells, the corners that have a vertex, as bits by the
+/// Of each of a [`Turn`]'s edges over a column of cells, the corners that have a vertex, as bits by the
 /// number of their cell, and the vertex of the lowest. Sixteen, so that no edge is out of bounds.
 struct Around([(u32, u32); 16]);
 
 impl Around {
-    /// The vertex on one of [`EDGES`] of cell `j`.
+    /// The vertex on one of the edges of cell `j`.
     #[inline]
     fn vertex(&self, edge: u8, j: usize) -> u32 {
         let (mask, first) = self.0[usize::from(edge & 15)];
@@ -191,7 +193,7 @@ mod tests {
                 plain.signs.read(&samples);
                 let maker = Maker::new(&samples, &field, coord);
                 let reach = Reach::new(&field, coord, samples.level());
-                plain.make_surface_plain(&maker, &reach, samples.level().cells());
+                plain.make_surface_plain(&maker, &reach, &TURNS[0], samples.level().cells());
                 assert!(!found.is_empty() && found.vertices == plain.vertices);
                 assert_eq!(found.indices, plain.indices);
             }

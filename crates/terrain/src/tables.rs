@@ -298,9 +298,77 @@ pub(crate) static TRIANGLES: [&[u8]; 256] = [
     &[],
 ];
 
+/// How the triangles of cells that are turned about the vertical are found in [`TRIANGLES`]. A loop can be cut in several
+/// ways, so a row and the turned row of the turned case are not the same triangles: a chart that is turned against the
+/// space would have other ground, by millimetres, than one that is not, where both have the same place.
+#[derive(Debug)]
+pub(crate) struct Turn {
+    /// The case of a cell once it is turned into the space, by its case in the chart.
+    pub cases: [u8; 256],
+    /// What the edges that the rows name are in the chart.
+    pub edges: [Edge; 12],
+}
+
+/// By quarter turns of the chart, as [`antipode_geometry::SquareFrame`] counts them.
+pub(crate) static TURNS: [Turn; 4] = [turn(0), turn(1), turn(2), turn(3)];
+
+/// The corner of the space that a chart's corner is: one quarter turn takes (x, z) to (z, 1 - x) within the cell.
+const fn turned(corner: usize, quarter_turns: usize) -> usize {
+    let (mut x, mut z) = (corner & 1, corner >> 2);
+    let mut turns = 0;
+    while turns < quarter_turns {
+        (x, z) = (z, 1 - x);
+        turns += 1;
+    }
+    x | corner & 2 | z << 2
+}
+
+const fn turn(quarter_turns: usize) -> Turn {
+    let mut cases = [0; 256];
+    let mut case = 0;
+    while case < 256 {
+        let mut corner = 0;
+        while corner < 8 {
+            cases[case] |= ((case >> corner & 1) as u8) << turned(corner, quarter_turns);
+            corner += 1;
+        }
+        case += 1;
+    }
+    let mut edges = EDGES;
+    let mut n = 0;
+    while n < 12 {
+        let Edge { corner, axis } = EDGES[n];
+        let back = 4 - quarter_turns;
+        let (a, b) = (turned(corner, back), turned(corner | 1 << axis, back));
+        edges[n] = edge(a & b, (a ^ b).trailing_zeros() as usize);
+        n += 1;
+    }
+    Turn { cases, edges }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Every case has the triangles of the case that it is turned into, in their order, and other edges in none.
+    #[test]
+    fn turned_cells_have_the_triangles_of_the_space() {
+        for (quarter_turns, turn) in TURNS.iter().enumerate() {
+            for case in 0..256 {
+                let row = TRIANGLES[usize::from(turn.cases[case])];
+                for &named in row {
+                    let Edge { corner, axis } = turn.edges[usize::from(named)];
+                    let both = [corner, corner | 1 << axis];
+                    assert_ne!(case >> both[0] & 1, case >> both[1] & 1, "{case} {named}");
+                    let (a, b) = ends(named);
+                    let mut there = both.map(|end| turned(end, quarter_turns));
+                    there.sort_unstable();
+                    assert_eq!(there, [a, b], "{case} {named}");
+                }
+            }
+        }
+        assert!((0..256).all(|case| usize::from(TURNS[0].cases[case]) == case));
+    }
 
     /// Corners at both ends of an edge.
     fn ends(edge: u8) -> (usize, usize) {

@@ -452,11 +452,14 @@ fn teleport(at: [&str; 3], side: &[&str]) -> Result<Order, String> {
     Ok(Order::Teleport(at, chart))
 }
 
+/// What the player is told who names a chart that cannot be.
+const NO_CHART: &str = "a hemisphere is A or B";
+
 fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
     let chart = match side {
-        [] | ["A"] => ChartId::FIRST,
-        ["B"] => ChartId::SECOND,
-        _ => return Err("a hemisphere is A or B".to_owned()),
+        [] => ChartId::FIRST,
+        [name] => name.parse().map_err(|_| NO_CHART.to_owned())?,
+        _ => return Err(NO_CHART.to_owned()),
     };
     let [x, y, z] = at.map(|text| number(text, -FARTHEST_M, FARTHEST_M));
     Ok(([x?, y?, z?], chart))

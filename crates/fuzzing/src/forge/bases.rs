@@ -61,7 +61,7 @@ pub fn state(commit: i32) -> WorldState {
 /// The key of one of the chunks, half of them in each hemisphere.
 pub fn key(chunk: i32) -> ChunkKey {
     ChunkKey {
-        chart: (chunk % 2) as u8,
+        chart: (chunk % 2) as u128,
         x: chunk - 8,
         y: -1,
         z: 3,

@@ -20,7 +20,6 @@ use crate::actors::{ActorId, Actors};
 use crate::body;
 use crate::camera::CameraMode;
 use crate::ground_changed::OnGround;
-use crate::persist::chart_record;
 use crate::restore::{self, FASTEST_RESTORED_M_S};
 use crate::spawn::FIRST_YAW_RAD;
 use crate::world::World;
@@ -138,7 +137,7 @@ impl Car {
     pub fn record(&self, world: &World) -> CarRecord {
         let (vehicle, motion) = (&self.vehicle, self.vehicle.motion());
         CarRecord {
-            chart: chart_record(self.chart),
+            chart: self.chart.number(),
             pos: self.point(world).pos.to_array(),
             turn: motion.turn.to_array(),
             vel: motion.velocity.to_array(),

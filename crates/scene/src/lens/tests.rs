@@ -1,7 +1,7 @@
 //! The dial glides, and one map gives way to the other where both are flat.
 
 use HyperbolicMap::{Horizon as Level, Raised as High};
-use antipode_geometry::{ChartPoint, Eye};
+use antipode_geometry::{ChartPoint, Eye, strategy};
 use glam::DVec3;
 
 use super::*;
@@ -14,11 +14,11 @@ fn most(value: f64, goal: f64) -> f64 {
 }
 
 fn hyperbolic() -> Lens {
-    Lens::new(Geometry::Hyperbolic, 20.0)
+    Lens::new(strategy(Geometry::Hyperbolic, 20.0))
 }
 
 fn flat() -> Lens {
-    Lens::new(Geometry::Euclidean, f64::INFINITY)
+    Lens::new(strategy(Geometry::Euclidean, f64::INFINITY))
 }
 
 /// Glides to rest and returns every value on the way with whether the picture was the level one there.
@@ -164,7 +164,7 @@ fn a_flat_world_bends_and_unbends_without_a_step() {
 
 #[test]
 fn a_space_without_another_picture_ignores_it_all() {
-    let mut lens = Lens::new(Geometry::Spherical, 32.0);
+    let mut lens = Lens::new(strategy(Geometry::Spherical, 32.0));
     lens.turn(3.0);
     assert!(!lens.turn_map() && !lens.set_map(Level) && !lens.set_bend(1.0));
     assert!(!lens.set_curvature(1.0) && !flat().set_curvature(1.0) && !flat().set_map(High));

@@ -3,7 +3,9 @@
 //! They are measured along the level that the ground lies about, y = 0 of the charts, where a geodesic that begins
 //! level stays level in every space; at the dial 0 the port of a hyperbolic chart is that of its own centre.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use std::f64::consts::FRAC_PI_2;
+
+use antipode_geometry::{ChartId, ChartPoint, Eye, NoiseFrame, Strategy};
 use glam::DVec3;
 
 /// From one place to another.
@@ -64,6 +66,16 @@ pub(crate) fn apart_m(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint)
 /// The level unit vector of a heading in radians.
 pub(crate) fn toward(yaw_rad: f64) -> DVec3 {
     DVec3::new(yaw_rad.cos(), 0.0, yaw_rad.sin())
+}
+
+/// A heading in a chart, in radians, that comes from no place, such as one that was thrown. It is counted from the axes of
+/// the space where charts lie square in it, so that it does not depend on how a chart is turned: a quarter turn takes the
+/// headings of the chart to less by one.
+pub(crate) fn any_heading(strategy: &dyn Strategy, chart: ChartId, yaw_rad: f64) -> f64 {
+    match strategy.noise_frame(chart) {
+        NoiseFrame::Square(frame) => yaw_rad + f64::from(frame.quarter_turns) * FRAC_PI_2,
+        NoiseFrame::Radial => yaw_rad,
+    }
 }
 
 #[cfg(test)]

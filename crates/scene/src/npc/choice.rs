@@ -3,7 +3,7 @@
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
 
-use super::bearing::{ahead, toward, way};
+use super::bearing::{ahead, any_heading, toward, way};
 use super::figure::Npc;
 use super::mind::{Goal, Known, State};
 use super::senses::{Around, Event, Quarry};
@@ -222,7 +222,8 @@ impl Npc<'_> {
             return;
         }
         let angle = f64::from((self.mind.since_s / 1.2) as u32) * GOLDEN_RAD;
-        self.mind.face = Some(self.position.0.moved(toward(angle) * 4.0 + DVec3::Y * 1.6));
+        let looks = self.toward(around, angle) * 4.0 + DVec3::Y * 1.6;
+        self.mind.face = Some(self.position.0.moved(looks));
     }
 
     fn live_in_peace(&mut self, around: &Around<'_>) {
@@ -321,8 +322,15 @@ impl Npc<'_> {
         self.mind.go(goal);
     }
 
+    /// The way of a heading that comes from no place.
+    fn toward(&self, around: &Around<'_>, yaw_rad: f64) -> DVec3 {
+        let chart = self.position.0.chart;
+        toward(any_heading(around.strategy(), chart, yaw_rad))
+    }
+
     fn somewhere(&mut self, around: &Around<'_>) -> ChartPoint {
-        let heading = toward(self.mind.dice.heading());
+        let thrown = self.mind.dice.heading();
+        let heading = self.toward(around, thrown);
         let far_m = self.mind.dice.between(WALKS_M);
         ahead(around.strategy(), self.position.0, heading, far_m)
     }
@@ -334,8 +342,8 @@ impl Npc<'_> {
         let far_m = self.mind.dice.between(WALKS_M);
         let mut best = (f64::NEG_INFINITY, self.position.0);
         for index in 0..VIEWS {
-            let heading =
-                toward(first + f64::from(index) * std::f64::consts::TAU / f64::from(VIEWS));
+            let turn = f64::from(index) * std::f64::consts::TAU / f64::from(VIEWS);
+            let heading = self.toward(around, first + turn);
             let point = ahead(around.strategy(), self.position.0, heading, far_m);
             let height_m = ground.untouched_height(point);
             if height_m > best.0 {
@@ -362,7 +370,8 @@ impl Npc<'_> {
     fn seat(&self, around: &Around<'_>) -> Option<(ChartPoint, ChartPoint)> {
         let (lamp, _) =
             nearest_lamp(around, self.position.0).filter(|(_, away_m)| *away_m < LAMP_M)?;
-        let heading = toward(f64::from(self.bot.id) * GOLDEN_RAD);
+        let turn = f64::from(self.bot.id) * GOLDEN_RAD;
+        let heading = toward(any_heading(around.strategy(), lamp.point.chart, turn));
         let seat = ahead(around.strategy(), lamp.point, heading, SITS_M);
         Some((lamp.glow(), seat))
     }

@@ -60,7 +60,7 @@ pub(crate) struct Land<'a> {
     pub blocked: &'a [ChartPoint],
 }
 
-/// A column and its floor, relative to the start: indices, and the height in centimetres.
+/// A column and its floor, relative to the start: indices along two axes, and the height in centimetres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Node {
     x: i32,
@@ -91,7 +91,8 @@ impl Land<'_> {
     /// Whether one can walk straight there, and where the feet are then.
     fn straight(&self, from: ChartPoint, to: DVec3) -> Option<DVec3> {
         let level = (to - from.pos).with_y(0.0);
-        let count = (level.length() / (0.5 * COLUMN_M)).ceil().max(1.0);
+        // Goals are whole steps away, and a last digit is not to make one step more.
+        let count = (level.length() / (0.5 * COLUMN_M) - 1e-6).ceil().max(1.0);
         let mut at = from.pos;
         for index in 1..=count as u32 {
             let next = from.pos + level * (f64::from(index) / count);
@@ -167,6 +168,9 @@ struct Search<'a> {
     land: &'a Land<'a>,
     from: ChartPoint,
     to: DVec3,
+    /// The first axis of the columns: that of the chart which is nearest to the way to the goal. So of two ways that are
+    /// as long one is found whichever way the chart lies.
+    first: DVec3,
     expanded: Cell<usize>,
     /// The node nearest to the goal so far.
     best: Cell<(u64, Node)>,
@@ -181,10 +185,17 @@ impl<'a> Search<'a> {
             z: 0,
             y_cm: 0,
         };
+        let way = to - from.pos;
+        let first = if way.x.abs() >= way.z.abs() {
+            DVec3::X * way.x.signum()
+        } else {
+            DVec3::Z * way.z.signum()
+        };
         let search = Self {
             land,
             from,
             to,
+            first,
             expanded: Cell::new(0),
             best: Cell::new((u64::MAX, start)),
             floors: RefCell::default(),
@@ -195,12 +206,9 @@ impl<'a> Search<'a> {
     }
 
     fn pos(&self, node: Node) -> DVec3 {
-        let away = DVec3::new(
-            f64::from(node.x) * COLUMN_M,
-            f64::from(node.y_cm) * 0.01,
-            f64::from(node.z) * COLUMN_M,
-        );
-        self.from.pos + away
+        let second = DVec3::new(-self.first.z, 0.0, self.first.x);
+        let level = self.first * f64::from(node.x) + second * f64::from(node.z);
+        self.from.pos + level * COLUMN_M + DVec3::Y * (f64::from(node.y_cm) * 0.01)
     }
 
     /// Millimetres still to go over the level.

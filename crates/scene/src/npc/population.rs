@@ -3,7 +3,7 @@
 use antipode_geometry::{ChartPoint, ChunkCoord};
 use glam::DVec3;
 
-use super::bearing::{ahead, apart_m, toward};
+use super::bearing::{ahead, any_heading, apart_m, toward};
 use super::dice::Dice;
 use super::tuning::{
     APPEARS_M, GOES_M, HOSTILE_EVERY_S, MOST_HOSTILE, MOST_LIVING, PEACE_S, UNSEEN_RAD,
@@ -79,15 +79,15 @@ fn let_one_come(world: &World, actors: &mut Actors, player: &Player, hostile: bo
     let near_m = APPEARS_M.0 * far_m / APPEARS_M.1;
     let now = Situation::of(world, actors, player);
     let place = (0..TRIES).find_map(|_| {
-        let heading = toward(dice.heading());
+        let heading = any_heading(&*world.strategy, now.feet().chart, dice.heading());
         let away_m = dice.between((near_m, far_m));
-        let mut point = ahead(&*world.strategy, now.feet(), heading, away_m);
+        let mut point = ahead(&*world.strategy, now.feet(), toward(heading), away_m);
         point.pos.y = world.ground.untouched_height(point) + CLEARANCE_M;
         let there = world.lets_move(ChunkCoord::containing(point));
         (there && !may_see(now, point)).then_some(point)
     });
     let Some(point) = place else { return false };
-    let yaw = dice.heading();
+    let yaw = any_heading(&*world.strategy, point.chart, dice.heading());
     bot::spawn(world, actors, point, yaw, hostile, BOT_HEALTH, true);
     true
 }

@@ -23,7 +23,7 @@ impl World {
     fn new(geometry: Geometry, radius_m: f64, seed: u64) -> Self {
         Self {
             field: Field::new(seed, strategy(geometry, radius_m)),
-            lens: Lens::new(geometry, radius_m),
+            lens: Lens::new(strategy(geometry, radius_m)),
         }
     }
 

@@ -26,4 +26,5 @@ mod round;
 mod saving;
 mod sounds;
 mod survey;
+mod tiled;
 mod view;

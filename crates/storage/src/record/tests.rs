@@ -25,7 +25,7 @@ fn meta() -> WorldMeta {
 fn lamp(id: u32) -> (RecordKey, Option<Record>) {
     let kind = RecordKind::Lamp;
     let lamp = LampRecord {
-        chart: (id % 2) as u8,
+        chart: (id % 2).into(),
         pos: [f64::from(id), 0.0, 0.0],
     };
     (kind.numbered(id), Some(Record::Lamp(lamp)))

@@ -164,7 +164,7 @@ fn flip_in_record(bytes: &mut [u8], stored_key: &[u8]) {
 /// A chunk key as stored: hemisphere, then x, y, z big-endian with the sign flipped.
 fn stored(key: ChunkKey) -> Vec<u8> {
     let words = [key.x, key.y, key.z].map(|index| ((index as u32) ^ 0x8000_0000).to_be_bytes());
-    [&[key.chart][..], words.as_flattened()].concat()
+    [&[key.chart as u8][..], words.as_flattened()].concat()
 }
 
 #[test]

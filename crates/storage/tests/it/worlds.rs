@@ -6,7 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::common::{batch, key, meta, samples, state};
 use antipode_storage::{
-    Batch, NameError, SavesDir, StorageError, THUMBNAIL_FILE, WORLD_FILE, WorldMeta, WorldStore,
+    Batch, ChunkKey, LampRecord, NameError, Record, RecordKind, SavesDir, StorageError,
+    THUMBNAIL_FILE, WORLD_FILE, WorldMeta, WorldStore,
 };
 use tempfile::TempDir;
 
@@ -60,6 +61,62 @@ fn everything_committed_comes_back() {
     assert_eq!(world.chunk(&key(1)).unwrap(), Some(samples(1, 2)));
     assert_eq!(world.chunk(&key(9)).unwrap(), None);
     assert_eq!(world.problems(), Vec::<String>::new());
+}
+
+/// A key in a chart that is neither of the two hemispheres.
+fn far(x: i32) -> ChunkKey {
+    ChunkKey {
+        chart: u128::MAX / 3 + x as u128,
+        ..key(x)
+    }
+}
+
+#[test]
+fn land_and_things_of_charts_without_number_come_back_through_doubles_archives_and_repairs() {
+    let (_dir, saves) = saves();
+    let (slug, world) = saves.create(&meta("Wide")).unwrap();
+    let kind = RecordKind::Lamp;
+    let lamp = LampRecord {
+        chart: u128::MAX / 7,
+        pos: [1.0, 2.0, 3.0],
+    };
+    let mut things = batch(2, 1);
+    things
+        .records
+        .insert(kind.numbered(9), Some(Record::Lamp(lamp.clone())));
+    things
+        .chunks
+        .extend([(far(4), samples(4, 1)), (far(5), samples(5, 1))]);
+    world.commit(&things).unwrap();
+    let again = Batch {
+        chunks: vec![(far(5), samples(5, 2))],
+        ..Batch::default()
+    };
+    world.commit(&again).unwrap();
+    drop(world);
+    let holds_all = |slug: &str| {
+        assert!(saves.verify(slug).unwrap().is_sound());
+        assert_eq!(saves.edited_chunks(slug).unwrap(), Some(4));
+        let world = saves.open(slug).unwrap();
+        let keys = [key(0), key(1), far(4), far(5)];
+        assert_eq!(world.edited_chunks().unwrap(), keys);
+        assert_eq!(world.chunk(&far(4)).unwrap(), Some(samples(4, 1)));
+        assert_eq!(world.chunk(&far(5)).unwrap(), Some(samples(5, 2)));
+        let records = world.records().unwrap().known;
+        assert_eq!(records[&kind.numbered(9)], Record::Lamp(lamp.clone()));
+        assert_eq!(world.problems(), Vec::<String>::new());
+    };
+    holds_all(&slug);
+    let archive = saves.path().join("wide.antipode");
+    saves.export(&slug, &archive).unwrap();
+    holds_all(&saves.import(&archive).unwrap());
+    let file = saves.path().join(&slug).join(WORLD_FILE);
+    let mut bytes = fs::read(&file).unwrap();
+    bytes[..4096].fill(0xff);
+    fs::write(&file, bytes).unwrap();
+    let report = saves.repair(&slug).unwrap();
+    assert_eq!((report.chunks, report.has_state), (4, true));
+    holds_all(&slug);
 }
 
 #[test]

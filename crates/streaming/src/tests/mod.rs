@@ -13,6 +13,7 @@ mod loading;
 mod overlap;
 mod saving;
 mod solid;
+mod tiled;
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};

@@ -42,6 +42,7 @@ const SOURCES: &[(&str, &str)] = &[
     ("SpaceUniform", include_str!("../../../src/uniform.rs")),
     ("ChartPoint", include_str!("../../../src/point.rs")),
     ("ChunkCoord", include_str!("../../../src/chunk.rs")),
+    ("ChunkCube", include_str!("../../../src/chunk_cube.rs")),
     ("Geometry", include_str!("../../../src/kind.rs")),
     ("ChartId", include_str!("../../../src/chart.rs")),
     ("real", include_str!("../../../src/real.rs")),
@@ -73,6 +74,18 @@ const EXCUSED: &[(&str, &str)] = &[
     (
         "triangle::equilateral_angle_sum_rad",
         "told in words to a tenth of a degree; beside it are its values of 40 digits",
+    ),
+    (
+        "Atlas::reaches",
+        "compares Atlas::least_outside_m; src/chunk_cube.rs has the chunks on either side",
+    ),
+    (
+        "ChunkCube::about",
+        "which chunks are near; beside it is what it holds over an edge",
+    ),
+    (
+        "Atlas::side_chunks",
+        "a half width in whole chunks, rounded up; src/chunk_cube.rs counts chunks by it",
     ),
     (
         "linear::dot",

@@ -4,6 +4,7 @@
 pub mod cars;
 pub mod figures;
 pub mod kept;
+pub mod twins;
 
 use std::time::Duration;
 
