@@ -133,8 +133,8 @@ pub(crate) mod chart {
     /// The chart of all these bytes; `None` for one that this version does not know.
     pub(crate) fn from_bytes(bytes: &[u8]) -> Option<u128> {
         match bytes {
-            &[chart] => Some(u128::from(chart)).filter(|chart| *chart < NAMED),
-            &[NAME_BYTES, ref name @ ..] => named(name.try_into().ok()?),
+            [chart] => Some(u128::from(*chart)).filter(|chart| *chart < NAMED),
+            [NAME_BYTES, name @ ..] => named(name.try_into().ok()?),
             _ => None,
         }
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use antipode_geometry::{ChunkCoord, Strategy};
 use antipode_terrain::{Content, Field, Level, RIM_REACH_M};
-use glam::Vec3Swizzles;
+use glam::{I64Vec3, Vec3Swizzles};
 
 use crate::api::Detail;
 use crate::levels::{choose, relax};
@@ -135,7 +135,7 @@ impl Request {
     /// Squared distance from the middle of the range in chunks; 0 in a closed world, which has none.
     fn apart2(&self, coord: ChunkCoord) -> i64 {
         let apart = self.range.apart(coord);
-        apart.map_or(0, |it| it.length_squared())
+        apart.map_or(0, I64Vec3::length_squared)
     }
 
     /// Every chunk with a surface that is large enough to be there, and those near bodies that

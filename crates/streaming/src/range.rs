@@ -65,13 +65,11 @@ impl Closed {
 /// Does the world have this chunk? It has those that reach into the domain of their chart or the margin around it; a
 /// closed one those among them that lie between bedrock and ceiling.
 pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
-    match Closed::of(strategy) {
-        Some(closed) => closed.has(coord),
-        None => {
-            let domain = strategy.domain(coord.chart);
-            strategy.has_chart(coord.chart) && domain.reaches(coord, RIM_REACH_M)
-        }
+    if let Some(closed) = Closed::of(strategy) {
+        return closed.has(coord);
     }
+    let domain = strategy.domain(coord.chart);
+    strategy.has_chart(coord.chart) && domain.reaches(coord, RIM_REACH_M)
 }
 
 impl Range {
