@@ -115,6 +115,10 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
 
 /// `b` in the chart of `a`.
 pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
+    // Every figure asks this of every other in every step.
+    if a.chart == b.chart {
+        return b;
+    }
     strategy.carry(b, a.chart).map_or(b, |over| over.point)
 }
 
