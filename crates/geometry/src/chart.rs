@@ -64,7 +64,8 @@ impl FromStr for ChartId {
             _ => {
                 let digits = name.strip_prefix("0x").filter(|it| !it.starts_with('+'));
                 let number = digits.and_then(|it| u128::from_str_radix(it, 16).ok());
-                number.map(Self::new).ok_or(ParseChartError)
+                let chart = number.map(Self::new).filter(|it| *it > Self::SECOND);
+                chart.ok_or(ParseChartError)
             }
         }
     }
@@ -90,6 +91,8 @@ mod tests {
             "a",
             "2",
             "0x",
+            "0x0",
+            "0x1",
             "0x+2",
             "0x-2",
             "0xg",

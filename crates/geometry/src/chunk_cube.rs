@@ -26,7 +26,8 @@ struct Part {
 }
 
 impl ChunkCube {
-    /// The cube about a chunk, for distances up to `reach` chunks. Of each chart it holds the chunks that come within
+    /// The cube about a chunk: in other charts all that is no farther from its middle than the middles of its faces, and its
+    /// corners where charts lie square to one another. For distances up to `reach` chunks. Of each chart it holds the chunks that come within
     /// `past_m` metres of the domain.
     pub fn about(atlas: &dyn Atlas, centre: ChunkCoord, reach: u16, past_m: f64) -> Self {
         let cell = f64::from(CHUNK_CELLS);
@@ -41,7 +42,12 @@ impl ChunkCube {
         let images = atlas.images(at, SQRT_2 * half_m + past_m).into_iter();
         let others = images.map(|image| {
             let coord = ChunkCoord::containing(image.point);
-            let wider_m = atlas.spread_m(at, half_m, past_m) - half_m;
+            // The image need not be in the middle of its chunk.
+            let off_m = (image.point.pos - coord.centre())
+                .with_y(0.0)
+                .abs()
+                .max_element();
+            let wider_m = atlas.spread_m(at, half_m, past_m) + off_m - half_m;
             let part = Part {
                 middle: coord.index,
                 wider: (wider_m / cell).ceil().max(0.0) as i32,
@@ -106,7 +112,7 @@ impl Part {
 
 #[cfg(test)]
 mod tests {
-    use glam::DVec3;
+    use glam::{DVec3, Vec3Swizzles};
 
     use super::*;
     use crate::{Euclidean, Spherical};
@@ -137,9 +143,11 @@ mod tests {
         let middle = ChartPoint::new(centre.chart, centre.centre());
         let mut over = 0;
         for n in 0..400 {
-            let [a, b] = [n % 20, n / 20].map(|it| (f64::from(it) / 10.0 - 0.95) * 1.5 * cell);
-            let point = middle.moved(DVec3::new(a, 0.0, b));
-            assert!(cube.has(ChunkCoord::containing(point), 2));
+            let (turn, share) = (f64::from(n) * 2.4, f64::from(n) / 399.0);
+            let away_m = 2.5 * cell * share.sqrt() - 1e-6;
+            let point = middle.moved(DVec3::new(turn.cos(), 0.0, turn.sin()) * away_m);
+            let is_own = space.domain(point.chart).outside_m(point.pos.xz()) <= 8.0;
+            assert!(!is_own || cube.has(ChunkCoord::containing(point), 2));
             for image in space.images(point, 8.0) {
                 assert!(
                     cube.has(ChunkCoord::containing(image.point), 2),

@@ -107,9 +107,9 @@ fn next(
 /// Whether a point of the geodesic is in the picture and in land that is waited for. A chart that goes on in
 /// another ends nowhere; an open one ends where its map would cover the space a second time.
 fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f64) -> bool {
-    let away_m = over(strategy, eye.point, point).pos.distance(eye.point.pos);
+    let away_m = || over(strategy, eye.point, point).pos.distance(eye.point.pos);
     strategy.is_closed()
-        || (away_m <= CHART_SLACK * reach_m
+        || (away_m() <= CHART_SLACK * reach_m
             && !strategy.trims(eye, point.chart, point.pos, point.pos))
 }
 

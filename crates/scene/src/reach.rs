@@ -92,10 +92,13 @@ fn everywhere(strategy: &dyn Strategy, reach: Reach) -> Vec<Reach> {
     for image in strategy.images(middle, radius_m) {
         let wide_m = strategy.spread_m(middle, radius_m, RIM_REACH_M);
         let half = DVec3::new(wide_m, half.y, wide_m);
+        // Beyond this there is no ground in the chart.
+        let edge_m = strategy.domain(image.point.chart).half_width_m() + RIM_REACH_M;
+        let far = DVec3::new(edge_m, f64::INFINITY, edge_m);
         reaches.push(Reach {
             chart: image.point.chart,
-            min: image.point.pos - half,
-            max: image.point.pos + half,
+            min: (image.point.pos - half).max(-far),
+            max: (image.point.pos + half).min(far),
         });
     }
     reaches

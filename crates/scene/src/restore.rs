@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartId, ChartPoint};
+use antipode_geometry::{ChartId, ChartPoint, Strategy};
 use antipode_storage::{
     BotRecord, CourseRecord, DropRecord, PlayerKept, PlayerRecord, Record, RecordKey, RecordKind,
     Records, SlotRecord, ViewRecord,
@@ -96,7 +96,9 @@ fn place_player(
     if !numbers.into_iter().all(|n| n.is_finite()) {
         return false;
     }
-    let chart = chart(world, record.chart);
+    let Some(chart) = chart(&*world.strategy, record.chart) else {
+        return false;
+    };
     let point = ChartPoint::new(chart, DVec3::from_array(record.pos));
     let velocity = DVec3::from_array(record.vel).clamp_length_max(FASTEST_RESTORED_M_S);
     body::place(world, actors, player, point, velocity, record.grounded);
@@ -240,17 +242,19 @@ pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving:
 /// A saved place, if it is one of this world.
 pub(crate) fn point(world: &World, record: u128, pos: [f64; 3]) -> Option<ChartPoint> {
     let pos = DVec3::from_array(pos);
-    let at = ChartPoint::new(chart(world, record), pos);
+    let at = ChartPoint::new(chart(&*world.strategy, record)?, pos);
     pos.is_finite()
         .then(|| body::within_world(&*world.strategy, at))
 }
 
-fn chart(world: &World, record: u128) -> ChartId {
+/// A saved chart: the first one for the second of a world that has no second, and none for another that the world has
+/// not. What a later game has put there stays in the save as it is.
+pub(crate) fn chart(strategy: &dyn Strategy, record: u128) -> Option<ChartId> {
     let chart = ChartId::new(record);
-    if world.strategy.has_chart(chart) {
-        chart
+    if strategy.has_chart(chart) {
+        Some(chart)
     } else {
-        ChartId::FIRST
+        (chart == ChartId::SECOND).then_some(ChartId::FIRST)
     }
 }
 

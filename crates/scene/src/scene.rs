@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use antipode_geometry::{Strategy, strategy};
-use antipode_storage::{CourseRecord, Records, StorageError, WorldStore};
+use antipode_storage::{CourseRecord, Records, SCHEMA_VERSION, StorageError, WorldStore};
 use antipode_streaming::{Config, Streamer};
 use antipode_terrain::Field;
 
@@ -82,6 +82,14 @@ impl Scene {
             None => Default::default(),
         };
         let meta = store.as_ref().map(|s| s.meta()).unwrap_or_default();
+        let player = saved.player().map(|kept| kept.body.chart);
+        if player.is_some_and(|chart| restore::chart(&*space, chart).is_none()) {
+            // Only a later game has put him where this space has nothing.
+            return Err(SceneError::Storage(StorageError::Newer {
+                world: meta.name,
+                found: SCHEMA_VERSION + 1,
+            }));
+        }
         let stored = store.is_some();
         let config = Config {
             workers,

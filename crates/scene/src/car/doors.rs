@@ -17,6 +17,7 @@ use crate::harm::{HarmKind, fall_harm, hurt_player};
 use crate::notice::Hint;
 use crate::npc::scare;
 use crate::outbox::Outbox;
+use crate::pick::over;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
@@ -218,9 +219,10 @@ fn make_way(world: &World, actors: &mut Actors, player: &mut Player, id: ActorId
     let Some(car) = actors.car_view(world, id) else {
         return;
     };
+    let there = over(&*world.strategy, car.point, feet);
     let is_caught = !actors.cars.is_driving()
-        && feet.chart == car.point.chart
-        && is_within(&actors.tuning, &car, feet.pos);
+        && there.chart == car.point.chart
+        && is_within(&actors.tuning, &car, there.pos);
     if is_caught && let Some(spot) = free_spot(world, &actors.tuning, &car) {
         body::place(world, actors, player, spot, DVec3::ZERO, false);
     }

@@ -169,7 +169,7 @@ struct Search<'a> {
     from: ChartPoint,
     to: DVec3,
     /// The first axis of the columns: that of the chart which is nearest to the way to the goal. So of two ways that are
-    /// as long one is found whichever way the chart lies.
+    /// as long the same is found whichever way the chart lies, but for goals exactly on a diagonal.
     first: DVec3,
     expanded: Cell<usize>,
     /// The node nearest to the goal so far.

@@ -7,10 +7,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::common::kept::{Kept, build};
-use crate::common::steps;
+use crate::common::{setup, steps};
+use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene, WorldSetup};
 use antipode_storage::{
-    CarRecord, DropRecord, SavesDir, SlotRecord, WORLD_FILE, WorldState, WorldStore,
+    Batch, CarRecord, DropRecord, LampRecord, Record, RecordKey, RecordKind, SavesDir, SlotRecord,
+    WORLD_FILE, WorldState, WorldStore,
 };
 
 /// Flips a bit in every copy of the player's record, as a bad disk does. Inside a record the key stands 20 bytes
@@ -246,4 +248,47 @@ fn worlds_of_every_version_are_played_and_saved_whole() {
         assert!(after.0.simulated_s > before.0.simulated_s);
         assert!(saves.verify(&slug).unwrap().is_sound());
     }
+}
+
+/// A later game may have spaces with more charts than this one knows.
+#[test]
+fn what_lies_in_a_chart_that_the_space_has_not_is_left_in_the_save() {
+    let (kept, scene) = Kept::new();
+    scene.close().unwrap();
+    let lamp = RecordKind::Lamp.numbered(77);
+    let far = Record::Lamp(LampRecord {
+        chart: 1 << 90,
+        pos: [1.0, 20.0, 3.0],
+    });
+    let put = |key: RecordKey, record: Record| {
+        let batch = Batch {
+            records: [(key, Some(record))].into(),
+            ..Batch::default()
+        };
+        let store = WorldStore::open(&kept.here()).unwrap();
+        store.commit(&batch).unwrap();
+    };
+    put(lamp, far.clone());
+    let mut scene = kept.open();
+    assert!(scene.lamps().is_empty());
+    steps(&mut scene, 60, &build());
+    scene.close().unwrap();
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let mut records = store.records().unwrap().known;
+    assert_eq!(records.get(&lamp), Some(&far));
+    // Where the player is the world cannot be shown, and nothing of it may change.
+    let me = RecordKind::Player.numbered(0);
+    let Some(Record::Player(mut player)) = records.remove(&me) else {
+        panic!("a player");
+    };
+    player.body.chart = 1 << 90;
+    drop(store);
+    put(me, Record::Player(player));
+    let store = Arc::new(WorldStore::open(&kept.here()).unwrap());
+    let refused = Scene::open(setup(Geometry::Euclidean), Some(store)).unwrap_err();
+    assert!(refused.to_string().contains("newer"), "{refused}");
+    let store = WorldStore::open(&kept.here()).unwrap();
+    let records = store.records().unwrap().known;
+    assert_eq!(records.get(&lamp), Some(&far));
+    assert!(matches!(&records[&me], Record::Player(kept) if kept.body.chart == 1 << 90));
 }

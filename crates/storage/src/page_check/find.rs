@@ -18,7 +18,7 @@ use crate::store::META_KEY;
 pub(crate) struct Look {
     /// The sealed record of what the world is.
     pub(crate) meta: Option<Vec<u8>>,
-    /// How many chunks it says are stored.
+    /// How many chunks it says are stored, those of charts that only a later game knows among them.
     pub(crate) chunks: u64,
 }
 
