@@ -1,5 +1,6 @@
 //! The command line: what may be asked for, and who answers.
 
+use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 
@@ -12,7 +13,7 @@ use crate::log::LogLevel;
 use crate::script::Shooting;
 use crate::trouble::Trouble;
 use crate::{confined, crash, log_file, session};
-use crate::{lab_command, saves_command, script, tour, window};
+use crate::{saves_command, script, tour, window};
 
 /// Exit status of a failure at run time.
 pub const EXIT_FAILED: u8 = 1;
@@ -142,11 +143,12 @@ pub enum Command {
         #[arg(long, default_value = "tour")]
         out: PathBuf,
     },
-    /// Measure what accuracy costs, and how it holds at the extremes.
+    /// The laboratory, which is a program of its own.
+    #[command(hide = true, disable_help_flag = true)]
     Lab {
-        /// What to measure.
-        #[command(subcommand)]
-        action: lab_command::LabAction,
+        /// Whatever it was asked for.
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        rest: Vec<OsString>,
     },
     /// Look after saved worlds.
     Saves {
@@ -236,7 +238,9 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
     match cli.command {
         Some(Command::Script { file }) => script::run_file(&file, &cli.common, Shooting::Here),
         Some(Command::Tour { out }) => tour::run(&out, &cli.common),
-        Some(Command::Lab { action }) => lab_command::run(&action, &cli.common),
+        Some(Command::Lab { .. }) => Err(Failure::Usage(
+            "The laboratory is a program of its own: antipode-lab, or in a checkout `cargo xtask lab`.".to_owned(),
+        )),
         Some(Command::Saves { action }) => saves_command::run(&action, &cli.common),
         None => {
             let again = cli.after_crash.is_none() && cli.after_graphics.is_none();
@@ -305,6 +309,25 @@ mod tests {
             Some(Some(Geometry::Spherical))
         );
         assert!(Cli::try_parse_from(["antipode", "--geometry", "toroidal"]).is_err());
+    }
+
+    #[test]
+    fn who_asks_for_the_laboratory_is_told_its_program() {
+        for line in [
+            "antipode lab",
+            "antipode lab all --quick",
+            "antipode lab --help",
+        ] {
+            let cli = Cli::try_parse_from(line.split(' ')).map_err(|e| e.to_string());
+            let failure = cli.map(|cli| run(cli).map_err(|e| (e.exit_status(), e.to_string())));
+            let said = failure.and_then(|said| said.map_or_else(Ok, |()| Err(line.to_owned())));
+            assert!(
+                said.as_ref().is_ok_and(
+                    |(status, words)| *status == EXIT_USAGE && words.contains("antipode-lab")
+                ),
+                "{said:?}"
+            );
+        }
     }
 
     #[test]

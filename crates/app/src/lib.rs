@@ -11,7 +11,6 @@ pub mod drawn;
 pub mod ending;
 pub mod failure;
 pub mod hud;
-pub mod lab_command;
 pub mod log;
 pub mod log_file;
 mod mirror;

@@ -41,13 +41,19 @@ pub enum LabError {
         source: std::io::Error,
     },
     /// A file is no report.
-    #[error("{} is no report of the laboratory ({why}); make one with `antipode lab all --json FILE`", path.display())]
+    #[error("{} is no report of the laboratory ({why}); make one with `antipode-lab all --json FILE`", path.display())]
     NoReport {
         /// The file.
         path: PathBuf,
         /// What is wrong with it.
         why: String,
     },
+    /// Standard output is full or closed.
+    #[error("Standard output cannot be written: {0}")]
+    Output(std::io::Error),
+    /// Bars were not met, in words.
+    #[error("{0}")]
+    Failed(String),
     /// The document's template asks for what cannot be filled in.
     #[error("The template of the document has a mistake: {0}.")]
     Template(String),

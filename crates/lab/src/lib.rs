@@ -27,7 +27,7 @@ pub mod terrain;
 pub mod text;
 
 pub use error::LabError;
-pub use machine::{made_on, resident_mb};
+pub use machine::made_on;
 pub use report::{Axis, Cell, Plot, Report, Scale, Section, Series, Table};
 
 /// How thoroughly to measure.

@@ -34,11 +34,3 @@ fn processor() -> String {
             |(_, value)| value.trim().to_owned(),
         )
 }
-
-/// Memory that the program holds resident, in MB of 10^6 bytes, where the system tells.
-pub fn resident_mb() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
-    let kib: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
-    Some(kib * 1024.0 / 1e6)
-}

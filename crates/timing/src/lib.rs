@@ -1,7 +1,7 @@
-//! What the system tells of a thread's time, and the spread of many times.
+//! What the system tells of a thread's time and of the program's memory, and the spread of many times.
 //!
-//! Only Linux tells (`/proc/thread-self`, see proc_pid_schedstat(5) and proc_pid_status(5)); elsewhere every
-//! answer is none.
+//! Only Linux tells (`/proc/thread-self` and `/proc/self`, see proc_pid_schedstat(5) and proc_pid_status(5)); elsewhere
+//! every answer is none.
 
 use std::time::Duration;
 
@@ -34,6 +34,11 @@ pub fn thread_ran() -> Option<Duration> {
 /// So long all threads of the program together have been on a processor.
 pub fn program_ran() -> Option<Duration> {
     imp::program_ran()
+}
+
+/// Memory that the program holds resident, in MB of 10^6 bytes.
+pub fn resident_mb() -> Option<f64> {
+    imp::resident_mb()
 }
 
 /// The value that a share of all is at most, by nearest rank; the values are in rising order.
@@ -97,6 +102,13 @@ mod imp {
         ran(ClockId::ProcessCPUTime)
     }
 
+    pub(super) fn resident_mb() -> Option<f64> {
+        let text = std::fs::read_to_string("/proc/self/status").ok()?;
+        let line = text.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
+        let kib: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
+        Some(kib * 1024.0 / 1e6)
+    }
+
     #[expect(clippy::unnecessary_wraps, reason = "other systems do not tell")]
     fn ran(clock: ClockId) -> Option<Duration> {
         let time = clock_gettime(clock);
@@ -132,6 +144,10 @@ mod imp {
     pub(super) fn program_ran() -> Option<Duration> {
         None
     }
+
+    pub(super) fn resident_mb() -> Option<f64> {
+        None
+    }
 }
 
 #[cfg(test)]
@@ -144,6 +160,15 @@ mod tests {
         let ranks = [0.0, 0.5, 0.99, 1.0].map(|share| nearest_rank(&values, share));
         assert_eq!(ranks, [1, 100, 198, 200].map(Some));
         assert_eq!(nearest_rank::<u32>(&[], 0.5), None);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn memory_that_is_taken_is_resident() {
+        let before_mb = resident_mb().unwrap_or(f64::NAN);
+        let taken = std::hint::black_box(vec![1_u8; 64_000_000]);
+        let more_mb = resident_mb().unwrap_or(f64::NAN) - before_mb;
+        assert!(more_mb > 60.0 && taken.len() == 64_000_000, "{more_mb} MB");
     }
 
     #[cfg(target_os = "linux")]

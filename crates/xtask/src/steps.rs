@@ -75,29 +75,29 @@ pub fn bench(arguments: &[String]) -> Result<(), Error> {
     Steps::new(1).run("benches", command.args(arguments))
 }
 
-/// Measures everything the laboratory has, and remakes what is made from it: the reports, their
-/// pages, the log of the flight, and `docs/accuracy.md` and `docs/terrain.md` with their plots. They
-/// are written even where a bar is not met.
+/// Measures everything the laboratory has, and remakes `docs/accuracy.md` and `docs/terrain.md` with their plots from it,
+/// even where a bar is not met. The figures themselves, their pages and the log of the flight go to `target/lab`.
 ///
 /// # Errors
 /// When cargo cannot be started, or the laboratory fails.
 pub fn lab() -> Result<(), Error> {
     let mut steps = Steps::new(2);
-    let mut laboratory = |name: &str, suite: &str, file: &str, more: &[&str]| {
-        let measurements = format!("docs/measurements/{file}");
-        let json = format!("{measurements}.json");
-        let mut command = cargo(&LABORATORY);
+    let mut laboratory = |suite: &str, more: &[&str]| {
+        let measurements = format!("target/lab/{suite}");
+        let json = format!("{measurements}/report.json");
+        let mut command = cargo(&["run", "--release", "--package", "antipode-lab", "--"]);
         command.args([suite, "--json", &json, "--report", &measurements]);
         command.args(["--docs", "docs"]).args(more);
-        steps.run(name, &mut command)
+        std::fs::create_dir_all(root().join(&measurements)).map_err(|source| Error::Scratch {
+            path: measurements.into(),
+            source,
+        })?;
+        steps.run(suite, &mut command)
     };
-    let log = ["--frame-log", "docs/measurements/terrain-flight.csv"];
-    let terrain = laboratory("terrain", "terrain", "terrain", &log);
-    let exactness = laboratory("exactness", "exactness", "lab", &[]);
+    let terrain = laboratory("terrain", &["--frame-log", "target/lab/terrain/flight.csv"]);
+    let exactness = laboratory("exactness", &[]);
     terrain.and(exactness)
 }
-
-const LABORATORY: [&str; 6] = ["run", "--release", "--package", "antipode", "--", "lab"];
 
 /// Runs every test, and every bench once; with a `filter`, only the tests that
 /// cargo's own filter arguments select.
@@ -138,12 +138,12 @@ pub fn ci() -> Result<(), Error> {
     // once for it and again for the tests.
     let mut build = cargo(&["build", "--release", "--workspace", "--all-targets"]);
     steps.run("build", &mut build)?;
-    let mut laboratory = built_game();
-    laboratory.args(["lab", "accuracy", "--quick", "--adapter", "software"]);
+    let mut laboratory = built_laboratory();
+    laboratory.args(["accuracy", "--quick", "--adapter", "software"]);
     steps.run("laboratory", bed.surround(&mut laboratory))?;
     // A quick run is judged by ratios between rivals of the same run and by counts, never by times.
-    let mut terrain = built_game();
-    terrain.args(["lab", "terrain", "--quick", "--adapter", "none"]);
+    let mut terrain = built_laboratory();
+    terrain.args(["terrain", "--quick", "--adapter", "none"]);
     steps.run("laboratory of terrain", bed.surround(&mut terrain))?;
     every_test(&mut steps, &bed)
 }
@@ -172,12 +172,12 @@ fn every_test(steps: &mut Steps, bed: &TestBed) -> Result<(), Error> {
     steps.run("tests", bed.surround(&mut cargo(&TESTS)))
 }
 
-/// The game as it was last built, in the root of the checkout. It lies beside the profile that we were built in.
-fn built_game() -> Command {
+/// The laboratory as it was last built, in the root of the checkout. It lies beside the profile that we were built in.
+fn built_laboratory() -> Command {
     let ours = std::env::current_exe().unwrap_or_default();
     let target = ours.ancestors().nth(2).map(Path::to_path_buf);
     let target = target.unwrap_or_else(|| root().join("target"));
-    let mut command = Command::new(target.join("release").join("antipode"));
+    let mut command = Command::new(target.join("release").join("antipode-lab"));
     command.current_dir(root());
     command
 }

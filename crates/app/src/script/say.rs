@@ -52,7 +52,7 @@ pub fn probe_text(
 ) -> Result<String, Failure> {
     json(&FullProbe {
         scene,
-        memory_mb: antipode_lab::resident_mb(),
+        memory_mb: antipode_timing::resident_mb(),
         fps,
         adapter,
         picture,

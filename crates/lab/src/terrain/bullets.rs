@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};
+use antipode_timing::resident_mb;
 use glam::DVec3;
 
 use super::clock::{Spread, ThreadClock};
 use super::engine::{name, open};
 use super::row::{Bar, Judged, Row, table};
-use crate::resident_mb;
 use crate::{Effort, LabError, Section};
 
 /// Bullets in flight.

@@ -316,7 +316,7 @@ const METHOD: [&str; 4] = [
     "A spectator flies straight on over flat-space land at 24 m/s, looking to the left and to the right, in real time: a frame begins every sixtieth of a second. Nothing is drawn, so a frame is what the main thread does for it before anything goes to an adapter: one step of the simulation, telling the workers what is wanted and taking in what is finished, and filling the frame's snapshot.",
     "Time is the thread's own: the wall clock's without the time in which the thread was ready to run and the system had given the core to another, since other programs run on the machine too; waiting for a lock or a channel counts. The wall clock and the time on the processor are shown beside it. The time between two frames is what a player would see: from the begin of one to the begin of the next, a sixtieth of a second unless the main thread took longer.",
     "After each frame but the first sixty the same thread runs a piece of pure arithmetic, always the same, that lasts about as long as the middle one of those sixty; it is timed by the same clock and counts in no frame. It waits for nobody and touches no memory: if its longest run is as many times its median as the longest frame, the machine under the program does it (a host that runs others meanwhile, interrupts, a changing clock rate), not the game; if it is even and the frames are not, look at the game first (caches that went cold while it slept can do that too).",
-    "The whole log is in measurements/terrain-flight.csv.",
+    "With --frame-log FILE the whole log is written.",
 ];
 
 #[cfg(test)]

@@ -9,11 +9,11 @@ use antipode_scene::tuning::FOV_Y_RAD;
 use antipode_scene::{Actions, Scene};
 use antipode_storage::{SavesDir, WorldStore};
 use antipode_terrain::Field;
+use antipode_timing::resident_mb;
 use glam::DVec3;
 
 use super::engine::{SEED, open, setup, space};
 use super::row::{Bar, Judged, Row, table};
-use crate::resident_mb;
 use crate::{Effort, LabError, Plot, Scale, Section, Series};
 
 /// Simulated seconds of the way, and of a quick one. Over the first ten minutes the allocator still takes what it will

@@ -1,27 +1,57 @@
-//! `antipode lab`: the laboratory from the command line. It prints tables, writes reports, and fails where a bar
-//! is not met.
+//! The laboratory from the command line: it prints tables, writes reports, and fails where a bar is not met.
 
 use std::fs::OpenOptions;
-use std::path::Path;
-use std::path::PathBuf;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 
 use antipode_lab::accuracy::{self, Bench};
 use antipode_lab::terrain::{self, Logs};
 use antipode_lab::{Effort, LabError, Report, Section, made_on, peer, speed, text};
 use antipode_render::AdapterChoice;
-use clap::{Args, Subcommand};
-
-use crate::cli::{Adapter, Common};
-use crate::failure::Failure;
-use crate::output::{line, lines};
-use crate::picture::adapter_choice;
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Most failed rows that are named on standard error; the tables have them all.
 const MOST_NAMED: usize = 4;
 
+/// Measures how exact and how fast Antipode is.
+#[derive(Debug, Parser)]
+#[command(name = "antipode-lab", version)]
+pub struct Cli {
+    /// What to measure.
+    #[command(subcommand)]
+    action: Action,
+    /// What computes and draws.
+    #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
+    adapter: Adapter,
+}
+
+/// What computes and draws.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Adapter {
+    /// A graphics card if there is one, else software.
+    Auto,
+    /// A graphics card, or fail.
+    Gpu,
+    /// Software rendering.
+    Software,
+    /// Nothing: what needs an adapter is left out.
+    None,
+}
+
+impl Adapter {
+    fn chosen(self) -> Option<AdapterChoice> {
+        match self {
+            Self::Auto => Some(AdapterChoice::Auto),
+            Self::Gpu => Some(AdapterChoice::Gpu),
+            Self::Software => Some(AdapterChoice::Software),
+            Self::None => None,
+        }
+    }
+}
+
 /// What the laboratory can be asked for.
 #[derive(Debug, Subcommand)]
-pub enum LabAction {
+enum Action {
     /// Every formula at its extremes: processor and adapter, ours beside the textbook's.
     Accuracy(Outputs),
     /// What each formula and each choice costs, beside its error.
@@ -52,7 +82,7 @@ pub enum LabAction {
 
 /// What a measurement leaves behind, besides the tables on standard output.
 #[derive(Clone, Debug, Args)]
-pub struct Outputs {
+struct Outputs {
     /// Write the report as JSON.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -75,7 +105,7 @@ struct Wanted {
     terrain: bool,
 }
 
-impl LabAction {
+impl Action {
     /// What is to be measured and what comes of it; nothing where a report is only read.
     fn measurement(&self) -> Option<(Wanted, &Outputs)> {
         let none = Wanted::default();
@@ -128,10 +158,10 @@ impl LabAction {
 ///
 /// # Errors
 /// When a bar is not met, the adapter fails, or a file or standard output cannot be written.
-pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
-    if let LabAction::Docs { json, docs } = action {
-        let report = Report::read(json).map_err(failure)?;
-        return report.write_docs(docs).map_err(failure);
+pub fn run(cli: &Cli) -> Result<(), LabError> {
+    let action = &cli.action;
+    if let Action::Docs { json, docs } = action {
+        return Report::read(json)?.write_docs(docs);
     }
     let Some((wanted, outputs)) = action.measurement() else {
         return Ok(());
@@ -139,37 +169,45 @@ pub fn run(action: &LabAction, common: &Common) -> Result<(), Failure> {
     let frame_log = action.frame_log();
     writable(outputs, frame_log)?;
     let mut logs = Logs::default();
-    let report = measured(outputs, wanted, common, &mut logs)?;
+    let report = measured(outputs, wanted, cli.adapter, &mut logs)?;
     if let Some(file) = frame_log {
-        std::fs::write(file, &logs.flight).map_err(|error| unwritable(file, &error))?;
+        std::fs::write(file, &logs.flight).map_err(|source| unwritable(file, source))?;
     }
     if let Some(file) = &outputs.json {
-        report.write_json(file).map_err(failure)?;
+        report.write_json(file)?;
     }
     if let Some(directory) = &outputs.report {
-        report.write_page(directory).map_err(failure)?;
+        report.write_page(directory)?;
     }
     if let Some(directory) = &outputs.docs {
-        report.write_docs(directory).map_err(failure)?;
+        report.write_docs(directory)?;
     }
     judged(&report)
 }
 
-fn unwritable(path: &Path, error: &std::io::Error) -> Failure {
-    Failure::Runtime(format!("{} cannot be written: {error}", path.display()))
+fn unwritable(path: &Path, source: io::Error) -> LabError {
+    let path = path.to_owned();
+    LabError::Write { path, source }
+}
+
+fn lines(text: &str) -> Result<(), LabError> {
+    let mut out = io::stdout().lock();
+    writeln!(out, "{text}")
+        .and_then(|()| out.flush())
+        .map_err(LabError::Output)
 }
 
 /// Looks before minutes of measuring whether what comes of it can be written.
-fn writable(outputs: &Outputs, frame_log: Option<&Path>) -> Result<(), Failure> {
+fn writable(outputs: &Outputs, frame_log: Option<&Path>) -> Result<(), LabError> {
     for file in [outputs.json.as_deref(), frame_log].into_iter().flatten() {
         let mut opened = OpenOptions::new();
         opened.create(true).append(true);
         opened
             .open(file)
-            .map_err(|error| unwritable(file, &error))?;
+            .map_err(|source| unwritable(file, source))?;
     }
     for directory in [&outputs.report, &outputs.docs].into_iter().flatten() {
-        std::fs::create_dir_all(directory).map_err(|error| unwritable(directory, &error))?;
+        std::fs::create_dir_all(directory).map_err(|source| unwritable(directory, source))?;
     }
     Ok(())
 }
@@ -178,63 +216,52 @@ fn writable(outputs: &Outputs, frame_log: Option<&Path>) -> Result<(), Failure> 
 fn measured(
     outputs: &Outputs,
     wanted: Wanted,
-    common: &Common,
+    adapter: Adapter,
     logs: &mut Logs,
-) -> Result<Report, Failure> {
+) -> Result<Report, LabError> {
     let effort = Effort {
         quick: outputs.quick,
     };
-    let adapter = choice(common.adapter);
-    let bench = Bench::open(effort, adapter).map_err(failure)?;
+    let adapter = adapter.chosen();
+    let bench = Bench::open(effort, adapter)?;
     let mut report = Report {
         made_on: made_on(effort, bench.gpu.as_ref()),
         sections: Vec::new(),
     };
     for (name, value) in &report.made_on {
-        line(&format!("{name}: {value}"))?;
+        lines(&format!("{name}: {value}"))?;
     }
     if bench.gpu.is_none() {
-        line("NOT RUN on any GPU: with --adapter none, no row says anything about the shaders.")?;
+        lines("NOT RUN on any GPU: with --adapter none, no row says anything about the shaders.")?;
     }
     let mut take = |section: Section| {
-        line("")?;
+        lines("")?;
         lines(text::section(&section).trim_end())?;
         report.sections.push(section);
-        Ok::<(), Failure>(())
+        Ok::<(), LabError>(())
     };
     if wanted.accuracy {
         for suite in accuracy::SUITES {
-            take(suite.run(&bench).map_err(failure)?)?;
+            take(suite.run(&bench)?)?;
         }
         take(peer::run(effort))?;
     }
     if wanted.speed {
         take(speed::cpu_section(effort))?;
         if let Some(adapter) = adapter {
-            take(speed::gpu_section(effort, adapter).map_err(failure)?)?;
+            take(speed::gpu_section(effort, adapter)?)?;
         }
     }
     if wanted.terrain {
         for suite in terrain::SUITES {
-            take(suite(effort, bench.gpu.as_ref(), logs).map_err(failure)?)?;
+            take(suite(effort, bench.gpu.as_ref(), logs)?)?;
         }
     }
     Ok(report)
 }
 
-fn choice(adapter: Adapter) -> Option<AdapterChoice> {
-    (adapter != Adapter::None).then(|| adapter_choice(adapter))
-}
-
-fn failure(error: LabError) -> Failure {
-    match error {
-        LabError::Render(error) => Failure::Render(error),
-        other => Failure::Runtime(other.to_string()),
-    }
-}
-
 /// A failure that names the rows that missed their bar, if any did.
-fn judged(report: &Report) -> Result<(), Failure> {
+fn judged(report: &Report) -> Result<(), LabError> {
     let failed = report.failures();
     if failed.is_empty() {
         return Ok(());
@@ -244,7 +271,7 @@ fn judged(report: &Report) -> Result<(), Failure> {
         0 => String::new(),
         n => format!(" and {n} more"),
     };
-    Err(Failure::Runtime(format!(
+    Err(LabError::Failed(format!(
         "{} of the laboratory's bars {} not met: {}{more}",
         failed.len(),
         if failed.len() == 1 { "is" } else { "are" },
@@ -277,10 +304,9 @@ mod tests {
     }
 
     #[test]
-    fn a_bar_that_is_not_met_ends_the_program_with_status_one_and_one_sentence() {
+    fn a_bar_that_is_not_met_is_a_failure_in_one_sentence() {
         assert!(judged(&report(&[true, true])).is_ok());
         let failure = judged(&report(&[true, false])).unwrap_err();
-        assert_eq!(failure.exit_status(), crate::cli::EXIT_FAILED);
         let words = failure.to_string();
         assert!(words.contains("port") && !words.contains('\n'), "{words}");
         let many = judged(&report(&[false; 9])).unwrap_err().to_string();
@@ -293,15 +319,9 @@ mod tests {
 
     #[test]
     fn every_word_asks_for_its_own_suites_and_the_last_for_all() {
-        use clap::Parser;
-        #[derive(Parser)]
-        struct Line {
-            #[command(subcommand)]
-            action: LabAction,
-        }
         let wanted = |word: &str| {
-            let line = Line::try_parse_from(["lab", word, "--quick"]).unwrap();
-            let (wanted, outputs) = line.action.measurement().unwrap();
+            let cli = Cli::try_parse_from(["antipode-lab", word, "--quick"]).unwrap();
+            let (wanted, outputs) = cli.action.measurement().unwrap();
             assert!(outputs.quick);
             [wanted.accuracy, wanted.speed, wanted.terrain]
         };
@@ -314,7 +334,7 @@ mod tests {
 
     #[test]
     fn no_adapter_is_a_choice_of_its_own() {
-        assert_eq!(choice(Adapter::None), None);
-        assert_eq!(choice(Adapter::Software), Some(AdapterChoice::Software));
+        assert_eq!(Adapter::None.chosen(), None);
+        assert_eq!(Adapter::Software.chosen(), Some(AdapterChoice::Software));
     }
 }
