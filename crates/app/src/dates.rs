@@ -1,4 +1,6 @@
-//! Days and times in words that sort, UTC: the standard library knows no other.
+//! Days and times in words that sort, UTC.
+
+use time::OffsetDateTime;
 
 /// What a file made at a Unix time is called by: `2026-01-31 23-59-58`, UTC.
 pub fn stamp(unix_s: u64) -> String {
@@ -6,27 +8,14 @@ pub fn stamp(unix_s: u64) -> String {
     format!("{} {hours:02}-{minutes:02}-{seconds:02}", date(unix_s))
 }
 
-/// The day of a Unix time as year-month-day, UTC, by Howard Hinnant's `civil_from_days`.
-/// Empty for a time past the year 9999: a save says it that never was.
+/// The day of a Unix time as year-month-day, UTC. Empty for a time past the year 9999: a save says it that never was.
 pub fn date(unix_s: u64) -> String {
-    if unix_s >= 253_402_300_800 {
-        return String::new();
-    }
-    let days = (unix_s / 86_400) as i64 + 719_468;
-    let era = days.div_euclid(146_097);
-    let day_of_era = days.rem_euclid(146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted_month = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * shifted_month + 2) / 5 + 1;
-    let month = if shifted_month < 10 {
-        shifted_month + 3
-    } else {
-        shifted_month - 9
-    };
-    let year = year_of_era + era * 400 + i64::from(month <= 2);
-    format!("{year:04}-{month:02}-{day:02}")
+    let seconds = i64::try_from(unix_s).ok();
+    let time = seconds.and_then(|it| OffsetDateTime::from_unix_timestamp(it).ok());
+    time.map_or_else(String::new, |time| {
+        let (year, month, day) = time.to_calendar_date();
+        format!("{year:04}-{:02}-{day:02}", u8::from(month))
+    })
 }
 
 #[cfg(test)]

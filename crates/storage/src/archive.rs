@@ -10,7 +10,6 @@ use std::fs::File;
 use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::Path;
 
-use crate::codec::crc32;
 use crate::error::StorageError;
 use crate::regular::{self, Entry};
 use crate::{MAX_THUMBNAIL_BYTES, THUMBNAIL_FILE, WORLD_FILE};
@@ -78,7 +77,11 @@ fn pack_file(out: &mut impl Write, name: &str, length: u64, mut file: impl Read)
         file.read_exact(block)?;
         left -= block.len() as u64;
         let packed = lz4_flex::block::compress(block);
-        for number in [block.len() as u32, packed.len() as u32, crc32(&packed)] {
+        for number in [
+            block.len() as u32,
+            packed.len() as u32,
+            crc32fast::hash(&packed),
+        ] {
             out.write_all(&number.to_le_bytes())?;
         }
         out.write_all(&packed)?;
@@ -219,7 +222,7 @@ impl<'a> Input<'a> {
         self.fill(&mut packed)?;
         let mut block = vec![0; length];
         let unpacked = lz4_flex::block::decompress_into(&packed, &mut block).ok();
-        if unpacked != Some(length) || crc32(&packed) != sum {
+        if unpacked != Some(length) || crc32fast::hash(&packed) != sum {
             return Err(self.damaged());
         }
         Ok(block)

@@ -209,43 +209,13 @@ pub(crate) fn carve(
     ControlFlow::Continue(())
 }
 
-/// The CRC of a record but for the four bytes that hold it.
+/// The CRC-32 of a record but for the four bytes that hold it.
 fn record_checksum(record: &[u8]) -> u32 {
-    let (before, after) = (&record[..18], &record[HEADER_BYTES..]);
-    !crc32_update(crc32_update(!0, before), after)
+    let mut crc = crc32fast::Hasher::new();
+    crc.update(&record[..18]);
+    crc.update(&record[HEADER_BYTES..]);
+    crc.finalize()
 }
-
-/// CRC-32 (IEEE 802.3, reflected polynomial 0xEDB88320), as in zip and PNG.
-pub(crate) fn crc32(bytes: &[u8]) -> u32 {
-    !crc32_update(!0, bytes)
-}
-
-fn crc32_update(mut crc: u32, bytes: &[u8]) -> u32 {
-    for &byte in bytes {
-        crc = CRC_TABLE[((crc ^ u32::from(byte)) & 0xff) as usize] ^ (crc >> 8);
-    }
-    crc
-}
-
-const CRC_TABLE: [u32; 256] = {
-    let mut table = [0; 256];
-    let mut index = 0;
-    while index < 256 {
-        let mut crc = index as u32;
-        let mut bit = 0;
-        while bit < 8 {
-            crc = if crc & 1 == 1 {
-                0xEDB8_8320 ^ (crc >> 1)
-            } else {
-                crc >> 1
-            };
-            bit += 1;
-        }
-        table[index] = crc;
-        index += 1;
-    }
-    table
-};
 
 fn config() -> impl bincode::config::Config {
     // The limit keeps a wrong length from asking for gigabytes.
@@ -288,7 +258,7 @@ mod tests {
     #[test]
     fn the_checksum_is_the_standard_one() {
         assert_eq!(
-            crc32(b"123456789"),
+            crc32fast::hash(b"123456789"),
             0xCBF4_3926,
             "the check value of CRC-32/ISO-HDLC"
         );

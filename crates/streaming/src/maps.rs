@@ -1,58 +1,14 @@
 //! Maps and sets by chunk. The main thread looks up some hundred chunks a frame in these books, so
-//! they hash by two or three multiplications instead of the standard library's keyed hash: where
-//! chunks lie is the game's own choice, and nobody gains by choosing ones that collide.
+//! they hash without the standard library's key: where chunks lie is the game's own choice, and nobody
+//! gains by choosing ones that collide. The key is fixed, so that a run goes as the last one did.
 
 use std::collections::{HashMap, HashSet};
-use std::hash::{BuildHasherDefault, Hasher};
 
 use antipode_geometry::ChunkCoord;
+use foldhash::fast::FixedState;
 
-pub(crate) type ChunkMap<T> = HashMap<ChunkCoord, T, BuildHasherDefault<ChunkHasher>>;
-pub(crate) type ChunkSet = HashSet<ChunkCoord, BuildHasherDefault<ChunkHasher>>;
-
-/// The fraction of the golden ratio, as a 64-bit fixed-point number: odd, and its bits show no pattern.
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
-
-/// Multiplies by the golden ratio and folds the product's high half onto its low one, so that every
-/// bit of the input reaches the low bits, which choose the bucket, and the high ones, which tell
-/// chunks in it apart.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ChunkHasher(u64);
-
-impl Default for ChunkHasher {
-    fn default() -> Self {
-        Self(GOLDEN)
-    }
-}
-
-impl ChunkHasher {
-    fn mix(&mut self, word: u64) {
-        let product = u128::from(self.0 ^ word) * u128::from(GOLDEN);
-        self.0 = (product as u64) ^ ((product >> 64) as u64);
-    }
-}
-
-impl Hasher for ChunkHasher {
-    fn write(&mut self, bytes: &[u8]) {
-        for part in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..part.len()].copy_from_slice(part);
-            self.mix(u64::from_le_bytes(word));
-        }
-    }
-
-    fn write_i32(&mut self, value: i32) {
-        self.mix(u64::from(value.cast_unsigned()));
-    }
-
-    fn write_isize(&mut self, value: isize) {
-        self.mix(value as u64);
-    }
-
-    fn finish(&self) -> u64 {
-        self.0
-    }
-}
+pub(crate) type ChunkMap<T> = HashMap<ChunkCoord, T, FixedState>;
+pub(crate) type ChunkSet = HashSet<ChunkCoord, FixedState>;
 
 #[cfg(test)]
 mod tests {
@@ -65,7 +21,7 @@ mod tests {
 
     #[test]
     fn chunks_of_a_wide_range_spread_evenly_over_buckets_and_tags() {
-        let hasher = BuildHasherDefault::<ChunkHasher>::default();
+        let hasher = FixedState::default();
         let side = -20..20;
         let mut buckets = vec![0_u32; 1 << 12];
         let mut tags = [0_u32; 128];
