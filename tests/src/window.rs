@@ -57,6 +57,17 @@ pub fn settle_settings(saves: &Path, more: &str) {
     std::fs::write(settings_file(saves), text).expect("the settings can be written");
 }
 
+/// Has newcomers told what to do: at the log level debug what they have learnt is said then.
+///
+/// # Panics
+/// When the settings cannot be read or written.
+pub fn with_hints(saves: &Path) {
+    let file = settings_file(saves);
+    let text = std::fs::read_to_string(&file).expect("the settings can be read");
+    let text = text.replace("\"hints\": false", "\"hints\": true");
+    std::fs::write(file, text).expect("the settings can be written");
+}
+
 /// Where a window's settings are.
 pub fn settings_file(saves: &Path) -> PathBuf {
     saves.join("settings.ron")
@@ -235,6 +246,24 @@ impl Window {
             .is_some_and(|new| new.contains(words))
         {
             self.give_up_after(began, words);
+            sleep(GLANCE);
+        }
+    }
+
+    /// Waits until that is what the program says, at the log level debug, that its window shows now.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn shows(&mut self, what: &str) {
+        let words = format!("shown: {what}.");
+        let began = Instant::now();
+        loop {
+            let said = self.said();
+            let last = said.lines().rfind(|line| line.contains(" shown: "));
+            if last.is_some_and(|line| line.ends_with(&words)) {
+                return;
+            }
+            self.give_up_after(began, &words);
             sleep(GLANCE);
         }
     }

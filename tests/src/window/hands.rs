@@ -9,7 +9,7 @@
 
 use std::process::Command;
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use image::RgbImage;
 
@@ -121,6 +121,27 @@ impl Window {
         }
     }
 
+    /// Clicks a button at a place of the window, in pixels, and waits until the program says so. The pointer rests there
+    /// meanwhile: a click is lost where it is elsewhere by the end of the frame that the click comes in.
+    ///
+    /// # Panics
+    /// When it says something else.
+    pub fn told_click(&mut self, (x, y): (u32, u32), words: &str) {
+        let before = self.said().len();
+        self.click(x, y);
+        self.wait_for_after(before, words);
+    }
+
+    /// Types a text into a line that has the focus and holds nothing, and waits until the program says that it has it.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn told_write(&mut self, text: &str) {
+        let before = self.said().len();
+        self.write(text);
+        self.wait_for_after(before, &format!("changed: {text}: "));
+    }
+
     /// Types over what a line of text holds, and waits until the program says at the log level debug that it has it.
     ///
     /// # Panics
@@ -141,20 +162,6 @@ impl Window {
         }
     }
 
-    /// Holds a key until the picture is as wanted: a slow machine plays slowly, so no time would do for all.
-    ///
-    /// # Panics
-    /// When the picture does not become so.
-    pub fn hold_key_until(
-        &mut self,
-        name: &str,
-        what: &str,
-        wanted: impl Fn(&RgbImage) -> bool,
-    ) -> RgbImage {
-        let _held = self.hold("key", name);
-        self.wait_until(what, wanted)
-    }
-
     /// Holds a key until the program has written these words to standard error.
     ///
     /// # Panics
@@ -164,15 +171,6 @@ impl Window {
         self.wait_for(words);
     }
 
-    /// Holds the left button until the picture is as wanted.
-    ///
-    /// # Panics
-    /// When the picture does not become so.
-    pub fn hold_left_until(&mut self, what: &str, wanted: impl Fn(&RgbImage) -> bool) -> RgbImage {
-        let _held = self.hold("mouse", "1");
-        self.wait_until(what, wanted)
-    }
-
     /// Holds the left button until the program has written these words to standard error.
     ///
     /// # Panics
@@ -180,6 +178,22 @@ impl Window {
     pub fn hold_left_for(&mut self, words: &str) {
         let _held = self.hold("mouse", "1");
         self.wait_for(words);
+    }
+
+    /// Turns the view down to the ground at one's feet, and waits until the program says that the view was turned: the
+    /// pointer may be caught a moment late. Needs the hints for newcomers.
+    ///
+    /// # Panics
+    /// When it does not.
+    pub fn look_down(&mut self) {
+        let began = Instant::now();
+        while !self.said().contains("learnt Look") {
+            self.give_up_after(began, "learnt Look");
+            self.turn(0, 120);
+        }
+        for _ in 0..3 {
+            self.turn(0, 120);
+        }
     }
 
     /// Moves the mouse by pixels.

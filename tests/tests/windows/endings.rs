@@ -8,8 +8,7 @@ use std::time::Duration;
 use antipode_testing::may_skip;
 use antipode_tests::background::{Background, signal};
 use antipode_tests::program::{comparable, game, number, run};
-use antipode_tests::seam::compare;
-use antipode_tests::window::{Window, display};
+use antipode_tests::window::{Window, display, settle_settings, with_hints};
 use serde_json::Value;
 
 /// How many kills there are; the long form is for a night.
@@ -146,26 +145,17 @@ fn asked_to_end_the_window_saves_everything_first() {
         "1",
         "--adapter",
         "software",
+        "--log",
+        "debug",
     ];
+    settle_settings(saves.path(), "");
+    with_hints(saves.path());
     let mut game = Window::open(&display, saves.path(), &options);
-    let fresh = game.wait_until("the world", |picture| {
-        // The menu's backdrop is dusk all over; a day has a bright sky.
-        picture
-            .get_pixel(320, 40)
-            .0
-            .iter()
-            .all(|channel| *channel > 90)
-    });
-    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
-    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
-    // The pointer may be caught a moment late, so not all in one move.
-    for _ in 0..4 {
-        game.turn(0, 120);
-    }
+    game.shows("the world");
+    game.hold_key_for("w", "learnt Walk");
+    game.look_down();
     game.key("4");
-    // A slow machine may still be turning.
-    let whole = game.calm();
-    game.hold_left_until("a hole", |picture| changed(picture, &whole));
+    game.hold_left_for("learnt Dig");
     signal("TERM", game.process());
     assert_eq!(game.ended(), Some(143));
     let kept = found(saves.path());

@@ -8,7 +8,7 @@ use std::time::Duration;
 use antipode_testing::may_skip;
 use antipode_tests::program::{game, number, run};
 use antipode_tests::seam::compare;
-use antipode_tests::window::{Window, display, settings_file, settle_settings};
+use antipode_tests::window::{Window, display, settings_file, settle_settings, with_hints};
 use image::RgbImage;
 use tempfile::TempDir;
 
@@ -16,10 +16,10 @@ mod backpack;
 
 /// Small, so that software draws it quickly; the menu has both its columns.
 const SMALL: [&str; 4] = ["--size", "800x600", "--view-distance", "1"];
+/// What it says of what is done in its menus and of what it shows is what these tests wait for.
+const TOLD: [&str; 2] = ["--log", "debug"];
 /// Nor is it shaded: these tests are about what one can do, others about pictures.
 const PLAIN: &str = r#", "render-scale": "50", "msaa": "off", "shadows": "off""#;
-/// What the game says of what is done in its menus, too.
-const TOLD: [&str; 2] = ["--log", "debug"];
 /// What the display of the tests shows, pixels.
 const SCREEN: (u32, u32) = (2560, 1440);
 /// Most of a core that a game may use while nobody sees it.
@@ -45,7 +45,7 @@ fn saves(place: &TempDir) -> std::path::PathBuf {
 }
 
 fn open(display: &str, place: &TempDir, more: &[&str]) -> Window {
-    Window::open(display, &saves(place), &[&SMALL, more].concat())
+    Window::open(display, &saves(place), &[&SMALL[..], &TOLD, more].concat())
 }
 
 /// Mean of a part of the picture; the part is in thousandths of its sides.
@@ -120,12 +120,20 @@ fn shows_hint(picture: &RgbImage) -> bool {
 
 /// From a world through the pause menu to the main menu.
 fn leave_world(game: &mut Window) {
-    let world = game.look();
+    game.shows("the world");
     game.key("Escape");
-    game.wait_until("the pause menu", |p| compare(p, &world).mean > 10.0);
-    game.stillness();
-    game.steps(&["Tab", "Tab"]);
-    game.key("Return");
+    game.shows("the pause menu");
+    save_and_quit(game);
+}
+
+/// From the pause menu to the main menu.
+fn save_and_quit(game: &mut Window) {
+    game.told_steps(&[
+        ("Tab", "focus: Save: "),
+        ("Tab", "focus: Save and quit"),
+        ("Return", "pressed: Save and quit"),
+    ]);
+    game.shows("the main menu");
     game.wait_until("the main menu", shows_main_menu);
     game.stillness();
 }
@@ -137,7 +145,7 @@ fn worlds_are_made_renamed_copied_exported_deleted_and_imported_by_hand() {
     };
     let saves = saves(&place);
     let archive = place.path().join("kept.antipode");
-    let mut game = open(&display, &place, &TOLD);
+    let mut game = open(&display, &place, &[]);
     game.wait_until("the main menu", shows_main_menu);
     game.told_steps(&[("Return", "pressed: New Game")]);
     game.overwrite("Alpha");
@@ -227,33 +235,59 @@ fn settings_are_found_changed_and_reset_and_a_key_does_what_it_was_given() {
     let saves = saves(&place);
     let mut game = open(&display, &place, &[]);
     game.wait_until("the main menu", shows_main_menu);
-    game.steps(&["Tab", "Tab", "Tab", "Return"]);
-    game.write("field of view");
-    game.stillness();
-    game.steps(&["Tab", "Right", "Right", "Right"]);
+    game.told_steps(&[
+        ("Tab", "focus: Load"),
+        ("Tab", "focus: Delete"),
+        ("Tab", "focus: Settings"),
+        ("Return", "pressed: Settings"),
+    ]);
+    game.shows("the settings");
+    game.told_write("field of view");
+    game.told_steps(&[
+        ("Tab", "focus: Field of view"),
+        ("Right", "changed: Field of view: 76"),
+        ("Right", "changed: Field of view: 77"),
+        ("Right", "changed: Field of view: 78"),
+    ]);
     game.wait_while("a wider view on disk", || {
         !is_set(&saves, "field-of-view", "78")
     });
-    game.steps(&["shift+Tab", "Return"]);
+    game.told_steps(&[
+        ("shift+Tab", "focus: Reset “Field of view”"),
+        ("Return", "pressed: Reset “Field of view”"),
+    ]);
     game.wait_while("the view as it comes", || {
         !is_set(&saves, "field-of-view", "75")
     });
     game.step("Escape");
     let english = game.stillness();
-    game.write("polski");
-    game.stillness();
-    // Past Reset, System and English.
-    game.steps(&["Tab", "Tab", "Tab", "Tab", "Return"]);
+    game.told_write("polski");
+    game.told_steps(&[
+        ("Tab", "focus: Reset “Language”"),
+        ("Tab", "focus: Language: System"),
+        ("Tab", "focus: Language: English"),
+        ("Tab", "focus: Language: Polski"),
+        ("Return", "pressed: Language: Polski"),
+    ]);
     game.wait_while("Polish on disk", || !is_set(&saves, "language", "\"pl\""));
     game.step("Escape");
     let polish = game.stillness();
     let far_off = compare(&english, &polish).far_off;
     assert!(far_off > 0.005, "the words are others: {far_off}");
 
-    game.step("Escape");
-    game.steps(&["Tab", "Tab", "Tab", "Tab", "Return"]);
+    game.key("Escape");
+    game.shows("the main menu");
+    game.told_steps(&[
+        ("Tab", "focus: Wczytaj"),
+        ("Tab", "focus: Usuń"),
+        ("Tab", "focus: Ustawienia"),
+        ("Tab", "focus: Sterowanie"),
+        ("Return", "pressed: Sterowanie"),
+    ]);
+    game.shows("the controls");
     // The first line has the focus: walking forward, which W does.
-    game.steps(&["Return", "i"]);
+    game.told_steps(&[("Return", "pressed: Idź naprzód: W")]);
+    game.key("i");
     game.wait_while("the key on disk", || {
         let text = fs::read_to_string(settings_file(&saves)).unwrap();
         !text.contains("\"forward\": [\"KeyI\"]")
@@ -267,15 +301,9 @@ fn walks_with_i(display: &str, place: &TempDir) {
     let saves = saves(place);
     let start = run(&saves, "new euclidean seed=7\nprobe");
     // The first hints end with what was walked, however slowly the machine plays.
-    let text = fs::read_to_string(settings_file(&saves)).unwrap();
-    fs::write(
-        settings_file(&saves),
-        text.replace("\"hints\": false", "\"hints\": true"),
-    )
-    .unwrap();
-    let told = [&IN_A_WORLD[..], &["--log", "debug"]].concat();
-    let mut game = open(display, place, &told);
-    game.wait_until("the world", shows_world);
+    with_hints(&saves);
+    let mut game = open(display, place, &IN_A_WORLD);
+    game.shows("the world");
     game.hold_key_for("i", "learnt Walk");
     leave_world(&mut game);
     drop(game);
@@ -307,16 +335,13 @@ fn a_world_survives_whatever_is_done_to_its_window() {
     let Some((display, place)) = ready("") else {
         return;
     };
+    with_hints(&saves(&place));
     let mut game = open(&display, &place, &IN_A_WORLD);
-    let fresh = game.wait_until("the world", shows_world);
-    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
-    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
-    game.turn(0, 100);
-    game.turn(0, 100);
+    game.shows("the world");
+    game.hold_key_for("w", "learnt Walk");
+    game.look_down();
     game.key("4");
-    // A slow machine may still be turning.
-    let whole = game.calm();
-    game.hold_left_until("a hole", |picture| changed(picture, &whole));
+    game.hold_left_for("learnt Dig");
 
     game.key("F11");
     game.wait_until("a full screen", |picture| {
@@ -357,10 +382,8 @@ fn a_world_survives_whatever_is_done_to_its_window() {
         picture.dimensions() == (800, 600) && !is_black(picture)
     });
     // The keyboard was elsewhere, so the game has paused.
-    game.stillness();
-    game.steps(&["Tab", "Tab"]);
-    game.key("Return");
-    game.wait_until("the main menu", shows_main_menu);
+    game.shows("the pause menu");
+    save_and_quit(&mut game);
     drop(game);
     let saved = run(&saves(&place), "load Walk\nprobe");
     let edited = number(saved.probe(0), "chunks.edited");
@@ -373,11 +396,14 @@ fn photos_screenshots_and_the_console_are_had_from_the_keyboard() {
         return;
     };
     let mut game = open(&display, &place, &IN_A_WORLD);
-    let world = game.wait_until("the world", shows_world);
+    game.shows("the world");
+    game.wait_until("the world", shows_world);
     game.key("F12");
     game.wait_while("a screenshot", || pictures(&place) != [(800, 600)]);
 
+    let world = game.look();
     game.key("p");
+    game.shows("the photo mode");
     game.wait_until("the panel of the photo mode", |picture| {
         compare(picture, &world).mean > 8.0
     });
@@ -385,9 +411,11 @@ fn photos_screenshots_and_the_console_are_had_from_the_keyboard() {
     game.click(537, 560);
     game.wait_while("a photo beside it", || pictures(&place).len() != 2);
     game.key("p");
+    game.shows("the world");
     game.wait_until("the world again", shows_world);
 
     game.key("grave");
+    game.shows("the console");
     game.wait_until("the console", |picture| {
         mean(picture, (100, 100), (800, 250))
             .iter()
@@ -423,11 +451,8 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
         return;
     };
     let saves = saves(&place);
-    let text = fs::read_to_string(settings_file(&saves)).unwrap();
-    let text = text.replace("\"hints\": false", "\"hints\": true");
-    fs::write(settings_file(&saves), text).unwrap();
-    let told = [&IN_A_WORLD[..], &["--log", "debug"]].concat();
-    let mut game = open(&display, &place, &told);
+    with_hints(&saves);
+    let mut game = open(&display, &place, &IN_A_WORLD);
     game.wait_until("the first hint", |picture| {
         shows_world(picture) && shows_hint(picture)
     });
@@ -466,8 +491,16 @@ fn newcomers_are_told_what_to_do_and_what_the_game_is() {
     });
     leave_world(&mut game);
     let menu = game.stillness();
-    game.steps(&["Tab", "Tab", "Tab", "Tab", "Tab"]);
-    let about = game.step("Return");
+    game.told_steps(&[
+        ("Tab", "focus: Load"),
+        ("Tab", "focus: Delete"),
+        ("Tab", "focus: Settings"),
+        ("Tab", "focus: Controls"),
+        ("Tab", "focus: About"),
+        ("Return", "pressed: About"),
+    ]);
+    game.shows("the about screen");
+    let about = game.stillness();
     assert!(compare(&about, &menu).mean > 10.0, "a pane over the dusk");
     let scrolled = game.step("Down");
     assert!(compare(&scrolled, &about).far_off > 0.005, "the words move");

@@ -3,7 +3,7 @@
 use antipode_testing::may_skip;
 use antipode_tests::program::{field, number, run};
 use antipode_tests::seam::compare;
-use antipode_tests::window::{Window, display, settle_settings};
+use antipode_tests::window::{Window, display, settle_settings, with_hints};
 
 /// Places of buttons in a window of 1280 by 720.
 const NEW_GAME: (u32, u32) = (132, 102);
@@ -15,6 +15,16 @@ const SAVE_AND_QUIT: (u32, u32) = (132, 220);
 const LOAD: (u32, u32) = (132, 150);
 const FIRST_WORLD: (u32, u32) = (640, 100);
 const QUIT: (u32, u32) = (132, 391);
+
+/// What it says of what is done in its menus and of what it shows is what the test waits for.
+const TOLD: [&str; 6] = [
+    "--size",
+    "1280x720",
+    "--view-distance",
+    "2",
+    "--log",
+    "debug",
+];
 
 /// The main menu: a dark column, and the painted dusk beside it, which reduced motion keeps in place of live worlds.
 fn shows_main_menu(picture: &image::RgbImage) -> bool {
@@ -76,52 +86,34 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     };
     let saves = tempfile::tempdir().unwrap();
     settle_settings(saves.path(), "");
-    let mut game = Window::open(
-        &display,
-        saves.path(),
-        &[
-            "--size",
-            "1280x720",
-            "--view-distance",
-            "2",
-            "--log",
-            "debug",
-        ],
-    );
+    with_hints(saves.path());
+    let mut game = Window::open(&display, saves.path(), &TOLD);
     game.wait_until("the main menu", shows_main_menu);
-    game.click(NEW_GAME.0, NEW_GAME.1);
+    game.told_click(NEW_GAME, "pressed: New Game");
     game.wait_until("the New Game form", shows_new_game);
-    game.click(NAME.0, NAME.1);
+    game.told_click(NAME, "pressed: World 1");
     game.overwrite("Digs");
     game.wait_until("a free name", shows_free_name);
-    game.click(SEED.0, SEED.1);
-    game.write("12");
-    let before = size_shown(&game.calm());
-    game.click(SPHERICAL.0, SPHERICAL.1);
-    // A click is lost where the pointer is elsewhere by the end of the frame that it comes in.
+    game.told_click(SEED, "pressed: blank: text input");
+    game.told_write("12");
+    let before = size_shown(&game.look());
+    game.told_click(SPHERICAL, "pressed: Spherical");
     game.wait_until("the sizes of a spherical world", |picture| {
         compare(&size_shown(picture), &before).mean > 1.0
     });
-    game.click(CREATE.0, CREATE.1);
-    let fresh = game.wait_until("the new world", shows_world);
-    let changed = |picture: &_, from: &_| compare(picture, from).mean > 5.0;
-    game.hold_key_until("w", "a walk", |picture| changed(picture, &fresh));
-    game.turn(0, 200);
-    game.turn(0, 150);
-    game.turn(0, 150);
+    game.told_click(CREATE, "pressed: Create");
+    game.shows("the world");
+    game.wait_until("the new world", shows_world);
+    game.hold_key_for("w", "learnt Walk");
+    game.look_down();
     game.key("4");
-    // A slow machine may still be turning.
-    let whole = game.calm();
-    game.hold_left_until("the hole", |picture| changed(picture, &whole));
-    // Who slides into it is still on the way down.
-    let dug = game.calm();
+    game.hold_left_for("learnt Dig");
     game.key("Escape");
-    game.wait_until("the pause menu", |picture| {
-        compare(picture, &dug).mean > 10.0
-    });
-    game.click(SAVE_AND_QUIT.0, SAVE_AND_QUIT.1);
+    game.shows("the pause menu");
+    game.told_click(SAVE_AND_QUIT, "pressed: Save and quit");
+    game.shows("the main menu");
     game.wait_until("the main menu after saving", shows_main_menu);
-    game.click(QUIT.0, QUIT.1);
+    game.told_click(QUIT, "pressed: Quit");
     assert_eq!(game.ended(), Some(0));
 
     let saved = run(saves.path(), "load Digs\nprobe");
@@ -131,23 +123,19 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
         "the hole is not in the save"
     );
 
-    let mut game = Window::open(
-        &display,
-        saves.path(),
-        &["--size", "1280x720", "--view-distance", "2"],
-    );
+    let mut game = Window::open(&display, saves.path(), &TOLD);
     game.wait_until("the main menu", shows_main_menu);
-    game.click(LOAD.0, LOAD.1);
+    game.told_click(LOAD, "pressed: Load");
     game.wait_until("the list of worlds", shows_row);
-    game.click(FIRST_WORLD.0, FIRST_WORLD.1);
-    let back = game.wait_until("the loaded world", shows_world);
+    game.told_click(FIRST_WORLD, "pressed: Load “Digs”");
+    game.shows("the world");
+    game.wait_until("the loaded world", shows_world);
     game.key("Escape");
-    game.wait_until("the pause menu", |picture| {
-        compare(picture, &back).mean > 10.0
-    });
-    game.click(SAVE_AND_QUIT.0, SAVE_AND_QUIT.1);
+    game.shows("the pause menu");
+    game.told_click(SAVE_AND_QUIT, "pressed: Save and quit");
+    game.shows("the main menu");
     game.wait_until("the main menu after saving", shows_main_menu);
-    game.click(QUIT.0, QUIT.1);
+    game.told_click(QUIT, "pressed: Quit");
     assert_eq!(game.ended(), Some(0));
 
     let again = run(saves.path(), "load Digs\nprobe");

@@ -31,6 +31,7 @@ mod pointer;
 mod portrait;
 mod redraw;
 mod shots;
+mod shown;
 mod stage;
 #[cfg(test)]
 mod tests;

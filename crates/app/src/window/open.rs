@@ -11,6 +11,7 @@ use super::hearing::Ears;
 use super::pads::Pads;
 use super::pointer::Pointer;
 use super::redraw::{REST, Redraw};
+use super::shown::Shown;
 use super::stage::{Showing, Stage};
 use super::waits::Part;
 use super::wheel::Wheel;
@@ -30,7 +31,9 @@ pub struct Open {
     pub(super) followed: Option<Settings>,
     pub(super) redraw: Redraw,
     pub(super) down: Down,
+    pub(super) shown: Shown,
 }
+
 impl Open {
     /// A game on a stage.
     pub fn new(stage: Stage, game: Game) -> Self {
@@ -47,6 +50,7 @@ impl Open {
             followed: None,
             redraw: Redraw::new(Instant::now()),
             down: Down::default(),
+            shown: Shown::default(),
         }
     }
 
@@ -139,6 +143,7 @@ impl Open {
         self.game
             .play
             .drawn(frame.is_some() && !self.stage.is_land_coming());
+        self.shown.tell(&self.game);
         let now = Instant::now();
         self.redraw.drawn(now, wait);
         self.game.display.fps.shown(now);

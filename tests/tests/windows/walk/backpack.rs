@@ -41,10 +41,10 @@ fn things_are_dragged_split_merged_and_thrown_in_the_backpack_and_are_all_there_
         return;
     };
     let saves = saves(&place);
-    let told = [&IN_A_WORLD[..], &["--log", "debug"]].concat();
-    let mut game = open(&display, &place, &told);
-    game.wait_until("the world", shows_world);
+    let mut game = open(&display, &place, &IN_A_WORLD);
+    game.shows("the world");
     game.key("e");
+    game.shows("the backpack");
     game.wait_until("the backpack", shows_backpack);
     // A slow machine may still be at the last click: two in one frame are one.
     let done = |game: &mut Window, what: &str| game.wait_for(&format!("in the backpack: {what}"));
@@ -69,20 +69,21 @@ fn things_are_dragged_split_merged_and_thrown_in_the_backpack_and_are_all_there_
     game.drag(slot(12), (40, 300));
     done(&mut game, "LetGo");
     game.key("e");
+    game.shows("the world");
     game.wait_until("the world again", shows_world);
     leave_world(&mut game);
     drop(game);
     assert_eq!(lamps(&saves), (vec![(10, 8)], 2));
 
-    let mut game = open(&display, &place, &["--load", "Walk", "--log", "debug"]);
-    game.wait_until("the world once more", shows_world);
+    let mut game = open(&display, &place, &["--load", "Walk"]);
+    game.shows("the world");
     game.hold_key_for("w", "picked up 2 lamp");
     game.key("e");
-    game.wait_until("the backpack once more", shows_backpack);
+    game.shows("the backpack");
     game.drag(slot(10), slot(6));
     done(&mut game, "EndDrag(6)");
     game.key("Escape");
-    game.wait_until("the world behind it", shows_world);
+    game.shows("the world");
     leave_world(&mut game);
     drop(game);
     assert_eq!(lamps(&saves), (vec![(6, 10)], 0), "picked up and kept");
