@@ -8,7 +8,9 @@
 
 use image::RgbImage;
 use x11rb::errors::ReplyError;
-use x11rb::protocol::xproto::{ConnectionExt, ImageFormat};
+use x11rb::protocol::xproto::{
+    AutoRepeatMode, ChangeKeyboardControlAux, ConnectionExt, ImageFormat,
+};
 use x11rb::rust_connection::RustConnection;
 
 /// A display that can be looked at.
@@ -18,10 +20,17 @@ pub struct Screen {
 }
 
 impl Screen {
+    /// Connects, and keeps held keys from repeating themselves: on a busy machine half a second may pass before the
+    /// program that lets go of a key has begun.
+    ///
     /// # Panics
     /// When there is no such display.
     pub fn connect(display: &str) -> Self {
         let (connection, _) = RustConnection::connect(Some(display)).expect("a display");
+        let once = ChangeKeyboardControlAux::new().auto_repeat_mode(AutoRepeatMode::OFF);
+        let asked = connection.change_keyboard_control(&once);
+        let taken = asked.ok().and_then(|cookie| cookie.check().ok());
+        taken.expect("keys that do not repeat themselves");
         Self { connection }
     }
 
