@@ -1,5 +1,7 @@
 //! The charts of a world, and how they hang together.
 
+use std::fmt::Debug;
+
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
 use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing};
@@ -141,7 +143,7 @@ impl SquareFrame {
 }
 
 /// The charts of a world.
-pub trait Atlas {
+pub trait Atlas: Debug + Send + Sync {
     /// The part of a chart that is its own.
     fn domain(&self, _chart: ChartId) -> Domain {
         Domain::Everywhere

@@ -20,6 +20,9 @@ mod frustum;
 mod horizon;
 pub mod kernel;
 mod kind;
+mod map;
+mod metric;
+mod optics;
 mod point;
 mod projection;
 mod raised;
@@ -40,6 +43,9 @@ pub use eye::Eye;
 pub use frustum::{Frustum, side_normals};
 pub use horizon::Horizon;
 pub use kind::{Geometry, HyperbolicMap, ParseGeometryError, ParseMapError};
+pub use map::{Dial, Map, Viewer};
+pub use metric::{Curvature, Metric};
+pub use optics::Optics;
 pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use raised::Raised;
@@ -47,8 +53,8 @@ pub use real::Real;
 pub use sight::{Drum, SightCell, azimuth_spread};
 pub use spherical::Spherical;
 pub use strategy::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII,
-    SPHERE_RADIUS_RANGE_M, Strategy, Viewer, picture, strategy,
+    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, FAR_LIMIT_RADII, SPHERE_RADIUS_RANGE_M,
+    Strategy, picture, strategy,
 };
 pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;

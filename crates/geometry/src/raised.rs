@@ -10,16 +10,15 @@ use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::exponential;
 use crate::euclidean::rotation;
-use crate::kernel::distance;
 use crate::kernel::raised::RaisedMap;
+use crate::metric::distance_between_views_m;
 use crate::projection::Depth;
 use crate::real::Real;
 use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
-use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
-    Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, FAR_LIMIT_RADII, Map, Metric, Optics,
+    Projection, SightCell, SpaceUniform, Viewer,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -109,15 +108,7 @@ fn d_coth(d: f64) -> f64 {
 
 impl Atlas for Raised {}
 
-impl Strategy for Raised {
-    fn geometry(&self) -> Geometry {
-        Geometry::Hyperbolic
-    }
-
-    fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
+impl Map for Raised {
     fn dial(&self) -> Option<Dial> {
         Some(Self::DIAL)
     }
@@ -154,15 +145,6 @@ impl Strategy for Raised {
         self.chart_point(eye, view.extend(t.cosh()))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
-        let views = [a, b].map(|p| self.view_point(eye, p));
-        distance_between_views_m(-self.radius_m.powi(-2), views)
-    }
-
-    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        distance::from_eye(-1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
-    }
-
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let u = self
             .map(eye)
@@ -177,7 +159,20 @@ impl Strategy for Raised {
         let u = (point.pos - eye.point.pos).to_array();
         self.map(eye).normal(u, normal.to_array()).into()
     }
+}
 
+impl Metric for Raised {
+    fn curvature(&self) -> Curvature {
+        Curvature::of_radius(-1.0, self.radius_m)
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
+        let views = [a, b].map(|p| self.view_point(eye, p));
+        distance_between_views_m(-self.radius_m.powi(-2), views)
+    }
+}
+
+impl Optics for Raised {
     fn sight_limit_m(&self, _eye: &Eye) -> f64 {
         FAR_LIMIT_RADII * self.radius_m
     }

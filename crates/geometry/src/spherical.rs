@@ -14,8 +14,8 @@ use crate::projection::Depth;
 use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::{
-    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Eye, Geometry, HeightLimits, NoiseFrame,
-    Projection, SightCell, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map, Metric,
+    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -211,15 +211,7 @@ impl Atlas for Spherical {
     }
 }
 
-impl Strategy for Spherical {
-    fn geometry(&self) -> Geometry {
-        Geometry::Spherical
-    }
-
-    fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
+impl Map for Spherical {
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         self.metres(self.view(eye) * self.model(point))
     }
@@ -238,15 +230,6 @@ impl Strategy for Spherical {
         self.chart_point(eye, (direction * (self.radius_m * sin)).extend(cos))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
-        let (a, b) = (self.model(a), self.model(b));
-        self.radius_m * distance::spherical(a.to_array(), b.to_array())
-    }
-
-    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        distance::from_eye(1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
-    }
-
     fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
         self.model(point)
     }
@@ -255,7 +238,20 @@ impl Strategy for Spherical {
         let p = (point.pos / self.radius_m).to_array();
         sphere::normal(p, normal.to_array()).into()
     }
+}
 
+impl Metric for Spherical {
+    fn curvature(&self) -> Curvature {
+        Curvature::of_radius(1.0, self.radius_m)
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        let (a, b) = (self.model(a), self.model(b));
+        self.radius_m * distance::spherical(a.to_array(), b.to_array())
+    }
+}
+
+impl Optics for Spherical {
     fn has_sky(&self) -> bool {
         false
     }

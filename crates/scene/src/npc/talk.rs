@@ -123,7 +123,7 @@ fn triangle(now: Situation<'_>, home_m: f64) -> Line {
     let strategy = &*now.world.strategy;
     let closed = strategy.is_closed();
     let curvature_per_m2 = if closed {
-        strategy.curvature_per_m2()
+        strategy.curvature().per_m2()
     } else {
         0.0
     };

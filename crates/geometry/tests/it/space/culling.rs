@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartId, ChartPoint, ChunkCoord, Drum, Eye, Geometry, Horizon, Projection, Raised, Strategy,
-    strategy,
+    ChartId, ChartPoint, ChunkCoord, Drum, Eye, Geometry, Horizon, Optics, Projection, Raised,
+    Strategy, strategy,
 };
 use glam::{DVec2, DVec3, IVec3};
 use proptest::prelude::{prop_assert, proptest};
