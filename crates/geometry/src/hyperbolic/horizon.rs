@@ -9,7 +9,7 @@
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::charts::cylindrical;
-use crate::euclidean::rotation;
+use crate::flat::rotation;
 use crate::kernel::horizon::HorizonMap;
 use crate::metric::distance_between_views_m;
 use crate::projection::Depth;

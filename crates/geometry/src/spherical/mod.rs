@@ -1,0 +1,5 @@
+//! The three-sphere.
+
+mod sphere;
+
+pub use sphere::Spherical;
