@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
-use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
@@ -102,6 +102,16 @@ pub enum NoiseFrame {
     Radial,
 }
 
+impl NoiseFrame {
+    /// By how many quarter turns about +y a chart is turned against the space, 0 to 3.
+    pub fn quarter_turns(self) -> u8 {
+        match self {
+            Self::Square(frame) => frame.quarter_turns % 4,
+            Self::Radial => 0,
+        }
+    }
+}
+
 /// A chart's place in a space whose axes are the chart's but for quarter turns, exact for coordinates in whole metres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SquareFrame {
@@ -160,7 +170,22 @@ pub trait Atlas: Debug + Send + Sync {
     }
 
     /// All charts of a closed world; none of one that goes on for ever.
-    fn all_charts(&self) -> Option<Vec<ChartId>> {
+    fn all_charts(&self) -> Option<&[ChartId]> {
+        None
+    }
+
+    /// What scripts, probes and the display call a chart: A where there is one, and the letters of a globe's hemispheres;
+    /// others by their numbers.
+    fn chart_name(&self, chart: ChartId) -> String {
+        if chart == ChartId::FIRST {
+            "A".to_owned()
+        } else {
+            chart.to_string()
+        }
+    }
+
+    /// The globe that the ground is, of a world in which land hangs overhead and every way leads round.
+    fn globe(&self) -> Option<Globe> {
         None
     }
 

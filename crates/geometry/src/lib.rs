@@ -37,6 +37,7 @@ mod spherical;
 mod strategy;
 mod triangle;
 mod uniform;
+mod view;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
 pub use chart::{ChartId, ParseChartError};
@@ -45,8 +46,10 @@ pub use chunk_cube::ChunkCube;
 pub use eye::Eye;
 pub use flat::Euclidean;
 pub use frustum::{Frustum, side_normals};
-pub use hyperbolic::{Horizon, Raised};
-pub use kind::{Geometry, HyperbolicMap, ParseGeometryError, ParseMapError};
+pub use hyperbolic::{DEFAULT_HYPERBOLIC_RADIUS_M, FAR_LIMIT_RADII, Horizon, Raised};
+pub use kind::{
+    Geometry, HyperbolicMap, ParseGeometryError, ParseMapError, Radii, picture, strategy,
+};
 pub use map::{Dial, Map, Viewer};
 pub use metric::{Curvature, Metric};
 pub use optics::Optics;
@@ -54,13 +57,11 @@ pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use real::Real;
 pub use sight::{Drum, SightCell, azimuth_spread};
-pub use spherical::Spherical;
-pub use strategy::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, FAR_LIMIT_RADII, SPHERE_RADIUS_RANGE_M,
-    Strategy, picture, strategy,
-};
+pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
+pub use strategy::Strategy;
 pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
+pub use view::View;
 
 /// The shader text that mirrors this crate: `struct Space` and the four functions that port,
 /// light, project and measure. It has no entry point and no binding; other shaders are

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::{ChartPoint, Eye};
+use crate::{ChartPoint, Eye, View};
 
 /// The range of the knob that a space offers the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,9 +21,10 @@ pub type Viewer<'a> = Box<dyn Fn(ChartPoint) -> DVec4 + 'a>;
 /// How the charts lie in the space as an eye sees it: each point of a chart in view coordinates, and each place in view as
 /// a point of a chart. View coordinates are x right, y up, z back, in metres, and w without unit.
 pub trait Map {
-    /// The player's knob, where the map has one.
-    fn dial(&self) -> Option<Dial> {
-        None
+    /// Through what a world of this space can be looked at: first as a new world is, and as all but the player always see
+    /// it.
+    fn views(&self) -> &'static [View] {
+        &[View::Plain]
     }
 
     /// The point as seen: view coordinates with the eye at (0, 0, 0, 1).

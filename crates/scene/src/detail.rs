@@ -106,7 +106,7 @@ impl Detail for Sight {
             )
         };
         let mut size = at(nearest);
-        if self.strategy.is_closed() {
+        if self.strategy.globe().is_some() {
             // In a closed space things grow again towards the antipode.
             for corner in lattice(3) {
                 size = size.max(at(low + corner * (high - low)));

@@ -285,11 +285,11 @@ impl Scene {
 /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
 fn fog_distance_m(world: &World, eye: &Eye, pictured: &dyn Strategy) -> f32 {
     let far_m = pictured.sight_limit_m(eye);
-    if world.strategy.is_closed() {
-        (world.strategy.domain(eye.point.chart).half_width_m() * 3.0) as f32
-    } else {
-        ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32
-    }
+    let fog_m = match world.strategy.globe() {
+        Some(globe) => 0.75 * globe.round_m(),
+        None => ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m),
+    };
+    fog_m as f32
 }
 
 impl Mark {

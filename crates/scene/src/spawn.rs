@@ -24,7 +24,7 @@ const CLEARANCE_M: f64 = 0.15;
 
 /// The feet of a new player. A closed world is entered at its pole, from where every straight walk comes home.
 pub fn spawn_point(field: &Field) -> ChartPoint {
-    let closed = field.strategy().is_closed();
+    let closed = field.strategy().globe().is_some();
     let rings = if closed { &RINGS_M[..1] } else { &RINGS_M[..] };
     let mut best: Option<(f64, DVec3)> = None;
     for &ring_m in rings {

@@ -47,8 +47,8 @@ impl Closed {
         let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
         Some(Self {
             charts: charts
-                .into_iter()
-                .map(|chart| (chart, strategy.domain(chart)))
+                .iter()
+                .map(|chart| (*chart, strategy.domain(*chart)))
                 .collect(),
             layers,
         })

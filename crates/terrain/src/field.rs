@@ -191,10 +191,7 @@ impl Field {
 
     /// By how many quarter turns a chart is turned against the space.
     pub(crate) fn quarter_turns(&self, chart: ChartId) -> usize {
-        match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => usize::from(frame.quarter_turns % 4),
-            NoiseFrame::Radial => 0,
-        }
+        usize::from(self.strategy.noise_frame(chart).quarter_turns())
     }
 
     /// Height of the topmost surface of untouched ground over `(x, z)`, metres.

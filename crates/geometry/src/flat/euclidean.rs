@@ -6,7 +6,7 @@ use crate::projection::Depth;
 use crate::sight::Axis;
 use crate::{
     Atlas, ChartId, ChartPoint, Curvature, Eye, Map, Metric, Optics, Projection, SightCell,
-    SpaceUniform,
+    SpaceUniform, View,
 };
 
 /// Flat space.
@@ -21,6 +21,10 @@ pub(crate) fn rotation(eye: &Eye) -> DMat3 {
 impl Atlas for Euclidean {}
 
 impl Map for Euclidean {
+    fn views(&self) -> &'static [View] {
+        &[View::Plain, View::Bent]
+    }
+
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         eye.to_view(point.pos - eye.point.pos).extend(1.0)
     }

@@ -8,6 +8,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::FAR_LIMIT_RADII;
 use crate::charts::cylindrical;
 use crate::flat::rotation;
 use crate::kernel::horizon::HorizonMap;
@@ -17,8 +18,8 @@ use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::{
-    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, FAR_LIMIT_RADII, Map, Metric, Optics,
-    Projection, SpaceUniform, Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, Map, Metric, Optics, Projection,
+    SpaceUniform, Viewer,
 };
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
@@ -109,10 +110,6 @@ impl Horizon {
 impl Atlas for Horizon {}
 
 impl Map for Horizon {
-    fn dial(&self) -> Option<Dial> {
-        Some(self.range())
-    }
-
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let u = (point.pos - eye.point.pos).to_array();
         let x = DVec4::from_array(self.map(eye).port(u));

@@ -8,6 +8,7 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::FAR_LIMIT_RADII;
 use crate::charts::exponential;
 use crate::flat::rotation;
 use crate::kernel::raised::RaisedMap;
@@ -17,8 +18,8 @@ use crate::real::Real;
 use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::{
-    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, FAR_LIMIT_RADII, Map, Metric, Optics,
-    Projection, SightCell, SpaceUniform, Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, HyperbolicMap, Map, Metric, Optics,
+    Projection, SightCell, SpaceUniform, View, Viewer,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -109,8 +110,13 @@ fn d_coth(d: f64) -> f64 {
 impl Atlas for Raised {}
 
 impl Map for Raised {
-    fn dial(&self) -> Option<Dial> {
-        Some(Self::DIAL)
+    fn views(&self) -> &'static [View] {
+        const {
+            &[
+                View::Map(HyperbolicMap::Raised),
+                View::Map(HyperbolicMap::Horizon),
+            ]
+        }
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {

@@ -9,9 +9,9 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::globe::{Globe, is_b};
 use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
-use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::{
     Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map, Metric,
@@ -26,11 +26,6 @@ const CROSSING_HYSTERESIS_M: f64 = 0.2;
 #[derive(Debug, Clone, Copy)]
 pub struct Spherical {
     radius_m: f64,
-}
-
-/// Whether a chart is that of hemisphere B; all others count as A.
-fn is_b(chart: ChartId) -> bool {
-    chart == ChartId::SECOND
 }
 
 /// The chart on the far side of the equator.
@@ -138,12 +133,16 @@ impl Atlas for Spherical {
         chart <= ChartId::SECOND
     }
 
-    fn is_closed(&self) -> bool {
-        true
+    fn all_charts(&self) -> Option<&[ChartId]> {
+        Some(&[ChartId::FIRST, ChartId::SECOND])
     }
 
-    fn all_charts(&self) -> Option<Vec<ChartId>> {
-        Some(vec![ChartId::FIRST, ChartId::SECOND])
+    fn chart_name(&self, chart: ChartId) -> String {
+        Globe::new(self.radius_m).hemisphere(chart).to_string()
+    }
+
+    fn globe(&self) -> Option<Globe> {
+        Some(Globe::new(self.radius_m))
     }
 
     fn cross(&self, point: ChartPoint) -> Option<Crossing> {
@@ -195,10 +194,7 @@ impl Atlas for Spherical {
     }
 
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        let p = mirrored(point.chart, point.pos / self.radius_m);
-        let r = p.x.hypot(p.z);
-        let pole = if is_b(point.chart) { -r.cos() } else { r.cos() };
-        DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
+        Globe::new(self.radius_m).from_middle_m(point)
     }
 
     /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.

@@ -5,7 +5,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, NoiseFrame, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
 use glam::DVec3;
 
 /// From one place to another.
@@ -72,10 +72,8 @@ pub(crate) fn toward(yaw_rad: f64) -> DVec3 {
 /// the space where charts lie square in it, so that it does not depend on how a chart is turned: a quarter turn takes the
 /// headings of the chart to less by one.
 pub(crate) fn any_heading(strategy: &dyn Strategy, chart: ChartId, yaw_rad: f64) -> f64 {
-    match strategy.noise_frame(chart) {
-        NoiseFrame::Square(frame) => yaw_rad + f64::from(frame.quarter_turns) * FRAC_PI_2,
-        NoiseFrame::Radial => yaw_rad,
-    }
+    let turns = strategy.noise_frame(chart).quarter_turns();
+    yaw_rad + f64::from(turns) * FRAC_PI_2
 }
 
 #[cfg(test)]
