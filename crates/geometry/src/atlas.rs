@@ -99,7 +99,10 @@ pub enum NoiseFrame {
     /// Square with the chart.
     Square(SquareFrame),
     /// About the centre of a sphere: a column of the chart is part of a radius.
-    Radial,
+    Radial {
+        /// The sphere's radius, metres.
+        radius_m: f64,
+    },
 }
 
 impl NoiseFrame {
@@ -107,7 +110,7 @@ impl NoiseFrame {
     pub fn quarter_turns(self) -> u8 {
         match self {
             Self::Square(frame) => frame.quarter_turns % 4,
-            Self::Radial => 0,
+            Self::Radial { .. } => 0,
         }
     }
 }
@@ -225,7 +228,7 @@ pub trait Atlas: Debug + Send + Sync {
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         match self.noise_frame(point.chart) {
             NoiseFrame::Square(frame) => frame.placed(point.pos),
-            NoiseFrame::Radial => point.pos,
+            NoiseFrame::Radial { .. } => point.pos,
         }
     }
 

@@ -68,6 +68,11 @@ impl Lens {
         lens
     }
 
+    /// The space of the world that is pictured.
+    pub(crate) fn world(&self) -> &Arc<dyn Strategy> {
+        &self.world
+    }
+
     /// The strategy that pictures are taken with at this moment.
     pub fn strategy(&self) -> &Arc<dyn Strategy> {
         &self.strategy

@@ -107,7 +107,7 @@ pub(crate) fn with_a_view(field: &Field, lens: &Lens, eye_height_m: f64) -> Opti
 
 impl Search<'_> {
     fn strategy(&self) -> &dyn Strategy {
-        &**self.field.strategy()
+        &**self.lens.world()
     }
 
     fn ground(&self, point: ChartPoint) -> ChartPoint {

@@ -43,14 +43,18 @@ fn cube_of_bodies(strategy: &dyn Strategy, about: ChunkCoord) -> ChunkCube {
 
 impl World {
     /// A world that has just begun, with no land in it yet.
-    pub fn new(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
-        let strategy = Arc::clone(field.strategy());
+    pub fn new(
+        setup: WorldSetup,
+        strategy: Arc<dyn Strategy>,
+        field: &Arc<Field>,
+        streamer: Streamer,
+    ) -> Self {
         let bodies_about = ChunkCoord::containing(ChartPoint::a(DVec3::ZERO));
         Self {
             setup,
             bodies_about,
             bodies_within: cube_of_bodies(&*strategy, bodies_about),
-            ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
+            ground: Ground::new(Arc::clone(field), Arc::<dyn Strategy>::clone(&strategy)),
             strategy,
             streamer,
             holds_land: false,

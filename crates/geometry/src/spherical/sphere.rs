@@ -190,7 +190,9 @@ impl Atlas for Spherical {
     }
 
     fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
-        NoiseFrame::Radial
+        NoiseFrame::Radial {
+            radius_m: self.radius_m,
+        }
     }
 
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
