@@ -9,7 +9,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use antipode_geometry::{ChartPoint, Eye, Globe, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Globe, Map, Metric, Strategy};
 use glam::{DVec3, Vec3};
 
 use crate::day::key_shadow;
@@ -86,7 +86,7 @@ pub fn local_time_s(time_of_day_s: f64, globe: Globe, point: ChartPoint) -> Opti
 }
 
 /// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of common.wgsl.
-fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
+fn daylight(strategy: &dyn Metric, sun: ChartPoint, eye: &Eye) -> f32 {
     let away = strategy.distance_m(eye.point, sun, eye) / strategy.radius_m();
     let [night, day] = NIGHT_AND_DAY;
     let t = ((away.cos() as f32 - night) / (day - night)).clamp(0.0, 1.0);
@@ -94,7 +94,7 @@ fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
 }
 
 /// The chart direction, at the eye, in which a point is seen.
-fn toward(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> Vec3 {
+fn toward(strategy: &dyn Map, eye: &Eye, point: ChartPoint) -> Vec3 {
     let view = strategy.view_point(eye, point).truncate();
     let seen = eye.right() * view.x + eye.up() * view.y - eye.front() * view.z;
     seen.normalize_or(DVec3::Y).as_vec3()

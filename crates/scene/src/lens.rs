@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Horizon, HyperbolicMap, Raised, Strategy, View};
+use antipode_geometry::{Horizon, HyperbolicMap, Map, Raised, Strategy, View};
 
 use crate::tuning::{DIAL_REMAINDER_PER_S, DIAL_SWAP_AT};
 
@@ -300,7 +300,7 @@ impl Lens {
 }
 
 /// The world's own picture: that of every new world.
-pub(crate) fn own_view(world: &dyn Strategy) -> View {
+pub(crate) fn own_view(world: &dyn Map) -> View {
     world.views().first().copied().unwrap_or_default()
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Map, Projection, Strategy};
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -303,7 +303,7 @@ impl Mark {
     }
 
     /// Puts the marker where it is in another eye's picture.
-    pub fn put_before(&mut self, eye: &Eye, pictured: &dyn Strategy) {
+    pub fn put_before(&mut self, eye: &Eye, pictured: &dyn Map) {
         self.marker.point = pictured.along(eye, self.way, self.away_m);
     }
 }

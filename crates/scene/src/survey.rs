@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint, Globe, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Globe, Strategy};
 use antipode_terrain::Biome;
 use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
 
@@ -177,7 +177,7 @@ fn column((chart, i, j): Node) -> ChartPoint {
     ChartPoint::new(chart, at)
 }
 
-fn reach_m(strategy: &dyn Strategy) -> f64 {
+fn reach_m(strategy: &dyn Atlas) -> f64 {
     // Half way round lies what is on the other side of the world.
     let farthest_m = strategy
         .globe()
@@ -216,7 +216,7 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
 }
 
 /// Squares of four columns that are all there, at least one of them within the chart's domain.
-fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
+fn patches_of(strategy: &dyn Atlas, nodes: &[Node]) -> Vec<[u32; 4]> {
     let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
     let patch = |&(chart, i, j): &Node| {
         let corner = |di, dj| places.get(&(chart, i + di, j + dj)).copied();

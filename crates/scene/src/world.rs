@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
 use antipode_terrain::{Field, RIM_REACH_M, Samples};
@@ -37,7 +37,7 @@ pub(crate) struct World {
     pub simulated_s: f64,
 }
 
-fn cube_of_bodies(strategy: &dyn Strategy, about: ChunkCoord) -> ChunkCube {
+fn cube_of_bodies(strategy: &dyn Atlas, about: ChunkCoord) -> ChunkCube {
     ChunkCube::about(strategy, about, BODIES_WITHIN_CHUNKS, RIM_REACH_M)
 }
 
