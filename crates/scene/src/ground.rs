@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
 use antipode_terrain::{ChunkMesh, Cover, Field, Samples};
@@ -34,7 +34,7 @@ pub type Spent = (Option<TerrainCollider>, Option<Arc<Samples>>);
 #[derive(Debug)]
 pub struct Ground {
     field: Arc<Field>,
-    strategy: Arc<dyn Strategy>,
+    strategy: Arc<dyn Atlas>,
     chunks: HashMap<ChunkCoord, Resident>,
     /// What pictures show. A picture that is kept keeps the land of its moment.
     land: Arc<Land>,
@@ -45,7 +45,7 @@ pub struct Ground {
 
 impl Ground {
     /// Nothing resident yet.
-    pub fn new(field: Arc<Field>, strategy: Arc<dyn Strategy>) -> Self {
+    pub fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>) -> Self {
         Self {
             field,
             strategy,
