@@ -12,11 +12,12 @@ use glam::DVec2;
 use crate::actors::Actors;
 use crate::bot;
 use crate::lamp::Lamp;
+use crate::npc::any_heading;
 use crate::situation::Situation;
 use crate::world::World;
 
-/// North of worlds without an equator, as a heading: the way of -x, about which the stars turn. The sun comes up at
-/// -z, to the right of it.
+/// North of worlds without an equator, as a heading of the space that its charts are turned in: the way of -x, about which
+/// the stars turn. The sun comes up at -z, to the right of it.
 const OPEN_NORTH_RAD: f64 = PI;
 
 /// Which way the player looks, and where that is.
@@ -126,7 +127,7 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
 
 fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
     let Some(globe) = strategy.globe() else {
-        return OPEN_NORTH_RAD;
+        return any_heading(strategy, feet.chart, OPEN_NORTH_RAD);
     };
     let eye = map_eye(feet);
     let at = Locator::new(strategy, &eye).at(globe.north());

@@ -104,8 +104,8 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
             }
-            NoiseFrame::Radial { radius_m } => {
-                let column = self.column(chart, radius_m, pos.x, pos.z);
+            NoiseFrame::Radial { .. } => {
+                let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
         };
@@ -146,8 +146,8 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 self.fill_square(frame, (first, step_m), counts, &rows, out);
             }
-            NoiseFrame::Radial { radius_m } => {
-                self.fill_tilted((chart, radius_m), (first, step_m), counts, &rows, out)
+            NoiseFrame::Radial { .. } => {
+                self.fill_tilted(chart, (first, step_m), counts, &rows, out);
             }
         }
     }
@@ -219,7 +219,7 @@ impl Field {
     /// [`Self::fill_grid`] where columns slant through the lattice.
     fn fill_tilted(
         &self,
-        (chart, radius_m): (ChartId, f64),
+        chart: ChartId,
         (first, step_m): (DVec3, f64),
         [width, height, depth]: [usize; 3],
         rows: &Rows,
@@ -232,7 +232,7 @@ impl Field {
             for i in from..width.min(from + BLOCK) {
                 for k in 0..depth {
                     let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
-                    columns.push(self.column(chart, radius_m, x, z));
+                    columns.push(self.column(chart, x, z));
                 }
             }
             tilted::fill(&self.lattice, &self.octaves, ground, &columns, heights, out);
@@ -263,16 +263,17 @@ impl Field {
         }
     }
 
-    /// A column of the chart in the lattice of the first octave. Noise space is radial about
-    /// the sphere's centre, so the height stretches the point on the ground.
-    fn column(&self, chart: ChartId, radius_m: f64, x: f64, z: f64) -> Column {
+    /// A column of the chart in the lattice of the first octave. Where noise space is radial about
+    /// the sphere's centre, the height stretches the point on the ground.
+    fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
         let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
         let base = self.strategy.noise_point(ground) * frequencies;
-        Column {
-            base,
-            slope: base / radius_m,
-        }
+        let slope = match self.strategy.noise_frame(chart) {
+            NoiseFrame::Radial { radius_m } => base / radius_m,
+            NoiseFrame::Square(_) => DVec3::Y * frequencies,
+        };
+        Column { base, slope }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
 
+use crate::common::twins::Twins;
 use crate::common::{scene, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
@@ -172,4 +173,20 @@ fn lamps_and_bots_are_marked_where_they_stand() {
     assert!(is_there(LandmarkKind::Hostile, -8.0), "{marks:?}");
     assert!(is_there(LandmarkKind::Car, -42.3), "{marks:?}");
     assert!(marks.iter().all(|mark| mark.at.length() <= 45.0));
+}
+
+#[test]
+fn north_is_one_way_in_all_charts_of_squares_that_are_turned() {
+    let mut twins = Twins::new();
+    let mut turned = std::collections::BTreeSet::new();
+    for (x, z) in [(5.0, 5.0), (70.0, 5.0), (130.0, -60.0), (-64.0, 128.0)] {
+        twins.stand(x, z, 0.4, 0.0);
+        twins.step(&Actions::default());
+        let [one, many] = [&twins.one, &twins.many].map(Scene::bearings);
+        let [from_one, from_many] = [one, many].map(|it| it.north_rad - it.heading_rad);
+        assert!((from_one - from_many).cos() > 1.0 - 1e-12, "{x} {z}");
+        assert_eq!(many.equator, None, "an edge of squares is no place");
+        turned.insert((many.north_rad - one.north_rad).rem_euclid(std::f64::consts::TAU) as u32);
+    }
+    assert!(turned.len() > 1, "{turned:?}");
 }
