@@ -196,6 +196,10 @@ const EXCUSED: &[(&str, &str)] = &[
         "a bound: what a pick may follow in scene/src/reach.rs",
     ),
     (
+        "View::saved",
+        "a choice: what a save tells, in scene/src/lens/tests.rs",
+    ),
+    (
         "View::of",
         "a radius over a share, for the rows of pictures",
     ),
