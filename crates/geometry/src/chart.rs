@@ -81,10 +81,7 @@ mod tests {
         let names = charts.map(|chart| format!("{chart:?}"));
         assert_eq!(names[..4], ["0x0", "0x1", "0x2", "0x10000000000000000"]);
         assert_eq!(names.map(|name| name.parse()), charts.map(Ok));
-        assert_eq!(
-            ["A", "B"].map(|name| name.parse()),
-            [Ok(charts[0]), Ok(charts[1])]
-        );
+        assert_eq!(["A", "B"].map(str::parse), [Ok(charts[0]), Ok(charts[1])]);
         for name in [
             "",
             "C",

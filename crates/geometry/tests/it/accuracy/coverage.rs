@@ -178,7 +178,6 @@ const EXCUSED: &[(&str, &str)] = &[
     ),
     ("Atlas::spread_m", "a bound: tests/it/space/crossing.rs"),
     ("Globe::new", "a radius"),
-    ("Globe::hemisphere", "a letter"),
     (
         "Globe::from_middle_m",
         "Atlas::noise_point, and beside it the circle over the poles",

@@ -54,7 +54,7 @@ fn no_frame_of_a_sprint_waits_for_more_than_the_adapter_while_workers_are_busy()
 }
 
 /// The longest that a frame waits besides drawing, and that frame in words; none without an adapter.
-fn longest_wait_of_a_sprint() -> Option<(std::time::Duration, String)> {
+fn longest_wait_of_a_sprint() -> Option<(Duration, String)> {
     let mut run = Run::begin(SIZE)?;
     let context = egui::Context::default();
     antipode_ui::apply_theme(&context);
