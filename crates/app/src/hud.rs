@@ -1,6 +1,6 @@
 //! From the scene to what the heads-up display shows.
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, HyperbolicMap};
+use antipode_geometry::{ChartPoint, Curvature, Eye, HyperbolicMap};
 use antipode_language::Texts;
 use antipode_scene::day::hour;
 use antipode_scene::tuning::FULL_HEALTH;
@@ -34,17 +34,14 @@ pub fn model(
         fps,
         chart: feet.pos.to_array(),
         curved: curved.to_array(),
-        curved_is_flat: !pictured.radius_at_m(&origin).is_finite(),
+        curved_is_flat: pictured.curvature_at(&origin) == Curvature::FLAT,
         slots: slots(texts, scene),
         selected: usize::from(scene.inventory().selected()),
         curvature: dial(scene.lens()),
-        hemisphere: scene.strategy().is_closed().then(|| {
-            if feet.chart == ChartId::FIRST {
-                'A'
-            } else {
-                'B'
-            }
-        }),
+        hemisphere: scene
+            .strategy()
+            .globe()
+            .map(|globe| globe.hemisphere(feet.chart)),
         geometry: wording::geometry(texts, scene.setup().geometry),
         brush_radius_m: scene
             .inventory()

@@ -3,7 +3,6 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use antipode_geometry::ChartId;
 use antipode_scene::bearings::{Bearings, LandmarkKind};
 use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Scene, Seen};
@@ -103,11 +102,7 @@ fn compass(bearings: &Bearings) -> CompassModel {
     CompassModel {
         heading_rad: (heading_rad - bearings.north_rad).rem_euclid(TAU),
         equator: bearings.equator.map(|equator| EquatorView {
-            hemisphere: if equator.chart == ChartId::SECOND {
-                'B'
-            } else {
-                'A'
-            },
+            hemisphere: equator.hemisphere,
             distance_m: equator.distance_m,
             bearing_rad: (equator.heading_rad - heading_rad).rem_euclid(TAU),
         }),
@@ -158,7 +153,7 @@ mod tests {
             heading_rad,
             north_rad: PI,
             equator: Some(Equator {
-                chart: ChartId::SECOND,
+                hemisphere: 'B',
                 distance_m: 12.0,
                 heading_rad: FRAC_PI_2,
             }),

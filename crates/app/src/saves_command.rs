@@ -107,8 +107,8 @@ fn particulars(world: &WorldSummary) -> Vec<String> {
         lines.push(format!("space     {}", meta.geometry));
         lines.push(format!("biome     {}", meta.biome));
         lines.push(format!("seed      {}", meta.seed));
-        // Only a closed space has a radius; that of a hyperbolic one follows the player's dial.
-        if meta.geometry.parse() == Ok(Geometry::Spherical) {
+        let space = meta.geometry.parse::<Geometry>();
+        if space.is_ok_and(|it| it.radii().chosen_m.is_some()) {
             lines.push(format!("radius    {} m", meta.radius_m));
         }
         lines.push(format!("played    {:.1} min", meta.played_s / 60.0));

@@ -6,10 +6,7 @@ use std::io::Cursor;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use antipode_geometry::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Geometry, HyperbolicMap,
-    SPHERE_RADIUS_RANGE_M,
-};
+use antipode_geometry::{Geometry, HyperbolicMap};
 use antipode_scene::frame::Quality;
 use antipode_scene::tuning::VIEW_DISTANCE_CHUNKS;
 use antipode_scene::{Between, NpcMode, Scene, WorldSetup};
@@ -258,19 +255,18 @@ impl Worlds {
 /// # Errors
 /// When there is nothing to choose, or no world can have it.
 pub fn radius_m(geometry: Geometry, wanted_m: Option<f64>) -> Result<f64, Failure> {
-    let refused = match (geometry, wanted_m) {
-        (Geometry::Spherical, Some(radius)) if SPHERE_RADIUS_RANGE_M.contains(&radius) => {
-            return Ok(radius);
-        }
-        (Geometry::Spherical, None) => return Ok(DEFAULT_SPHERE_RADIUS_M),
-        (Geometry::Hyperbolic, None) => return Ok(DEFAULT_HYPERBOLIC_RADIUS_M),
-        (Geometry::Euclidean, None) => return Ok(f64::INFINITY),
-        (Geometry::Spherical, Some(radius)) => format!(
-            "A radius of {radius} m will not do: a spherical world has {} to {} m",
-            SPHERE_RADIUS_RANGE_M.start(),
-            SPHERE_RADIUS_RANGE_M.end()
+    let radii = geometry.radii();
+    let Some(wanted_m) = wanted_m else {
+        return Ok(radii.default_m);
+    };
+    let refused = match &radii.chosen_m {
+        Some(range) if range.contains(&wanted_m) => return Ok(wanted_m),
+        Some(range) => format!(
+            "A radius of {wanted_m} m will not do: a {geometry} world has {} to {} m",
+            range.start(),
+            range.end()
         ),
-        (_, Some(_)) => "Only a spherical world has a radius to choose".to_owned(),
+        None => "Only a spherical world has a radius to choose".to_owned(),
     };
     Err(Failure::Usage(refused))
 }

@@ -1,8 +1,10 @@
 //! The charts of a world, and how they hang together.
 
+use std::fmt::Debug;
+
 use glam::{DVec2, DVec3, Vec3Swizzles};
 
-use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing};
+use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
@@ -97,7 +99,20 @@ pub enum NoiseFrame {
     /// Square with the chart.
     Square(SquareFrame),
     /// About the centre of a sphere: a column of the chart is part of a radius.
-    Radial,
+    Radial {
+        /// The sphere's radius, metres.
+        radius_m: f64,
+    },
+}
+
+impl NoiseFrame {
+    /// By how many quarter turns about +y a chart is turned against the space, 0 to 3.
+    pub fn quarter_turns(self) -> u8 {
+        match self {
+            Self::Square(frame) => frame.quarter_turns % 4,
+            Self::Radial { .. } => 0,
+        }
+    }
 }
 
 /// A chart's place in a space whose axes are the chart's but for quarter turns, exact for coordinates in whole metres.
@@ -141,7 +156,7 @@ impl SquareFrame {
 }
 
 /// The charts of a world.
-pub trait Atlas {
+pub trait Atlas: Debug + Send + Sync {
     /// The part of a chart that is its own.
     fn domain(&self, _chart: ChartId) -> Domain {
         Domain::Everywhere
@@ -158,7 +173,22 @@ pub trait Atlas {
     }
 
     /// All charts of a closed world; none of one that goes on for ever.
-    fn all_charts(&self) -> Option<Vec<ChartId>> {
+    fn all_charts(&self) -> Option<&[ChartId]> {
+        None
+    }
+
+    /// What scripts, probes and the display call a chart: A where there is one, and the letters of a globe's hemispheres;
+    /// others by their numbers.
+    fn chart_name(&self, chart: ChartId) -> String {
+        if chart == ChartId::FIRST {
+            "A".to_owned()
+        } else {
+            chart.to_string()
+        }
+    }
+
+    /// The globe that the ground is, of a world in which land hangs overhead and every way leads round.
+    fn globe(&self) -> Option<Globe> {
         None
     }
 
@@ -198,7 +228,7 @@ pub trait Atlas {
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         match self.noise_frame(point.chart) {
             NoiseFrame::Square(frame) => frame.placed(point.pos),
-            NoiseFrame::Radial => point.pos,
+            NoiseFrame::Radial { .. } => point.pos,
         }
     }
 

@@ -25,14 +25,10 @@ impl ChartId {
     }
 }
 
-/// The letter of the first two, the number of others in hexadecimal digits.
+/// Its number in hexadecimal digits. What a world calls it, its atlas says.
 impl fmt::Display for ChartId {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::FIRST => f.pad("A"),
-            Self::SECOND => f.pad("B"),
-            other => write!(f, "{:#x}", other.number()),
-        }
+        write!(f, "{:#x}", self.number())
     }
 }
 
@@ -54,6 +50,7 @@ impl fmt::Display for ParseChartError {
 
 impl std::error::Error for ParseChartError {}
 
+/// By its number, or by a letter as scripts name the charts of a globe; the letters stand for the first two.
 impl FromStr for ChartId {
     type Err = ParseChartError;
 
@@ -64,8 +61,7 @@ impl FromStr for ChartId {
             _ => {
                 let digits = name.strip_prefix("0x").filter(|it| !it.starts_with('+'));
                 let number = digits.and_then(|it| u128::from_str_radix(it, 16).ok());
-                let chart = number.map(Self::new).filter(|it| *it > Self::SECOND);
-                chart.ok_or(ParseChartError)
+                number.map(Self::new).ok_or(ParseChartError)
             }
         }
     }
@@ -83,16 +79,15 @@ mod tests {
         assert!(charts.is_sorted_by(|a, b| a < b));
         assert_eq!(charts[..2], [ChartId::FIRST, ChartId::SECOND]);
         let names = charts.map(|chart| format!("{chart:?}"));
-        assert_eq!(names[..4], ["A", "B", "0x2", "0x10000000000000000"]);
+        assert_eq!(names[..4], ["0x0", "0x1", "0x2", "0x10000000000000000"]);
         assert_eq!(names.map(|name| name.parse()), charts.map(Ok));
+        assert_eq!(["A", "B"].map(str::parse), [Ok(charts[0]), Ok(charts[1])]);
         for name in [
             "",
             "C",
             "a",
             "2",
             "0x",
-            "0x0",
-            "0x1",
             "0x+2",
             "0x-2",
             "0xg",

@@ -6,7 +6,7 @@
 use glam::DVec3;
 
 use crate::sight::Side;
-use crate::{ChartId, Eye, Projection, SightCell, Strategy};
+use crate::{ChartId, Eye, Optics, Projection, SightCell};
 
 /// A cell is divided at most this often before it is taken as seen.
 const DIVISIONS: u32 = 2;
@@ -53,7 +53,7 @@ impl Frustum {
     /// picture. Boxes seen at a wide angle are tried in parts, so that their corners do not count.
     pub fn cell_seen(
         &self,
-        space: &dyn Strategy,
+        space: &dyn Optics,
         eye: &Eye,
         chart: ChartId,
         min: DVec3,
@@ -69,7 +69,7 @@ impl Frustum {
 
     fn sees_a_part(
         &self,
-        space: &dyn Strategy,
+        space: &dyn Optics,
         eye: &Eye,
         chart: ChartId,
         [min, max]: [DVec3; 2],

@@ -1,9 +1,55 @@
 //! Which space a world is in, and through which map it is seen.
 
 use std::fmt;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+
+use crate::{Strategy, View, flat, hyperbolic, spherical};
+
+/// Radii of curvature of the worlds of a space, in metres.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Radii {
+    /// Where none is chosen; infinite where space is flat.
+    pub default_m: f64,
+    /// What a player may choose from, where there is a choice.
+    pub chosen_m: Option<RangeInclusive<f64>>,
+    /// What a save may say; anything where it does not matter.
+    pub saved_m: Option<RangeInclusive<f64>>,
+}
+
+/// What there is to know of a space before there is a world in it: its row in the table of spaces.
+pub(crate) struct Entry {
+    pub name: &'static str,
+    pub radii: Radii,
+    /// The space of a radius, which is positive and, but where flat, finite.
+    pub make: fn(f64) -> Arc<dyn Strategy>,
+}
+
+/// The space of that kind and radius in metres.
+///
+/// Flat space ignores the radius. A radius that is not a positive number is replaced by the
+/// default one; menus and commands check [`Radii::chosen_m`] before.
+pub fn strategy(geometry: Geometry, radius_m: f64) -> Arc<dyn Strategy> {
+    let Entry { make, radii, .. } = geometry.entry();
+    let is_useful = radius_m.is_finite() && radius_m > 0.0;
+    make(if is_useful { radius_m } else { radii.default_m })
+}
+
+/// The space that pictures of a world are taken with: in hyperbolic worlds through the given
+/// map, in flat ones bent by the eye's dial or not. Everything that is not about the picture is as
+/// in [`strategy`] of the same geometry and radius.
+pub fn picture(
+    geometry: Geometry,
+    radius_m: f64,
+    map: HyperbolicMap,
+    bend: bool,
+) -> Arc<dyn Strategy> {
+    let world = strategy(geometry, radius_m);
+    View::saved(world.views(), map, bend).of(&world, 1.0)
+}
 
 /// The three spaces of constant curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -21,22 +67,22 @@ impl Geometry {
     /// All three, in menu order.
     pub const ALL: [Self; 3] = [Self::Euclidean, Self::Hyperbolic, Self::Spherical];
 
-    /// The sign of the curvature: 0, -1 or +1.
-    pub fn sign(self) -> f64 {
+    fn entry(self) -> &'static Entry {
         match self {
-            Self::Euclidean => 0.0,
-            Self::Hyperbolic => -1.0,
-            Self::Spherical => 1.0,
+            Self::Euclidean => &flat::ENTRY,
+            Self::Hyperbolic => &hyperbolic::ENTRY,
+            Self::Spherical => &spherical::ENTRY,
         }
     }
 
     /// The lower-case name, as in saves and on the command line.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Euclidean => "euclidean",
-            Self::Hyperbolic => "hyperbolic",
-            Self::Spherical => "spherical",
-        }
+        self.entry().name
+    }
+
+    /// Radii of curvature of its worlds.
+    pub fn radii(self) -> &'static Radii {
+        &self.entry().radii
     }
 }
 
@@ -128,6 +174,7 @@ impl FromStr for HyperbolicMap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M};
 
     #[test]
     fn names_read_back_and_others_are_refused() {
@@ -136,5 +183,35 @@ mod tests {
         }
         let refused = "Spherical".parse::<Geometry>();
         assert!(refused.is_err_and(|e| e.to_string().contains("\"Spherical\"")));
+    }
+
+    #[test]
+    fn a_useless_radius_becomes_the_default() {
+        for radius in [0.0, -3.0, f64::NAN, f64::INFINITY] {
+            let sphere = strategy(Geometry::Spherical, radius);
+            assert_eq!(sphere.radius_m(), DEFAULT_SPHERE_RADIUS_M);
+            let raised = strategy(Geometry::Hyperbolic, radius);
+            assert_eq!(raised.radius_m(), DEFAULT_HYPERBOLIC_RADIUS_M);
+        }
+        assert_eq!(strategy(Geometry::Spherical, 48.0).radius_m(), 48.0);
+        assert_eq!(
+            strategy(Geometry::Euclidean, 48.0).radius_m(),
+            f64::INFINITY
+        );
+    }
+
+    #[test]
+    fn only_the_sphere_has_a_rim_limits_and_no_sky() {
+        for geometry in Geometry::ALL {
+            let space = strategy(geometry, 32.0);
+            let sphere = geometry == Geometry::Spherical;
+            assert_eq!(space.geometry(), geometry);
+            assert_eq!(space.is_closed(), sphere);
+            assert_eq!(space.limits().is_some(), sphere);
+            assert_eq!(space.has_sky(), !sphere);
+            assert_eq!(space.globe().is_some(), sphere);
+            let own = space.views()[0].dial();
+            assert_eq!(own.is_some(), geometry == Geometry::Hyperbolic);
+        }
     }
 }

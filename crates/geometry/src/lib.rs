@@ -1,10 +1,15 @@
-//! Curved-space mathematics: charts, strategies, views, projections, crossings.
+//! Curved-space mathematics: charts, spaces, views, projections, crossings.
 //!
 //! The game's world is authored, simulated and saved in flat *chart* metres with y up. Only the
 //! last step, the port, is curved: a [`Strategy`] turns a [`ChartPoint`] into a point of a
 //! Euclidean, hyperbolic or spherical space as seen by an [`Eye`]. Everything here is `f64`;
 //! it is cast once, when a [`SpaceUniform`] is made for `shaders/geometry.wgsl`, which mirrors
 //! this crate. There is no input, no output and no GPU here.
+//!
+//! A space is made of four traits: [`Atlas`], [`Map`], [`Optics`] and [`Metric`]. Each has a folder:
+//! `flat`, `hyperbolic` (of two maps) and `spherical`. What several share lies beside the folders, and
+//! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these and an
+//! entry in [`Geometry`]'s table (`kind.rs`).
 //!
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).
@@ -14,15 +19,17 @@ mod chart;
 pub mod charts;
 mod chunk;
 mod chunk_cube;
-mod euclidean;
 mod eye;
+mod flat;
 mod frustum;
-mod horizon;
+mod hyperbolic;
 pub mod kernel;
 mod kind;
+mod map;
+mod metric;
+mod optics;
 mod point;
 mod projection;
-mod raised;
 pub mod real;
 pub mod scalar;
 mod sight;
@@ -30,28 +37,31 @@ mod spherical;
 mod strategy;
 mod triangle;
 mod uniform;
+mod view;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
 pub use chart::{ChartId, ParseChartError};
 pub use chunk::{CHUNK_CELLS, ChunkCoord};
 pub use chunk_cube::ChunkCube;
-pub use euclidean::Euclidean;
 pub use eye::Eye;
+pub use flat::Euclidean;
 pub use frustum::{Frustum, side_normals};
-pub use horizon::Horizon;
-pub use kind::{Geometry, HyperbolicMap, ParseGeometryError, ParseMapError};
+pub use hyperbolic::{DEFAULT_HYPERBOLIC_RADIUS_M, FAR_LIMIT_RADII, Horizon, Raised};
+pub use kind::{
+    Geometry, HyperbolicMap, ParseGeometryError, ParseMapError, Radii, picture, strategy,
+};
+pub use map::{Dial, Map, Viewer};
+pub use metric::{Curvature, Metric};
+pub use optics::Optics;
 pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
-pub use raised::Raised;
 pub use real::Real;
 pub use sight::{Drum, SightCell, azimuth_spread};
-pub use spherical::Spherical;
-pub use strategy::{
-    DEFAULT_HYPERBOLIC_RADIUS_M, DEFAULT_SPHERE_RADIUS_M, Dial, FAR_LIMIT_RADII,
-    SPHERE_RADIUS_RANGE_M, Strategy, Viewer, picture, strategy,
-};
+pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
+pub use strategy::Strategy;
 pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
+pub use view::View;
 
 /// The shader text that mirrors this crate: `struct Space` and the four functions that port,
 /// light, project and measure. It has no entry point and no binding; other shaders are

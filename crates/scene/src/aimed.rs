@@ -6,16 +6,16 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::Strategy;
+use antipode_geometry::{Strategy, View};
 
 use crate::camera::CameraMode;
 use crate::dip::HeadDip;
-use crate::lens::{Lens, LensView};
+use crate::lens::Lens;
 
 /// The lens that an action was aimed by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
-    pub(crate) view: LensView,
+    pub(crate) view: View,
     /// Where the dial was on its way.
     pub(crate) value: f64,
     /// Share of the world's own curvature that was shown, 0 to 1.

@@ -6,17 +6,18 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy, Viewer};
-use glam::{DVec2, DVec3};
+use antipode_geometry::{ChartPoint, Eye, Strategy, Viewer};
+use glam::DVec2;
 
 use crate::actors::Actors;
 use crate::bot;
 use crate::lamp::Lamp;
+use crate::npc::any_heading;
 use crate::situation::Situation;
 use crate::world::World;
 
-/// North of worlds without an equator, as a heading: the way of -x, about which the stars turn. The sun comes up at
-/// -z, to the right of it.
+/// North of worlds without an equator, as a heading of the space that its charts are turned in: the way of -x, about which
+/// the stars turn. The sun comes up at -z, to the right of it.
 const OPEN_NORTH_RAD: f64 = PI;
 
 /// Which way the player looks, and where that is.
@@ -34,8 +35,8 @@ pub struct Bearings {
 /// The nearest point of the equator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Equator {
-    /// Where the player is.
-    pub chart: ChartId,
+    /// The letter of the player's hemisphere.
+    pub hemisphere: char,
     /// How far it is along the ground sheet, metres.
     pub distance_m: f64,
     /// The heading that leads there.
@@ -108,12 +109,12 @@ impl<'a> Locator<'a> {
 /// Which way the player looks, and where that is.
 pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
     let feet = now.feet();
-    let domain = now.world.strategy.domain(feet.chart);
-    let equator = domain.radius_m().map(|rim_m| {
+    let globe = now.world.strategy.globe();
+    let equator = globe.map(|globe| {
         let (x, z) = (feet.pos.x, feet.pos.z);
         Equator {
-            chart: feet.chart,
-            distance_m: (rim_m - x.hypot(z)).max(0.0),
+            hemisphere: globe.hemisphere(feet.chart),
+            distance_m: (globe.equator_m() - x.hypot(z)).max(0.0),
             heading_rad: z.atan2(x),
         }
     });
@@ -125,12 +126,11 @@ pub(crate) fn bearings(now: Situation<'_>) -> Bearings {
 }
 
 fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
-    let Some(rim_m) = strategy.domain(ChartId::FIRST).radius_m() else {
-        return OPEN_NORTH_RAD;
+    let Some(globe) = strategy.globe() else {
+        return any_heading(strategy, feet.chart, OPEN_NORTH_RAD);
     };
     let eye = map_eye(feet);
-    let pole = ChartPoint::a(DVec3::NEG_X * rim_m);
-    let at = Locator::new(strategy, &eye).at(pole);
+    let at = Locator::new(strategy, &eye).at(globe.north());
     if at == DVec2::ZERO {
         return OPEN_NORTH_RAD;
     }
@@ -170,7 +170,8 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, strategy};
+    use antipode_geometry::{ChartId, Geometry, strategy};
+    use glam::DVec3;
 
     use super::*;
 

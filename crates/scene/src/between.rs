@@ -5,7 +5,7 @@
 //! What has not moved there by itself is not shown on the way: what came, went, died, changed its camera or its seat, or
 //! is farther off than anything gets in a step.
 
-use antipode_geometry::{ChartId, ChartPoint, Crossing, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing};
 use glam::DQuat;
 
 use crate::actions::Actions;
@@ -119,7 +119,7 @@ impl Between {
         moment
     }
 
-    fn on_the_way(&self, world: &dyn Strategy, after: Moment, share: f64) -> Moment {
+    fn on_the_way(&self, world: &dyn Atlas, after: Moment, share: f64) -> Moment {
         let is_last = |before: &&Moment| {
             let apart_s = after.simulated_s - before.simulated_s;
             (0.5 * STEP_S..1.5 * STEP_S).contains(&apart_s)
@@ -163,7 +163,7 @@ impl Moment {
     }
 
     /// A share of the way here from the moment before.
-    fn coming_from(mut self, before: &Self, world: &dyn Strategy, share: f64) -> Self {
+    fn coming_from(mut self, before: &Self, world: &dyn Atlas, share: f64) -> Self {
         let way = Way { world, share };
         way.all(&mut self.figures, &before.figures);
         way.all(&mut self.lit.lamps, &before.lit.lamps);
@@ -196,7 +196,7 @@ impl Moment {
 
 /// A share of the way between two poses, in a world.
 struct Way<'a> {
-    world: &'a dyn Strategy,
+    world: &'a dyn Atlas,
     share: f64,
 }
 

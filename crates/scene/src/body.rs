@@ -1,6 +1,6 @@
 //! Where the player's body may be: within the world, and not inside the ground.
 
-use antipode_geometry::{ChartId, ChartPoint, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint};
 use antipode_physics::Character;
 use glam::DVec3;
 
@@ -125,7 +125,7 @@ fn is_buried(world: &World, actors: &Actors) -> bool {
 }
 
 /// The point itself where it lies in the world, else one on the world's border; the middle for what is no place.
-pub(crate) fn within_world(strategy: &dyn Strategy, point: ChartPoint) -> ChartPoint {
+pub(crate) fn within_world(strategy: &dyn Atlas, point: ChartPoint) -> ChartPoint {
     let mut point = point;
     if !point.pos.is_finite() {
         point.pos = DVec3::ZERO;

@@ -1,6 +1,6 @@
 //! The camera: in the head, or behind and above the shoulder and never inside the ground.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye};
 use antipode_physics::PhysicsWorld;
 use glam::{DMat3, DVec3};
 
@@ -99,7 +99,7 @@ pub fn fallen(head: &Eye, dead_s: f64) -> Eye {
 pub fn place(
     mode: CameraMode,
     head: &Eye,
-    strategy: &dyn Strategy,
+    strategy: &dyn Atlas,
     physics: &PhysicsWorld,
 ) -> CameraPose {
     match mode {
@@ -109,7 +109,7 @@ pub fn place(
 }
 
 /// Brings a camera that has been turned since it was placed out of the ground, along its arm.
-pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Strategy, physics: &PhysicsWorld) {
+pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Atlas, physics: &PhysicsWorld) {
     let arm = camera.eye.point.pos - camera.about.pos;
     let Some(way) = arm.try_normalize() else {
         return;
@@ -125,7 +125,7 @@ pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Strategy, physics: &Ph
 }
 
 /// Backs away from the head in two legs, up and then back, each as far as a small sphere finds room.
-fn behind(head: &Eye, strategy: &dyn Strategy, physics: &PhysicsWorld) -> CameraPose {
+fn behind(head: &Eye, strategy: &dyn Atlas, physics: &PhysicsWorld) -> CameraPose {
     let origin = strategy.chart_origin_m(head.point.chart);
     let above = leg(
         physics,

@@ -7,9 +7,9 @@
 //! light arrives: on the far side light would come together again, as everything does at an antipode, and there would
 //! be no night; so it is taken to fade in the haze on its way.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Globe, Map, Metric, Strategy};
 use glam::{DVec3, Vec3};
 
 use crate::day::key_shadow;
@@ -34,12 +34,12 @@ const SUN_COLOUR: Vec3 = Vec3::new(1.21, 1.13, 1.02);
 const MOON_COLOUR: Vec3 = Vec3::new(0.17, 0.22, 0.34);
 
 /// Sky and light at a time of day, as seen by an eye in a closed world.
-pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
+pub fn sky(time_of_day_s: f64, globe: Globe, strategy: &dyn Strategy, eye: &Eye) -> Sky {
     let radius_m = strategy.radius_m();
     let turn = time_of_day_s.rem_euclid(DAY_S) / (DAY_S / 2.0) * PI;
     let orbs = Orbs {
-        sun: over_land(turn, SUN_HEIGHT, radius_m),
-        moon: over_land(turn + PI, MOON_HEIGHT, radius_m),
+        sun: globe.over_poles(turn, SUN_HEIGHT * radius_m),
+        moon: globe.over_poles(turn + PI, MOON_HEIGHT * radius_m),
         radius_m: SIZE * radius_m,
     };
     let day = daylight(strategy, orbs.sun, eye);
@@ -78,37 +78,15 @@ pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
 ///
 /// A body that has turned by t since it was over the equator at -z has its feet at `(0, -cos t, sin t)` of the great
 /// sphere y = 0, of which the axes are x, z and the centre of A.
-pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoint) -> Option<f64> {
-    let (x, z) = (point.pos.x, point.pos.z);
-    let away_m = x.hypot(z);
-    let (sin, cos) = (away_m / strategy.radius_m()).sin_cos();
-    let along_z = if away_m > 0.0 { sin * z / away_m } else { 0.0 };
-    let to_a = if point.chart == ChartId::SECOND {
-        -cos
-    } else {
-        cos
-    };
+pub fn local_time_s(time_of_day_s: f64, globe: Globe, point: ChartPoint) -> Option<f64> {
+    let [to_a, along_z] = globe.along_poles(point);
     let noon = to_a.atan2(-along_z);
     let local_s = time_of_day_s + (0.25 - noon / TAU) * DAY_S;
     (to_a.hypot(along_z) >= TIMELESS.sin()).then(|| local_s.rem_euclid(DAY_S))
 }
 
-/// Where a body at a height in radii stands after a turn in radians from sunrise, when it is over the equator at -z as
-/// seen from the centre of A.
-fn over_land(turn: f64, height: f64, radius_m: f64) -> ChartPoint {
-    let (sin, cos) = turn.sin_cos();
-    let chart = if sin < 0.0 {
-        ChartId::SECOND
-    } else {
-        ChartId::FIRST
-    };
-    let from_centre = FRAC_PI_2 - sin.abs().clamp(0.0, 1.0).asin();
-    let z = -from_centre.copysign(cos);
-    ChartPoint::new(chart, DVec3::new(0.0, height, z) * radius_m)
-}
-
 /// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of common.wgsl.
-fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
+fn daylight(strategy: &dyn Metric, sun: ChartPoint, eye: &Eye) -> f32 {
     let away = strategy.distance_m(eye.point, sun, eye) / strategy.radius_m();
     let [night, day] = NIGHT_AND_DAY;
     let t = ((away.cos() as f32 - night) / (day - night)).clamp(0.0, 1.0);
@@ -116,7 +94,7 @@ fn daylight(strategy: &dyn Strategy, sun: ChartPoint, eye: &Eye) -> f32 {
 }
 
 /// The chart direction, at the eye, in which a point is seen.
-fn toward(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> Vec3 {
+fn toward(strategy: &dyn Map, eye: &Eye, point: ChartPoint) -> Vec3 {
     let view = strategy.view_point(eye, point).truncate();
     let seen = eye.right() * view.x + eye.up() * view.y - eye.front() * view.z;
     seen.normalize_or(DVec3::Y).as_vec3()
@@ -124,9 +102,12 @@ fn toward(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::{Geometry, strategy};
+    use std::f64::consts::FRAC_PI_2;
+
+    use antipode_geometry::{ChartId, Geometry, strategy};
 
     use super::*;
+    use crate::day::{local_time_s, sky};
 
     const RADIUS_M: f64 = 64.0;
 
@@ -221,8 +202,11 @@ mod tests {
             let here = place(from_centre, heading);
             // What the light goes by, and does not stop at full day as it does.
             let sun_away_m = |time_s: f64| {
-                let sun = over_land(time_s / DAY_S * TAU, SUN_HEIGHT, RADIUS_M);
-                space.distance_m(here.point, sun, &here)
+                let turn = time_s / DAY_S * TAU;
+                space.globe().map_or(f64::NAN, |globe| {
+                    let sun = globe.over_poles(turn, SUN_HEIGHT * RADIUS_M);
+                    space.distance_m(here.point, sun, &here)
+                })
             };
             let Some(local_s) = local_time_s(time_s, &*space, here.point) else {
                 let [noon, night] = [0.0, 150.0].map(sun_away_m);

@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye, Strategy};
 use glam::Vec3;
 
 use crate::closed_day;
@@ -130,20 +130,18 @@ pub(crate) fn key_shadow(sun: f32, moon: f32) -> f32 {
 
 /// The sky and light at `time_of_day_s` (any value; it wraps at a day's length) for an eye in the given space.
 pub fn sky(time_of_day_s: f64, strategy: &dyn Strategy, eye: &Eye) -> Sky {
-    if strategy.has_sky() {
-        dome(time_of_day_s)
-    } else {
-        closed_day::sky(time_of_day_s, strategy, eye)
+    match strategy.globe() {
+        Some(globe) => closed_day::sky(time_of_day_s, globe, strategy, eye),
+        None => dome(time_of_day_s),
     }
 }
 
 /// The time of day at a place: as everywhere under one sky, and by where the sun is in a closed world. 0 is sunrise
 /// there, a quarter of a day noon, when the sun stands highest; none where that is always as high.
-pub fn local_time_s(time_of_day_s: f64, strategy: &dyn Strategy, point: ChartPoint) -> Option<f64> {
-    if strategy.has_sky() {
-        Some(time_of_day_s.rem_euclid(DAY_S))
-    } else {
-        closed_day::local_time_s(time_of_day_s, strategy, point)
+pub fn local_time_s(time_of_day_s: f64, atlas: &dyn Atlas, point: ChartPoint) -> Option<f64> {
+    match atlas.globe() {
+        Some(globe) => closed_day::local_time_s(time_of_day_s, globe, point),
+        None => Some(time_of_day_s.rem_euclid(DAY_S)),
     }
 }
 

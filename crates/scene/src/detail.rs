@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Strategy};
+use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Eye, Map, Strategy};
 use antipode_streaming::Detail;
 use glam::{DMat3, DVec3};
 
@@ -66,7 +66,7 @@ impl Sight {
     }
 
     /// Do the sizes still hold from here?
-    pub(crate) fn holds(&self, strategy: &dyn Strategy, eye: &Eye, sharpness: Sharpness) -> bool {
+    pub(crate) fn holds(&self, strategy: &dyn Map, eye: &Eye, sharpness: Sharpness) -> bool {
         let (there, here) = (self.eye.point, eye.point);
         let roamed = there.chart != here.chart || there.pos.distance(here.pos) > ROAM_M;
         let rescaled = || {
@@ -106,7 +106,7 @@ impl Detail for Sight {
             )
         };
         let mut size = at(nearest);
-        if self.strategy.is_closed() {
+        if self.strategy.globe().is_some() {
             // In a closed space things grow again towards the antipode.
             for corner in lattice(3) {
                 size = size.max(at(low + corner * (high - low)));
@@ -157,7 +157,7 @@ fn lattice(n: u32) -> impl Iterator<Item = DVec3> {
 
 /// The largest angle, in radians, that a metre of the chart takes at a point: the greatest singular
 /// value of the derivative of the direction in which the point is seen.
-fn size_rad(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> f64 {
+fn size_rad(strategy: &dyn Map, eye: &Eye, point: ChartPoint) -> f64 {
     let direction = |pos| {
         let view = strategy.view_point(eye, ChartPoint::new(point.chart, pos));
         view.truncate().normalize_or(DVec3::NEG_Z)
@@ -173,7 +173,7 @@ fn size_rad(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint) -> f64 {
 }
 
 /// How large a metre is seen around the eye.
-fn scale(strategy: &dyn Strategy, eye: &Eye) -> [f64; 6 * SCALE_AT_M.len()] {
+fn scale(strategy: &dyn Map, eye: &Eye) -> [f64; 6 * SCALE_AT_M.len()] {
     let mut sizes = [0.0; 6 * SCALE_AT_M.len()];
     let ways = DVec3::AXES.into_iter().flat_map(|axis| [axis, -axis]);
     let steps = ways.flat_map(|way| SCALE_AT_M.map(|length_m| way * length_m));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye};
 use antipode_physics::{Ball, BallTuning};
 use glam::{DQuat, DVec3};
 
@@ -68,13 +68,13 @@ impl Drop {
     }
 
     /// Whether it is nearer than so many metres of the chart to a point.
-    fn is_near(&self, strategy: &dyn Strategy, point: ChartPoint, within_m: f64) -> bool {
+    fn is_near(&self, strategy: &dyn Atlas, point: ChartPoint, within_m: f64) -> bool {
         let there = over(strategy, self.point, point);
         there.chart == self.point.chart && there.pos.distance(self.point.pos) < within_m
     }
 
     /// Whether it moves while the player's feet are there.
-    pub(crate) fn is_awake(&self, strategy: &dyn Strategy, feet: ChartPoint) -> bool {
+    pub(crate) fn is_awake(&self, strategy: &dyn Atlas, feet: ChartPoint) -> bool {
         !self.rests && self.is_near(strategy, feet, NEAR_M)
     }
 }

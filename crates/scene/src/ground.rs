@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, is_in_world};
 use antipode_terrain::{ChunkMesh, Cover, Field, Samples};
@@ -34,7 +34,7 @@ pub type Spent = (Option<TerrainCollider>, Option<Arc<Samples>>);
 #[derive(Debug)]
 pub struct Ground {
     field: Arc<Field>,
-    strategy: Arc<dyn Strategy>,
+    strategy: Arc<dyn Atlas>,
     chunks: HashMap<ChunkCoord, Resident>,
     /// What pictures show. A picture that is kept keeps the land of its moment.
     land: Arc<Land>,
@@ -45,7 +45,7 @@ pub struct Ground {
 
 impl Ground {
     /// Nothing resident yet.
-    pub fn new(field: Arc<Field>, strategy: Arc<dyn Strategy>) -> Self {
+    pub fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>) -> Self {
         Self {
             field,
             strategy,
@@ -225,7 +225,7 @@ pub fn height_below(
 
 /// The chunks a body at `point` may touch within the next moments: those within `reach_m` of it, in other charts too
 /// where their domains are near. Chunks that a closed world does not have are left out.
-pub fn chunks_near(strategy: &dyn Strategy, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
+pub fn chunks_near(strategy: &dyn Atlas, point: ChartPoint, reach_m: f64) -> Vec<ChunkCoord> {
     let reach = DVec3::splat(reach_m);
     let mut near = chunks_in_box(point, -reach, reach);
     for image in strategy.images(point, 2.0 * reach_m) {
@@ -263,7 +263,7 @@ mod tests {
 
     fn ground(geometry: Geometry) -> Ground {
         let strategy = strategy(geometry, 32.0);
-        Ground::new(Arc::new(Field::new(7, Arc::clone(&strategy))), strategy)
+        Ground::new(Arc::new(Field::new(7, strategy.clone())), strategy)
     }
 
     #[test]

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Dial, Geometry, Horizon, HyperbolicMap, Raised, Strategy, picture};
+use antipode_geometry::{Horizon, HyperbolicMap, Map, Raised, Strategy, View};
 
 use crate::tuning::{DIAL_REMAINDER_PER_S, DIAL_SWAP_AT};
 
@@ -16,28 +16,6 @@ const SHARE_SWAP_AT: f64 = 1e-3;
 
 /// A glide that is this near to its goal is there.
 const ARRIVES: f64 = 1e-4;
-
-/// One way to take pictures of a world.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum LensView {
-    /// The only picture of a spherical world, and the unbent one of a flat world.
-    Plain,
-    /// A map of a hyperbolic world.
-    Map(HyperbolicMap),
-    /// A flat world, bent.
-    Bent,
-}
-
-impl LensView {
-    fn dial(self) -> Option<Dial> {
-        match self {
-            Self::Plain => None,
-            Self::Map(HyperbolicMap::Raised) => Some(Raised::DIAL),
-            Self::Map(HyperbolicMap::Horizon) => Some(Horizon::DIAL),
-            Self::Bent => Some(Horizon::BEND_DIAL),
-        }
-    }
-}
 
 /// Where each picture's dial is set, whichever is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,8 +42,8 @@ impl Default for DialGoals {
 #[derive(Clone, Debug)]
 pub struct Lens {
     world: Arc<dyn Strategy>,
-    shown: LensView,
-    wanted: LensView,
+    shown: View,
+    wanted: View,
     goals: DialGoals,
     value: f64,
     /// Share of the world's own curvature that is shown, 0 to 1; below 1 only while maps change.
@@ -76,11 +54,7 @@ pub struct Lens {
 impl Lens {
     /// The picture of a new world in that space, its dial at rest.
     pub fn new(world: Arc<dyn Strategy>) -> Self {
-        let view = if world.geometry() == Geometry::Hyperbolic {
-            LensView::Map(HyperbolicMap::default())
-        } else {
-            LensView::Plain
-        };
+        let view = own_view(&*world);
         let mut lens = Self {
             shown: view,
             wanted: view,
@@ -94,6 +68,11 @@ impl Lens {
         lens
     }
 
+    /// The space of the world that is pictured.
+    pub(crate) fn world(&self) -> &Arc<dyn Strategy> {
+        &self.world
+    }
+
     /// The strategy that pictures are taken with at this moment.
     pub fn strategy(&self) -> &Arc<dyn Strategy> {
         &self.strategy
@@ -102,8 +81,8 @@ impl Lens {
     /// The map of a hyperbolic world: the one asked for, while the other still gives way to it.
     pub fn map(&self) -> Option<HyperbolicMap> {
         match self.wanted {
-            LensView::Map(map) => Some(map),
-            LensView::Plain | LensView::Bent => None,
+            View::Map(map) => Some(map),
+            View::Plain | View::Bent => None,
         }
     }
 
@@ -114,7 +93,7 @@ impl Lens {
 
     /// Goal of the dial of a flat world whose picture is bent.
     pub fn bend(&self) -> Option<f64> {
-        (self.wanted == LensView::Bent).then(|| self.goal())
+        (self.wanted == View::Bent).then(|| self.goal())
     }
 
     /// Smallest and largest setting of the dial under the wheel, if there is one now.
@@ -148,41 +127,40 @@ impl Lens {
     /// Asks for the space's other picture: the other map of a hyperbolic world, bent or not in a flat one.
     /// Returns false where there is no other.
     pub fn turn_map(&mut self) -> bool {
-        self.wanted = match (self.world.geometry(), self.wanted) {
-            (_, LensView::Map(map)) => LensView::Map(map.other()),
-            (_, LensView::Bent) => LensView::Plain,
-            (Geometry::Euclidean, LensView::Plain) => LensView::Bent,
-            (_, LensView::Plain) => return false,
+        let views = self.world.views();
+        let after = views.iter().skip_while(|it| **it != self.wanted).nth(1);
+        let Some(next) = after.or(views.first()).filter(|it| **it != self.wanted) else {
+            return false;
         };
+        self.wanted = *next;
         true
     }
 
     /// Shows a map at once. Returns false where the world has no maps.
     pub fn set_map(&mut self, map: HyperbolicMap) -> bool {
-        let fits = self.map().is_some();
-        if fits {
-            self.arrive(LensView::Map(map));
+        let has = self.has(View::Map(map));
+        if has {
+            self.arrive(View::Map(map));
         }
-        fits
+        has
     }
 
     /// Sets the dial of a hyperbolic world at once. Returns false when out of range or there is none.
     pub fn set_curvature(&mut self, value: f64) -> bool {
-        let LensView::Map(map) = self.wanted else {
+        let View::Map(map) = self.wanted else {
             return false;
         };
-        self.set_at_once(LensView::Map(map), value)
+        self.set_at_once(View::Map(map), value)
     }
 
     /// Bends a flat world's picture at once, up to 20 hyperbolic and down to -20 spherical; 0 unbends it.
     /// Returns false when out of range or the world is not flat.
     pub fn set_bend(&mut self, value: f64) -> bool {
-        if self.world.geometry() != Geometry::Euclidean || !self.set_at_once(LensView::Bent, value)
-        {
+        if !self.has(View::Bent) || !self.set_at_once(View::Bent, value) {
             return false;
         }
         if value == 0.0 {
-            self.arrive(LensView::Plain);
+            self.arrive(View::Plain);
         }
         true
     }
@@ -190,7 +168,7 @@ impl Lens {
     /// Sets the dial of a bent picture at once; 0 shows it flat, and bent it stays. Returns false when out of range
     /// or the picture is not bent.
     pub(crate) fn set_bend_dial(&mut self, value: f64) -> bool {
-        self.bend().is_some() && self.set_at_once(LensView::Bent, value)
+        self.bend().is_some() && self.set_at_once(View::Bent, value)
     }
 
     /// Shows at once what it glides to.
@@ -200,29 +178,25 @@ impl Lens {
 
     /// Takes over what a save tells; settings out of range are left as they are in a new world.
     pub fn restore(&mut self, map: HyperbolicMap, bent: bool, goals: DialGoals) {
-        let maps = HyperbolicMap::ALL.map(LensView::Map);
+        let maps = HyperbolicMap::ALL.map(View::Map);
         let saved = [goals.raised, goals.horizon];
         for (view, goal) in maps
             .into_iter()
             .zip(saved)
-            .chain([(LensView::Bent, goals.bend)])
+            .chain([(View::Bent, goals.bend)])
         {
             if fits(view, goal) {
                 self.set_goal(view, goal);
             }
         }
-        let view = match self.world.geometry() {
-            Geometry::Hyperbolic => LensView::Map(map),
-            Geometry::Euclidean if bent => LensView::Bent,
-            _ => LensView::Plain,
-        };
+        let view = View::saved(self.world.views(), map, bent);
         self.arrive(view);
     }
 
     /// Glides for `dt_s` seconds; the last ten-thousandth is taken at once so that the dial comes to rest.
     pub fn glide(&mut self, dt_s: f64) {
         let changes = self.shown != self.wanted;
-        let fades = matches!(self.shown, LensView::Map(_));
+        let fades = matches!(self.shown, View::Map(_));
         let faded = !fades || self.share <= SHARE_SWAP_AT;
         if changes && self.value.abs() <= DIAL_SWAP_AT && faded {
             self.value = 0.0;
@@ -249,7 +223,7 @@ impl Lens {
     }
 
     /// What is shown at this moment: the picture, its dial, and the share of the curvature.
-    pub(crate) fn at(&self) -> (LensView, f64, f64) {
+    pub(crate) fn at(&self) -> (View, f64, f64) {
         (self.shown, self.value, self.share)
     }
 
@@ -275,25 +249,29 @@ impl Lens {
         (strategy, mix(before.value, self.value))
     }
 
-    fn goal_of(&self, view: LensView) -> f64 {
+    fn has(&self, view: View) -> bool {
+        self.world.views().contains(&view)
+    }
+
+    fn goal_of(&self, view: View) -> f64 {
         match view {
-            LensView::Plain => 0.0,
-            LensView::Map(HyperbolicMap::Raised) => self.goals.raised,
-            LensView::Map(HyperbolicMap::Horizon) => self.goals.horizon,
-            LensView::Bent => self.goals.bend,
+            View::Plain => 0.0,
+            View::Map(HyperbolicMap::Raised) => self.goals.raised,
+            View::Map(HyperbolicMap::Horizon) => self.goals.horizon,
+            View::Bent => self.goals.bend,
         }
     }
 
-    fn set_goal(&mut self, view: LensView, goal: f64) {
+    fn set_goal(&mut self, view: View, goal: f64) {
         match view {
-            LensView::Plain => {}
-            LensView::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
-            LensView::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
-            LensView::Bent => self.goals.bend = goal,
+            View::Plain => {}
+            View::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
+            View::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
+            View::Bent => self.goals.bend = goal,
         }
     }
 
-    fn set_at_once(&mut self, view: LensView, goal: f64) -> bool {
+    fn set_at_once(&mut self, view: View, goal: f64) -> bool {
         let fits = fits(view, goal);
         if fits {
             self.set_goal(view, goal);
@@ -303,28 +281,27 @@ impl Lens {
     }
 
     /// Shows a picture with its dial at its goal.
-    fn arrive(&mut self, view: LensView) {
+    fn arrive(&mut self, view: View) {
         self.wanted = view;
         self.value = self.goal();
         self.share = 1.0;
         self.show(view);
     }
 
-    fn show(&mut self, view: LensView) {
+    fn show(&mut self, view: View) {
         self.shown = view;
         self.strategy = self.pictured(view, self.share);
     }
 
     /// The strategy of a picture of this world, with a share of its curvature.
-    pub(crate) fn pictured(&self, view: LensView, share: f64) -> Arc<dyn Strategy> {
-        let (map, bent) = match view {
-            LensView::Plain => return Arc::clone(&self.world),
-            LensView::Map(map) => (map, false),
-            LensView::Bent => (HyperbolicMap::default(), true),
-        };
-        let radius_m = self.world.radius_m() / share.max(SHARE_SWAP_AT);
-        picture(self.world.geometry(), radius_m, map, bent)
+    pub(crate) fn pictured(&self, view: View, share: f64) -> Arc<dyn Strategy> {
+        view.of(&self.world, share.max(SHARE_SWAP_AT))
     }
+}
+
+/// The world's own picture: that of every new world.
+pub(crate) fn own_view(world: &dyn Map) -> View {
+    world.views().first().copied().unwrap_or_default()
 }
 
 /// One step of the glide from `value` to `goal`.
@@ -339,18 +316,18 @@ fn glided(value: f64, goal: f64, dt_s: f64) -> f64 {
 
 /// Whether that is a world's own picture: straight where space is flat, and the one that every new hyperbolic world
 /// begins with.
-pub(crate) fn is_own(view: LensView, value: f64, share: f64) -> bool {
+pub(crate) fn is_own(view: View, value: f64, share: f64) -> bool {
     match view {
-        LensView::Plain => true,
-        LensView::Bent => value == 0.0,
-        LensView::Map(map) => {
+        View::Plain => true,
+        View::Bent => value == 0.0,
+        View::Map(map) => {
             map == HyperbolicMap::Raised && value == Raised::DIAL.default && share == 1.0
         }
     }
 }
 
 /// Whether a dial can be set to a value; no dial can be set to what is no number.
-fn fits(view: LensView, goal: f64) -> bool {
+fn fits(view: View, goal: f64) -> bool {
     view.dial()
         .is_some_and(|dial| (dial.min..=dial.max).contains(&goal))
 }

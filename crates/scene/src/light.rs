@@ -1,6 +1,6 @@
 //! The light of lamps, of the flashlight and of cars.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Map};
 use glam::{DMat3, DVec3, DVec4};
 
 use crate::aimed::Optics;
@@ -104,12 +104,7 @@ fn flash_beam(now: Situation<'_>, optics: &Optics, eye: &Eye) -> BeamLight {
 ///
 /// Geodesics are straight in `xyz / w` of view coordinates. With P for `from` and T for `to`, the one that passes through
 /// both leaves P along `P.w T.xyz - T.w P.xyz`; so do the chart's axes there, with their derivatives for T.
-fn way_toward(
-    strategy: &dyn Strategy,
-    eye: &Eye,
-    from: ChartPoint,
-    to: ChartPoint,
-) -> Option<DVec3> {
+fn way_toward(strategy: &dyn Map, eye: &Eye, from: ChartPoint, to: ChartPoint) -> Option<DVec3> {
     let at = strategy.view_point(eye, from);
     let seen = |toward: DVec4| at.w * toward.truncate() - toward.w * at.truncate();
     let axis = |axis: DVec3| {

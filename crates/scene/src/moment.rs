@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Projection, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Map, Projection, Strategy};
 use glam::DVec3;
 
 use crate::actors::ActorId;
@@ -285,11 +285,11 @@ impl Scene {
 /// only hazes towards the antipode. Nor may anything be seen at the farthest that a curved space can draw.
 fn fog_distance_m(world: &World, eye: &Eye, pictured: &dyn Strategy) -> f32 {
     let far_m = pictured.sight_limit_m(eye);
-    if world.strategy.is_closed() {
-        (world.strategy.domain(eye.point.chart).half_width_m() * 3.0) as f32
-    } else {
-        ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m) as f32
-    }
+    let fog_m = match world.strategy.globe() {
+        Some(globe) => 0.75 * globe.round_m(),
+        None => ((f64::from(world.setup.view_distance) - 0.25) * 32.0).min(far_m),
+    };
+    fog_m as f32
 }
 
 impl Mark {
@@ -303,7 +303,7 @@ impl Mark {
     }
 
     /// Puts the marker where it is in another eye's picture.
-    pub fn put_before(&mut self, eye: &Eye, pictured: &dyn Strategy) {
+    pub fn put_before(&mut self, eye: &Eye, pictured: &dyn Map) {
         self.marker.point = pictured.along(eye, self.way, self.away_m);
     }
 }

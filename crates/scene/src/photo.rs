@@ -1,7 +1,7 @@
 //! Pictures taken from elsewhere than the player's eye, through another lens and at another hour, while the world
 //! stands still. Nothing of the world changes with them, so nothing has to be put back.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye};
 use glam::DVec3;
 
 use crate::lens::Lens;
@@ -50,7 +50,7 @@ impl Viewpoint {
 
     /// Moves the camera by metres of the chart to its right, straight up and the way it looks; through everything,
     /// over the equator of a closed world too, and between the heights that such a world has.
-    pub fn fly(&mut self, strategy: &dyn Strategy, by: DVec3) {
+    pub fn fly(&mut self, strategy: &dyn Atlas, by: DVec3) {
         self.go(strategy, self.way(by));
     }
 
@@ -58,7 +58,7 @@ impl Viewpoint {
         self.eye.right() * by.x + DVec3::Y * by.y + self.eye.front() * by.z
     }
 
-    fn go(&mut self, strategy: &dyn Strategy, way: DVec3) {
+    fn go(&mut self, strategy: &dyn Atlas, way: DVec3) {
         let eye = &mut self.eye;
         eye.point = eye.point.moved(way);
         if let Some(limits) = strategy.limits() {

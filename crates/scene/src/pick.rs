@@ -3,7 +3,7 @@
 //! A geodesic is no straight line of the chart (at 13 m they differ by 6 to 12 degrees in a hyperbolic
 //! world), so the ray marches along it, un-ports each point and tests the short chart segments between.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye, Strategy};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 
@@ -114,7 +114,7 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
 }
 
 /// `b` in the chart of `a`.
-pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
+pub(crate) fn over(strategy: &dyn Atlas, a: ChartPoint, b: ChartPoint) -> ChartPoint {
     // Every figure asks this of every other in every step.
     if a.chart == b.chart {
         return b;
@@ -125,7 +125,7 @@ pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> Cha
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.
 /// A segment over the equator is tested in the chart of its start.
 pub(crate) fn segment_hit(
-    strategy: &dyn Strategy,
+    strategy: &dyn Atlas,
     physics: &PhysicsWorld,
     a: ChartPoint,
     b: ChartPoint,

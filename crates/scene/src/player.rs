@@ -1,7 +1,7 @@
 //! What the player is made of: the components that all figures share, how they are carried over the equator, and what he
 //! alone has.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye};
 use antipode_physics::Character;
 use glam::{DVec2, DVec3};
 
@@ -152,7 +152,7 @@ pub fn wish(actions: &Actions, look: &Look) -> DVec3 {
 /// Carries a body into the next chart when it has left its own; returns whether it did.
 /// Position, velocity and heading all turn with the chart, so in the space nothing changes.
 pub fn cross(
-    strategy: &dyn Strategy,
+    strategy: &dyn Atlas,
     position: &mut Position,
     look: &mut Look,
     body: &mut Body,

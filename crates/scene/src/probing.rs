@@ -19,11 +19,11 @@ use crate::probe::{
 use crate::projectile::Projectile;
 use crate::situation::Situation;
 
-fn chart(point: ChartPoint) -> String {
-    point.chart.to_string()
+fn chart(now: Situation<'_>, point: ChartPoint) -> String {
+    now.world.strategy.chart_name(point.chart)
 }
 
-fn car_probe(car: &CarView) -> CarProbe {
+fn car_probe(now: Situation<'_>, car: &CarView) -> CarProbe {
     CarProbe {
         pos: car.point.pos.to_array(),
         vel: car.velocity.to_array(),
@@ -37,7 +37,7 @@ fn car_probe(car: &CarView) -> CarProbe {
             contact: wheel.contact,
             compression: wheel.compression_m,
         }),
-        hemisphere: chart(car.point),
+        hemisphere: chart(now, car.point),
     }
 }
 
@@ -75,12 +75,15 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
             radius: player.brush_radius_m,
         },
         flashlight: player.flashlight,
-        car: near_car(now, &cars).map(car_probe),
-        cars: cars.iter().map(car_probe).collect(),
-        bots: bot::views(actors).iter().map(bot_probe).collect(),
-        projectiles: actors.map(projectile_probe),
-        lamps: actors.map(lamp_probe),
-        drops: actors.map(drop_probe),
+        car: near_car(now, &cars).map(|it| car_probe(now, it)),
+        cars: cars.iter().map(|it| car_probe(now, it)).collect(),
+        bots: bot::views(actors)
+            .iter()
+            .map(|it| bot_probe(now, it))
+            .collect(),
+        projectiles: actors.map(|id, it| projectile_probe(now, id, it)),
+        lamps: actors.map(|_, it| lamp_probe(now, it)),
+        drops: actors.map(|_, it| drop_probe(now, it)),
         chunks: ChunkProbe {
             resident: world.ground.count(),
             pending: world.streamer.pending(),
@@ -103,7 +106,7 @@ fn player_probe(now: Situation<'_>) -> PlayerProbe {
         pitch: look.pitch.to_degrees(),
         grounded: body.grounded,
         health: now.actors.health(),
-        hemisphere: chart(position.0),
+        hemisphere: chart(now, position.0),
         in_car: now.actors.cars.is_driving(),
         animation: animation(now, &body),
     }
@@ -146,38 +149,38 @@ fn near_car<'c>(now: Situation<'_>, cars: &'c [CarView]) -> Option<&'c CarView> 
     })
 }
 
-fn bot_probe(view: &BotView) -> BotProbe {
+fn bot_probe(now: Situation<'_>, view: &BotView) -> BotProbe {
     BotProbe {
         id: view.bot.id,
         pos: view.point.pos.to_array(),
         health: view.health,
         hostile: view.fights,
-        hemisphere: chart(view.point),
+        hemisphere: chart(now, view.point),
         state: view.state.name(),
     }
 }
 
-fn projectile_probe(id: ActorId, bullet: &Projectile) -> ProjectileProbe {
+fn projectile_probe(now: Situation<'_>, id: ActorId, bullet: &Projectile) -> ProjectileProbe {
     ProjectileProbe {
         id: id.0,
         pos: bullet.point.pos.to_array(),
         vel: bullet.velocity.to_array(),
         age: bullet.age_s,
-        hemisphere: chart(bullet.point),
+        hemisphere: chart(now, bullet.point),
     }
 }
 
-fn lamp_probe(_: ActorId, lamp: &Lamp) -> LampProbe {
+fn lamp_probe(now: Situation<'_>, lamp: &Lamp) -> LampProbe {
     LampProbe {
         pos: lamp.point.pos.to_array(),
-        hemisphere: chart(lamp.point),
+        hemisphere: chart(now, lamp.point),
     }
 }
 
-fn drop_probe(_: ActorId, drop: &Drop) -> DropProbe {
+fn drop_probe(now: Situation<'_>, drop: &Drop) -> DropProbe {
     DropProbe {
         stack: drop.stack,
         pos: drop.point.pos.to_array(),
-        hemisphere: chart(drop.point),
+        hemisphere: chart(now, drop.point),
     }
 }

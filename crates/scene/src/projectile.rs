@@ -2,7 +2,7 @@
 //! gone some time after they have met something. What falls meets ground sooner or later, even where none is loaded; what
 //! follows a geodesic is gone after some way.
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Eye, Map};
 use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 use hecs::Entity;
@@ -80,9 +80,9 @@ pub(crate) struct Knock {
 
 /// What bullets fly through.
 pub(crate) struct Air<'a> {
-    pub strategy: &'a dyn Strategy,
+    pub strategy: &'a dyn Atlas,
     /// The space as it is seen, whose geodesics are followed.
-    pub pictured: &'a dyn Strategy,
+    pub pictured: &'a dyn Map,
     pub physics: &'a PhysicsWorld,
     pub standing: &'a [Standing],
     /// How cars move.
@@ -107,7 +107,7 @@ pub(crate) fn fire(actors: &mut Actors, point: ChartPoint, velocity: DVec3, by: 
 /// Fires a bullet along the geodesic from the point of `eye` to `target`.
 pub(crate) fn fire_straight(
     actors: &mut Actors,
-    pictured: &dyn Strategy,
+    pictured: &dyn Map,
     eye: Eye,
     target: ChartPoint,
     speed_m_s: f64,
@@ -295,7 +295,7 @@ impl Projectile {
         *speed_m_s *= share;
     }
 
-    fn cross(&mut self, strategy: &dyn Strategy) {
+    fn cross(&mut self, strategy: &dyn Atlas) {
         if let Some(crossing) = strategy.cross(self.point) {
             self.point = crossing.point;
             self.velocity = crossing.turn_vector(self.velocity);

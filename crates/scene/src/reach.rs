@@ -1,6 +1,6 @@
 //! What ground bodies reach: within it the chunk workers keep colliders and samples.
 
-use antipode_geometry::{ChartPoint, Strategy};
+use antipode_geometry::{Atlas, ChartPoint};
 use antipode_streaming::Reach;
 use antipode_terrain::RIM_REACH_M;
 use glam::DVec3;
@@ -25,14 +25,12 @@ pub(crate) const OTHERS_MARGIN_M: f64 = 2.0;
 const OTHERS_AHEAD_S: f64 = 0.3;
 /// Cells at most: a thousand bullets in all directions must not make the whole world solid.
 const MOST_OTHERS: usize = 96;
-/// Height over the ground sphere, in radians, from which the chart is too wide to reach only part of it.
-const HIGHEST_RAD: f64 = 1.3;
 
 /// Where the ground around a body with its feet at `feet` must be solid; its velocity in m/s.
-pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
+pub(crate) fn of_body(strategy: &dyn Atlas, feet: ChartPoint, velocity: DVec3) -> Vec<Reach> {
     let Some(reach_m) = chart_reach_m(strategy, feet.pos.y) else {
         let charts = strategy.all_charts().unwrap_or_default();
-        return charts.into_iter().map(Reach::whole).collect();
+        return charts.iter().copied().map(Reach::whole).collect();
     };
     let mut reaches = vec![around_body(feet, reach_m)];
     let ahead = DVec3::from(
@@ -56,7 +54,7 @@ pub(crate) fn of_body(strategy: &dyn Strategy, feet: ChartPoint, velocity: DVec3
 /// Where the ground around others than the player must be solid, each with its place and velocity in m/s. Those close
 /// together share one reach, `margin_m` metres wider than the cells they are in.
 pub(crate) fn of_others(
-    strategy: &dyn Strategy,
+    strategy: &dyn Atlas,
     others: impl Iterator<Item = (ChartPoint, DVec3)>,
     margin_m: f64,
 ) -> Vec<Reach> {
@@ -84,7 +82,7 @@ pub(crate) fn of_others(
 }
 
 /// A reach, and what holds the same place in every other chart whose domain it comes into.
-fn everywhere(strategy: &dyn Strategy, reach: Reach) -> Vec<Reach> {
+fn everywhere(strategy: &dyn Atlas, reach: Reach) -> Vec<Reach> {
     let middle = ChartPoint::new(reach.chart, reach.min.midpoint(reach.max));
     let half = (reach.max - reach.min) * 0.5;
     let radius_m = half.x.hypot(half.z);
@@ -125,16 +123,10 @@ fn column(feet: ChartPoint) -> Reach {
 }
 
 /// How far in the chart a step sees at a height of `y_m` metres; `None` for any distance.
-///
-/// The charts of a closed space are wider than the space: over a height `a` in radians lengths are
-/// shrunk by `cos(a)`, and round the pole, at the equator, by `2 / pi`.
-fn chart_reach_m(strategy: &dyn Strategy, y_m: f64) -> Option<f64> {
-    if !strategy.is_closed() {
-        return Some(STEP_SEES_M);
-    }
-    let height_rad = (y_m.abs() + STEP_SEES_M) / strategy.radius_m();
-    let shrunk = height_rad.cos() * std::f64::consts::FRAC_2_PI;
-    (height_rad < HIGHEST_RAD).then_some(STEP_SEES_M / shrunk)
+fn chart_reach_m(atlas: &dyn Atlas, y_m: f64) -> Option<f64> {
+    atlas.globe().map_or(Some(STEP_SEES_M), |globe| {
+        globe.reach_in_chart_m(y_m, STEP_SEES_M)
+    })
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::{ChartId, ChartPoint, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint};
 use antipode_storage::{
     BotRecord, CourseRecord, DropRecord, PlayerKept, PlayerRecord, Record, RecordKey, RecordKind,
     Records, SlotRecord, ViewRecord,
@@ -247,14 +247,17 @@ pub(crate) fn point(world: &World, record: u128, pos: [f64; 3]) -> Option<ChartP
         .then(|| body::within_world(&*world.strategy, at))
 }
 
+/// Hemisphere B in saves; those of worlds of one chart may name it, too.
+const HEMISPHERE_B: u128 = 1;
+
 /// A saved chart: the first one for the second of a world that has no second, and none for another that the world has
 /// not. What a later game has put there stays in the save as it is.
-pub(crate) fn chart(strategy: &dyn Strategy, record: u128) -> Option<ChartId> {
+pub(crate) fn chart(strategy: &dyn Atlas, record: u128) -> Option<ChartId> {
     let chart = ChartId::new(record);
     if strategy.has_chart(chart) {
         Some(chart)
     } else {
-        (chart == ChartId::SECOND).then_some(ChartId::FIRST)
+        (record == HEMISPHERE_B).then_some(ChartId::FIRST)
     }
 }
 

@@ -76,16 +76,20 @@ fn leads_round(way: &[DVec3], at: DVec3) -> bool {
 
 /// Tells the player of the first time round.
 pub(crate) fn notice(world: &World, feet: ChartPoint, round: &mut Round, outbox: &mut Outbox) {
-    if round.been || !world.strategy.is_closed() {
+    if round.been {
         return;
     }
-    let Some(at) = world.strategy.noise_point(feet).try_normalize() else {
+    let Some(globe) = world.strategy.globe() else {
+        return;
+    };
+    let Some(at) = globe.from_middle_m(feet).try_normalize() else {
         return;
     };
     if round.go_on(at) {
         round.been = true;
-        let round_m = TAU * world.strategy.radius_m();
-        outbox.hints.push(Hint::BeenRound(round_m.round() as u32));
+        outbox
+            .hints
+            .push(Hint::BeenRound(globe.round_m().round() as u32));
     }
 }
 

@@ -76,7 +76,7 @@ impl Scene {
         store: Option<Arc<WorldStore>>,
         workers: usize,
     ) -> Result<Self, SceneError> {
-        let field = Arc::new(Field::new(setup.seed, Arc::clone(&space)));
+        let field = Arc::new(Field::new(setup.seed, Arc::<dyn Strategy>::clone(&space)));
         let (saved, notices) = match &store {
             Some(store) => saved_records(store)?,
             None => Default::default(),
@@ -95,8 +95,9 @@ impl Scene {
             workers,
             ..Config::default()
         };
-        let streamer = Streamer::start(Arc::clone(&field), space, store, config)?;
-        let mut scene = Self::fresh(setup, &field, streamer);
+        let charts = Arc::<dyn Strategy>::clone(&space);
+        let streamer = Streamer::start(Arc::clone(&field), charts, store, config)?;
+        let mut scene = Self::fresh(setup, space, &field, streamer);
         scene.sim.outbox.notices = notices;
         scene.kept.stored = stored;
         scene.kept.created_unix_s = meta.created_unix_s;
@@ -117,11 +118,16 @@ impl Scene {
     }
 
     /// A world that nobody has played yet, and that is kept nowhere.
-    fn fresh(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
-        let lens = Lens::new(Arc::clone(field.strategy()));
+    fn fresh(
+        setup: WorldSetup,
+        space: Arc<dyn Strategy>,
+        field: &Arc<Field>,
+        streamer: Streamer,
+    ) -> Self {
+        let lens = Lens::new(Arc::clone(&space));
         Self {
             sim: Simulation {
-                world: World::new(setup.within_range(), field, streamer),
+                world: World::new(setup.within_range(), space, field, streamer),
                 actors: Actors::new(field),
                 player: Player::new(lens),
                 outbox: Outbox::default(),

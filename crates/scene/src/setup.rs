@@ -2,16 +2,13 @@
 
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use antipode_geometry::{Geometry, SPHERE_RADIUS_RANGE_M};
+use antipode_geometry::Geometry;
 use antipode_storage::{StorageError, WorldMeta};
 use antipode_streaming::StreamingError;
 use antipode_terrain::Biome;
 use thiserror::Error;
 
 use crate::tuning::VIEW_DISTANCE_CHUNKS;
-
-/// Radii of hyperbolic worlds that a save may name, in metres: wider than any that the game makes.
-const HYPERBOLIC_RADIUS_RANGE_M: std::ops::RangeInclusive<f64> = 1.0..=4096.0;
 
 /// Why a world could not be opened.
 #[derive(Debug, Error)]
@@ -74,19 +71,15 @@ impl WorldSetup {
     /// # Errors
     /// When the save names a geometry this version does not know, or a radius that no world can have.
     pub fn from_meta(meta: &WorldMeta, view_distance: u32) -> Result<Self, SceneError> {
-        let geometry = meta
-            .geometry
-            .parse()
-            .map_err(|_| SceneError::UnknownGeometry {
-                name: meta.name.clone(),
-                geometry: meta.geometry.clone(),
-            })?;
-        let possible = match geometry {
-            Geometry::Euclidean => true,
-            Geometry::Hyperbolic => HYPERBOLIC_RADIUS_RANGE_M.contains(&meta.radius_m),
-            Geometry::Spherical => SPHERE_RADIUS_RANGE_M.contains(&meta.radius_m),
-        };
-        if !possible {
+        let geometry: Geometry =
+            meta.geometry
+                .parse()
+                .map_err(|_| SceneError::UnknownGeometry {
+                    name: meta.name.clone(),
+                    geometry: meta.geometry.clone(),
+                })?;
+        let saved_m = geometry.radii().saved_m.as_ref();
+        if saved_m.is_some_and(|range| !range.contains(&meta.radius_m)) {
             return Err(SceneError::ImpossibleRadius {
                 name: meta.name.clone(),
                 radius_m: meta.radius_m,

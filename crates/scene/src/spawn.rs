@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Map};
 use antipode_terrain::Field;
 use glam::DVec3;
 
@@ -24,7 +24,7 @@ const CLEARANCE_M: f64 = 0.15;
 
 /// The feet of a new player. A closed world is entered at its pole, from where every straight walk comes home.
 pub fn spawn_point(field: &Field) -> ChartPoint {
-    let closed = field.strategy().is_closed();
+    let closed = field.strategy().globe().is_some();
     let rings = if closed { &RINGS_M[..1] } else { &RINGS_M[..] };
     let mut best: Option<(f64, DVec3)> = None;
     for &ring_m in rings {
@@ -44,7 +44,7 @@ pub fn spawn_point(field: &Field) -> ChartPoint {
 }
 
 /// The elevation at which a new player's view, by that eye through that picture, has the ground ahead.
-pub(crate) fn first_pitch_rad(field: &Field, head: &Eye, pictured: &dyn Strategy) -> f64 {
+pub(crate) fn first_pitch_rad(field: &Field, head: &Eye, pictured: &dyn Map) -> f64 {
     let mut pitches = (0..=MOST_STEPS).map(|step| FIRST_PITCH_RAD - f64::from(step) * LOWER_BY_RAD);
     let found = pitches.find(|pitch| {
         let eye = Eye {
@@ -57,7 +57,7 @@ pub(crate) fn first_pitch_rad(field: &Field, head: &Eye, pictured: &dyn Strategy
 }
 
 /// Whether ground in reach is under an eye's crosshair.
-fn sees_ground(field: &Field, eye: &Eye, pictured: &dyn Strategy) -> bool {
+fn sees_ground(field: &Field, eye: &Eye, pictured: &dyn Map) -> bool {
     let (step_m, most_m) = LOOK_M;
     let steps = (most_m / step_m) as u32;
     (1..=steps).any(|step| {
@@ -90,7 +90,6 @@ fn column(field: &Field, x: f64, z: f64) -> (f64, f64) {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
 
     use antipode_geometry::{Geometry, strategy};
 
@@ -119,7 +118,7 @@ mod tests {
                         20.0
                     },
                 );
-                let field = Field::new(seed, Arc::clone(&space));
+                let field = Field::new(seed, space.clone());
                 let feet = spawn_point(&field);
                 for rise in [0.0, 0.5, 1.0, 1.8] {
                     let body = ChartPoint::a(feet.pos + DVec3::Y * rise);

@@ -107,7 +107,7 @@ pub(crate) fn with_a_view(field: &Field, lens: &Lens, eye_height_m: f64) -> Opti
 
 impl Search<'_> {
     fn strategy(&self) -> &dyn Strategy {
-        &**self.field.strategy()
+        &**self.lens.world()
     }
 
     fn ground(&self, point: ChartPoint) -> ChartPoint {
@@ -160,7 +160,7 @@ impl Search<'_> {
                 if self.spread_m(self.ground(feet), DVec2::splat(0.7), 0.0) > STEEPEST_M {
                     continue;
                 }
-                let headings = if self.strategy().is_closed() && ring > 0 {
+                let headings = if self.strategy().globe().is_some() && ring > 0 {
                     vec![angle, player::wrap_angle(angle + PI)]
                 } else {
                     let all = 0..HEADINGS;
@@ -184,7 +184,7 @@ impl Search<'_> {
         let level = self.eye(feet, Look { yaw, pitch: 0.0 });
         let spots = self.survey(feet, yaw);
         let (far_m, edge_rad) = self.far_land(&level, &spots);
-        let closed = self.strategy().is_closed();
+        let closed = self.strategy().globe().is_some();
         let pitches = if closed { &CLOSED_DEG[..] } else { &OPEN_DEG };
         let edge_rad = if closed { 0.0 } else { edge_rad.min(0.0) };
         let mut best = None;

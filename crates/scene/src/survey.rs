@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use antipode_geometry::{ChartId, ChartPoint, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Globe, Strategy};
 use antipode_terrain::Biome;
 use glam::{DVec2, DVec3, Vec2, Vec3Swizzles};
 
@@ -20,8 +20,6 @@ const NODE_M: f64 = 3.0;
 const REACH_M: f64 = 45.0;
 /// Share of the way to the equator and back that a map of a closed world reaches at most.
 const CLOSED_SHARE: f64 = 0.8;
-/// The charts of a closed world are at most so much wider than the space along their circles: `pi / 2`, at the rim.
-const WIDEST: f64 = std::f64::consts::FRAC_PI_2;
 /// Columns within this of the player are surveyed again and again: the brush reaches there, metres.
 const CHANGES_M: f64 = 26.0;
 /// Columns that are surveyed again for one call that finds nothing new to survey.
@@ -179,12 +177,11 @@ fn column((chart, i, j): Node) -> ChartPoint {
     ChartPoint::new(chart, at)
 }
 
-fn reach_m(strategy: &dyn Strategy) -> f64 {
-    if !strategy.is_closed() {
-        return REACH_M;
-    }
-    // Twice as far lies what is on the other side of the world.
-    let farthest_m = 2.0 * strategy.domain(ChartId::FIRST).half_width_m();
+fn reach_m(strategy: &dyn Atlas) -> f64 {
+    // Half way round lies what is on the other side of the world.
+    let farthest_m = strategy
+        .globe()
+        .map_or(f64::INFINITY, |globe| 0.5 * globe.round_m());
     REACH_M.min(farthest_m * CLOSED_SHARE)
 }
 
@@ -194,7 +191,7 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
     let locator = Locator::new(strategy, &eye);
     let margin_m = 1.5 * NODE_M;
     let reach_m = reach_m(strategy) + margin_m;
-    let span = reach_m * if strategy.is_closed() { WIDEST } else { 1.0 };
+    let span = reach_m * strategy.globe().map_or(1.0, |_| Globe::WIDEST);
     let images = strategy.images(feet, span);
     let mut found = Vec::new();
     for middle in std::iter::once(feet).chain(images.iter().map(|image| image.point)) {
@@ -219,7 +216,7 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
 }
 
 /// Squares of four columns that are all there, at least one of them within the chart's domain.
-fn patches_of(strategy: &dyn Strategy, nodes: &[Node]) -> Vec<[u32; 4]> {
+fn patches_of(strategy: &dyn Atlas, nodes: &[Node]) -> Vec<[u32; 4]> {
     let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
     let patch = |&(chart, i, j): &Node| {
         let corner = |di, dj| places.get(&(chart, i + di, j + dj)).copied();

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord, ChunkCube, Strategy};
 use antipode_physics::{PhysicsWorld, TerrainCollider};
 use antipode_streaming::{Chunk, Reach, Streamer};
 use antipode_terrain::{Field, RIM_REACH_M, Samples};
@@ -37,20 +37,24 @@ pub(crate) struct World {
     pub simulated_s: f64,
 }
 
-fn cube_of_bodies(strategy: &dyn Strategy, about: ChunkCoord) -> ChunkCube {
+fn cube_of_bodies(strategy: &dyn Atlas, about: ChunkCoord) -> ChunkCube {
     ChunkCube::about(strategy, about, BODIES_WITHIN_CHUNKS, RIM_REACH_M)
 }
 
 impl World {
     /// A world that has just begun, with no land in it yet.
-    pub fn new(setup: WorldSetup, field: &Arc<Field>, streamer: Streamer) -> Self {
-        let strategy = Arc::clone(field.strategy());
+    pub fn new(
+        setup: WorldSetup,
+        strategy: Arc<dyn Strategy>,
+        field: &Arc<Field>,
+        streamer: Streamer,
+    ) -> Self {
         let bodies_about = ChunkCoord::containing(ChartPoint::a(DVec3::ZERO));
         Self {
             setup,
             bodies_about,
             bodies_within: cube_of_bodies(&*strategy, bodies_about),
-            ground: Ground::new(Arc::clone(field), Arc::clone(&strategy)),
+            ground: Ground::new(Arc::clone(field), Arc::<dyn Strategy>::clone(&strategy)),
             strategy,
             streamer,
             holds_land: false,

@@ -22,7 +22,7 @@ fn main() {
 /// A world loaded one chunk around the corner of eight chunks nearest to the ground.
 fn world(config: Config) -> (Streamer, DVec3) {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
-    let field = Arc::new(Field::new(11, Arc::clone(&space)));
+    let field = Arc::new(Field::new(11, space.clone()));
     let ground_m = field.surface_height(ChartId::FIRST, 0.0, 0.0);
     let corner = DVec3::new(0.0, (ground_m / 32.0).round() * 32.0, 0.0);
     let mut streamer = Streamer::start(field, space, None, config).expect("threads");

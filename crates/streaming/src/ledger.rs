@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use std::sync::Arc;
 
-use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_terrain::{Content, Field, Level};
 
 use crate::maps::{ChunkMap, ChunkSet};
@@ -48,7 +48,7 @@ struct Flight {
 /// Bookkeeping of chunks; no threads, no channels.
 pub(crate) struct Ledger {
     field: Arc<Field>,
-    strategy: Arc<dyn Strategy>,
+    strategy: Arc<dyn Atlas>,
     /// The last wish, as the next plan is to be made from it.
     wished: Request,
     plan: Arc<Plan>,
@@ -80,7 +80,7 @@ pub(crate) struct Ledger {
 
 impl Ledger {
     /// Books of a world whose stored edits lie in `edited`.
-    pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Strategy>, edited: ChunkSet) -> Self {
+    pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>, edited: ChunkSet) -> Self {
         // The cells of a chunk use its own samples and the first layer of the next ones.
         let near_edits = edited
             .iter()

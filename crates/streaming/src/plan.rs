@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_terrain::{Content, Field, Level, RIM_REACH_M};
 use glam::{I64Vec3, Vec3Swizzles};
 
@@ -279,7 +279,7 @@ fn errors_m(field: &Field, edited: bool) -> [f64; Level::ALL.len()] {
 }
 
 /// Does the chunk touch the line where its chart's domain ends?
-fn meets_rim(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
+fn meets_rim(strategy: &dyn Atlas, coord: ChunkCoord) -> bool {
     let (low, high) = (coord.min().xz(), coord.max().xz());
     let domain = strategy.domain(coord.chart);
     domain.least_outside_m(low, high) <= RIM_REACH_M && domain.most_outside_m(low, high) >= 0.0

@@ -4,7 +4,7 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartPoint, ChunkCoord};
 use glam::DVec3;
 
 use crate::maps::ChunkMap;
@@ -57,7 +57,7 @@ impl Queue {
     }
 
     /// Adds a chunk; `missing` says that nothing of it is there yet.
-    pub(crate) fn push(&mut self, coord: ChunkCoord, missing: bool, strategy: &dyn Strategy) {
+    pub(crate) fn push(&mut self, coord: ChunkCoord, missing: bool, strategy: &dyn Atlas) {
         let before = self.waiting.insert(coord, missing);
         if self.ordered && before != Some(missing) {
             let rank = rank(strategy, self.aim, coord, missing);
@@ -87,7 +87,7 @@ impl Queue {
     }
 
     /// Takes the chunk that matters most.
-    pub(crate) fn pop(&mut self, strategy: &dyn Strategy) -> Option<ChunkCoord> {
+    pub(crate) fn pop(&mut self, strategy: &dyn Atlas) -> Option<ChunkCoord> {
         if !self.ordered {
             let aim = self.aim;
             let ranked = self
@@ -107,7 +107,7 @@ impl Queue {
 }
 
 /// At hand 0; seen 1 and unseen 2 while missing; 3 and 4 else.
-fn rank(strategy: &dyn Strategy, aim: Option<Aim>, coord: ChunkCoord, missing: bool) -> Rank {
+fn rank(strategy: &dyn Atlas, aim: Option<Aim>, coord: ChunkCoord, missing: bool) -> Rank {
     let Some(aim) = aim else { return (0, 0) };
     let half = DVec3::splat(f64::from(CHUNK_CELLS) / 2.0);
     let mut middle = ChartPoint::new(coord.chart, coord.origin() + half);
@@ -148,7 +148,7 @@ mod tests {
         }
     }
 
-    fn flat() -> Arc<dyn Strategy> {
+    fn flat() -> Arc<dyn Atlas> {
         strategy(Geometry::Euclidean, f64::INFINITY)
     }
 

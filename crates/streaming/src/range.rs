@@ -2,9 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{
-    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, ChunkCube, Domain, Strategy,
-};
+use antipode_geometry::{Atlas, CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, ChunkCube, Domain};
 use antipode_terrain::RIM_REACH_M;
 use glam::{I64Vec3, IVec3};
 
@@ -40,15 +38,15 @@ pub(crate) struct Closed {
 
 impl Closed {
     /// The chunks of the given space; `None` if it is open and has them all.
-    fn of(strategy: &dyn Strategy) -> Option<Self> {
+    fn of(strategy: &dyn Atlas) -> Option<Self> {
         let (charts, limits) = (strategy.all_charts()?, strategy.limits()?);
         let layer = |y_m: f64| (y_m / f64::from(CHUNK_CELLS)).floor() as i32;
         // One cell more on either side: a chunk's border is meshed by the chunk below.
         let layers = layer(limits.bedrock_m - 1.0)..=layer(limits.ceiling_m + 1.0);
         Some(Self {
             charts: charts
-                .into_iter()
-                .map(|chart| (chart, strategy.domain(chart)))
+                .iter()
+                .map(|chart| (*chart, strategy.domain(*chart)))
                 .collect(),
             layers,
         })
@@ -64,7 +62,7 @@ impl Closed {
 
 /// Does the world have this chunk? It has those that reach into the domain of their chart or the margin around it; a
 /// closed one those among them that lie between bedrock and ceiling.
-pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
+pub fn is_in_world(strategy: &dyn Atlas, coord: ChunkCoord) -> bool {
     if let Some(closed) = Closed::of(strategy) {
         return closed.has(coord);
     }
@@ -74,12 +72,7 @@ pub fn is_in_world(strategy: &dyn Strategy, coord: ChunkCoord) -> bool {
 
 impl Range {
     /// The range of a wish in the given space: what is viewed, and how far ground is made for bodies.
-    pub(crate) fn wished(
-        strategy: &dyn Strategy,
-        centre: ChartPoint,
-        view: u32,
-        bodies: u32,
-    ) -> Self {
+    pub(crate) fn wished(strategy: &dyn Atlas, centre: ChartPoint, view: u32, bodies: u32) -> Self {
         if let Some(closed) = Closed::of(strategy) {
             return Self::Whole(closed);
         }

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_physics::TerrainCollider;
 use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
 
@@ -31,7 +31,7 @@ pub(crate) type Watch = Arc<dyn Fn(Step) + Send + Sync>;
 /// Everything a worker needs besides its channels.
 pub(crate) struct Shared {
     pub(crate) field: Arc<Field>,
-    pub(crate) strategy: Arc<dyn Strategy>,
+    pub(crate) strategy: Arc<dyn Atlas>,
     pub(crate) book: Book,
     pub(crate) bases: Bases,
     pub(crate) watch: Option<Watch>,
@@ -44,7 +44,7 @@ impl Shared {
     /// State for a new crew.
     pub(crate) fn new(
         field: Arc<Field>,
-        strategy: Arc<dyn Strategy>,
+        strategy: Arc<dyn Atlas>,
         book: Book,
         bases: Bases,
         watch: Option<Watch>,

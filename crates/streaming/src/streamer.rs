@@ -5,7 +5,7 @@ use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use antipode_geometry::{ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, ChunkCoord};
 use antipode_storage::{RecordChanges, WorldMeta, WorldStore};
 use antipode_terrain::{Field, Stroke};
 
@@ -24,7 +24,7 @@ use crate::vault::{Vault, coord_of};
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
-    strategy: Arc<dyn Strategy>,
+    strategy: Arc<dyn Atlas>,
     pub(crate) crew: Crew,
     pub(crate) ledger: Ledger,
     pub(crate) strokes: Strokes,
@@ -79,7 +79,7 @@ impl Streamer {
     /// If the store's list of edited chunks cannot be read or the system refuses a thread.
     pub fn start(
         field: Arc<Field>,
-        strategy: Arc<dyn Strategy>,
+        strategy: Arc<dyn Atlas>,
         store: Option<Arc<WorldStore>>,
         config: Config,
     ) -> Result<Self, StreamingError> {
@@ -90,7 +90,7 @@ impl Streamer {
     /// As [`start`](Self::start), with any vault and a test's look into the workers.
     pub(crate) fn start_watched(
         field: Arc<Field>,
-        strategy: Arc<dyn Strategy>,
+        strategy: Arc<dyn Atlas>,
         vault: Option<Arc<dyn Vault>>,
         config: Config,
         watch: Option<Watch>,

@@ -102,7 +102,7 @@ impl<'a> Painter<'a> {
             offset_m: lowest,
             scale,
             strata_rad_per_m: STRATA_RAD_PER_M / scale as f32,
-            memo: RefCell::new((Places::new(field), waves)),
+            memo: RefCell::new((Places::new(), waves)),
         }
     }
 

@@ -10,9 +10,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{
-    ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame, Strategy,
-};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Domain, NoiseFrame, SquareFrame};
 use glam::DVec3;
 
 use crate::biome::Biome;
@@ -36,7 +34,7 @@ const SPHERE_MOST_M: f64 = 11.0;
 /// The ground of a world before any edit: a pure function of seed and space.
 #[derive(Debug, Clone)]
 pub struct Field {
-    strategy: Arc<dyn Strategy>,
+    strategy: Arc<dyn Atlas>,
     lattice: Arc<Lattice>,
     biome: &'static Biome,
     octaves: Vec<Octave>,
@@ -46,7 +44,7 @@ pub struct Field {
 
 impl Field {
     /// The field of the world with this seed in this space.
-    pub fn new(seed: u64, strategy: Arc<dyn Strategy>) -> Self {
+    pub fn new(seed: u64, strategy: Arc<dyn Atlas>) -> Self {
         let biome = Biome::from_seed(seed);
         let bounds = strategy.limits().map(|limits| {
             let middle = f64::midpoint(limits.ground_min_m, limits.ground_max_m);
@@ -69,7 +67,7 @@ impl Field {
     }
 
     /// The space this field lives in.
-    pub fn strategy(&self) -> &Arc<dyn Strategy> {
+    pub fn strategy(&self) -> &Arc<dyn Atlas> {
         &self.strategy
     }
 
@@ -106,7 +104,7 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
             }
-            NoiseFrame::Radial => {
+            NoiseFrame::Radial { .. } => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
@@ -148,7 +146,9 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 self.fill_square(frame, (first, step_m), counts, &rows, out);
             }
-            NoiseFrame::Radial => self.fill_tilted(chart, (first, step_m), counts, &rows, out),
+            NoiseFrame::Radial { .. } => {
+                self.fill_tilted(chart, (first, step_m), counts, &rows, out);
+            }
         }
     }
 
@@ -191,10 +191,7 @@ impl Field {
 
     /// By how many quarter turns a chart is turned against the space.
     pub(crate) fn quarter_turns(&self, chart: ChartId) -> usize {
-        match self.strategy.noise_frame(chart) {
-            NoiseFrame::Square(frame) => usize::from(frame.quarter_turns % 4),
-            NoiseFrame::Radial => 0,
-        }
+        usize::from(self.strategy.noise_frame(chart).quarter_turns())
     }
 
     /// Height of the topmost surface of untouched ground over `(x, z)`, metres.
@@ -266,23 +263,24 @@ impl Field {
         }
     }
 
-    /// A column of the chart in the lattice of the first octave. Noise space is radial about
-    /// the sphere's centre, so the height stretches the point on the ground.
+    /// A column of the chart in the lattice of the first octave. Where noise space is radial about
+    /// the sphere's centre, the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
         let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
         let base = self.strategy.noise_point(ground) * frequencies;
-        Column {
-            base,
-            slope: base / self.strategy.radius_m(),
-        }
+        let slope = match self.strategy.noise_frame(chart) {
+            NoiseFrame::Radial { radius_m } => base / radius_m,
+            NoiseFrame::Square(_) => DVec3::Y * frequencies,
+        };
+        Column { base, slope }
     }
 }
 
 /// Lowest and highest height of samples that edits change. One sample inside the limits:
 /// the surface between the last solid sample and the first that can be dug then lies above
 /// bedrock, wherever between them it is.
-pub(crate) fn editable_y_m(strategy: &dyn Strategy) -> (f64, f64) {
+pub(crate) fn editable_y_m(strategy: &dyn Atlas) -> (f64, f64) {
     strategy
         .limits()
         .map_or((f64::NEG_INFINITY, f64::INFINITY), |limits| {

@@ -139,12 +139,11 @@ pub(crate) struct Places {
 }
 
 impl Places {
-    pub(crate) fn new(field: &Field) -> Self {
-        let radius_m = field.strategy().radius_m();
+    pub(crate) fn new() -> Self {
         Self {
-            stretch: radius_m.recip(),
+            stretch: 0.0,
             frame: None,
-            spacing_m: SPACING_M[usize::from(radius_m >= 32.0)],
+            spacing_m: SPACING_M[0],
             keys: Box::default(),
             points: Box::default(),
             last: None,
@@ -185,7 +184,9 @@ impl Places {
     fn enter(&mut self, field: &Field, chart: ChartId) -> NoiseFrame {
         let frame = field.strategy().noise_frame(chart);
         self.frame = Some((chart, frame));
-        if frame == NoiseFrame::Radial {
+        if let NoiseFrame::Radial { radius_m } = frame {
+            self.stretch = radius_m.recip();
+            self.spacing_m = SPACING_M[usize::from(radius_m >= 32.0)];
             self.last = None;
             self.keys = vec![NO_PLACE; PLACES * PLACES].into_boxed_slice();
             self.points = vec![Vec4::ZERO; PLACES * PLACES].into_boxed_slice();

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord};
 use glam::{DVec2, DVec3, IVec3};
 
 use crate::edits::{ChunkEdits, owned_index};
@@ -84,30 +84,25 @@ fn common(a: &RangeInclusive<i64>, b: &RangeInclusive<i64>) -> RangeInclusive<i6
 impl Stroke {
     /// Chunks that own a sample within the stroke, of both hemispheres where it nears the
     /// equator, in ascending order. The chunks to [`Self::apply`] it to.
-    pub fn touched(&self, strategy: &dyn Strategy) -> Vec<ChunkCoord> {
+    pub fn touched(&self, strategy: &dyn Atlas) -> Vec<ChunkCoord> {
         self.chunks(strategy, OWNED)
     }
 
     /// Chunks whose block of samples, border included, holds a sample within the stroke:
     /// [`Self::touched`] and the neighbours that see it. The chunks to mesh again.
-    pub fn remeshed(&self, strategy: &dyn Strategy) -> Vec<ChunkCoord> {
+    pub fn remeshed(&self, strategy: &dyn Atlas) -> Vec<ChunkCoord> {
         self.remeshed_at(strategy, Level::FULL)
     }
 
     /// As [`Self::remeshed`], of chunks that are meshed at a level: the coarser, the farther
     /// their border reaches.
-    pub fn remeshed_at(&self, strategy: &dyn Strategy, level: Level) -> Vec<ChunkCoord> {
+    pub fn remeshed_at(&self, strategy: &dyn Atlas, level: Level) -> Vec<ChunkCoord> {
         self.chunks(strategy, Seen::padded(level))
     }
 
     /// Adds the stroke to the edits of the chunk at `coord`; says whether any edit's stored
     /// value changed. Edits must be kept either way: what is less than a stored unit adds up.
-    pub fn apply(
-        &self,
-        coord: ChunkCoord,
-        edits: &mut ChunkEdits,
-        strategy: &dyn Strategy,
-    ) -> bool {
+    pub fn apply(&self, coord: ChunkCoord, edits: &mut ChunkEdits, strategy: &dyn Atlas) -> bool {
         let [x0, y0, z0] = coord.index.to_array().map(|c| i64::from(c) * 32);
         let mut changed = false;
         for mut window in self.windows(strategy) {
@@ -134,7 +129,7 @@ impl Stroke {
         self.radius_m.clamp(0.0, MAX_RADIUS_M)
     }
 
-    fn chunks(&self, strategy: &dyn Strategy, seen: Seen) -> Vec<ChunkCoord> {
+    fn chunks(&self, strategy: &dyn Atlas, seen: Seen) -> Vec<ChunkCoord> {
         let mut found = BTreeSet::new();
         for window in self.windows(strategy) {
             for column in self.columns(strategy, &window) {
@@ -154,7 +149,7 @@ impl Stroke {
     }
 
     /// Where columns may be reached: around the middle, and around the same point in each chart whose domain is near.
-    fn windows(&self, strategy: &dyn Strategy) -> Vec<Window> {
+    fn windows(&self, strategy: &dyn Atlas) -> Vec<Window> {
         if !self.centre.pos.is_finite() || !self.radius_m.is_finite() {
             return Vec::new();
         }
@@ -171,7 +166,7 @@ impl Stroke {
         windows
     }
 
-    fn columns(&self, strategy: &dyn Strategy, window: &Window) -> Vec<Reached> {
+    fn columns(&self, strategy: &dyn Atlas, window: &Window) -> Vec<Reached> {
         let (low, high) = editable_y_m(strategy);
         let editable = whole(low, high);
         let domain = strategy.domain(window.chart);
@@ -207,7 +202,7 @@ impl Stroke {
 
     /// Squared horizontal distance from the middle to a column, in the middle's chart. Carrying
     /// moves columns as wholes: it keeps heights and does not look at them.
-    fn distance2(&self, strategy: &dyn Strategy, chart: ChartId, column: DVec2) -> Option<f64> {
+    fn distance2(&self, strategy: &dyn Atlas, chart: ChartId, column: DVec2) -> Option<f64> {
         let mut point = ChartPoint::new(chart, DVec3::new(column.x, 0.0, column.y));
         if chart != self.centre.chart {
             point = strategy.carry(point, self.centre.chart)?.point;

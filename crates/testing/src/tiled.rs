@@ -4,8 +4,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Euclidean, Eye, Geometry, NoiseFrame,
-    Projection, SightCell, SpaceUniform, SquareFrame, Strategy,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, Metric,
+    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
@@ -134,15 +134,7 @@ impl Atlas for TiledFlat {
     }
 }
 
-impl Strategy for TiledFlat {
-    fn geometry(&self) -> Geometry {
-        Geometry::Euclidean
-    }
-
-    fn radius_m(&self) -> f64 {
-        f64::INFINITY
-    }
-
+impl Map for TiledFlat {
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         Euclidean.view_point(eye, Self::from_eye(eye, point))
     }
@@ -156,14 +148,6 @@ impl Strategy for TiledFlat {
         self.chart_point(eye, (direction * distance_m).extend(1.0))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
-        Self::common(a).distance(Self::common(b))
-    }
-
-    fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64 {
-        Euclidean.eye_distance_m(eye, view)
-    }
-
     fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
         Self::common(point).extend(1.0)
     }
@@ -171,7 +155,19 @@ impl Strategy for TiledFlat {
     fn port_normal(&self, eye: &Eye, point: ChartPoint, normal: DVec3) -> DVec3 {
         Euclidean.port_normal(eye, point, normal)
     }
+}
 
+impl Metric for TiledFlat {
+    fn curvature(&self) -> Curvature {
+        Curvature::FLAT
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        Self::common(a).distance(Self::common(b))
+    }
+}
+
+impl Optics for TiledFlat {
     fn trims(&self, _eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> bool {
         let [low, high] = [min, max].map(|corner| DVec2::new(corner.x, corner.z));
         self.domain(chart).most_outside_m(low, high) > 0.0

@@ -161,14 +161,9 @@ fn height_in(p: DVec3, a: DVec3, b: DVec3, c: DVec3) -> Option<f64> {
 #[test]
 fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
-    let field = Arc::new(Field::new(13, Arc::clone(&space)));
-    let mut streamer = Streamer::start(
-        Arc::clone(&field),
-        Arc::clone(&space),
-        None,
-        Config::default(),
-    )
-    .unwrap();
+    let field = Arc::new(Field::new(13, space.clone()));
+    let mut streamer =
+        Streamer::start(Arc::clone(&field), space.clone(), None, Config::default()).unwrap();
     let mut shown = Shown {
         chunks: HashMap::new(),
         physics: PhysicsWorld::new(),

@@ -1,6 +1,6 @@
 //! Carrying orders out: one way for scripts, which wait for each, and for the console, which never waits.
 
-use antipode_geometry::{ChartPoint, Strategy};
+use antipode_geometry::{Atlas, ChartPoint};
 use antipode_scene::Scene;
 use antipode_settings::Value;
 use glam::{DVec3, Vec3Swizzles};
@@ -188,11 +188,11 @@ fn spawn<H: Host + ?Sized>(
 }
 
 /// Whether a player can stand there; a sentence when not.
-fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String> {
-    if !strategy.has_chart(point.chart) {
-        return Err(format!("this space has no hemisphere {:?}", point.chart));
+fn check_place(atlas: &dyn Atlas, point: ChartPoint) -> Result<(), String> {
+    if !atlas.has_chart(point.chart) {
+        return Err("this space has no such hemisphere".to_owned());
     }
-    let domain = strategy.domain(point.chart);
+    let domain = atlas.domain(point.chart);
     if domain.outside_m(point.pos.xz()) > RIM_SLACK_M {
         let from_centre_m = point.pos.x.hypot(point.pos.z);
         let rim_m = domain.half_width_m();
@@ -200,7 +200,7 @@ fn check_place(strategy: &dyn Strategy, point: ChartPoint) -> Result<(), String>
             "that point lies {from_centre_m:.1} m from the hemisphere's centre, beyond its rim at {rim_m:.1} m"
         ));
     }
-    match strategy.limits() {
+    match atlas.limits() {
         Some(limits) if !(limits.bedrock_m..=limits.ceiling_m).contains(&point.pos.y) => {
             Err(format!(
                 "the height {} m is out of this world's range ({:.1} to {:.1} m)",

@@ -260,9 +260,11 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
 
 fn new_world(geometry: &str, options: &[&str]) -> Result<NewWorld, String> {
     let geometry = geometry.parse::<Geometry>().map_err(|_| {
-        let [a, b, c] = Geometry::ALL;
+        let names = Geometry::ALL.map(Geometry::name);
+        let (last, others) = names.split_last().unwrap_or((&"none", &[]));
+        let others = others.join(", ");
         format!(
-            "there is no space {}; there are {a}, {b} and {c}",
+            "there is no space {}; there are {others} and {last}",
             quoted(geometry)
         )
     })?;

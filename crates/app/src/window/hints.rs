@@ -33,7 +33,9 @@ const UP_RAD: f64 = 0.6;
 pub struct Place {
     /// Whether the wheel turns a dial.
     pub has_dial: bool,
-    /// Whether the world is closed: the land is overhead, a way round leads home, and there is no other picture.
+    /// Whether there is no other picture.
+    pub only_view: bool,
+    /// Whether the world is closed: the land is overhead, and a way round leads home.
     pub closed: bool,
     /// Elevation of the view, radians.
     pub pitch_rad: f64,
@@ -44,7 +46,8 @@ impl Place {
     pub fn of(scene: &Scene) -> Self {
         Self {
             has_dial: scene.lens().range().is_some(),
-            closed: scene.strategy().is_closed(),
+            only_view: scene.strategy().views().len() == 1,
+            closed: scene.strategy().globe().is_some(),
             pitch_rad: scene.head().pitch,
         }
     }
@@ -59,7 +62,7 @@ impl Place {
     fn has(self, lesson: Lesson) -> bool {
         match lesson {
             Lesson::Curve => self.has_dial,
-            Lesson::Map => !self.closed,
+            Lesson::Map => !self.only_view,
             Lesson::Overhead | Lesson::Home => self.closed,
             _ => true,
         }

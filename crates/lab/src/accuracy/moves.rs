@@ -154,9 +154,10 @@ fn views(bench: &Bench, found: &mut Findings) {
             let unit = DMat4::from_diagonal(metres.recip())
                 * view.as_dmat4()
                 * DMat4::from_diagonal(metres);
-            worst.note(off_orthogonal(geometry.sign(), unit.as_mat4()), || {
-                format!("{eye:?}")
-            });
+            worst.note(
+                off_orthogonal(space.curvature().sign, unit.as_mat4()),
+                || format!("{eye:?}"),
+            );
         }
         found.rows.push(Row {
             quantity: "view matrix off orthogonal",

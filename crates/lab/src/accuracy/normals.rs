@@ -122,11 +122,12 @@ fn exact(
         let at = || format!("p = {} m, n = {}", words(*p), words(*n));
         note_all(errors, &mut worst, &mut curves, q.length(), at);
     }
-    push(setting, chart, worst, gpu.is_some(), found);
+    let name = setting.space.chart_name(chart);
+    push(setting, &name, worst, gpu.is_some(), found);
     found.plots.push(plot(
-        &format!("normals-{}-{chart:?}", setting.name),
+        &format!("normals-{}-{name}", setting.name),
         &format!(
-            "Normals, {}, hemisphere {chart:?}: error against distance",
+            "Normals, {}, hemisphere {name}: error against distance",
             setting.name
         ),
         "distance from the chart's centre, radii",
@@ -146,11 +147,11 @@ fn single_normal(hyperbolic: bool, q: DVec3, n: DVec3) -> DVec3 {
     ported.as_dvec3()
 }
 
-fn push(setting: &Setting, chart: ChartId, worst: [Worst; 4], ran: bool, found: &mut Findings) {
+fn push(setting: &Setting, name: &str, worst: [Worst; 4], ran: bool, found: &mut Findings) {
     let [single, double, gpu, textbook] = worst;
     let subject = Subject {
         quantity: "normals",
-        range: format!("{}, hemisphere {chart:?}", setting.name),
+        range: format!("{}, hemisphere {name}", setting.name),
         unit: "rad",
         naive: Some(textbook),
     };

@@ -3,7 +3,7 @@
 //! The middle of an edge is ported in `f64` and compared with the straight line between its ported
 //! ends. Culling is compared with a dense sample of each chunk.
 
-use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Euclidean, Eye, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Euclidean, Eye, Optics, Strategy};
 use glam::{DVec2, DVec3, IVec3};
 
 use super::cases::{self, LIFT_M, Setting};

@@ -227,7 +227,7 @@ fn port_and_back(bench: &Bench, setting: &Setting, reach: f64, found: &mut Findi
         ours.note(error, || {
             format!("eye {} m, point {:?}", words(eye.point.pos), point)
         });
-        if setting.space.geometry() == antipode_geometry::Geometry::Hyperbolic {
+        if setting.space.curvature().sign < 0.0 {
             let q = ((point.pos - eye.point.pos) / RADIUS_M).as_vec3();
             let back = naive::unport(naive::exponential(-1.0, q)) - q;
             textbook.note(f64::from(back.length() / q.length().max(1.0)), || {

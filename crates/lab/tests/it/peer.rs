@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use antipode_geometry::{ChartPoint, Eye, Raised, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Map, Metric, Raised};
 use antipode_lab::peer::disk::Disk;
 use antipode_lab::peer::halfplane::HalfPlane;
 use antipode_lab::peer::linear::{BARE, COLUMNS, LIFTED, Linear};

@@ -107,7 +107,7 @@ impl Run {
     fn begin(map: HyperbolicMap, dial: f64) -> Option<Self> {
         let gpu = Gpu::for_test()?;
         let space = picture(Geometry::Hyperbolic, 20.0, map, false);
-        let field = Field::new(4, Arc::clone(&space));
+        let field = Field::new(4, space.clone());
         let mut frame = testing::frame(&space);
         (frame.view.eye.dial, frame.view.eye.pitch) = (dial, -0.15);
         frame.view.fog_distance_m = 150.0;

@@ -1,6 +1,6 @@
 //! From where a driver sees the world: behind the car on a spring, or from the bonnet.
 
-use antipode_geometry::{ChartPoint, Crossing, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Eye};
 use antipode_physics::PhysicsWorld;
 use glam::DVec3;
 
@@ -133,7 +133,7 @@ impl Chase {
     }
 
     /// Goes over the equator with the car: what it follows keeps its own place in the space.
-    pub fn carry(&mut self, strategy: &dyn Strategy, crossing: &Crossing) {
+    pub fn carry(&mut self, strategy: &dyn Atlas, crossing: &Crossing) {
         let over = strategy
             .carry(self.point, crossing.point.chart)
             .unwrap_or(*crossing);
@@ -171,7 +171,7 @@ impl Chase {
         &self,
         car: &CarView,
         head: &Eye,
-        strategy: &dyn Strategy,
+        strategy: &dyn Atlas,
         physics: &PhysicsWorld,
     ) -> CameraPose {
         let (yaw, pitch) = self.look(CameraMode::Third);

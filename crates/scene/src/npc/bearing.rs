@@ -5,7 +5,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use antipode_geometry::{ChartId, ChartPoint, Eye, NoiseFrame, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Eye, Map, Metric, Strategy};
 use glam::DVec3;
 
 /// From one place to another.
@@ -39,7 +39,7 @@ pub(crate) fn way(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint) -> 
 
 /// The place that many metres from another along a level heading, at the same height.
 pub(crate) fn ahead(
-    strategy: &dyn Strategy,
+    strategy: &dyn Map,
     from: ChartPoint,
     heading: DVec3,
     level_m: f64,
@@ -55,7 +55,7 @@ pub(crate) fn way_to(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint) 
 }
 
 /// How far two places are apart in the space, in metres.
-pub(crate) fn apart_m(strategy: &dyn Strategy, from: ChartPoint, to: ChartPoint) -> f64 {
+pub(crate) fn apart_m(strategy: &dyn Metric, from: ChartPoint, to: ChartPoint) -> f64 {
     let eye = Eye {
         point: from,
         ..Eye::default()
@@ -71,11 +71,9 @@ pub(crate) fn toward(yaw_rad: f64) -> DVec3 {
 /// A heading in a chart, in radians, that comes from no place, such as one that was thrown. It is counted from the axes of
 /// the space where charts lie square in it, so that it does not depend on how a chart is turned: a quarter turn takes the
 /// headings of the chart to less by one.
-pub(crate) fn any_heading(strategy: &dyn Strategy, chart: ChartId, yaw_rad: f64) -> f64 {
-    match strategy.noise_frame(chart) {
-        NoiseFrame::Square(frame) => yaw_rad + f64::from(frame.quarter_turns) * FRAC_PI_2,
-        NoiseFrame::Radial => yaw_rad,
-    }
+pub(crate) fn any_heading(strategy: &dyn Atlas, chart: ChartId, yaw_rad: f64) -> f64 {
+    let turns = strategy.noise_frame(chart).quarter_turns();
+    yaw_rad + f64::from(turns) * FRAC_PI_2
 }
 
 #[cfg(test)]

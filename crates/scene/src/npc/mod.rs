@@ -34,7 +34,7 @@ use crate::player::{self, Body, Player};
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BOT_LIES_S, MOST_DROPS, STEP_S};
 use crate::world::World;
-pub(crate) use bearing::{ahead as place_ahead, apart_m, way_to};
+pub(crate) use bearing::{ahead as place_ahead, any_heading, apart_m, way_to};
 use dice::Dice;
 use figure::Npc;
 pub(crate) use hidden::hidden_foes;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye, Map, Strategy};
 use antipode_physics::{CharacterTuning, PhysicsWorld};
 use glam::DVec3;
 use hecs::Entity;
@@ -14,6 +14,7 @@ use crate::aimed::Optics;
 use crate::bot::BotView;
 use crate::car::CarView;
 use crate::lamp::Lamp;
+use crate::lens::own_view;
 use crate::pick::segment_hit;
 use crate::player::Look;
 use crate::world::World;
@@ -134,8 +135,8 @@ pub(crate) fn world_optics(world: &World) -> Optics {
 }
 
 /// The dial at which a world's own picture is taken: that of every new world, wherever the player sets it.
-fn own_dial(strategy: &dyn Strategy) -> f64 {
-    strategy.dial().map_or(0.0, |dial| dial.default)
+fn own_dial(strategy: &dyn Map) -> f64 {
+    own_view(strategy).dial().map_or(0.0, |dial| dial.default)
 }
 
 /// Whether no ground lies on the geodesic from an eye to a place.

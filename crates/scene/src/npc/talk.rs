@@ -13,6 +13,7 @@ use super::speech::Said;
 use super::tuning::{HAILS_M, TALKS_M};
 use crate::actors::Actors;
 use crate::crosshair::Crosshair;
+use crate::lens::own_view;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::Player;
@@ -111,7 +112,7 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
         0 => triangle(now, home.level_m),
         1 => horizon(now),
         // Who is at home need not be told the way.
-        2 if home.level_m < AT_HOME_M && !strategy.is_closed() => horizon(now),
+        2 if home.level_m < AT_HOME_M && strategy.globe().is_none() => horizon(now),
         _ => way_home(strategy, now.feet(), home),
     }
 }
@@ -121,17 +122,16 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
 fn triangle(now: Situation<'_>, home_m: f64) -> Line {
     let side_m = home_m.clamp(SIDE_M.0, SIDE_M.1).round();
     let strategy = &*now.world.strategy;
-    let closed = strategy.is_closed();
-    let curvature_per_m2 = if closed {
-        strategy.curvature_per_m2()
-    } else {
-        0.0
+    // Where a dial bends the picture the land itself is flat.
+    let curvature_per_m2 = match own_view(strategy).dial() {
+        Some(_) => 0.0,
+        None => strategy.curvature().per_m2(),
     };
     let sum_rad = equilateral_angle_sum_rad(curvature_per_m2, side_m);
     Line::Triangle {
         side_m: side_m as u32,
         sum_decidegrees: (sum_rad.to_degrees() * 10.0).round() as i32,
-        pictured: !closed && now.aiming().dial != 0.0,
+        pictured: now.aiming().dial != 0.0,
     }
 }
 
@@ -160,11 +160,9 @@ fn way_home(strategy: &dyn Strategy, feet: ChartPoint, home: Way) -> Line {
     let there_m = home.level_m * share;
     Line::Home {
         there_m: there_m.round() as u32,
-        // From the pole to the equator is a quarter of the way round.
         round_m: strategy
-            .domain(feet.chart)
-            .radius_m()
-            .map(|rim_m| (4.0 * rim_m * share - there_m).round() as u32),
+            .globe()
+            .map(|globe| (globe.round_m() * share - there_m).round() as u32),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Bullets without a world.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-use antipode_geometry::{ChartId, ChunkCoord, Geometry, strategy};
+use antipode_geometry::{ChartId, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_physics::TerrainCollider;
 use glam::IVec3;
 

@@ -247,7 +247,7 @@ fn sighted_sum_deg(scene: &Scene, side_m: f64) -> f64 {
     };
     let lamps = if closed {
         // Turned by their own angle, two lines of sight that long end as far from each other.
-        let sum = equilateral_angle_sum_rad(scene.strategy().curvature_per_m2(), side_m);
+        let sum = equilateral_angle_sum_rad(scene.strategy().curvature().per_m2(), side_m);
         let ends = [-sum / 6.0, sum / 6.0]
             .map(|turn| pictured.along(&first, DVec3::new(turn.sin(), 0.0, -turn.cos()), side_m));
         [first.point, ends[0], ends[1]]

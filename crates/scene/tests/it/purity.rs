@@ -83,7 +83,7 @@ fn a_closed_world_is_the_same_however_it_is_seen() {
 
 /// Has a scene show its world through another picture, if its space has one.
 fn show_otherwise(scene: &mut Scene) {
-    match scene.strategy().geometry() {
+    match scene.setup().geometry {
         Geometry::Euclidean => assert!(scene.set_bend(12.0)),
         Geometry::Hyperbolic => {
             assert!(scene.set_map(HyperbolicMap::Horizon) && scene.set_curvature(17.0));

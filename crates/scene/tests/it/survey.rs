@@ -1,5 +1,6 @@
 //! The map of the land about the player: as high as the land, as far as the space has it, dug where it was dug.
 
+use crate::common::twins::Twins;
 use crate::common::{scene, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
@@ -132,7 +133,7 @@ fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
     };
     let mut last = relative(&scene);
     let equator = scene.bearings().equator.unwrap();
-    assert!((equator.distance_m - 3.0).abs() < 0.3 && equator.chart == ChartId::FIRST);
+    assert!((equator.distance_m - 3.0).abs() < 0.3 && equator.hemisphere == 'A');
     assert!((equator.heading_rad - std::f64::consts::FRAC_PI_2).abs() < 1e-6);
     for _ in 0..90 {
         steps(&mut scene, 1, &ahead);
@@ -144,7 +145,7 @@ fn north_is_where_the_stars_turn_and_keeps_its_place_over_the_equator() {
         last = now;
     }
     let equator = scene.bearings().equator.unwrap();
-    assert_eq!(equator.chart, ChartId::SECOND);
+    assert_eq!(equator.hemisphere, 'B');
 }
 
 #[test]
@@ -172,4 +173,20 @@ fn lamps_and_bots_are_marked_where_they_stand() {
     assert!(is_there(LandmarkKind::Hostile, -8.0), "{marks:?}");
     assert!(is_there(LandmarkKind::Car, -42.3), "{marks:?}");
     assert!(marks.iter().all(|mark| mark.at.length() <= 45.0));
+}
+
+#[test]
+fn north_is_one_way_in_all_charts_of_squares_that_are_turned() {
+    let mut twins = Twins::new();
+    let mut turned = std::collections::BTreeSet::new();
+    for (x, z) in [(5.0, 5.0), (70.0, 5.0), (130.0, -60.0), (-64.0, 128.0)] {
+        twins.stand(x, z, 0.4, 0.0);
+        twins.step(&Actions::default());
+        let [one, many] = [&twins.one, &twins.many].map(Scene::bearings);
+        let [from_one, from_many] = [one, many].map(|it| it.north_rad - it.heading_rad);
+        assert!((from_one - from_many).cos() > 1.0 - 1e-12, "{x} {z}");
+        assert_eq!(many.equator, None, "an edge of squares is no place");
+        turned.insert((many.north_rad - one.north_rad).rem_euclid(std::f64::consts::TAU) as u32);
+    }
+    assert!(turned.len() > 1, "{turned:?}");
 }

@@ -17,7 +17,7 @@ use views::{Rings, Vanishing};
 
 fn ledger(edited: &[ChunkCoord]) -> Ledger {
     let space = strategy(Geometry::Euclidean, f64::INFINITY);
-    let field = Arc::new(Field::new(3, Arc::clone(&space)));
+    let field = Arc::new(Field::new(3, space.clone()));
     Ledger::new(field, space, edited.iter().copied().collect())
 }
 

@@ -34,7 +34,7 @@ impl Detail for Flat {
 
 fn request(geometry: Geometry, radius_m: f64, flat: Flat, distance: u32) -> (Request, Field) {
     let space = strategy(geometry, radius_m);
-    let field = Field::new(11, Arc::clone(&space));
+    let field = Field::new(11, space.clone());
     let eye = ChartPoint::a(flat.eye);
     let request = Request {
         range: Range::wished(&*space, eye, distance, 0),
@@ -76,7 +76,7 @@ fn sixteen_chunks_of_distance_cost_at_most_twice_as_much_as_six() {
     for seed in 0..5 {
         let cost_at = |distance| {
             let (mut request, _) = request(Geometry::Euclidean, f64::INFINITY, eye(), distance);
-            let field = Field::new(seed, Arc::clone(&strategy(Geometry::Euclidean, 0.0)));
+            let field = Field::new(seed, strategy(Geometry::Euclidean, 0.0));
             request.near_edits = Arc::default();
             let plan = request.plan(&field).plan;
             let levels = plan

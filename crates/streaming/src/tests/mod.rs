@@ -71,14 +71,13 @@ impl Game {
         vault: Option<Arc<dyn Vault>>,
         watch: Option<Watch>,
     ) -> Self {
-        let field = Arc::new(Field::new(SEED, Arc::clone(&space)));
+        let field = Arc::new(Field::new(SEED, space.clone()));
         let config = Config {
             workers,
             ..Config::default()
         };
         let streamer =
-            Streamer::start_watched(Arc::clone(&field), Arc::clone(&space), vault, config, watch)
-                .unwrap();
+            Streamer::start_watched(field.clone(), space.clone(), vault, config, watch).unwrap();
         Self {
             streamer,
             field,

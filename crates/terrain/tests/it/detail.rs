@@ -210,7 +210,7 @@ fn print_the_errors_of_every_biome_and_level() {
             for level in &Level::ALL[1..] {
                 // Fields of several seeds: biomes repeat after five.
                 let mut random = Random(seed);
-                let field = Field::new(seed + 10, Arc::clone(&space));
+                let field = Field::new(seed + 10, space.clone());
                 let [near, up] = measure(&field, *level, 40, &mut random);
                 let biome = Biome::from_seed(seed).name();
                 println!(

@@ -44,27 +44,36 @@ pub struct Place {
 /// The worlds, in the order in which they are shown: the one that no other game has comes first, and each is followed
 /// by one in another space.
 pub const WORLDS: [Place; 6] = [
-    place(Geometry::Spherical, 5, 440.0),
-    place(Geometry::Hyperbolic, 7, 95.0),
-    place(Geometry::Euclidean, 3, 40.0),
-    place(Geometry::Spherical, 1, 420.0),
-    place(Geometry::Hyperbolic, 21, 200.0),
-    place(Geometry::Euclidean, 18, 240.0),
+    SPHERICAL.of(5, 440.0),
+    HYPERBOLIC.of(7, 95.0),
+    FLAT.of(3, 40.0),
+    SPHERICAL.of(1, 420.0),
+    HYPERBOLIC.of(21, 200.0),
+    FLAT.of(18, 240.0),
 ];
 
-const fn place(geometry: Geometry, seed: u64, time_of_day_s: f64) -> Place {
-    let (radius_m, clearance_m, pitch_rad) = match geometry {
-        Geometry::Euclidean => (f64::INFINITY, 12.0, -0.24),
-        Geometry::Hyperbolic => (DEFAULT_HYPERBOLIC_RADIUS_M, 7.0, -0.4),
-        Geometry::Spherical => (SPHERE_RADIUS_M, 9.0, 0.2),
-    };
+const FLAT: Place = over(Geometry::Euclidean, f64::INFINITY, 12.0, -0.24);
+const HYPERBOLIC: Place = over(Geometry::Hyperbolic, DEFAULT_HYPERBOLIC_RADIUS_M, 7.0, -0.4);
+const SPHERICAL: Place = over(Geometry::Spherical, SPHERE_RADIUS_M, 9.0, 0.2);
+
+const fn over(geometry: Geometry, radius_m: f64, clearance_m: f64, pitch_rad: f64) -> Place {
     Place {
         geometry,
         radius_m,
-        seed,
+        seed: 0,
         clearance_m,
         pitch_rad,
-        time_of_day_s,
+        time_of_day_s: 0.0,
+    }
+}
+
+impl Place {
+    const fn of(self, seed: u64, time_of_day_s: f64) -> Self {
+        Self {
+            seed,
+            time_of_day_s,
+            ..self
+        }
     }
 }
 

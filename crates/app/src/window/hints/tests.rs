@@ -10,6 +10,7 @@ use crate::bindings::Input;
 /// A hyperbolic world.
 const DIAL: Place = Place {
     has_dial: true,
+    only_view: false,
     closed: false,
     pitch_rad: 0.0,
 };
@@ -19,6 +20,7 @@ const FLAT: Place = Place {
     ..DIAL
 };
 const CLOSED: Place = Place {
+    only_view: true,
     closed: true,
     ..FLAT
 };

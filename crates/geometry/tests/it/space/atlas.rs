@@ -158,3 +158,23 @@ fn a_square_turned_four_times_is_as_it_was() {
         assert_eq!(away.abs(), corner.abs());
     }
 }
+
+#[test]
+fn charts_have_letters_on_a_globe_and_numbers_elsewhere_and_are_read_back_by_either() {
+    let names = |space: &dyn Strategy, charts: &[ChartId]| {
+        let name = |chart: &ChartId| {
+            let name = space.chart_name(*chart);
+            assert_eq!(name.parse(), Ok(*chart));
+            name
+        };
+        charts.iter().map(name).collect::<Vec<_>>()
+    };
+    let two = [ChartId::FIRST, ChartId::SECOND];
+    assert_eq!(names(&Spherical::new(32.0), &two), ["A", "B"]);
+    let tiles = [(0, 0), (0, 1), (-1, 3)].map(|(x, z)| TiledFlat::chart(I64Vec2::new(x, z)));
+    assert_eq!(tiles[..2], two);
+    assert_eq!(
+        names(&TiledFlat, &tiles),
+        ["A", "0x1", "0xffffffff00000003"]
+    );
+}

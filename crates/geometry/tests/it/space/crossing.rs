@@ -1,6 +1,8 @@
 //! The sphere's two charts: crossing, carrying, orientation and what they leave unchanged.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy};
+use antipode_geometry::{
+    Atlas, ChartId, ChartPoint, Euclidean, Eye, Map, Metric, Raised, Spherical, Strategy,
+};
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartId, ChartPoint, ChunkCoord, Drum, Eye, Geometry, Horizon, Projection, Raised, Strategy,
-    strategy,
+    ChartId, ChartPoint, ChunkCoord, Curvature, Drum, Eye, Geometry, Horizon, Optics, Projection,
+    Raised, Strategy, strategy,
 };
 use glam::{DVec2, DVec3, IVec3};
 use proptest::prelude::{prop_assert, proptest};
@@ -56,7 +56,7 @@ proptest! {
         for space in spaces() {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
-            if turned && space.dial().is_some_and(|dial| dial.min < 0.0) {
+            if turned && space.curvature() == Curvature::FLAT {
                 eye.dial = -eye.dial;
             }
             let sphere = space.geometry() == Geometry::Spherical;
@@ -138,7 +138,7 @@ proptest! {
         for space in spaces() {
             let mut eye = eye;
             eye.point = in_space(space.as_ref(), eye.point);
-            if turned && space.dial().is_some_and(|dial| dial.min < 0.0) {
+            if turned && space.curvature() == Curvature::FLAT {
                 eye.dial = -eye.dial;
             }
             let middle = in_space(space.as_ref(), eye.point.moved(away * reach_m));

@@ -2,8 +2,8 @@
 
 use antipode_geometry::charts::{cylindrical, inner};
 use antipode_geometry::{
-    ChartId, ChartPoint, Euclidean, Eye, Geometry, Horizon, HyperbolicMap, Strategy, picture,
-    strategy,
+    ChartId, ChartPoint, Euclidean, Eye, Geometry, Horizon, HyperbolicMap, Map, Metric, Optics,
+    picture, strategy,
 };
 use glam::{DVec3, DVec4};
 use proptest::prelude::{prop_assert, proptest};

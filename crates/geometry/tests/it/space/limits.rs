@@ -1,6 +1,6 @@
 //! Limits of the parameters: curvature to zero, the dial at zero, every magnitude.
 
-use antipode_geometry::{ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy};
+use antipode_geometry::{ChartPoint, Euclidean, Eye, Map, Metric, Raised, Spherical, Strategy};
 use glam::{DVec2, DVec3};
 use proptest::prelude::{prop_assert, proptest};
 

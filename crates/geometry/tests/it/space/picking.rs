@@ -1,6 +1,6 @@
 //! What the crosshair covers, and depth: what is nearer along a sight line is drawn over.
 
-use antipode_geometry::{ChartPoint, Euclidean, Eye, Raised, Spherical, Strategy};
+use antipode_geometry::{ChartPoint, Euclidean, Eye, Map, Metric, Raised, Spherical};
 use glam::DVec3;
 use proptest::prelude::{prop_assert, proptest};
 

@@ -1,6 +1,6 @@
 //! The port and its inverse, everywhere the game uses them.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Geometry, Spherical, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Geometry, Map, Spherical};
 use glam::DVec3;
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
 

@@ -271,7 +271,7 @@ pub fn frame(space: &Arc<dyn Strategy>, point: ChartPoint, aspect: f64) -> Frame
 
 /// Generated land within `reach` chunks of `centre`; all of a closed world.
 pub fn land(space: &Arc<dyn Strategy>, centre: ChartPoint, reach: i32) -> Arc<Land> {
-    let field = Field::new(2, Arc::clone(space));
+    let field = Field::new(2, space.clone());
     let closed = space.is_closed();
     let (middle, reach) = if closed {
         (IVec3::ZERO, 3)
@@ -309,7 +309,7 @@ pub fn one_chunk(coord: ChunkCoord, mesh: Arc<ChunkMesh>) -> Arc<Land> {
 
 /// A point 1.7 m above the generated ground.
 pub fn standing(space: &Arc<dyn Strategy>, chart: ChartId, x: f64, z: f64) -> ChartPoint {
-    let field = Field::new(2, Arc::clone(space));
+    let field = Field::new(2, space.clone());
     ChartPoint::new(
         chart,
         DVec3::new(x, field.surface_height(chart, x, z) + 1.7, z),

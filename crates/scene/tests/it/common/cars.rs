@@ -73,7 +73,7 @@ pub fn driving(geometry: Geometry) -> Scene {
 
 /// A player at the wheel of the first car of a world that is just made.
 pub fn at_the_wheel(scene: Scene) -> Scene {
-    let geometry = scene.strategy().geometry();
+    let geometry = scene.setup().geometry;
     let mut scene = rested(scene);
     stand_beside(&mut scene, 2.0);
     steps(&mut scene, 1, &enter());

@@ -5,7 +5,8 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::projection::Depth;
 use crate::sight::Axis;
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
+    Atlas, ChartId, ChartPoint, Curvature, Eye, Map, Metric, Optics, Projection, SightCell,
+    SpaceUniform, View,
 };
 
 /// Flat space.
@@ -19,13 +20,9 @@ pub(crate) fn rotation(eye: &Eye) -> DMat3 {
 
 impl Atlas for Euclidean {}
 
-impl Strategy for Euclidean {
-    fn geometry(&self) -> Geometry {
-        Geometry::Euclidean
-    }
-
-    fn radius_m(&self) -> f64 {
-        f64::INFINITY
+impl Map for Euclidean {
+    fn views(&self) -> &'static [View] {
+        &[View::Plain, View::Bent]
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
@@ -40,14 +37,6 @@ impl Strategy for Euclidean {
         self.chart_point(eye, (direction * distance_m).extend(1.0))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
-        a.pos.distance(b.pos)
-    }
-
-    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        view.truncate().length()
-    }
-
     fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
         point.pos.extend(1.0)
     }
@@ -55,7 +44,19 @@ impl Strategy for Euclidean {
     fn port_normal(&self, _eye: &Eye, _point: ChartPoint, normal: DVec3) -> DVec3 {
         normal.normalize_or_zero()
     }
+}
 
+impl Metric for Euclidean {
+    fn curvature(&self) -> Curvature {
+        Curvature::FLAT
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        a.pos.distance(b.pos)
+    }
+}
+
+impl Optics for Euclidean {
     fn sight_cell(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
         let (low, high) = (min - eye.point.pos, max - eye.point.pos);
         Axis::new(0.0, 0.0).cell_of_box(low, high, f64::INFINITY, f64::INFINITY)

@@ -9,13 +9,13 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::globe::{Globe, is_b};
 use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
-use crate::scalar::sinc;
 use crate::sight::{Axis, Plan};
 use crate::{
-    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Eye, Geometry, HeightLimits, NoiseFrame,
-    Projection, SightCell, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map, Metric,
+    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -26,11 +26,6 @@ const CROSSING_HYSTERESIS_M: f64 = 0.2;
 #[derive(Debug, Clone, Copy)]
 pub struct Spherical {
     radius_m: f64,
-}
-
-/// Whether a chart is that of hemisphere B; all others count as A.
-fn is_b(chart: ChartId) -> bool {
-    chart == ChartId::SECOND
 }
 
 /// The chart on the far side of the equator.
@@ -138,12 +133,16 @@ impl Atlas for Spherical {
         chart <= ChartId::SECOND
     }
 
-    fn is_closed(&self) -> bool {
-        true
+    fn all_charts(&self) -> Option<&[ChartId]> {
+        Some(&[ChartId::FIRST, ChartId::SECOND])
     }
 
-    fn all_charts(&self) -> Option<Vec<ChartId>> {
-        Some(vec![ChartId::FIRST, ChartId::SECOND])
+    fn chart_name(&self, chart: ChartId) -> String {
+        Globe::new(self.radius_m).hemisphere(chart).to_string()
+    }
+
+    fn globe(&self) -> Option<Globe> {
+        Some(Globe::new(self.radius_m))
     }
 
     fn cross(&self, point: ChartPoint) -> Option<Crossing> {
@@ -191,14 +190,13 @@ impl Atlas for Spherical {
     }
 
     fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
-        NoiseFrame::Radial
+        NoiseFrame::Radial {
+            radius_m: self.radius_m,
+        }
     }
 
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
-        let p = mirrored(point.chart, point.pos / self.radius_m);
-        let r = p.x.hypot(p.z);
-        let pole = if is_b(point.chart) { -r.cos() } else { r.cos() };
-        DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
+        Globe::new(self.radius_m).from_middle_m(point)
     }
 
     /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
@@ -211,15 +209,7 @@ impl Atlas for Spherical {
     }
 }
 
-impl Strategy for Spherical {
-    fn geometry(&self) -> Geometry {
-        Geometry::Spherical
-    }
-
-    fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
+impl Map for Spherical {
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         self.metres(self.view(eye) * self.model(point))
     }
@@ -238,15 +228,6 @@ impl Strategy for Spherical {
         self.chart_point(eye, (direction * (self.radius_m * sin)).extend(cos))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
-        let (a, b) = (self.model(a), self.model(b));
-        self.radius_m * distance::spherical(a.to_array(), b.to_array())
-    }
-
-    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        distance::from_eye(1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
-    }
-
     fn curved(&self, _eye: &Eye, point: ChartPoint) -> DVec4 {
         self.model(point)
     }
@@ -255,7 +236,20 @@ impl Strategy for Spherical {
         let p = (point.pos / self.radius_m).to_array();
         sphere::normal(p, normal.to_array()).into()
     }
+}
 
+impl Metric for Spherical {
+    fn curvature(&self) -> Curvature {
+        Curvature::of_radius(1.0, self.radius_m)
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, _eye: &Eye) -> f64 {
+        let (a, b) = (self.model(a), self.model(b));
+        self.radius_m * distance::spherical(a.to_array(), b.to_array())
+    }
+}
+
+impl Optics for Spherical {
     fn has_sky(&self) -> bool {
         false
     }

@@ -8,17 +8,18 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::FAR_LIMIT_RADII;
 use crate::charts::cylindrical;
-use crate::euclidean::rotation;
-use crate::kernel::distance;
+use crate::flat::rotation;
 use crate::kernel::horizon::HorizonMap;
+use crate::metric::distance_between_views_m;
 use crate::projection::Depth;
 use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
-use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, Map, Metric, Optics, Projection,
+    SpaceUniform, Viewer,
 };
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
@@ -35,8 +36,8 @@ const HAZE: f64 = 0.8;
 /// A flat or hyperbolic world seen through the horizon map.
 #[derive(Debug, Clone, Copy)]
 pub struct Horizon {
-    geometry: Geometry,
-    radius_m: f64,
+    /// That of the world, which this map does not use.
+    world: Curvature,
 }
 
 impl Horizon {
@@ -53,24 +54,22 @@ impl Horizon {
         default: 0.0,
     };
 
-    /// A hyperbolic world; `radius_m` is the world's own radius, which this map does not use.
+    /// A hyperbolic world of that radius in metres.
     pub fn hyperbolic(radius_m: f64) -> Self {
         Self {
-            geometry: Geometry::Hyperbolic,
-            radius_m,
+            world: Curvature::of_radius(-1.0, radius_m),
         }
     }
 
     /// A flat world whose picture is bent by the dial.
     pub fn bent() -> Self {
         Self {
-            geometry: Geometry::Euclidean,
-            radius_m: f64::INFINITY,
+            world: Curvature::FLAT,
         }
     }
 
     fn range(self) -> Dial {
-        if self.geometry == Geometry::Hyperbolic {
+        if self.world.sign < 0.0 {
             Self::DIAL
         } else {
             Self::BEND_DIAL
@@ -110,23 +109,7 @@ impl Horizon {
 
 impl Atlas for Horizon {}
 
-impl Strategy for Horizon {
-    fn geometry(&self) -> Geometry {
-        self.geometry
-    }
-
-    fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
-    fn radius_at_m(&self, eye: &Eye) -> f64 {
-        1.0 / self.kappa(eye).abs().sqrt()
-    }
-
-    fn dial(&self) -> Option<Dial> {
-        Some(self.range())
-    }
-
+impl Map for Horizon {
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let u = (point.pos - eye.point.pos).to_array();
         let x = DVec4::from_array(self.map(eye).port(u));
@@ -173,18 +156,6 @@ impl Strategy for Horizon {
         self.chart_point(eye, (direction * sin_k(kappa, t)).extend(cos_k(kappa, t)))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
-        let views = [a, b].map(|p| self.view_point(eye, p));
-        distance_between_views_m(self.kappa(eye), views)
-    }
-
-    fn eye_distance_m(&self, eye: &Eye, view: DVec4) -> f64 {
-        let kappa = self.kappa(eye);
-        let sign = if kappa == 0.0 { 0.0 } else { kappa.signum() };
-        let k = kappa.abs().sqrt();
-        distance::from_eye(sign, k, 1.0 / k, view.to_array())
-    }
-
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let kappa = self.kappa(eye);
         let u = self
@@ -202,7 +173,24 @@ impl Strategy for Horizon {
         let u = (point.pos - eye.point.pos).to_array();
         self.map(eye).normal(u, normal.to_array()).into()
     }
+}
 
+impl Metric for Horizon {
+    fn curvature(&self) -> Curvature {
+        self.world
+    }
+
+    fn curvature_at(&self, eye: &Eye) -> Curvature {
+        Curvature::of_kappa(self.kappa(eye))
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
+        let views = [a, b].map(|p| self.view_point(eye, p));
+        distance_between_views_m(self.kappa(eye), views)
+    }
+}
+
+impl Optics for Horizon {
     fn sight_limit_m(&self, eye: &Eye) -> f64 {
         let kappa = self.kappa(eye);
         if kappa > 0.0 {

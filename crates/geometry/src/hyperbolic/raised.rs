@@ -8,18 +8,18 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
+use super::FAR_LIMIT_RADII;
 use crate::charts::exponential;
-use crate::euclidean::rotation;
-use crate::kernel::distance;
+use crate::flat::rotation;
 use crate::kernel::raised::RaisedMap;
+use crate::metric::distance_between_views_m;
 use crate::projection::Depth;
 use crate::real::Real;
 use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
-use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
-    Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, HyperbolicMap, Map, Metric, Optics,
+    Projection, SightCell, SpaceUniform, View, Viewer,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -109,17 +109,14 @@ fn d_coth(d: f64) -> f64 {
 
 impl Atlas for Raised {}
 
-impl Strategy for Raised {
-    fn geometry(&self) -> Geometry {
-        Geometry::Hyperbolic
-    }
-
-    fn radius_m(&self) -> f64 {
-        self.radius_m
-    }
-
-    fn dial(&self) -> Option<Dial> {
-        Some(Self::DIAL)
+impl Map for Raised {
+    fn views(&self) -> &'static [View] {
+        const {
+            &[
+                View::Map(HyperbolicMap::Raised),
+                View::Map(HyperbolicMap::Horizon),
+            ]
+        }
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
@@ -154,15 +151,6 @@ impl Strategy for Raised {
         self.chart_point(eye, view.extend(t.cosh()))
     }
 
-    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
-        let views = [a, b].map(|p| self.view_point(eye, p));
-        distance_between_views_m(-self.radius_m.powi(-2), views)
-    }
-
-    fn eye_distance_m(&self, _eye: &Eye, view: DVec4) -> f64 {
-        distance::from_eye(-1.0, 1.0 / self.radius_m, self.radius_m, view.to_array())
-    }
-
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4 {
         let u = self
             .map(eye)
@@ -177,7 +165,20 @@ impl Strategy for Raised {
         let u = (point.pos - eye.point.pos).to_array();
         self.map(eye).normal(u, normal.to_array()).into()
     }
+}
 
+impl Metric for Raised {
+    fn curvature(&self) -> Curvature {
+        Curvature::of_radius(-1.0, self.radius_m)
+    }
+
+    fn distance_m(&self, a: ChartPoint, b: ChartPoint, eye: &Eye) -> f64 {
+        let views = [a, b].map(|p| self.view_point(eye, p));
+        distance_between_views_m(-self.radius_m.powi(-2), views)
+    }
+}
+
+impl Optics for Raised {
     fn sight_limit_m(&self, _eye: &Eye) -> f64 {
         FAR_LIMIT_RADII * self.radius_m
     }

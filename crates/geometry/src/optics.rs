@@ -1,0 +1,86 @@
+//! What a picture takes besides the port: what of the space may be in it, and how it is drawn.
+
+use std::f64::consts::PI;
+
+use glam::{DMat4, DVec2, DVec3, DVec4};
+
+use crate::{ChartId, ChartPoint, Drum, Eye, Frustum, Projection, SightCell, SpaceUniform};
+
+/// How pictures of a space are taken: where in them what is seen lies, how far and in which directions things are seen, what
+/// is cut off, and what the shaders are told.
+pub trait Optics {
+    /// Whether sight lines can miss the ground for ever, so that a sky is seen.
+    fn has_sky(&self) -> bool {
+        true
+    }
+
+    /// The chart point that positions sent to the GPU are relative to.
+    fn reference(&self, eye: &Eye, _chart: ChartId) -> DVec3 {
+        eye.point.pos
+    }
+
+    /// Nothing farther from the eye than this is drawn, in metres of the space.
+    fn sight_limit_m(&self, _eye: &Eye) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Whether part of the chart box from `min` to `max` metres lies beyond what its chart draws,
+    /// so that it must be trimmed.
+    fn trims(&self, _eye: &Eye, _chart: ChartId, _min: DVec3, _max: DVec3) -> bool {
+        false
+    }
+
+    /// The directions in which the chart box from `min` to `max` metres is seen.
+    fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell;
+
+    /// A cell that holds those of all chart boxes inside an upright drum whose circles about their
+    /// own middles are inside too, so that a drum that is not seen tells that none of them is.
+    ///
+    /// A drum is seen at the azimuths of its circle, and as high and low as the square around it.
+    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
+        let half = DVec3::new(drum.radius_m, 0.0, drum.radius_m);
+        let [min, max] = drum.square(half);
+        let away = drum.middle - DVec2::new(eye.point.pos.x, eye.point.pos.z);
+        let apart = away.length() > drum.radius_m;
+        SightCell {
+            azimuth_rad: away.y.atan2(away.x),
+            half_width_rad: if apart {
+                (drum.radius_m / away.length()).asin()
+            } else {
+                PI
+            },
+            ..self.sight_cell(eye, drum.chart, min, max)
+        }
+    }
+
+    /// How far a ball of the chart about a point reaches to either side of a totally geodesic sheet through that point,
+    /// at most, in view coordinates: there it is `R sinh (d / R)`, d or `R sin (d / R)` for d metres of the space.
+    ///
+    /// A point of the ball is joined to its middle inside it, and in the space by no more than that length times the
+    /// most that the port stretches there. A sheet through the eye with the unit normal n holds `n . view = 0`, and what
+    /// is d beside it has `n . view = R sinh (d / R)`: so the ball is behind it where `n . view` of its middle is less
+    /// than minus this.
+    fn ball_rises_m(&self, _eye: &Eye, _middle: ChartPoint, radius_m: f64) -> f64 {
+        radius_m
+    }
+
+    /// Whether azimuths about the eye in the chart are those of the picture, so that level
+    /// distances tell which of two things in one direction is in front.
+    fn keeps_azimuths(&self) -> bool {
+        true
+    }
+
+    /// The visible region, which cells are tested against.
+    fn frustum(&self, eye: &Eye, projection: &Projection) -> Frustum {
+        Frustum::new(eye, projection, self.sight_limit_m(eye))
+    }
+
+    /// A point of the picture: clip coordinates of a point in view coordinates.
+    fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4;
+
+    /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates.
+    fn view_matrix(&self, eye: &Eye) -> DMat4;
+
+    /// What the shaders need to know of the space, the eye and the projection.
+    fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;
+}
