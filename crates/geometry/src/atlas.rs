@@ -201,9 +201,4 @@ pub trait Atlas {
             NoiseFrame::Radial => point.pos,
         }
     }
-
-    /// Where the chart's centre stands in the one space that physics works in, in metres.
-    fn chart_origin_m(&self, _chart: ChartId) -> DVec3 {
-        DVec3::ZERO
-    }
 }

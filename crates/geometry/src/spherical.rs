@@ -200,15 +200,6 @@ impl Atlas for Spherical {
         let pole = if is_b(point.chart) { -r.cos() } else { r.cos() };
         DVec3::new(sinc(r) * p.x, pole, sinc(r) * p.z) * (self.radius_m + point.pos.y)
     }
-
-    /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
-    fn chart_origin_m(&self, chart: ChartId) -> DVec3 {
-        if is_b(chart) {
-            DVec3::X * (8.0 * self.radius_m).log2().ceil().exp2()
-        } else {
-            DVec3::ZERO
-        }
-    }
 }
 
 impl Strategy for Spherical {

@@ -110,11 +110,7 @@ impl Between {
         self.after = Some(after);
         if shutter.turned_rad != (0.0, 0.0) {
             moment.turn(shutter.turned_rad);
-            keep_clear(
-                &mut moment.camera,
-                &*scene.sim.world.strategy,
-                &scene.sim.world.physics,
-            );
+            keep_clear(&mut moment.camera, &scene.sim.world.physics);
         }
         moment
     }

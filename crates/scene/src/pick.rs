@@ -135,8 +135,8 @@ pub(crate) fn segment_hit(
     if length < 1e-9 {
         return None;
     }
-    let origin = a.pos + strategy.chart_origin_m(a.chart);
     physics
-        .cast_ray(origin, way / length, length)
+        .chart(a.chart)
+        .cast_ray(a.pos, way / length, length)
         .map(|hit| (hit.distance_m / length).clamp(0.0, 1.0))
 }

@@ -88,7 +88,9 @@ fn ledge() -> PhysicsWorld {
     {
         let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
         let coord = ChunkCoord::new(ChartId::FIRST, IVec3::splat(number as i32));
-        world.set_terrain(coord, DVec3::ZERO, Some(collider));
+        world
+            .chart_mut(coord.chart)
+            .set_terrain(coord, DVec3::ZERO, Some(collider));
     }
     world
 }
@@ -208,7 +210,7 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
     let (by, other) = (entity(&mut ecs), entity(&mut ecs));
     let stands = |entity, x: f64| Standing {
         entity,
-        feet: DVec3::new(x, 99.0, 0.0),
+        feet: ChartPoint::a(DVec3::new(x, 99.0, 0.0)),
         height_m: 1.8,
         radius_m: 0.35,
     };
@@ -239,7 +241,7 @@ fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
     let (by, other) = (entity(&mut ecs), entity(&mut ecs));
     let stands = |entity, x: f64| Standing {
         entity,
-        feet: DVec3::new(x, 99.0, 0.0),
+        feet: ChartPoint::a(DVec3::new(x, 99.0, 0.0)),
         height_m: 1.8,
         radius_m: 0.35,
     };
