@@ -95,7 +95,7 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
 /// radians, if from one.
 pub(crate) fn last(now: Situation<'_>) -> Option<(f64, Option<f64>)> {
     let hurt = now.player.condition.hurt?;
-    let carried = now.world.strategy.carry(hurt.at, now.feet().chart);
+    let carried = now.world.strategy.carry_near(hurt.at, now.feet());
     let turned_rad = carried.map_or(0.0, |crossing| crossing.turn_rad);
     Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
 }

@@ -113,13 +113,13 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
             && !strategy.trims(eye, point.chart, point.pos, point.pos))
 }
 
-/// `b` in the chart of `a`.
+/// `b` in the chart of `a`, where the shortest way from `a` leads.
 pub(crate) fn over(strategy: &dyn Strategy, a: ChartPoint, b: ChartPoint) -> ChartPoint {
     // Every figure asks this of every other in every step.
     if a.chart == b.chart {
         return b;
     }
-    strategy.carry(b, a.chart).map_or(b, |over| over.point)
+    strategy.carry_near(b, a).map_or(b, |over| over.point)
 }
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.

@@ -106,7 +106,7 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
             }
-            NoiseFrame::Radial => {
+            NoiseFrame::Radial | NoiseFrame::Upright => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
@@ -148,7 +148,9 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 self.fill_square(frame, (first, step_m), counts, &rows, out);
             }
-            NoiseFrame::Radial => self.fill_tilted(chart, (first, step_m), counts, &rows, out),
+            NoiseFrame::Radial | NoiseFrame::Upright => {
+                self.fill_tilted(chart, (first, step_m), counts, &rows, out);
+            }
         }
     }
 
@@ -193,7 +195,7 @@ impl Field {
     pub(crate) fn quarter_turns(&self, chart: ChartId) -> usize {
         match self.strategy.noise_frame(chart) {
             NoiseFrame::Square(frame) => usize::from(frame.quarter_turns % 4),
-            NoiseFrame::Radial => 0,
+            NoiseFrame::Radial | NoiseFrame::Upright => 0,
         }
     }
 
@@ -266,16 +268,17 @@ impl Field {
         }
     }
 
-    /// A column of the chart in the lattice of the first octave. Noise space is radial about
-    /// the sphere's centre, so the height stretches the point on the ground.
+    /// A column of the chart in the lattice of the first octave. Where noise space is radial about
+    /// the sphere's centre, the height stretches the point on the ground.
     fn column(&self, chart: ChartId, x: f64, z: f64) -> Column {
         let ground = ChartPoint::new(chart, DVec3::new(x, 0.0, z));
         let frequencies = self.octaves.first().map_or(DVec3::ONE, |o| o.frequencies());
         let base = self.strategy.noise_point(ground) * frequencies;
-        Column {
-            base,
-            slope: base / self.strategy.radius_m(),
-        }
+        let slope = match self.strategy.noise_frame(chart) {
+            NoiseFrame::Radial => base / self.strategy.radius_m(),
+            NoiseFrame::Square(_) | NoiseFrame::Upright => DVec3::Y * frequencies,
+        };
+        Column { base, slope }
     }
 }
 

@@ -88,8 +88,9 @@ impl TiledFlat {
 
 impl Atlas for TiledFlat {
     fn domain(&self, _chart: ChartId) -> Domain {
-        Domain::Square {
-            half_m: 0.5 * TILE_M,
+        Domain::Rectangle {
+            low: DVec2::splat(-0.5 * TILE_M),
+            high: DVec2::splat(0.5 * TILE_M),
         }
     }
 

@@ -135,7 +135,7 @@ impl Chase {
     /// Goes over the equator with the car: what it follows keeps its own place in the space.
     pub fn carry(&mut self, strategy: &dyn Strategy, crossing: &Crossing) {
         let over = strategy
-            .carry(self.point, crossing.point.chart)
+            .carry_near(self.point, crossing.point)
             .unwrap_or(*crossing);
         self.point = over.point;
         self.velocity = over.turn_vector(self.velocity);

@@ -64,7 +64,7 @@ fn meetings(now: Situation<'_>) -> Vec<Meeting> {
             // Half of a car may be beyond an edge, among those whose chart is the next one.
             let is_there = |image: &Crossing| image.point.chart == it.feet.chart;
             let is_near = it.feet.chart == motion.chart || images.iter().any(is_there);
-            let carried = is_near.then(|| strategy.carry(it.feet, motion.chart));
+            let carried = is_near.then(|| strategy.carry_near(it.feet, motion.point()));
             let Some(carried) = carried.flatten() else {
                 continue;
             };

@@ -74,7 +74,7 @@ pub(crate) fn toward(yaw_rad: f64) -> DVec3 {
 pub(crate) fn any_heading(strategy: &dyn Strategy, chart: ChartId, yaw_rad: f64) -> f64 {
     match strategy.noise_frame(chart) {
         NoiseFrame::Square(frame) => yaw_rad + f64::from(frame.quarter_turns) * FRAC_PI_2,
-        NoiseFrame::Radial => yaw_rad,
+        NoiseFrame::Radial | NoiseFrame::Upright => yaw_rad,
     }
 }
 
