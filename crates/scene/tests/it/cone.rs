@@ -216,9 +216,12 @@ fn figures_that_come_down_near_the_tip_stand_there() {
 
 #[test]
 fn a_shot_by_either_side_of_the_tip_goes_from_chart_to_chart_and_hits() {
-    for (from_rad, aside_rad) in [(0.3, 1.9), (0.3, -1.9), (2.9, 2.2), (1.5, 0.4), (1.6, -0.2)] {
+    let places = [(0.3, 1.9), (0.3, -1.9), (2.9, 2.2), (1.5, 0.4), (1.6, -0.2)];
+    let straight_and_falling = places.map(|place| [(place, true), (place, false)]).concat();
+    for ((from_rad, aside_rad), straight) in straight_and_falling {
         let mut scene = open(None);
         scene.set_npcs(NpcMode::Still);
+        scene.set_straight_shots(straight);
         // Over the ground, where no hill is in the way.
         let high_m = 9.0;
         let stands = |scene: &mut Scene, angle_rad: f64| {
@@ -232,8 +235,9 @@ fn a_shot_by_either_side_of_the_tip_goes_from_chart_to_chart_and_hits() {
         let before = bot(&scene, id);
         assert_ne!(before.point.chart, scene.feet().chart);
         shoot(&mut scene, id);
-        let health = bot(&scene, id).health;
-        assert!(health < before.health, "{from_rad} {aside_rad}: {health}");
+        let told = format!("{from_rad} {aside_rad} straight {straight}");
+        assert!(scene.struck_s_ago().is_some(), "{told}");
+        assert!(bot(&scene, id).health < before.health, "{told}");
     }
 }
 
