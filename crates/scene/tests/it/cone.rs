@@ -191,6 +191,35 @@ fn nothing_falls_through_near_the_tip_where_it_was_dug_and_built() {
 }
 
 #[test]
+fn a_hole_at_the_tip_is_found_from_all_three_charts() {
+    let mut scene = open(None);
+    stand(&mut scene, 0.8, 1.6);
+    look_at(&mut scene, over_ground(0.8, 0.1, -0.5));
+    for step in 0..150 {
+        let dig = Actions {
+            slot: (step == 0).then_some(2),
+            primary: true,
+            ..still()
+        };
+        steps(&mut scene, 1, &dig);
+    }
+    let mut charts = BTreeSet::new();
+    for quarter in 0..3 {
+        let angle_rad = (f64::from(quarter) + 0.5) * FRAC_PI_2;
+        let before_m = over_ground(angle_rad, 0.3, 0.0).pos.y;
+        let deep_m = before_m - floor_m(&mut scene, angle_rad, 0.3);
+        assert!(deep_m > 0.7, "{quarter}: {deep_m} m");
+        charts.insert(scene.feet().chart);
+        // Who comes down there stands in it.
+        scene.teleport(Cone::around(angle_rad, 0.3, before_m));
+        assert!(scene.wait_for_step(LIMIT));
+        steps(&mut scene, 2 * SECOND, &still());
+        assert!(scene.feet().pos.y < before_m - 0.4, "{:?}", scene.feet());
+    }
+    assert_eq!(charts.len(), 3);
+}
+
+#[test]
 fn figures_that_come_down_near_the_tip_stand_there() {
     let mut scene = open(None);
     dig_and_build_at_the_tip(&mut scene);
@@ -210,7 +239,7 @@ fn figures_that_come_down_near_the_tip_stand_there() {
         assert!(scene.wait_for_step(LIMIT));
         let ground_m = scene.ground_height().expect("ground below");
         let sunk_m = ground_m - bot.point.pos.y;
-        assert!(sunk_m < SUNK_M, "{bot:?} {ground_m}");
+        assert!(sunk_m.abs() < SUNK_M, "{bot:?} {ground_m}");
     }
 }
 
