@@ -360,7 +360,7 @@ fn a_lamp_and_a_thing_lie_across_an_edge() {
         scene.teleport(here);
         assert!(scene.wait_for_step(LIMIT));
         steps(&mut scene, SECOND, &still());
-        let lamp = scene.lamps()[lamps].clone();
+        let lamp = scene.lamps()[lamps];
         assert!(apart_m(lamp.point, across) < 1.0, "{lamp:?} {across:?}");
         look_at(&mut scene, lamp.glow());
         let take = Actions {
