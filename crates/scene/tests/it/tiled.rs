@@ -2,6 +2,7 @@
 //! any order, and turn as they do.
 
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use antipode_geometry::{ChartId, Geometry};
@@ -163,6 +164,23 @@ fn a_drive_of_five_seconds_over_an_edge_is_the_same() {
         }
         assert!(charts.len() > 1, "{charts:?}");
         assert!(fastest_m_s > 8.0, "{fastest_m_s} m/s");
+    }
+}
+
+/// Half of it is in the next chart, where nobody walks through it either.
+#[test]
+fn a_car_that_stands_over_an_edge_is_in_the_way_on_both_sides() {
+    for (from_x, yaw) in [(37.0, PI), (26.5, 0.0)] {
+        let mut twins = Twins::new();
+        let at = DVec3::new(32.05, twins.ground_m(32.05, 4.0) + 0.6, 4.0);
+        twins.arrange(at, 0.0, |scene, at, yaw| {
+            assert!(scene.spawn_car(at, yaw));
+        });
+        twins.stand(from_x, 4.0, yaw, 0.0);
+        let charts = pass(&mut twins, 75, |_| ahead());
+        assert_eq!(charts.len(), 1, "who is stopped does not cross: {charts:?}");
+        let gone_m = (twins.one.feet().pos.x - from_x).abs();
+        assert!((1.0..4.5).contains(&gone_m), "{gone_m} m");
     }
 }
 
