@@ -3,7 +3,7 @@
 //! A place is a place of a chart, so there may be any number of charts, and none is in another's way. What lies near an
 //! edge is written in each chart that comes there, and who crosses is asked about in the other chart from then on.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 use antipode_geometry::{ChartId, ChartPoint};
 
@@ -12,7 +12,7 @@ use crate::{ChartGround, Obstacle};
 /// The ground of all charts.
 #[derive(Debug, Default)]
 pub struct PhysicsWorld {
-    charts: HashMap<ChartId, ChartGround>,
+    charts: BTreeMap<ChartId, ChartGround>,
     /// What a chart has in which nothing is solid.
     nothing: ChartGround,
 }

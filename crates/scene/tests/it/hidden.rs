@@ -83,10 +83,8 @@ fn through_whatever_picture_the_player_aims_others_see_him_alike() {
         let mut scene = world(Geometry::Euclidean);
         if let Some(bend) = bend {
             assert!(scene.set_bend(bend));
-            steps(&mut scene, 2 * SECOND, &Actions::default());
-        } else {
-            steps(&mut scene, 2 * SECOND, &Actions::default());
         }
+        steps(&mut scene, 2 * SECOND, &Actions::default());
         let at = beside(&scene, dx, dz);
         let id = scene.spawn_bot(at, (-dz).atan2(-dx), true);
         let (mut told, mut hidden) = (Vec::new(), 0);
