@@ -17,10 +17,13 @@ pub enum Domain {
         /// Its radius, metres.
         radius_m: f64,
     },
-    /// A square about the centre, its sides along the axes.
-    Square {
-        /// Half the length of a side, metres.
-        half_m: f64,
+    /// A rectangle with its sides along the axes; where a corner is infinite it has no end, so that a quarter and a half of
+    /// the plan are rectangles, too.
+    Rectangle {
+        /// The least x and z, metres.
+        low: DVec2,
+        /// The greatest x and z, metres.
+        high: DVec2,
     },
 }
 
@@ -29,16 +32,16 @@ impl Domain {
     pub fn radius_m(self) -> Option<f64> {
         match self {
             Self::Disc { radius_m } => Some(radius_m),
-            Self::Everywhere | Self::Square { .. } => None,
+            Self::Everywhere | Self::Rectangle { .. } => None,
         }
     }
 
-    /// How far it reaches along the axes, metres.
+    /// How far it reaches from the centre along the axes, metres.
     pub fn half_width_m(self) -> f64 {
         match self {
             Self::Everywhere => f64::INFINITY,
             Self::Disc { radius_m } => radius_m,
-            Self::Square { half_m } => half_m,
+            Self::Rectangle { low, high } => low.abs().max(high.abs()).max_element(),
         }
     }
 
@@ -47,8 +50,8 @@ impl Domain {
         match self {
             Self::Everywhere => f64::NEG_INFINITY,
             Self::Disc { radius_m } => at.length() - radius_m,
-            Self::Square { half_m } => {
-                let past = at.abs() - half_m;
+            Self::Rectangle { low, high } => {
+                let past = (low - at).max(at - high);
                 if past.max_element() > 0.0 {
                     past.max(DVec2::ZERO).length()
                 } else {
@@ -60,7 +63,7 @@ impl Domain {
 
     /// [`Domain::outside_m`] of the place of a box for which it is least.
     pub fn least_outside_m(self, low: DVec2, high: DVec2) -> f64 {
-        self.outside_m(DVec2::ZERO.clamp(low, high))
+        self.outside_m(self.middle().clamp(low, high))
     }
 
     /// Whether a chunk of the chart comes within so many metres of it.
@@ -76,7 +79,27 @@ impl Domain {
 
     /// [`Domain::outside_m`] of the corner of a box for which it is greatest: the domains are convex.
     pub fn most_outside_m(self, low: DVec2, high: DVec2) -> f64 {
-        self.outside_m(low.abs().max(high.abs()))
+        let middle = self.middle();
+        let farther = |low: f64, high: f64, middle: f64| {
+            let is_low = middle - low > high - middle;
+            if is_low { low } else { high }
+        };
+        self.outside_m(DVec2::new(
+            farther(low.x, high.x, middle.x),
+            farther(low.y, high.y, middle.y),
+        ))
+    }
+
+    /// The place that is farthest inside; along an axis without an end infinitely far out.
+    fn middle(self) -> DVec2 {
+        let Self::Rectangle { low, high } = self else {
+            return DVec2::ZERO;
+        };
+        let between = |low: f64, high: f64| {
+            let middle = f64::midpoint(low, high);
+            if middle.is_nan() { 0.0 } else { middle }
+        };
+        DVec2::new(between(low.x, high.x), between(low.y, high.y))
     }
 }
 
@@ -103,6 +126,8 @@ pub enum NoiseFrame {
         /// The sphere's radius, metres.
         radius_m: f64,
     },
+    /// Columns of the chart stand upright in it, a metre high for each metre; where, only [`Atlas::noise_point`] says.
+    Upright,
 }
 
 impl NoiseFrame {
@@ -110,7 +135,7 @@ impl NoiseFrame {
     pub fn quarter_turns(self) -> u8 {
         match self {
             Self::Square(frame) => frame.quarter_turns % 4,
-            Self::Radial { .. } => 0,
+            Self::Radial { .. } | Self::Upright => 0,
         }
     }
 }
@@ -203,6 +228,12 @@ pub trait Atlas: Debug + Send + Sync {
         (to == point.chart).then(|| Crossing::within(point))
     }
 
+    /// The same point as somebody's chart has it where the shortest way leads from him to it: [`Atlas::carry`], but for a
+    /// space in which ways lead about something, by either side of it. Two places within a chart's domain are as they are.
+    fn carry_near(&self, point: ChartPoint, to: ChartPoint) -> Option<Crossing> {
+        self.carry(point, to.chart)
+    }
+
     /// The same point in every other chart whose domain comes within `reach_m` metres of it.
     fn images(&self, _point: ChartPoint, _reach_m: f64) -> Vec<Crossing> {
         Vec::new()
@@ -228,12 +259,7 @@ pub trait Atlas: Debug + Send + Sync {
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         match self.noise_frame(point.chart) {
             NoiseFrame::Square(frame) => frame.placed(point.pos),
-            NoiseFrame::Radial { .. } => point.pos,
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => point.pos,
         }
-    }
-
-    /// Where the chart's centre stands in the one space that physics works in, in metres.
-    fn chart_origin_m(&self, _chart: ChartId) -> DVec3 {
-        DVec3::ZERO
     }
 }

@@ -61,6 +61,14 @@ impl ChunkCube {
         }
     }
 
+    /// The middle of the cube's middle chunk in every chart that comes in.
+    pub fn middles(&self) -> impl Iterator<Item = ChartPoint> + '_ {
+        self.parts.iter().map(|(&chart, part)| {
+            let coord = ChunkCoord::new(chart, part.middle);
+            ChartPoint::new(chart, coord.centre())
+        })
+    }
+
     /// How far a chunk is from the middle, in chunks along the axes of its chart; none in a chart that does not come in.
     pub fn apart(&self, coord: ChunkCoord) -> Option<I64Vec3> {
         let part = self.parts.get(&coord.chart)?;

@@ -4,7 +4,7 @@
 #[path = "../tests/it/common/mod.rs"]
 mod common;
 
-use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld};
+use antipode_physics::{Character, CharacterInput, CharacterTuning, ChartGround};
 use common::{STEP_S, Soup, bumps, coord};
 use divan::{Bencher, black_box};
 use glam::{DVec3, IVec3, Vec3};
@@ -33,9 +33,9 @@ fn cave() -> Soup {
 }
 
 /// Nine chunks around the one in the middle.
-fn land() -> PhysicsWorld {
+fn land() -> ChartGround {
     let collider = cave().build();
-    let mut world = PhysicsWorld::new();
+    let mut world = ChartGround::new();
     for (x, z) in (-1..=1).flat_map(|x| (-1..=1).map(move |z| (x, z))) {
         let at = DVec3::new(f64::from(x), 0.0, f64::from(z)) * 32.0;
         world.set_terrain(coord(x, 0, z), at, Some(collider.clone()));
@@ -44,7 +44,7 @@ fn land() -> PhysicsWorld {
 }
 
 /// The player at rest in the middle of [`land`], and looked after that it rests there.
-fn player(world: &PhysicsWorld) -> Character {
+fn player(world: &ChartGround) -> Character {
     let mut character = Character::at(DVec3::new(16.0, 6.0, 16.0));
     for _ in 0..120 {
         world.move_character(

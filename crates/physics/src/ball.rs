@@ -7,7 +7,7 @@ use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::query::{Ray, RayCast};
 use rapier3d::parry::shape::{Ball as BallShape, Capsule as CapsuleShape};
 
-use crate::PhysicsWorld;
+use crate::ChartGround;
 
 /// A ball stays this far (m) off what it has touched, so that the next cast does not begin in it.
 const SKIN_M: f64 = 1e-3;
@@ -27,7 +27,7 @@ pub struct BallTuning {
     pub slide: f64,
 }
 
-/// A ball in physics space.
+/// A ball in a chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
     /// Its centre (m).
@@ -59,7 +59,7 @@ impl Ball {
     }
 }
 
-impl PhysicsWorld {
+impl ChartGround {
     /// Moves a ball by `dt_s` seconds of free fall, off all ground in its way. Returns the first touch.
     ///
     /// Each stretch between touches is followed along the chord of its parabola, which at 1/60 s strays from the arc
@@ -164,7 +164,7 @@ mod tests {
     };
 
     /// A floor at the height of 4 m.
-    fn floor() -> PhysicsWorld {
+    fn floor() -> ChartGround {
         let positions = [
             [0.0, 4.0, 0.0],
             [0.0, 4.0, 32.0],
@@ -172,7 +172,7 @@ mod tests {
             [32.0, 4.0, 32.0],
         ];
         let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
-        let mut world = PhysicsWorld::new();
+        let mut world = ChartGround::new();
         let coord = ChunkCoord::new(ChartId::FIRST, IVec3::ZERO);
         world.set_terrain(coord, DVec3::ZERO, Some(collider));
         world
@@ -184,7 +184,7 @@ mod tests {
             centre: DVec3::new(0.0, 100.0, 0.0),
             velocity: DVec3::new(3.0, 4.0, 0.0),
         };
-        let world = PhysicsWorld::new();
+        let world = ChartGround::new();
         for _ in 0..60 {
             assert_eq!(world.throw_ball(&mut ball, &TUNING, 1.0 / 60.0), None);
         }

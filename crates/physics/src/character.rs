@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use crate::mover::{Mover, level};
 use crate::patch::{Capsule, Patch};
-use crate::{CharacterTuning, PhysicsWorld};
+use crate::{CharacterTuning, ChartGround};
 
 /// Longer moves are cut to this, so that a hitch does not throw anyone through the world.
 const LONGEST_MOVE_S: f64 = 0.25;
@@ -19,7 +19,7 @@ const STAIR_SLACK_M: f64 = 0.02;
 /// complete copy and the same inputs repeat the same moves to the bit.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Character {
-    /// The lowest point of the capsule, in physics space (m).
+    /// The lowest point of the capsule, in metres of its chart.
     pub feet: DVec3,
     /// Velocity in m/s; on the ground its vertical part is zero.
     pub velocity: DVec3,
@@ -41,7 +41,7 @@ pub struct Character {
 /// What a player wants of a character for one move.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CharacterInput {
-    /// Horizontal direction to go in physics space, at most unit: its length scales the speed. The
+    /// Horizontal direction to go in its chart, at most unit: its length scales the speed. The
     /// vertical part is ignored.
     pub wish: DVec3,
     /// Go faster.
@@ -144,7 +144,7 @@ impl Character {
     }
 }
 
-impl PhysicsWorld {
+impl ChartGround {
     /// Moves a character by one step of `dt_s` seconds (cut to 0.25). Takes no account of other
     /// characters. State that is not finite, and a `dt_s` that is not above zero, leave it as it is.
     pub fn move_character(

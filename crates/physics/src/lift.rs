@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::patch::{Capsule, Patch};
-use crate::{Character, CharacterTuning, PhysicsWorld};
+use crate::{Character, CharacterTuning, ChartGround};
 
 /// How far up a free place is looked for.
 const HIGHEST_LIFT_M: f64 = 64.0;
@@ -23,9 +23,9 @@ const TOUCH_M: f64 = 1e-3;
 /// Spacing of the points of the axis that are asked whether they are in solid ground.
 const POINT_SPACING_M: f64 = 0.3;
 
-impl PhysicsWorld {
+impl ChartGround {
     /// Raises a character that is stuck in the ground to the first free place above, up to 64 m:
-    /// `inside` says whether a point of physics space is in solid ground, and there the capsule
+    /// `inside` says whether a point of the chart is in solid ground, and there the capsule
     /// must be neither inside nor overlap terrain. A fall is stopped. Returns whether the character
     /// moved; one that is free, or finds no free place, is left as it was.
     ///

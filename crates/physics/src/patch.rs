@@ -6,7 +6,7 @@
 use glam::{DVec3, Vec3Swizzles as _};
 use rapier3d::parry::bounding_volume::Aabb;
 
-use crate::PhysicsWorld;
+use crate::ChartGround;
 use crate::triangle::{Touch, Triangle};
 
 /// Distances (m) below this are touching, where a direction can no longer be taken from them.
@@ -67,8 +67,8 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
-    /// Takes the triangles that touch a box of physics space.
-    pub fn gather(world: &PhysicsWorld, anchor: DVec3, min: DVec3, max: DVec3) -> Self {
+    /// Takes the triangles that touch a box of the chart.
+    pub fn gather(world: &ChartGround, anchor: DVec3, min: DVec3, max: DVec3) -> Self {
         let skin = DVec3::splat(BOX_SKIN_M);
         let mut triangles = Vec::new();
         let mut found: Vec<u32> = Vec::new();

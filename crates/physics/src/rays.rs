@@ -6,7 +6,7 @@ use rapier3d::parry::query::Ray;
 use rapier3d::parry::query::details::ShapeCastOptions;
 use rapier3d::parry::shape::Ball;
 
-use crate::PhysicsWorld;
+use crate::ChartGround;
 use crate::patch::{Capsule, Patch};
 
 /// Overlaps shallower than this (m) are touches: standing on the ground is no overlap.
@@ -20,13 +20,13 @@ const LEAST_SHARE: f64 = 1e-6;
 pub struct RayHit {
     /// Distance from the ray's origin in metres.
     pub distance_m: f64,
-    /// The point that was hit, in physics space (m).
+    /// The point that was hit, in metres of its chart.
     pub point: DVec3,
     /// Unit normal of the triangle that was hit, on the side the ray came from.
     pub normal: DVec3,
 }
 
-impl PhysicsWorld {
+impl ChartGround {
     /// The first terrain along a ray from `origin` (m) within `max_m` metres. `direction` need not
     /// be unit but must not be zero; a ray that is not finite hits nothing. Both sides of the
     /// ground are hit.

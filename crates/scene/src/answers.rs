@@ -167,12 +167,12 @@ impl Scene {
 
     /// All cars, in the order in which they came.
     pub fn cars(&self) -> Vec<CarView> {
-        self.sim.actors.car_views(&self.sim.world)
+        self.sim.actors.car_views()
     }
 
     /// The car that the player drives.
     pub fn driven_car(&self) -> Option<CarView> {
-        self.sim.actors.driven_car(&self.sim.world)
+        self.sim.actors.driven_car()
     }
 
     /// Whether the player sits in a car.

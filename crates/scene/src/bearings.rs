@@ -151,7 +151,7 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         };
         (kind, it.point)
     });
-    let cars = actors.car_views(world).into_iter();
+    let cars = actors.car_views().into_iter();
     let cars = cars.filter(|it| !it.driven).map(|it| Landmark {
         kind: LandmarkKind::Car,
         at: locator.at(it.point).clamp_length_max(EDGE * reach_m),

@@ -5,7 +5,7 @@
 //! What has not moved there by itself is not shown on the way: what came, went, died, changed its camera or its seat, or
 //! is farther off than anything gets in a step.
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing};
+use antipode_geometry::{Atlas, ChartPoint, Crossing};
 use glam::DQuat;
 
 use crate::actions::Actions;
@@ -110,11 +110,7 @@ impl Between {
         self.after = Some(after);
         if shutter.turned_rad != (0.0, 0.0) {
             moment.turn(shutter.turned_rad);
-            keep_clear(
-                &mut moment.camera,
-                &*scene.sim.world.strategy,
-                &scene.sim.world.physics,
-            );
+            keep_clear(&mut moment.camera, &scene.sim.world.physics);
         }
         moment
     }
@@ -222,22 +218,22 @@ impl Way<'_> {
 
     /// A place on the way, and how the pose before is turned into its chart; none where nothing gets in a step.
     fn place(&self, from: ChartPoint, to: ChartPoint) -> Option<(ChartPoint, DQuat)> {
-        let carried = self.carried(from, to.chart)?;
+        let carried = self.carried(from, to)?;
         let way = to.pos - carried.point.pos;
         let is_leap = way.length() > LEAP_M;
         (!is_leap).then(|| (to.moved(way * (self.share - 1.0)), carried.rotation()))
     }
 
-    /// A point as it is written in a chart.
-    fn carried(&self, point: ChartPoint, chart: ChartId) -> Option<Crossing> {
-        self.world.carry(point, chart)
+    /// A point as it is written in the chart of another.
+    fn carried(&self, point: ChartPoint, to: ChartPoint) -> Option<Crossing> {
+        self.world.carry_near(point, to)
     }
 
     /// A camera on the way. How far the way is tells what it goes round: an arm may grow at once.
     fn camera(&self, before: &CameraPose, after: &CameraPose) -> Option<CameraPose> {
         let (about, _) = self.place(before.about, after.about)?;
         let (from, to) = (before.eye, after.eye);
-        let carried = self.carried(from.point, to.point.chart)?;
+        let carried = self.carried(from.point, to.point)?;
         let mut eye = to;
         eye.point.pos = carried.point.pos.lerp(to.point.pos, self.share);
         eye.yaw = mix_angle(from.yaw - carried.turn_rad, to.yaw, self.share);

@@ -29,10 +29,9 @@ pub(crate) fn place(
     grounded: bool,
 ) {
     let point = within_world(&*world.strategy, point);
-    let feet = point.pos + world.strategy.chart_origin_m(point.chart);
     if let Ok((position, body)) = actors.ecs.query_one_mut::<Parts<'_>>(actors.player) {
         position.0 = point;
-        body.0 = Character::at(feet);
+        body.0 = Character::at(point.pos);
         body.0.velocity = velocity;
         body.0.grounded = grounded;
     }
@@ -72,17 +71,14 @@ pub(crate) fn lift_out(world: &World, actors: &mut Actors, player: &Player) -> b
         return false;
     };
     let chart = position.0.chart;
-    let origin = world.strategy.chart_origin_m(chart);
-    let solid = |at: DVec3| {
-        let point = ChartPoint::new(chart, at - origin);
-        world.ground.is_solid(point)
-    };
-    body.0.feet = position.0.pos + origin;
+    let solid = |at: DVec3| world.ground.is_solid(ChartPoint::new(chart, at));
+    body.0.feet = position.0.pos;
     let lifted = world
         .physics
+        .chart(chart)
         .lift_out_sized(&mut body.0, &actors.tuning, &solid);
     if lifted {
-        position.0.pos = body.0.feet - origin;
+        position.0.pos = body.0.feet;
     }
     lifted
 }
@@ -95,13 +91,14 @@ fn set_down(world: &World, actors: &mut Actors) {
     if body.0.grounded || body.0.velocity != DVec3::ZERO {
         return;
     }
-    let origin = world.strategy.chart_origin_m(position.0.chart);
-    body.0.feet = position.0.pos + origin;
-    let lands = world
-        .physics
-        .set_down(&mut body.0, &actors.tuning, SET_DOWN_M);
+    body.0.feet = position.0.pos;
+    let lands =
+        world
+            .physics
+            .chart(position.0.chart)
+            .set_down(&mut body.0, &actors.tuning, SET_DOWN_M);
     if lands {
-        position.0.pos = body.0.feet - origin;
+        position.0.pos = body.0.feet;
     }
 }
 

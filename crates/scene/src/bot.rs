@@ -58,7 +58,6 @@ pub(crate) fn spawn(
     native: bool,
 ) -> Entity {
     let id = actors.give_number::<Bot>();
-    let origin = world.strategy.chart_origin_m(point.chart);
     let bot = Bot {
         id: id.0,
         hostile,
@@ -73,7 +72,7 @@ pub(crate) fn spawn(
         new_mind(world, id.0),
         Position(point),
         Look { yaw, pitch: 0.0 },
-        Body(Character::at(point.pos + origin)),
+        Body(Character::at(point.pos)),
         Health(health),
         Appearance {
             held: hostile.then_some(ModelId::Gun),

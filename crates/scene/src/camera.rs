@@ -1,7 +1,7 @@
 //! The camera: in the head, or behind and above the shoulder and never inside the ground.
 
-use antipode_geometry::{Atlas, ChartPoint, Eye};
-use antipode_physics::PhysicsWorld;
+use antipode_geometry::{ChartPoint, Eye};
+use antipode_physics::{ChartGround, PhysicsWorld};
 use glam::{DMat3, DVec3};
 
 use crate::player::wrap_angle;
@@ -96,28 +96,23 @@ pub fn fallen(head: &Eye, dead_s: f64) -> Eye {
 }
 
 /// The camera that pictures are taken with, given the eye in the player's head.
-pub fn place(
-    mode: CameraMode,
-    head: &Eye,
-    strategy: &dyn Atlas,
-    physics: &PhysicsWorld,
-) -> CameraPose {
+pub fn place(mode: CameraMode, head: &Eye, physics: &PhysicsWorld) -> CameraPose {
     match mode {
         CameraMode::First => CameraPose::within(*head),
-        CameraMode::Third => behind(head, strategy, physics),
+        CameraMode::Third => behind(head, physics.chart(head.point.chart)),
     }
 }
 
 /// Brings a camera that has been turned since it was placed out of the ground, along its arm.
-pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Atlas, physics: &PhysicsWorld) {
+pub fn keep_clear(camera: &mut CameraPose, physics: &PhysicsWorld) {
     let arm = camera.eye.point.pos - camera.about.pos;
     let Some(way) = arm.try_normalize() else {
         return;
     };
-    let from = camera.about.pos + strategy.chart_origin_m(camera.about.chart);
     // What touches from the start is not told from what is in the ground.
     let free_m = physics
-        .cast_sphere(from, way, CAMERA_RADIUS_M, arm.length())
+        .chart(camera.about.chart)
+        .cast_sphere(camera.about.pos, way, CAMERA_RADIUS_M, arm.length())
         .filter(|free_m| *free_m > 0.0);
     if let Some(free_m) = free_m {
         camera.eye.point.pos = camera.about.pos + way * free_m;
@@ -125,18 +120,12 @@ pub fn keep_clear(camera: &mut CameraPose, strategy: &dyn Atlas, physics: &Physi
 }
 
 /// Backs away from the head in two legs, up and then back, each as far as a small sphere finds room.
-fn behind(head: &Eye, strategy: &dyn Atlas, physics: &PhysicsWorld) -> CameraPose {
-    let origin = strategy.chart_origin_m(head.point.chart);
-    let above = leg(
-        physics,
-        head.point.pos + origin,
-        DVec3::Y,
-        THIRD_PERSON_UP_M,
-    );
+fn behind(head: &Eye, physics: &ChartGround) -> CameraPose {
+    let above = leg(physics, head.point.pos, DVec3::Y, THIRD_PERSON_UP_M);
     let back = leg(physics, above, -head.front(), THIRD_PERSON_BACK_M);
-    let shins = head.point.pos + origin - DVec3::Y * (head.lift_m - SHINS_M);
+    let shins = head.point.pos - DVec3::Y * (head.lift_m - SHINS_M);
     let back = over_ground(physics, back, shins);
-    let point = ChartPoint::new(head.point.chart, back - origin);
+    let point = ChartPoint::new(head.point.chart, back);
     let eye = Eye {
         lift_m: head.lift_m + point.pos.y - head.point.pos.y,
         point,
@@ -144,13 +133,13 @@ fn behind(head: &Eye, strategy: &dyn Atlas, physics: &PhysicsWorld) -> CameraPos
     };
     CameraPose {
         eye,
-        about: ChartPoint::new(head.point.chart, above - origin),
+        about: ChartPoint::new(head.point.chart, above),
         ..CameraPose::within(*head)
     }
 }
 
 /// A place for a camera, or one above it from where a point is seen: the lowest, or as high as the camera may rise.
-fn over_ground(physics: &PhysicsWorld, from: DVec3, seen: DVec3) -> DVec3 {
+fn over_ground(physics: &ChartGround, from: DVec3, seen: DVec3) -> DVec3 {
     let at = |rise_m: f64| from + DVec3::Y * rise_m;
     let hides = |rise_m: f64| {
         let way = seen - at(rise_m);
@@ -172,7 +161,7 @@ fn over_ground(physics: &PhysicsWorld, from: DVec3, seen: DVec3) -> DVec3 {
     leg(physics, from, DVec3::Y, high_m)
 }
 
-fn leg(physics: &PhysicsWorld, from: DVec3, way: DVec3, length_m: f64) -> DVec3 {
+fn leg(physics: &ChartGround, from: DVec3, way: DVec3, length_m: f64) -> DVec3 {
     let free_m = physics
         .cast_sphere(from, way, CAMERA_RADIUS_M, length_m)
         .unwrap_or(length_m);

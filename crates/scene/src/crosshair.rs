@@ -18,7 +18,7 @@ use crate::npc::mind::Mind;
 use crate::npc::{apart_m, sees};
 use crate::pick::{Meets, Pick, over, pick, pick_among};
 use crate::player::{Health, Position};
-use crate::projectile::Standing;
+use crate::projectile::{Standing, ways, within};
 use crate::situation::Situation;
 use crate::tuning::LAMP_TARGET_M;
 
@@ -60,10 +60,12 @@ impl<'a> Crosshair<'a> {
             .filter(|it| it.entity != self.now.actors.player)
             .collect();
         self.first(self.eye(), reach_m, &|a, b| {
-            let origin = self.now.world.strategy.chart_origin_m(a.chart);
-            let (a, b) = (a.pos + origin, b.pos + origin);
-            let meets = |it: &Standing| meets_capsule(a, b, 0.0, it.feet, it.height_m, it.radius_m);
-            others.iter().filter_map(meets).reduce(f64::min)
+            let ways = ways(&*self.now.world.strategy, a, b.pos);
+            let met = |it: &Standing| {
+                let way = within(&ways, it.feet.chart)?;
+                it.meets(way.from, way.to, 0.0)
+            };
+            others.iter().filter_map(met).reduce(f64::min)
         })
     }
 
@@ -89,7 +91,7 @@ impl<'a> Crosshair<'a> {
     pub fn car(&self, reach_m: f64, in_view: bool) -> Option<CarView> {
         let (head, feet) = (self.now.head(), self.now.feet());
         let pictured = &*self.optics.strategy;
-        let cars = self.now.actors.car_views(self.now.world).into_iter();
+        let cars = self.now.actors.car_views().into_iter();
         cars.filter(|car| !in_view || is_in_view(pictured.view_point(&head, car.middle())))
             .map(|car| (pictured.distance_m(feet, car.point, &head), car))
             .filter(|(far_m, _)| *far_m <= reach_m)

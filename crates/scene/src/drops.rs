@@ -141,19 +141,21 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &mut Player, outb
 
 impl Drop {
     fn fall(&mut self, world: &World) {
-        let origin = world.strategy.chart_origin_m(self.point.chart);
         if world.ground.is_solid(self.point) {
             // Ground was built over it.
             self.point.pos.y += STEP_S * 4.0;
             return;
         }
         let mut ball = Ball {
-            centre: self.point.pos + origin,
+            centre: self.point.pos,
             velocity: self.velocity,
         };
         let tuning: &BallTuning = &DROP;
-        let touch = world.physics.throw_ball(&mut ball, tuning, STEP_S);
-        self.point.pos = ball.centre - origin;
+        let touch = world
+            .physics
+            .chart(self.point.chart)
+            .throw_ball(&mut ball, tuning, STEP_S);
+        self.point.pos = ball.centre;
         self.velocity = ball.velocity;
         self.yaw_rad += TURN_RAD_PER_M * STEP_S * self.velocity.with_y(0.0).length();
         self.rests = touch.is_some() && ball.velocity.length() < RESTS_M_S;
@@ -183,7 +185,7 @@ impl Drop {
 }
 
 impl OnGround for Drop {
-    fn stands_at(&self, _: &World) -> ChartPoint {
+    fn stands_at(&self) -> ChartPoint {
         self.point
     }
 

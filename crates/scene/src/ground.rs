@@ -34,7 +34,6 @@ pub type Spent = (Option<TerrainCollider>, Option<Arc<Samples>>);
 #[derive(Debug)]
 pub struct Ground {
     field: Arc<Field>,
-    strategy: Arc<dyn Atlas>,
     chunks: HashMap<ChunkCoord, Resident>,
     /// What pictures show. A picture that is kept keeps the land of its moment.
     land: Arc<Land>,
@@ -45,10 +44,9 @@ pub struct Ground {
 
 impl Ground {
     /// Nothing resident yet.
-    pub fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>) -> Self {
+    pub fn new(field: Arc<Field>) -> Self {
         Self {
             field,
-            strategy,
             chunks: HashMap::new(),
             land: Arc::default(),
             unseen: BTreeMap::new(),
@@ -58,8 +56,7 @@ impl Ground {
     /// Takes in a chunk: its collider goes to the physics, its mesh to the renderer. Returns what it takes the
     /// place of. What is not `seen` is kept from the renderer.
     pub fn put(&mut self, chunk: Chunk, seen: bool, physics: &mut PhysicsWorld) -> Spent {
-        let origin = self.origin(chunk.coord);
-        let collider = physics.replace_terrain(chunk.coord, origin, chunk.collider);
+        let collider = replace_terrain(physics, chunk.coord, chunk.collider);
         let triangles = chunk.mesh.triangles().len();
         let before = self.chunks.insert(
             chunk.coord,
@@ -84,12 +81,11 @@ impl Ground {
         samples: Option<Arc<Samples>>,
         physics: &mut PhysicsWorld,
     ) -> Spent {
-        let origin = self.origin(coord);
         let Some(chunk) = self.chunks.get_mut(&coord) else {
             return (collider, samples);
         };
         let before = std::mem::replace(&mut chunk.samples, samples);
-        (physics.replace_terrain(coord, origin, collider), before)
+        (replace_terrain(physics, coord, collider), before)
     }
 
     /// Tells the renderer of the chunks that have come into view.
@@ -99,11 +95,6 @@ impl Ground {
         }
     }
 
-    /// Where a chunk stands in physics space.
-    fn origin(&self, coord: ChunkCoord) -> DVec3 {
-        coord.origin() + self.strategy.chart_origin_m(coord.chart)
-    }
-
     /// Lets a chunk go, and returns what there was of it.
     pub fn remove(&mut self, coord: ChunkCoord, physics: &mut PhysicsWorld) -> Spent {
         let Some(chunk) = self.chunks.remove(&coord) else {
@@ -111,10 +102,7 @@ impl Ground {
         };
         self.unseen.remove(&coord);
         Arc::make_mut(&mut self.land).change(ChunkChange::Remove(coord));
-        (
-            physics.replace_terrain(coord, coord.origin(), None),
-            chunk.samples,
-        )
+        (replace_terrain(physics, coord, None), chunk.samples)
     }
 
     /// What pictures show of it.
@@ -194,6 +182,15 @@ impl Ground {
     }
 }
 
+fn replace_terrain(
+    physics: &mut PhysicsWorld,
+    coord: ChunkCoord,
+    collider: Option<TerrainCollider>,
+) -> Option<TerrainCollider> {
+    let ground = physics.chart_mut(coord.chart);
+    ground.replace_terrain(coord, coord.origin(), collider)
+}
+
 /// Height of the first ground below a point, within `depth_m` metres; the point's own chart. Of rock that the
 /// point itself lies in the underside is looked for first. `is_solid` tells ground from air.
 pub fn height_below(
@@ -263,7 +260,7 @@ mod tests {
 
     fn ground(geometry: Geometry) -> Ground {
         let strategy = strategy(geometry, 32.0);
-        Ground::new(Arc::new(Field::new(7, strategy.clone())), strategy)
+        Ground::new(Arc::new(Field::new(7, strategy)))
     }
 
     #[test]

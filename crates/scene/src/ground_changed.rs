@@ -17,7 +17,7 @@ const STANDS_ON_M: f64 = 4.0;
 /// What the ground carries.
 pub(crate) trait OnGround {
     /// Where it stands or lies.
-    fn stands_at(&self, world: &World) -> ChartPoint;
+    fn stands_at(&self) -> ChartPoint;
     /// Whether it is on its way down: then ground anywhere below may be where it was to come to rest.
     fn is_falling(&self) -> bool;
     /// Makes it look for its ground in the next step.
@@ -37,7 +37,7 @@ pub(crate) fn tell(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
 
 fn wake<T: Component + OnGround>(world: &World, actors: &mut Actors, chunks: &[ChunkCoord]) {
     for it in actors.ecs.query_mut::<&mut T>() {
-        if it.is_falling() || may_stand_on(world, it.stands_at(world), chunks) {
+        if it.is_falling() || may_stand_on(world, it.stands_at(), chunks) {
             it.wake();
         }
     }

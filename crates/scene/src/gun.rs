@@ -115,11 +115,11 @@ pub(crate) fn step_bullets(
 pub(crate) fn muzzle_of(world: &World, head: &Eye) -> ChartPoint {
     let (right, up, ahead) = MUZZLE_M;
     let way = head.right() * right + head.up() * up + head.front() * ahead;
-    let from = head.point.pos + world.strategy.chart_origin_m(head.point.chart);
     let length_m = way.length();
     let free = world
         .physics
-        .cast_sphere(from, way, BULLET.radius_m, length_m)
+        .chart(head.point.chart)
+        .cast_sphere(head.point.pos, way, BULLET.radius_m, length_m)
         .map_or(1.0, |free_m| SHORT_OF_WALL * free_m / length_m);
     let muzzle = head.point.moved(way * free);
     let over = world.strategy.cross(muzzle);

@@ -95,7 +95,7 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
 /// radians, if from one.
 pub(crate) fn last(now: Situation<'_>) -> Option<(f64, Option<f64>)> {
     let hurt = now.player.condition.hurt?;
-    let carried = now.world.strategy.carry(hurt.at, now.feet().chart);
+    let carried = now.world.strategy.carry_near(hurt.at, now.feet());
     let turned_rad = carried.map_or(0.0, |crossing| crossing.turn_rad);
     Some((hurt.ago_s, hurt.from_rad.map(|from| from - turned_rad)))
 }
@@ -268,6 +268,45 @@ mod tests {
         assert!(!scene.is_dead());
         let left: Vec<_> = scene.bots().iter().map(|view| view.bot.id).collect();
         assert_eq!(left, [peaceful, put_there_in_peace], "{put_there}");
+    }
+
+    /// Far off the land of the start is gone, and in view of it there is land that carries nobody.
+    #[test]
+    fn who_stands_up_again_does_not_walk_before_the_ground_is_solid() {
+        let limit = std::time::Duration::from_mins(2);
+        let ahead = crate::Actions {
+            forward: 1.0,
+            ..crate::Actions::default()
+        };
+        for (away_m, is_in_view) in [(100.0, true), (900.0, false)] {
+            let mut scene = scene(Geometry::Euclidean);
+            scene.set_view_distance(6);
+            assert!(scene.settle(limit));
+            let start = scene.feet();
+            scene.teleport(start.moved(DVec3::new(away_m, 30.0, 0.0)));
+            assert!(scene.settle(limit));
+            let under = antipode_geometry::ChunkCoord::containing(start);
+            let land = scene.sim.world.ground.land();
+            let is_there = land.meshes().any(|(coord, _)| coord == under);
+            assert_eq!(is_there, is_in_view);
+            hurt(&mut scene, 2.0 * FULL_HEALTH, HarmKind::Shot);
+            while scene.is_dead() {
+                scene.step(&crate::Actions::default());
+            }
+            let stood_up = scene.feet();
+            assert!(!scene.is_ground_ready() && stood_up.pos.distance(start.pos) < 5.0);
+            for _ in 0..120 {
+                scene.step(&ahead);
+                assert_eq!(scene.feet(), stood_up, "{away_m}");
+            }
+            assert!(scene.wait_for_step(limit));
+            for _ in 0..60 {
+                scene.step(&ahead);
+                assert!(scene.wait_for_step(limit));
+            }
+            let way = scene.feet().pos - stood_up.pos;
+            assert!(way.with_y(0.0).length() > 1.0 && way.y.abs() < 3.0, "{way}");
+        }
     }
 
     #[test]

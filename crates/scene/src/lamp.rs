@@ -192,7 +192,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors) {
 }
 
 impl OnGround for Lamp {
-    fn stands_at(&self, _: &World) -> ChartPoint {
+    fn stands_at(&self) -> ChartPoint {
         self.point
     }
 

@@ -42,7 +42,7 @@ pub(crate) fn records(
     things(actors, player, &mut all);
     figures(actors, &mut all);
     all.extend(actors.map(|id, car: &Car| {
-        let record = Record::Car(car.record(world));
+        let record = Record::Car(car.record());
         (RecordKind::Car.numbered(id.0), record)
     }));
     all

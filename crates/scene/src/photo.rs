@@ -107,9 +107,9 @@ impl Viewpoint {
 /// As much of a leg as keeps a camera off the ground.
 fn free_leg(world: &World, from: ChartPoint, leg: DVec3) -> DVec3 {
     let (length_m, way) = (leg.length(), leg.normalize_or_zero());
-    let at = from.pos + world.strategy.chart_origin_m(from.chart);
+    let ground = world.physics.chart(from.chart);
     let reach_m = length_m + OFF_GROUND_M;
-    match world.physics.cast_sphere(at, way, CAMERA_RADIUS_M, reach_m) {
+    match ground.cast_sphere(from.pos, way, CAMERA_RADIUS_M, reach_m) {
         None => leg,
         Some(free_m) if free_m > 0.0 => way * (free_m - OFF_GROUND_M).clamp(0.0, length_m),
         Some(_) => {

@@ -113,13 +113,13 @@ fn is_pictured(strategy: &dyn Strategy, eye: &Eye, point: ChartPoint, reach_m: f
             && !strategy.trims(eye, point.chart, point.pos, point.pos))
 }
 
-/// `b` in the chart of `a`.
+/// `b` in the chart of `a`, where the shortest way from `a` leads.
 pub(crate) fn over(strategy: &dyn Atlas, a: ChartPoint, b: ChartPoint) -> ChartPoint {
     // Every figure asks this of every other in every step.
     if a.chart == b.chart {
         return b;
     }
-    strategy.carry(b, a.chart).map_or(b, |over| over.point)
+    strategy.carry_near(b, a).map_or(b, |over| over.point)
 }
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.
@@ -135,8 +135,8 @@ pub(crate) fn segment_hit(
     if length < 1e-9 {
         return None;
     }
-    let origin = a.pos + strategy.chart_origin_m(a.chart);
     physics
-        .cast_ray(origin, way / length, length)
+        .chart(a.chart)
+        .cast_ray(a.pos, way / length, length)
         .map(|hit| (hit.distance_m / length).clamp(0.0, 1.0))
 }

@@ -50,7 +50,7 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
     } = now;
     let curved_radius = world.strategy.radius_m();
     let lens = &player.gaze.lens;
-    let cars = actors.car_views(world);
+    let cars = actors.car_views();
     Probe {
         t: world.simulated_s,
         world: world.setup.name.clone(),

@@ -2,8 +2,10 @@
 //! gone some time after they have met something. What falls meets ground sooner or later, even where none is loaded; what
 //! follows a geodesic is gone after some way.
 
-use antipode_geometry::{Atlas, ChartPoint, Eye, Map};
-use antipode_physics::{Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Eye, Map};
+use antipode_physics::{
+    Ball, BallTuning, PhysicsWorld, Touch, VehicleMotion, VehiclePhysics, meets_capsule,
+};
 use glam::DVec3;
 use hecs::Entity;
 
@@ -14,6 +16,10 @@ use crate::tuning::{
     BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIES_BELOW_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M,
     MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S,
 };
+
+/// Who or what is written in a chart reaches no farther out of its domain than this, metres: a body that has not crossed
+/// yet, or half of a car.
+const BEYOND_EDGE_M: f64 = 3.0;
 
 /// What keeps a bullet on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,10 +57,10 @@ pub struct Projectile {
     struck: Option<(Entity, f64)>,
 }
 
-/// One who can be struck, where it stands in physics space.
+/// One who can be struck, where it stands.
 pub(crate) struct Standing {
     pub entity: Entity,
-    pub feet: DVec3,
+    pub feet: ChartPoint,
     pub height_m: f64,
     pub radius_m: f64,
 }
@@ -72,9 +78,9 @@ pub(crate) struct Strike {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Knock {
     pub car: ActorId,
-    /// Where, in physics space.
+    /// Where, in the chart of the car.
     pub at: DVec3,
-    /// How fast the bullet was, m/s.
+    /// How fast the bullet was, m/s, in that chart.
     pub velocity: DVec3,
 }
 
@@ -156,9 +162,8 @@ pub(crate) fn step(ecs: &mut hecs::World, air: &Air<'_>) -> Hits {
 impl Projectile {
     /// Moves it by one step; returns whether it is still in the world.
     fn fly(&mut self, air: &Air<'_>, hits: &mut Hits) -> bool {
-        let origin = air.strategy.chart_origin_m(self.point.chart);
-        let before = self.point.pos + origin;
-        let (mut ball, goal) = self.start(air, before);
+        let before = self.point;
+        let (mut ball, goal) = self.start(air, before.pos);
         let gravity_m_s2 = if goal.is_some() {
             0.0
         } else {
@@ -168,14 +173,17 @@ impl Projectile {
             gravity_m_s2,
             ..BULLET
         };
-        let touch = air.physics.throw_ball(&mut ball, &tuning, STEP_S);
+        let touch = air
+            .physics
+            .chart(before.chart)
+            .throw_ball(&mut ball, &tuning, STEP_S);
         let is_still = ball.velocity.length() < BULLET_LIES_BELOW_M_S;
         self.lies_s = if is_still { self.lies_s + STEP_S } else { 0.0 };
         let corner = touch.map_or(ball.centre, |touch| touch.centre);
-        self.hit(air, [before, corner], &mut ball, hits);
+        self.hit(air, [before.pos, corner], &mut ball, hits);
         match (goal, touch) {
             (Some(goal), None) if self.is_geodesic() => self.point = goal,
-            _ => self.follow(air, ball, origin, touch),
+            _ => self.follow(air, ball, touch),
         }
         self.cross(air.strategy);
         let limits = air.strategy.limits();
@@ -194,26 +202,27 @@ impl Projectile {
         hits: &mut Hits,
     ) {
         for (from, to) in [(before, corner), (corner, ball.centre)] {
-            let someone = self.meets(air, from, to);
-            let car = meets_car(air, from, to)
-                .filter(|(share, _)| someone.is_none_or(|(nearer, _)| *share < nearer));
-            if let Some((share, car)) = car {
+            let ways = ways(air.strategy, ChartPoint::new(self.point.chart, from), to);
+            let someone = self.meets(air, &ways);
+            let car = meets_car(air, &ways)
+                .filter(|(share, ..)| someone.is_none_or(|(nearer, ..)| *share < nearer));
+            if let Some((share, car, way)) = car {
                 hits.knocks.push(Knock {
                     car,
-                    at: from.lerp(to, share),
-                    velocity: ball.velocity,
+                    at: way.from.lerp(way.to, share),
+                    velocity: way.crossing.turn_vector(ball.velocity),
                 });
                 ball.centre = from;
                 ball.velocity *= -BULLET_BACK;
                 self.path = Path::Falls;
                 break;
             }
-            if let Some((_, entity)) = someone {
+            if let Some((_, entity, way)) = someone {
                 self.struck = Some((entity, self.age_s));
                 hits.strikes.push(Strike {
                     entity,
                     by: self.by,
-                    way: self.velocity,
+                    way: way.crossing.turn_vector(self.velocity),
                 });
                 // Who is struck stops the bullet; it drops to the ground.
                 ball.centre = from;
@@ -258,8 +267,8 @@ impl Projectile {
     }
 
     /// Takes over where a ball has come to; after a touch a geodesic begins anew.
-    fn follow(&mut self, air: &Air<'_>, ball: Ball, origin: DVec3, touch: Option<Touch>) {
-        self.point.pos = ball.centre - origin;
+    fn follow(&mut self, air: &Air<'_>, ball: Ball, touch: Option<Touch>) {
+        self.point.pos = ball.centre;
         self.velocity = ball.velocity;
         let Path::Geodesic {
             eye,
@@ -302,9 +311,9 @@ impl Projectile {
         }
     }
 
-    /// The first whom it meets between two points of physics space, and the share of the way to there, if that one can
-    /// be harmed by it now.
-    fn meets(&self, air: &Air<'_>, from: DVec3, to: DVec3) -> Option<(f64, Entity)> {
+    /// The first whom it meets on a way, with the share of it and the way as that one's chart has it, if that one can be
+    /// harmed by it now.
+    fn meets<'w>(&self, air: &Air<'_>, ways: &'w [Way]) -> Option<(f64, Entity, &'w Way)> {
         if self.velocity.length() < BULLET_HARMS_FROM_M_S {
             return None;
         }
@@ -315,30 +324,68 @@ impl Projectile {
             });
             !just_fired && !just_struck
         };
-        let share = |it: &Standing| {
-            antipode_physics::meets_capsule(
-                from,
-                to,
-                BULLET.radius_m,
-                it.feet,
-                it.height_m,
-                it.radius_m,
-            )
+        let met = |it: &Standing| {
+            let way = within(ways, it.feet.chart)?;
+            let share = it.meets(way.from, way.to, BULLET.radius_m)?;
+            Some((share, it.entity, way))
         };
         air.standing
             .iter()
             .filter(|it| may_strike(it.entity))
-            .filter_map(|it| share(it).map(|share| (share, it.entity)))
+            .filter_map(met)
             .min_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 
-/// The first car that a bullet meets between two points of physics space, and the share of the way to there.
-fn meets_car(air: &Air<'_>, from: DVec3, to: DVec3) -> Option<(f64, ActorId)> {
-    let meets = |motion| air.vehicles.meets(motion, from, to, BULLET.radius_m);
+impl Standing {
+    /// The share of a way between two places of the chart at which something so wide meets the body.
+    pub fn meets(&self, from: DVec3, to: DVec3, radius_m: f64) -> Option<f64> {
+        let feet = self.feet.pos;
+        meets_capsule(from, to, radius_m, feet, self.height_m, self.radius_m)
+    }
+}
+
+/// A straight way as a chart has it that it comes near.
+pub(crate) struct Way {
+    crossing: Crossing,
+    pub from: DVec3,
+    pub to: DVec3,
+}
+
+/// A way in its own chart, and in all others that reach to where it begins: who stands beyond an edge is met there.
+pub(crate) fn ways(strategy: &dyn Atlas, from: ChartPoint, to: DVec3) -> Vec<Way> {
+    let reach_m = from.pos.distance(to) + BEYOND_EDGE_M;
+    let written = |crossing: Crossing| Way {
+        from: crossing.point.pos,
+        to: crossing.point.pos + crossing.turn_vector(to - from.pos),
+        crossing,
+    };
+    let own = Way {
+        crossing: Crossing::within(from),
+        from: from.pos,
+        to,
+    };
+    let others = strategy.images(from, reach_m).into_iter().map(written);
+    std::iter::once(own).chain(others).collect()
+}
+
+/// The way in a chart.
+pub(crate) fn within(ways: &[Way], chart: ChartId) -> Option<&Way> {
+    ways.iter().find(|way| way.crossing.point.chart == chart)
+}
+
+/// The first car that a bullet meets on a way, with the share of it and the way as the car's chart has it.
+fn meets_car<'w>(air: &Air<'_>, ways: &'w [Way]) -> Option<(f64, ActorId, &'w Way)> {
+    let meets = |(id, motion): &(ActorId, VehicleMotion)| {
+        let way = within(ways, motion.chart)?;
+        let share = air
+            .vehicles
+            .meets(motion, way.from, way.to, BULLET.radius_m)?;
+        Some((share, *id, way))
+    };
     air.cars
         .iter()
-        .filter_map(|(id, motion)| Some((meets(motion)?, *id)))
+        .filter_map(meets)
         .min_by(|a, b| a.0.total_cmp(&b.0))
 }
 

@@ -227,7 +227,7 @@ fn figure(world: &World, actors: &mut Actors, record: &BotRecord) -> bool {
 
 /// Puts the player at the wheel of the car with that number in the save, if he is close enough to it.
 pub(crate) fn seat(world: &World, actors: &mut Actors, player: &Player, driving: Option<u32>) {
-    let car = driving.and_then(|id| actors.car_view(world, ActorId(id)));
+    let car = driving.and_then(|id| actors.car_view(ActorId(id)));
     let Some(car) = car else { return };
     let now = Situation::of(world, actors, player);
     if world

@@ -82,11 +82,11 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
         return feet;
     }
     let from = feet.moved(DVec3::Y * KNEES_M);
-    let origin = world.strategy.chart_origin_m(feet.chart);
     let most_m = KNEES_M + DEEPEST_SOLES_M;
     let ground = world
         .physics
-        .cast_ray(from.pos + origin, DVec3::NEG_Y, most_m);
+        .chart(from.chart)
+        .cast_ray(from.pos, DVec3::NEG_Y, most_m);
     let ground_m = ground.map_or(KNEES_M, |hit| hit.distance_m);
     from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
 }

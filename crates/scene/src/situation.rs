@@ -75,12 +75,7 @@ impl<'a> Situation<'a> {
             let lies_at_once = optics.reduced_motion;
             head = camera::fallen(&head, if lies_at_once { f64::INFINITY } else { dead_s });
         }
-        camera::place(
-            self.player.gaze.camera,
-            &head,
-            &*optics.strategy,
-            &self.world.physics,
-        )
+        camera::place(self.player.gaze.camera, &head, &self.world.physics)
     }
 
     /// How far the head lies beyond an eye that looks through that, metres: near a wall the camera stands closer than it
@@ -95,7 +90,7 @@ impl<'a> Situation<'a> {
         }
     }
 
-    /// Everyone who can be struck, where they stand in physics space; the dead and spectators cannot.
+    /// Everyone who can be struck, where they stand; the dead and spectators cannot.
     pub fn standing(&self) -> Vec<Standing> {
         let (actors, tuning) = (self.actors, &self.actors.tuning);
         let mut query = actors.ecs.query::<(Entity, &Position, &Health)>();
@@ -109,7 +104,7 @@ impl<'a> Situation<'a> {
             })
             .map(|(entity, position, _)| Standing {
                 entity,
-                feet: position.0.pos + self.world.strategy.chart_origin_m(position.0.chart),
+                feet: position.0,
                 height_m: tuning.height_m,
                 radius_m: tuning.radius_m,
             })

@@ -11,7 +11,6 @@ use crate::day;
 use crate::ground::Ground;
 use crate::outbox::Outbox;
 use crate::situation::Situation;
-use crate::world::World;
 
 /// Something that makes a sound once.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -142,13 +141,13 @@ pub(crate) fn surroundings(now: Situation<'_>, eye: &Eye) -> Surroundings {
         height_m: now.feet().pos.y - low_m,
         relief_m: high_m - low_m,
         speed_m_s: now.actors.player_body().velocity.length(),
-        drive: drive_heard(world, now.actors),
+        drive: drive_heard(now.actors),
     }
 }
 
-fn drive_heard(world: &World, actors: &Actors) -> Option<Drive> {
+fn drive_heard(actors: &Actors) -> Option<Drive> {
     let throttle = actors.cars.driving.as_ref()?.throttle;
-    let car = actors.driven_car(world)?;
+    let car = actors.driven_car()?;
     let down = car.wheels.iter().any(|wheel| wheel.contact);
     let aside_m_s = car.velocity.dot(car.turn * DVec3::Z).abs();
     let braked_m_s = if car.brakes {

@@ -53,7 +53,9 @@ impl Simulation {
             walk(world, actors, player, outbox, actions);
         }
         drive::step(world, actors, player, outbox, actions);
-        world.physics.set_obstacles(actors.car_bodies());
+        world
+            .physics
+            .set_obstacles(actors.car_bodies(&*world.strategy));
         round::notice(world, actors.feet(), &mut player.round, outbox);
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());
@@ -167,12 +169,14 @@ fn walk(
         sink: actions.sink,
     };
     let strategy = &*world.strategy;
-    let origin = strategy.chart_origin_m(position.0.chart);
-    body.0.feet = position.0.pos + origin;
-    world
-        .physics
-        .move_character(&mut body.0, &actors.tuning, &input, STEP_S);
-    position.0.pos = body.0.feet - origin;
+    body.0.feet = position.0.pos;
+    world.physics.chart(position.0.chart).move_character(
+        &mut body.0,
+        &actors.tuning,
+        &input,
+        STEP_S,
+    );
+    position.0.pos = body.0.feet;
     if let Some(limits) = strategy.limits() {
         let y = position.0.pos.y.clamp(limits.bedrock_m, limits.ceiling_m);
         if y != position.0.pos.y {

@@ -286,7 +286,7 @@ fn reaches(world: &World, actors: &Actors) -> Vec<Reach> {
     let velocity = actors.player_body().velocity;
     let mut reaches = reach::of_body(&*world.strategy, actors.feet(), velocity);
     let bullets = actors.map(|_, it: &Projectile| (it.point, it.velocity));
-    let cars = actors.car_views(world).into_iter();
+    let cars = actors.car_views().into_iter();
     let cars = cars.map(|it| (it.point, it.velocity));
     // Each for themselves: the ground under cars is not to be lost to a hail of bullets.
     reaches.extend(reach::of_others(&*world.strategy, cars, OTHERS_MARGIN_M));

@@ -54,7 +54,7 @@ impl World {
             setup,
             bodies_about,
             bodies_within: cube_of_bodies(&*strategy, bodies_about),
-            ground: Ground::new(Arc::clone(field), Arc::<dyn Strategy>::clone(&strategy)),
+            ground: Ground::new(Arc::clone(field)),
             strategy,
             streamer,
             holds_land: false,
@@ -81,8 +81,7 @@ impl World {
 
     /// Has bodies be exact about a place.
     pub fn centre_on_body(&mut self, point: ChartPoint) {
-        let origin = self.strategy.chart_origin_m(point.chart);
-        self.physics.recentre(point.pos + origin);
+        self.physics.recentre(point, self.bodies_within.middles());
     }
 
     /// Lets time pass.

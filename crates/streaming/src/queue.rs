@@ -111,7 +111,7 @@ fn rank(strategy: &dyn Atlas, aim: Option<Aim>, coord: ChunkCoord, missing: bool
     let Some(aim) = aim else { return (0, 0) };
     let half = DVec3::splat(f64::from(CHUNK_CELLS) / 2.0);
     let mut middle = ChartPoint::new(coord.chart, coord.origin() + half);
-    if let Some(crossing) = strategy.carry(middle, aim.centre.chart) {
+    if let Some(crossing) = strategy.carry_near(middle, aim.centre) {
         middle = crossing.point;
     }
     let to = middle.pos - aim.centre.pos;

@@ -57,9 +57,9 @@ impl Field {
             Content::Air
         } else if relief.value(last, relief.sum_m()) < -ROUNDING_M {
             Content::Solid
-        } else if matches!(
+        } else if !matches!(
             self.strategy().noise_frame(coord.chart),
-            NoiseFrame::Radial { .. }
+            NoiseFrame::Square(_)
         ) {
             Content::Surface
         } else if first >= low && self.is_all(false, coord, (first, last.min(high))) {

@@ -104,7 +104,7 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 upright::sum_at(&self.lattice, &self.octaves, frame.placed(pos))
             }
-            NoiseFrame::Radial { .. } => {
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
                 let column = self.column(chart, pos.x, pos.z);
                 tilted::sum_at(&self.lattice, &self.octaves, &column, pos.y)
             }
@@ -146,7 +146,7 @@ impl Field {
             NoiseFrame::Square(frame) => {
                 self.fill_square(frame, (first, step_m), counts, &rows, out);
             }
-            NoiseFrame::Radial { .. } => {
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
                 self.fill_tilted(chart, (first, step_m), counts, &rows, out);
             }
         }
@@ -271,7 +271,7 @@ impl Field {
         let base = self.strategy.noise_point(ground) * frequencies;
         let slope = match self.strategy.noise_frame(chart) {
             NoiseFrame::Radial { radius_m } => base / radius_m,
-            NoiseFrame::Square(_) => DVec3::Y * frequencies,
+            NoiseFrame::Square(_) | NoiseFrame::Upright => DVec3::Y * frequencies,
         };
         Column { base, slope }
     }

@@ -158,8 +158,10 @@ impl Places {
             Some((chart, frame)) if chart == point.chart => frame,
             _ => self.enter(field, point.chart),
         };
-        if let NoiseFrame::Square(frame) = frame {
-            return frame.placed(point.pos);
+        match frame {
+            NoiseFrame::Square(frame) => return frame.placed(point.pos),
+            NoiseFrame::Upright => return field.strategy().noise_point(point),
+            NoiseFrame::Radial { .. } => {}
         }
         let (x, z) = (point.pos.x / self.spacing_m, point.pos.z / self.spacing_m);
         let (i, k) = (x.floor(), z.floor());

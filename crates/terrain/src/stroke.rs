@@ -159,9 +159,11 @@ impl Stroke {
             z: whole(point.pos.z - half, point.pos.z + half),
         };
         let radius = self.radius_m();
-        let mut windows = vec![around(self.centre, radius)];
         let images = strategy.images(self.centre, radius + EDITED_PAST_RIM_M);
         let spread = strategy.spread_m(self.centre, radius, EDITED_PAST_RIM_M);
+        // What is near by way of another chart need not be near in its own.
+        let own = if images.is_empty() { radius } else { spread };
+        let mut windows = vec![around(self.centre, own)];
         windows.extend(images.into_iter().map(|image| around(image.point, spread)));
         windows
     }
@@ -203,10 +205,8 @@ impl Stroke {
     /// Squared horizontal distance from the middle to a column, in the middle's chart. Carrying
     /// moves columns as wholes: it keeps heights and does not look at them.
     fn distance2(&self, strategy: &dyn Atlas, chart: ChartId, column: DVec2) -> Option<f64> {
-        let mut point = ChartPoint::new(chart, DVec3::new(column.x, 0.0, column.y));
-        if chart != self.centre.chart {
-            point = strategy.carry(point, self.centre.chart)?.point;
-        }
+        let point = ChartPoint::new(chart, DVec3::new(column.x, 0.0, column.y));
+        let point = strategy.carry_near(point, self.centre)?.point;
         let offset = point.pos - self.centre.pos;
         Some(offset.x * offset.x + offset.z * offset.z)
     }

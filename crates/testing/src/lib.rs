@@ -1,7 +1,8 @@
 //! What a test does where the machine lacks what it needs: it passes and says loudly that it tested nothing, or fails
-//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. And a
-//! space that no player gets: flat, but in charts without number.
+//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. And
+//! two spaces that no player gets: flat space in charts without number, and a cone.
 
+pub mod cone;
 pub mod pictures;
 pub mod tiled;
 

@@ -11,8 +11,6 @@ use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
 /// Edge of a square, metres.
 pub const TILE_M: f64 = 64.0;
-/// How far apart the bodies of neighbouring squares are kept: what is near one reaches none of another's.
-const APART_M: f64 = 512.0;
 /// How far past an edge a body goes before it changes charts, metres.
 const HYSTERESIS_M: f64 = 0.2;
 
@@ -90,8 +88,9 @@ impl TiledFlat {
 
 impl Atlas for TiledFlat {
     fn domain(&self, _chart: ChartId) -> Domain {
-        Domain::Square {
-            half_m: 0.5 * TILE_M,
+        Domain::Rectangle {
+            low: DVec2::splat(-0.5 * TILE_M),
+            high: DVec2::splat(0.5 * TILE_M),
         }
     }
 
@@ -126,11 +125,6 @@ impl Atlas for TiledFlat {
 
     fn noise_frame(&self, chart: ChartId) -> NoiseFrame {
         NoiseFrame::Square(Self::frame(chart))
-    }
-
-    fn chart_origin_m(&self, chart: ChartId) -> DVec3 {
-        let tile = Self::tile(chart).as_dvec2() * APART_M;
-        DVec3::new(tile.x, 0.0, tile.y)
     }
 }
 

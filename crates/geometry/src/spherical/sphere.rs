@@ -198,15 +198,6 @@ impl Atlas for Spherical {
     fn noise_point(&self, point: ChartPoint) -> DVec3 {
         Globe::new(self.radius_m).from_middle_m(point)
     }
-
-    /// A power of two, so that adding it loses the fewest bits and chunks stay aligned.
-    fn chart_origin_m(&self, chart: ChartId) -> DVec3 {
-        if is_b(chart) {
-            DVec3::X * (8.0 * self.radius_m).log2().ceil().exp2()
-        } else {
-            DVec3::ZERO
-        }
-    }
 }
 
 impl Map for Spherical {

@@ -227,7 +227,10 @@ impl Driver {
                 }
                 Update::Solid {
                     coord, collider, ..
-                } => self.physics.set_terrain(coord, coord.origin(), collider),
+                } => {
+                    let ground = self.physics.chart_mut(coord.chart);
+                    ground.set_terrain(coord, coord.origin(), collider);
+                }
                 _ => {}
             }
         }
@@ -236,6 +239,7 @@ impl Driver {
     fn put(&mut self, chunk: Chunk) {
         let origin = chunk.coord.origin();
         self.physics
+            .chart_mut(chunk.coord.chart)
             .set_terrain(chunk.coord, origin, chunk.collider);
     }
 

@@ -1,4 +1,4 @@
-//! Where vehicles collide: Rapier's bodies and the few blocks of ground around them.
+//! Where the vehicles of one chart collide: Rapier's bodies and the few blocks of ground around them.
 //!
 //! The world's terrain is never stepped. Each step takes the blocks near a moving body into a small set of its own,
 //! which shares their meshes, so that a step costs the same however much land is loaded, and what Rapier notes of
@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::{ChartId, ChunkCoord};
 use glam::DVec3;
 use rapier3d::control::{DynamicRayCastVehicleController, WheelTuning};
 use rapier3d::dynamics::{
@@ -21,7 +21,7 @@ use rapier3d::pipeline::{PhysicsPipeline, QueryFilter};
 
 use super::hull::Hull;
 use super::{VehicleMotion, VehicleTuning};
-use crate::PhysicsWorld;
+use crate::ChartGround;
 use crate::collider::Block;
 
 /// The frame moves when a vehicle is farther than this from its origin along an axis, in metres.
@@ -43,6 +43,7 @@ struct Taken {
 
 /// Bodies, ground and what Rapier needs to step them.
 pub(super) struct Arena {
+    chart: ChartId,
     bodies: RigidBodySet,
     colliders: ColliderSet,
     soft_bodies: SoftBodySet,
@@ -58,9 +59,10 @@ pub(super) struct Arena {
 }
 
 impl Arena {
-    /// Without bodies and ground, about the origin of physics space.
-    pub fn new() -> Self {
+    /// Without bodies and ground, about the centre of a chart.
+    pub fn new(chart: ChartId) -> Self {
         Self {
+            chart,
             bodies: RigidBodySet::new(),
             colliders: ColliderSet::new(),
             soft_bodies: SoftBodySet::new(),
@@ -76,13 +78,18 @@ impl Arena {
         }
     }
 
-    /// Puts a body in, with the controller of its wheels.
+    /// Whether no vehicle has a body there.
+    pub fn is_empty(&self) -> bool {
+        self.bodies.is_empty()
+    }
+
+    /// Puts a body in.
     pub fn put_in(
         &mut self,
         hull: &Hull,
         tuning: &VehicleTuning,
         motion: &VehicleMotion,
-    ) -> (RigidBodyHandle, DynamicRayCastVehicleController) {
+    ) -> RigidBodyHandle {
         let size = tuning.inertia_box_m;
         let about = |a: f64, b: f64| tuning.mass_kg / 12.0 * (a * a + b * b);
         let inertia = DVec3::new(
@@ -107,7 +114,7 @@ impl Arena {
         self.colliders
             .insert_with_parent(collider, handle, &mut self.bodies);
         self.set_motion(handle, motion);
-        (handle, controller(handle, tuning))
+        handle
     }
 
     /// Removes a body with its hull.
@@ -123,7 +130,7 @@ impl Arena {
         );
     }
 
-    /// Puts a body somewhere, in physics space, and lets it move as it is told.
+    /// Puts a body somewhere in the chart, and lets it move as it is told.
     pub fn set_motion(&mut self, body: RigidBodyHandle, motion: &VehicleMotion) {
         let at = (motion.place - self.origin).as_vec3();
         if let Some(body) = self.bodies.get_mut(body) {
@@ -133,11 +140,12 @@ impl Arena {
         }
     }
 
-    /// Where a body is and how it moves, in physics space; nothing where that is no longer a number.
+    /// Where a body is and how it moves; nothing where that is no longer a number.
     pub fn motion(&self, body: RigidBodyHandle) -> Option<VehicleMotion> {
         let body = self.bodies.get(body)?;
         let place = body.translation().as_dvec3() + self.origin;
         let motion = VehicleMotion {
+            chart: self.chart,
             place,
             turn: body.rotation().as_dquat().normalize(),
             velocity: body.linvel().as_dvec3(),
@@ -160,7 +168,7 @@ impl Arena {
         }
     }
 
-    /// Strikes a body at a place of physics space with an impulse in N s.
+    /// Strikes a body at a place of the chart with an impulse in N s.
     pub fn push(&mut self, body: RigidBodyHandle, at: DVec3, impulse: DVec3) {
         let at = (at - self.origin).as_vec3();
         if let Some(body) = self.bodies.get_mut(body) {
@@ -187,8 +195,8 @@ impl Arena {
         }
     }
 
-    /// Takes in the ground within the given boxes of physics space, and lets go of the rest.
-    pub fn take_ground(&mut self, world: &PhysicsWorld, boxes: &[(DVec3, DVec3)]) {
+    /// Takes in the ground within the given boxes of the chart, and lets go of the rest.
+    pub fn take_ground(&mut self, world: &ChartGround, boxes: &[(DVec3, DVec3)]) {
         let mut wanted: BTreeMap<BlockName, (DVec3, &Block)> = BTreeMap::new();
         for (min, max) in boxes {
             for ground in world.grounds_in(*min, *max) {
@@ -296,7 +304,10 @@ impl Arena {
 }
 
 /// A controller with four wheels.
-fn controller(body: RigidBodyHandle, tuning: &VehicleTuning) -> DynamicRayCastVehicleController {
+pub(super) fn controller(
+    body: RigidBodyHandle,
+    tuning: &VehicleTuning,
+) -> DynamicRayCastVehicleController {
     let mut controller = DynamicRayCastVehicleController::new(body);
     let spring = WheelTuning {
         suspension_stiffness: tuning.stiffness() as f32,

@@ -4,6 +4,7 @@
 //! that nobody drives and that have come to rest cost nothing until something comes near.
 
 mod arena;
+mod bodies;
 mod drive;
 mod hold;
 mod hull;
@@ -12,7 +13,10 @@ mod state;
 mod steady;
 mod tuning;
 
-use glam::{DQuat, DVec3};
+use std::collections::{BTreeMap, BTreeSet};
+
+use antipode_geometry::ChartId;
+use glam::DVec3;
 use rapier3d::control::DynamicRayCastVehicleController;
 use rapier3d::dynamics::RigidBodyHandle;
 
@@ -93,12 +97,14 @@ impl std::fmt::Debug for Vehicle {
     }
 }
 
-/// What the vehicles of a world have in common: how they drive, their hull, and where they collide. A vehicle is stepped by
-/// the one that made it, and its body stays in there.
+/// What the vehicles of a world have in common: how they drive, their hull, and where those of a chart collide. A vehicle is
+/// stepped by the one that made it, and its body stays in there.
 pub struct VehiclePhysics {
     tuning: VehicleTuning,
     hull: Hull,
-    arena: Arena,
+    /// Of the charts in which vehicles have bodies. The last one stays when it has none left, so that who comes back
+    /// finds the frame that he left.
+    arenas: BTreeMap<ChartId, Arena>,
 }
 
 impl Default for VehiclePhysics {
@@ -121,7 +127,7 @@ impl VehiclePhysics {
         Self {
             tuning,
             hull: Hull::new(),
-            arena: Arena::new(),
+            arenas: BTreeMap::new(),
         }
     }
 
@@ -177,56 +183,6 @@ impl VehiclePhysics {
         }
     }
 
-    /// Puts a vehicle elsewhere, and wakes it. A motion that is not finite is ignored.
-    pub fn set_motion(&mut self, vehicle: &mut Vehicle, motion: VehicleMotion) {
-        if !motion.is_finite() {
-            return;
-        }
-        vehicle.motion = motion;
-        vehicle.rolled = motion.velocity;
-        vehicle.rests_s = 0.0;
-        vehicle.hold.let_go();
-        if let Some((body, _)) = &vehicle.body {
-            self.arena.set_motion(*body, &motion);
-        }
-    }
-
-    /// Pushes a vehicle at a point of physics space (m) by an impulse (N s).
-    pub fn push(&mut self, vehicle: &mut Vehicle, at: DVec3, impulse: DVec3) {
-        vehicle.rests_s = 0.0;
-        if let Some((body, _)) = &vehicle.body
-            && at.is_finite()
-            && impulse.is_finite()
-        {
-            self.arena.set_still(*body, false);
-            self.arena.push(*body, at, impulse);
-            if let Some(motion) = self.arena.motion(*body) {
-                let pushed = motion.velocity - vehicle.rolled;
-                vehicle.motion.velocity += pushed;
-                vehicle.rolled = motion.velocity;
-            }
-        }
-    }
-
-    /// Takes a vehicle to another place of physics space (m) where everything is turned: how it stands, its velocity,
-    /// its spin, and what its springs are about to do.
-    pub fn carry(&mut self, vehicle: &mut Vehicle, place: DVec3, turn: DQuat) {
-        let turned = |motion: &VehicleMotion| VehicleMotion {
-            place,
-            turn: (turn * motion.turn).normalize(),
-            velocity: turn * motion.velocity,
-            spin: turn * motion.spin,
-        };
-        vehicle.motion = turned(&vehicle.motion);
-        vehicle.rolled = turn * vehicle.rolled;
-        vehicle.hold.let_go();
-        if let Some((body, _)) = &vehicle.body
-            && let Some(motion) = self.arena.motion(*body)
-        {
-            self.arena.set_motion(*body, &turned(&motion));
-        }
-    }
-
     /// Advances all vehicles by `dt_s` seconds, always in the same order. One without an input is held still where it
     /// is, as long as the ground below it is not there.
     pub fn step(
@@ -244,50 +200,35 @@ impl VehiclePhysics {
         }
         let moving = all.iter_mut().filter(|(vehicle, _)| vehicle.is_moving());
         let moving: Vec<_> = moving.collect();
-        let Some((first, _)) = moving.first() else {
-            return;
-        };
-        self.arena.recentre(first.motion.place);
-        let boxes = moving.iter().map(|(it, _)| ground_box(&it.motion, dt_s));
-        let boxes: Vec<(DVec3, DVec3)> = boxes.collect();
-        self.arena.take_ground(world, &boxes);
-        self.arena.step(self.tuning.gravity_m_s2, dt_s);
+        let charts: BTreeSet<ChartId> = moving.iter().map(|(it, _)| it.motion.chart).collect();
+        for chart in charts {
+            let motions = moving.iter().map(|(it, _)| &it.motion);
+            let here: Vec<_> = motions.filter(|motion| motion.chart == chart).collect();
+            let (Some(arena), Some(first)) = (self.arenas.get_mut(&chart), here.first()) else {
+                continue;
+            };
+            arena.recentre(first.place);
+            let boxes: Vec<_> = here.iter().map(|it| ground_box(it, dt_s)).collect();
+            arena.take_ground(world.chart(chart), &boxes);
+            arena.step(self.tuning.gravity_m_s2, dt_s);
+        }
         for (vehicle, input) in moving {
             self.advance(vehicle, &input.unwrap_or_default(), dt_s);
-        }
-    }
-
-    /// Gives a vehicle that has ground a body, and takes it from one that has none.
-    fn admit(&mut self, vehicle: &mut Vehicle, input: Option<VehicleInput>) {
-        if input.is_some_and(|input| !input.parked) {
-            vehicle.rests_s = 0.0;
-        }
-        match (&vehicle.body, input) {
-            (None, Some(_)) => {
-                let made = self.arena.put_in(&self.hull, &self.tuning, &vehicle.motion);
-                vehicle.body = Some(made);
-            }
-            (Some((body, _)), None) => {
-                self.arena.take_out(*body);
-                vehicle.body = None;
-                vehicle.settle();
-            }
-            _ => {}
-        }
-        if let Some((body, _)) = &vehicle.body {
-            self.arena.set_still(*body, vehicle.is_asleep());
         }
     }
 
     /// Reads out what a step has made of a vehicle, and lets its wheels act.
     fn advance(&mut self, vehicle: &mut Vehicle, input: &VehicleInput, dt_s: f64) {
         let tuning = &self.tuning;
-        let Some((body, controller)) = &mut vehicle.body else {
+        let (Some((body, controller)), Some(arena)) = (
+            &mut vehicle.body,
+            self.arenas.get_mut(&vehicle.motion.chart),
+        ) else {
             return;
         };
-        let Some(mut motion) = self.arena.motion(*body) else {
+        let Some(mut motion) = arena.motion(*body) else {
             // Rapier has lost it: it stays where it was.
-            self.arena.set_motion(
+            arena.set_motion(
                 *body,
                 &VehicleMotion {
                     velocity: DVec3::ZERO,
@@ -302,7 +243,7 @@ impl VehiclePhysics {
         vehicle.jolt_m_s = (motion.velocity - expected).length();
         if motion.velocity.y < -tuning.terminal_speed_m_s {
             motion.velocity.y = -tuning.terminal_speed_m_s;
-            self.arena.set_motion(*body, &motion);
+            arena.set_motion(*body, &motion);
         }
         let speed_m_s = motion.speed_m_s();
         let effort = drive::effort(tuning, input, speed_m_s);
@@ -311,18 +252,17 @@ impl VehiclePhysics {
         drive::apply(controller, tuning, &effort, vehicle.steer_rad, dt_s);
         let stood_on = normals(controller);
         let pull = vehicle.hold.pull(motion.place, &stood_on, effort.holds);
-        self.arena.roll(controller, pull, dt_s);
+        arena.roll(controller, pull, dt_s);
         // What nobody drives lies and leans as it fell, so that it comes to rest.
         if !input.parked {
-            steady::steady(&mut self.arena, *body, &normals(controller), tuning, dt_s);
+            steady::steady(arena, *body, &normals(controller), tuning, dt_s);
         }
         vehicle.wheels = wheels(controller, tuning, &motion);
         // Within a step springs and weight take turns, so the speed at its end is not that of the way made.
         let way = tuning.mass_place(&motion) - tuning.mass_place(&vehicle.motion);
         motion.velocity = way / dt_s;
         vehicle.motion = motion;
-        vehicle.rolled = self
-            .arena
+        vehicle.rolled = arena
             .motion(*body)
             .map_or(motion.velocity, |rolled| rolled.velocity);
         let still = motion.velocity.length() < RESTS_M_S && motion.spin.length() < RESTS_RAD_S;
@@ -333,7 +273,7 @@ impl VehiclePhysics {
         };
         if vehicle.rests_s >= SLEEPS_AFTER_S {
             (vehicle.motion.velocity, vehicle.motion.spin) = (DVec3::ZERO, DVec3::ZERO);
-            self.arena.set_motion(*body, &vehicle.motion);
+            arena.set_motion(*body, &vehicle.motion);
         }
     }
 }
@@ -353,21 +293,24 @@ impl Vehicle {
 
 /// Wakes sleepers that another comes near to.
 fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
-    let moving: Vec<DVec3> = all
+    let moving: Vec<(ChartId, DVec3)> = all
         .iter()
         // Who stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
         .filter(|(it, _)| it.is_moving() && it.rests_s <= 0.0)
-        .map(|(it, _)| it.motion.place)
+        .map(|(it, _)| (it.motion.chart, it.motion.place))
         .collect();
     for (sleeper, _) in all.iter_mut().filter(|(it, _)| it.is_asleep()) {
-        let place = sleeper.motion.place;
-        if moving.iter().any(|at| at.distance(place) < WAKES_WITHIN_M) {
+        let own = sleeper.motion;
+        let is_near = |(chart, at): &(ChartId, DVec3)| {
+            *chart == own.chart && at.distance(own.place) < WAKES_WITHIN_M
+        };
+        if moving.iter().any(is_near) {
             sleeper.wake();
         }
     }
 }
 
-/// The box of physics space whose ground a vehicle may touch in the next steps.
+/// The box of the chart whose ground a vehicle may touch in the next steps.
 fn ground_box(motion: &VehicleMotion, dt_s: f64) -> (DVec3, DVec3) {
     let way = motion.velocity * (STEPS_AHEAD * dt_s);
     let around = DVec3::splat(GROUND_AROUND_M);

@@ -1,12 +1,12 @@
 //! Where a vehicle can be: set upright, put down on free ground, and brought out of ground that was built over it.
 
+use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3};
 use rapier3d::math::Pose;
 
 use super::hull::Hull;
 use super::{VehicleMotion, VehiclePhysics};
-use crate::PhysicsWorld;
-use crate::world::Obstacle;
+use crate::{ChartGround, Obstacle, PhysicsWorld};
 
 /// How far up a free place is looked for, and in what steps, in metres.
 const HIGHEST_M: f64 = 64.0;
@@ -17,26 +17,24 @@ const MIDDLE_UP_M: f64 = 0.7;
 const NO_WAY_M: f64 = 1e-9;
 
 impl VehiclePhysics {
-    /// A vehicle upright at rest above a place of physics space (m), looking along a heading, as high up as it takes to
-    /// be free of the ground; `inside` says whether a point is in solid ground. `None` when nothing within 64 m is.
+    /// A vehicle upright at rest above a place, looking along a heading, as high up as it takes to
+    /// be free of the ground; `inside` says whether a point of the chart is in solid ground. `None` when nothing within
+    /// 64 m is.
     pub fn upright_at(
         &self,
         world: &PhysicsWorld,
-        place: DVec3,
+        place: ChartPoint,
         heading: DVec3,
         inside: &dyn Fn(DVec3) -> bool,
     ) -> Option<VehicleMotion> {
         let level = heading.with_y(0.0).try_normalize().unwrap_or(DVec3::X);
         let turn = DQuat::from_rotation_y(-level.z.atan2(level.x));
         let steps = (HIGHEST_M / STEP_M) as u32;
+        let ground = world.chart(place.chart);
         (0..=steps)
-            .map(|step| place + DVec3::Y * (f64::from(step) * STEP_M))
-            .find(|at| self.is_free(world, *at, turn, inside))
-            .map(|place| VehicleMotion {
-                place,
-                turn,
-                ..VehicleMotion::default()
-            })
+            .map(|step| place.moved(DVec3::Y * (f64::from(step) * STEP_M)))
+            .find(|at| self.is_free(ground, at.pos, turn, inside))
+            .map(|place| VehicleMotion::at(place, turn))
     }
 
     /// Where a vehicle comes to stand when it is set upright where it lies, keeping its heading.
@@ -53,22 +51,22 @@ impl VehiclePhysics {
         } else {
             motion.up() * -ahead.y.signum()
         };
-        let place = motion.middle() - DVec3::Y * MIDDLE_UP_M;
+        let place = ChartPoint::new(motion.chart, motion.middle() - DVec3::Y * MIDDLE_UP_M);
         self.upright_at(world, place, heading, inside)
     }
 
     /// Whether no ground is in the box that holds a vehicle standing at `place`, nor is its middle inside ground.
     fn is_free(
         &self,
-        world: &PhysicsWorld,
+        ground: &ChartGround,
         place: DVec3,
         turn: DQuat,
         inside: &dyn Fn(DVec3) -> bool,
     ) -> bool {
         let middle = Hull::box_middle(place, turn);
-        let at = (middle - world.origin()).as_vec3();
+        let at = (middle - ground.origin()).as_vec3();
         let pose = Pose::from_parts(at, turn.as_quat());
-        let queries = world.queries();
+        let queries = ground.queries();
         let shape = self.hull.free_box.0.as_ref();
         let touched = queries.intersect_shape(pose, shape).next().is_some();
         !touched && !inside(middle)
@@ -76,11 +74,14 @@ impl VehiclePhysics {
 
     /// What characters cannot walk through: the body of a vehicle.
     pub fn obstacle(&self, motion: &VehicleMotion) -> Obstacle {
-        Obstacle::new(self.hull.triangles(motion.place, motion.turn).collect())
+        Obstacle::new(
+            motion.chart,
+            self.hull.triangles(motion.place, motion.turn).collect(),
+        )
     }
 
-    /// The share of the way from `from` to `to` (m) at which something `radius_m` wide meets a vehicle's body. What begins
-    /// inside meets it at once.
+    /// The share of the way from `from` to `to` (m) at which something `radius_m` wide meets a vehicle's body, both
+    /// in its chart. What begins inside meets it at once.
     pub fn meets(
         &self,
         motion: &VehicleMotion,

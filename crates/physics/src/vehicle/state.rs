@@ -1,12 +1,15 @@
 //! What is known of a vehicle and asked of it: plain data.
 
+use antipode_geometry::{ChartId, ChartPoint, Crossing};
 use glam::{DQuat, DVec3};
 
 use super::hull::Hull;
 
-/// Where a vehicle is and how it moves, in physics space.
+/// Where a vehicle is and how it moves, all in one chart.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct VehicleMotion {
+    /// The chart.
+    pub chart: ChartId,
     /// The ground below its middle, when it stands on level ground (m).
     pub place: DVec3,
     /// How it is turned from looking along +x with its right-hand side at +z.
@@ -18,6 +21,34 @@ pub struct VehicleMotion {
 }
 
 impl VehicleMotion {
+    /// At rest at a place, turned so.
+    pub fn at(place: ChartPoint, turn: DQuat) -> Self {
+        Self {
+            chart: place.chart,
+            place: place.pos,
+            turn,
+            ..Self::default()
+        }
+    }
+
+    /// The same in another chart: how it stands, its velocity and its spin are turned.
+    #[must_use]
+    pub fn carried(&self, crossing: &Crossing) -> Self {
+        let turn = crossing.rotation();
+        Self {
+            chart: crossing.point.chart,
+            place: crossing.point.pos,
+            turn: (turn * self.turn).normalize(),
+            velocity: turn * self.velocity,
+            spin: turn * self.spin,
+        }
+    }
+
+    /// The ground below its middle, when it stands on level ground.
+    pub fn point(&self) -> ChartPoint {
+        ChartPoint::new(self.chart, self.place)
+    }
+
     /// Where it looks, a unit vector.
     pub fn ahead(&self) -> DVec3 {
         self.turn * DVec3::X
@@ -28,7 +59,7 @@ impl VehicleMotion {
         self.turn * DVec3::Y
     }
 
-    /// The middle of its body in physics space (m).
+    /// The middle of its body, in metres of the chart.
     pub fn middle(&self) -> DVec3 {
         Hull::box_middle(self.place, self.turn)
     }

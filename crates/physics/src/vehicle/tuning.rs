@@ -124,7 +124,7 @@ impl VehicleTuning {
         most.atan().min(self.steer_most_rad)
     }
 
-    /// Where the centre of mass is in physics space (m).
+    /// Where the centre of mass is, in metres of the chart.
     pub(super) fn mass_place(&self, motion: &VehicleMotion) -> DVec3 {
         motion.place + motion.turn * self.mass_centre
     }

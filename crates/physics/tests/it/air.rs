@@ -168,7 +168,7 @@ fn someone_hurled_at_a_thin_wall_stays_on_this_side() {
 
 #[test]
 fn falls_end_at_the_terminal_speed() {
-    let world = antipode_physics::PhysicsWorld::new();
+    let world = antipode_physics::ChartGround::new();
     let mut walker = Walker::at(&world, 0.0, 0.0, 0.0);
     walker.steps(600, still());
     assert!((walker.character.velocity.y + 60.0).abs() < 1e-9);

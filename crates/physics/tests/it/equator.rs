@@ -42,7 +42,8 @@ fn world(space: &dyn Strategy, waves_m: f64) -> PhysicsWorld {
             }
         }
         let coord = ChunkCoord::new(chart, IVec3::ZERO);
-        world.set_terrain(coord, space.chart_origin_m(chart), Some(soup.build()));
+        let ground = world.chart_mut(chart);
+        ground.set_terrain(coord, DVec3::ZERO, Some(soup.build()));
     }
     world
 }
@@ -74,12 +75,11 @@ fn drive(
     let heading = azimuth + aside;
     let way = DVec3::new(heading.cos(), 0.0, heading.sin());
     let out = DVec3::new(azimuth.cos(), 0.0, azimuth.sin());
-    let mut chart = ChartId::FIRST;
-    let origin = |chart| space.chart_origin_m(chart);
     let mut physics = VehiclePhysics::default();
     let never = |_: DVec3| false;
-    let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0 + origin(chart);
-    let free = physics.upright_at(world, at, way, &never).unwrap();
+    let at = out * (rim_m - 14.0) - way * 3.0 + DVec3::Y * 10.0;
+    let free = physics.upright_at(world, ChartPoint::a(at), way, &never);
+    let free = free.unwrap();
     let mut vehicle = physics.vehicle(free);
     for _ in 0..90 {
         let mut all = [(&mut vehicle, Some(VehicleInput::default()))];
@@ -112,17 +112,14 @@ fn drive(
             ahead: glam::DQuat::from_rotation_y(back) * motion.ahead(),
             contacts: vehicle.wheels().map(|wheel| wheel.contact),
         };
-        if chart == ChartId::SECOND {
+        if motion.chart == ChartId::SECOND {
             run.after.push(felt);
             continue;
         }
         run.before.push(felt);
         assert!(run.before.len() < 300, "it does not get there: {motion:?}");
-        let point = ChartPoint::new(chart, motion.place - origin(chart));
-        if let Some(crossing) = space.cross(point) {
-            chart = crossing.point.chart;
-            let place = crossing.point.pos + origin(chart);
-            physics.carry(&mut vehicle, place, crossing.rotation());
+        if let Some(crossing) = space.cross(motion.point()) {
+            physics.carry(&mut vehicle, &crossing);
             back = -crossing.turn_rad;
         }
     }

@@ -7,6 +7,7 @@
 )]
 
 mod air;
+mod charts;
 mod common;
 mod equator;
 mod vehicle;

@@ -28,7 +28,7 @@ impl Driver {
 
     /// On a plain, at rest.
     fn rested() -> Self {
-        let mut driver = Self::at(plain().world(), DVec3::Y * 0.3);
+        let mut driver = Self::at(plain().charts_at(DVec3::ZERO), DVec3::Y * 0.3);
         driver.steps(120, VehicleInput::default());
         driver
     }
@@ -91,7 +91,7 @@ fn at_rest_it_stands_on_four_wheels_with_its_springs_pushed_in() {
 
 #[test]
 fn a_drop_pushes_the_springs_in_and_they_swing_out() {
-    let mut driver = Driver::at(plain().world(), DVec3::Y * 0.6);
+    let mut driver = Driver::at(plain().charts_at(DVec3::ZERO), DVec3::Y * 0.6);
     let (mut most_m, mut least_after_m) = (0.0f64, f64::MAX);
     for _ in 0..180 {
         driver.step(VehicleInput::default());
@@ -200,7 +200,7 @@ fn parked() -> VehicleInput {
 fn held_on_a_slope(rise: f32, degrees: f64, input: VehicleInput) -> Driver {
     let mut soup = Soup::default();
     soup.field(-32, 32, |x, _| rise * x);
-    let mut driver = Driver::at(soup.world(), DVec3::Y * 0.6);
+    let mut driver = Driver::at(soup.charts_at(DVec3::ZERO), DVec3::Y * 0.6);
     let turn = DQuat::from_rotation_y(degrees.to_radians());
     let motion = driver.motion();
     driver.set_motion(VehicleMotion { turn, ..motion });
@@ -257,7 +257,7 @@ fn two_parked_ones_that_touch_on_a_slope_or_lie_on_one_another_come_to_rest() {
 
 #[test]
 fn on_its_roof_it_lies_and_is_set_upright_with_its_heading() {
-    let mut driver = Driver::at(plain().world(), DVec3::Y * 2.2);
+    let mut driver = Driver::at(plain().charts_at(DVec3::ZERO), DVec3::Y * 2.2);
     let heading = 0.7f64;
     let turn = DQuat::from_rotation_y(-heading) * DQuat::from_rotation_x(2.9);
     driver.set_motion(VehicleMotion {
@@ -295,7 +295,7 @@ fn least_up_over_a_ramp(height_m: f32, steep: f32, boost: bool) -> f64 {
             0.0
         }
     });
-    let mut driver = Driver::at(soup.world(), DVec3::new(-40.0, 0.3, 0.0));
+    let mut driver = Driver::at(soup.charts_at(DVec3::ZERO), DVec3::new(-40.0, 0.3, 0.0));
     let mut least_up = 1.0f64;
     for _ in 0..360 {
         driver.step(VehicleInput { boost, ..ahead() });
@@ -321,7 +321,7 @@ fn a_ramp_under_one_side_rolls_it_over_at_a_sprint_and_not_at_its_usual_speed() 
 /// How far from upright it is 5 s after it was let go at that lean on a plain with somebody in it, in degrees.
 fn ends_leaning_deg(lean_deg: f64) -> f64 {
     let lean = lean_deg.to_radians();
-    let mut driver = Driver::at(plain().world(), DVec3::Y);
+    let mut driver = Driver::at(plain().charts_at(DVec3::ZERO), DVec3::Y);
     let motion = VehicleMotion {
         place: DVec3::Y * (0.75 * lean.sin() + 0.02),
         turn: DQuat::from_rotation_x(lean),
@@ -348,7 +348,7 @@ fn what_leans_falls_back_on_its_wheels_and_what_lies_on_its_side_does_not_get_up
 fn over_rough_ground_it_drives_on_and_never_falls_through() {
     let mut soup = Soup::default();
     soup.march(IVec3::new(-40, -5, -40), IVec3::new(40, 5, 40), bumps);
-    let mut driver = Driver::at(soup.world(), DVec3::new(0.0, 2.0, 0.0));
+    let mut driver = Driver::at(soup.charts_at(DVec3::ZERO), DVec3::new(0.0, 2.0, 0.0));
     driver.steps(60, VehicleInput::default());
     let from = driver.motion().place;
     let (mut farthest_m, mut lowest) = (0.0f64, f64::MAX);
@@ -367,7 +367,7 @@ fn over_rough_ground_it_drives_on_and_never_falls_through() {
 
 #[test]
 fn however_fast_it_falls_it_does_not_pass_the_ground() {
-    let mut driver = Driver::at(plain().world(), DVec3::Y * 30.0);
+    let mut driver = Driver::at(plain().charts_at(DVec3::ZERO), DVec3::Y * 30.0);
     driver.set_motion(VehicleMotion {
         place: DVec3::Y * 30.0,
         velocity: DVec3::NEG_Y * 55.0,
@@ -390,7 +390,7 @@ fn the_same_inputs_give_the_same_bits_and_far_from_the_origin_nearly_the_same() 
     let run = |origin: DVec3| {
         let mut soup = Soup::default();
         soup.field(-60, 60, |x, z| 0.4 * (0.5 * x).sin() * (0.4 * z).cos());
-        let mut driver = Driver::at(soup.world_at(origin), origin + DVec3::Y);
+        let mut driver = Driver::at(soup.charts_at(origin), origin + DVec3::Y);
         for step in 0..300 {
             let steer = if step > 100 { 0.5 } else { 0.0 };
             driver.step(VehicleInput { steer, ..ahead() });
@@ -452,11 +452,12 @@ fn what_characters_meet_is_its_body() {
     let touches = |x: f64| physics.touches_capsule(&motion, DVec3::X * x, 1.8, 0.35, 0.1);
     assert!(touches(1.9).is_some_and(|(away, _)| away.x > 0.99));
     assert!(touches(2.1).is_none());
-    let mut world = plain().world();
+    let mut world = plain().charts_at(DVec3::ZERO);
     world.set_obstacles(vec![physics.obstacle(&motion)]);
-    assert!(world.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
-    assert!(!world.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
-    let mut walker = crate::common::Walker::at(&world, 5.0, 0.0, 0.0);
+    let ground = world.chart(motion.chart);
+    assert!(ground.overlaps_capsule(DVec3::new(1.7, 0.01, 0.0), 1.8, 0.35));
+    assert!(!ground.overlaps_capsule(DVec3::new(2.1, 0.01, 0.0), 1.8, 0.35));
+    let mut walker = crate::common::Walker::at(ground, 5.0, 0.0, 0.0);
     walker.steps(180, crate::common::go(-1.0, 0.0));
     assert!((1.7..2.2).contains(&walker.feet().x), "{}", walker.feet());
 }

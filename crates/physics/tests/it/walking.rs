@@ -1,23 +1,23 @@
 //! Walking: ground, slopes, steps, walls, and meshes with bad triangles.
 
 use crate::common::{STEP_S, Soup, Walker, bumps, go, plain, still};
-use antipode_physics::{CharacterInput, CharacterTuning, PhysicsWorld};
+use antipode_physics::{CharacterInput, CharacterTuning, ChartGround};
 use glam::{DVec3, IVec3, Vec3};
 
-fn slope(degrees: f32) -> PhysicsWorld {
+fn slope(degrees: f32) -> ChartGround {
     let mut soup = Soup::default();
     let rise = degrees.to_radians().tan();
     soup.field(-20, 20, |x, _| if x > 0.0 { x * rise } else { 0.0 });
     soup.world()
 }
 
-fn stair(height: f32) -> PhysicsWorld {
+fn stair(height: f32) -> ChartGround {
     let mut soup = plain();
     soup.cuboid([3.0, -1.0, -5.0], [9.0, height, 5.0]);
     soup.world()
 }
 
-fn hills() -> PhysicsWorld {
+fn hills() -> ChartGround {
     let mut soup = Soup::default();
     soup.march(IVec3::new(-4, -4, -4), IVec3::new(60, 4, 8), bumps);
     soup.world()

@@ -1,7 +1,7 @@
 //! Long random walks through rough, cavernous land: nobody falls through it, nobody gets stuck.
 
 use crate::common::{Soup, Walker};
-use antipode_physics::{CharacterInput, PhysicsWorld};
+use antipode_physics::{CharacterInput, ChartGround};
 use glam::{DVec3, IVec3, Vec3};
 
 const HALF_M: i32 = 14;
@@ -14,7 +14,7 @@ fn rough(at: Vec3) -> f32 {
     (hills + lumps).min(rim)
 }
 
-fn land() -> PhysicsWorld {
+fn land() -> ChartGround {
     let mut soup = Soup::default();
     soup.march(
         IVec3::new(-HALF_M, -8, -HALF_M),

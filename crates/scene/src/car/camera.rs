@@ -1,7 +1,7 @@
 //! From where a driver sees the world: behind the car on a spring, or from the bonnet.
 
 use antipode_geometry::{Atlas, ChartPoint, Crossing, Eye};
-use antipode_physics::PhysicsWorld;
+use antipode_physics::{ChartGround, PhysicsWorld};
 use glam::DVec3;
 
 use super::CarView;
@@ -135,7 +135,7 @@ impl Chase {
     /// Goes over the equator with the car: what it follows keeps its own place in the space.
     pub fn carry(&mut self, strategy: &dyn Atlas, crossing: &Crossing) {
         let over = strategy
-            .carry(self.point, crossing.point.chart)
+            .carry_near(self.point, crossing.point)
             .unwrap_or(*crossing);
         self.point = over.point;
         self.velocity = over.turn_vector(self.velocity);
@@ -167,22 +167,16 @@ impl Chase {
     }
 
     /// The camera behind the car, as far back as a small sphere finds room.
-    fn pose(
-        &self,
-        car: &CarView,
-        head: &Eye,
-        strategy: &dyn Atlas,
-        physics: &PhysicsWorld,
-    ) -> CameraPose {
+    fn pose(&self, car: &CarView, head: &Eye, physics: &PhysicsWorld) -> CameraPose {
         let (yaw, pitch) = self.look(CameraMode::Third);
         let seen = Eye {
             yaw,
             pitch,
             ..*head
         };
-        let origin = strategy.chart_origin_m(car.point.chart);
-        let from = car.place(SEAT_M + DVec3::Y * EYES_UP_M).pos + origin;
-        let looked_at = self.point.pos + origin + DVec3::Y * CHASE_LOOKS_UP_M;
+        let physics = physics.chart(car.point.chart);
+        let from = car.place(SEAT_M + DVec3::Y * EYES_UP_M).pos;
+        let looked_at = self.point.pos + DVec3::Y * CHASE_LOOKS_UP_M;
         let length_m = CHASE_BACK_M.hypot(CHASE_UP_M - CHASE_LOOKS_UP_M);
         let rests = looked_at - seen.front() * length_m;
         let room = |to: DVec3| {
@@ -204,7 +198,6 @@ impl Chase {
             let down_rad = down.y.atan2(down.with_y(0.0).length());
             (risen.1, if rise.y > 0.0 { down_rad } else { pitch })
         };
-        let pos = pos - origin;
         CameraPose {
             eye: Eye {
                 point: ChartPoint::new(car.point.chart, pos),
@@ -212,14 +205,14 @@ impl Chase {
                 lift_m: pos.y - car.point.pos.y,
                 ..seen
             },
-            about: ChartPoint::new(car.point.chart, looked_at - origin),
+            about: ChartPoint::new(car.point.chart, looked_at),
             room_rad: self.room_rad(),
         }
     }
 }
 
 /// How far up a place is to be moved to be well over the ground.
-fn over_ground(physics: &PhysicsWorld, place: DVec3) -> DVec3 {
+fn over_ground(physics: &ChartGround, place: DVec3) -> DVec3 {
     let top = place + DVec3::Y * CHASE_RISES_M;
     let reach_m = CHASE_RISES_M + CHASE_OVER_GROUND_M;
     let hit = physics.cast_ray(top, DVec3::NEG_Y, reach_m);
@@ -233,7 +226,7 @@ fn rest_pitch() -> f64 {
 
 /// The driver's own eyes.
 pub(crate) fn driver_head(now: Situation<'_>, optics: &Optics) -> Option<Eye> {
-    let car = now.actors.driven_car(now.world)?;
+    let car = now.actors.driven_car()?;
     let driving = now.actors.cars.driving.as_ref()?;
     let (yaw, pitch) = driving.chase.look(now.player.gaze.camera);
     let point = car.place(SEAT_M + DVec3::Y * EYES_UP_M);
@@ -250,7 +243,7 @@ pub(crate) fn driver_head(now: Situation<'_>, optics: &Optics) -> Option<Eye> {
 /// The camera that a driver's picture is taken with.
 pub(crate) fn driver_camera(now: Situation<'_>, optics: &Optics) -> Option<CameraPose> {
     let head = driver_head(now, optics)?;
-    let car = now.actors.driven_car(now.world)?;
+    let car = now.actors.driven_car()?;
     let chase = &now.actors.cars.driving.as_ref()?.chase;
     match now.player.gaze.camera {
         CameraMode::First => {
@@ -270,9 +263,6 @@ pub(crate) fn driver_camera(now: Situation<'_>, optics: &Optics) -> Option<Camer
                 ..CameraPose::within(eye)
             })
         }
-        CameraMode::Third => {
-            let world = now.world;
-            Some(chase.pose(&car, &head, &*world.strategy, &world.physics))
-        }
+        CameraMode::Third => Some(chase.pose(&car, &head, &now.world.physics)),
     }
 }

@@ -56,17 +56,17 @@ pub(crate) fn step(
         flip_car(world, actors, player);
     }
     if actions.horn
-        && let Some(car) = actors.driven_car(world)
+        && let Some(car) = actors.driven_car()
     {
         outbox.sounds.push(SoundEvent::Horn);
         scare(actors, car.point, HORN_REACH_M);
     }
-    tell_of_fallen_car(world, actors, outbox);
+    tell_of_fallen_car(actors, outbox);
 }
 
 /// Tells a driver whose car has come to lie on its side or roof.
-fn tell_of_fallen_car(world: &World, actors: &mut Actors, outbox: &mut Outbox) {
-    let lies = actors.driven_car(world).is_some_and(|car| {
+fn tell_of_fallen_car(actors: &mut Actors, outbox: &mut Outbox) {
+    let lies = actors.driven_car().is_some_and(|car| {
         (car.turn * DVec3::Y).y < LIES_BELOW && car.velocity.length() < LIES_M_S
     });
     if let Some(driving) = &mut actors.cars.driving {
@@ -99,7 +99,7 @@ fn enter_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
     player.gaze.camera = CameraMode::Third;
     outbox.sounds.push(SoundEvent::CarDoor);
     outbox.hints.push(Hint::AtTheWheel);
-    drive::seat_driver(world, actors, player, outbox, &Actions::default());
+    drive::seat_driver(actors, player, outbox, &Actions::default());
 }
 
 /// Puts the player at the wheel of a car; `camera_before` is from where the world is seen again on foot.
@@ -129,7 +129,7 @@ fn why_no_car(crosshair: &Crosshair<'_>) -> Hint {
 }
 
 fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &mut Outbox) {
-    let Some(car) = actors.driven_car(world) else {
+    let Some(car) = actors.driven_car() else {
         return;
     };
     let Some(spot) = free_spot(world, &actors.tuning, &car) else {
@@ -159,17 +159,16 @@ pub(crate) fn get_out(actors: &mut Actors, gaze: &mut Gaze) {
 /// Where one can stand beside a car: on ground about as high, clear of all that is solid, with nothing between.
 fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<ChartPoint> {
     let chart = car.point.chart;
-    let physics = &world.physics;
-    let origin = world.strategy.chart_origin_m(chart);
+    let physics = world.physics.chart(chart);
     let level = DQuat::from_rotation_y(-car.yaw());
-    let inside = car.middle().pos + origin;
+    let inside = car.middle().pos;
     let (height_m, radius_m) = (tuning.height_m, tuning.radius_m);
     DOORS_M.into_iter().find_map(|door| {
-        let beside = car.point.pos + origin + level * door;
+        let beside = car.point.pos + level * door;
         let from = beside + DVec3::Y * (DOOR_RISE_M + radius_m);
         let way = from - inside;
         let shut = physics.cast_ray(inside, way, way.length()).is_some();
-        if shut || is_rock(world, from - origin, car) {
+        if shut || is_rock(world, from, car) {
             return None;
         }
         let most_m = DOOR_RISE_M + DOOR_DROP_M;
@@ -182,10 +181,10 @@ fn free_spot(world: &World, tuning: &CharacterTuning, car: &CarView) -> Option<C
             down_m
         };
         let feet = from - DVec3::Y * (down_m + radius_m - CLEARANCE_M);
-        let is_free = (on_roof || !is_within(tuning, car, feet - origin))
+        let is_free = (on_roof || !is_within(tuning, car, feet))
             && !physics.overlaps_capsule(feet, height_m, radius_m)
-            && !is_rock(world, feet - origin + DVec3::Y * (0.5 * height_m), car);
-        let spot = ChartPoint::new(chart, feet - origin);
+            && !is_rock(world, feet + DVec3::Y * (0.5 * height_m), car);
+        let spot = ChartPoint::new(chart, feet);
         is_free.then(|| body::within_world(&*world.strategy, spot))
     })
 }
@@ -197,12 +196,11 @@ fn is_rock(world: &World, pos: DVec3, car: &CarView) -> bool {
 /// Sets the car that the player sits in or stands beside on its wheels, its heading kept.
 fn flip_car(world: &World, actors: &mut Actors, player: &mut Player) {
     let now = Situation::of(world, actors, player);
-    let driven = actors.driven_car(world);
+    let driven = actors.driven_car();
     let Some(car) = driven.or_else(|| Crosshair::aimed(now).car(REACH_M, false)) else {
         return;
     };
-    let origin = world.strategy.chart_origin_m(car.point.chart);
-    let solid = |at: DVec3| is_rock(world, at - origin, &car);
+    let solid = |at: DVec3| is_rock(world, at, &car);
     let physics = &mut actors.cars.physics;
     let Some(Car { vehicle, .. }) = one_mut(&mut actors.ecs, car.id) else {
         return;
@@ -216,7 +214,7 @@ fn flip_car(world: &World, actors: &mut Actors, player: &mut Player) {
 /// Puts a player on foot beside a car that was set upright about him.
 fn make_way(world: &World, actors: &mut Actors, player: &mut Player, id: ActorId) {
     let feet = actors.feet();
-    let Some(car) = actors.car_view(world, id) else {
+    let Some(car) = actors.car_view(id) else {
         return;
     };
     let there = over(&*world.strategy, car.point, feet);

@@ -52,7 +52,7 @@ pub(crate) fn step(
         }
     }
     run_over(world, actors, player, outbox);
-    seat_driver(world, actors, player, outbox, actions);
+    seat_driver(actors, player, outbox, actions);
 }
 
 impl Car {
@@ -60,7 +60,7 @@ impl Car {
     fn input(&self, world: &World, actions: &Actions, driven: bool) -> Option<VehicleInput> {
         let speed_m_s = self.vehicle.motion().velocity.length();
         let reach_m = NEEDED_AROUND_M + NEEDED_AHEAD_S * speed_m_s;
-        if self.unplaced || !world.is_firm_around(self.point(world), reach_m) {
+        if self.unplaced || !world.is_firm_around(self.point(), reach_m) {
             return None;
         }
         Some(if driven {
@@ -81,19 +81,14 @@ impl Car {
 
     /// Brings one that was put somewhere, or was built over, to the first free place above.
     fn put_free(&mut self, world: &World, physics: &mut VehiclePhysics) {
-        let (motion, point) = (self.vehicle.motion(), self.point(world));
-        let origin = world.strategy.chart_origin_m(self.chart);
-        let solid = |at: DVec3| {
-            let at = ChartPoint::new(self.chart, at - origin);
-            world.ground.is_solid(at)
-        };
+        let (motion, point) = (self.vehicle.motion(), self.point());
+        let solid = |at: DVec3| world.ground.is_solid(ChartPoint::new(motion.chart, at));
         if !(self.unplaced || solid(motion.middle()))
             || !world.is_firm_around(point, NEEDED_AROUND_M)
         {
             return;
         }
-        let place = point.pos + origin;
-        let free = physics.upright_at(&world.physics, place, motion.ahead(), &solid);
+        let free = physics.upright_at(&world.physics, point, motion.ahead(), &solid);
         if let Some(free) = free {
             physics.set_motion(&mut self.vehicle, free);
         }
@@ -120,23 +115,20 @@ impl Car {
 
     /// Carries it over the equator whole: place, stance, velocity and spin.
     fn cross(&mut self, world: &World, physics: &mut VehiclePhysics) -> Option<Crossing> {
-        let crossing = world.strategy.cross(self.point(world))?;
-        self.chart = crossing.point.chart;
-        let place = crossing.point.pos + world.strategy.chart_origin_m(self.chart);
-        physics.carry(&mut self.vehicle, place, crossing.rotation());
+        let crossing = world.strategy.cross(self.point())?;
+        physics.carry(&mut self.vehicle, &crossing);
         Some(crossing)
     }
 }
 
 /// The player goes with the car that he sits in, and feels what it runs into.
 pub(super) fn seat_driver(
-    world: &World,
     actors: &mut Actors,
     player: &mut Player,
     outbox: &mut Outbox,
     actions: &Actions,
 ) {
-    let car = actors.driven_car(world);
+    let car = actors.driven_car();
     let (Some(car), Some(driving)) = (car, &mut actors.cars.driving) else {
         return;
     };
@@ -153,7 +145,7 @@ pub(super) fn seat_driver(
         .query_one_mut::<(&mut Position, &mut Body)>(actors.player)
     {
         position.0 = seat;
-        body.0.feet = seat.pos + world.strategy.chart_origin_m(seat.chart);
+        body.0.feet = seat.pos;
         body.0.velocity = car.velocity;
         body.0.grounded = true;
     }

@@ -1,5 +1,6 @@
 //! Who a car meets: shoved aside when it is slow, thrown and hurt when it is fast. What bullets do to cars.
 
+use antipode_geometry::Crossing;
 use glam::DVec3;
 use hecs::Entity;
 
@@ -12,7 +13,7 @@ use crate::actors::{ActorId, Actors, one_mut};
 use crate::harm::{HarmKind, hurt_bot, hurt_player};
 use crate::outbox::Outbox;
 use crate::player::{Body, Player};
-use crate::projectile::{Knock, Standing};
+use crate::projectile::Knock;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::STEP_S;
@@ -25,9 +26,12 @@ const FAR_M: f64 = 5.0;
 struct Meeting {
     car: ActorId,
     who: Entity,
+    /// Where, in the chart of the car.
     at: DVec3,
-    /// The level way from the car, a unit vector.
+    /// The level way from the car, a unit vector of its chart.
     away: DVec3,
+    /// The same in that one's chart.
+    own_away: DVec3,
     /// How fast the car comes that way, m/s.
     closing_m_s: f64,
 }
@@ -53,19 +57,30 @@ pub(super) fn run_over(
 fn meetings(now: Situation<'_>) -> Vec<Meeting> {
     let mut found = Vec::new();
     let standing = now.standing();
+    let (physics, strategy) = (&now.actors.cars.physics, &*now.world.strategy);
     for (car, motion) in now.actors.car_motions() {
-        let place = motion.place;
-        let near = |it: &&Standing| it.feet.distance(place) < FAR_M;
-        for it in standing.iter().filter(near) {
+        let images = strategy.images(motion.point(), FAR_M);
+        for it in &standing {
+            // Half of a car may be beyond an edge, among those whose chart is the next one.
+            let is_there = |image: &Crossing| image.point.chart == it.feet.chart;
+            let is_near = it.feet.chart == motion.chart || images.iter().any(is_there);
+            let carried = is_near.then(|| strategy.carry_near(it.feet, motion.point()));
+            let Some(carried) = carried.flatten() else {
+                continue;
+            };
+            let feet = carried.point.pos;
+            if feet.distance(motion.place) >= FAR_M {
+                continue;
+            }
             let (height_m, radius_m) = (it.height_m, it.radius_m);
-            let physics = &now.actors.cars.physics;
-            let touch = physics.touches_capsule(&motion, it.feet, height_m, radius_m, TOUCH_GAP_M);
+            let touch = physics.touches_capsule(&motion, feet, height_m, radius_m, TOUCH_GAP_M);
             if let Some((away, velocity)) = touch {
                 found.push(Meeting {
                     car,
                     who: it.entity,
-                    at: it.feet + DVec3::Y * (0.5 * it.height_m),
+                    at: feet + DVec3::Y * (0.5 * it.height_m),
                     away,
+                    own_away: carried.rotation().inverse() * away,
                     closing_m_s: velocity.dot(away),
                 });
             }
@@ -78,6 +93,7 @@ fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: 
     let Meeting {
         who,
         away,
+        own_away,
         closing_m_s,
         ..
     } = *meeting;
@@ -86,8 +102,8 @@ fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: 
         && let Ok(body) = actors.ecs.query_one_mut::<&mut Body>(who)
     {
         let (ahead, up) = if is_fast { THROWN } else { (0.1, 0.0) };
-        let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(away);
-        body.0.velocity += away * missing.max(0.0);
+        let missing = closing_m_s * (1.0 + ahead) - body.0.velocity.dot(own_away);
+        body.0.velocity += own_away * missing.max(0.0);
         if is_fast {
             body.0.velocity.y = body.0.velocity.y.max(closing_m_s * up);
             body.0.grounded = false;
@@ -105,7 +121,14 @@ fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: 
     outbox.sounds.push(SoundEvent::Struck);
     let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
     if who == actors.player {
-        hurt_player(actors, player, outbox, harm, HarmKind::RunOver, Some(-away));
+        hurt_player(
+            actors,
+            player,
+            outbox,
+            harm,
+            HarmKind::RunOver,
+            Some(-own_away),
+        );
     } else {
         let by = (cars.driven() == Some(meeting.car)).then_some(actors.player);
         hurt_bot(actors, who, harm, by);

@@ -31,7 +31,7 @@ const MOST_LIT_CARS: usize = 6;
 
 /// Bodies and wheels of all cars.
 pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
-    for car in now.actors.car_views(now.world) {
+    for car in now.actors.car_views() {
         let figure = |model, own: DVec3, turn: DQuat| Figure {
             turn,
             ..Figure::standing(model, car.place(own), 0.0)
@@ -54,7 +54,7 @@ pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
 
 /// Seats the player's own figure in the car that is driven.
 pub(crate) fn seat_figure(now: Situation<'_>, figure: &mut Figure) {
-    let Some(car) = now.actors.driven_car(now.world) else {
+    let Some(car) = now.actors.driven_car() else {
         return;
     };
     figure.point = car.place(SEAT_M);
@@ -66,7 +66,7 @@ pub(crate) fn seat_figure(now: Situation<'_>, figure: &mut Figure) {
 
 /// Beams of the head lights, and the glow of the lights behind.
 pub(crate) fn car_lights(now: Situation<'_>) -> Lit {
-    let mut cars = now.actors.car_views(now.world);
+    let mut cars = now.actors.car_views();
     cars.retain(|car| car.lights || car.brakes);
     cars.sort_by_key(|car| !car.driven);
     cars.truncate(MOST_LIT_CARS);

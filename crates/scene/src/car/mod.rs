@@ -10,7 +10,7 @@ pub mod tuning;
 
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartId, ChartPoint};
+use antipode_geometry::{ChartPoint, Strategy};
 use antipode_physics::{Obstacle, Vehicle, VehicleMotion, VehiclePhysics, VehicleWheel};
 use antipode_storage::CarRecord;
 use glam::{DQuat, DVec3};
@@ -32,6 +32,8 @@ const FIRST_CAR_TURNS: u32 = 12;
 const FASTEST_RESTORED_RAD_S: f64 = 50.0;
 /// Height of its middle over the ground, in metres.
 const MIDDLE_UP_M: f64 = 0.8;
+/// No part of it is farther from the ground below its middle, in metres, and somebody who touches it stands no farther off.
+const BODY_REACH_M: f64 = 4.0;
 /// Half of the rectangle that it stands on, in metres.
 const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 
@@ -39,7 +41,6 @@ const FOOTPRINT_M: (f64, f64) = (1.5, 0.8);
 #[derive(Debug)]
 pub(crate) struct Car {
     vehicle: Vehicle,
-    chart: ChartId,
     lights: bool,
     /// It was put somewhere, perhaps into the ground: a free place is to be found when the ground is there.
     unplaced: bool,
@@ -83,35 +84,44 @@ impl Cars {
 
 impl Actors {
     /// What others may know of all cars, in the order in which they came.
-    pub fn car_views(&self, world: &World) -> Vec<CarView> {
-        self.map(|id, car| self.view_of(world, id, car))
+    pub fn car_views(&self) -> Vec<CarView> {
+        self.map(|id, car| self.view_of(id, car))
     }
 
     /// What others may know of one car.
-    pub fn car_view(&self, world: &World, id: ActorId) -> Option<CarView> {
-        self.map_one(id, |car| self.view_of(world, id, car))
+    pub fn car_view(&self, id: ActorId) -> Option<CarView> {
+        self.map_one(id, |car| self.view_of(id, car))
     }
 
     /// The car that the player drives.
-    pub fn driven_car(&self, world: &World) -> Option<CarView> {
-        self.car_view(world, self.cars.driven()?)
+    pub fn driven_car(&self) -> Option<CarView> {
+        self.car_view(self.cars.driven()?)
     }
 
-    /// How all cars move in physics space, in the order in which they came.
+    /// How all cars move, in the order in which they came.
     pub fn car_motions(&self) -> Vec<(ActorId, VehicleMotion)> {
         self.map(|id, car: &Car| (id, car.vehicle.motion()))
     }
 
-    /// The bodies of all cars, which nobody walks through.
-    pub fn car_bodies(&self) -> Vec<Obstacle> {
-        self.map(|_, car: &Car| self.cars.physics.obstacle(&car.vehicle.motion()))
+    /// The bodies of all cars, which nobody walks through, in every chart that they reach into.
+    pub fn car_bodies(&self, strategy: &dyn Strategy) -> Vec<Obstacle> {
+        let physics = &self.cars.physics;
+        let bodies = |_, car: &Car| {
+            let motion = car.vehicle.motion();
+            let images = strategy.images(motion.point(), BODY_REACH_M).into_iter();
+            let others = images.map(|image| physics.obstacle(&motion.carried(&image)));
+            others
+                .chain([physics.obstacle(&motion)])
+                .collect::<Vec<_>>()
+        };
+        self.map(bodies).into_iter().flatten().collect()
     }
 
-    fn view_of(&self, world: &World, id: ActorId, car: &Car) -> CarView {
+    fn view_of(&self, id: ActorId, car: &Car) -> CarView {
         let (vehicle, motion) = (&car.vehicle, car.vehicle.motion());
         CarView {
             id,
-            point: car.point(world),
+            point: car.point(),
             turn: motion.turn,
             velocity: motion.velocity,
             spin: motion.spin,
@@ -128,17 +138,16 @@ impl Actors {
 
 impl Car {
     /// The ground below its middle, when it stands on level ground.
-    fn point(&self, world: &World) -> ChartPoint {
-        let origin = world.strategy.chart_origin_m(self.chart);
-        ChartPoint::new(self.chart, self.vehicle.motion().place - origin)
+    fn point(&self) -> ChartPoint {
+        self.vehicle.motion().point()
     }
 
     /// What is to be saved of it.
-    pub fn record(&self, world: &World) -> CarRecord {
+    pub fn record(&self) -> CarRecord {
         let (vehicle, motion) = (&self.vehicle, self.vehicle.motion());
         CarRecord {
-            chart: self.chart.number(),
-            pos: self.point(world).pos.to_array(),
+            chart: motion.chart.number(),
+            pos: self.point().pos.to_array(),
             turn: motion.turn.to_array(),
             vel: motion.velocity.to_array(),
             spin: motion.spin.to_array(),
@@ -151,8 +160,8 @@ impl Car {
 }
 
 impl OnGround for Car {
-    fn stands_at(&self, world: &World) -> ChartPoint {
-        self.point(world)
+    fn stands_at(&self) -> ChartPoint {
+        self.point()
     }
 
     fn is_falling(&self) -> bool {
@@ -172,14 +181,9 @@ pub(crate) fn spawn(world: &World, actors: &mut Actors, point: ChartPoint, yaw: 
         return false;
     }
     let point = body::within_world(&*world.strategy, point);
-    let motion = VehicleMotion {
-        place: point.pos + world.strategy.chart_origin_m(point.chart),
-        turn: DQuat::from_rotation_y(-yaw),
-        ..VehicleMotion::default()
-    };
+    let motion = VehicleMotion::at(point, DQuat::from_rotation_y(-yaw));
     actors.enter(Car {
         vehicle: actors.cars.physics.vehicle(motion),
-        chart: point.chart,
         lights: false,
         unplaced: true,
     });
@@ -199,15 +203,13 @@ pub(crate) fn restore(world: &World, actors: &mut Actors, record: &CarRecord) ->
     };
     let physics = &actors.cars.physics;
     let mut vehicle = physics.vehicle(VehicleMotion {
-        place: point.pos + world.strategy.chart_origin_m(point.chart),
-        turn: unit(turn),
         velocity: velocity.clamp_length_max(FASTEST_RESTORED_M_S),
         spin: spin.clamp_length_max(FASTEST_RESTORED_RAD_S),
+        ..VehicleMotion::at(point, unit(turn))
     });
     physics.restore(&mut vehicle, record.steer, record.springs, record.rests);
     actors.enter(Car {
         vehicle,
-        chart: point.chart,
         lights: record.lights,
         unplaced: false,
     });

@@ -283,23 +283,21 @@ impl Npc<'_> {
 
     /// Lets the body stand, go or fall where the ground is there.
     pub fn settle(&mut self, around: &Around<'_>, input: &CharacterInput) {
-        let strategy = around.strategy();
         let world = around.world;
         if !world.is_firm_around(self.position.0, NEEDED_AROUND_M) {
             // It waits, and what ended its last move does not end another one.
             (self.body.0.impact_m_s, self.body.0.scrape_m_s) = (0.0, 0.0);
             return;
         }
-        let origin = strategy.chart_origin_m(self.position.0.chart);
-        self.body.0.feet = self.position.0.pos + origin;
-        let physics = &world.physics;
+        let chart = self.position.0.chart;
+        self.body.0.feet = self.position.0.pos;
+        let physics = world.physics.chart(chart);
         if self.is_buried(around) {
-            let chart = self.position.0.chart;
             let ground = &world.ground;
-            let solid = |at: DVec3| ground.is_solid(ChartPoint::new(chart, at - origin));
+            let solid = |at: DVec3| ground.is_solid(ChartPoint::new(chart, at));
             physics.lift_out_sized(&mut self.body.0, around.tuning, &solid);
         }
         physics.move_character(&mut self.body.0, around.tuning, input, STEP_S);
-        self.position.0.pos = self.body.0.feet - origin;
+        self.position.0.pos = self.body.0.feet;
     }
 }

@@ -116,7 +116,7 @@ pub(crate) fn step(world: &World, actors: &mut Actors, player: &Player, outbox: 
     let living = bot::living(actors);
     let quarry = quarry(now);
     let picture = quarry.as_ref().and_then(|_| hidden::other_picture(now));
-    let cars = actors.car_views(world).into_iter();
+    let cars = actors.car_views().into_iter();
     let cars: Vec<_> = cars.filter_map(|car| Some((car, car.comes()?))).collect();
     let lamps: Vec<Lamp> = actors.each();
     for (id, entity) in figures_in_order(actors) {

@@ -323,7 +323,7 @@ mod tests {
     /// Land of one chunk whose floor is at the height that is told for each place.
     fn land(height: impl Fn(f64, f64) -> f64) -> Ground {
         let space = strategy(Geometry::Euclidean, 0.0);
-        let mut ground = Ground::new(Arc::new(Field::new(1, space.clone())), space);
+        let mut ground = Ground::new(Arc::new(Field::new(1, space)));
         let samples = Samples::from_fn(|p| (p.y - height(p.x, p.z)) as f32);
         let chunk = Chunk {
             coord: ChunkCoord {

@@ -1,8 +1,11 @@
 //! Bullets without a world.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "tests fail by panicking")]
-use antipode_geometry::{ChartId, ChunkCoord, Geometry, Strategy, strategy};
+use std::f64::consts::FRAC_PI_2;
+
+use antipode_geometry::{Atlas, ChartId, ChunkCoord, Geometry, Strategy, strategy};
 use antipode_physics::TerrainCollider;
-use glam::IVec3;
+use antipode_testing::tiled::TiledFlat;
+use glam::{DQuat, IVec3};
 
 use super::*;
 use crate::actors::ActorId;
@@ -88,7 +91,9 @@ fn ledge() -> PhysicsWorld {
     {
         let collider = TerrainCollider::build(&positions, &[[1, 3, 2], [0, 1, 2]]).unwrap();
         let coord = ChunkCoord::new(ChartId::FIRST, IVec3::splat(number as i32));
-        world.set_terrain(coord, DVec3::ZERO, Some(collider));
+        world
+            .chart_mut(coord.chart)
+            .set_terrain(coord, DVec3::ZERO, Some(collider));
     }
     world
 }
@@ -208,7 +213,7 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
     let (by, other) = (entity(&mut ecs), entity(&mut ecs));
     let stands = |entity, x: f64| Standing {
         entity,
-        feet: DVec3::new(x, 99.0, 0.0),
+        feet: ChartPoint::a(DVec3::new(x, 99.0, 0.0)),
         height_m: 1.8,
         radius_m: 0.35,
     };
@@ -232,6 +237,36 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
     assert!(flying(&bullets)[0].point.pos.x < 12.5, "it drops there");
 }
 
+/// Who stands just beyond an edge is met in the chart that the bullet has not come to yet, and knows in his own from where.
+#[test]
+fn who_stands_beyond_an_edge_is_struck_and_not_flown_over() {
+    let mut ecs = hecs::World::new();
+    let (by, other) = (entity(&mut ecs), entity(&mut ecs));
+    for edge in 0..4 {
+        let way = DQuat::from_rotation_y(f64::from(edge) * FRAC_PI_2) * DVec3::X;
+        let stands = Standing {
+            entity: other,
+            feet: TiledFlat::at(way * 32.3 + DVec3::Y * 99.0),
+            height_m: 1.8,
+            radius_m: 0.35,
+        };
+        assert_ne!(stands.feet.chart, ChartId::FIRST);
+        let mut bullets = Actors::with_player(());
+        let from = TiledFlat::at(way * 30.95 + DVec3::Y * 100.0);
+        fire(&mut bullets, from, way * 60.0, by);
+        let strikes = fly(&TiledFlat, &mut bullets, &[stands], 3);
+        let [strike] = strikes[..] else {
+            panic!("{edge}: {strikes:?}");
+        };
+        let feet = TiledFlat::at(way * 32.3);
+        let own = TiledFlat.carry(from, feet.chart).unwrap().turn_vector(way);
+        assert!(
+            strike.way.normalize().distance(own) < 0.05,
+            "{strike:?} {own}"
+        );
+    }
+}
+
 #[test]
 fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
     let space = strategy(Geometry::Euclidean, 0.0);
@@ -239,7 +274,7 @@ fn a_bullet_that_someone_has_stopped_harms_nobody_any_more() {
     let (by, other) = (entity(&mut ecs), entity(&mut ecs));
     let stands = |entity, x: f64| Standing {
         entity,
-        feet: DVec3::new(x, 99.0, 0.0),
+        feet: ChartPoint::a(DVec3::new(x, 99.0, 0.0)),
         height_m: 1.8,
         radius_m: 0.35,
     };

@@ -75,3 +75,43 @@ fn whom_the_picture_hides_fires_only_after_the_mark_has_pointed_to_him() {
     }
     assert!(all.hidden > 2 * MARKED && all.late > 0, "{all:?}");
 }
+
+/// Others see by the world, whatever the player looks through: who is hidden by a picture knows of the player as soon.
+#[test]
+fn through_whatever_picture_the_player_aims_others_see_him_alike() {
+    let watched = |(dx, dz): (f64, f64), bend: Option<f64>| {
+        let mut scene = world(Geometry::Euclidean);
+        if let Some(bend) = bend {
+            assert!(scene.set_bend(bend));
+        }
+        steps(&mut scene, 2 * SECOND, &Actions::default());
+        let at = beside(&scene, dx, dz);
+        let id = scene.spawn_bot(at, (-dz).atan2(-dx), true);
+        let (mut told, mut hidden) = (Vec::new(), 0);
+        for _ in 0..3 * SECOND / 2 {
+            steps(&mut scene, 1, &Actions::default());
+            hidden += scene.hidden_foes().len();
+            let bots = scene.bots();
+            let view = bots.iter().find(|view| view.bot.id == id).unwrap();
+            told.push(view.state.name());
+        }
+        (told, hidden)
+    };
+    let (mut hidden, mut seen) = (0, 0);
+    for place in [
+        (10.0, 0.0),
+        (-9.0, 4.0),
+        (3.0, -12.0),
+        (0.0, 14.0),
+        (-8.0, -9.0),
+    ] {
+        let (own, _) = watched(place, None);
+        seen += own.iter().filter(|state| **state == "fight").count();
+        for bend in [-20.0, 20.0] {
+            let (told, of) = watched(place, Some(bend));
+            assert_eq!(told, own, "{place:?} {bend}");
+            hidden += of;
+        }
+    }
+    assert!(hidden > 60 && seen > 60, "{hidden} {seen}");
+}

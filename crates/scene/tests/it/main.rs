@@ -12,6 +12,7 @@ mod car_equator;
 mod car_fallen;
 mod car_view;
 mod common;
+mod cone;
 mod contact;
 mod drops;
 mod gun;

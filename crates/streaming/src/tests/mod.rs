@@ -6,6 +6,7 @@
     reason = "tests fail by panicking"
 )]
 
+mod cone;
 mod editing;
 mod failing;
 mod levels;

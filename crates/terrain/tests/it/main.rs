@@ -7,6 +7,7 @@
 )]
 
 mod common;
+mod cone;
 mod detail;
 mod edits;
 mod field;

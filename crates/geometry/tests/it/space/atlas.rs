@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
 use antipode_geometry::{ChartId, ChartPoint, Domain, Spherical, Strategy};
+use antipode_testing::cone::Cone;
 use antipode_testing::tiled::{TILE_M, TiledFlat};
 use glam::{DVec2, DVec3, I64Vec2};
 use proptest::prelude::{Strategy as Generator, prop_assert, prop_assert_eq, proptest};
@@ -11,8 +12,12 @@ use proptest::prelude::{Strategy as Generator, prop_assert, prop_assert_eq, prop
 use super::common::{cases, eye, in_space, vector};
 
 /// Worlds of more than one chart.
-fn spaces() -> [Box<dyn Strategy>; 2] {
-    [Box::new(Spherical::new(32.0)), Box::new(TiledFlat)]
+fn spaces() -> [Box<dyn Strategy>; 3] {
+    [
+        Box::new(Spherical::new(32.0)),
+        Box::new(TiledFlat),
+        Box::new(Cone),
+    ]
 }
 
 /// A place within or a little outside of some chart's domain.
@@ -21,8 +26,16 @@ fn place(space: &dyn Strategy, share: DVec3, tile: (i64, i64)) -> ChartPoint {
         Some(charts) => charts[tile.0.unsigned_abs() as usize % charts.len()],
         None => TiledFlat::chart(I64Vec2::new(tile.0, tile.1)),
     };
-    let reach_m = 1.2 * space.domain(chart).half_width_m();
+    let half_m = space.domain(chart).half_width_m();
     let height_m = 8.0 + 2.0 * share.y;
+    if half_m.is_infinite() {
+        // Nothing behind the tip, which is written twice.
+        let pos = (share.abs() * 60.0 - 6.0).with_y(height_m);
+        let quarter = Cone::chart(tile.0 as i32);
+        let behind = pos.x < 0.0 && pos.z < 0.0;
+        return ChartPoint::new(quarter, if behind { pos.abs() } else { pos });
+    }
+    let reach_m = 1.2 * half_m;
     ChartPoint::new(chart, (share * reach_m).with_y(height_m))
 }
 
@@ -126,7 +139,10 @@ fn a_domain_says_how_far_outside_a_place_is() {
     let disc = Domain::Disc { radius_m: 5.0 };
     assert_eq!(disc.outside_m(DVec2::new(3.0, 4.0)), 0.0);
     assert_eq!(disc.outside_m(DVec2::new(6.0, 8.0)), 5.0);
-    let square = Domain::Square { half_m: 4.0 };
+    let square = Domain::Rectangle {
+        low: DVec2::splat(-4.0),
+        high: DVec2::splat(4.0),
+    };
     assert_eq!(square.outside_m(DVec2::new(1.0, -3.0)), -1.0);
     assert_eq!(square.outside_m(DVec2::new(7.0, 8.0)), 5.0);
     assert_eq!(square.outside_m(DVec2::new(-6.0, 2.0)), 2.0);
@@ -137,6 +153,22 @@ fn a_domain_says_how_far_outside_a_place_is() {
         Domain::Everywhere.most_outside_m(low, high),
         f64::NEG_INFINITY
     );
+    let quarter = Domain::Rectangle {
+        low: DVec2::ZERO,
+        high: DVec2::INFINITY,
+    };
+    assert_eq!(quarter.outside_m(DVec2::new(3.0, 900.0)), -3.0);
+    assert_eq!(quarter.outside_m(DVec2::new(-3.0, -4.0)), 5.0);
+    assert_eq!(quarter.least_outside_m(-high, high), -7.0);
+    assert_eq!(quarter.most_outside_m(-high, high), high.length());
+    assert_eq!(quarter.side_chunks(8.0), i32::MAX);
+    let half = Domain::Rectangle {
+        low: DVec2::new(0.0, f64::NEG_INFINITY),
+        high: DVec2::INFINITY,
+    };
+    assert_eq!(half.outside_m(DVec2::new(-2.0, 1e9)), 2.0);
+    assert_eq!(half.least_outside_m(-high, high), -7.0);
+    assert_eq!(half.most_outside_m(-high, high), 7.0);
 }
 
 #[test]

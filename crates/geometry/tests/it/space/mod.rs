@@ -2,6 +2,7 @@
 
 mod atlas;
 mod common;
+mod cone;
 mod crossing;
 mod culling;
 mod golden;

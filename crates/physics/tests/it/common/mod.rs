@@ -8,7 +8,9 @@
 )]
 
 use antipode_geometry::{ChartId, ChunkCoord};
-use antipode_physics::{Character, CharacterInput, CharacterTuning, PhysicsWorld, TerrainCollider};
+use antipode_physics::{
+    Character, CharacterInput, CharacterTuning, ChartGround, PhysicsWorld, TerrainCollider,
+};
 use glam::{DVec3, IVec3, Vec3};
 
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -137,14 +139,21 @@ impl Soup {
         TerrainCollider::build(&self.positions, &self.triangles).unwrap()
     }
 
-    /// A world with this soup at `origin`.
-    pub fn world_at(&self, origin: DVec3) -> PhysicsWorld {
-        let mut world = PhysicsWorld::new();
+    /// A chart with this soup at `origin`.
+    pub fn world_at(&self, origin: DVec3) -> ChartGround {
+        let mut world = ChartGround::new();
         world.set_terrain(coord(0, 0, 0), origin, Some(self.build()));
         world
     }
 
-    pub fn world(&self) -> PhysicsWorld {
+    /// As [`Self::world_at`], among all charts.
+    pub fn charts_at(&self, origin: DVec3) -> PhysicsWorld {
+        let mut world = PhysicsWorld::new();
+        *world.chart_mut(ChartId::FIRST) = self.world_at(origin);
+        world
+    }
+
+    pub fn world(&self) -> ChartGround {
         self.world_at(DVec3::ZERO)
     }
 }
@@ -170,13 +179,13 @@ pub fn bumps(at: Vec3) -> f32 {
 
 /// A walker over a world, with its script.
 pub struct Walker<'a> {
-    pub world: &'a PhysicsWorld,
+    pub world: &'a ChartGround,
     pub character: Character,
     pub tuning: CharacterTuning,
 }
 
 impl<'a> Walker<'a> {
-    pub fn at(world: &'a PhysicsWorld, x: f64, y: f64, z: f64) -> Self {
+    pub fn at(world: &'a ChartGround, x: f64, y: f64, z: f64) -> Self {
         let character = Character::at(DVec3::new(x, y, z));
         Self {
             world,
