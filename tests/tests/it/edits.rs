@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use std::time::Duration;
 
-use antipode_geometry::{CHUNK_CELLS, ChartPoint, ChunkCoord, Geometry, strategy};
+use antipode_geometry::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Geometry, strategy};
 use antipode_physics::PhysicsWorld;
 use antipode_streaming::{Chunk, Config, Streamer, Until, Update, Wish};
 use antipode_terrain::{ChunkMesh, Field, Stroke};
@@ -66,8 +66,11 @@ struct Shown {
 
 impl Shown {
     fn put(&mut self, chunk: Chunk) {
-        self.physics
-            .set_terrain(chunk.coord, chunk.coord.origin(), chunk.collider);
+        self.physics.chart_mut(chunk.coord.chart).set_terrain(
+            chunk.coord,
+            chunk.coord.origin(),
+            chunk.collider,
+        );
         self.chunks.insert(chunk.coord, chunk.mesh);
     }
 
@@ -92,7 +95,10 @@ impl Shown {
                 }
                 Update::Solid {
                     coord, collider, ..
-                } => self.physics.set_terrain(coord, coord.origin(), collider),
+                } => {
+                    let ground = self.physics.chart_mut(coord.chart);
+                    ground.set_terrain(coord, coord.origin(), collider);
+                }
                 Update::Saved => {}
                 Update::Problem(sentence) => panic!("{sentence}"),
                 Update::SaveFailed(cause) => panic!("{cause}"),
@@ -199,6 +205,7 @@ fn a_thousand_edits_at_chunk_corners_leave_no_gap_and_what_is_seen_carries() {
         let seen = shown.seen_below(from);
         let felt = shown
             .physics
+            .chart(ChartId::FIRST)
             .cast_ray(from, DVec3::NEG_Y, 120.0)
             .map(|hit| hit.distance_m);
         match (seen, felt) {
