@@ -5,7 +5,8 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::projection::Depth;
 use crate::sight::Axis;
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
+    Atlas, ChartId, ChartPoint, Eye, Geometry, MapShader, Projection, SightCell, SpaceUniform,
+    Strategy, shader,
 };
 
 /// Flat space.
@@ -71,6 +72,10 @@ impl Strategy for Euclidean {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(SpaceUniform::FLAT, view, projection, f64::INFINITY, 0.0)
+        SpaceUniform::new(view, projection, f64::INFINITY, 0.0)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::FLAT
     }
 }

@@ -18,7 +18,8 @@ use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SpaceUniform, Strategy, Viewer,
+    Atlas, ChartId, ChartPoint, Eye, Geometry, MapShader, Projection, SpaceUniform, Strategy,
+    Viewer, shader,
 };
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
@@ -270,5 +271,9 @@ impl Strategy for Horizon {
         let view = self.view_matrix(eye);
         let kappa = self.kappa(eye);
         SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge_m(kappa))
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::HORIZON
     }
 }

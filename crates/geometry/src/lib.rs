@@ -25,6 +25,7 @@ mod projection;
 mod raised;
 pub mod real;
 pub mod scalar;
+pub mod shader;
 mod sight;
 mod spherical;
 mod strategy;
@@ -44,6 +45,7 @@ pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use raised::Raised;
 pub use real::Real;
+pub use shader::MapShader;
 pub use sight::{Drum, SightCell, azimuth_spread};
 pub use spherical::Spherical;
 pub use strategy::{
@@ -53,9 +55,8 @@ pub use strategy::{
 pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
 
-/// The shader text that mirrors this crate: `struct Space` and the four functions that port,
-/// light, project and measure. It has no entry point and no binding; other shaders are
-/// appended to it.
+/// The shader text that all maps share: `struct Space` and what is made of a map's own functions, whose text
+/// ([`MapShader`]) is to be appended. It has no entry point and no binding.
 pub const WGSL: &str = concat!(
     include_str!("../../../shaders/trigonometry.wgsl"),
     include_str!("../../../shaders/geometry.wgsl"),

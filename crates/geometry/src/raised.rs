@@ -18,8 +18,8 @@ use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::strategy::{Dial, FAR_LIMIT_RADII, distance_between_views_m};
 use crate::{
-    Atlas, ChartId, ChartPoint, Eye, Geometry, Projection, SightCell, SpaceUniform, Strategy,
-    Viewer,
+    Atlas, ChartId, ChartPoint, Eye, Geometry, MapShader, Projection, SightCell, SpaceUniform,
+    Strategy, Viewer, shader,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -223,6 +223,10 @@ impl Strategy for Raised {
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
         let h = self.offset(eye);
-        SpaceUniform::new(SpaceUniform::RAISED, view, projection, self.radius_m, h)
+        SpaceUniform::new(view, projection, self.radius_m, h)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::RAISED
     }
 }

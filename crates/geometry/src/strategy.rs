@@ -10,7 +10,7 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 use crate::kernel::distance;
 use crate::{
     Atlas, ChartId, ChartPoint, Drum, Euclidean, Eye, Frustum, Geometry, Horizon, HyperbolicMap,
-    Projection, Raised, SightCell, SpaceUniform, Spherical,
+    MapShader, Projection, Raised, SightCell, SpaceUniform, Spherical,
 };
 
 /// Radius of curvature of hyperbolic worlds unless a world says otherwise, in metres.
@@ -167,6 +167,20 @@ pub trait Strategy: Atlas + Debug + Send + Sync {
 
     /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates.
     fn view_matrix(&self, eye: &Eye) -> DMat4;
+
+    /// The isometry, applied after the port, that takes the model of a chart to that of the first one; xyz in metres and
+    /// w without unit.
+    fn home_matrix(&self, _chart: ChartId) -> DMat4 {
+        DMat4::IDENTITY
+    }
+
+    /// What is applied to a ported point of a chart to have view coordinates: [`Strategy::view_matrix`] of that chart.
+    fn chart_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
+        self.view_matrix(eye) * self.home_matrix(chart)
+    }
+
+    /// What the shaders of its map are.
+    fn shader(&self) -> &'static MapShader;
 
     /// What the shaders need to know of the space, the eye and the projection.
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;

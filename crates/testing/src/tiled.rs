@@ -4,8 +4,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Euclidean, Eye, Geometry, NoiseFrame,
-    Projection, SightCell, SpaceUniform, SquareFrame, Strategy,
+    Atlas, ChartId, ChartPoint, Crossing, Domain, Drum, Euclidean, Eye, Geometry, MapShader,
+    NoiseFrame, Projection, SightCell, SpaceUniform, SquareFrame, Strategy,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
@@ -197,5 +197,9 @@ impl Strategy for TiledFlat {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         Euclidean.uniform(eye, projection)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        Euclidean.shader()
     }
 }

@@ -40,6 +40,7 @@ const SOURCES: &[(&str, &str)] = &[
     ("SightCell", include_str!("../../../src/sight.rs")),
     ("Frustum", include_str!("../../../src/frustum.rs")),
     ("SpaceUniform", include_str!("../../../src/uniform.rs")),
+    ("shader", include_str!("../../../src/shader.rs")),
     ("ChartPoint", include_str!("../../../src/point.rs")),
     ("ChunkCoord", include_str!("../../../src/chunk.rs")),
     ("ChunkCube", include_str!("../../../src/chunk_cube.rs")),
@@ -203,6 +204,10 @@ const EXCUSED: &[(&str, &str)] = &[
         "goes into the uniform: the shader's rows on the adapter go through it",
     ),
     (
+        "Strategy::chart_matrix",
+        "a product: the shader's rows on the adapter go through it",
+    ),
+    (
         "Strategy::uniform",
         "casts; the shader's rows on the adapter go through it",
     ),
@@ -249,6 +254,10 @@ const EXCUSED: &[(&str, &str)] = &[
     (
         "SpaceUniform::level",
         "casts; the shader's rows on the adapter go through it",
+    ),
+    (
+        "SpaceUniform::within",
+        "a cast; the edge of a chart in pictures: antipode-render, spaces",
     ),
     ("Euclidean::rotation", "the eye's axes: Eye::to_view"),
     (
