@@ -119,7 +119,7 @@ fn vertex_orb(@builtin(vertex_index) index: u32, @builtin(instance_index) instan
     let along = cross(toward, across);
     let corner = corner_of(index);
     let at = middle + vec4<f32>(across * corner.x + along * corner.y, 0.0) * (ORB_REACH * scene.orb.x);
-    let space = space_at(index);
+    let space = scene.space;
     var out: VertexOut;
     out.view = vec4<f32>(at.xyz / space.curve.x, at.w);
     out.clip = clip_from_view(space, out.view);

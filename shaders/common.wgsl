@@ -1,5 +1,5 @@
 // What every pass over the scene shares: the light and sky of the moment, haze, and value noise.
-// Follows geometry.wgsl. Colours are linear light; directions are unit vectors in the chart at the eye.
+// Follows the text of a map. Colours are linear light; directions are unit vectors in the chart at the eye.
 
 // Figures whose shade on the ground is drawn: the nearest ones.
 const SHADES: u32 = 8u;
@@ -36,16 +36,26 @@ struct Shadows {
     key: vec4<f32>,     // strength, texels of a side, one over that, 1 where a closed world's moon throws them
 }
 
+// A chart of what is seen.
+struct Chart {
+    view: mat4x4<f32>,  // from its ported points, xyz in metres and w without unit, to view coordinates
+    home: mat4x4<f32>,  // to the model of the first chart
+}
+
+// Charts that a picture knows.
+const CHARTS: u32 = 2u;
+
 struct Scene {
     space: Space,
+    charts: array<Chart, CHARTS>,
     right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
     up: vec4<f32>,             // xyz: upwards in the picture; w: strength of the contour bands
     front: vec4<f32>,          // xyz: into the picture; w: distance at which the fog is complete, m
     top: vec4<f32>,            // rgb: sky overhead, in a closed world the haze about the eye; w: strength of the stars
-    horizon: vec4<f32>,        // rgb: sky at the horizon, in a closed world the haze of full day; w: 1 under a sky, 0 in a closed world
+    horizon: vec4<f32>,        // rgb: sky at the horizon, in a closed world the haze of full day; w: room
     glare: vec4<f32>,          // rgb: the sun's disc and glow; w: sine of the turn of the stars about x
     sun: vec4<f32>,            // xyz: towards the sun; w: cosine of that turn
-    moon: vec4<f32>,           // xyz: towards the moon; w: chart radius of the equator, m, or 0
+    moon: vec4<f32>,           // xyz: towards the moon; w: room
     key_direction: vec4<f32>,  // xyz: towards the key light; w: width of a pixel in clip units
     key_colour: vec4<f32>,     // rgb; w: height of a pixel in clip units
     ambient_sky: vec4<f32>,    // rgb; w: how far clouds have drifted, 0 to 1 over a day
@@ -63,7 +73,7 @@ struct Scene {
     ring_y: vec4<f32>,         // and along y and z
     ring_z: vec4<f32>,
     cuts: mat4x4<f32>,         // columns: covectors of view coordinates; what has a negative product with one is cut off
-    shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: hemisphere
+    shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: chart
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
     shadows: Shadows,
@@ -79,12 +89,10 @@ fn is_cut(view: vec4<f32>) -> bool {
     return CUTS && any(view * scene.cuts < vec4<f32>(0.0));
 }
 
-// The space, for a vertex or fragment with some number of its own, which no number changes. Branches on what this
-// gives depend on more than uniforms: lavapipe compiles a shader with branches on uniforms alone anew for every frame,
-// and keeps each.
-fn space_at(number: u32) -> Space {
+// The space, for points of a chart by its number.
+fn space_of(chart: u32) -> Space {
     var space = scene.space;
-    space.curve.x = select(space.curve.x, 1.0, number == 0xffffffffu);
+    space.view = scene.charts[chart].view;
     return space;
 }
 
@@ -103,7 +111,7 @@ fn haze(direction: vec3<f32>) -> vec3<f32> {
     let toward4 = toward2 * toward2;
     let toward8 = toward4 * toward4;
     let glow = 0.10 * toward2 * low2 + 0.22 * toward8;
-    return gradient + scene.glare.rgb * (glow * scene.horizon.w);
+    return gradient + scene.glare.rgb * glow;
 }
 
 // Share of the fog at a distance in the space: little at first, complete at the fog distance.
@@ -112,32 +120,6 @@ fn fog_at(distance_m: f32) -> f32 {
     let x2 = x * x;
     let x4 = x2 * x2;
     return 0.42 * x2 + 0.58 * x4 * x2;
-}
-
-// What is left by night of a closed world's haze and of its light from all around; crates/scene/src/closed_day.rs.
-const NIGHT_HAZE: vec3<f32> = vec3<f32>(0.055, 0.065, 0.10);
-const NIGHT_AMBIENT: vec3<f32> = vec3<f32>(0.13, 0.15, 0.23);
-// Cosines of the distance from its sun past which it is night and within which it is full day.
-const NIGHT: f32 = -0.08;
-const DAY: f32 = 0.48;
-
-// A view point as a unit vector of the model of a closed world.
-fn model_of(space: Space, view: vec4<f32>) -> vec4<f32> {
-    return vec4<f32>(view.xyz * space.curve.x, view.w);
-}
-
-// How much of the day's light there is at a place of a closed world, 0 to 1.
-fn daylight_at(model: vec4<f32>) -> f32 {
-    return smoothstep(NIGHT, DAY, dot(model, scene.sun_place));
-}
-
-// The haze before a view point. In a closed world it is the mean of that about the eye and that about the point.
-fn haze_before(space: Space, view: vec4<f32>) -> vec3<f32> {
-    if geo_kind(space) == GEO_SPHERE {
-        let there = scene.horizon.rgb * mix(NIGHT_HAZE, vec3<f32>(1.0), daylight_at(model_of(space, view)));
-        return 0.5 * (scene.top.rgb + there);
-    }
-    return haze(direction_of(view.xyz));
 }
 
 // Cosine of the angle to the key from which on what is lit counts as such for what is bounced about: what turns away is

@@ -10,7 +10,7 @@ struct VertexIn {
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // bits: 0 hemisphere, 1 hostile; the rest: the figure's place in its batch
+    @location(4) flags: u32,            // bits: 0 chart, 1 hostile; the rest: the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
@@ -83,30 +83,29 @@ fn suit_colour(in: VertexIn) -> vec3<f32> {
 }
 
 fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
-    let hemisphere = in.flags & 1u;
     let p = in.offset + stance.place;
-    let space = space_at(in.flags);
+    let space = space_of(in.flags & 1u);
     let fog = fog_at(eye_distance(space, view));
     let direction = direction_of(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    out.normal = port_normal(space, p, normalize(stance.normal), hemisphere);
+    out.normal = port_normal(space, p, normalize(stance.normal));
     out.albedo = vec4<f32>(suit_colour(in), in.colour.a);
     out.toward_eye = -direction;
-    out.veil = vec4<f32>(haze_before(space, view) * fog, 1.0 - fog);
+    out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
     out.glow = in.normal.w;
     out.view = view;
     out.lights = in.lights;
     out.place = p;
-    if wants_model_normal(space, in.lights) {
-        out.frame_normal = frame_vector(space, p, out.normal, hemisphere);
+    if wants_model_normal(in.lights) {
+        out.frame_normal = frame_vector(space, p, out.normal);
     }
     return out;
 }
 
 fn by_vertex(in: VertexIn, stance: Stance) -> VertexOut {
     let p = in.offset + stance.place;
-    return figure_at(in, stance, port_to_view(space_at(in.flags), p, in.flags & 1u));
+    return figure_at(in, stance, port_to_view(space_of(in.flags & 1u), p));
 }
 
 // The whole figure by one first-order map, where that errs by less than anyone can see.
@@ -174,22 +173,10 @@ fn vertex_hand(in: VertexIn) -> VertexOut {
     return out;
 }
 
-// The normal as one sees it, to be compared with directions at the eye. On a sphere the chart's frame at a figure is
-// another than at the eye, mirrored beyond the equator: there it is carried to the eye e along the geodesic, which takes
-// n to n - <n, e> (x + e) / (1 + <x, e>).
-fn seen_normal(in: VertexOut, normal: vec3<f32>) -> vec3<f32> {
-    if geo_kind(scene.space) != GEO_SPHERE {
-        return normal;
-    }
-    let place = model_of(scene.space, in.view);
-    let n = in.frame_normal.xyz - place.xyz * (in.frame_normal.w / max(1.0 + place.w, 1.0e-3));
-    return normalize(scene.right.xyz * n.x + scene.up.xyz * n.y - scene.front.xyz * n.z);
-}
-
 // Light that comes off a surface of that gloss.
 fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let normal = normalize(in.normal);
-    let seen = seen_normal(in, normal);
+    let seen = seen_normal(in.view, normal, in.frame_normal);
     let toward_eye = normalize(in.toward_eye);
     let edge = 1.0 - max(dot(seen, toward_eye), 0.0);
     let edge2 = edge * edge;
@@ -198,7 +185,7 @@ fn figure_light(in: VertexOut, gloss: f32) -> vec3<f32> {
     let sky = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * normal.y);
     let unlit = is_unlit(in.view, normal, in.frame_normal);
     let share = key_share(shaded_at(in.place, in.view, normal, in.frame_normal), in.clip.xy, unlit, true);
-    var colour = in.albedo.rgb * daylight_on(scene.space, in.view, normal, in.frame_normal, share);
+    var colour = in.albedo.rgb * daylight_on(in.view, normal, in.frame_normal, share);
     if any(in.lights != vec3<u32>(0u)) {
         colour += lights_on(in.view, in.frame_normal, in.lights, gloss) * in.albedo.rgb;
     }

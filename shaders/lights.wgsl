@@ -1,10 +1,41 @@
 // Lamps and beams: light that comes from a place in the space, by the space's own distances and directions.
 // Follows common.wgsl.
 //
+// How the light of the day falls is another matter under a sky than in a closed world: a file of shaders/worlds, behind
+// shadow.wgsl, defines just these functions. `share` of the light that throws shadows reaches a point; normals are given
+// in the chart's frame and, where they are wanted, in view coordinates (`model_normal`).
+//
+//   grain_point(wrapped, p, chart)    where grain is read: a place that is wrapped as grain repeats, or one from p, metres
+//                                     from the reference
+//   haze_before(view)                 the haze before a view point
+//   daylight_on(view, normal, ..)     all light but that of lamps and beams
+//   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
+//   land_light(view, normal, ..)      what a vertex of land tells its fragments of the day's light
+//   daylit(light, albedo, share)      what those make of it
+//   is_land_unlit(light, ..)          and whether it says that is_unlit
+//   seen_normal(view, normal, ..)     the normal as one sees it, to be compared with directions at the eye
+//   from_ring(place, view)            how far a point is from the middle of the ring, in metres of the chart
+//   is_unlit(view, normal, ..)        whether a point turns away from the light that throws shadows, or lies where that does
+//                                     not reach
+//   caster_point(p)                   a point of the chart as a shadow map takes it
+//   shaded_at(place, view, ..)        what shadow maps are asked about a fragment. To be called before it may be discarded.
+//                                     Places are told apart there and not on a map, which would save two products of three:
+//                                     near the eye a pixel is a hundredth of a texel, and what rounding leaves of the
+//                                     difference is noise
+//   shadow_away(point, number)        how far from a map's middle a point falls on it: 1 at its edge
+//   on_map(clip, x, y)                a point on a map's plane, from clip coordinates there and their changes
+//   land_shadow(point, pixel)         share of the key light that land lets through to a point
+//
 // With the lit point v, its unit normal n and the lamp l, all in view coordinates with w in radii (metres), and s the
 // sign of the curvature k^2: the square of the chord c, <l - v, l - v>, is (2/k sin(k d/2))^2, the sine of the distance over k is
 // c sqrt(1 - s k^2 c^2/4), and the cosine between the normal and the way to the lamp is <n, l - v> over that sine.
 // Nothing is divided by k but w, so the flat space is the limit.
+
+// What a vertex of land tells its fragments of the day's light.
+struct LandLight {
+    facing: vec3<f32>,
+    dark: vec3<f32>,
+}
 
 // What a lit point needs to know of itself.
 struct Lit {
@@ -15,14 +46,11 @@ struct Lit {
 }
 
 fn lit_at(space: Space, view: vec4<f32>, normal: vec4<f32>) -> Lit {
-    let is_horizon = geo_kind(space) == GEO_HORIZON;
-    let k = select(space.curve.x, space.edge.z, is_horizon);
-    let opens = geo_kind(space) == GEO_RAISED || (is_horizon && space.curve.x < 0.0);
+    let curvature = curvature_of(space);
     // So flat, w would be rounded to nothing before it is divided.
-    let curved = geo_kind(space) != GEO_FLAT && k > 1.0e-4;
-    let inverse = select(0.0, 1.0 / max(k, 1.0e-4), curved);
-    let own_k = select(0.0, k, curved);
-    return Lit(vec4<f32>(view.xyz, view.w * inverse), normal, select(1.0, -1.0, opens), own_k);
+    let curved = curvature.y > 1.0e-4;
+    let inverse = select(0.0, 1.0 / max(curvature.y, 1.0e-4), curved);
+    return Lit(vec4<f32>(view.xyz, view.w * inverse), normal, curvature.x, select(0.0, curvature.y, curved));
 }
 
 fn model_dot(lit: Lit, a: vec4<f32>, b: vec4<f32>) -> f32 {
@@ -170,41 +198,4 @@ fn beams_on(lit: Lit, mask: u32, gloss: f32) -> vec3<f32> {
 fn lights_on(view: vec4<f32>, normal: vec4<f32>, mask: vec3<u32>, gloss: f32) -> vec3<f32> {
     let lit = lit_at(scene.space, view, normal);
     return lamps_on(lit, mask.xy, gloss) + beams_on(lit, mask.z, gloss);
-}
-
-// Light of the sun, the moon and all around on a point of a closed world. The cosine between the normal n and the way
-// to a body s is <n, s> over the sine of the distance, n being square to the point.
-// `up` is the normal's share of the way up; `share` of the light that throws shadows reaches the point.
-fn orbs_on(space: Space, view: vec4<f32>, normal: vec4<f32>, up: f32, share: f32) -> vec3<f32> {
-    let place = model_of(space, view);
-    let near = vec2<f32>(dot(place, scene.sun_place), dot(place, scene.moon_place));
-    let slant = vec2<f32>(dot(normal, scene.sun_place), dot(normal, scene.moon_place));
-    let facing = slant * inverseSqrt(max(vec2<f32>(1.0) - near * near, vec2<f32>(1.0e-3)));
-    let reaches = mix(vec2<f32>(share, 1.0), vec2<f32>(1.0, share), scene.shadows.key.w);
-    let bounced = 0.06 * (vec2<f32>(1.0) - abs(facing)) + vec2<f32>(0.05);
-    let turned = smoothstep(vec2<f32>(0.0), vec2<f32>(FACING), facing);
-    let about = reaches * turned;
-    let key = 0.78 * max(facing, vec2<f32>(0.0)) * turned * reaches + bounced * (0.4 + 0.6 * about);
-    let day = smoothstep(NIGHT, DAY, near.x);
-    // Low light has come a long way through haze: red.
-    let warmth = mix(vec3<f32>(1.0, 0.42, 0.16), vec3<f32>(1.0), smoothstep(0.15, 0.9, day));
-    let moonlight = smoothstep(NIGHT, DAY, near.y) * (1.0 - day);
-    let ambient = mix(scene.ambient_ground.rgb, scene.ambient_sky.rgb, 0.5 + 0.5 * up);
-    return scene.key_colour.rgb * warmth * (day * key.x)
-        + scene.moon_colour.rgb * (moonlight * key.y)
-        + ambient * mix(NIGHT_AMBIENT, vec3<f32>(1.0), day);
-}
-
-// All light but that of lamps and beams: `normal` in the chart's frame, `model_normal` in view coordinates.
-// `share` as above.
-fn daylight_on(space: Space, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32) -> vec3<f32> {
-    if geo_kind(space) == GEO_SPHERE {
-        return orbs_on(space, view, model_normal, normal.y, share);
-    }
-    return light_on(normal, share);
-}
-
-// Whether a vertex needs its normal in view coordinates.
-fn wants_model_normal(space: Space, lights: vec3<u32>) -> bool {
-    return geo_kind(space) == GEO_SPHERE || any(lights != vec3<u32>(0u));
 }

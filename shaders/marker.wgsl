@@ -3,7 +3,7 @@
 struct VertexIn {
     @location(0) position: vec3<f32>,   // on the unit sphere
     @location(1) offset: vec3<f32>,     // the centre from the reference, metres
-    @location(2) hemisphere: u32,
+    @location(2) chart: u32,
     @location(3) colour: vec4<f32>,     // linear light; a: opacity face on
     @location(4) shape: vec4<f32>,      // radius m; opacity edge on
 }
@@ -19,9 +19,9 @@ struct VertexOut {
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let space = space_at(in.hemisphere);
-    let view = port_to_view(space, in.offset + in.position * in.shape.x, in.hemisphere);
-    let centre = port_to_view(space, in.offset, in.hemisphere);
+    let space = space_of(in.chart);
+    let view = port_to_view(space, in.offset + in.position * in.shape.x);
+    let centre = port_to_view(space, in.offset);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
     out.view = view;

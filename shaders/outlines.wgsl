@@ -5,7 +5,7 @@ struct VertexIn {
     @location(1) there: vec4<f32>,      // the other end
     @location(2) side: f32,             // of the line, 1 or -1
     @location(3) offset: vec3<f32>,     // the shape's point from the reference, metres
-    @location(4) hemisphere: u32,
+    @location(4) chart: u32,
     @location(5) turn: vec4<f32>,
     @location(6) size: vec4<f32>,       // along each axis, metres; w: height of the lower middle
     @location(7) colour: vec4<f32>,     // linear light; w: height of the upper middle
@@ -30,10 +30,10 @@ fn placed(in: VertexIn, end: vec4<f32>) -> vec3<f32> {
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let space = space_at(in.hemisphere);
-    let view = port_to_view(space, placed(in, in.here), in.hemisphere);
+    let space = space_of(in.chart);
+    let view = port_to_view(space, placed(in, in.here));
     let here = clip_from_view(space, view);
-    let there = clip_from_view(space, port_to_view(space, placed(in, in.there), in.hemisphere));
+    let there = clip_from_view(space, port_to_view(space, placed(in, in.there)));
     var out: VertexOut;
     out.view = view;
     let clear = 1.0 - fog_at(eye_distance(space, view));

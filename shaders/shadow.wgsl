@@ -2,7 +2,7 @@
 // Follows common.wgsl.
 //
 // A map's matrix takes what a fragment knows of its place to the map: chart metres where the light comes from one
-// direction of the chart, and view coordinates where it comes from a point of a closed world. Both are linear over a
+// direction of the chart, and view coordinates where it comes from a point of a closed world: `shaded_at`. Both are linear over a
 // triangle as it was authored, and so are the map's coordinates and depth: a point is compared with its own surface
 // exactly, and no acne is to be hidden but that of surfaces that bend within a texel.
 
@@ -28,27 +28,17 @@ const SHADOW_STEEPEST_HIGH: f32 = 32.0;
 const SHADOW_STRAY: f32 = 16.0;
 
 struct Caster {
-    clip: mat4x4<f32>,
-    curve: vec4<f32>,  // x: curvature per metre; y: where the chart's land ends, metres from its middle
+    clips: array<mat4x4<f32>, CHARTS>,  // from what `caster_point` makes of a chart's points, by the chart's number
+    curve: vec4<f32>,  // x: curvature per metre; y: where a chart's land ends, metres from its middle
 }
 
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
 @group(0) @binding(3) var shadow_sampler: sampler;
 @group(2) @binding(0) var<uniform> caster: Caster;
 
-// Where the light that throws shadows stands in a closed world, in view coordinates.
-fn key_body() -> vec4<f32> {
-    return mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
-}
-
 // Where a point of the chart falls on the map that is being drawn.
-fn caster_clip(p: vec3<f32>, hemisphere: u32) -> vec4<f32> {
-    if GEO_KIND == GEO_SPHERE {
-        var space: Space;
-        space.curve.x = caster.curve.x;
-        return caster.clip * geo_port_sphere(space, p, hemisphere);
-    }
-    return caster.clip * vec4<f32>(p, 1.0);
+fn caster_clip(p: vec3<f32>, chart: u32) -> vec4<f32> {
+    return caster.clips[chart] * caster_point(p);
 }
 
 // What a fragment knows of its place, and how that changes to the next pixel on the right and below.
@@ -59,41 +49,12 @@ struct Shaded {
     faced: f32,        // how surely its normals face the light, 0 to 1
 }
 
+const NOT_SHADED: Shaded = Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0);
+
 // From the cosine to the light. What turns to it by less is dim, and triangles of steep land stray from their normals as
 // far as that.
 fn surely_faced(cosine: f32) -> f32 {
     return smoothstep(FACING, 2.0 * FACING, cosine);
-}
-
-// To be called before a fragment may be discarded, with normals in the chart and in view coordinates of which a closed
-// world takes the second and the others the first. Places are told apart here and not on a map, which would save two
-// products of three: near the eye a pixel is a hundredth of a texel there, and what rounding leaves of the difference
-// is noise.
-fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> Shaded {
-    if SHADOWS == 0u {
-        return Shaded(vec4<f32>(0.0), vec4<f32>(0.0), vec4<f32>(0.0), 0.0);
-    }
-    if GEO_KIND == GEO_SPHERE {
-        // As in orbs_on.
-        let body = key_body();
-        let near = dot(model_of(scene.space, view), body);
-        let cosine = dot(model_normal, body) * inverseSqrt(max(1.0 - near * near, 1.0e-3));
-        return Shaded(view, dpdx(view), dpdy(view), surely_faced(cosine));
-    }
-    let faced = surely_faced(dot(normalize(normal), scene.key_direction.xyz));
-    let right = vec4<f32>(dpdx(place), 0.0);
-    let below = vec4<f32>(dpdy(place), 0.0);
-    return Shaded(vec4<f32>(place, 1.0), right, below, faced);
-}
-
-// How far from a map's middle a point falls on it: 1 at its edge.
-fn shadow_away(point: Shaded, number: u32) -> f32 {
-    let c = scene.shadows.maps[number].clip * point.at;
-    if GEO_KIND != GEO_SPHERE {
-        return max(abs(c.x), abs(c.y));
-    }
-    let at = c.xy / max(c.w, 1e-6);
-    return select(2.0, max(abs(at.x), abs(at.y)), c.w > 0.0);
 }
 
 fn chosen(rows: array<vec4<f32>, 3>, number: u32) -> vec4<f32> {
@@ -114,6 +75,14 @@ fn cascade(number: u32) -> ShadowMap {
     return ShadowMap(clip, chosen(array<vec4<f32>, 3>(a.info, b.info, c.info), number));
 }
 
+// A point on a map's plane, how that changes to the next pixel, and one over its clip coordinate w.
+struct OnMap {
+    at: vec3<f32>,
+    x: vec3<f32>,
+    y: vec3<f32>,
+    inverse: f32,
+}
+
 // Where a point is on a map, in texels and depth, and how depth changes from texel to texel on its own surface.
 struct Placed {
     texel: vec2<f32>,
@@ -124,21 +93,11 @@ struct Placed {
 }
 
 fn placed_on(point: Shaded, map: ShadowMap) -> Placed {
-    let c = map.clip * point.at;
-    let cx = map.clip * point.x;
-    let cy = map.clip * point.y;
-    var s = c.xyz;
-    var dx = cx.xyz;
-    var dy = cy.xyz;
-    var texel = map.info.y;
-    if GEO_KIND == GEO_SPHERE {
-        // A map that is not there yet is all zero, and trusted by nothing.
-        let inverse = 1.0 / select(c.w, 1e-6, abs(c.w) < 1e-6);
-        s = c.xyz * inverse;
-        dx = (cx.xyz - s * cx.w) * inverse;
-        dy = (cy.xyz - s * cy.w) * inverse;
-        texel = map.info.y * inverse;
-    }
+    let on = on_map(map.clip * point.at, map.clip * point.x, map.clip * point.y);
+    let s = on.at;
+    let dx = on.x;
+    let dy = on.y;
+    let texel = map.info.y * on.inverse;
     let size = scene.shadows.key.y;
     let to_texels = vec2<f32>(0.5, -0.5) * size;
     let ax = dx.xy * to_texels;
@@ -206,17 +165,6 @@ fn shadow_read(point: Shaded, map: ShadowMap) -> f32 {
     return mix(1.0, lit / (width * width) * (1.0 - placed.turned), map.info.z);
 }
 
-// The face of a star's light on which a point lies.
-fn shadow_face(point: Shaded) -> u32 {
-    let x = (scene.shadows.maps[1].clip * point.at).w;
-    let y = (scene.shadows.maps[3].clip * point.at).w;
-    let z = (scene.shadows.maps[5].clip * point.at).w;
-    let most = max(abs(x), max(abs(y), abs(z)));
-    let along = select(select(5u, 3u, abs(y) >= most), 1u, abs(x) >= most);
-    let value = select(select(z, y, abs(y) >= most), x, abs(x) >= most);
-    return along + select(1u, 0u, value > 0.0);
-}
-
 // Which pixels show the next map where one ends, by a fixed noise from 0 to 1 (Jimenez, 2014).
 fn shadow_noise(pixel: vec2<f32>) -> f32 {
     return fract(52.9829189 * fract(dot(pixel, vec2<f32>(0.06711056, 0.00583715))));
@@ -237,28 +185,6 @@ fn either(point: Shaded, near: ShadowMap, next: ShadowMap, end: f32) -> f32 {
     return mix(read, shadow_read(point, next), end);
 }
 
-// Share of the key light that land lets through to a point.
-fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
-    let near_end = shadow_end(shadow_away(point, 0u));
-    if SHADOWS == 2u {
-        if GEO_KIND == GEO_SPHERE {
-            return either(point, scene.shadows.maps[0], scene.shadows.maps[shadow_face(point)], near_end);
-        }
-        let past_near = near_end >= 1.0;
-        let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
-        let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
-        return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
-    }
-    if GEO_KIND == GEO_SPHERE {
-        // Looking up one of seven maps in each pixel doubles a frame in software: there is only the nearest.
-        return mix(shadow_read(point, scene.shadows.maps[0]), 1.0, near_end);
-    }
-    let noise = shadow_noise(pixel);
-    let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
-    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
-    return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
-}
-
 // Share of the key light that figures let through to a point.
 fn figure_shadow(point: Shaded) -> f32 {
     let away = shadow_away(point, SHADOW_FIGURES);
@@ -266,16 +192,6 @@ fn figure_shadow(point: Shaded) -> f32 {
         return 1.0;
     }
     return mix(shadow_read(point, scene.shadows.maps[SHADOW_FIGURES]), 1.0, shadow_end(away));
-}
-
-// Whether a point turns away from the light that throws shadows, or lies where that does not reach. In a closed world
-// the normal is the one in view coordinates.
-fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
-    if GEO_KIND != GEO_SPHERE {
-        return dot(normal, scene.key_direction.xyz) <= 0.0;
-    }
-    let body = key_body();
-    return dot(model_normal, body) <= 0.0 || dot(model_of(scene.space, view), body) <= NIGHT;
 }
 
 // Share of the key light that the maps let through to a point; one that is unlit is left as it is.

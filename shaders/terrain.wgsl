@@ -6,7 +6,7 @@ struct VertexIn {
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
     @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
-    @location(4) flags: u32,            // lowest bit: hemisphere; next: whether a figure's shadow may fall on the chunk;
+    @location(4) flags: u32,            // lowest bit: chart; next: whether a figure's shadow may fall on the chunk;
                                         // the rest: how many shades may
     @location(5) world: vec4<f32>,      // xyz: the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
                                         // blend, the share of the pixels that show it; minus that of one that goes
@@ -22,7 +22,7 @@ const SHADED: f32 = 8.0;
 
 struct VertexOut {
     @builtin(position) clip: vec4<f32>,
-    @location(0) facing: vec3<f32>,     // the normal; in a closed world the land's colour by day or night
+    @location(0) facing: vec3<f32>,     // what land_light says of the light, and
     @location(1) albedo: vec3<f32>,
     @location(2) grain: vec3<f32>,      // where grain is read
     @location(3) veil: vec3<f32>,       // the fog's share of the colour, and the land's in the light of far lamps
@@ -32,30 +32,17 @@ struct VertexOut {
     @location(7) view: vec4<f32>,
     @location(8) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(9) @interpolate(flat) lights: vec3<u32>,
-    @location(10) dark: vec3<f32>,      // in a closed world the land's colour in the shadow
-}
-
-// Where grain is read: a place that is wrapped as grain repeats, and in a closed world, where the two charts agree at
-// the equator on the sphere alone, that. Its charts' places are not wrapped: p is one, from the chart's middle.
-fn grain_point(wrapped: vec3<f32>, p: vec3<f32>, hemisphere: u32) -> vec3<f32> {
-    if geo_kind(scene.space) != GEO_SPHERE {
-        return wrapped;
-    }
-    let radius = scene.space.project.w;
-    let r = max(length(p.xz), 1e-3);
-    let sine = sin(r / radius) / r;
-    let side = select(1.0, -1.0, hemisphere == 1u);
-    return (radius + p.y) * vec3<f32>(side * sine * p.x, side * cos(r / radius), sine * p.z);
+    @location(10) dark: vec3<f32>,      // of the shadow
 }
 
 // Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air. How many
 // there are, the chunk says and not a uniform: lavapipe compiles a shader whose loops end by a uniform anew for every
 // frame, and keeps each.
-fn nearest_feet(p: vec3<f32>, hemisphere: u32, count: u32) -> vec3<f32> {
+fn nearest_feet(p: vec3<f32>, chart: u32, count: u32) -> vec3<f32> {
     var nearest = vec3<f32>(1e6);
     for (var i = 0u; i < count; i++) {
         let feet = scene.shades[i].xyz;
-        let closer = distance(p, feet) < distance(p, nearest) && u32(scene.shades[i].w) == hemisphere;
+        let closer = distance(p, feet) < distance(p, nearest) && u32(scene.shades[i].w) == chart;
         nearest = select(nearest, feet, closer);
     }
     return nearest;
@@ -77,42 +64,34 @@ fn normal_of(in: VertexIn) -> vec3<f32> {
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
     let world = in.world.xyz + position_of(in.units);
-    let hemisphere = in.flags & 1u;
-    let grain = grain_point(world, p, hemisphere);
+    let chart = in.flags & 1u;
+    let grain = grain_point(world, p, chart);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
-    let space = space_at(in.flags);
+    let space = space_of(chart);
     let fog = fog_at(eye_distance(space, view));
     // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
     // closed world comes to look larger again, this falls.
     let spread_m = length(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    out.facing = port_normal(space, p, authored, hemisphere);
+    let normal = port_normal(space, p, authored);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
-    out.veil = haze_before(space, view) * fog;
+    out.veil = haze_before(view) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
-    let past_rim = select(-1e9, length(p.xz) - scene.moon.w, scene.moon.w > 0.0);
-    out.place = vec4<f32>(p, max(past_rim, max(geo_beyond_edge(scene.space, p), -1e9)));
+    out.place = vec4<f32>(p, max(geo_beyond_edge(scene.space, p), -1e9));
     let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
-    out.feet = vec4<f32>(nearest_feet(p, hemisphere, in.flags >> 2u), in.world.w + mark);
+    out.feet = vec4<f32>(nearest_feet(p, chart, in.flags >> 2u), in.world.w + mark);
     out.view = view;
-    if wants_model_normal(space, in.lights) {
-        out.frame_normal = frame_vector(space, p, out.facing, hemisphere);
+    if wants_model_normal(in.lights) {
+        out.frame_normal = frame_vector(space, p, normal);
     }
-    if geo_kind(space) == GEO_SPHERE {
-        // Sun and moon stand among the land: their light is three times the work of a fixed direction's, and changes
-        // little along an edge.
-        let normal = out.facing;
-        out.facing = out.albedo * orbs_on(space, view, out.frame_normal, normal.y, 1.0);
-        if SHADOWS != 0u {
-            let unlit = is_unlit(view, normal, out.frame_normal);
-            out.dark = out.albedo * orbs_on(space, view, out.frame_normal, normal.y, select(0.0, 1.0, unlit));
-        }
-    }
+    let light = land_light(view, normal, out.frame_normal, out.albedo);
+    out.facing = light.facing;
+    out.dark = light.dark;
     if any(in.lights != vec3<u32>(0u)) {
         let lamplight = lamplight_at(space, view, out.frame_normal, in.lights);
         out.lights = lamplight.near;
@@ -131,7 +110,7 @@ fn from_reference(in: VertexIn) -> vec3<f32> {
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    return land_at(in, p, port_to_view(space_at(in.flags), p, in.flags & 1u));
+    return land_at(in, p, port_to_view(space_of(in.flags & 1u), p));
 }
 
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
@@ -142,19 +121,19 @@ fn vertex_framed(in: VertexIn) -> VertexOut {
     return land_at(in, p, view);
 }
 
-// How far over the equator land throws shadows: half an edge of a triangle, so that there is no gap, metres.
+// How far over the edge of its chart land throws shadows: half an edge of a triangle, so that there is no gap, metres.
 const RIM_OVERLAP: f32 = 0.5;
 
 struct CasterIn {
     @location(0) units: vec4<u32>,      // as above
     @location(3) offset: vec3<f32>,     // the chunk's corner from where the map's matrix begins
-    @location(4) flags: u32,            // lowest bit: hemisphere
+    @location(4) flags: u32,            // lowest bit: chart
 }
 
-// Land past the equator, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
-// on the sheet y = 0, under all land: left out, it would take with it the triangles that reach over the equator.
+// Land past the edge, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
+// on the sheet y = 0, under all land: left out, it would take with it the triangles that reach over it.
 fn is_past_rim(p: vec3<f32>) -> bool {
-    return GEO_KIND == GEO_SPHERE && length(p.xz) > caster.curve.y + RIM_OVERLAP;
+    return length(p.xz) > caster.curve.y + RIM_OVERLAP;
 }
 
 @vertex
@@ -170,26 +149,6 @@ fn vertex_hole(@builtin(vertex_index) index: u32) -> @builtin(position) vec4<f32
     return vec4<f32>(corner * 2.0 - 1.0, 0.0, 1.0);
 }
 
-// Whether land turns away from the light that throws shadows, or lies where that does not reach.
-fn is_turned(in: VertexOut) -> bool {
-    if geo_kind(scene.space) == GEO_SPHERE {
-        return all(in.facing - in.dark <= 0.002 * in.facing);
-    }
-    return is_unlit(in.view, normalize(in.facing), in.frame_normal);
-}
-
-// The land's colour in all light but that of lamps and beams.
-fn daylit(in: VertexOut, point: Shaded) -> vec3<f32> {
-    if geo_kind(scene.space) == GEO_SPHERE && SHADOWS == 0u {
-        return in.facing;
-    }
-    let share = key_share(point, in.clip.xy, is_turned(in), in.feet.w > 0.5 * SHADED);
-    if geo_kind(scene.space) == GEO_SPHERE {
-        return mix(in.dark, in.facing, share);
-    }
-    return in.albedo * light_on(normalize(in.facing), share);
-}
-
 // What a pixel spans of the way to the ring's middle counts as so much of its radius at most.
 const RING_WIDEST: f32 = 0.06;
 
@@ -197,12 +156,7 @@ const RING_WIDEST: f32 = 0.06;
 // as it does, and a pixel or two wide however steeply it is seen. Gives the shares of the ring and of its dark edges. To
 // be called before a fragment may be discarded.
 fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
-    var away = place - scene.ring_centre.xyz;
-    if GEO_KIND == GEO_SPHERE {
-        // Either chart may draw the land here: metres of the ring's own come from the difference in view coordinates.
-        away = (view - scene.ring_centre) * mat3x4<f32>(scene.ring_x, scene.ring_y, scene.ring_z);
-    }
-    let from_middle = length(away);
+    let from_middle = length(from_ring(place, view));
     // Where land ends before other land the next pixel may be metres off, and that is not the ring's width.
     let across_m = clamp(fwidth(from_middle), 1e-6, RING_WIDEST * scene.ring.w + 1e-6);
     let pixels = abs(from_middle - scene.ring.w) / across_m;
@@ -214,6 +168,11 @@ fn ring_at(place: vec3<f32>, view: vec4<f32>) -> vec2<f32> {
 fn ringed(land: vec4<f32>, ring: vec2<f32>) -> vec4<f32> {
     let edged = land.rgb * (1.0 - ring.y);
     return vec4<f32>(mix(edged, scene.ring.rgb, ring.x), land.a);
+}
+
+// Whether land turns away from the light that throws shadows, or lies where that does not reach.
+fn is_turned(in: VertexOut) -> bool {
+    return is_land_unlit(LandLight(in.facing, in.dark), in.view, in.frame_normal);
 }
 
 fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
@@ -238,7 +197,9 @@ fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
     let under = (in.place.xyz - in.feet.xyz) * vec3<f32>(1.5, 0.45, 1.5);
     let shade = max(1.0 - dot(under, under), 0.0);
     tone *= 1.0 - 0.55 * shade;
-    var lit = daylit(in, point);
+    let unlit = is_turned(in);
+    let share = key_share(point, in.clip.xy, unlit, in.feet.w > 0.5 * SHADED);
+    var lit = daylit(LandLight(in.facing, in.dark), in.albedo, share);
     if any(in.lights != vec3<u32>(0u)) {
         lit += in.albedo * lights_on(in.view, in.frame_normal, in.lights, 0.0);
     }
@@ -255,7 +216,7 @@ fn fragment(in: VertexOut) -> @location(0) vec4<f32> {
     return ringed(land_colour(in, point), ring);
 }
 
-// Beyond what the chart draws: over the equator, where the other chart draws it, or past what a bent picture shows. By
+// Beyond what the chart draws: over its edge, where another chart draws it, or past what a bent picture shows. By
 // more than 5 cm and, since far land is coarse and that of the two charts not the same, by about a pixel's width:
 // where they ended just there, the sky would show between them.
 fn is_trimmed(in: VertexOut) -> bool {
@@ -279,8 +240,7 @@ struct DeepOut {
 
 // Hyperbolic depth is not quite linear inside a triangle: here each fragment is ported for its own.
 fn own_depth(in: VertexOut) -> f32 {
-    let space = space_at(u32(in.clip.x));
-    let clip = clip_from_view(space, port_to_view(space, in.place.xyz, 0u));
+    let clip = clip_from_view(scene.space, port_to_view(scene.space, in.place.xyz));
     return clamp(clip.z / max(clip.w, 1e-6), 0.0, 1.0);
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{ChartPoint, Eye, Projection, SpaceUniform, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Eye, Projection, SpaceUniform, Strategy};
 use glam::{DMat4, DVec3, DVec4};
 
 use crate::{ModelId, Quality};
@@ -90,6 +90,16 @@ impl View {
         }
         let back = glam::DMat3::from_mat4(self.isometry).transpose();
         [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| eye.to_chart(back * axis))
+    }
+
+    /// What is applied to a ported point of a chart to have view coordinates, after the isometry.
+    pub fn chart_matrix(&self, chart: ChartId) -> DMat4 {
+        let own = self.strategy.chart_matrix(&self.eye, chart);
+        if self.is_moved() {
+            self.isometry * own
+        } else {
+            own
+        }
     }
 
     /// What the shaders need to know of the space, the eye, the projection and the isometry.

@@ -32,6 +32,7 @@ mod point;
 mod projection;
 pub mod real;
 pub mod scalar;
+pub mod shader;
 mod sight;
 mod spherical;
 mod strategy;
@@ -56,6 +57,7 @@ pub use optics::Optics;
 pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use real::Real;
+pub use shader::MapShader;
 pub use sight::{Drum, SightCell, azimuth_spread};
 pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
 pub use strategy::Strategy;
@@ -63,9 +65,8 @@ pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
 pub use view::View;
 
-/// The shader text that mirrors this crate: `struct Space` and the four functions that port,
-/// light, project and measure. It has no entry point and no binding; other shaders are
-/// appended to it.
+/// The shader text that all maps share: `struct Space` and what is made of a map's own functions, whose text
+/// ([`MapShader`]) is to be appended. It has no entry point and no binding.
 pub const WGSL: &str = concat!(
     include_str!("../../../shaders/trigonometry.wgsl"),
     include_str!("../../../shaders/geometry.wgsl"),

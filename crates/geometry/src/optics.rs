@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
-use crate::{ChartId, ChartPoint, Drum, Eye, Frustum, Projection, SightCell, SpaceUniform};
+use crate::{
+    ChartId, ChartPoint, Drum, Eye, Frustum, MapShader, Projection, SightCell, SpaceUniform,
+};
 
 /// How pictures of a space are taken: where in them what is seen lies, how far and in which directions things are seen, what
 /// is cut off, and what the shaders are told.
@@ -80,6 +82,20 @@ pub trait Optics {
 
     /// What is applied to the ported point, xyz in metres and w without unit, to have view coordinates.
     fn view_matrix(&self, eye: &Eye) -> DMat4;
+
+    /// The isometry, applied after the port, that takes the model of a chart to that of the first one; xyz in metres and
+    /// w without unit.
+    fn home_matrix(&self, _chart: ChartId) -> DMat4 {
+        DMat4::IDENTITY
+    }
+
+    /// What is applied to a ported point of a chart to have view coordinates: [`Optics::view_matrix`] of that chart.
+    fn chart_matrix(&self, eye: &Eye, chart: ChartId) -> DMat4 {
+        self.view_matrix(eye) * self.home_matrix(chart)
+    }
+
+    /// What the shaders of its map are.
+    fn shader(&self) -> &'static MapShader;
 
     /// What the shaders need to know of the space, the eye and the projection.
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform;

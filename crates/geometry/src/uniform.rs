@@ -20,33 +20,18 @@ pub struct SpaceUniform {
     /// Raised and sphere: curvature k per metre, offset h in radii, sinh h, cosh h. Horizon:
     /// kappa per square metre, the eye's height H in metres, S(H) in metres, C(H).
     pub curve: [f32; 4],
-    /// Horizon: farthest level distance and greatest height that are shown, in metres; k per
-    /// metre; and padding.
+    /// How far a chart is drawn: along its ground from the reference, and up and down, in metres; k per metre; and
+    /// padding.
     pub edge: [f32; 4],
-    /// First number: 0 flat, 1 raised hyperbolic, 2 sphere, 3 horizon; the rest is padding.
-    pub kind: [u32; 4],
 }
 
 impl SpaceUniform {
-    pub(crate) const FLAT: u32 = 0;
-    pub(crate) const RAISED: u32 = 1;
-    /// `kind[0]` of a closed world.
-    pub const SPHERE: u32 = 2;
-    /// The number of the horizon map in `kind`.
-    pub const HORIZON: u32 = 3;
-
-    /// `offset` is h in units of the radius.
-    pub(crate) fn new(
-        kind: u32,
-        view: DMat4,
-        projection: &Projection,
-        radius_m: f64,
-        offset: f64,
-    ) -> Self {
-        let (radius, k) = if kind == Self::FLAT || radius_m == 0.0 {
-            (0.0, 0.0)
-        } else {
+    /// `offset` is h in units of the radius, which is infinite or 0 where the space is flat.
+    pub(crate) fn new(view: DMat4, projection: &Projection, radius_m: f64, offset: f64) -> Self {
+        let (radius, k) = if radius_m.is_finite() && radius_m != 0.0 {
             (radius_m, 1.0 / radius_m)
+        } else {
+            (0.0, 0.0)
         };
         let project = [projection.sx, projection.sy, projection.near_m, radius];
         let curve = [k, offset, offset.sinh(), offset.cosh()];
@@ -55,7 +40,6 @@ impl SpaceUniform {
             project: project.map(|x| x as f32),
             curve: curve.map(|x| x as f32),
             edge: [UNLIMITED_M, UNLIMITED_M, k as f32, 0.0],
-            kind: [kind, 0, 0, 0],
         }
     }
 
@@ -74,7 +58,16 @@ impl SpaceUniform {
         Self {
             curve: curve.map(|x| x as f32),
             edge: [within(level_m), within(upright_m), k as f32, 0.0],
-            ..Self::new(Self::HORIZON, view, projection, radius, 0.0)
+            ..Self::new(view, projection, radius, 0.0)
+        }
+    }
+
+    /// The same, whose charts are drawn so far along their ground, metres from the reference.
+    pub(crate) fn within(self, level_m: f64) -> Self {
+        let [_, upright_m, k, padding] = self.edge;
+        Self {
+            edge: [level_m as f32, upright_m, k, padding],
+            ..self
         }
     }
 }

@@ -1,10 +1,11 @@
 //! One compute pass over a list of inputs, on the adapter in use.
 //!
-//! The shared shader text stands in front of every shader given here, so what is measured is the
+//! The shared shader text and that of a map stand in front of every shader given here, so what is measured is the
 //! code the game draws with. A shader has its inputs at binding 0, its outputs at binding 1, and
 //! an entry point `main` of 64 invocations.
 
-use antipode_geometry::WGSL;
+use antipode_geometry::MapShader;
+use antipode_geometry::shader::MAPS;
 use antipode_render::Gpu;
 use bytemuck::Pod;
 use wgpu::BufferUsages as Usage;
@@ -29,16 +30,49 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
 /// Inputs in one pass at most: a pass has at most 65535 groups of 64, and buffers have limits.
 const MOST_AT_ONCE: usize = 1 << 18;
 
-/// One `Out` for each `In`.
+/// One `Out` for each `In`, by the shader of each input's map, by its place in [`MAPS`].
+///
+/// # Errors
+/// As [`run`].
+pub fn run_by_map<In: Pod, Out: Pod>(
+    gpu: &Gpu,
+    shader: &str,
+    inputs: &[In],
+    map_of: impl Fn(&In) -> u32,
+) -> Result<Vec<Out>, LabError> {
+    let mut outputs = vec![Out::zeroed(); inputs.len()];
+    for (number, map) in (0..).zip(MAPS) {
+        let places: Vec<usize> = (0..inputs.len())
+            .filter(|i| map_of(&inputs[*i]) == number)
+            .collect();
+        if places.is_empty() {
+            continue;
+        }
+        let own: Vec<In> = places.iter().map(|i| inputs[*i]).collect();
+        for (i, output) in places.into_iter().zip(run(gpu, map, shader, &own)?) {
+            outputs[i] = output;
+        }
+    }
+    Ok(outputs)
+}
+
+/// The place of a map in [`MAPS`].
+pub fn number_of(map: &MapShader) -> u32 {
+    let place = MAPS.iter().position(|it| it.name == map.name);
+    place.map_or(u32::MAX, |place| place as u32)
+}
+
+/// One `Out` for each `In`, by the shader of a map.
 ///
 /// # Errors
 /// [`LabError::Compute`] when the shader is refused or its results cannot be read.
 pub fn run<In: Pod, Out: Pod>(
     gpu: &Gpu,
+    map: &MapShader,
     shader: &str,
     inputs: &[In],
 ) -> Result<Vec<Out>, LabError> {
-    let pipeline = pipeline(gpu, shader);
+    let pipeline = pipeline(gpu, map, shader);
     let mut outputs = Vec::with_capacity(inputs.len());
     for some in inputs.chunks(MOST_AT_ONCE) {
         outputs.extend(pass::<In, Out>(gpu, &pipeline, some)?);
@@ -53,9 +87,9 @@ pub(crate) fn failed(gpu: &Gpu, why: &impl ToString) -> LabError {
     }
 }
 
-/// The pass of a shader, behind the shared text.
-pub(crate) fn pipeline(gpu: &Gpu, shader: &str) -> wgpu::ComputePipeline {
-    let source = format!("{WGSL}\n{shader}");
+/// The pass of a shader, behind the shared text and a map's.
+pub(crate) fn pipeline(gpu: &Gpu, map: &MapShader, shader: &str) -> wgpu::ComputePipeline {
+    let source = map.geometry() + shader;
     let module = gpu
         .device
         .create_shader_module(wgpu::ShaderModuleDescriptor {

@@ -2,7 +2,7 @@
 //! hand would hang.
 
 use antipode_frame::{Frame, Marker, MarkerShape};
-use antipode_geometry::{ChartPoint, Geometry};
+use antipode_geometry::ChartPoint;
 use glam::{DMat3, DVec3, DVec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
@@ -129,7 +129,7 @@ impl Ring {
         };
         let [r, g, b] = colour.map(|channel| channel * light);
         let [x, y, z] = offset_of(frame, marker.point);
-        let closed = frame.view.strategy.geometry() == Geometry::Spherical;
+        let closed = !frame.view.strategy.has_sky();
         let middle = frame.view.point(marker.point);
         Self {
             centre: if closed {

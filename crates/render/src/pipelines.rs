@@ -1,6 +1,6 @@
 //! The pipelines of the scene pass: one for each way of drawing something.
 
-use antipode_geometry::SpaceUniform;
+use antipode_geometry::MapShader;
 use wgpu::{
     BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
     Device, PipelineLayout, RenderPipeline, ShaderModule, ShaderStages, VertexAttribute,
@@ -18,9 +18,7 @@ use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
-
-/// Added to the number of a map for pipelines of views that sheets may cut.
-pub const CUT: u32 = 4;
+use crate::workshop::Key;
 
 /// Everything the scene is drawn with.
 #[derive(Debug)]
@@ -52,22 +50,28 @@ pub struct Pipelines {
 }
 
 impl Pipelines {
-    /// Compiles the scene's shaders for one map of the space, by its number in `SpaceUniform::kind`, with [`CUT`] for views
-    /// that sheets may cut, and so many samples a pixel and shadows of a quality.
+    /// Compiles the scene's shaders for one map of the space, so many samples a pixel and shadows of a quality.
     ///
     /// # Errors
-    /// What the device has to say against one of them.
+    /// What the map's text lacks, or what the device has to say against one of them; either names the map.
     pub fn new(
         device: &Device,
         shaders: Shaders,
         scene_layout: &BindGroupLayout,
-        kind: u32,
+        key: Key,
         (samples, shadows): (u32, ShadowQuality),
     ) -> Result<Self, String> {
-        accepted(device, || {
-            let maker = Maker::new(device, shaders, scene_layout, kind, samples);
+        if let Some((file, function)) = key.map.lacks() {
+            return Err(format!(
+                "the map \"{}\" cannot be drawn: \"{file}\" has no function {function}",
+                key.map.name
+            ));
+        }
+        let made = accepted(device, || {
+            let maker = Maker::new(device, shaders, scene_layout, key, samples);
             Self::made_by(&Maker { shadows, ..maker })
-        })
+        });
+        made.map_err(|why| format!("the map \"{}\" cannot be drawn: {why}", key.map.name))
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
@@ -183,7 +187,8 @@ pub(crate) struct Maker<'a> {
     bent_layout: PipelineLayout,
     caster_layout: PipelineLayout,
     figure_caster_layout: PipelineLayout,
-    kind: f64,
+    /// The map that it compiles for.
+    pub(crate) map: &'static MapShader,
     samples: u32,
     pub(crate) shadows: ShadowQuality,
     by_figures: bool,
@@ -196,7 +201,7 @@ impl<'a> Maker<'a> {
         device: &'a Device,
         shaders: Shaders,
         scene_layout: &BindGroupLayout,
-        kind: u32,
+        key: Key,
         samples: u32,
     ) -> Self {
         let layout = |label, groups: &[Option<&BindGroupLayout>]| {
@@ -219,17 +224,12 @@ impl<'a> Maker<'a> {
                 "figure shadow caster",
                 &[None, Some(&joints_layout), Some(&caster)],
             ),
-            kind: f64::from(kind & !CUT),
+            map: key.map,
             samples,
             shadows: ShadowQuality::Off,
             by_figures: true,
-            cuts: kind & CUT != 0,
+            cuts: key.is_cut,
         }
-    }
-
-    /// Whether it makes what closed worlds are drawn by.
-    pub(crate) fn is_closed(&self) -> bool {
-        self.kind == f64::from(SpaceUniform::SPHERE)
     }
 
     /// One that makes the same for what only some shadows reach.
@@ -253,7 +253,7 @@ impl<'a> Maker<'a> {
     }
 
     pub(crate) fn compile(&self, shader: Shader) -> ShaderModule {
-        self.shaders.compile(self.device, shader)
+        self.shaders.compile(self.device, shader, Some(self.map))
     }
 
     /// Lines before what is nearer, and those behind it.
@@ -327,10 +327,7 @@ impl<'a> Maker<'a> {
                 vertex: wgpu::VertexState {
                     module,
                     entry_point: Some(entry),
-                    compilation_options: wgpu::PipelineCompilationOptions {
-                        constants: &[("GEO_KIND", self.kind)],
-                        ..Default::default()
-                    },
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
                     buffers: &buffers,
                 },
                 primitive: wgpu::PrimitiveState::default(),
@@ -359,7 +356,7 @@ impl<'a> Maker<'a> {
         let shadows = ("SHADOWS", f64::from(self.shadows.number()));
         let by_figures = ("FIGURE_SHADOWS", f64::from(u8::from(self.by_figures)));
         let cuts = ("CUTS", f64::from(u8::from(self.cuts)));
-        let constants = [("GEO_KIND", self.kind), shadows, by_figures, cuts];
+        let constants = [shadows, by_figures, cuts];
         let compilation_options = wgpu::PipelineCompilationOptions {
             constants: &constants,
             ..Default::default()

@@ -19,7 +19,7 @@ use crate::targets::drawn_size;
 use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::{MirrorPlace, Tonemap};
-use crate::workshop::Workshop;
+use crate::workshop::{Key, Workshop};
 
 mod options;
 mod readiness;
@@ -69,7 +69,7 @@ pub struct Renderer {
     /// Options to be taken together with the pipelines that are being made for them.
     later: Option<(Options, Tonemap)>,
     /// The last frame's map, by its number in `SpaceUniform::kind`.
-    map: Option<u32>,
+    map: Option<Key>,
     /// The view of the frames themselves.
     picture: ViewState,
     /// The others, in the order in which the last frame that had so many named them.
@@ -277,7 +277,7 @@ impl Renderer {
     }
 
     /// Brings land and shadows up to date for a frame, and draws its light.
-    fn draw_picture(&mut self, frame: &Frame, map: u32, encoder: &mut CommandEncoder) -> DrawStats {
+    fn draw_picture(&mut self, frame: &Frame, map: Key, encoder: &mut CommandEncoder) -> DrawStats {
         let drawn = self
             .tile
             .map_or(self.picture.targets.size, |tile| tile.whole);

@@ -1,6 +1,6 @@
 //! The shaders' sources, embedded, and how they are put together.
 
-use antipode_geometry::WGSL as GEOMETRY;
+use antipode_geometry::{MapShader, WGSL as GEOMETRY};
 
 const COMMON: &str = include_str!("../../../shaders/common.wgsl");
 const LIGHTS: &str = include_str!("../../../shaders/lights.wgsl");
@@ -10,43 +10,36 @@ const SHADOW: &str = include_str!("../../../shaders/shadow.wgsl");
 pub const TERRAIN: Shader = Shader {
     name: "terrain",
     own: include_str!("../../../shaders/terrain.wgsl"),
-    space: true,
 };
 /// Figures.
 pub const FIGURE: Shader = Shader {
     name: "figure",
     own: include_str!("../../../shaders/figure.wgsl"),
-    space: true,
 };
 /// The brush marker.
 pub const MARKER: Shader = Shader {
     name: "marker",
     own: include_str!("../../../shaders/marker.wgsl"),
-    space: true,
 };
 /// Outlines of hit shapes.
 pub const OUTLINES: Shader = Shader {
     name: "outlines",
     own: include_str!("../../../shaders/outlines.wgsl"),
-    space: true,
 };
 /// The sky.
 pub const SKY: Shader = Shader {
     name: "sky",
     own: include_str!("../../../shaders/sky.wgsl"),
-    space: true,
 };
 /// Sun, moon and stars.
 pub const CELESTIAL: Shader = Shader {
     name: "celestial",
     own: include_str!("../../../shaders/celestial.wgsl"),
-    space: true,
 };
 /// From light to display.
 pub const TONEMAP: Shader = Shader {
     name: "tonemap",
     own: include_str!("../../../shaders/tonemap.wgsl"),
-    space: false,
 };
 
 /// One shader of the game.
@@ -54,18 +47,20 @@ pub const TONEMAP: Shader = Shader {
 pub struct Shader {
     /// Its file's name without the ending; also its label.
     pub name: &'static str,
-    own: &'static str,
-    /// Whether it stands in the space and so needs the shared files before it.
-    space: bool,
+    /// Its file's text.
+    pub own: &'static str,
 }
 
 impl Shader {
-    /// The whole text, shared files first.
-    pub fn source(&self) -> String {
-        if self.space {
-            [GEOMETRY, COMMON, LIGHTS, SHADOW, self.own].join("\n")
-        } else {
-            self.own.to_owned()
+    /// The whole text. What stands in a space has before its own what all share, that of a map, and how the light falls in
+    /// the map's worlds.
+    pub fn source(&self, map: Option<&MapShader>) -> String {
+        match map {
+            Some(map) => {
+                let light = map.daylight.text;
+                [GEOMETRY, map.text, COMMON, LIGHTS, SHADOW, light, self.own].join("\n")
+            }
+            None => self.own.to_owned(),
         }
     }
 }
@@ -77,20 +72,27 @@ pub struct Shaders {
 }
 
 impl Shaders {
-    /// The embedded ones, but for the shader of that name (its file's without the ending), which is compiled from
-    /// this text: to see what becomes of one that an adapter will not take.
+    /// The embedded ones, but for the shader of that name (its file's without the ending), whose own text is this one: to
+    /// see what becomes of one that an adapter will not take.
     pub fn with(name: &'static str, text: &'static str) -> Self {
         Self {
             instead: Some((name, text)),
         }
     }
 
-    /// Compiles a shader on a device.
-    pub(crate) fn compile(&self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
-        let source = match self.instead {
-            Some((name, text)) if name == shader.name => text.to_owned(),
-            _ => shader.source(),
-        };
+    /// Compiles a shader on a device, for a map if it stands in a space.
+    pub(crate) fn compile(
+        &self,
+        device: &wgpu::Device,
+        mut shader: Shader,
+        map: Option<&MapShader>,
+    ) -> wgpu::ShaderModule {
+        if let Some((name, text)) = self.instead
+            && name == shader.name
+        {
+            shader.own = text;
+        }
+        let source = shader.source(map);
         device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some(shader.name),
             source: wgpu::ShaderSource::Wgsl(source.into()),
@@ -126,30 +128,87 @@ pub mod tests {
         clippy::panic,
         reason = "tests fail by panicking"
     )]
+    use antipode_geometry::shader::{DAYLIGHT_FUNCTIONS, MAP_FUNCTIONS, MAPS};
     use naga::valid::{Capabilities, ValidationFlags, Validator};
 
     use super::*;
 
     /// The parsed shader; panics with the compiler's words when it does not compile.
-    pub fn parse(shader: Shader) -> naga::Module {
-        let source = shader.source();
+    pub fn parse(shader: Shader, map: &MapShader) -> naga::Module {
+        let source = shader.source(Some(map));
         naga::front::wgsl::parse_str(&source)
             .unwrap_or_else(|e| panic!("{}", e.emit_to_string(&source)))
     }
 
     #[test]
     fn every_shader_is_valid() {
-        for shader in [TERRAIN, FIGURE, MARKER, OUTLINES, SKY, CELESTIAL, TONEMAP] {
-            let module = parse(shader);
-            let checked =
-                Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
-            assert!(checked.is_ok(), "{}: {:?}", shader.name, checked.err());
+        for map in MAPS {
+            for shader in [TERRAIN, FIGURE, MARKER, OUTLINES, SKY, CELESTIAL, TONEMAP] {
+                let module = parse(shader, map);
+                let checked =
+                    Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module);
+                let names = (shader.name, map.name);
+                assert!(checked.is_ok(), "{names:?}: {:?}", checked.err());
+            }
+        }
+    }
+
+    /// The functions that a text defines, but for those that are only its own.
+    fn defined(text: &str, helpers: &[&str]) -> Vec<String> {
+        let names = text.lines().filter_map(|line| {
+            let name = line.strip_prefix("fn ")?.split('(').next()?;
+            let is_own = name.starts_with("geo_") || helpers.contains(&name);
+            (!is_own).then(|| name.to_owned())
+        });
+        let mut names: Vec<_> = names.collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn every_map_and_every_daylight_defines_just_the_functions_of_its_list() {
+        let sorted = |list: &[&str]| {
+            let mut list: Vec<_> = list.iter().map(|name| (*name).to_owned()).collect();
+            list.sort();
+            list
+        };
+        for map in MAPS {
+            assert_eq!(map.lacks(), None);
+            assert_eq!(
+                defined(map.text, &[]),
+                sorted(&MAP_FUNCTIONS),
+                "{}",
+                map.name
+            );
+            let helpers = [
+                "model_of",
+                "daylight_at",
+                "key_body",
+                "orbs_on",
+                "shadow_face",
+            ];
+            let light = map.daylight;
+            let found = defined(light.text, &helpers);
+            assert_eq!(found, sorted(&DAYLIGHT_FUNCTIONS), "{}", light.name);
+        }
+    }
+
+    #[test]
+    fn files_that_all_maps_share_name_none_of_them() {
+        for text in [GEOMETRY, COMMON, LIGHTS, SHADOW, TERRAIN.own, FIGURE.own] {
+            for word in ["GEO_KIND", "kind.x", "hemisphere", "geo_port_"] {
+                assert!(!text.contains(word), "{word}");
+            }
         }
     }
 
     #[test]
     fn every_file_of_shaders_is_used() {
         let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shaders");
+        let files = |folder: &str| std::fs::read_dir(folder).unwrap();
+        let spaces = files(&folder.join("spaces").to_string_lossy());
+        let worlds = files(&folder.join("worlds").to_string_lossy());
+        let whole = files(&folder.to_string_lossy());
         let known = [
             "trigonometry",
             "geometry",
@@ -164,11 +223,15 @@ pub mod tests {
             CELESTIAL.name,
             TONEMAP.name,
         ];
-        for file in std::fs::read_dir(folder).unwrap() {
+        let of_maps = MAPS.map(|map| [map.name, map.daylight.name]);
+        for file in whole.chain(spaces).chain(worlds) {
             let path = file.unwrap().path();
+            if path.is_dir() {
+                continue;
+            }
             let name = path.file_stem().unwrap().to_str().unwrap().to_owned();
             assert!(
-                known.contains(&name.as_str()),
+                known.contains(&name.as_str()) || of_maps.as_flattened().contains(&&*name),
                 "{} is drawn by nothing",
                 path.display()
             );
@@ -178,8 +241,10 @@ pub mod tests {
     /// Functions whose precision the standard leaves open must not decide where things stand.
     #[test]
     fn the_geometry_uses_no_imprecise_builtin() {
-        for line in GEOMETRY
-            .lines()
+        let texts = MAPS.map(MapShader::geometry);
+        for line in texts
+            .iter()
+            .flat_map(|text| text.lines())
             .map(|line| line.split("//").next().unwrap_or_default())
         {
             for name in [

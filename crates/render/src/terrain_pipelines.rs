@@ -75,15 +75,15 @@ impl TerrainPipelines {
             }
         };
         let is_low = maker.shadows == ShadowQuality::Low;
+        let is_round = maker.map.daylight.is_round;
         Self {
             all: Set::made_by(maker, module, buffers),
-            // Only closed worlds have much land that no map shows, and an equator at hand.
             land: if is_low {
-                few(ShadowReach::Land, maker.is_closed())
+                few(ShadowReach::Land, is_round)
             } else {
                 Few::default()
             },
-            nothing: if is_low && maker.is_closed() {
+            nothing: if is_low && is_round {
                 few(ShadowReach::Nothing, true)
             } else {
                 Few::default()

@@ -169,7 +169,7 @@ fn pipeline(
         bind_group_layouts: &[Some(layout)],
         immediate_size: 0,
     });
-    let module = shaders.compile(device, TONEMAP);
+    let module = shaders.compile(device, TONEMAP, None);
     let constants = [
         ("SCALED", f64::from(u8::from(scaled))),
         ("SWAPPED", f64::from(u8::from(swapped))),

@@ -4,7 +4,7 @@ use antipode_frame::{Frame, Orbs, View};
 use antipode_geometry::{ChartId, ChartPoint, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, Vec3};
+use glam::{DMat4, DVec3, Vec3};
 
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::marker::Ring;
@@ -20,11 +20,33 @@ const SHADE_REACH_M: f64 = 3.0;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
+/// Charts that a picture knows; `CHARTS` of common.wgsl.
+pub const CHARTS: usize = 2;
+
+/// `Chart` of common.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+struct ChartUniform {
+    view: [[f32; 4]; 4],
+    home: [[f32; 4]; 4],
+}
+
+impl ChartUniform {
+    fn new(frame: &Frame, chart: ChartId) -> Self {
+        let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
+        Self {
+            view: columns(frame.view.chart_matrix(chart)),
+            home: columns(frame.view.strategy.home_matrix(chart)),
+        }
+    }
+}
+
 /// `Scene` of common.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct SceneUniform {
     space: SpaceUniform,
+    charts: [ChartUniform; CHARTS],
     right: [f32; 4],
     up: [f32; 4],
     front: [f32; 4],
@@ -62,16 +84,11 @@ impl SceneUniform {
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
         let shades = shades(frame);
-        let rim_m = frame
-            .view
-            .strategy
-            .domain(frame.view.eye.point.chart)
-            .radius_m()
-            .unwrap_or(0.0) as f32;
         let ring = Ring::of(frame);
         let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
             space: frame.view.uniform(),
+            charts: KNOWN.map(|chart| ChartUniform::new(frame, chart)),
             right: with(right, frame.content.time_s),
             up: with(
                 up,
@@ -83,10 +100,10 @@ impl SceneUniform {
             ),
             front: with(front, frame.view.fog_distance_m.max(1.0)),
             top: with(sky.top.into(), sky.stars),
-            horizon: with(sky.horizon.into(), f32::from(u8::from(sky.dome))),
+            horizon: with(sky.horizon.into(), 0.0),
             glare: with(sky.glare.into(), sin / length),
             sun: with(sky.sun_direction.into(), cos / length),
-            moon: with(sky.moon_direction.into(), rim_m),
+            moon: with(sky.moon_direction.into(), 0.0),
             key_direction: with(sky.key_direction.into(), 2.0 / size.0 as f32),
             key_colour: with(sky.key_colour.into(), 2.0 / size.1 as f32),
             ambient_sky: with(sky.ambient_sky.into(), sky.drift),
@@ -346,6 +363,9 @@ impl OutlineInstance {
     /// Attributes from location 3 on.
     pub const ATTRIBUTES: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
 }
+
+/// The charts by the shaders' numbers.
+pub const KNOWN: [ChartId; CHARTS] = [ChartId::FIRST, ChartId::SECOND];
 
 /// The shaders' number of a chart.
 pub fn chart_index(chart: ChartId) -> u32 {

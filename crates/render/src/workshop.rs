@@ -4,18 +4,40 @@
 mod tests;
 
 use std::fmt;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::thread::{Builder, JoinHandle};
 
-/// Maps that shaders are compiled for: numbers that `SpaceUniform::kind` begins with.
-const MAPS: u32 = 4;
-/// These, and the same for views that are cut, which nobody makes ahead.
-const NUMBERS: u32 = 2 * MAPS;
+use antipode_geometry::MapShader;
+use antipode_geometry::shader::MAPS;
 
-/// Makes what a map needs, by the map's number; or says why it cannot.
-type Make<T> = Box<dyn Fn(u32) -> Result<T, String> + Send + Sync>;
+/// What pipelines are made for: a map, known by its name.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    /// The map.
+    pub map: &'static MapShader,
+    /// Whether sheets may cut what is drawn; nobody makes those ahead.
+    pub is_cut: bool,
+}
+
+impl Key {
+    /// That of pictures that nothing cuts.
+    pub fn whole(map: &'static MapShader) -> Self {
+        Self { map, is_cut: false }
+    }
+}
+
+impl PartialEq for Key {
+    fn eq(&self, other: &Self) -> bool {
+        (self.map.name, self.is_cut) == (other.map.name, other.is_cut)
+    }
+}
+
+impl Eq for Key {}
+
+/// Makes what a map needs, or says why it cannot.
+type Make<T> = Box<dyn Fn(Key) -> Result<T, String> + Send + Sync>;
 
 /// The pipelines of every map.
 #[derive(Debug)]
@@ -26,20 +48,29 @@ pub struct Workshop<T: Send + Sync + 'static> {
     thread: Option<Worker<T>>,
 }
 
-/// What is made, by the map's number.
+/// What is made, or is to be: a list that only grows, so that what it has can be lent without a lock.
 struct Shelf<T> {
     make: Make<T>,
-    /// Or why they cannot be made.
-    made: [OnceLock<Result<T, String>>; NUMBERS as usize],
-    /// The map that frames wait for, which goes before others; [`NUMBERS`] for none.
-    wanted: AtomicU32,
+    first: Link<T>,
+    /// What frames wait for, which goes before others.
+    wanted: Mutex<Option<Key>>,
     /// Nothing more is to be made for it in the thread.
     closes: AtomicBool,
 }
 
+/// The rest of the list.
+type Link<T> = OnceLock<Box<Slot<T>>>;
+
+/// What is made for one key, or why it cannot be made.
+struct Slot<T> {
+    key: Key,
+    made: OnceLock<Result<T, String>>,
+    next: Link<T>,
+}
+
 #[derive(Debug)]
 struct Worker<T> {
-    orders: Sender<(Arc<Shelf<T>>, u32)>,
+    orders: Sender<(Arc<Shelf<T>>, Key)>,
     handle: JoinHandle<()>,
 }
 
@@ -53,23 +84,53 @@ impl<T> Shelf<T> {
     fn new(make: Make<T>) -> Self {
         Self {
             make,
-            made: [const { OnceLock::new() }; NUMBERS as usize],
-            wanted: AtomicU32::new(NUMBERS),
+            first: OnceLock::new(),
+            wanted: Mutex::new(None),
             closes: AtomicBool::new(false),
         }
     }
 
-    fn slot(&self, map: u32) -> &OnceLock<Result<T, String>> {
-        &self.made[(map % NUMBERS) as usize]
+    fn slots(&self) -> impl Iterator<Item = &Slot<T>> {
+        let first = self.first.get().map(Box::as_ref);
+        std::iter::successors(first, |slot| slot.next.get().map(Box::as_ref))
+    }
+
+    fn made(&self, key: Key) -> Option<&Result<T, String>> {
+        self.slots().find(|slot| slot.key == key)?.made.get()
     }
 
     /// Makes what a map needs, or waits for the thread that does.
-    fn finish(&self, map: u32) {
-        self.slot(map).get_or_init(|| (self.make)(map % NUMBERS));
+    fn finish(&self, key: Key) {
+        let mut link = &self.first;
+        loop {
+            let slot = link.get_or_init(|| {
+                Box::new(Slot {
+                    key,
+                    made: OnceLock::new(),
+                    next: OnceLock::new(),
+                })
+            });
+            if slot.key == key {
+                slot.made.get_or_init(|| (self.make)(key));
+                return;
+            }
+            link = &slot.next;
+        }
     }
 
-    fn is_made(&self, map: u32) -> bool {
-        self.slot(map).get().is_some()
+    fn is_made(&self, key: Key) -> bool {
+        self.made(key).is_some()
+    }
+
+    /// Has a key go before others from now on; returns which did before.
+    fn want(&self, key: Option<Key>) -> Option<Key> {
+        // A thread that broke off left a whole value there.
+        let mut wanted = self.wanted.lock().unwrap_or_else(PoisonError::into_inner);
+        std::mem::replace(&mut *wanted, key)
+    }
+
+    fn wanted(&self) -> Option<Key> {
+        *self.wanted.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn close(&self) {
@@ -79,13 +140,12 @@ impl<T> Shelf<T> {
 
 impl<T: Send + Sync + 'static> Worker<T> {
     fn start() -> std::io::Result<Self> {
-        let (orders, asked) = channel::<(Arc<Shelf<T>>, u32)>();
+        let (orders, asked) = channel::<(Arc<Shelf<T>>, Key)>();
         let work = move || {
             for (shelf, ordered) in asked {
-                let wanted = shelf.wanted.load(Ordering::Relaxed);
-                for map in [wanted, ordered].into_iter().filter(|map| *map < NUMBERS) {
+                for key in shelf.wanted().into_iter().chain([ordered]) {
                     if !shelf.closes.load(Ordering::Relaxed) {
-                        shelf.finish(map);
+                        shelf.finish(key);
                     }
                 }
             }
@@ -107,39 +167,38 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         }
     }
 
-    /// The pipelines of a map by its number in `SpaceUniform::kind`, if they are made and the device does not refuse
-    /// them. Never waits.
-    pub fn get(&self, map: u32) -> Option<&T> {
-        self.shelf.slot(map).get()?.as_ref().ok()
+    /// The pipelines of a map, if they are made and the device does not refuse them. Never waits.
+    pub fn get(&self, key: Key) -> Option<&T> {
+        self.shelf.made(key)?.as_ref().ok()
     }
 
     /// Whether the pipelines of a map are made, or refused.
-    pub fn is_made(&self, map: u32) -> bool {
-        self.shelf.is_made(map)
+    pub fn is_made(&self, key: Key) -> bool {
+        self.shelf.is_made(key)
     }
 
     /// Whether those of all maps are made, or refused.
     pub fn are_all_made(&self) -> bool {
-        (0..MAPS).all(|map| self.is_made(map))
+        MAPS.into_iter().all(|map| self.is_made(Key::whole(map)))
     }
 
     /// Makes the pipelines of a map, or waits for the thread that does.
-    pub fn finish(&self, map: u32) {
-        self.shelf.finish(map);
+    pub fn finish(&self, key: Key) {
+        self.shelf.finish(key);
     }
 
     /// Why the device refuses the pipelines of a map, if it has refused any so far.
     pub fn refused(&self) -> Option<&str> {
-        let made = self.shelf.made.iter().filter_map(OnceLock::get);
+        let made = self.shelf.slots().filter_map(|slot| slot.made.get());
         made.filter_map(|made| made.as_ref().err())
             .map(String::as_str)
             .next()
     }
 
     /// Begins to make what a map needs, unless it is made.
-    pub fn order(&mut self, map: u32) {
+    pub fn order(&mut self, key: Key) {
         let shelf = Arc::clone(self.newest());
-        if shelf.is_made(map) {
+        if shelf.is_made(key) {
             return;
         }
         if self.thread.is_none() {
@@ -150,30 +209,30 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         }
         if let Some(worker) = &self.thread {
             // One that has ended leaves the making to the frame.
-            let _ = worker.orders.send((shelf, map % NUMBERS));
+            let _ = worker.orders.send((shelf, key));
         }
     }
 
     /// Begins to make what all maps need.
     pub fn order_all(&mut self) {
-        for map in 0..MAPS {
-            self.order(map);
+        for map in MAPS {
+            self.order(Key::whole(map));
         }
     }
 
     /// Has what a frame needs made before anything else. Where there is no thread it is made here: late is better
     /// than never.
-    pub fn want(&mut self, map: u32) {
+    pub fn want(&mut self, key: Key) {
         let shelf = self.newest();
-        if shelf.is_made(map) {
+        if shelf.is_made(key) {
             return;
         }
-        if shelf.wanted.swap(map % NUMBERS, Ordering::Relaxed) != map % NUMBERS {
-            self.order(map);
+        if shelf.want(Some(key)) != Some(key) {
+            self.order(key);
         }
         let worker = self.thread.as_ref();
         if worker.is_none_or(|worker| worker.handle.is_finished()) {
-            self.newest().finish(map);
+            self.newest().finish(key);
         }
     }
 
@@ -188,7 +247,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         if let Some(next) = self.next.take() {
             next.close();
             // Orders that came meanwhile were passed over.
-            self.shelf.wanted.store(NUMBERS, Ordering::Relaxed);
+            self.shelf.want(None);
             self.shelf.closes.store(false, Ordering::Relaxed);
         }
     }
@@ -199,8 +258,8 @@ impl<T: Send + Sync + 'static> Workshop<T> {
     }
 
     /// Takes the other pipelines, if those of a map are made; whether it was so.
-    pub fn turn(&mut self, map: u32) -> bool {
-        match self.next.take_if(|next| next.is_made(map)) {
+    pub fn turn(&mut self, key: Key) -> bool {
+        match self.next.take_if(|next| next.is_made(key)) {
             Some(next) => self.shelf = next,
             None => return false,
         }

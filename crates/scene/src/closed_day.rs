@@ -26,7 +26,7 @@ const SIZE: f64 = 0.045;
 const NIGHT_AND_DAY: [f32; 2] = [-0.08, 0.48];
 /// The haze by day, and what is left of it by night.
 const DAY_HAZE: Vec3 = Vec3::new(0.50, 0.62, 0.74);
-/// As `closed_haze` of common.wgsl.
+/// As `haze_before` of worlds/closed.wgsl.
 const NIGHT_HAZE: Vec3 = Vec3::new(0.055, 0.065, 0.10);
 /// So near to a pole of the sun's way, in radians, no moment is noon: the sun goes round at one height.
 const TIMELESS: f64 = 0.05;
@@ -85,7 +85,7 @@ pub fn local_time_s(time_of_day_s: f64, globe: Globe, point: ChartPoint) -> Opti
     (to_a.hypot(along_z) >= TIMELESS.sin()).then(|| local_s.rem_euclid(DAY_S))
 }
 
-/// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of common.wgsl.
+/// How much of a body's light there is at an eye, 0 to 1: of the sun's, `daylight_at` of worlds/closed.wgsl.
 fn daylight(strategy: &dyn Metric, sun: ChartPoint, eye: &Eye) -> f32 {
     let away = strategy.distance_m(eye.point, sun, eye) / strategy.radius_m();
     let [night, day] = NIGHT_AND_DAY;

@@ -10,8 +10,8 @@
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, Metric,
-    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, MapShader,
+    Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4, Vec3Swizzles};
 
@@ -257,5 +257,9 @@ impl Optics for Cone {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         Euclidean.uniform(eye, projection)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        Euclidean.shader()
     }
 }

@@ -4,8 +4,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, Metric,
-    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, MapShader,
+    Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
@@ -187,5 +187,9 @@ impl Optics for TiledFlat {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         Euclidean.uniform(eye, projection)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        Euclidean.shader()
     }
 }

@@ -13,9 +13,16 @@ use std::time::{Duration, Instant};
 use image::RgbImage;
 
 use super::{GLANCE, GONE_WITHIN, Window};
+use crate::seam::compare;
 
 /// What has not changed for so long stands still; a text's cursor blinks every half second.
 const STILL: Duration = Duration::from_millis(300);
+
+/// Who falls or slides in a world is seen to do so after this, on a slow machine, too.
+const CALM: Duration = Duration::from_millis(1800);
+/// So far a picture of a world changes while nothing moves but sun and clouds: mean over pixels and channels, in steps
+/// of 1/255.
+const CALM_CHANGE: f64 = 2.0;
 
 impl Window {
     /// What the window shows.
@@ -67,5 +74,23 @@ impl Window {
             self.give_up_after(began, "the picture never stood still");
         }
         last
+    }
+
+    /// Looks until hardly anything moves in a world: whoever fell has landed.
+    ///
+    /// # Panics
+    /// When it never gets calm.
+    pub fn calm(&mut self) -> RgbImage {
+        let began = Instant::now();
+        let mut last = self.look();
+        loop {
+            sleep(CALM);
+            let next = self.look();
+            if compare(&last, &next).mean < CALM_CHANGE {
+                return next;
+            }
+            last = next;
+            self.give_up_after(began, "the world never got calm");
+        }
     }
 }

@@ -108,6 +108,8 @@ fn a_world_made_and_dug_by_hand_is_there_again_after_save_and_load() {
     game.look_down();
     game.key("4");
     game.hold_left_for("learnt Dig");
+    // Who slides into the hole is still on the way down.
+    game.calm();
     game.key("Escape");
     game.shows("the pause menu");
     game.told_click(SAVE_AND_QUIT, "pressed: Save and quit");

@@ -5,8 +5,8 @@ use glam::{DMat3, DMat4, DVec3, DVec4};
 use crate::projection::Depth;
 use crate::sight::Axis;
 use crate::{
-    Atlas, ChartId, ChartPoint, Curvature, Eye, Map, Metric, Optics, Projection, SightCell,
-    SpaceUniform, View,
+    Atlas, ChartId, ChartPoint, Curvature, Eye, Map, MapShader, Metric, Optics, Projection,
+    SightCell, SpaceUniform, View, shader,
 };
 
 /// Flat space.
@@ -72,6 +72,10 @@ impl Optics for Euclidean {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(SpaceUniform::FLAT, view, projection, f64::INFINITY, 0.0)
+        SpaceUniform::new(view, projection, f64::INFINITY, 0.0)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::FLAT
     }
 }

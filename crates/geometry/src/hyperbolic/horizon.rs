@@ -18,8 +18,8 @@ use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
 use crate::{
-    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, Map, Metric, Optics, Projection,
-    SpaceUniform, Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, Map, MapShader, Metric, Optics, Projection,
+    SpaceUniform, Viewer, shader,
 };
 
 /// Metres of radius times notches of the dial: the curvature k is c / 80 per metre.
@@ -258,5 +258,9 @@ impl Optics for Horizon {
         let view = self.view_matrix(eye);
         let kappa = self.kappa(eye);
         SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge_m(kappa))
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::HORIZON
     }
 }

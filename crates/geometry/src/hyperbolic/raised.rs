@@ -18,8 +18,8 @@ use crate::real::Real;
 use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::{
-    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, HyperbolicMap, Map, Metric, Optics,
-    Projection, SightCell, SpaceUniform, View, Viewer,
+    Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, HyperbolicMap, Map, MapShader, Metric,
+    Optics, Projection, SightCell, SpaceUniform, View, Viewer, shader,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -224,6 +224,10 @@ impl Optics for Raised {
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
         let h = self.offset(eye);
-        SpaceUniform::new(SpaceUniform::RAISED, view, projection, self.radius_m, h)
+        SpaceUniform::new(view, projection, self.radius_m, h)
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::RAISED
     }
 }

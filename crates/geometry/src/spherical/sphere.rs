@@ -14,8 +14,8 @@ use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
 use crate::sight::{Axis, Plan};
 use crate::{
-    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map, Metric,
-    NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer,
+    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map,
+    MapShader, Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer, shader,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -318,6 +318,15 @@ impl Optics for Spherical {
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
-        SpaceUniform::new(SpaceUniform::SPHERE, view, projection, self.radius_m, 0.0)
+        SpaceUniform::new(view, projection, self.radius_m, 0.0).within(self.rim_m())
+    }
+
+    fn home_matrix(&self, chart: ChartId) -> DMat4 {
+        let side = if is_b(chart) { -1.0 } else { 1.0 };
+        DMat4::from_diagonal(DVec4::new(side, 1.0, 1.0, side))
+    }
+
+    fn shader(&self) -> &'static MapShader {
+        &shader::SPHERE
     }
 }

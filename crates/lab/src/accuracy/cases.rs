@@ -6,6 +6,7 @@ use std::sync::Arc;
 use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::sphere as sphere_kernel;
+use antipode_geometry::shader::MAPS;
 use antipode_geometry::{
     ChartPoint, ChunkCoord, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy,
     picture,
@@ -37,9 +38,11 @@ pub fn projection() -> Projection {
 pub struct Case {
     pub space: SpaceUniform,
     pub p: Vec3,
-    pub chart: u32,
+    /// The place of its map among [`antipode_geometry::shader::MAPS`].
+    pub map: u32,
     pub n: Vec3,
-    pub pad: u32,
+    /// The number of its chart, which the shader does without.
+    pub chart: u32,
 }
 
 /// What it answers.
@@ -54,13 +57,13 @@ pub struct Answer {
 
 /// What the shader is given and answers.
 pub const TYPES: &str = "
-struct Case { space: Space, p: vec3<f32>, hemisphere: u32, n: vec3<f32>, pad: u32 }
+struct Case { space: Space, p: vec3<f32>, map: u32, n: vec3<f32>, chart: u32 }
 struct Answer { view: vec4<f32>, clip: vec4<f32>, normal: vec3<f32>, distance: f32 }";
 const BODY: &str = "let space = inputs[i].space;
-    let view = port_to_view(space, inputs[i].p, inputs[i].hemisphere);
+    let view = port_to_view(space, inputs[i].p);
     outputs[i].view = view;
     outputs[i].clip = clip_from_view(space, view);
-    outputs[i].normal = port_normal(space, inputs[i].p, inputs[i].n, inputs[i].hemisphere);
+    outputs[i].normal = port_normal(space, inputs[i].p, inputs[i].n);
     outputs[i].distance = eye_distance(space, view);";
 
 /// The shader's answers, where there is an adapter.
@@ -69,18 +72,25 @@ const BODY: &str = "let space = inputs[i].space;
 /// When the adapter fails.
 pub fn answers(gpu: Option<&Gpu>, cases: &[Case]) -> Result<Option<Vec<Answer>>, LabError> {
     let shader = compute::shader(TYPES, "Case", "Answer", BODY);
-    gpu.map(|gpu| compute::run(gpu, &shader, cases)).transpose()
+    gpu.map(|gpu| compute::run_by_map(gpu, &shader, cases, |case| case.map))
+        .transpose()
 }
 
 /// A case: a point and a normal of the chart, seen by an eye.
 pub fn case(space: &dyn Strategy, eye: &Eye, point: ChartPoint, normal: DVec3) -> Case {
     let reference = space.reference(eye, point.chart);
     Case {
-        space: space.uniform(eye, &projection()),
+        space: SpaceUniform {
+            view: space
+                .chart_matrix(eye, point.chart)
+                .as_mat4()
+                .to_cols_array_2d(),
+            ..space.uniform(eye, &projection())
+        },
         p: (point.pos - reference).as_vec3(),
-        chart: point.chart.number() as u32,
+        map: compute::number_of(space.shader()),
         n: normal.as_vec3(),
-        pad: 0,
+        chart: point.chart.number() as u32,
     }
 }
 
@@ -98,10 +108,11 @@ pub fn sent(space: &dyn Strategy, eye: &Eye, chunk: ChunkCoord, local: Vec3) -> 
 pub fn single_view(case: &Case) -> Vec4 {
     let p = case.p.to_array();
     let (curve, radius_m) = (case.space.curve, case.space.project[3]);
-    let ported = match case.space.kind[0] {
-        0 => [p[0], p[1], p[2], 1.0],
-        1 => RaisedMap::from_uniform(curve, radius_m).port(p),
-        2 => sphere_kernel::port(curve[0], case.chart == 1, p),
+    let map = MAPS.get(case.map as usize).map_or("", |map| map.name);
+    let ported = match map {
+        "flat" => [p[0], p[1], p[2], 1.0],
+        "raised" => RaisedMap::from_uniform(curve, radius_m).port(p),
+        "sphere" => sphere_kernel::port(curve[0], false, p),
         _ => HorizonMap::from_uniform(curve, case.space.edge[2], radius_m).port(p),
     };
     Mat4::from_cols_array_2d(&case.space.view) * Vec4::from_array(ported)

@@ -3,7 +3,7 @@
 //! The reference is `asinh` and `atan2` of the exact view vector in `f64`.
 
 use antipode_geometry::kernel::distance;
-use antipode_geometry::{Eye, charts};
+use antipode_geometry::{Eye, MapShader, charts};
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec4};
 
@@ -37,7 +37,7 @@ fn seen(bench: &Bench, sign: f64, far: f64, setting: &Setting) -> Vec<Seen> {
 }
 
 /// The shader's distances, where there is an adapter.
-fn on_gpu(bench: &Bench, inputs: &[Seen]) -> Result<Option<Vec<f32>>, LabError> {
+fn on_gpu(bench: &Bench, map: &MapShader, inputs: &[Seen]) -> Result<Option<Vec<f32>>, LabError> {
     let shader = compute::shader(
         "struct Seen { space: Space, view: vec4<f32> }",
         "Seen",
@@ -45,7 +45,7 @@ fn on_gpu(bench: &Bench, inputs: &[Seen]) -> Result<Option<Vec<f32>>, LabError> 
         "outputs[i] = eye_distance(inputs[i].space, inputs[i].view);",
     );
     let gpu = bench.gpu.as_ref();
-    gpu.map(|gpu| compute::run(gpu, &shader, inputs))
+    gpu.map(|gpu| compute::run(gpu, map, &shader, inputs))
         .transpose()
 }
 
@@ -62,7 +62,7 @@ pub fn measure(bench: &Bench, sign: f64, found: &mut Findings) -> Result<(), Lab
         std::f64::consts::PI - 1e-3
     };
     let inputs = seen(bench, sign, far, &setting);
-    let gpu = on_gpu(bench, &inputs)?;
+    let gpu = on_gpu(bench, setting.space.shader(), &inputs)?;
     let (worst, curves) = errors(sign, far, &setting, &inputs, gpu.as_deref());
     let [single, shader, textbook] = worst;
     let subject = Subject {

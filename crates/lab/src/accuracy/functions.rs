@@ -3,6 +3,7 @@
 //! The reference is the system's library in `f64`, good to one `f64` ulp.
 
 use antipode_geometry::Real;
+use antipode_geometry::shader::FLAT;
 use bytemuck::{Pod, Zeroable};
 
 use super::errors::{off, ulp};
@@ -205,7 +206,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
             .filter(|t| f64::from(*t) <= function.high)
             .collect();
         let outputs = match &bench.gpu {
-            Some(gpu) => Some(compute::run::<f32, Outputs>(gpu, &shader, &inputs)?),
+            Some(gpu) => Some(compute::run::<f32, Outputs>(gpu, &FLAT, &shader, &inputs)?),
             None => None,
         };
         measure(&function, i, &inputs, outputs.as_deref(), &mut found);

@@ -4,9 +4,9 @@
 //! hyperbolic space and the sphere. The references are these definitions in `f64`, and in double-double arithmetic for the
 //! `f64` port.
 
-use antipode_geometry::charts;
 use antipode_geometry::kernel::exponential;
 use antipode_geometry::kernel::horizon::HorizonMap;
+use antipode_geometry::{MapShader, charts, shader};
 use glam::{DVec3, DVec4, Vec3, Vec4};
 
 use super::errors::{off_point, off_vector, words};
@@ -32,14 +32,12 @@ const EXPONENTIAL: &str = "let p = inputs[i].xyz;
 /// The unit sphere, seen from the pole along the axes.
 const SPHERE: &str = "var space = unit();
     space.curve = vec4<f32>(1.0, 0.0, 0.0, 1.0);
-    space.kind.x = GEO_SPHERE;
-    outputs[i] = port_to_view(space, inputs[i].xyz, 0u);";
+    outputs[i] = port_to_view(space, inputs[i].xyz);";
 /// The horizon map at curvature -1 from the height of its own sheet.
 const HORIZON: &str = "var space = unit();
     space.curve = vec4<f32>(-1.0, 0.0, 0.0, 1.0);
     space.edge = vec4<f32>(1e18, 1e18, 1.0, 0.0);
-    space.kind.x = GEO_HORIZON;
-    outputs[i] = port_to_view(space, inputs[i].xyz, 0u);";
+    outputs[i] = port_to_view(space, inputs[i].xyz);";
 const UNIT: &str = "fn unit() -> Space {
     var space: Space;
     space.view = mat4x4<f32>(vec4<f32>(1.0, 0.0, 0.0, 0.0), vec4<f32>(0.0, 1.0, 0.0, 0.0),
@@ -56,6 +54,7 @@ struct Chart {
     single: fn(Vec3) -> Vec4,
     double: fn(DVec3) -> DVec4,
     better: fn(DVec3) -> [Double2; 4],
+    map: &'static MapShader,
     shader: &'static str,
     ranges: &'static [(f64, f64)],
 }
@@ -104,7 +103,7 @@ fn cylindrical_better(sign: f64, p: DVec3) -> [Double2; 4] {
     [across * x, sin_y, across * z, cos_y * cos_r]
 }
 
-const CHARTS: [Chart; 3] = [
+static CHARTS: [Chart; 3] = [
     Chart {
         quantity: "port, hyperbolic (exponential chart)",
         id: "port-hyperbolic",
@@ -112,6 +111,7 @@ const CHARTS: [Chart; 3] = [
         single: exponential_single,
         double: |p| charts::exponential(-1.0, p),
         better: exponential_better,
+        map: &shader::FLAT,
         shader: EXPONENTIAL,
         ranges: &[(1e-18, 1e-4), (1e-4, 3.0), (3.0, 79.0)],
     },
@@ -122,6 +122,7 @@ const CHARTS: [Chart; 3] = [
         single: horizon_single,
         double: |p| charts::cylindrical(-1.0, p),
         better: |p| cylindrical_better(-1.0, p),
+        map: &shader::HORIZON,
         shader: HORIZON,
         ranges: &[(1e-18, 1e-4), (1e-4, 3.0), (3.0, 38.0)],
     },
@@ -132,6 +133,7 @@ const CHARTS: [Chart; 3] = [
         single: cylindrical_single,
         double: |p| charts::cylindrical(1.0, p),
         better: |p| cylindrical_better(1.0, p),
+        map: &shader::SPHERE,
         shader: SPHERE,
         ranges: &[(1e-18, 1e-4), (1e-4, 2.0)],
     },
@@ -225,7 +227,7 @@ fn gpu_points(
     };
     let shader = compute::shader(UNIT, "vec4<f32>", "vec4<f32>", chart.shader);
     let inputs: Vec<Vec4> = points.iter().map(|p| p.extend(0.0)).collect();
-    compute::run(gpu, &shader, &inputs).map(Some)
+    compute::run(gpu, chart.map, &shader, &inputs).map(Some)
 }
 
 /// The `f64` port against double-double arithmetic, in parts of 2^-52.

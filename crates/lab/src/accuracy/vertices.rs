@@ -227,7 +227,7 @@ fn on_adapter(
     let by_matrix = if inputs.is_empty() {
         Vec::new()
     } else {
-        compute::run::<Framed, Vec4>(gpu, &shader, &inputs)?
+        compute::run_by_map::<Framed, Vec4>(gpu, &shader, &inputs, |it| it.case.map)?
     };
     let mut planned: Vec<Vec4> = answers.iter().map(|answer| answer.clip).collect();
     for ((i, _), clip) in framed.iter().zip(by_matrix) {

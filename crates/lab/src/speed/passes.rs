@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use antipode_geometry::SpaceUniform;
+use antipode_geometry::{MapShader, SpaceUniform};
 use antipode_render::Gpu;
 use wgpu::BufferUsages as Usage;
 
@@ -46,12 +46,12 @@ impl Pass {
     pub fn new(
         gpu: &Gpu,
         body: &str,
-        uniform: &SpaceUniform,
+        (map, uniform): (&MapShader, &SpaceUniform),
         inputs: &wgpu::Buffer,
         seen: &wgpu::Buffer,
     ) -> Self {
         let body = FRAME.replace("BODY", body);
-        let pipeline = pipeline(gpu, &body.replace("KIND", &uniform.kind[0].to_string()));
+        let pipeline = pipeline(gpu, map, &body);
         let space = filled(gpu, bytemuck::bytes_of(uniform), Usage::UNIFORM);
         let bindings = bound(gpu, &pipeline, &[&space, inputs, seen]);
         Self {

@@ -7,7 +7,7 @@ use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
 use antipode_geometry::kernel::sphere::port as port_sphere;
 use antipode_geometry::{
-    ChartPoint, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, picture,
+    ChartPoint, Eye, Geometry, HyperbolicMap, MapShader, Projection, SpaceUniform, picture,
 };
 use antipode_render::Gpu;
 use glam::DVec3;
@@ -31,17 +31,11 @@ const LIFT_M: f64 = 1.65;
 
 /// The game's own functions.
 const GAME: &str = "
-    v = port_to_view(space, p, 0u);
-    extra = clip_from_view(space, v).z + dot(port_normal(space, p, n, 0u), LIGHT) + eye_distance(space, v);";
-/// The same where the compiler knows the kind of space, and so leaves the other kinds' branches out.
-const KNOWN: &str = "
-    var own = space;
-    own.kind.x = KINDu;
-    v = port_to_view(own, p, 0u);
-    extra = clip_from_view(own, v).z + dot(port_normal(own, p, n, 0u), LIGHT) + eye_distance(own, v);";
+    v = port_to_view(space, p);
+    extra = clip_from_view(space, v).z + dot(port_normal(space, p, n), LIGHT) + eye_distance(space, v);";
 /// The game's port alone.
 const PORT: &str = "
-    v = port_to_view(space, p, 0u);
+    v = port_to_view(space, p);
     extra = v.w + n.x;";
 /// One matrix for all: the space's is the object's frame.
 const RIGID: &str = "
@@ -73,6 +67,7 @@ type Exact = Rc<dyn Fn([f64; 3]) -> [f64; 4]>;
 struct Variant {
     name: String,
     body: &'static str,
+    map: &'static MapShader,
     space: SpaceUniform,
     exact: Exact,
     /// Metres added to the heights of the shared vertices.
@@ -105,9 +100,10 @@ fn eye(dial: f64) -> Eye {
     }
 }
 
-fn space(geometry: Geometry, map: HyperbolicMap, dial: f64) -> SpaceUniform {
+fn space(geometry: Geometry, map: HyperbolicMap, dial: f64) -> (&'static MapShader, SpaceUniform) {
     let projection = Projection::new(75_f64.to_radians(), 16.0 / 9.0, 0.02);
-    picture(geometry, radius_m(geometry), map, false).uniform(&eye(dial), &projection)
+    let space = picture(geometry, radius_m(geometry), map, false);
+    (space.shader(), space.uniform(&eye(dial), &projection))
 }
 
 /// The spaces as the game draws them: flat, raised, horizon and sphere.
@@ -120,10 +116,11 @@ fn spaces() -> [Variant; 4] {
     let lifted = raised_form();
     let k = 0.125;
     let level = HorizonMap::<f64>::new(-k * k, LIFT_M);
-    let ball_k = f64::from(sphere.curve[0]);
-    let one = |name: &str, space: SpaceUniform, lift_m, exact: Exact| Variant {
+    let ball_k = f64::from(sphere.1.curve[0]);
+    let one = |name: &str, (map, space): (_, SpaceUniform), lift_m, exact: Exact| Variant {
         name: name.to_owned(),
         body: GAME,
+        map,
         space,
         exact: Rc::new(move |p| seen(&wide(space.view), exact(p))),
         lift_m,
@@ -154,6 +151,7 @@ fn framed(raised: &Variant) -> Variant {
     Variant {
         name: "one frame an object".to_owned(),
         body: RIGID,
+        map: raised.map,
         space: SpaceUniform {
             view: columns,
             ..raised.space
@@ -168,7 +166,6 @@ fn variants() -> Vec<Variant> {
     let all = |what: &str, body| spaces.each_ref().map(|space| space.by(what, body));
     let [_, raised, _, sphere] = &spaces;
     let mut variants = all("", GAME).to_vec();
-    variants.extend(all(", kind known to the compiler", KNOWN));
     variants.push(framed(raised));
     variants.push(raised.by(", textbook with built-ins", NAIVE_RAISED));
     variants.push(sphere.by(", textbook with built-ins", NAIVE_SPHERE));
@@ -230,7 +227,7 @@ pub fn measured(gpu: &Gpu, effort: Effort) -> Result<(Table, Plot), LabError> {
     };
     let passes: Vec<_> = variants
         .iter()
-        .map(|v| Pass::new(gpu, v.body, &v.space, inputs(v).1, &seen))
+        .map(|v| Pass::new(gpu, v.body, (v.map, &v.space), inputs(v).1, &seen))
         .collect();
     let watch = Watch::new(gpu);
     let mut errors = Vec::new();
@@ -298,7 +295,13 @@ mod tests {
             let inputs = &vertices(variant.lift_m)[..JUDGED];
             let source = filled(&gpu, bytemuck::cast_slice(inputs), Usage::STORAGE);
             let seen = buffer(&gpu, JUDGED * 16, Usage::STORAGE | Usage::COPY_SRC);
-            let pass = Pass::new(&gpu, variant.body, &variant.space, &source, &seen);
+            let pass = Pass::new(
+                &gpu,
+                variant.body,
+                (variant.map, &variant.space),
+                &source,
+                &seen,
+            );
             Watch::new(&gpu).time(&pass).unwrap();
             let got = read(&gpu, &seen, JUDGED * 16).unwrap();
             let (worst, not_numbers) = judge(&variant, inputs, &got);

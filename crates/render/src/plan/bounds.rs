@@ -4,9 +4,7 @@
 //! no more at its ends.
 
 use antipode_frame::{Frame, View};
-use antipode_geometry::{
-    ChartPoint, Domain, Eye, Geometry, Projection, SightCell, Strategy, side_normals,
-};
+use antipode_geometry::{ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -177,7 +175,7 @@ impl Bounds {
             affine,
             scale,
             bend,
-            depth_is_bent: !flat && space.geometry() != Geometry::Spherical,
+            depth_is_bent: !flat && space.shader().bends_depth,
         }
     }
 

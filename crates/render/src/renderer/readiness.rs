@@ -5,15 +5,12 @@ use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
 
 use super::{DrawStats, Options, Picture, Renderer, check};
 use crate::error::RenderError;
-use crate::pipelines::{CUT, Pipelines, scene_layout};
+use crate::pipelines::{Pipelines, scene_layout};
 use crate::shaders::Shaders;
 use crate::shadow::ShadowQuality;
 use crate::targets::drawn_size;
 use crate::tonemap::Tonemap;
-use crate::workshop::Workshop;
-
-/// The number of the map that every open world can turn to.
-const HORIZON: u32 = antipode_geometry::SpaceUniform::HORIZON;
+use crate::workshop::{Key, Workshop};
 
 /// Samples a pixel, and the shadows' quality.
 type PipelineQuality = (u32, ShadowQuality);
@@ -40,9 +37,9 @@ fn maker(
     shaders: Shaders,
     layout: &BindGroupLayout,
     quality: PipelineQuality,
-) -> Box<dyn Fn(u32) -> Result<Pipelines, String> + Send + Sync> {
+) -> Box<dyn Fn(Key) -> Result<Pipelines, String> + Send + Sync> {
     let (device, layout) = (device.clone(), layout.clone());
-    Box::new(move |map| Pipelines::new(&device, shaders, &layout, map, quality))
+    Box::new(move |key| Pipelines::new(&device, shaders, &layout, key, quality))
 }
 
 impl Renderer {
@@ -135,23 +132,23 @@ impl Renderer {
         self.pipelines.refused().map(RenderError::shader)
     }
 
-    /// The number of the frame's map. Sees to it that the map that the player may turn to from there is made ready
-    /// meanwhile, so that a turn does not stutter.
-    pub(super) fn map_of(&mut self, frame: &Frame) -> u32 {
-        let map = map_number(frame);
-        if self.map != Some(map) {
-            self.map = Some(map);
-            if frame.view.strategy.has_sky() {
-                self.pipelines.order(HORIZON);
+    /// The frame's map. Sees to it that the map that the player may turn to from there is made ready meanwhile, so that
+    /// a turn does not stutter.
+    pub(super) fn map_of(&mut self, frame: &Frame) -> Key {
+        let key = key(frame);
+        if self.map != Some(key) {
+            self.map = Some(key);
+            if let Some(next) = key.map.turns_to {
+                self.pipelines.order(Key::whole(next));
             }
         }
-        map
+        key
     }
 
-    /// The number of a further view's map. Where its frame may wait it is ready now; else it is ordered, and nothing waits
+    /// A further view's map. Where its frame may wait it is ready now; else it is ordered, and nothing waits
     /// for it.
-    pub(super) fn map_of_further(&mut self, frame: &Frame) -> u32 {
-        let map = map_number(frame);
+    pub(super) fn map_of_further(&mut self, frame: &Frame) -> Key {
+        let map = key(frame);
         if self.patient || self.chunks.rush {
             self.pipelines.finish(map);
         } else if !self.pipelines.is_made(map) {
@@ -162,7 +159,7 @@ impl Renderer {
 
     /// Whether a frame of a map can be drawn now. One that is to be complete, and any where nobody prepares, waits
     /// here until it can.
-    pub(super) fn is_ready(&mut self, map: u32) -> bool {
+    pub(super) fn is_ready(&mut self, map: Key) -> bool {
         if self.patient || self.chunks.rush {
             self.pipelines.finish(map);
         } else {
@@ -199,8 +196,10 @@ impl Renderer {
     }
 }
 
-/// The number of a frame's map, with that of views that are cut where it is one.
-fn map_number(frame: &Frame) -> u32 {
-    let cut = if frame.view.is_cut() { CUT } else { 0 };
-    frame.view.uniform().kind[0] | cut
+/// What a frame is drawn by.
+fn key(frame: &Frame) -> Key {
+    Key {
+        map: frame.view.strategy.shader(),
+        is_cut: frame.view.is_cut(),
+    }
 }

@@ -187,7 +187,7 @@ fn the_adapter_bends_as_the_processor_does() {
             usage,
         })
     };
-    let source = FIGURE.source() + KERNEL;
+    let source = FIGURE.source(Some(&antipode_geometry::shader::FLAT)) + KERNEL;
     let module = gpu
         .device
         .create_shader_module(wgpu::ShaderModuleDescriptor {

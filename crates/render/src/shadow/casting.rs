@@ -71,8 +71,11 @@ impl Shadows {
             Light::Far { anchor, .. } => (reference - anchor).extend(1.0),
             Light::Star { .. } => DVec4::W,
         };
-        self.maps
-            .write(&self.queue, PASSES - 1, &CasterUniform::new(&shot, from));
+        self.maps.write(
+            &self.queue,
+            PASSES - 1,
+            &CasterUniform::new(strategy, &shot, from),
+        );
         self.figures = Some(shot);
     }
 

@@ -127,7 +127,7 @@ impl Shadows {
         let layer = self.spares[slot];
         if !job.todo.is_empty() || !job.begun {
             let over = if job.begun { Over::Map } else { Over::Nothing };
-            let used = self.pass((&shot, layer), over, chunks, &mut job.todo, left);
+            let used = self.pass(frame, (&shot, layer), over, (chunks, &mut job.todo), left);
             job.begun = true;
             left = left.saturating_sub(used.max(1));
         }
@@ -154,10 +154,10 @@ impl Shadows {
     /// returns how many.
     pub(super) fn pass(
         &mut self,
+        frame: &Frame,
         (shot, layer): (&Shot, u32),
         over: Over,
-        chunks: &ChunkStore,
-        todo: &mut Vec<ChunkCoord>,
+        (chunks, todo): (&ChunkStore, &mut Vec<ChunkCoord>),
         left: usize,
     ) -> usize {
         let number = self.passes.len();
@@ -175,8 +175,8 @@ impl Shadows {
             used += chunks.list_caster(coord, instance, list);
         }
         draws.send(&self.queue, list);
-        self.maps
-            .write(&self.queue, number, &CasterUniform::new(shot, DVec4::W));
+        let uniform = CasterUniform::new(&*frame.view.strategy, shot, DVec4::W);
+        self.maps.write(&self.queue, number, &uniform);
         self.passes.push(Pass { layer, over });
         used
     }

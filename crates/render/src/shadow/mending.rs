@@ -114,10 +114,10 @@ impl Shadows {
         let casters = chunks.casters().filter(|(_, of)| falls(of));
         let mut todo: Vec<_> = casters.map(|(coord, _)| coord).collect();
         self.pass(
+            frame,
             (shot, layer),
             Over::Hole(texels),
-            chunks,
-            &mut todo,
+            (chunks, &mut todo),
             usize::MAX,
         )
     }

@@ -3,12 +3,16 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_frame::Frame;
-use antipode_geometry::Eye;
+use antipode_geometry::{Eye, Strategy};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec4};
 
 use super::levels::Shot;
 use super::light::Light;
+use crate::uniforms::{CHARTS, KNOWN};
+
+/// Where charts have no edge, metres: farther than anything, and squared still in `f32`.
+const UNLIMITED_M: f64 = 1e18;
 
 /// Maps that a picture reads; `SHADOW_MAPS` of common.wgsl. The last is that of figures.
 pub const MAPS: usize = 8;
@@ -40,23 +44,26 @@ pub struct ShadowUniform {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct CasterUniform {
-    clip: [[f32; 4]; 4],
-    /// Curvature per metre, the distance of the equator in metres, and room.
+    clips: [[[f32; 4]; 4]; CHARTS],
+    /// Curvature per metre, how far charts reach in metres, and room.
     curve: [f32; 4],
 }
 
 impl CasterUniform {
     /// A pass over what stands at metres from `from` in the base of the light: chart metres under a sky.
-    pub fn new(shot: &Shot, from: DVec4) -> Self {
+    pub fn new(strategy: &dyn Strategy, shot: &Shot, from: DVec4) -> Self {
         let (clip, k, rim_m) = match shot.light {
             Light::Far { .. } => {
                 let clip = shot.clip() * DMat4::from_translation(from.truncate());
-                (clip, 0.0, f64::INFINITY)
+                (clip, 0.0, UNLIMITED_M)
             }
             Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m, FRAC_PI_2 * radius_m),
         };
         Self {
-            clip: clip.as_mat4().to_cols_array_2d(),
+            clips: KNOWN.map(|chart| {
+                let clip = clip * strategy.home_matrix(chart);
+                clip.as_mat4().to_cols_array_2d()
+            }),
             curve: [k as f32, rim_m as f32, 0.0, 0.0],
         }
     }

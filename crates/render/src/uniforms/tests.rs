@@ -7,6 +7,7 @@
 )]
 use std::mem::{offset_of, size_of};
 
+use antipode_geometry::shader::FLAT;
 use naga::{Binding, Module, TypeInner};
 
 use super::*;
@@ -33,9 +34,10 @@ fn members(module: &Module, name: &str) -> (Vec<(String, usize)>, usize) {
 
 #[test]
 fn the_scene_is_laid_out_as_the_shaders_read_it() {
-    let (found, span) = members(&parse(TERRAIN), "Scene");
+    let (found, span) = members(&parse(TERRAIN, &FLAT), "Scene");
     let ours = [
         ("space", offset_of!(SceneUniform, space)),
+        ("charts", offset_of!(SceneUniform, charts)),
         ("right", offset_of!(SceneUniform, right)),
         ("up", offset_of!(SceneUniform, up)),
         ("front", offset_of!(SceneUniform, front)),
@@ -71,13 +73,12 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
 
 #[test]
 fn the_space_is_laid_out_as_the_shaders_read_it() {
-    let (found, span) = members(&parse(TERRAIN), "Space");
+    let (found, span) = members(&parse(TERRAIN, &FLAT), "Space");
     let ours = [
         ("view", offset_of!(SpaceUniform, view)),
         ("project", offset_of!(SpaceUniform, project)),
         ("curve", offset_of!(SpaceUniform, curve)),
         ("edge", offset_of!(SpaceUniform, edge)),
-        ("kind", offset_of!(SpaceUniform, kind)),
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
     assert_eq!(span, size_of::<SpaceUniform>());
@@ -110,22 +111,22 @@ fn inputs(module: &Module) -> Vec<(u32, u64)> {
 fn instances_are_laid_out_as_the_shaders_read_them() {
     let cases = [
         (
-            inputs(&parse(TERRAIN)),
+            inputs(&parse(TERRAIN, &FLAT)),
             ChunkInstance::ATTRIBUTES.to_vec(),
             size_of::<ChunkInstance>(),
         ),
         (
-            inputs(&parse(FIGURE)),
+            inputs(&parse(FIGURE, &FLAT)),
             FigureInstance::ATTRIBUTES.to_vec(),
             size_of::<FigureInstance>(),
         ),
         (
-            inputs(&parse(MARKER)),
+            inputs(&parse(MARKER, &FLAT)),
             MarkerInstance::ATTRIBUTES.to_vec(),
             size_of::<MarkerInstance>(),
         ),
         (
-            inputs(&parse(OUTLINES)),
+            inputs(&parse(OUTLINES, &FLAT)),
             OutlineInstance::ATTRIBUTES.to_vec(),
             size_of::<OutlineInstance>(),
         ),

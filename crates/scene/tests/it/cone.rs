@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, Eye, Geometry, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, Eye, Geometry, Metric};
 use antipode_scene::probe::BotProbe;
 use antipode_scene::{Actions, NpcMode, Scene};
 use antipode_storage::WorldStore;

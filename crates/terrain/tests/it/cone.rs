@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartId, ChartPoint, ChunkCoord, Eye, Metric, Strategy};
 use antipode_terrain::{EDIT_STEP, Field, RIM_REACH_M, Stroke, march};
 use antipode_testing::cone::Cone;
 use glam::{DVec2, DVec3};

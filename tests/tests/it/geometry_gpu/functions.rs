@@ -25,7 +25,7 @@ struct Values([f32; 12]);
 fn evaluate(inputs: &[[f32; 2]]) -> Option<Vec<Values>> {
     let row = "struct Row { values: array<f32, 12> }";
     let shader = compute::shader(row, "vec2<f32>", "Row", BODY);
-    gpu().map(|gpu| gpu.compute(&shader, inputs))
+    gpu().map(|gpu| gpu.compute(&shader, inputs, |_| 0))
 }
 
 /// What a function's error is a part of.

@@ -21,8 +21,13 @@ pub fn gpu() -> Option<&'static Gpu> {
 }
 
 impl Gpu {
-    /// One `Out` for each `In`.
-    pub fn compute<In: Pod, Out: Pod>(&self, shader: &str, input: &[In]) -> Vec<Out> {
-        compute::run(&self.0, shader, input).unwrap()
+    /// One `Out` for each `In`, by the shader of each input's map.
+    pub fn compute<In: Pod, Out: Pod>(
+        &self,
+        shader: &str,
+        input: &[In],
+        map_of: impl Fn(&In) -> u32,
+    ) -> Vec<Out> {
+        compute::run_by_map(&self.0, shader, input, map_of).unwrap()
     }
 }

@@ -2,7 +2,11 @@
 
 use antipode_geometry::kernel::horizon::HorizonMap;
 use antipode_geometry::kernel::raised::RaisedMap;
-use antipode_geometry::{Eye, Geometry, Horizon, HyperbolicMap, Projection, SpaceUniform, picture};
+use antipode_geometry::shader::{HORIZON, RAISED};
+use antipode_geometry::{
+    Eye, Geometry, Horizon, HyperbolicMap, MapShader, Projection, SpaceUniform, picture,
+};
+use antipode_lab::compute::number_of;
 use glam::{DVec3, DVec4};
 
 use super::answers::answers;
@@ -12,7 +16,7 @@ use super::tables::{Worst, rows};
 const KERNELS: &str = include_str!("../../../reference/kernels.json");
 
 /// A uniform whose view is the identity: the map alone.
-fn bare(kind: u32, project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {
+fn bare(project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {
     let eye = Eye::default();
     let projection = Projection::new(1.2, 1.6, 0.05);
     let space = picture(Geometry::Euclidean, 1.0, HyperbolicMap::Raised, false);
@@ -21,29 +25,33 @@ fn bare(kind: u32, project_w: f64, curve: [f64; 4], k: f64) -> SpaceUniform {
     uniform.project[3] = project_w as f32;
     uniform.curve = curve.map(|x| x as f32);
     uniform.edge[2] = k as f32;
-    uniform.kind[0] = kind;
     uniform
 }
 
-fn raised(radius_m: f64, offset_m: f64) -> SpaceUniform {
+/// A map and its uniform.
+type Mapped = (&'static MapShader, SpaceUniform);
+
+fn raised(radius_m: f64, offset_m: f64) -> Mapped {
     let map = RaisedMap::new(radius_m, offset_m);
-    bare(1, radius_m, [map.k, map.offset, map.sinh, map.cosh], map.k)
+    let curve = [map.k, map.offset, map.sinh, map.cosh];
+    (&RAISED, bare(radius_m, curve, map.k))
 }
 
-fn horizon(kappa: f64, lift_m: f64) -> SpaceUniform {
+fn horizon(kappa: f64, lift_m: f64) -> Mapped {
     let map = HorizonMap::new(kappa, lift_m);
-    bare(3, map.radius_m, [kappa, lift_m, map.sin, map.cos], map.k)
+    let curve = [kappa, lift_m, map.sin, map.cos];
+    (&HORIZON, bare(map.radius_m, curve, map.k))
 }
 
 fn vector(row: &[f64]) -> DVec3 {
     DVec3::new(row[0], row[1], row[2])
 }
 
-fn case(space: SpaceUniform, row: &[f64], n: DVec3) -> Case {
+fn case((map, space): Mapped, row: &[f64], n: DVec3) -> Case {
     Case {
         space,
         p: vector(row).as_vec3(),
-        chart: 0,
+        map: number_of(map),
         n: n.as_vec3(),
         pad: 0,
     }
@@ -57,12 +65,7 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
 }
 
 /// The directions of a map's golden rows within twenty radii, in radians.
-fn directions(
-    table: &str,
-    space: fn(f64, f64) -> SpaceUniform,
-    radii: fn(&[f64]) -> f64,
-    bar: f64,
-) {
+fn directions(table: &str, space: fn(f64, f64) -> Mapped, radii: fn(&[f64]) -> f64, bar: f64) {
     let rows: Vec<_> = rows(KERNELS, table)
         .into_iter()
         .filter(|row| radii(row) <= 20.0)
@@ -109,7 +112,7 @@ fn normals_of_golden_rows_hold_on_the_adapter() {
     for (table, space, radii) in [
         (
             "raised_normal",
-            raised as fn(f64, f64) -> SpaceUniform,
+            raised as fn(f64, f64) -> Mapped,
             raised_radii as fn(&[f64]) -> f64,
         ),
         ("horizon_normal", horizon, horizon_radii),

@@ -6,6 +6,7 @@ use antipode_geometry::{
     ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Projection, SpaceUniform, Strategy, picture,
     scalar, strategy,
 };
+use antipode_lab::compute;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, DVec4, Vec3};
 use serde_json::Value;
@@ -16,7 +17,8 @@ use serde_json::Value;
 pub struct Case {
     pub space: SpaceUniform,
     pub p: Vec3,
-    pub chart: u32,
+    /// The place of its map among [`antipode_geometry::shader::MAPS`].
+    pub map: u32,
     pub n: Vec3,
     pub pad: u32,
 }
@@ -85,9 +87,15 @@ pub fn case(
 ) -> Case {
     let reference = space.reference(eye, point.chart);
     Case {
-        space: space.uniform(eye, projection),
+        space: SpaceUniform {
+            view: space
+                .chart_matrix(eye, point.chart)
+                .as_mat4()
+                .to_cols_array_2d(),
+            ..space.uniform(eye, projection)
+        },
         p: (point.pos - reference).as_vec3(),
-        chart: point.chart.number() as u32,
+        map: compute::number_of(space.shader()),
         n: n.as_vec3(),
         pad: 0,
     }

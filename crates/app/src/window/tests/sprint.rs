@@ -39,7 +39,7 @@ impl Easel {
             shadows: ShadowQuality::Off,
         };
         let land = antipode_render::TERRAIN;
-        let text = striped_land(&land.source()).leak();
+        let text = striped_land(land.own).leak();
         let shaders = Shaders::with(land.name, text);
         let mut renderer = Renderer::with_shaders(&gpu, options, shaders).unwrap();
         renderer.resize(size.0, size.1);

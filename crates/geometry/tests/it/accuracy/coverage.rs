@@ -51,6 +51,7 @@ const SOURCES: &[(&str, &str)] = &[
     ("SightCell", include_str!("../../../src/sight.rs")),
     ("Frustum", include_str!("../../../src/frustum.rs")),
     ("SpaceUniform", include_str!("../../../src/uniform.rs")),
+    ("shader", include_str!("../../../src/shader.rs")),
     ("ChartPoint", include_str!("../../../src/point.rs")),
     ("ChunkCoord", include_str!("../../../src/chunk.rs")),
     ("ChunkCube", include_str!("../../../src/chunk_cube.rs")),
@@ -246,6 +247,10 @@ const EXCUSED: &[(&str, &str)] = &[
         "goes into the uniform: the shader's rows on the adapter go through it",
     ),
     (
+        "Optics::chart_matrix",
+        "a product: the shader's rows on the adapter go through it",
+    ),
+    (
         "Optics::uniform",
         "casts; the shader's rows on the adapter go through it",
     ),
@@ -292,6 +297,10 @@ const EXCUSED: &[(&str, &str)] = &[
     (
         "SpaceUniform::level",
         "casts; the shader's rows on the adapter go through it",
+    ),
+    (
+        "SpaceUniform::within",
+        "a cast; the edge of a chart in pictures: antipode-render, spaces",
     ),
     ("Euclidean::rotation", "the eye's axes: Eye::to_view"),
     (

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use antipode_geometry::{Atlas, ChartPoint, Crossing, Eye, Strategy};
+use antipode_geometry::{Atlas, ChartPoint, Crossing, Eye, Map, Metric};
 use antipode_testing::cone::Cone;
 use glam::{DQuat, DVec3};
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};

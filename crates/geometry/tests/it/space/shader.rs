@@ -1,11 +1,12 @@
 //! The shader file: valid WGSL, the promised functions, and the layout that Rust writes.
 
-use antipode_geometry::{SpaceUniform, WGSL};
+use antipode_geometry::shader::MAPS;
+use antipode_geometry::{MapShader, SpaceUniform};
 use naga::TypeInner;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 
-fn module(extra: &str) -> naga::Module {
-    let source = format!("{WGSL}\n{extra}");
+fn module(map: &MapShader, extra: &str) -> naga::Module {
+    let source = map.geometry() + extra;
     let module = naga::front::wgsl::parse_str(&source)
         .map_err(|e| e.emit_to_string(&source))
         .unwrap();
@@ -17,26 +18,30 @@ fn module(extra: &str) -> naga::Module {
 
 #[test]
 fn the_shader_is_valid_and_has_its_functions() {
-    let module = module("");
-    assert!(module.entry_points.is_empty() && module.global_variables.is_empty());
-    for (name, arguments) in [
-        ("port_to_view", 3),
-        ("port_normal", 4),
-        ("clip_from_view", 2),
-        ("eye_distance", 2),
-    ] {
-        let function = module
-            .functions
-            .iter()
-            .find(|(_, f)| f.name.as_deref() == Some(name))
-            .map(|(_, f)| f.arguments.len());
-        assert_eq!(function, Some(arguments), "{name}");
+    for map in MAPS {
+        let module = module(map, "");
+        assert!(module.entry_points.is_empty() && module.global_variables.is_empty());
+        for (name, arguments) in [
+            ("port_to_view", 2),
+            ("port_normal", 3),
+            ("frame_vector", 3),
+            ("clip_from_view", 2),
+            ("eye_distance", 2),
+            ("curvature_of", 1),
+        ] {
+            let function = module
+                .functions
+                .iter()
+                .find(|(_, f)| f.name.as_deref() == Some(name))
+                .map(|(_, f)| f.arguments.len());
+            assert_eq!(function, Some(arguments), "{}: {name}", map.name);
+        }
     }
 }
 
 #[test]
 fn the_uniform_has_the_same_layout_in_rust_and_in_the_shader() {
-    let module = module("@group(0) @binding(0) var<uniform> space: Space;");
+    let module = module(MAPS[0], "@group(0) @binding(0) var<uniform> space: Space;");
     let (members, span) = module
         .types
         .iter()
@@ -52,7 +57,6 @@ fn the_uniform_has_the_same_layout_in_rust_and_in_the_shader() {
         ("project", std::mem::offset_of!(SpaceUniform, project)),
         ("curve", std::mem::offset_of!(SpaceUniform, curve)),
         ("edge", std::mem::offset_of!(SpaceUniform, edge)),
-        ("kind", std::mem::offset_of!(SpaceUniform, kind)),
     ];
     assert_eq!(span as usize, size_of::<SpaceUniform>());
     assert_eq!(members.len(), ours.len());
@@ -64,8 +68,10 @@ fn the_uniform_has_the_same_layout_in_rust_and_in_the_shader() {
 
 #[test]
 fn the_shader_trusts_no_loose_built_in() {
-    let code: String = WGSL
-        .lines()
+    let texts = MAPS.map(MapShader::geometry);
+    let code: String = texts
+        .iter()
+        .flat_map(|text| text.lines())
         .map(|line| line.split("//").next().unwrap_or_default())
         .collect::<Vec<_>>()
         .join("\n");

@@ -72,7 +72,7 @@ impl Easel {
 }
 
 fn striped() -> Shaders {
-    let text = striped_land(&TERRAIN.source());
+    let text = striped_land(TERRAIN.own);
     Shaders::with(TERRAIN.name, Box::leak(text.into_boxed_str()))
 }
 

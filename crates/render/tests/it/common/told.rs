@@ -1,24 +1,16 @@
 //! The shader of the land that tells what shadows do there instead of showing it.
 
-use antipode_geometry::WGSL;
-use antipode_render::Shaders;
+use antipode_render::{Shaders, TERRAIN};
 
 /// Red is what the maps let through of the light, by the curve of tonemap.wgsl; green is what turns away.
 pub fn told() -> Shaders {
-    const FILES: [&str; 4] = [
-        include_str!("../../../../../shaders/common.wgsl"),
-        include_str!("../../../../../shaders/lights.wgsl"),
-        include_str!("../../../../../shaders/shadow.wgsl"),
-        include_str!("../../../../../shaders/terrain.wgsl"),
-    ];
-    let text = [WGSL, &FILES.join("\n")].join("\n");
     let shown = "fn land_colour(";
-    assert_eq!(text.matches(shown).count(), 1);
+    assert_eq!(TERRAIN.own.matches(shown).count(), 1);
     let own = "fn land_colour(in: VertexOut, point: Shaded) -> vec4<f32> {
         let unlit = is_turned(in);
         let through = key_through(point, in.clip.xy, unlit, false);
         return vec4<f32>(through, select(0.0, 1.0, unlit), 0.0, 1.0);
     }";
-    let text = text.replace(shown, "fn land_colour_shown(") + own;
+    let text = TERRAIN.own.replace(shown, "fn land_colour_shown(") + own;
     Shaders::with("terrain", Box::leak(text.into_boxed_str()))
 }

@@ -1,0 +1,135 @@
+//! What of the shaders is a map's own: the text of each map, and of how the light of the day falls in its worlds.
+
+/// The functions that the text of every map defines; what they are for, `shaders/geometry.wgsl` says.
+pub const MAP_FUNCTIONS: [&str; 6] = [
+    "port",
+    "port_normal",
+    "frame_vector",
+    "depth_of",
+    "eye_distance",
+    "curvature_of",
+];
+
+/// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
+pub const DAYLIGHT_FUNCTIONS: [&str; 15] = [
+    "grain_point",
+    "haze_before",
+    "daylight_on",
+    "wants_model_normal",
+    "land_light",
+    "daylit",
+    "is_land_unlit",
+    "seen_normal",
+    "from_ring",
+    "is_unlit",
+    "caster_point",
+    "shaded_at",
+    "shadow_away",
+    "on_map",
+    "land_shadow",
+];
+
+/// How the light of the day falls in a world.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Daylight {
+    /// Its file's name without the ending.
+    pub name: &'static str,
+    /// WGSL that defines [`DAYLIGHT_FUNCTIONS`].
+    pub text: &'static str,
+    /// Whether much land lies where no shadow map shows it and where charts end, so that it is worth pipelines of its
+    /// own.
+    pub is_round: bool,
+}
+
+/// A map as the shaders know it.
+#[derive(Debug, PartialEq, Eq)]
+pub struct MapShader {
+    /// Its name, which is that of its file without the ending. What is compiled for it is known by that.
+    pub name: &'static str,
+    /// WGSL that defines [`MAP_FUNCTIONS`].
+    pub text: &'static str,
+    /// The light of its worlds.
+    pub daylight: &'static Daylight,
+    /// Whether depth bends inside a triangle, so that near the eye fragments need their own.
+    pub bends_depth: bool,
+    /// The map that the player may turn to from this one.
+    pub turns_to: Option<&'static MapShader>,
+}
+
+/// Under a sky.
+pub static OPEN: Daylight = Daylight {
+    name: "open",
+    text: include_str!("../../../shaders/worlds/open.wgsl"),
+    is_round: false,
+};
+
+/// In a closed world.
+pub static CLOSED: Daylight = Daylight {
+    name: "closed",
+    text: include_str!("../../../shaders/worlds/closed.wgsl"),
+    is_round: true,
+};
+
+/// Flat space.
+pub static FLAT: MapShader = MapShader {
+    name: "flat",
+    text: include_str!("../../../shaders/spaces/flat.wgsl"),
+    daylight: &OPEN,
+    bends_depth: false,
+    turns_to: Some(&HORIZON),
+};
+
+/// The raised map of hyperbolic space.
+pub static RAISED: MapShader = MapShader {
+    name: "raised",
+    text: include_str!("../../../shaders/spaces/raised.wgsl"),
+    daylight: &OPEN,
+    bends_depth: true,
+    turns_to: Some(&HORIZON),
+};
+
+/// The sphere.
+pub static SPHERE: MapShader = MapShader {
+    name: "sphere",
+    text: include_str!("../../../shaders/spaces/sphere.wgsl"),
+    daylight: &CLOSED,
+    bends_depth: false,
+    turns_to: None,
+};
+
+/// The horizon map.
+pub static HORIZON: MapShader = MapShader {
+    name: "horizon",
+    text: include_str!("../../../shaders/spaces/horizon.wgsl"),
+    daylight: &OPEN,
+    bends_depth: true,
+    turns_to: None,
+};
+
+/// The maps of the game.
+pub static MAPS: [&MapShader; 4] = [&FLAT, &RAISED, &SPHERE, &HORIZON];
+
+/// The first of some functions that a text does not define.
+fn lacking(text: &str, functions: &[&'static str]) -> Option<&'static str> {
+    let defines = |name: &str| {
+        let head = format!("fn {name}(");
+        text.lines().any(|line| line.starts_with(&head))
+    };
+    functions.iter().copied().find(|name| !defines(name))
+}
+
+impl MapShader {
+    /// A function that the map's text or that of its daylight should define and does not, and which of the two.
+    pub fn lacks(&self) -> Option<(&'static str, &'static str)> {
+        let own = lacking(self.text, &MAP_FUNCTIONS).map(|function| (self.name, function));
+        let light = &self.daylight;
+        own.or_else(|| {
+            lacking(light.text, &DAYLIGHT_FUNCTIONS).map(|function| (light.name, function))
+        })
+    }
+
+    /// The text for whoever wants the geometry alone: [`crate::WGSL`] and the map's own.
+    pub fn geometry(&self) -> String {
+        [crate::WGSL, self.text].join("\n")
+    }
+}

@@ -1,0 +1,81 @@
+// Worlds under a sky: sun and moon light all of a chart from one direction, far off, and so shadows are told in the chart.
+// What the functions are for, lights.wgsl says.
+
+fn grain_point(wrapped: vec3<f32>, p: vec3<f32>, chart: u32) -> vec3<f32> {
+    return wrapped;
+}
+
+fn haze_before(view: vec4<f32>) -> vec3<f32> {
+    return haze(direction_of(view.xyz));
+}
+
+fn daylight_on(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, share: f32) -> vec3<f32> {
+    return light_on(normal, share);
+}
+
+fn wants_model_normal(lights: vec3<u32>) -> bool {
+    return any(lights != vec3<u32>(0u));
+}
+
+// The normal: a fixed direction's light is worked out at each point.
+fn land_light(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>, albedo: vec3<f32>) -> LandLight {
+    return LandLight(normal, vec3<f32>(0.0));
+}
+
+fn daylit(light: LandLight, albedo: vec3<f32>, share: f32) -> vec3<f32> {
+    return albedo * light_on(normalize(light.facing), share);
+}
+
+fn is_land_unlit(light: LandLight, view: vec4<f32>, model_normal: vec4<f32>) -> bool {
+    return is_unlit(view, normalize(light.facing), model_normal);
+}
+
+fn seen_normal(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> vec3<f32> {
+    return normal;
+}
+
+fn from_ring(place: vec3<f32>, view: vec4<f32>) -> vec3<f32> {
+    return place - scene.ring_centre.xyz;
+}
+
+fn is_unlit(view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> bool {
+    return dot(normal, scene.key_direction.xyz) <= 0.0;
+}
+
+fn caster_point(p: vec3<f32>) -> vec4<f32> {
+    return vec4<f32>(p, 1.0);
+}
+
+fn shaded_at(place: vec3<f32>, view: vec4<f32>, normal: vec3<f32>, model_normal: vec4<f32>) -> Shaded {
+    if SHADOWS == 0u {
+        return NOT_SHADED;
+    }
+    let faced = surely_faced(dot(normalize(normal), scene.key_direction.xyz));
+    let right = vec4<f32>(dpdx(place), 0.0);
+    let below = vec4<f32>(dpdy(place), 0.0);
+    return Shaded(vec4<f32>(place, 1.0), right, below, faced);
+}
+
+fn shadow_away(point: Shaded, number: u32) -> f32 {
+    let c = scene.shadows.maps[number].clip * point.at;
+    return max(abs(c.x), abs(c.y));
+}
+
+fn on_map(c: vec4<f32>, x: vec4<f32>, y: vec4<f32>) -> OnMap {
+    return OnMap(c.xyz, x.xyz, y.xyz, 1.0);
+}
+
+// By cascades round the eye.
+fn land_shadow(point: Shaded, pixel: vec2<f32>) -> f32 {
+    let near_end = shadow_end(shadow_away(point, 0u));
+    if SHADOWS == 2u {
+        let past_near = near_end >= 1.0;
+        let end = select(near_end, shadow_end(shadow_away(point, 1u)), past_near);
+        let read = either(point, cascade(select(0u, 1u, past_near)), cascade(select(1u, 2u, past_near)), end);
+        return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+    }
+    let noise = shadow_noise(pixel);
+    let past_middle = shadow_end(shadow_away(point, 1u)) > noise;
+    let read = shadow_read(point, cascade(select(0u, select(1u, 2u, past_middle), near_end > noise)));
+    return mix(read, 1.0, shadow_end(shadow_away(point, 2u)));
+}
