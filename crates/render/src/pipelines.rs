@@ -1,5 +1,8 @@
 //! The pipelines of the scene pass: one for each way of drawing something.
 
+#[cfg(test)]
+mod tests;
+
 use antipode_geometry::MapShader;
 use wgpu::{
     BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
@@ -61,17 +64,15 @@ impl Pipelines {
         key: Key,
         (samples, shadows): (u32, ShadowQuality),
     ) -> Result<Self, String> {
+        let refused = |why| format!("the map \"{}\" cannot be drawn: {why}", key.map.name);
         if let Some((file, function)) = key.map.lacks() {
-            return Err(format!(
-                "the map \"{}\" cannot be drawn: \"{file}\" has no function {function}",
-                key.map.name
-            ));
+            return Err(refused(format!("\"{file}\" has no function {function}")));
         }
         let made = accepted(device, || {
             let maker = Maker::new(device, shaders, scene_layout, key, samples);
             Self::made_by(&Maker { shadows, ..maker })
         });
-        made.map_err(|why| format!("the map \"{}\" cannot be drawn: {why}", key.map.name))
+        made.map_err(refused)
     }
 
     fn made_by(maker: &Maker<'_>) -> Self {
