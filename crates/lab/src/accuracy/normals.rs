@@ -111,10 +111,9 @@ fn exact(
     for (i, (p, n)) in inputs.iter().enumerate() {
         let q = *p / radius + DVec3::Y * lift;
         let (truth, condition) = by_definition(hyperbolic, q, *n);
-        let point = ChartPoint::new(chart, *p);
         let errors = [
             Some(single_normal(hyperbolic, q, *n)),
-            Some(space.port_normal(&eye, point, *n)),
+            Some(space.port_normal(&eye, ChartPoint::new(chart, *p), *n)),
             gpu.as_ref().map(|gpu| gpu[i].normal.as_dvec3()),
             Some(*n),
         ]
