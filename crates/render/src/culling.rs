@@ -97,7 +97,7 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// Whether a ball is behind none of the picture's sides: [`Strategy::ball_rises_m`]. In a closed world too, where
+    /// Whether a ball is behind none of the picture's sides: [`antipode_geometry::Optics::ball_rises_m`]. In a closed world too, where
     /// what is behind the eye comes round as view coordinates do. Of a view that is moved that is not known.
     fn sees(&self, ball: &Ball) -> bool {
         if self.frame.view.is_moved() {
