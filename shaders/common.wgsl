@@ -1,5 +1,5 @@
 // What every pass over the scene shares: the light and sky of the moment, haze, and value noise.
-// Follows the text of a map. Colours are linear light; directions are unit vectors in the chart at the eye.
+// Follows the text of a map. Colours are linear light; directions are unit vectors in the axes of `in_common_axes`.
 
 // Figures whose shade on the ground is drawn: the nearest ones.
 const SHADES: u32 = 8u;
@@ -36,18 +36,15 @@ struct Shadows {
     key: vec4<f32>,     // strength, texels of a side, one over that, 1 where a closed world's moon throws them
 }
 
-// A chart of what is seen.
+// The chart of what is drawn.
 struct Chart {
-    view: mat4x4<f32>,  // from its ported points, xyz in metres and w without unit, to view coordinates
-    home: mat4x4<f32>,  // to the model of the first chart
+    view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
+    home: mat4x4<f32>,      // to the model of the first chart
+    fraction: vec4<f32>,    // xyz: the reference from the whole metres that its chunks are measured from
 }
-
-// Charts that a picture knows.
-const CHARTS: u32 = 2u;
 
 struct Scene {
     space: Space,
-    charts: array<Chart, CHARTS>,
     right: vec4<f32>,          // xyz: to the right of the picture; w: time, s
     up: vec4<f32>,             // xyz: upwards in the picture; w: strength of the contour bands
     front: vec4<f32>,          // xyz: into the picture; w: distance at which the fog is complete, m
@@ -64,7 +61,6 @@ struct Scene {
     sun_place: vec4<f32>,      // of a closed world's sun, a unit vector of the model in view coordinates
     moon_place: vec4<f32>,     // of its moon
     orb: vec4<f32>,            // x: radius of both, radii
-    fraction: vec4<f32>,       // xyz: the reference from the whole metres that chunks are measured from
     ring_centre: vec4<f32>,    // the middle of the ring about what is dug or built: xyz from the reference, m; in a
                                // closed world in view coordinates
     ring: vec4<f32>,           // rgb: its light; w: its radius, m, or 0 for none
@@ -73,13 +69,14 @@ struct Scene {
     ring_y: vec4<f32>,         // and along y and z
     ring_z: vec4<f32>,
     cuts: mat4x4<f32>,         // columns: covectors of view coordinates; what has a negative product with one is cut off
-    shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m; w: chart
+    shades: array<vec4<f32>, SHADES>, // xyz: feet from the reference, m
     lamps: array<Lamp, LAMPS>,
     beams: array<Beam, BEAMS>,
     shadows: Shadows,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
+@group(1) @binding(0) var<uniform> chart: Chart;
 
 // Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
 override CUTS: bool = false;
@@ -89,14 +86,14 @@ fn is_cut(view: vec4<f32>) -> bool {
     return CUTS && any(view * scene.cuts < vec4<f32>(0.0));
 }
 
-// The space, for points of a chart by its number.
-fn space_of(chart: u32) -> Space {
+// The space, for points of the chart.
+fn space_of_chart() -> Space {
     var space = scene.space;
-    space.view = scene.charts[chart].view;
+    space.view = chart.view;
     return space;
 }
 
-// Chart direction, at the eye, in which a view point is seen.
+// Direction, at the eye, in which a view point is seen.
 fn direction_of(view: vec3<f32>) -> vec3<f32> {
     return normalize(scene.right.xyz * view.x + scene.up.xyz * view.y - scene.front.xyz * view.z);
 }

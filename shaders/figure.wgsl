@@ -10,7 +10,7 @@ struct VertexIn {
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // bits: 0 chart, 1 hostile; the rest: the figure's place in its batch
+    @location(4) flags: u32,            // lowest bit: hostile; the rest: the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
@@ -34,7 +34,7 @@ struct VertexOut {
     @location(5) view: vec4<f32>,
     @location(6) frame_normal: vec4<f32>, // the normal in view coordinates, where needed
     @location(7) @interpolate(flat) lights: vec3<u32>,
-    @location(8) place: vec3<f32>,      // from the reference, m
+    @location(8) place: vec3<f32>,      // from the reference, m, in the common axes
 }
 
 // A vertex of the model: where it is from the origin, in metres, and its normal.
@@ -44,7 +44,7 @@ struct Stance {
 }
 
 // Where joints carry what hangs from them: each is three rows, whose products with a place and 1 are where it comes to.
-@group(1) @binding(0) var<uniform> joints: array<mat3x4<f32>, JOINTS * BATCH>;
+@group(2) @binding(0) var<uniform> joints: array<mat3x4<f32>, JOINTS * BATCH>;
 
 // Linear blend skinning (Magnenat-Thalmann et al. 1988): the mean of where the joints would carry the vertex. Joints turn
 // and move but do not stretch, so normals go as places do.
@@ -68,7 +68,7 @@ fn plain(in: VertexIn) -> Stance {
 }
 
 fn bent(in: VertexIn, skin: SkinIn) -> Stance {
-    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 2u), in);
+    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 1u), in);
 }
 
 // The share of its least channel that green and blue of a hostile one's suit have.
@@ -79,33 +79,34 @@ fn suit_colour(in: VertexIn) -> vec3<f32> {
     let colour = to_linear(in.colour.rgb);
     let most = max(colour.r, max(colour.g, colour.b));
     let least = min(colour.r, min(colour.g, colour.b));
-    return select(colour, vec3<f32>(most, least * HOSTILE), (in.flags & 2u) != 0u);
+    return select(colour, vec3<f32>(most, least * HOSTILE), (in.flags & 1u) != 0u);
 }
 
 fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     let p = in.offset + stance.place;
-    let space = space_of(in.flags & 1u);
+    let space = space_of_chart();
     let fog = fog_at(eye_distance(space, view));
     let direction = direction_of(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    out.normal = port_normal(space, p, normalize(stance.normal));
+    let chart_normal = port_normal(space, p, normalize(stance.normal));
+    out.normal = in_common_axes(chart_normal);
     out.albedo = vec4<f32>(suit_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
     out.glow = in.normal.w;
     out.view = view;
     out.lights = in.lights;
-    out.place = p;
+    out.place = in_common_axes(p);
     if wants_model_normal(in.lights) {
-        out.frame_normal = frame_vector(space, p, out.normal);
+        out.frame_normal = frame_vector(space, p, chart_normal);
     }
     return out;
 }
 
 fn by_vertex(in: VertexIn, stance: Stance) -> VertexOut {
     let p = in.offset + stance.place;
-    return figure_at(in, stance, port_to_view(space_of(in.flags & 1u), p));
+    return figure_at(in, stance, port_to_view(space_of_chart(), p));
 }
 
 // The whole figure by one first-order map, where that errs by less than anyone can see.
@@ -137,12 +138,12 @@ fn vertex_bent_framed(in: VertexIn, skin: SkinIn) -> VertexOut {
 
 @vertex
 fn vertex_caster(in: VertexIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + plain(in).place, in.flags & 1u);
+    return caster_clip(in.offset + plain(in).place);
 }
 
 @vertex
 fn vertex_caster_bent(in: VertexIn, skin: SkinIn) -> @builtin(position) vec4<f32> {
-    return caster_clip(in.offset + bent(in, skin).place, in.flags & 1u);
+    return caster_clip(in.offset + bent(in, skin).place);
 }
 
 // What is in the hand is seen at this focal length, whatever the field of view is: 1 over the tangent of 27 degrees.

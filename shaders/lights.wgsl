@@ -2,11 +2,13 @@
 // Follows common.wgsl.
 //
 // How the light of the day falls is another matter under a sky than in a closed world: a file of shaders/worlds, behind
-// shadow.wgsl, defines just these functions. `share` of the light that throws shadows reaches a point; normals are given
-// in the chart's frame and, where they are wanted, in view coordinates (`model_normal`).
+// shadow.wgsl, defines just these functions. `share` of the light that throws shadows reaches a point; places and normals
+// are given in the common axes and, where they are wanted, normals in view coordinates (`model_normal`).
 //
-//   grain_point(wrapped, p, chart)    where grain is read: a place that is wrapped as grain repeats, or one from p, metres
-//                                     from the reference
+//   in_common_axes(v)                 a vector of the chart in the axes in which all that is drawn tells light and places from
+//                                     the reference: those of the first chart, or where charts have none in common its own
+//   grain_point(wrapped, p)           where grain is read: a place that is wrapped as grain repeats, or one from p, metres
+//                                     from the reference in the chart
 //   haze_before(view)                 the haze before a view point
 //   daylight_on(view, normal, ..)     all light but that of lamps and beams
 //   wants_model_normal(lights)        whether a vertex needs its normal in view coordinates
@@ -17,7 +19,7 @@
 //   from_ring(place, view)            how far a point is from the middle of the ring, in metres of the chart
 //   is_unlit(view, normal, ..)        whether a point turns away from the light that throws shadows, or lies where that does
 //                                     not reach
-//   caster_point(p)                   a point of the chart as a shadow map takes it
+//   caster_point(p)                   a point of the chart as a shadow map takes it, before `chart.home`
 //   shaded_at(place, view, ..)        what shadow maps are asked about a fragment. To be called before it may be discarded.
 //                                     Places are told apart there and not on a map, which would save two products of three:
 //                                     near the eye a pixel is a hundredth of a texel, and what rounding leaves of the

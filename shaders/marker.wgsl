@@ -3,9 +3,8 @@
 struct VertexIn {
     @location(0) position: vec3<f32>,   // on the unit sphere
     @location(1) offset: vec3<f32>,     // the centre from the reference, metres
-    @location(2) chart: u32,
-    @location(3) colour: vec4<f32>,     // linear light; a: opacity face on
-    @location(4) shape: vec4<f32>,      // radius m; opacity edge on
+    @location(2) colour: vec4<f32>,     // linear light; a: opacity face on
+    @location(3) shape: vec4<f32>,      // radius m; opacity edge on
 }
 
 struct VertexOut {
@@ -19,7 +18,7 @@ struct VertexOut {
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let space = space_of(in.chart);
+    let space = space_of_chart();
     let view = port_to_view(space, in.offset + in.position * in.shape.x);
     let centre = port_to_view(space, in.offset);
     var out: VertexOut;

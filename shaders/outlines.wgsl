@@ -5,10 +5,9 @@ struct VertexIn {
     @location(1) there: vec4<f32>,      // the other end
     @location(2) side: f32,             // of the line, 1 or -1
     @location(3) offset: vec3<f32>,     // the shape's point from the reference, metres
-    @location(4) chart: u32,
-    @location(5) turn: vec4<f32>,
-    @location(6) size: vec4<f32>,       // along each axis, metres; w: height of the lower middle
-    @location(7) colour: vec4<f32>,     // linear light; w: height of the upper middle
+    @location(4) turn: vec4<f32>,
+    @location(5) size: vec4<f32>,       // along each axis, metres; w: height of the lower middle
+    @location(6) colour: vec4<f32>,     // linear light; w: height of the upper middle
 }
 
 struct VertexOut {
@@ -30,7 +29,7 @@ fn placed(in: VertexIn, end: vec4<f32>) -> vec3<f32> {
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
-    let space = space_of(in.chart);
+    let space = space_of_chart();
     let view = port_to_view(space, placed(in, in.here));
     let here = clip_from_view(space, view);
     let there = clip_from_view(space, port_to_view(space, placed(in, in.there)));

@@ -28,17 +28,17 @@ const SHADOW_STEEPEST_HIGH: f32 = 32.0;
 const SHADOW_STRAY: f32 = 16.0;
 
 struct Caster {
-    clips: array<mat4x4<f32>, CHARTS>,  // from what `caster_point` makes of a chart's points, by the chart's number
+    clip: mat4x4<f32>,  // from what `caster_point` makes of the first chart's points
     curve: vec4<f32>,  // x: curvature per metre; y: where a chart's land ends, metres from its middle
 }
 
 @group(0) @binding(2) var shadow_maps: texture_depth_2d_array;
 @group(0) @binding(3) var shadow_sampler: sampler;
-@group(2) @binding(0) var<uniform> caster: Caster;
+@group(3) @binding(0) var<uniform> caster: Caster;
 
 // Where a point of the chart falls on the map that is being drawn.
-fn caster_clip(p: vec3<f32>, chart: u32) -> vec4<f32> {
-    return caster.clips[chart] * caster_point(p);
+fn caster_clip(p: vec3<f32>) -> vec4<f32> {
+    return caster.clip * (chart.home * caster_point(p));
 }
 
 // What a fragment knows of its place, and how that changes to the next pixel on the right and below.

@@ -6,12 +6,12 @@ struct VertexIn {
     @location(1) octahedral: vec2<f32>, // unit normal, as crates/terrain/src/mesh.rs folds it
     @location(2) colour: vec4<f32>,     // sRGB
     @location(3) offset: vec3<f32>,     // the chunk's corner from the whole metres next to the reference
-    @location(4) flags: u32,            // lowest bit: chart; next: whether a figure's shadow may fall on the chunk;
-                                        // the rest: how many shades may
-    @location(5) world: vec4<f32>,      // xyz: the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
+    @location(4) flags: u32,            // lowest bit: whether a figure's shadow may fall on the chunk; above it a
+                                        // bit for each shade that may
+    @location(5) world: vec4<f32>,      // xyz: where grain has the chunk's corner, wrapped to 256 m; w: of a mesh that comes in a
                                         // blend, the share of the pixels that show it; minus that of one that goes
     @location(6) frame_origin: vec4<f32>, // view coordinates of the reference, where the chunk is ported as a whole,
-    @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
+    @location(7) frame_x: vec4<f32>,    // and per metre along the common x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
     @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams (16) may light the chunk, and its level
@@ -35,14 +35,14 @@ struct VertexOut {
     @location(10) dark: vec3<f32>,      // of the shadow
 }
 
-// Feet of the figure nearest to a vertex. Flat over a triangle: a mean of two figures would shade thin air. How many
-// there are, the chunk says and not a uniform: lavapipe compiles a shader whose loops end by a uniform anew for every
-// frame, and keeps each.
-fn nearest_feet(p: vec3<f32>, chart: u32, count: u32) -> vec3<f32> {
+// Feet of the figure nearest to a vertex, of those that bits are set for. Flat over a triangle: a mean of two figures
+// would shade thin air. Which there are, the chunk says and not a uniform: lavapipe compiles a shader whose loops end by a
+// uniform anew for every frame, and keeps each.
+fn nearest_feet(place: vec3<f32>, which: u32) -> vec3<f32> {
     var nearest = vec3<f32>(1e6);
-    for (var i = 0u; i < count; i++) {
+    for (var i = 0u; (which >> i) != 0u; i++) {
         let feet = scene.shades[i].xyz;
-        let closer = distance(p, feet) < distance(p, nearest) && u32(scene.shades[i].w) == chart;
+        let closer = distance(place, feet) < distance(place, nearest) && ((which >> i) & 1u) != 0u;
         nearest = select(nearest, feet, closer);
     }
     return nearest;
@@ -63,31 +63,32 @@ fn normal_of(in: VertexIn) -> vec3<f32> {
 
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
-    let world = in.world.xyz + position_of(in.units);
-    let chart = in.flags & 1u;
-    let grain = grain_point(world, p, chart);
+    let world = in.world.xyz + in_common_axes(position_of(in.units));
+    let grain = grain_point(world, p);
     // Slow enough that a vertex more or less, where edges are halved, does not change the picture.
     let patches = value_noise(grain * 0.125, 31u) - 0.5;
     let tufts = value_noise(grain * 0.25 + 3.5, 63u) - 0.5;
-    let space = space_of(chart);
+    let space = space_of_chart();
     let fog = fog_at(eye_distance(space, view));
     // What a pixel spans grows with this in every space: the distance in a flat one, and as land overhead in a
     // closed world comes to look larger again, this falls.
     let spread_m = length(view.xyz);
     var out: VertexOut;
     out.clip = clip_from_view(space, view);
-    let normal = port_normal(space, p, authored);
+    let chart_normal = port_normal(space, p, authored);
+    let normal = in_common_axes(chart_normal);
+    let place = in_common_axes(p);
     // No ground is blacker than basalt, so that overhangs keep their shape.
     out.albedo = (to_linear(in.colour.rgb) + 0.014) * (1.0 + 0.34 * patches + 0.38 * tufts);
     out.grain = grain;
     out.veil = haze_before(view) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
-    out.place = vec4<f32>(p, max(geo_beyond_edge(scene.space, p), -1e9));
-    let mark = select(0.0, SHADED, (in.flags & 2u) != 0u);
-    out.feet = vec4<f32>(nearest_feet(p, chart, in.flags >> 2u), in.world.w + mark);
+    out.place = vec4<f32>(place, max(geo_beyond_edge(scene.space, p), -1e9));
+    let mark = select(0.0, SHADED, (in.flags & 1u) != 0u);
+    out.feet = vec4<f32>(nearest_feet(place, in.flags >> 1u), in.world.w + mark);
     out.view = view;
     if wants_model_normal(in.lights) {
-        out.frame_normal = frame_vector(space, p, normal);
+        out.frame_normal = frame_vector(space, p, chart_normal);
     }
     let light = land_light(view, normal, out.frame_normal, out.albedo);
     out.facing = light.facing;
@@ -104,20 +105,21 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
 // A vertex from the reference. Offsets are whole metres and so are chunk borders, so the sum is exact there: both
 // chunks give a shared vertex the same bits, however far from the origin they lie.
 fn from_reference(in: VertexIn) -> vec3<f32> {
-    return (in.offset + position_of(in.units)) - scene.fraction.xyz;
+    return (in.offset + position_of(in.units)) - chart.fraction.xyz;
 }
 
 @vertex
 fn vertex(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    return land_at(in, p, port_to_view(space_of(in.flags & 1u), p));
+    return land_at(in, p, port_to_view(space_of_chart(), p));
 }
 
 // The whole chunk by one first-order map, where that errs by less than anyone can see.
 @vertex
 fn vertex_framed(in: VertexIn) -> VertexOut {
     let p = from_reference(in);
-    let view = in.frame_origin + in.frame_x * p.x + in.frame_y * p.y + in.frame_z * p.z;
+    let q = in_common_axes(p);
+    let view = in.frame_origin + in.frame_x * q.x + in.frame_y * q.y + in.frame_z * q.z;
     return land_at(in, p, view);
 }
 
@@ -127,7 +129,6 @@ const RIM_OVERLAP: f32 = 0.5;
 struct CasterIn {
     @location(0) units: vec4<u32>,      // as above
     @location(3) offset: vec3<f32>,     // the chunk's corner from where the map's matrix begins
-    @location(4) flags: u32,            // lowest bit: chart
 }
 
 // Land past the edge, which pictures leave to the other chart, is no land and must throw no shadow. It is laid down
@@ -139,7 +140,7 @@ fn is_past_rim(p: vec3<f32>) -> bool {
 @vertex
 fn vertex_caster(in: CasterIn) -> @builtin(position) vec4<f32> {
     let p = in.offset + position_of(in.units);
-    return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p)), in.flags & 1u);
+    return caster_clip(select(p, vec3<f32>(p.x, 0.0, p.z), is_past_rim(p)));
 }
 
 // Nothing, over all of a map: what was there is gone.

@@ -23,13 +23,18 @@ fn key_body() -> vec4<f32> {
     return mix(scene.sun_place, scene.moon_place, scene.shadows.key.w);
 }
 
+// Charts have nothing in common but the equator: what is told of two of them is told in view coordinates.
+fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
+    return v;
+}
+
 // The place on the sphere, since two charts agree at the equator there alone. Their places are not wrapped: p is one, from
 // the chart's middle.
-fn grain_point(wrapped: vec3<f32>, p: vec3<f32>, chart: u32) -> vec3<f32> {
+fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     let radius = scene.space.project.w;
     let r = max(length(p.xz), 1e-3);
     let sine = sin(r / radius) / r;
-    let home = scene.charts[chart].home * vec4<f32>(sine * p.x, 0.0, sine * p.z, cos(r / radius));
+    let home = chart.home * vec4<f32>(sine * p.x, 0.0, sine * p.z, cos(r / radius));
     return (radius + p.y) * home.xwz;
 }
 

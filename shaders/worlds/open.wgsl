@@ -1,7 +1,12 @@
-// Worlds under a sky: sun and moon light all of a chart from one direction, far off, and so shadows are told in the chart.
+// Worlds under a sky: sun and moon light all of it from one direction, far off, and so shadows are told in the axes of the
+// first chart, against which others are turned about the upright.
 // What the functions are for, lights.wgsl says.
 
-fn grain_point(wrapped: vec3<f32>, p: vec3<f32>, chart: u32) -> vec3<f32> {
+fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
+    return (chart.home * vec4<f32>(v, 0.0)).xyz;
+}
+
+fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {
     return wrapped;
 }
 

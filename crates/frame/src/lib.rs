@@ -139,7 +139,8 @@ pub struct BeamLight {
     pub cone_rad: (f64, f64),
 }
 
-/// Sky and light of a moment. Colours are linear light; directions are unit vectors in the chart at the eye.
+/// Sky and light of a moment. Colours are linear light; directions are unit vectors at the eye, in the axes of
+/// [`View::in_common_axes`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sky {
     /// Colour straight up.

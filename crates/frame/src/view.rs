@@ -81,15 +81,23 @@ impl View {
         self.moved(self.strategy.view_point(&self.eye, point))
     }
 
-    /// The chart directions at the eye that are to the right, upwards and into the picture. They turn with the isometry as
-    /// its part of three by three does: exactly where it keeps the eye in its place or the space is flat.
+    /// A vector of a chart in the axes in which the light of a picture is told: those of the first chart, against which others
+    /// are turned by quarters; of a closed world, whose charts have no axes in common, the chart's own.
+    pub fn in_common_axes(&self, chart: ChartId, v: DVec3) -> DVec3 {
+        self.strategy.noise_frame(chart).turned(v)
+    }
+
+    /// The directions at the eye that are to the right, upwards and into the picture, in the common axes. They turn with the
+    /// isometry as its part of three by three does: exactly where it keeps the eye in its place or the space is flat.
     pub fn axes(&self) -> [DVec3; 3] {
         let eye = &self.eye;
-        if !self.is_moved() {
-            return [eye.right(), eye.up(), eye.front()];
-        }
-        let back = glam::DMat3::from_mat4(self.isometry).transpose();
-        [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| eye.to_chart(back * axis))
+        let axes = if self.is_moved() {
+            let back = glam::DMat3::from_mat4(self.isometry).transpose();
+            [DVec3::X, DVec3::Y, DVec3::NEG_Z].map(|axis| eye.to_chart(back * axis))
+        } else {
+            [eye.right(), eye.up(), eye.front()]
+        };
+        axes.map(|axis| self.in_common_axes(eye.point.chart, axis))
     }
 
     /// What is applied to a ported point of a chart to have view coordinates, after the isometry.

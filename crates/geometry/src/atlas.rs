@@ -131,6 +131,14 @@ pub enum NoiseFrame {
 }
 
 impl NoiseFrame {
+    /// A vector of a chart in the axes of the space; in those of the chart where no axes are the space's.
+    pub fn turned(self, v: DVec3) -> DVec3 {
+        match self {
+            Self::Square(frame) => frame.turned(v),
+            Self::Radial { .. } | Self::Upright => v,
+        }
+    }
+
     /// By how many quarter turns about +y a chart is turned against the space, 0 to 3.
     pub fn quarter_turns(self) -> u8 {
         match self {

@@ -11,7 +11,8 @@ pub const MAP_FUNCTIONS: [&str; 6] = [
 ];
 
 /// The functions that the text of every kind of daylight defines; what they are for, `shaders/lights.wgsl` says.
-pub const DAYLIGHT_FUNCTIONS: [&str; 15] = [
+pub const DAYLIGHT_FUNCTIONS: [&str; 16] = [
+    "in_common_axes",
     "grain_point",
     "haze_before",
     "daylight_on",

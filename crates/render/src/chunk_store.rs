@@ -8,6 +8,7 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 
 use crate::blend::BlendClock;
+use crate::charts::{Charts, whole_reference};
 use crate::draw_list::DrawList;
 use crate::gpu::Gpu;
 use crate::lamps::lights_near;
@@ -20,7 +21,7 @@ use crate::seams;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::touched::Touched;
-use crate::uniforms::{ChunkInstance, shades_on, whole_reference};
+use crate::uniforms::{ChunkInstance, Shades};
 
 /// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
 /// second as much as a player can run up against, and a fraction of a millisecond.
@@ -341,14 +342,15 @@ impl ChunkStore {
     pub fn list_caster(
         &self,
         coord: ChunkCoord,
-        instance: ChunkInstance,
+        (chart, instance): (u32, ChunkInstance),
         list: &mut DrawList,
     ) -> usize {
         let Some(chunk) = self.chunks.get(&coord) else {
             return 0;
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
-        list.add(instance, chunk.mesh.pieces(seams).map(|piece| (0, piece)));
+        let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
+        list.add(chart, instance, pieces);
         chunk.land.triangles
     }
 
@@ -365,9 +367,10 @@ impl ChunkStore {
         land: &[ChunkLand],
         plan: &mut FramePlan,
         shadows: &Shadows,
-        list: &mut DrawList,
+        (list, charts): (&mut DrawList, &mut Charts),
     ) {
         list.clear();
+        let all_shades = Shades::of(frame);
         let frustum = frame
             .view
             .strategy
@@ -381,7 +384,8 @@ impl ChunkStore {
             let Some(chunk) = self.chunks.get(&coord) else {
                 continue;
             };
-            let shades = shades_on(frame, &chunk.land);
+            let chart = charts.number(coord.chart);
+            let shades = all_shades.on(&chunk.land);
             let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = instance(frame, coord, choice)
@@ -398,23 +402,34 @@ impl ChunkStore {
                     if hides && cell().is_none() {
                         return None;
                     }
-                    let chart = coord.chart;
-                    let of = Caster { chart, min, max };
+                    let of = Caster {
+                        chart: coord.chart,
+                        min,
+                        max,
+                    };
                     Some(numbered(shadows.reach_within(frame, reach, &of)))
                 };
                 let whole = numbered(shadows.told_apart(reach));
                 let (pieces, left_out) = mesh.pieces_seen(seams, whole, seen);
                 plan.stats.triangles_outside += left_out;
-                list.add(instance, pieces.into_iter());
+                list.add(chart, instance, pieces.into_iter());
                 continue;
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
             let comes = instance.blending(progress);
-            list.add(comes, mesh.pieces(seams).map(|piece| (number, piece)));
+            list.add(
+                chart,
+                comes,
+                mesh.pieces(seams).map(|piece| (number, piece)),
+            );
             let seams = self.seams(coord, old.level, &old.mesh);
             let goes = instance.blending(-progress);
-            list.add(goes, old.mesh.pieces(seams).map(|piece| (number, piece)));
+            list.add(
+                chart,
+                goes,
+                old.mesh.pieces(seams).map(|piece| (number, piece)),
+            );
         }
     }
 
@@ -430,7 +445,9 @@ impl ChunkStore {
 
 fn instance(frame: &Frame, coord: ChunkCoord, choice: &ChunkChoice) -> ChunkInstance {
     let reference = whole_reference(frame, coord.chart);
-    let plain = ChunkInstance::new(coord.origin(), coord.chart, reference);
+    let origin = coord.origin();
+    let noise = frame.view.strategy.noise_frame(coord.chart);
+    let plain = ChunkInstance::new(origin, reference).grained(origin, noise);
     match &choice.port {
         Port::Vertex => plain,
         Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),

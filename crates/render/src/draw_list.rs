@@ -11,6 +11,7 @@ use wgpu::{
     Buffer, BufferUsages, Device, DownlevelFlags, Features, IndexFormat, Queue, RenderPass,
 };
 
+use crate::charts::Charts;
 use crate::gpu::Gpu;
 use crate::land_mesh::Piece;
 use crate::pages::Pages;
@@ -19,9 +20,10 @@ use crate::uniforms::ChunkInstance;
 /// What must be there for calls whose arguments lie in a buffer and name their instance.
 pub const MULTI_DRAW_FEATURES: Features = Features::INDIRECT_FIRST_INSTANCE;
 
-/// Calls that are worth a strict order, nearest first. Where there are more, the order is let go step by step, and in
-/// the end there is one call for each pipeline and page.
+/// Calls that are worth a strict order, nearest first, and for each chart where there are many. Where there are more, the
+/// order is let go step by step, and in the end there is one call for each pipeline, page and chart.
 const FEW_CALLS: usize = 16;
+const FEW_CALLS_A_CHART: usize = 4;
 /// Bands of so many meshes, as a power of two, hold all that there are.
 const WIDEST_BAND: u32 = 16;
 
@@ -31,13 +33,15 @@ struct Draw {
     /// The pipeline's number.
     pipeline: u8,
     page: usize,
+    /// The chart's number among those of the view.
+    chart: u32,
     args: DrawIndexedIndirectArgs,
 }
 
 impl Draw {
     /// What one call may draw together.
-    fn batch(&self) -> (u8, usize) {
-        (self.pipeline, self.page)
+    fn batch(&self) -> (u8, usize, u32) {
+        (self.pipeline, self.page, self.chart)
     }
 }
 
@@ -55,14 +59,20 @@ impl DrawList {
         self.draws.clear();
     }
 
-    /// Adds the pieces of a mesh that stands at `instance`, each with its pipeline's number. Meshes are to be added
-    /// nearest first.
-    pub fn add(&mut self, instance: ChunkInstance, pieces: impl Iterator<Item = (u8, Piece)>) {
+    /// Adds the pieces of a mesh that stands at `instance` in the chart of a number, each with its pipeline's number.
+    /// Meshes are to be added nearest first.
+    pub fn add(
+        &mut self,
+        chart: u32,
+        instance: ChunkInstance,
+        pieces: impl Iterator<Item = (u8, Piece)>,
+    ) {
         let first_instance = self.instances.len() as u32;
         self.instances.push(instance);
         self.draws.extend(pieces.map(|(pipeline, piece)| Draw {
             pipeline,
             page: piece.page,
+            chart,
             args: DrawIndexedIndirectArgs {
                 first_instance,
                 ..piece.args
@@ -72,12 +82,14 @@ impl DrawList {
 
     /// Brings together what one call can draw: within bands of 1, 4, 16... meshes, the first that make few calls.
     fn sort(&mut self) {
+        let charts = self.draws.iter().map(|draw| draw.chart + 1).max();
+        let few = FEW_CALLS.max(FEW_CALLS_A_CHART * charts.unwrap_or(0) as usize);
         for band in (0..=WIDEST_BAND).step_by(2) {
             self.draws.sort_by_key(|draw| {
                 let place = draw.args.first_instance;
-                (place >> band, draw.pipeline, draw.page, place)
+                (place >> band, draw.batch(), place)
             });
-            if self.batches().count() <= FEW_CALLS {
+            if self.batches().count() <= few {
                 return;
             }
         }
@@ -155,20 +167,23 @@ impl LandDraws {
     pub fn draw<'p>(
         &self,
         pass: &mut RenderPass<'_>,
-        list: &DrawList,
+        (list, charts): (&DrawList, &Charts),
         pages: &Pages,
         pipeline: impl Fn(u8) -> &'p wgpu::RenderPipeline,
     ) -> (usize, usize) {
         let (mut calls, mut first) = (0, 0);
-        let mut bound = (None, None);
+        let mut bound = (None, None, None);
         for batch in list.batches() {
-            let (number, page) = batch[0].batch();
+            let (number, page, chart) = batch[0].batch();
             let Some(buffers) = pages.page(page) else {
                 first += batch.len();
                 continue;
             };
             if bound.0.replace(number) != Some(number) {
                 pass.set_pipeline(pipeline(number));
+            }
+            if bound.2.replace(chart) != Some(chart) {
+                charts.bind(pass, chart);
             }
             if bound.1.replace(page) != Some(page) {
                 pass.set_index_buffer(buffers.indices.slice(..), IndexFormat::Uint16);
@@ -231,7 +246,6 @@ fn buffer<T>(device: &Device, count: usize, usage: BufferUsages) -> Buffer {
 
 #[cfg(test)]
 mod tests {
-    use antipode_geometry::ChartId;
     use glam::DVec3;
 
     use super::*;
@@ -250,13 +264,14 @@ mod tests {
     }
 
     /// A list of meshes of two pieces each, whose pipeline and page follow from their place.
-    fn list(count: u32, of: impl Fn(u32) -> (u8, usize)) -> DrawList {
+    fn list(count: u32, of: impl Fn(u32) -> (u8, usize, u32)) -> DrawList {
         let mut list = DrawList::default();
         for i in 0..count {
-            let instance = ChunkInstance::new(DVec3::ZERO, ChartId::FIRST, DVec3::ZERO);
-            let (pipeline, page) = of(i);
+            let instance = ChunkInstance::new(DVec3::ZERO, DVec3::ZERO);
+            let (pipeline, page, chart) = of(i);
             let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
-            list.add(instance, pieces.map(|piece| (pipeline, piece)).into_iter());
+            let pieces = pieces.map(|piece| (pipeline, piece));
+            list.add(chart, instance, pieces.into_iter());
         }
         list.sort();
         list
@@ -264,7 +279,7 @@ mod tests {
 
     #[test]
     fn where_few_calls_do_what_is_nearer_comes_first() {
-        let list = list(90, |i| (u8::from(i % 12 > 5), usize::from(i > 60)));
+        let list = list(90, |i| (u8::from(i % 12 > 5), usize::from(i > 60), 0));
         assert_eq!(list.triangles(), 180);
         assert!(list.draws.is_sorted_by_key(|draw| draw.args.first_index));
         assert_eq!(list.batches().count(), 16);
@@ -272,7 +287,7 @@ mod tests {
 
     #[test]
     fn a_call_draws_from_one_page_with_one_pipeline_what_is_nearer_first_and_there_are_few() {
-        let list = list(2000, |i| (u8::from(i % 7 > 3), i as usize % 3));
+        let list = list(2000, |i| (u8::from(i % 7 > 3), i as usize % 3, i % 2));
         let mut found: Vec<_> = list.draws.iter().map(|d| d.args.first_index).collect();
         found.sort_unstable();
         assert!(found.iter().copied().eq((0..4000).map(|i| i * 5)));

@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use antipode_geometry::ChartId;
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
+use crate::charts::Charts;
 use crate::figure_buffers::{BATCH, Place, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
 use crate::figure_pipelines::FigurePipelines;
 use crate::pipelines::Pipelines;
@@ -29,6 +31,8 @@ pub enum Way {
 struct Run {
     model: usize,
     way: Way,
+    /// The chart's number.
+    chart: u32,
     first: u32,
     count: u32,
     /// Where the joints of the first lie, in figures that bend.
@@ -46,6 +50,8 @@ pub struct Seen {
     pub instance: FigureInstance,
     /// Where its joints are, if it bends.
     pub joints: Option<Vec<JointRows>>,
+    /// Its chart.
+    pub chart: ChartId,
     /// The box of the chart that it takes, of what throws a shadow.
     pub room: Option<Caster>,
 }
@@ -80,23 +86,29 @@ impl FigureDraws {
     }
 
     /// Takes the figures of a frame.
-    pub fn take(&mut self, device: &Device, queue: &Queue, mut seen: Vec<Seen>) {
+    pub fn take(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        mut seen: Vec<Seen>,
+        charts: &mut Charts,
+    ) {
         // A stable sort: figures of a kind keep their order, and so the picture its bits.
-        seen.sort_by_key(|it| (it.way, it.model));
+        seen.sort_by_key(|it| (it.way, it.model, it.chart));
         self.rooms.clear();
         self.rooms.extend(seen.iter().filter_map(|it| it.room));
-        let rows = self.run_up(&mut seen);
+        let rows = self.run_up(&mut seen, charts);
         self.send(device, queue, &seen, &rows);
     }
 
     /// Brings together what one call can draw, and the joints of all that bend, each with its place among them.
-    fn run_up(&mut self, seen: &mut [Seen]) -> Vec<JointRows> {
+    fn run_up(&mut self, seen: &mut [Seen], charts: &mut Charts) -> Vec<JointRows> {
         let mut rows: Vec<JointRows> = Vec::new();
         self.runs.clear();
         for (first, it) in (0..).zip(seen.iter_mut()) {
+            let chart = charts.number(it.chart);
             let goes_on = self.runs.last_mut().filter(|run| {
                 let full = run.joints.is_some() && run.count as usize >= BATCH;
-                (run.model, run.way) == (it.model, it.way) && !full
+                (run.model, run.way, run.chart) == (it.model, it.way, chart) && !full
             });
             if let Some(run) = goes_on {
                 run.count += 1;
@@ -109,6 +121,7 @@ impl FigureDraws {
                 self.runs.push(Run {
                     model: it.model,
                     way: it.way,
+                    chart,
                     first,
                     count: 1,
                     joints: it.joints.as_ref().map(|_| (rows.len() * ROWS_BYTES) as u32),
@@ -116,7 +129,7 @@ impl FigureDraws {
             }
             if let Some(joints) = it.joints.take() {
                 let place = self.runs.last().map_or(0, |run| run.count - 1);
-                it.instance.flags |= place << 2;
+                it.instance.flags |= place << 1;
                 let end = rows.len() + JOINTS;
                 rows.extend(joints);
                 rows.resize(end, JointRows::default());
@@ -149,35 +162,35 @@ impl FigureDraws {
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
-        models: &Statics,
+        adapter: (&Statics, &Charts),
         pipelines: &Pipelines,
     ) -> (usize, usize) {
         let solid = |place: &Place| place.solid.clone();
-        self.draw_parts(pass, models, &pipelines.figures, (solid, false))
+        self.draw_parts(pass, adapter, &pipelines.figures, (solid, false))
     }
 
     /// Draws what lets light through, which is to come after all that is solid; returns triangles and draw calls.
     pub fn draw_clear(
         &self,
         pass: &mut RenderPass<'_>,
-        models: &Statics,
+        adapter: (&Statics, &Charts),
         pipelines: &Pipelines,
     ) -> (usize, usize) {
         let clear = |place: &Place| place.clear.clone();
-        self.draw_parts(pass, models, &pipelines.figures, (clear, true))
+        self.draw_parts(pass, adapter, &pipelines.figures, (clear, true))
     }
 
     /// Draws what is solid of them into a shadow map, finely or coarsely; returns triangles.
     pub fn draw_shadows(
         &self,
         pass: &mut RenderPass<'_>,
-        models: &Statics,
+        adapter: (&Statics, &Charts),
         pipelines: &FigurePipelines,
         coarse: bool,
     ) -> usize {
         let mut triangles = 0;
         for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
-            let place = &models.places[run.model];
+            let place = &adapter.0.places[run.model];
             let indices = if coarse { &place.coarse } else { &place.solid };
             if indices.is_empty() {
                 continue;
@@ -186,9 +199,9 @@ impl FigureDraws {
                 pass.set_pipeline(&pipelines.bent_caster);
             } else {
                 pass.set_pipeline(&pipelines.caster);
-                pass.set_bind_group(1, &self.joints_bound, &[0]);
+                pass.set_bind_group(2, &self.joints_bound, &[0]);
             }
-            triangles += self.draw_run(pass, models, run, indices);
+            triangles += self.draw_run(pass, adapter, run, indices);
         }
         triangles
     }
@@ -196,13 +209,13 @@ impl FigureDraws {
     fn draw_parts(
         &self,
         pass: &mut RenderPass<'_>,
-        models: &Statics,
+        adapter: (&Statics, &Charts),
         pipelines: &FigurePipelines,
         (part, clear): (impl Fn(&Place) -> Range<u32>, bool),
     ) -> (usize, usize) {
         let (mut triangles, mut calls) = (0, 0);
         for run in self.runs.iter().filter(|run| run.way != Way::Shade) {
-            let indices = part(&models.places[run.model]);
+            let indices = part(&adapter.0.places[run.model]);
             if indices.is_empty() {
                 continue;
             }
@@ -216,7 +229,7 @@ impl FigureDraws {
                 (Way::Framed, None, true) => &pipelines.clear_framed,
                 (Way::Vertex | Way::Shade, None, true) => &pipelines.clear,
             });
-            triangles += self.draw_run(pass, models, run, &indices);
+            triangles += self.draw_run(pass, adapter, run, &indices);
             calls += 1;
         }
         (triangles, calls)
@@ -226,13 +239,14 @@ impl FigureDraws {
     fn draw_run(
         &self,
         pass: &mut RenderPass<'_>,
-        models: &Statics,
+        (models, charts): (&Statics, &Charts),
         run: &Run,
         indices: &Range<u32>,
     ) -> usize {
         models.bind(pass, run.joints.is_some());
+        charts.bind(pass, run.chart);
         if let Some(offset) = run.joints {
-            pass.set_bind_group(1, &self.joints_bound, &[offset]);
+            pass.set_bind_group(2, &self.joints_bound, &[offset]);
         }
         // Not every adapter draws instances from a number on, so the buffer begins there.
         let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;

@@ -5,6 +5,7 @@ use antipode_geometry::ChartPoint;
 use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
 use wgpu::Device;
 
+use crate::charts::offset_of;
 use crate::culling::{Reaches, Shown, Wanted};
 use crate::error::RenderError;
 use crate::figure_buffers::Statics;
@@ -15,7 +16,7 @@ use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
 use crate::shadow::{Caster, Shot};
-use crate::uniforms::{FigureInstance, chart_index, frame_rows, offset_of};
+use crate::uniforms::{FigureInstance, frame_rows};
 
 /// The models, which all views draw figures with.
 #[derive(Debug)]
@@ -68,6 +69,7 @@ impl Figures {
             way: Way::Hand,
             instance,
             joints: None,
+            chart: frame.view.eye.point.chart,
             room: None,
         }));
         seen
@@ -128,8 +130,8 @@ fn put(
     let chart = figure.point.chart;
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
-        offset: offset_of(frame, figure.point),
-        flags: chart_index(chart) | u32::from(figure.hostile) << 1,
+        offset: offset_of(frame, figure.point).as_vec3().into(),
+        flags: u32::from(figure.hostile),
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
@@ -153,6 +155,7 @@ fn put(
         way,
         instance,
         joints: None,
+        chart,
         room: wanted.shades.then_some(Caster { chart, min, max }),
     });
 }

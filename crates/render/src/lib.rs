@@ -7,6 +7,7 @@
 mod ball;
 mod blend;
 mod celestial;
+mod charts;
 mod chunk_store;
 mod coarse;
 mod culling;

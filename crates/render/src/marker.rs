@@ -5,10 +5,11 @@ use antipode_frame::{Frame, Marker, MarkerShape};
 use antipode_geometry::ChartPoint;
 use glam::{DMat3, DVec3, DVec4};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
 
 use crate::ball::ball;
-use crate::uniforms::{MarkerInstance, chart_index, offset_of};
+use crate::charts::{Charts, offset_of};
+use crate::uniforms::MarkerInstance;
 
 /// The inner ball's radius as a share of the outer's.
 const BALL_SHARE: f64 = 0.2;
@@ -33,7 +34,8 @@ pub struct MarkerBalls {
     indices: Buffer,
     index_count: u32,
     instances: Buffer,
-    shown: bool,
+    /// The number of its chart, where it is shown.
+    shown: Option<u32>,
 }
 
 impl MarkerBalls {
@@ -61,15 +63,15 @@ impl MarkerBalls {
             indices,
             index_count: triangles.len() as u32,
             instances,
-            shown: false,
+            shown: None,
         }
     }
 
     /// Takes this frame's ball.
-    pub fn prepare(&mut self, queue: &Queue, frame: &Frame) {
+    pub fn prepare(&mut self, queue: &Queue, frame: &Frame, charts: &mut Charts) {
         let marker = frame.marker();
         let ball = marker.filter(|marker| marker.shape == MarkerShape::Ball);
-        self.shown = ball.is_some();
+        self.shown = ball.map(|marker| charts.number(marker.point.chart));
         if let Some(marker) = ball {
             queue.write_buffer(
                 &self.instances,
@@ -79,18 +81,25 @@ impl MarkerBalls {
         }
     }
 
-    /// Whether there is a ball to draw.
-    pub fn shown(&self) -> bool {
-        self.shown
-    }
-
-    /// Draws both balls; returns triangles and draw calls.
-    pub fn draw(&self, pass: &mut RenderPass<'_>) -> (usize, usize) {
+    /// Draws both balls by some pipelines, if they are to be seen; returns triangles and draw calls.
+    pub fn draw(
+        &self,
+        pass: &mut RenderPass<'_>,
+        charts: &Charts,
+        pipelines: [&RenderPipeline; 2],
+    ) -> (usize, usize) {
+        let Some(chart) = self.shown else {
+            return (0, 0);
+        };
+        charts.bind(pass, chart);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        pass.draw_indexed(0..self.index_count, 0, 0..2);
-        (self.index_count as usize / 3 * 2, 1)
+        for pipeline in pipelines {
+            pass.set_pipeline(pipeline);
+            pass.draw_indexed(0..self.index_count, 0, 0..2);
+        }
+        (self.index_count as usize / 3 * 4, 2)
     }
 }
 
@@ -104,7 +113,7 @@ fn light_of(frame: &Frame) -> f32 {
 /// The ring about what is dug or built, as the shaders are told of it; all zero where there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Ring {
-    /// Its middle: metres from the reference of its chart, or in a closed world view coordinates.
+    /// Its middle: metres from the reference in the common axes, or in a closed world view coordinates.
     pub centre: [f32; 4],
     /// Its light, and its radius in metres of the chart.
     pub light: [f32; 4],
@@ -128,14 +137,15 @@ impl Ring {
             (RING, light_of(frame))
         };
         let [r, g, b] = colour.map(|channel| channel * light);
-        let [x, y, z] = offset_of(frame, marker.point);
+        let offset = offset_of(frame, marker.point);
+        let offset = frame.view.in_common_axes(marker.point.chart, offset);
         let closed = !frame.view.strategy.has_sky();
         let middle = frame.view.point(marker.point);
         Self {
             centre: if closed {
                 middle.as_vec4().into()
             } else {
-                [x, y, z, 0.0]
+                offset.as_vec3().extend(0.0).into()
             },
             light: [r, g, b, marker.radius_m as f32],
             edges,
@@ -173,8 +183,7 @@ fn chart_axes(frame: &Frame, middle: ChartPoint) -> [[f32; 4]; 3] {
 fn balls(frame: &Frame, marker: &Marker) -> [MarkerInstance; 2] {
     let [r, g, b] = BALL;
     let of_radius = |radius_m: f64, (face, edge): (f32, f32)| MarkerInstance {
-        offset: offset_of(frame, marker.point),
-        chart: chart_index(marker.point.chart),
+        offset: offset_of(frame, marker.point).as_vec3().into(),
         colour: [r, g, b, face],
         shape: [radius_m as f32, edge, 0.0, 0.0],
     };

@@ -5,9 +5,10 @@ use std::f32::consts::TAU;
 use antipode_frame::{Frame, HitForm, HitShape};
 use bytemuck::{Pod, Zeroable};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
-use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass};
+use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
 
-use crate::uniforms::{OutlineInstance, chart_index, offset_of};
+use crate::charts::{Charts, offset_of};
+use crate::uniforms::OutlineInstance;
 
 /// Linear light of what moves, and of what rests.
 const AWAKE: [f32; 3] = [0.05, 1.1, 0.12];
@@ -52,8 +53,17 @@ pub struct Outlines {
     spans: [Span; 3],
     instances: Buffer,
     room: usize,
-    /// How many there are of each in this frame.
-    counts: [u32; 3],
+    /// What of this frame one call draws.
+    runs: Vec<Run>,
+}
+
+/// Shapes of a kind in a chart.
+#[derive(Clone, Copy, Debug)]
+struct Run {
+    kind: usize,
+    /// The chart's number.
+    chart: u32,
+    count: u32,
 }
 
 impl Outlines {
@@ -82,20 +92,31 @@ impl Outlines {
             spans,
             instances: instance_buffer(device, FIRST_ROOM),
             room: FIRST_ROOM,
-            counts: [0; 3],
+            runs: Vec::new(),
         }
     }
 
     /// Takes this frame's shapes.
-    pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
-        self.counts = [0; 3];
+    pub fn prepare(
+        &mut self,
+        (device, queue): (&Device, &Queue),
+        frame: &Frame,
+        charts: &mut Charts,
+    ) {
+        self.runs.clear();
         if frame.content.hit_shapes.is_empty() || !frame.view.shows_marks {
             return;
         }
         let mut shapes: Vec<_> = frame.content.hit_shapes.iter().collect();
-        shapes.sort_by_key(|shape| kind(shape));
-        for shape in &shapes {
-            self.counts[kind(shape)] += 1;
+        let key = |shape: &HitShape| (kind(shape), shape.point.chart);
+        shapes.sort_by_key(|shape| key(shape));
+        for run in shapes.chunk_by(|a, b| key(a) == key(b)) {
+            let (kind, chart) = key(run[0]);
+            self.runs.push(Run {
+                kind,
+                chart: charts.number(chart),
+                count: run.len() as u32,
+            });
         }
         if shapes.len() > self.room {
             self.room = shapes.len().next_power_of_two();
@@ -105,24 +126,28 @@ impl Outlines {
         queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
     }
 
-    /// Whether there is anything to draw.
-    pub fn shown(&self) -> bool {
-        self.counts != [0; 3]
-    }
-
-    /// Draws all of them; returns triangles and draw calls.
-    pub fn draw(&self, pass: &mut RenderPass<'_>) -> (usize, usize) {
+    /// Draws all of them by some pipelines; returns triangles and draw calls.
+    pub fn draw(
+        &self,
+        pass: &mut RenderPass<'_>,
+        charts: &Charts,
+        pipelines: [&RenderPipeline; 2],
+    ) -> (usize, usize) {
         pass.set_vertex_buffer(0, self.corners.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        let (mut triangles, mut draws, mut first) = (0, 0, 0);
-        for (span, count) in self.spans.iter().zip(self.counts) {
-            if count > 0 {
-                pass.draw_indexed(span.first..span.end, 0, first..first + count);
-                triangles += ((span.end - span.first) / 3 * count) as usize;
+        let (mut triangles, mut draws) = (0, 0);
+        for pipeline in pipelines {
+            pass.set_pipeline(pipeline);
+            let mut first = 0;
+            for run in &self.runs {
+                let span = &self.spans[run.kind];
+                charts.bind(pass, run.chart);
+                pass.draw_indexed(span.first..span.end, 0, first..first + run.count);
+                first += run.count;
+                triangles += ((span.end - span.first) / 3 * run.count) as usize;
                 draws += 1;
             }
-            first += count;
         }
         (triangles, draws)
     }
@@ -157,8 +182,7 @@ fn instance(frame: &Frame, shape: &HitShape) -> OutlineInstance {
     let [x, y, z] = size;
     let [r, g, b] = if shape.awake { AWAKE } else { ASLEEP };
     OutlineInstance {
-        offset: offset_of(frame, shape.point),
-        chart: chart_index(shape.point.chart),
+        offset: offset_of(frame, shape.point).as_vec3().into(),
         turn: shape.turn.as_quat().to_array(),
         size: [x, y, z, low],
         colour: [r, g, b, high],

@@ -11,6 +11,7 @@ use wgpu::{
 };
 
 use crate::celestial::{CelestialPipelines, Star};
+use crate::charts::chart_layout;
 use crate::chunk_store::{VERTEX_ATTRIBUTES, VERTEX_BYTES};
 use crate::figure_buffers::joints_layout;
 use crate::figure_pipelines::FigurePipelines;
@@ -212,19 +213,18 @@ impl<'a> Maker<'a> {
                 immediate_size: 0,
             })
         };
-        let joints_layout = joints_layout(device);
+        let [chart, joints] = [chart_layout(device), joints_layout(device)];
+        let (chart, joints) = (Some(&chart), Some(&joints));
         // What the scene reads is not bound where a map is drawn: the map is a part of it.
         let caster = caster_layout(device);
+        let caster = Some(&caster);
         Self {
             device,
             shaders,
-            layout: layout("scene", &[Some(scene_layout)]),
-            bent_layout: layout("bent", &[Some(scene_layout), Some(&joints_layout)]),
-            caster_layout: layout("shadow caster", &[None, None, Some(&caster)]),
-            figure_caster_layout: layout(
-                "figure shadow caster",
-                &[None, Some(&joints_layout), Some(&caster)],
-            ),
+            layout: layout("scene", &[Some(scene_layout), chart]),
+            bent_layout: layout("bent", &[Some(scene_layout), chart, joints]),
+            caster_layout: layout("shadow caster", &[None, chart, None, caster]),
+            figure_caster_layout: layout("figure shadow caster", &[None, chart, joints, caster]),
             map: key.map,
             samples,
             shadows: ShadowQuality::Off,

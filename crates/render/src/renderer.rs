@@ -287,17 +287,17 @@ impl Renderer {
         self.chunks.refine(frame, book.land(), &mut plan);
         self.take_figures(frame, &mut plan);
         let land = (&self.chunks, &*book, &self.shadows);
+        let adapter = (&self.device, &self.queue);
         self.picture
-            .take_land(&self.queue, frame, land, &mut plan, drawn);
+            .take_land(adapter, frame, land, &mut plan, drawn);
         let mut stats = self.planned(&plan);
         let Some(pipelines) = self.pipelines.get(map) else {
             return stats;
         };
         let timing = self.timing.as_ref();
         let figures = (&self.picture.figures, &self.figures.statics);
-        let (shadows, stamped) =
-            self.shadows
-                .draw(encoder, pipelines, &self.chunks, figures, timing);
+        let land = (self.chunks.pages(), &self.picture.charts);
+        let (shadows, stamped) = self.shadows.draw(encoder, pipelines, land, figures, timing);
         stats.shadows = shadows;
         let stamp = timing.filter(|_| !stamped).map(Timing::begin);
         let scenery = self.scenery(pipelines);
@@ -309,7 +309,8 @@ impl Renderer {
     /// Takes a frame's figures, and plans the passes into the shadow maps. Which figures there are depends on what the map
     /// of their shadows is a picture of, and that on the maps of land.
     fn take_figures(&mut self, frame: &Frame, plan: &mut FramePlan) {
-        let is_new = self.shadows.prepare(frame, &mut self.chunks);
+        let charts = &mut self.picture.charts;
+        let is_new = self.shadows.prepare(frame, &mut self.chunks, charts);
         let map = self.shadows.figures_shot(frame);
         let adapter = (&self.device, &self.queue);
         self.picture
@@ -347,7 +348,7 @@ impl Renderer {
             state.take_figures(adapter, &frame, &self.figures, &mut plan, None);
             let land = (&self.chunks, &*book, &self.shadows);
             let drawn = state.targets.size;
-            state.take_land(&self.queue, &frame, land, &mut plan, drawn);
+            state.take_land(adapter, &frame, land, &mut plan, drawn);
             let mut stats = self.planned(&plan);
             let scenery = self.scenery(pipelines);
             state.draw(&frame, scenery, encoder, (None, None), &mut stats);

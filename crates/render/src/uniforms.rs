@@ -1,11 +1,12 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_frame::{Frame, Orbs, View};
-use antipode_geometry::{ChartId, ChartPoint, SpaceUniform};
+use antipode_geometry::{ChartPoint, NoiseFrame, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat4, DVec3, Vec3};
+use glam::{DVec3, Vec3};
 
+use crate::charts::offset_of;
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::marker::Ring;
 use crate::plan::{Affine, ChunkLand};
@@ -20,33 +21,11 @@ const SHADE_REACH_M: f64 = 3.0;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
-/// Charts that a picture knows; `CHARTS` of common.wgsl.
-pub const CHARTS: usize = 2;
-
-/// `Chart` of common.wgsl.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-struct ChartUniform {
-    view: [[f32; 4]; 4],
-    home: [[f32; 4]; 4],
-}
-
-impl ChartUniform {
-    fn new(frame: &Frame, chart: ChartId) -> Self {
-        let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
-        Self {
-            view: columns(frame.view.chart_matrix(chart)),
-            home: columns(frame.view.strategy.home_matrix(chart)),
-        }
-    }
-}
-
 /// `Scene` of common.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct SceneUniform {
     space: SpaceUniform,
-    charts: [ChartUniform; CHARTS],
     right: [f32; 4],
     up: [f32; 4],
     front: [f32; 4],
@@ -63,7 +42,6 @@ pub struct SceneUniform {
     sun_place: [f32; 4],
     moon_place: [f32; 4],
     orb: [f32; 4],
-    fraction: [f32; 4],
     ring_centre: [f32; 4],
     ring: [f32; 4],
     ring_edges: [f32; 4],
@@ -88,7 +66,6 @@ impl SceneUniform {
         let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
             space: frame.view.uniform(),
-            charts: KNOWN.map(|chart| ChartUniform::new(frame, chart)),
             right: with(right, frame.content.time_s),
             up: with(
                 up,
@@ -119,7 +96,6 @@ impl SceneUniform {
                 0.0,
                 0.0,
             ],
-            fraction: with(reference_fraction(frame).as_vec3(), 0.0),
             ring_centre: ring.centre,
             ring: ring.light,
             ring_edges: [ring.edges, 0.0, 0.0, 0.0],
@@ -157,56 +133,51 @@ fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
     })
 }
 
-/// The feet of the figures nearest to the eye.
+/// The figures' feet whose shades are drawn, those nearest to the eye.
+#[derive(Debug)]
+pub struct Shades(Vec<ChartPoint>);
+
+impl Shades {
+    /// Those of a frame.
+    pub fn of(frame: &Frame) -> Self {
+        let distance_m = |p: ChartPoint| {
+            frame
+                .view
+                .strategy
+                .distance_m(frame.view.eye.point, p, &frame.view.eye)
+        };
+        let mut feet: Vec<_> = shaded_feet(frame).collect();
+        feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
+        feet.truncate(SHADES);
+        Self(feet)
+    }
+
+    /// Which of them may fall on a chunk's land, a bit for each.
+    pub fn on(&self, land: &ChunkLand) -> u32 {
+        let falls = |feet: &ChartPoint| {
+            feet.chart == land.coord.chart
+                && feet.pos.distance(feet.pos.clamp(land.min, land.max)) < SHADE_REACH_M
+        };
+        let bits = self.0.iter().enumerate();
+        bits.filter(|(_, feet)| falls(feet))
+            .fold(0, |bits, (place, _)| bits | 1 << place)
+    }
+}
+
 fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
-    let distance_m = |p: ChartPoint| {
-        frame
-            .view
-            .strategy
-            .distance_m(frame.view.eye.point, p, &frame.view.eye)
-    };
-    let mut feet: Vec<_> = shaded_feet(frame).collect();
-    feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
     let mut shades = [[0.0; 4]; SHADES];
-    for (shade, point) in shades.iter_mut().zip(&feet) {
+    for (shade, point) in shades.iter_mut().zip(&Shades::of(frame).0) {
+        let offset = offset_of(frame, *point);
         *shade = with(
-            offset_of(frame, *point).into(),
-            chart_index(point.chart) as f32,
+            frame.view.in_common_axes(point.chart, offset).as_vec3(),
+            0.0,
         );
     }
     shades
 }
 
-/// How many shades may fall on a chunk's land: all or none.
-pub fn shades_on(frame: &Frame, land: &ChunkLand) -> u32 {
-    let falls = |feet: ChartPoint| {
-        feet.chart == land.coord.chart
-            && feet.pos.distance(feet.pos.clamp(land.min, land.max)) < SHADE_REACH_M
-    };
-    if shaded_feet(frame).any(falls) {
-        shaded_feet(frame).count().min(SHADES) as u32
-    } else {
-        0
-    }
-}
-
 fn with(v: Vec3, w: f32) -> [f32; 4] {
     v.extend(w).into()
-}
-
-/// The whole metres next to a frame's reference, from which chunks are measured: those differences are exact.
-pub fn whole_reference(frame: &Frame, chart: ChartId) -> DVec3 {
-    frame
-        .view
-        .strategy
-        .reference(&frame.view.eye, chart)
-        .round()
-}
-
-/// The rest of the reference. A space with two charts has it at both their centres, where there is no rest.
-fn reference_fraction(frame: &Frame) -> DVec3 {
-    let chart = frame.view.eye.point.chart;
-    frame.view.strategy.reference(&frame.view.eye, chart) - whole_reference(frame, chart)
 }
 
 /// Where a chunk stands; the instance attributes of terrain.wgsl.
@@ -215,10 +186,9 @@ fn reference_fraction(frame: &Frame) -> DVec3 {
 pub struct ChunkInstance {
     /// The chunk's corner from the whole metres next to the reference.
     pub offset: [f32; 3],
-    /// The chart's number in the lowest bit, in the next whether a figure's shadow may fall on the chunk, and
-    /// above how many figures' shades may.
+    /// In the lowest bit whether a figure's shadow may fall on the chunk, and above a bit for each shade that may.
     pub flags: u32,
-    /// The chunk's corner wrapped to [-128, 128) metres.
+    /// Where grain has the chunk's corner, wrapped to [-128, 128) metres.
     pub world: [f32; 3],
     /// Of a mesh that comes in a blend, the share of the pixels that show it; of one that goes, minus the share that
     /// no longer do.
@@ -231,14 +201,27 @@ pub struct ChunkInstance {
 
 impl ChunkInstance {
     /// The chunk with its corner at `origin`, for positions relative to `reference`; both in chart metres.
-    pub fn new(origin: DVec3, chart: ChartId, reference: DVec3) -> Self {
+    pub fn new(origin: DVec3, reference: DVec3) -> Self {
         Self {
             offset: (origin - reference).as_vec3().into(),
-            flags: chart_index(chart),
-            world: origin.map(wrap_m).as_vec3().into(),
+            flags: 0,
+            world: [0.0; 3],
             blend: 0.0,
             frame: [[0.0; 4]; 4],
             lights: [0; 3],
+        }
+    }
+
+    /// The same, whose corner is where a frame of the noise has a place of the chart, metres.
+    #[must_use]
+    pub fn grained(self, origin: DVec3, noise: NoiseFrame) -> Self {
+        let place = match noise {
+            NoiseFrame::Square(frame) => frame.placed(origin),
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => origin,
+        };
+        Self {
+            world: place.map(wrap_m).as_vec3().into(),
+            ..self
         }
     }
 
@@ -251,11 +234,11 @@ impl ChunkInstance {
         }
     }
 
-    /// The same, with so many shades that may fall on it, and a figure's shadow or none.
+    /// The same, with the shades that may fall on it by their bits, and a figure's shadow or none.
     #[must_use]
     pub fn shaded(self, shades: u32, by_figures: bool) -> Self {
         Self {
-            flags: self.flags & 1 | u32::from(by_figures) << 1 | shades << 2,
+            flags: u32::from(by_figures) | shades << 1,
             ..self
         }
     }
@@ -297,8 +280,7 @@ fn wrap_m(x: f64) -> f64 {
 pub struct FigureInstance {
     /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// The chart's number in the lowest bit, whether it is red in the next, and above them the figure's place in its
-    /// batch of joints.
+    /// Whether it is red in the lowest bit, and above it the figure's place in its batch of joints.
     pub flags: u32,
     /// How it is turned in the chart: a quaternion, its real part last.
     pub turn: [f32; 4],
@@ -328,8 +310,6 @@ pub fn frame_rows(affine: &Affine) -> [[f32; 4]; 4] {
 pub struct MarkerInstance {
     /// The centre from the reference, metres.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub chart: u32,
     /// Linear light; last, the opacity seen face on.
     pub colour: [f32; 4],
     /// Radius in metres, opacity seen edge on, and room.
@@ -338,8 +318,8 @@ pub struct MarkerInstance {
 
 impl MarkerInstance {
     /// Attributes from location 1 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
-        wgpu::vertex_attr_array![1 => Float32x3, 2 => Uint32, 3 => Float32x4, 4 => Float32x4];
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
+        wgpu::vertex_attr_array![1 => Float32x3, 2 => Float32x4, 3 => Float32x4];
 }
 
 /// A shape whose outline is drawn.
@@ -348,8 +328,6 @@ impl MarkerInstance {
 pub struct OutlineInstance {
     /// Its point from the reference, metres.
     pub offset: [f32; 3],
-    /// 0 or 1.
-    pub chart: u32,
     /// Turn as a quaternion (x, y, z, w).
     pub turn: [f32; 4],
     /// What the unit shape is stretched by along each axis, metres; last, the height of its lower middle over its
@@ -361,22 +339,8 @@ pub struct OutlineInstance {
 
 impl OutlineInstance {
     /// Attributes from location 3 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 5] = wgpu::vertex_attr_array![3 => Float32x3, 4 => Uint32, 5 => Float32x4, 6 => Float32x4, 7 => Float32x4];
-}
-
-/// The charts by the shaders' numbers.
-pub const KNOWN: [ChartId; CHARTS] = [ChartId::FIRST, ChartId::SECOND];
-
-/// The shaders' number of a chart.
-pub fn chart_index(chart: ChartId) -> u32 {
-    u32::from(chart == ChartId::SECOND)
-}
-
-/// A point as the shaders take it: metres from the reference of its chart.
-pub fn offset_of(frame: &Frame, point: ChartPoint) -> [f32; 3] {
-    (point.pos - frame.view.strategy.reference(&frame.view.eye, point.chart))
-        .as_vec3()
-        .into()
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+        wgpu::vertex_attr_array![3 => Float32x3, 4 => Float32x4, 5 => Float32x4, 6 => Float32x4];
 }
 
 #[cfg(test)]

@@ -181,12 +181,25 @@ impl Optics for TiledFlat {
         Euclidean.clip_from_view(eye, projection, view)
     }
 
+    fn reference(&self, eye: &Eye, chart: ChartId) -> DVec3 {
+        Self::carried(eye.point, chart).point.pos
+    }
+
     fn view_matrix(&self, eye: &Eye) -> DMat4 {
-        Euclidean.view_matrix(eye)
+        Euclidean.view_matrix(eye) * self.home_matrix(eye.point.chart).transpose()
+    }
+
+    fn home_matrix(&self, chart: ChartId) -> DMat4 {
+        let frame = Self::frame(chart);
+        let [x, y, z] = DVec3::AXES.map(|axis| frame.turned(axis).extend(0.0));
+        DMat4::from_cols(x, y, z, DVec4::W)
     }
 
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
-        Euclidean.uniform(eye, projection)
+        SpaceUniform {
+            view: self.view_matrix(eye).as_mat4().to_cols_array_2d(),
+            ..Euclidean.uniform(eye, projection)
+        }
     }
 
     fn shader(&self) -> &'static MapShader {

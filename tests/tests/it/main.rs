@@ -24,3 +24,4 @@ mod seam;
 mod settings;
 mod soak;
 mod things;
+mod tiled;

@@ -100,7 +100,7 @@ impl LandBook {
     /// Adds a column, given upwards, if it is known to be solid below some height.
     fn add_column(&mut self, chunks: &[(ColumnKey, i32, u32)]) {
         let upwards = chunks.iter().map(|(.., place)| &self.land[*place as usize]);
-        let (Some(((_, _, at), ..)), Some(solid_below_m)) =
+        let (Some(((chart, _, at), ..)), Some(solid_below_m)) =
             (chunks.first(), Ground::solid_below_m(upwards))
         else {
             return;
@@ -109,7 +109,7 @@ impl LandBook {
             self.column_of[*place as usize] = self.columns.len() as u32;
         }
         self.columns
-            .push(Column::new(IVec2::from_array(*at), solid_below_m));
+            .push(Column::new(*chart, IVec2::from_array(*at), solid_below_m));
     }
 
     /// The land in the order in which it was given.

@@ -4,7 +4,9 @@
 //! no more at its ends.
 
 use antipode_frame::{Frame, View};
-use antipode_geometry::{ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals};
+use antipode_geometry::{
+    ChartPoint, Domain, Eye, NoiseFrame, Projection, SightCell, Strategy, side_normals,
+};
 use glam::{DMat3, DVec3, DVec4};
 
 use super::ChunkLand;
@@ -104,6 +106,24 @@ impl Affine {
         }
     }
 
+    /// The same for positions in the axes that a chart's frame turns to.
+    ///
+    /// A position x there is one of the chart that is turned: with T the turn, columns T^-1 x is x along columns T^T, since
+    /// T is orthogonal.
+    fn turned(self, frame: NoiseFrame) -> Self {
+        let turned = DMat3::from_cols_array_2d(
+            &DMat3::IDENTITY
+                .to_cols_array_2d()
+                .map(|axis| frame.turned(DVec3::from_array(axis)).to_array()),
+        );
+        let [i, j, k] = self.columns;
+        let along = |to: DVec3| i * to.x + j * to.y + k * to.z;
+        Self {
+            columns: [turned.row(0), turned.row(1), turned.row(2)].map(along),
+            ..self
+        }
+    }
+
     /// View coordinates at `x` metres from the origin.
     pub fn at(&self, x: DVec3) -> DVec4 {
         let [i, j, k] = self.columns;
@@ -117,8 +137,8 @@ pub struct Bounds {
     scale: PictureScale,
     /// By how many pixels edges stray.
     pub bend: Bend,
-    /// First-order map about the eye. All chunks that are ported as a whole share it, and so the bits of their
-    /// borders.
+    /// First-order map about the eye, for positions in the common axes. All chunks that are ported as a whole share it, and
+    /// so the bits of their borders.
     affine: Affine,
     flat: bool,
     /// Whether depth is not linear in the picture.
@@ -163,13 +183,9 @@ impl Bounds {
     pub fn new(frame: &Frame, scale: PictureScale, bend: Bend) -> Self {
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let flat = !space.radius_at_m(eye).is_finite();
-        let affine = Affine::about(
-            space,
-            eye,
-            eye.point,
-            space.reference(eye, eye.point.chart),
-            1.0,
-        );
+        let origin = space.reference(eye, eye.point.chart);
+        let affine = Affine::about(space, eye, eye.point, origin, 1.0);
+        let affine = affine.turned(space.noise_frame(eye.point.chart));
         Self {
             flat,
             affine,
@@ -227,7 +243,13 @@ impl Bounds {
             .view
             .strategy
             .reference(&frame.view.eye, chunk.coord.chart);
-        let error_px = self.strays_px(frame, &self.affine, middle, origin, 0.5 * size)?;
+        let turn = |away| frame.view.in_common_axes(chunk.coord.chart, away);
+        let error_px = self.strays_px(
+            frame,
+            |point| self.affine.at(turn(point.pos - origin)),
+            middle,
+            0.5 * size,
+        )?;
         (error_px <= tolerance_px).then_some((self.affine, error_px))
     }
 
@@ -258,7 +280,8 @@ impl Bounds {
             feet.pos,
             0.1,
         );
-        let error_px = self.strays_px(frame, &affine, middle, feet.pos, half)?;
+        let framed = |point: ChartPoint| affine.at(point.pos - feet.pos);
+        let error_px = self.strays_px(frame, framed, middle, half)?;
         (error_px <= tolerance_px).then_some((affine, error_px))
     }
 
@@ -267,9 +290,8 @@ impl Bounds {
     fn strays_px(
         &self,
         frame: &Frame,
-        affine: &Affine,
+        framed: impl Fn(ChartPoint) -> DVec4,
         middle: ChartPoint,
-        origin: DVec3,
         half: DVec3,
     ) -> Option<f64> {
         let mut worst: f64 = 0.0;
@@ -278,7 +300,7 @@ impl Bounds {
             let place = DVec3::new(f64::from(i % 3), f64::from(i / 3 % 3), f64::from(i / 9)) - 1.0;
             let point = middle.moved(place * half);
             let truth = view(point).truncate();
-            let framed = affine.at(point.pos - origin).truncate();
+            let framed = framed(point).truncate();
             let angle = truth.cross(framed).length().atan2(truth.dot(framed));
             worst = worst.max(angle);
         }

@@ -23,7 +23,7 @@ mod way;
 use std::sync::Arc;
 
 use antipode_frame::{Frame, Quality};
-use antipode_geometry::{CHUNK_CELLS, ChunkCoord, Eye, SightCell, Strategy};
+use antipode_geometry::{CHUNK_CELLS, Eye, SightCell, Strategy};
 pub use book::LandBook;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
@@ -34,7 +34,8 @@ pub use refine::{RefineKey, RefineRules, unhalved_error_px};
 pub use stats::PlanStats;
 
 use bend::Bend;
-use skyline::Skyline;
+use glam::IVec2;
+use skyline::{Grid, Skyline};
 
 /// What rounding takes from a cell at most, in radians, or as a part of a slope or a distance.
 const SLACK: f64 = 1e-6;
@@ -55,6 +56,7 @@ pub struct FramePlan {
 struct Candidate {
     place: usize,
     cell: SightCell,
+    /// Its column's; 0, which nothing hides, where it has none.
     ring: u32,
 }
 
@@ -148,15 +150,11 @@ fn hides(frame: &Frame, book: &LandBook, tolerance: &Tolerance) -> bool {
 /// All chunks: what a view that is moved shows of them is not known.
 fn all(frame: &Frame, book: &LandBook) -> Vec<Candidate> {
     let (strategy, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
-    let home = ChunkCoord::containing(eye.point).index;
     let chunks = book.land().iter().enumerate();
-    let candidate = |(place, chunk): (usize, &ChunkLand)| {
-        let steps = chunk.coord.index - home;
-        Candidate {
-            place,
-            cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max),
-            ring: skyline::ring(steps.x, steps.z),
-        }
+    let candidate = |(place, chunk): (usize, &ChunkLand)| Candidate {
+        place,
+        cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max),
+        ring: 0,
     };
     chunks.map(candidate).collect()
 }
@@ -171,7 +169,6 @@ fn candidates(
 ) -> Vec<Candidate> {
     let (strategy, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
     let frustum = strategy.frustum(eye, &frame.view.projection);
-    let home = ChunkCoord::containing(eye.point).index;
     let fog_m = f64::from(frame.view.fog_distance_m);
     let mut seen = Vec::new();
     for tract in book.tracts() {
@@ -180,6 +177,7 @@ fn candidates(
             stats.triangles_outside += tract.triangles;
             continue;
         }
+        let grid = Grid::of(frame, tract.drum.chart);
         for place in book.chunks(tract) {
             let chunk = &book.land()[place];
             let chart = chunk.coord.chart;
@@ -190,8 +188,8 @@ fn candidates(
                     stats.error_at_least(scale.spans_px(&cell));
                 }
                 Some(cell) => {
-                    let steps = chunk.coord.index - home;
-                    let ring = skyline::ring(steps.x, steps.z);
+                    let column = IVec2::new(chunk.coord.index.x, chunk.coord.index.z);
+                    let ring = grid.ring(column).unwrap_or(0);
                     seen.push(Candidate { place, cell, ring });
                 }
                 None => stats.triangles_outside += chunk.triangles,
@@ -228,9 +226,18 @@ fn unhidden(
     for candidate in &candidates {
         skyline.want(&candidate.cell, candidate.ring);
     }
-    let home = ChunkCoord::containing(frame.view.eye.point).index;
     let columns = book.columns();
-    let mut order: Vec<_> = columns.iter().map(|c| c.ring(home)).zip(0..).collect();
+    let mut order: Vec<(u32, usize)> = Vec::with_capacity(columns.len());
+    for same in columns.chunk_by(|a, b| a.chart == b.chart) {
+        let grid = Grid::of(frame, same[0].chart);
+        let first = order.len();
+        let rings = same.iter().map(|column| grid.ring(column.place));
+        order.extend(
+            rings
+                .zip(first..)
+                .map(|(ring, at)| (ring.unwrap_or(u32::MAX), at)),
+        );
+    }
     order.sort_unstable();
     let mut order = order.into_iter().peekable();
     candidates.sort_unstable_by_key(|candidate| candidate.ring);

@@ -3,11 +3,13 @@
 //! A column of ground that is solid below some height blocks every ray that enters it below that height. In
 //! a space that keeps azimuths that is all rays of its azimuths up to the slope at which its top is seen.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
 
 use antipode_frame::Frame;
-use antipode_geometry::{CHUNK_CELLS, ChartId, ChunkCoord, SightCell, azimuth_spread};
+use antipode_geometry::{
+    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, SightCell, SquareFrame, Strategy, azimuth_spread,
+};
 use glam::{DVec2, DVec3, IVec2, IVec3};
 
 use super::bounds::PictureScale;
@@ -22,6 +24,8 @@ const TAKEN_TOGETHER: [usize; 12] = [1, 1, 1, 1, 1, 1, 2, 2, 2, 2, 2, 2];
 /// Solid ground under one column of chunks.
 #[derive(Clone, Copy, Debug)]
 pub struct Column {
+    /// Its chart.
+    pub chart: ChartId,
     /// Which column, in chunks along x and z.
     pub place: IVec2,
     /// Height below which each of its parts is solid, chart metres.
@@ -33,8 +37,9 @@ pub struct Column {
 
 impl Column {
     /// A column whose parts, row by row along x, are solid below some heights, chart metres.
-    pub fn new(place: IVec2, solid_below_m: [f64; PARTS * PARTS]) -> Self {
+    pub fn new(chart: ChartId, place: IVec2, solid_below_m: [f64; PARTS * PARTS]) -> Self {
         Self {
+            chart,
             place,
             solid_below_m,
             lowest_m: solid_below_m.into_iter().fold(f64::INFINITY, f64::min),
@@ -56,26 +61,63 @@ impl Column {
         let parts = rows.flat_map(|row| row.iter().skip(x).take(side));
         parts.copied().fold(f64::INFINITY, f64::min)
     }
+}
 
-    /// Steps in x plus steps in z from the eye's column.
-    pub fn ring(&self, home: IVec3) -> u32 {
-        ring(self.place.x - home.x, self.place.y - home.z)
+/// How the columns of a chart lie about the eye, where they stand on the grid of those of its own chart.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid {
+    /// The chart as the eye's has it; none where its columns do not fit in with those.
+    lies: Option<SquareFrame>,
+    home: IVec3,
+}
+
+impl Grid {
+    /// That of a chart.
+    pub fn of(frame: &Frame, chart: ChartId) -> Self {
+        let eye = frame.view.eye.point;
+        Self {
+            lies: lies(&*frame.view.strategy, chart, eye.chart),
+            home: ChunkCoord::containing(eye).index,
+        }
+    }
+
+    /// Steps in x plus steps in z from the eye's column to one; none where that cannot be said.
+    pub fn ring(&self, place: IVec2) -> Option<u32> {
+        let side = f64::from(CHUNK_CELLS);
+        let middle = (place.as_dvec2() + 0.5) * side;
+        let here = self.lies?.placed(DVec3::new(middle.x, 0.0, middle.y)) / side;
+        let [x, z] = [here.x, here.z].map(|at| at.floor() as i32);
+        Some(x.abs_diff(self.home.x) + z.abs_diff(self.home.z))
     }
 }
 
-/// A ring by steps in x and z.
-pub fn ring(x: i32, z: i32) -> u32 {
-    x.unsigned_abs() + z.unsigned_abs()
+/// A chart as another has it, if it is turned by quarters and its columns stand on the other's grid.
+fn lies(strategy: &dyn Strategy, chart: ChartId, other: ChartId) -> Option<SquareFrame> {
+    if chart == other {
+        return Some(SquareFrame::default());
+    }
+    let crossing = strategy.carry(ChartPoint::new(chart, DVec3::ZERO), other)?;
+    let (turns, middle) = (crossing.turn_rad / FRAC_PI_2, crossing.point.pos);
+    let columns = middle / f64::from(CHUNK_CELLS);
+    let is_square = (turns - turns.round()).abs() < 1e-9;
+    let fits = is_square && middle.y == 0.0 && columns.fract() == DVec3::ZERO;
+    fits.then(|| SquareFrame {
+        quarter_turns: turns.round().rem_euclid(4.0) as u8,
+        centre_m: DVec2::new(middle.x, middle.z),
+    })
 }
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
 pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
-    let home = ChunkCoord::containing(frame.view.eye.point).index;
-    let over = |column: &&Column| column.ring(home) == 0;
+    let over = |column: &&Column| Grid::of(frame, column.chart).ring(column.place) == Some(0);
     let Some(column) = columns.iter().find(over) else {
         return false;
     };
-    let eye = frame.view.eye.point.pos;
+    let strategy = &frame.view.strategy;
+    let Some(eye) = strategy.carry(frame.view.eye.point, column.chart) else {
+        return false;
+    };
+    let eye = eye.point.pos;
     let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
     let part = (DVec2::new(eye.x, eye.z) - column.corner()) / part_m;
     let [x, z] = part
@@ -117,13 +159,15 @@ impl<'a> Skyline<'a> {
     /// Blocks what a column of a ring blocks.
     pub fn raise(&mut self, column: &Column, ring: u32) {
         let side = f64::from(CHUNK_CELLS);
-        let Some((from, to)) = self.seen_at(column.corner(), side) else {
+        let Some((from, to)) = self.seen_at(column.chart, column.corner(), side) else {
             // The eye's own column blocks what its parts do.
             return self.raise_parts(column, ring);
         };
         let bins = bin_at(from).floor() as i64..bin_at(to).floor() as i64 + 1;
         if self.is_wanted(bins.clone(), ring) {
-            let highest = self.top(column.corner(), side, column.highest_m).slope[1];
+            let highest = self
+                .top(column.chart, column.corner(), side, column.highest_m)
+                .slope[1];
             if bins
                 .into_iter()
                 .any(|bin| self.slopes[wrapped(bin)] < highest)
@@ -134,11 +178,11 @@ impl<'a> Skyline<'a> {
     }
 
     /// The cell of a level square of the chart.
-    fn top(&self, corner: DVec2, side: f64, top_m: f64) -> SightCell {
+    fn top(&self, chart: ChartId, corner: DVec2, side: f64, top_m: f64) -> SightCell {
         let min = DVec3::new(corner.x, top_m, corner.y);
         let max = min + DVec3::new(side, 0.0, side);
         let (space, eye) = (&self.frame.view.strategy, &self.frame.view.eye);
-        space.sight_cell(eye, ChartId::FIRST, min, max)
+        space.sight_cell(eye, chart, min, max)
     }
 
     fn raise_parts(&mut self, column: &Column, ring: u32) {
@@ -148,13 +192,13 @@ impl<'a> Skyline<'a> {
             for x in (0..PARTS).step_by(parts) {
                 let corner = column.corner() + part_m * DVec2::new(x as f64, z as f64);
                 let top_m = column.solid_below_m([x, z], parts);
-                self.raise_part(corner, part_m * parts as f64, top_m, ring);
+                self.raise_part((column.chart, corner), part_m * parts as f64, top_m, ring);
             }
         }
     }
 
-    fn raise_part(&mut self, corner: DVec2, side: f64, top_m: f64, ring: u32) {
-        let Some((from, to)) = self.seen_at(corner, side) else {
+    fn raise_part(&mut self, (chart, corner): (ChartId, DVec2), side: f64, top_m: f64, ring: u32) {
+        let Some((from, to)) = self.seen_at(chart, corner, side) else {
             return;
         };
         // Only azimuths that lie in the part throughout.
@@ -162,7 +206,7 @@ impl<'a> Skyline<'a> {
         if !self.is_wanted(bins.clone(), ring) {
             return;
         }
-        let cell = self.top(corner, side, top_m);
+        let cell = self.top(chart, corner, side, top_m);
         if cell.is_empty() {
             return;
         }
@@ -172,10 +216,14 @@ impl<'a> Skyline<'a> {
         }
     }
 
-    /// The azimuths at which a square of the chart is seen; `None` where the eye stands over it.
-    fn seen_at(&self, corner: DVec2, side: f64) -> Option<(f64, f64)> {
-        let eye = self.frame.view.eye.point.pos;
-        let low = corner - DVec2::new(eye.x, eye.z);
+    /// The azimuths at which a square of a chart is seen; `None` where the eye stands over it.
+    fn seen_at(&self, chart: ChartId, corner: DVec2, side: f64) -> Option<(f64, f64)> {
+        let eye = self.frame.view.eye.point;
+        let here = lies(&*self.frame.view.strategy, chart, eye.chart)?;
+        let corners = [corner, corner + side];
+        let corners = corners.map(|at| here.placed(DVec3::new(at.x, 0.0, at.y)));
+        let low = corners[0].min(corners[1]) - eye.pos;
+        let low = DVec2::new(low.x, low.z);
         azimuths(low, low + side)
     }
 

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashSet};
 
 use antipode_frame::Quality;
-use antipode_geometry::ChartId;
+use antipode_geometry::{ChartId, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 use glam::{DVec3, IVec2, IVec3, Vec3};
 
@@ -82,7 +82,7 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
             }
             Some(cell) => {
                 let steps = chunk.coord.index - home;
-                let ring = skyline::ring(steps.x, steps.z);
+                let ring = steps.x.unsigned_abs() + steps.z.unsigned_abs();
                 seen.push(Candidate { place, cell, ring });
             }
             None => stats.triangles_outside += chunk.triangles,
@@ -92,14 +92,17 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
     if hides(frame, &book, &tolerance) {
         seen.sort_by_key(|candidate| candidate.ring);
         let mut columns = book.columns().to_vec();
-        columns.sort_by_key(|column| column.ring(home));
+        let ring_of = |column: &skyline::Column| {
+            column.place.x.abs_diff(home.x) + column.place.y.abs_diff(home.z)
+        };
+        columns.sort_by_key(ring_of);
         let mut skyline = Skyline::new(frame, scale);
         skyline.want(&SightCell::EVERYWHERE, u32::MAX);
         let (mut next, mut left_out) = (0, HashSet::new());
         seen.retain(|candidate| {
-            while next < columns.len() && columns[next].ring(home) < candidate.ring {
+            while next < columns.len() && ring_of(&columns[next]) < candidate.ring {
                 if !left_out.contains(&columns[next].place) {
-                    skyline.raise(&columns[next], columns[next].ring(home));
+                    skyline.raise(&columns[next], ring_of(&columns[next]));
                 }
                 next += 1;
             }

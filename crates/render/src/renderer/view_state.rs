@@ -10,6 +10,7 @@ use wgpu::{
 
 use super::DrawStats;
 use crate::celestial::{Celestial, FAINTEST};
+use crate::charts::Charts;
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::{DrawList, LandDraws};
 use crate::figure_buffers::Statics;
@@ -38,6 +39,8 @@ pub(super) struct ViewState {
     /// What of the frame's picture it takes, if it is a mirror's.
     pub mirror: Option<MirrorPlace>,
     planner: Planner,
+    /// The charts of what it draws, and of what is drawn into shadow maps for it.
+    pub charts: Charts,
     list: DrawList,
     land: LandDraws,
     pub figures: FigureDraws,
@@ -78,6 +81,7 @@ impl ViewState {
             targets,
             mirror: None,
             planner: Planner::default(),
+            charts: Charts::new(device),
             list: DrawList::default(),
             land,
             figures: FigureDraws::new(device),
@@ -108,37 +112,40 @@ impl ViewState {
         self.bindings = bind_scene(device, &layout, &self.uniform, extras);
     }
 
-    /// Decides what to draw of the land in a picture `height_px` pixels high.
+    /// Begins a frame: decides what to draw of the land in a picture `height_px` pixels high.
     pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
+        self.charts.begin(frame);
         self.planner.plan(frame, height_px, book)
     }
 
     /// Takes a frame's figures and what is laid over its world; `map` is that of the shadows that its figures are to throw.
     pub fn take_figures(
         &mut self,
-        (device, queue): (&Device, &Queue),
+        adapter: (&Device, &Queue),
         frame: &Frame,
         figures: &Figures,
         plan: &mut FramePlan,
         map: Option<Shot>,
     ) {
-        self.marker.prepare(queue, frame);
-        self.outlines.prepare(device, queue, frame);
+        self.marker.prepare(adapter.1, frame, &mut self.charts);
+        self.outlines.prepare(adapter, frame, &mut self.charts);
         let seen = figures.seen(frame, plan, map);
-        self.figures.take(device, queue, seen);
+        self.figures.take(adapter, seen, &mut self.charts);
     }
 
     /// Takes a frame's land, and tells the shaders of the frame, which is drawn `drawn` pixels large.
     pub fn take_land(
         &mut self,
-        queue: &Queue,
+        (device, queue): (&Device, &Queue),
         frame: &Frame,
         (chunks, book, shadows): (&ChunkStore, &LandBook, &Shadows),
         plan: &mut FramePlan,
         drawn: (u32, u32),
     ) {
-        chunks.list(frame, book.land(), plan, shadows, &mut self.list);
+        let list = (&mut self.list, &mut self.charts);
+        chunks.list(frame, book.land(), plan, shadows, list);
         self.land.send(queue, &mut self.list);
+        self.charts.send(device, queue, frame);
         let scene = SceneUniform::new(frame, drawn, &shadows.uniform(frame));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
     }
@@ -155,32 +162,25 @@ impl ViewState {
         let Scenery {
             pipelines, models, ..
         } = scenery;
+        let adapter = (models, &self.charts);
         let mut pass = self.begin(encoder, frame.content.sky.horizon, stamp);
         if let Some(tile) = tile {
             tile.lay(&mut pass);
         }
         pass.set_bind_group(0, &self.bindings, &[]);
+        self.charts.bind(&mut pass, 0);
         // Figures stand before the land more often than behind it.
-        stats.add(self.figures.draw(&mut pass, models, pipelines));
+        stats.add(self.figures.draw(&mut pass, adapter, pipelines));
         let terrain = |number| pipelines.terrain.numbered(number);
-        stats.add(
-            self.land
-                .draw(&mut pass, &self.list, scenery.pages, terrain),
-        );
+        let land = (&self.list, &self.charts);
+        stats.add(self.land.draw(&mut pass, land, scenery.pages, terrain));
         draw_sky(frame, scenery, &mut pass, stats);
-        stats.add(self.figures.draw_clear(&mut pass, models, pipelines));
-        if self.marker.shown() {
-            for pipeline in [&pipelines.marker_hidden, &pipelines.marker] {
-                pass.set_pipeline(pipeline);
-                stats.add(self.marker.draw(&mut pass));
-            }
-        }
-        if self.outlines.shown() {
-            for pipeline in [&pipelines.outlines_hidden, &pipelines.outlines] {
-                pass.set_pipeline(pipeline);
-                stats.add(self.outlines.draw(&mut pass));
-            }
-        }
+        stats.add(self.figures.draw_clear(&mut pass, adapter, pipelines));
+        let charts = &self.charts;
+        let marker = [&pipelines.marker_hidden, &pipelines.marker];
+        stats.add(self.marker.draw(&mut pass, charts, marker));
+        let outlines = [&pipelines.outlines_hidden, &pipelines.outlines];
+        stats.add(self.outlines.draw(&mut pass, charts, outlines));
     }
 
     fn begin<'e>(

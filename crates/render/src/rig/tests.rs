@@ -227,14 +227,14 @@ fn the_adapter_bends_as_the_processor_does() {
         };
         let (own, bones) = (
             group(0, &[(1, &asked), (2, &found)]),
-            group(1, &[(0, &joints)]),
+            group(2, &[(0, &joints)]),
         );
         let mut encoder = gpu.encoder();
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
             pass.set_pipeline(&pipeline);
             pass.set_bind_group(0, &own, &[]);
-            pass.set_bind_group(1, &bones, &[]);
+            pass.set_bind_group(2, &bones, &[]);
             pass.dispatch_workgroups(given.len().div_ceil(64) as u32, 1, 1);
         }
         gpu.queue.submit([encoder.finish()]);

@@ -7,7 +7,7 @@ use glam::DVec4;
 use super::levels::{Shot, near_crop};
 use super::light::{Caster, Crop, Light};
 use super::maps::PASSES;
-use super::uniform::CasterUniform;
+use super::uniform::{CasterUniform, reference_from};
 use super::{ShadowQuality, Shadows};
 use crate::terrain_pipelines::ShadowReach;
 
@@ -65,17 +65,12 @@ impl Shadows {
             crop,
             heights,
         };
-        let eye = &frame.view.eye;
-        let reference = frame.view.strategy.reference(eye, eye.point.chart);
         let from = match light {
-            Light::Far { anchor, .. } => (reference - anchor).extend(1.0),
+            Light::Far { .. } => reference_from(frame, &light),
             Light::Star { .. } => DVec4::W,
         };
-        self.maps.write(
-            &self.queue,
-            PASSES - 1,
-            &CasterUniform::new(strategy, &shot, from),
-        );
+        let uniform = CasterUniform::new(&shot, from);
+        self.maps.write(&self.queue, PASSES - 1, &uniform);
         self.figures = Some(shot);
     }
 

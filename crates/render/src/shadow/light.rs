@@ -1,7 +1,7 @@
 //! How the key light sees the world: the planes that shadow maps are pictures of, and what falls on them.
 //!
-//! Under a sky the key comes from one direction of the chart, so that rays of light are straight lines of the chart
-//! whatever the map of the picture does, and a map is a parallel picture of the chart. In a closed world the key comes
+//! Under a sky the key comes from one direction of the charts' common axes, so that rays of light are straight lines of the
+//! charts whatever the map of the picture does, and a map is a parallel picture of them. In a closed world the key comes
 //! from a point of the three-sphere. Its rays are great circles, which a central projection from that point makes
 //! straight, so a map is a perspective picture of the space itself, with six faces for all directions.
 
@@ -30,12 +30,12 @@ pub const FACES: usize = 6;
 /// Where the key light comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Light {
-    /// From one direction of the chart: unit vectors towards it and across it, and the point, whole metres, that
+    /// From one direction of the common axes: unit vectors towards it and across it, and the point, whole metres, that
     /// pictures are measured from.
     Far {
         toward: DVec3,
         across: [DVec3; 2],
-        anchor: DVec3,
+        anchor: ChartPoint,
     },
     /// From a point of the unit three-sphere, with three tangents there; the radius in metres.
     Star {
@@ -57,7 +57,7 @@ fn star(at: DVec4, radius_m: f64) -> Light {
     Light::Star { at, axes, radius_m }
 }
 
-fn far(toward: DVec3, eye: DVec3) -> Light {
+fn far(toward: DVec3, eye: ChartPoint) -> Light {
     // The sun goes round x and the moon round z; an axis that the light never comes near does not spin.
     let axis = if toward.x.abs() < 0.9 {
         DVec3::X
@@ -68,7 +68,7 @@ fn far(toward: DVec3, eye: DVec3) -> Light {
     Light::Far {
         toward,
         across: [right, toward.cross(right)],
-        anchor: (eye / ANCHOR_M).round() * ANCHOR_M,
+        anchor: ChartPoint::new(eye.chart, (eye.pos / ANCHOR_M).round() * ANCHOR_M),
     }
 }
 
@@ -87,7 +87,7 @@ impl Light {
     pub fn of(frame: &Frame) -> Self {
         if frame.view.strategy.has_sky() {
             let toward = DVec3::from(frame.content.sky.key_direction.map(f64::from));
-            far(toward.normalize_or(DVec3::Y), frame.view.eye.point.pos)
+            far(toward.normalize_or(DVec3::Y), frame.view.eye.point)
         } else {
             star(body(frame), frame.view.strategy.radius_m())
         }
@@ -106,11 +106,24 @@ impl Light {
         }
     }
 
-    /// What maps are made from: homogeneous chart metres from the anchor, or the sphere's point, its first three
-    /// coordinates in metres.
+    /// Where what stands in a chart is drawn into maps from: the anchor as that chart has it, metres; its middle where maps
+    /// are made from the space. None where the chart does not reach the anchor.
+    pub fn origin(&self, strategy: &dyn Strategy, chart: ChartId) -> Option<DVec3> {
+        match self {
+            Self::Far { anchor, .. } => Some(strategy.carry(*anchor, chart)?.point.pos),
+            Self::Star { .. } => Some(DVec3::ZERO),
+        }
+    }
+
+    /// What maps are made from: homogeneous metres from the anchor in the common axes, or the sphere's point, its first
+    /// three coordinates in metres. Infinitely far where no way leads from the anchor to the point's chart.
     pub fn base(&self, strategy: &dyn Strategy, point: ChartPoint) -> DVec4 {
         match self {
-            Self::Far { anchor, .. } => (point.pos - *anchor).extend(1.0),
+            Self::Far { .. } => {
+                let away = |origin| strategy.noise_frame(point.chart).turned(point.pos - origin);
+                let origin = self.origin(strategy, point.chart);
+                origin.map_or(DVec3::INFINITY, away).extend(1.0)
+            }
             Self::Star { radius_m, .. } => {
                 let x = strategy.curved(&Eye::default(), point);
                 (x.truncate() * *radius_m).extend(x.w)
@@ -247,10 +260,11 @@ impl Light {
     pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
         let middle = ChartPoint::new(of.chart, of.middle());
         let reach = of.reach();
+        let turned = strategy.noise_frame(of.chart).turned(reach);
         let base = self.base(strategy, middle);
         match self {
             Self::Far { toward, across, .. } => {
-                let spread = |way: &DVec3| way.abs().dot(reach);
+                let spread = |way: &DVec3| way.abs().dot(turned.abs());
                 let at = self.on_plane(0, base) - crop.centre;
                 let apart = (at.x.abs() - spread(&across[0])).max(at.y.abs() - spread(&across[1]));
                 let height = toward.dot(base.truncate());
@@ -303,7 +317,8 @@ impl Light {
             Self::Far { across, .. } => {
                 let middle = ChartPoint::new(of.chart, of.middle());
                 let at = self.on_plane(0, self.base(strategy, middle));
-                let spread = DVec2::from(across.map(|way| way.abs().dot(of.reach())));
+                let reach = strategy.noise_frame(of.chart).turned(of.reach()).abs();
+                let spread = DVec2::from(across.map(|way| way.abs().dot(reach)));
                 return Some([at - spread, at + spread]);
             }
             Self::Star { radius_m, .. } => *radius_m,

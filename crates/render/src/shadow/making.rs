@@ -2,12 +2,12 @@
 
 use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
-use glam::{DVec3, DVec4};
+use glam::DVec4;
 
 use super::levels::{Shot, wanted};
 use super::light::{Caster, Light, Rectangle};
 use super::uniform::CasterUniform;
-use super::{Over, Pass, SLOTS, Shadows};
+use super::{Land, Over, Pass, SLOTS, Shadows};
 use crate::chunk_store::ChunkStore;
 use crate::uniforms::ChunkInstance;
 
@@ -34,15 +34,16 @@ pub(super) struct Job {
 
 impl Shadows {
     /// Goes on with what is in the making, and begins what is due, by at most `left` triangles.
-    pub(super) fn make(&mut self, frame: &Frame, light: &Light, chunks: &ChunkStore, left: usize) {
+    pub(super) fn make(&mut self, frame: &Frame, light: &Light, land: &mut Land<'_>, left: usize) {
         let mut left = left;
         for slot in 0..SLOTS {
             while left > 0 && self.has_pass() {
                 let begun = self.jobs[slot].take();
-                let Some(job) = begun.or_else(|| self.next_job(slot, frame, light, chunks)) else {
+                let Some(job) = begun.or_else(|| self.next_job(slot, frame, light, land.chunks))
+                else {
                     break;
                 };
-                left = self.advance(job, frame, chunks, left);
+                left = self.advance(job, frame, land, left);
             }
         }
         self.busy = left == 0 || self.jobs.iter().any(Option::is_some);
@@ -120,14 +121,14 @@ impl Shadows {
         &mut self,
         mut job: Job,
         frame: &Frame,
-        chunks: &ChunkStore,
+        land: &mut Land<'_>,
         mut left: usize,
     ) -> usize {
         let (shot, slot) = (job.shot, slot_of(job.level));
         let layer = self.spares[slot];
         if !job.todo.is_empty() || !job.begun {
             let over = if job.begun { Over::Map } else { Over::Nothing };
-            let used = self.pass(frame, (&shot, layer), over, (chunks, &mut job.todo), left);
+            let used = self.pass(frame, (&shot, layer), over, (land, &mut job.todo), left);
             job.begun = true;
             left = left.saturating_sub(used.max(1));
         }
@@ -135,7 +136,7 @@ impl Shadows {
             && self.has_pass()
             && let Some(hole) = job.hole.take()
         {
-            let used = self.fill(frame, chunks, (&shot, layer), hole);
+            let used = self.fill(frame, land, (&shot, layer), hole);
             left = left.saturating_sub(used);
         }
         if job.todo.is_empty() && job.hole.is_none() {
@@ -157,25 +158,25 @@ impl Shadows {
         frame: &Frame,
         (shot, layer): (&Shot, u32),
         over: Over,
-        (chunks, todo): (&ChunkStore, &mut Vec<ChunkCoord>),
+        (land, todo): (&mut Land<'_>, &mut Vec<ChunkCoord>),
         left: usize,
     ) -> usize {
         let number = self.passes.len();
         let (list, draws) = &mut self.lists[number];
-        let from = match shot.light {
-            Light::Far { anchor, .. } => anchor,
-            Light::Star { .. } => DVec3::ZERO,
-        };
         list.clear();
         let mut used = 0;
         while used < left
             && let Some(coord) = todo.pop()
         {
-            let instance = ChunkInstance::new(coord.origin(), coord.chart, from);
-            used += chunks.list_caster(coord, instance, list);
+            let Some(from) = shot.light.origin(&*frame.view.strategy, coord.chart) else {
+                continue;
+            };
+            let instance = ChunkInstance::new(coord.origin(), from);
+            let chart = land.charts.number(coord.chart);
+            used += land.chunks.list_caster(coord, (chart, instance), list);
         }
         draws.send(&self.queue, list);
-        let uniform = CasterUniform::new(&*frame.view.strategy, shot, DVec4::W);
+        let uniform = CasterUniform::new(shot, DVec4::W);
         self.maps.write(&self.queue, number, &uniform);
         self.passes.push(Pass { layer, over });
         used

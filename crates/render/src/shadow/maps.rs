@@ -188,7 +188,7 @@ impl Maps {
             ..Default::default()
         });
         let offset = STRIDE as u32 * (pass % PASSES) as u32;
-        begun.set_bind_group(2, &self.bindings, &[offset]);
+        begun.set_bind_group(3, &self.bindings, &[offset]);
         Some(begun)
     }
 }

@@ -9,8 +9,7 @@ use antipode_frame::Frame;
 
 use super::levels::Shot;
 use super::light::{Caster, Crop, Light, Rectangle};
-use super::{Over, Shadows};
-use crate::chunk_store::ChunkStore;
+use super::{Land, Over, Shadows};
 use crate::touched::Touched;
 
 /// A map alone is read as far as this part of its half side: `SHADOW_EDGE` less `SHADOW_BLEND` of shadow.wgsl.
@@ -21,7 +20,7 @@ impl Shadows {
     pub(super) fn follow(
         &mut self,
         frame: &Frame,
-        chunks: &ChunkStore,
+        land: &mut Land<'_>,
         touched: &[Touched],
     ) -> usize {
         let mut used = 0;
@@ -40,7 +39,7 @@ impl Shadows {
                     }
                 }
             }
-            used += self.mend(number, frame, chunks, hole);
+            used += self.mend(number, frame, land, hole);
             self.spoil(number, frame, touched);
         }
         used
@@ -68,7 +67,7 @@ impl Shadows {
         &mut self,
         number: usize,
         frame: &Frame,
-        chunks: &ChunkStore,
+        land: &mut Land<'_>,
         hole: Option<Rectangle>,
     ) -> usize {
         let (Some(hole), Some(shot)) = (hole, self.levels[number].shot) else {
@@ -82,7 +81,7 @@ impl Shadows {
             return 0;
         }
         let layer = level.layer;
-        self.fill(frame, chunks, (&shot, layer), hole)
+        self.fill(frame, land, (&shot, layer), hole)
     }
 
     /// Has a map in the making follow edits when all else is on it.
@@ -99,7 +98,7 @@ impl Shadows {
     pub(super) fn fill(
         &mut self,
         frame: &Frame,
-        chunks: &ChunkStore,
+        land: &mut Land<'_>,
         (shot, layer): (&Shot, u32),
         hole: Rectangle,
     ) -> usize {
@@ -111,13 +110,13 @@ impl Shadows {
                 .heights(&*frame.view.strategy, &part, of)
                 .is_some()
         };
-        let casters = chunks.casters().filter(|(_, of)| falls(of));
+        let casters = land.chunks.casters().filter(|(_, of)| falls(of));
         let mut todo: Vec<_> = casters.map(|(coord, _)| coord).collect();
         self.pass(
             frame,
             (shot, layer),
             Over::Hole(texels),
-            (chunks, &mut todo),
+            (land, &mut todo),
             usize::MAX,
         )
     }

@@ -25,11 +25,13 @@ pub use maps::{caster_layout, scene_entries};
 pub use uniform::ShadowUniform;
 use uniform::{FIGURES, MapUniform};
 
+use crate::charts::Charts;
 use crate::chunk_store::ChunkStore;
 use crate::draw_list::{DrawList, LandDraws};
 use crate::figure_buffers::Statics;
 use crate::figure_draws::FigureDraws;
 use crate::gpu::Gpu;
+use crate::pages::Pages;
 use crate::pipelines::Pipelines;
 use crate::timing::Timing;
 use crate::touched::Touched;
@@ -81,6 +83,13 @@ const OUT_OF_DATE_RAD: f64 = 0.06;
 
 /// Maps that can be in the making at once.
 const SLOTS: usize = 2;
+
+/// What maps are drawn from, and where the charts of what is drawn are numbered.
+#[derive(Debug)]
+struct Land<'a> {
+    chunks: &'a ChunkStore,
+    charts: &'a mut Charts,
+}
 
 /// A pass of this frame over land.
 #[derive(Clone, Copy, Debug)]
@@ -199,8 +208,9 @@ impl Shadows {
 
     /// Plans this frame's passes over land; `true` where what [`Shadows::bind`] gives is other than before. In a rush
     /// all maps are brought to just what the frame wants. [`Shadows::prepare_figures`] is to follow.
-    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore) -> bool {
+    pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore, charts: &mut Charts) -> bool {
         let touched = chunks.take_touched();
+        let land = &mut Land { chunks, charts };
         if self.world.replace(frame.content.loaded_world) != Some(frame.content.loaded_world) {
             self.jobs = [const { None }; SLOTS];
             self.levels.iter_mut().for_each(|level| level.shot = None);
@@ -216,18 +226,18 @@ impl Shadows {
         for level in &mut self.levels {
             level.changed = level.changed.map(|frames| frames.saturating_add(1));
         }
-        let left = if chunks.rush {
+        let left = if land.chunks.rush {
             self.jobs = [const { None }; SLOTS];
             self.note_all(frame, &touched);
             usize::MAX
         } else {
-            let mended = self.follow(frame, chunks, &touched);
+            let mended = self.follow(frame, land, &touched);
             self.quality
                 .triangles_a_frame()
                 .saturating_sub(mended)
                 .max(1)
         };
-        self.make(frame, &light, chunks, left);
+        self.make(frame, &light, land, left);
         is_new
     }
 
@@ -309,7 +319,7 @@ impl Shadows {
         &self,
         encoder: &mut CommandEncoder,
         pipelines: &Pipelines,
-        chunks: &ChunkStore,
+        (pages, charts): (&Pages, &Charts),
         (figures, models): (&FigureDraws, &Statics),
         mut timing: Option<&Timing>,
     ) -> (ShadowStats, bool) {
@@ -320,12 +330,13 @@ impl Shadows {
             let is_fresh = planned.over == Over::Nothing;
             let begun = self.maps.begin(encoder, place, is_fresh, timing.take());
             if let Some(mut pass) = begun {
+                charts.bind(&mut pass, 0);
                 if let Over::Hole([x, y, width, height]) = planned.over {
                     pass.set_scissor_rect(x, y, width, height);
                     pass.set_pipeline(&pipelines.hole);
                     pass.draw(0..3, 0..1);
                 }
-                let drawn = draws.draw(&mut pass, list, chunks.pages(), |_| &pipelines.caster);
+                let drawn = draws.draw(&mut pass, (list, charts), pages, |_| &pipelines.caster);
                 stats.triangles += drawn.0;
                 stats.passes += 1;
             }
@@ -340,8 +351,9 @@ impl Shadows {
             let begun = self.maps.begin(encoder, place, !merges, timing.take());
             if let Some(mut pass) = begun {
                 let coarse = self.quality == ShadowQuality::Low;
+                let adapter = (models, charts);
                 stats.triangles +=
-                    figures.draw_shadows(&mut pass, models, &pipelines.figures, coarse);
+                    figures.draw_shadows(&mut pass, adapter, &pipelines.figures, coarse);
             }
         }
         (stats, stamps && timing.is_none())

@@ -3,13 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_frame::Frame;
-use antipode_geometry::{Eye, Strategy};
+use antipode_geometry::{ChartPoint, Eye};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, DVec4};
 
 use super::levels::Shot;
 use super::light::Light;
-use crate::uniforms::{CHARTS, KNOWN};
 
 /// Where charts have no edge, metres: farther than anything, and squared still in `f32`.
 const UNLIMITED_M: f64 = 1e18;
@@ -44,14 +43,14 @@ pub struct ShadowUniform {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct CasterUniform {
-    clips: [[[f32; 4]; 4]; CHARTS],
+    clip: [[f32; 4]; 4],
     /// Curvature per metre, how far charts reach in metres, and room.
     curve: [f32; 4],
 }
 
 impl CasterUniform {
-    /// A pass over what stands at metres from `from` in the base of the light: chart metres under a sky.
-    pub fn new(strategy: &dyn Strategy, shot: &Shot, from: DVec4) -> Self {
+    /// A pass over what stands at metres from `from` in the base of the light: metres in the common axes under a sky.
+    pub fn new(shot: &Shot, from: DVec4) -> Self {
         let (clip, k, rim_m) = match shot.light {
             Light::Far { .. } => {
                 let clip = shot.clip() * DMat4::from_translation(from.truncate());
@@ -60,23 +59,23 @@ impl CasterUniform {
             Light::Star { radius_m, .. } => (shot.clip(), 1.0 / radius_m, FRAC_PI_2 * radius_m),
         };
         Self {
-            clips: KNOWN.map(|chart| {
-                let clip = clip * strategy.home_matrix(chart);
-                clip.as_mat4().to_cols_array_2d()
-            }),
+            clip: clip.as_mat4().to_cols_array_2d(),
             curve: [k as f32, rim_m as f32, 0.0, 0.0],
         }
     }
 }
 
+/// Where the reference is in a light's base, under a sky.
+pub fn reference_from(frame: &Frame, light: &Light) -> DVec4 {
+    let (strategy, eye): (_, &Eye) = (&*frame.view.strategy, &frame.view.eye);
+    let reference = strategy.reference(eye, eye.point.chart);
+    light.base(strategy, ChartPoint::new(eye.point.chart, reference))
+}
+
 /// From what a shader has of a point to a light's base: its place from the reference, or its view coordinates.
 pub fn to_base(frame: &Frame, light: &Light) -> DMat4 {
-    let eye: &Eye = &frame.view.eye;
     match light {
-        Light::Far { anchor, .. } => {
-            let reference = frame.view.strategy.reference(eye, eye.point.chart);
-            DMat4::from_translation(reference - *anchor)
-        }
+        Light::Far { .. } => DMat4::from_translation(reference_from(frame, light).truncate()),
         Light::Star { .. } => {
             let view = frame.view.uniform().view;
             glam::Mat4::from_cols_array_2d(&view).as_dmat4().inverse()

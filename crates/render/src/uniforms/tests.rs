@@ -7,10 +7,12 @@
 )]
 use std::mem::{offset_of, size_of};
 
+use antipode_geometry::SquareFrame;
 use antipode_geometry::shader::FLAT;
 use naga::{Binding, Module, TypeInner};
 
 use super::*;
+use crate::charts::ChartUniform;
 use crate::shaders::tests::parse;
 use crate::shaders::{FIGURE, MARKER, OUTLINES, TERRAIN};
 
@@ -37,7 +39,6 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
     let (found, span) = members(&parse(TERRAIN, &FLAT), "Scene");
     let ours = [
         ("space", offset_of!(SceneUniform, space)),
-        ("charts", offset_of!(SceneUniform, charts)),
         ("right", offset_of!(SceneUniform, right)),
         ("up", offset_of!(SceneUniform, up)),
         ("front", offset_of!(SceneUniform, front)),
@@ -54,7 +55,6 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
         ("sun_place", offset_of!(SceneUniform, sun_place)),
         ("moon_place", offset_of!(SceneUniform, moon_place)),
         ("orb", offset_of!(SceneUniform, orb)),
-        ("fraction", offset_of!(SceneUniform, fraction)),
         ("ring_centre", offset_of!(SceneUniform, ring_centre)),
         ("ring", offset_of!(SceneUniform, ring)),
         ("ring_edges", offset_of!(SceneUniform, ring_edges)),
@@ -69,6 +69,18 @@ fn the_scene_is_laid_out_as_the_shaders_read_it() {
     ];
     assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
     assert_eq!(span, size_of::<SceneUniform>());
+}
+
+#[test]
+fn a_chart_is_laid_out_as_the_shaders_read_it() {
+    let (found, span) = members(&parse(TERRAIN, &FLAT), "Chart");
+    let ours = [
+        ("view", offset_of!(ChartUniform, view)),
+        ("home", offset_of!(ChartUniform, home)),
+        ("fraction", offset_of!(ChartUniform, fraction)),
+    ];
+    assert_eq!(found, ours.map(|(name, at)| (name.to_owned(), at)).to_vec());
+    assert_eq!(span, size_of::<ChartUniform>());
 }
 
 #[test]
@@ -153,11 +165,13 @@ fn instances_are_laid_out_as_the_shaders_read_them() {
 #[test]
 fn chunks_far_away_keep_their_place_and_grain() {
     let origin = DVec3::new(1_000_000.0 * 32.0, -32.0, 96.0);
-    let instance = ChunkInstance::new(origin, ChartId::SECOND, origin - DVec3::new(0.25, 1.5, 3.0));
+    let noise = NoiseFrame::Square(SquareFrame::default());
+    let instance =
+        ChunkInstance::new(origin, origin - DVec3::new(0.25, 1.5, 3.0)).grained(origin, noise);
     assert_eq!(instance.offset, [0.25, 1.5, 3.0]);
-    assert_eq!(instance.flags, 1);
-    assert_eq!(instance.shaded(8, false).flags, 0b10_0001);
-    assert_eq!(instance.shaded(8, true).flags, 0b10_0011);
+    assert_eq!(instance.flags, 0);
+    assert_eq!(instance.shaded(0b101, false).flags, 0b1010);
+    assert_eq!(instance.shaded(0b101, true).flags, 0b1011);
     assert_eq!(instance.world, [0.0, -32.0, 96.0]);
     assert_eq!(wrap_m(128.0), -128.0);
 }

@@ -9,13 +9,13 @@ fn axes_are_orthonormal_wherever_the_light_comes_from() {
     for i in 0..200 {
         let t = f64::from(i) * 0.37;
         let toward = DVec3::new(t.sin(), (1.7 * t).cos(), (0.6 * t).sin()).normalize();
-        if let Light::Far { across, anchor, .. } = far(toward, DVec3::splat(100.0)) {
+        if let Light::Far { across, anchor, .. } = far(toward, ChartPoint::a(DVec3::splat(100.0))) {
             let [a, b] = across;
             assert!(a.dot(b).abs() < 1e-14 && a.dot(toward).abs() < 1e-14);
             assert!(
                 (a.cross(b) - toward).length() < 1e-14 || (b.cross(a) - toward).length() < 1e-14
             );
-            assert_eq!(anchor, DVec3::splat(128.0));
+            assert_eq!(anchor, ChartPoint::a(DVec3::splat(128.0)));
         }
         let at = DVec4::new(t.sin(), t.cos(), (2.0 * t).sin(), (0.3 * t).cos()).normalize();
         if let Light::Star { axes, .. } = star(at, 32.0) {
@@ -51,9 +51,12 @@ fn a_box_is_left_out_only_where_no_point_of_it_is_on_the_map() {
         };
         let at = DVec4::new(wave(0.11), 0.3, wave(0.17), wave(0.23)).normalize();
         let toward = DVec3::new(wave(0.3), 0.4, wave(0.4)).normalize();
-        for (case, (space, light)) in [(&flat, far(toward, DVec3::ZERO)), (&sphere, star(at, 32.0))]
-            .into_iter()
-            .enumerate()
+        for (case, (space, light)) in [
+            (&flat, far(toward, ChartPoint::default())),
+            (&sphere, star(at, 32.0)),
+        ]
+        .into_iter()
+        .enumerate()
         {
             let face = if case == 1 { i as usize % FACES } else { 0 };
             let scale = if case == 1 { 1.0 } else { 20.0 };

@@ -1,0 +1,152 @@
+//! The charts of a view as the shaders are told of them, one at a time: any number of them.
+//!
+//! Each lies in a place of its own of one uniform buffer. What is drawn is drawn chart by chart, with that place bound, so
+//! that no shader knows how many there are.
+
+use antipode_frame::Frame;
+use antipode_geometry::{ChartId, ChartPoint};
+use bytemuck::{Pod, Zeroable};
+use glam::{DMat4, DVec3};
+use wgpu::{
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
+};
+
+/// Uniforms begin at multiples of this many bytes, on every adapter.
+const STRIDE: usize = 256;
+/// The group by which shaders read the chart of what is drawn.
+const GROUP: u32 = 1;
+/// Room for so many charts at first.
+const FIRST_ROOM: usize = 2;
+
+/// `Chart` of common.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct ChartUniform {
+    /// What is applied to ported points to have view coordinates, and to have them in the model of the first chart.
+    pub view: [[f32; 4]; 4],
+    /// See above.
+    pub home: [[f32; 4]; 4],
+    /// The reference from the whole metres that chunks are measured from; last, room.
+    pub fraction: [f32; 4],
+}
+
+impl ChartUniform {
+    fn new(frame: &Frame, chart: ChartId) -> Self {
+        let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
+        let reference = frame.view.strategy.reference(&frame.view.eye, chart);
+        let fraction = reference - whole_reference(frame, chart);
+        Self {
+            view: columns(frame.view.chart_matrix(chart)),
+            home: columns(frame.view.strategy.home_matrix(chart)),
+            fraction: fraction.as_vec3().extend(0.0).into(),
+        }
+    }
+}
+
+/// The charts of what a view draws.
+#[derive(Debug)]
+pub struct Charts {
+    numbered: Vec<ChartId>,
+    uniforms: Buffer,
+    bound: BindGroup,
+}
+
+impl Charts {
+    /// None.
+    pub fn new(device: &Device) -> Self {
+        let (uniforms, bound) = room_for(device, FIRST_ROOM);
+        Self {
+            numbered: Vec::new(),
+            uniforms,
+            bound,
+        }
+    }
+
+    /// Begins a frame: that of the eye is the first.
+    pub fn begin(&mut self, frame: &Frame) {
+        self.numbered.clear();
+        self.number(frame.view.eye.point.chart);
+    }
+
+    /// The number by which a chart is bound in this frame.
+    pub fn number(&mut self, chart: ChartId) -> u32 {
+        let known = self.numbered.iter().position(|it| *it == chart);
+        known.unwrap_or_else(|| {
+            self.numbered.push(chart);
+            self.numbered.len() - 1
+        }) as u32
+    }
+
+    /// Sends what the shaders are to know of those that were numbered.
+    pub fn send(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
+        let bytes = self.numbered.len() * STRIDE;
+        if bytes > self.uniforms.size() as usize {
+            let room = self.numbered.len().next_power_of_two();
+            (self.uniforms, self.bound) = room_for(device, room);
+        }
+        let mut places = vec![0; bytes];
+        for (place, chart) in places.chunks_exact_mut(STRIDE).zip(&self.numbered) {
+            let uniform = ChartUniform::new(frame, *chart);
+            place[..size_of::<ChartUniform>()].copy_from_slice(bytemuck::bytes_of(&uniform));
+        }
+        queue.write_buffer(&self.uniforms, 0, &places);
+    }
+
+    /// Has what is drawn from now on be of the chart of that number; the eye's is 0.
+    pub fn bind(&self, pass: &mut RenderPass<'_>, number: u32) {
+        pass.set_bind_group(GROUP, &self.bound, &[number * STRIDE as u32]);
+    }
+}
+
+/// What a chart is bound by.
+pub fn chart_layout(device: &Device) -> BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("chart"),
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: true,
+                min_binding_size: wgpu::BufferSize::new(size_of::<ChartUniform>() as u64),
+            },
+            count: None,
+        }],
+    })
+}
+
+fn room_for(device: &Device, charts: usize) -> (Buffer, BindGroup) {
+    let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("charts"),
+        size: (charts * STRIDE) as u64,
+        usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let bound = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("charts"),
+        layout: &chart_layout(device),
+        entries: &[wgpu::BindGroupEntry {
+            binding: 0,
+            resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                buffer: &uniforms,
+                offset: 0,
+                size: wgpu::BufferSize::new(size_of::<ChartUniform>() as u64),
+            }),
+        }],
+    });
+    (uniforms, bound)
+}
+
+/// The whole metres next to a frame's reference, from which chunks are measured: those differences are exact.
+pub fn whole_reference(frame: &Frame, chart: ChartId) -> DVec3 {
+    frame
+        .view
+        .strategy
+        .reference(&frame.view.eye, chart)
+        .round()
+}
+
+/// A point as the shaders take it: metres from the reference of its chart.
+pub fn offset_of(frame: &Frame, point: ChartPoint) -> DVec3 {
+    point.pos - frame.view.strategy.reference(&frame.view.eye, point.chart)
+}
