@@ -8,14 +8,14 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 
 use crate::blend::BlendClock;
-use crate::charts::{Charts, whole_reference};
+use crate::charts::Charts;
 use crate::draw_list::DrawList;
 use crate::gpu::Gpu;
 use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
-use crate::plan::{ChunkChoice, ChunkLand, FramePlan, LandBook, Port, Tolerance};
+use crate::plan::{ChunkLand, FramePlan, LandBook, Tolerance};
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
 use crate::shadow::{Caster, Shadows};
@@ -349,8 +349,10 @@ impl ChunkStore {
             return 0;
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
-        let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
-        list.add(chart, instance, pieces);
+        list.add(
+            (chart, instance),
+            chunk.mesh.pieces(seams).map(|piece| (0, piece)),
+        );
         chunk.land.triangles
     }
 
@@ -388,7 +390,7 @@ impl ChunkStore {
             let shades = all_shades.on(&chunk.land);
             let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
-            let instance = instance(frame, coord, choice)
+            let instance = ChunkInstance::of(frame, coord, &choice.port)
                 .shaded(shades, reach == ShadowReach::All)
                 .lit(lights, chunk.land.level);
             let mesh = chunk.drawn();
@@ -397,7 +399,6 @@ impl ChunkStore {
                 let numbered = |reach| TerrainPipelines::number(choice, false, reach);
                 let seen = |block: &Block| {
                     let [min, max] = [block.min, block.max].map(|p| coord.origin() + p.as_dvec3());
-                    let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
                     let cell = || frustum.cell_seen(space, eye, coord.chart, min, max);
                     if hides && cell().is_none() {
                         return None;
@@ -412,22 +413,20 @@ impl ChunkStore {
                 let whole = numbered(shadows.told_apart(reach));
                 let (pieces, left_out) = mesh.pieces_seen(seams, whole, seen);
                 plan.stats.triangles_outside += left_out;
-                list.add(chart, instance, pieces.into_iter());
+                list.add((chart, instance), pieces.into_iter());
                 continue;
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
             let comes = instance.blending(progress);
             list.add(
-                chart,
-                comes,
+                (chart, comes),
                 mesh.pieces(seams).map(|piece| (number, piece)),
             );
             let seams = self.seams(coord, old.level, &old.mesh);
             let goes = instance.blending(-progress);
             list.add(
-                chart,
-                goes,
+                (chart, goes),
                 old.mesh.pieces(seams).map(|piece| (number, piece)),
             );
         }
@@ -440,17 +439,6 @@ impl ChunkStore {
         seams::mask(coord, level, |other| {
             self.chunks.get(&other).map(GpuChunk::finest)
         })
-    }
-}
-
-fn instance(frame: &Frame, coord: ChunkCoord, choice: &ChunkChoice) -> ChunkInstance {
-    let reference = whole_reference(frame, coord.chart);
-    let origin = coord.origin();
-    let noise = frame.view.strategy.noise_frame(coord.chart);
-    let plain = ChunkInstance::new(origin, reference).grained(origin, noise);
-    match &choice.port {
-        Port::Vertex => plain,
-        Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),
     }
 }
 

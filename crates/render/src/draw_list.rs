@@ -63,8 +63,7 @@ impl DrawList {
     /// Meshes are to be added nearest first.
     pub fn add(
         &mut self,
-        chart: u32,
-        instance: ChunkInstance,
+        (chart, instance): (u32, ChunkInstance),
         pieces: impl Iterator<Item = (u8, Piece)>,
     ) {
         let first_instance = self.instances.len() as u32;
@@ -271,7 +270,7 @@ mod tests {
             let (pipeline, page, chart) = of(i);
             let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
             let pieces = pieces.map(|piece| (pipeline, piece));
-            list.add(chart, instance, pieces.into_iter());
+            list.add((chart, instance), pieces.into_iter());
         }
         list.sort();
         list

@@ -1,15 +1,15 @@
 //! What the shaders are told each frame, laid out as they read it.
 
 use antipode_frame::{Frame, Orbs, View};
-use antipode_geometry::{ChartPoint, NoiseFrame, SpaceUniform};
+use antipode_geometry::{ChartPoint, ChunkCoord, NoiseFrame, SpaceUniform};
 use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
-use crate::charts::offset_of;
+use crate::charts::{offset_of, whole_reference};
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::marker::Ring;
-use crate::plan::{Affine, ChunkLand};
+use crate::plan::{Affine, ChunkLand, Port};
 use crate::shadow::ShadowUniform;
 
 /// Strength of the contour bands, where they are drawn.
@@ -209,6 +209,17 @@ impl ChunkInstance {
             blend: 0.0,
             frame: [[0.0; 4]; 4],
             lights: [0; 3],
+        }
+    }
+
+    /// A chunk of a frame, carried into its picture in such a way.
+    pub fn of(frame: &Frame, coord: ChunkCoord, port: &Port) -> Self {
+        let origin = coord.origin();
+        let noise = frame.view.strategy.noise_frame(coord.chart);
+        let plain = Self::new(origin, whole_reference(frame, coord.chart)).grained(origin, noise);
+        match port {
+            Port::Vertex => plain,
+            Port::Frame(affine) => plain.framed(&affine.moved(&frame.view)),
         }
     }
 
