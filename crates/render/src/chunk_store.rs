@@ -349,10 +349,8 @@ impl ChunkStore {
             return 0;
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
-        list.add(
-            (chart, instance),
-            chunk.mesh.pieces(seams).map(|piece| (0, piece)),
-        );
+        let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
+        list.add((chart, instance), pieces);
         chunk.land.triangles
     }
 
