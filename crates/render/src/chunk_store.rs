@@ -371,12 +371,9 @@ impl ChunkStore {
     ) {
         list.clear();
         let all_shades = Shades::of(frame);
-        let frustum = frame
-            .view
-            .strategy
-            .frustum(&frame.view.eye, &frame.view.projection);
-        // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
+        let frustum = space.frustum(eye, &frame.view.projection);
+        // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.
         let is_open = space.sight_limit_m(eye) >= std::f64::consts::PI * space.radius_at_m(eye);
         let hides = Tolerance::of(frame.view.quality).hides && is_open && !frame.view.is_moved();
         for choice in &plan.chunks {
@@ -416,17 +413,11 @@ impl ChunkStore {
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
-            let comes = instance.blending(progress);
-            list.add(
-                (chart, comes),
-                mesh.pieces(seams).map(|piece| (number, piece)),
-            );
+            let comes = mesh.pieces(seams).map(|piece| (number, piece));
+            list.add((chart, instance.blending(progress)), comes);
             let seams = self.seams(coord, old.level, &old.mesh);
-            let goes = instance.blending(-progress);
-            list.add(
-                (chart, goes),
-                old.mesh.pieces(seams).map(|piece| (number, piece)),
-            );
+            let goes = old.mesh.pieces(seams).map(|piece| (number, piece));
+            list.add((chart, instance.blending(-progress)), goes);
         }
     }
 
