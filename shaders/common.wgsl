@@ -41,6 +41,7 @@ struct Chart {
     view: mat4x4<f32>,      // from its ported points, xyz in metres and w without unit, to view coordinates
     home: mat4x4<f32>,      // to the model of the first chart
     fraction: vec4<f32>,    // xyz: the reference from the whole metres that its chunks are measured from
+    domain: vec4<f32>,      // a rectangle past which other charts draw the land: least x and z from the reference, and most
 }
 
 struct Scene {

@@ -61,6 +61,12 @@ fn normal_of(in: VertexIn) -> vec3<f32> {
     return normalize(vec3<f32>(unfolded.x, y, unfolded.y));
 }
 
+// Metres by which a point lies beyond what is drawn of its chart.
+fn beyond_chart(p: vec3<f32>) -> f32 {
+    let past = max(chart.domain.xy - p.xz, p.xz - chart.domain.zw);
+    return max(max(past.x, past.y), geo_beyond_edge(scene.space, p));
+}
+
 fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     let authored = normal_of(in);
     let world = in.world.xyz + in_common_axes(position_of(in.units));
@@ -83,7 +89,7 @@ fn land_at(in: VertexIn, p: vec3<f32>, view: vec4<f32>) -> VertexOut {
     out.grain = grain;
     out.veil = haze_before(view) * fog;
     out.land = vec4<f32>(1.0 - fog, spread_m, sqrt(max(1.0 - authored.y * authored.y, 0.0)), world.y);
-    out.place = vec4<f32>(place, max(geo_beyond_edge(scene.space, p), -1e9));
+    out.place = vec4<f32>(place, beyond_chart(p));
     let mark = select(0.0, SHADED, (in.flags & 1u) != 0u);
     out.feet = vec4<f32>(nearest_feet(place, in.flags >> 1u), in.world.w + mark);
     out.view = view;

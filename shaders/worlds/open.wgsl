@@ -2,8 +2,10 @@
 // first chart, against which others are turned about the upright.
 // What the functions are for, lights.wgsl says.
 
+// About the upright only x and z turn.
 fn in_common_axes(v: vec3<f32>) -> vec3<f32> {
-    return (chart.home * vec4<f32>(v, 0.0)).xyz;
+    let turned = chart.home[0].xz * v.x + chart.home[2].xz * v.z;
+    return vec3<f32>(turned.x, v.y, turned.y);
 }
 
 fn grain_point(wrapped: vec3<f32>, p: vec3<f32>) -> vec3<f32> {

@@ -4,9 +4,9 @@
 //! that no shader knows how many there are.
 
 use antipode_frame::Frame;
-use antipode_geometry::{ChartId, ChartPoint};
+use antipode_geometry::{ChartId, ChartPoint, Domain};
 use bytemuck::{Pod, Zeroable};
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec2, DVec3, Vec3Swizzles};
 use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
 };
@@ -15,6 +15,8 @@ use wgpu::{
 const STRIDE: usize = 256;
 /// The group by which shaders read the chart of what is drawn.
 const GROUP: u32 = 1;
+/// Sides of rectangles are no farther off than this, metres: past it there is nothing.
+const UNLIMITED_M: f64 = 1e9;
 /// Room for so many charts at first.
 const FIRST_ROOM: usize = 2;
 
@@ -28,6 +30,8 @@ pub struct ChartUniform {
     pub home: [[f32; 4]; 4],
     /// The reference from the whole metres that chunks are measured from; last, room.
     pub fraction: [f32; 4],
+    /// A rectangle past which other charts draw the land: the least x and z from the reference, and the greatest, metres.
+    pub domain: [f32; 4],
 }
 
 impl ChartUniform {
@@ -35,10 +39,19 @@ impl ChartUniform {
         let columns = |matrix: DMat4| matrix.as_mat4().to_cols_array_2d();
         let reference = frame.view.strategy.reference(&frame.view.eye, chart);
         let fraction = reference - whole_reference(frame, chart);
+        // The shaders know of an edge that is a circle from the space.
+        let [low, high] = match frame.view.strategy.domain(chart) {
+            Domain::Rectangle { low, high } => [low - reference.xz(), high - reference.xz()],
+            Domain::Everywhere | Domain::Disc { .. } => [DVec2::NEG_INFINITY, DVec2::INFINITY],
+        };
+        let within =
+            |side: DVec2| side.clamp(DVec2::splat(-UNLIMITED_M), DVec2::splat(UNLIMITED_M));
+        let [low, high] = [low, high].map(|side| within(side).as_vec2());
         Self {
             view: columns(frame.view.chart_matrix(chart)),
             home: columns(frame.view.strategy.home_matrix(chart)),
             fraction: fraction.as_vec3().extend(0.0).into(),
+            domain: [low.x, low.y, high.x, high.y],
         }
     }
 }

@@ -18,10 +18,11 @@ use crate::parts::{Block, parts, sections};
 use crate::plan::{ChunkLand, FramePlan, LandBook, Tolerance};
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
+use crate::shades::Shades;
 use crate::shadow::{Caster, Shadows};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::touched::Touched;
-use crate::uniforms::{ChunkInstance, Shades};
+use crate::uniforms::ChunkInstance;
 
 /// Bytes of meshes that a frame sends to the adapter at most, but for one mesh and for edits: at sixty frames a
 /// second as much as a player can run up against, and a fraction of a millisecond.

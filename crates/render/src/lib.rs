@@ -38,6 +38,7 @@ mod renderer;
 mod rig;
 mod seams;
 mod shaders;
+mod shades;
 mod shadow;
 mod targets;
 mod terrain_pipelines;

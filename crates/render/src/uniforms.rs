@@ -6,18 +6,15 @@ use antipode_terrain::Level;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 
-use crate::charts::{offset_of, whole_reference};
+use crate::charts::whole_reference;
 use crate::lamps::{BEAMS, BeamUniform, LAMPS, LampUniform, beams, lamps};
 use crate::marker::Ring;
-use crate::plan::{Affine, ChunkLand, Port};
+use crate::plan::{Affine, Port};
+use crate::shades::{SHADES, Shades};
 use crate::shadow::ShadowUniform;
 
 /// Strength of the contour bands, where they are drawn.
 const CONTOUR_STRENGTH: f32 = 0.24;
-/// Figures whose shade on the ground is drawn; `SHADES` of common.wgsl.
-const SHADES: usize = 8;
-/// No shade reaches farther from the figure's feet than this, metres.
-const SHADE_REACH_M: f64 = 3.0;
 /// Grain repeats after this many metres, so that its coordinates stay small however far one walks.
 const GRAIN_PERIOD_M: f64 = 256.0;
 
@@ -61,7 +58,7 @@ impl SceneUniform {
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
-        let shades = shades(frame);
+        let shades = Shades::of(frame).places();
         let ring = Ring::of(frame);
         let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
@@ -117,63 +114,6 @@ fn orb_place(frame: &Frame, which: fn(Orbs) -> ChartPoint) -> [f32; 4] {
     let view = frame.view.point(which(orbs));
     let units = view.truncate() / frame.view.strategy.radius_m();
     units.extend(view.w).as_vec4().into()
-}
-
-/// Feet with a shade below them. Close to where two charts meet they are in both, for land of either.
-fn shaded_feet(frame: &Frame) -> impl Iterator<Item = ChartPoint> {
-    let space = &*frame.view.strategy;
-    let figures = frame
-        .content
-        .figures
-        .iter()
-        .filter(|figure| figure.model.casts_shade());
-    figures.map(|figure| figure.point).flat_map(move |point| {
-        let images = space.images(point, SHADE_REACH_M).into_iter();
-        std::iter::once(point).chain(images.map(|image| image.point))
-    })
-}
-
-/// The figures' feet whose shades are drawn, those nearest to the eye.
-#[derive(Debug)]
-pub struct Shades(Vec<ChartPoint>);
-
-impl Shades {
-    /// Those of a frame.
-    pub fn of(frame: &Frame) -> Self {
-        let distance_m = |p: ChartPoint| {
-            frame
-                .view
-                .strategy
-                .distance_m(frame.view.eye.point, p, &frame.view.eye)
-        };
-        let mut feet: Vec<_> = shaded_feet(frame).collect();
-        feet.sort_by(|a, b| distance_m(*a).total_cmp(&distance_m(*b)));
-        feet.truncate(SHADES);
-        Self(feet)
-    }
-
-    /// Which of them may fall on a chunk's land, a bit for each.
-    pub fn on(&self, land: &ChunkLand) -> u32 {
-        let falls = |feet: &ChartPoint| {
-            feet.chart == land.coord.chart
-                && feet.pos.distance(feet.pos.clamp(land.min, land.max)) < SHADE_REACH_M
-        };
-        let bits = self.0.iter().enumerate();
-        bits.filter(|(_, feet)| falls(feet))
-            .fold(0, |bits, (place, _)| bits | 1 << place)
-    }
-}
-
-fn shades(frame: &Frame) -> [[f32; 4]; SHADES] {
-    let mut shades = [[0.0; 4]; SHADES];
-    for (shade, point) in shades.iter_mut().zip(&Shades::of(frame).0) {
-        let offset = offset_of(frame, *point);
-        *shade = with(
-            frame.view.in_common_axes(point.chart, offset).as_vec3(),
-            0.0,
-        );
-    }
-    shades
 }
 
 fn with(v: Vec3, w: f32) -> [f32; 4] {

@@ -10,6 +10,7 @@ use crate::drops::{self, Drop};
 use crate::frame::{Figure, ModelId};
 use crate::lamp::Lamp;
 use crate::moment::Who;
+use crate::npc::any_heading;
 use crate::npc::mind::Mind;
 use crate::pick::over;
 use crate::player::{Appearance, Body, Look, Position};
@@ -94,7 +95,8 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
 /// Lamps, bullets, and what lies about.
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     let lamp = |id, lamp: &Lamp| {
-        let figure = Figure::standing(ModelId::Lamp, lamp.point, 0.0);
+        let yaw_rad = any_heading(&*now.world.strategy, lamp.point.chart, 0.0);
+        let figure = Figure::standing(ModelId::Lamp, lamp.point, yaw_rad);
         (Who::Lamp(id), figure)
     };
     seen.extend(now.actors.map(lamp));

@@ -35,19 +35,27 @@ const WAYS: [&[&str]; 3] = [
     ],
 ];
 
+/// Rounds in which a car is put there: a world has places for as many, and one from the start.
+const CARS: usize = 15;
+
 /// Half a minute: digging while the picture glides, building, a fight, a drive, and a walk that in a small closed world
 /// leads over the equator. A probe at each end.
-fn round(space: &str, [x, y, z]: [f64; 3]) -> String {
+fn round(space: &str, [x, y, z]: [f64; 3], number: usize) -> String {
     let dial = if space == "spherical" {
         ""
     } else {
         "tap KeyH\nscroll 5\n"
     };
     let (car, foe) = (x + 2.2, x + 9.0);
+    let spawn = if number < CARS {
+        format!("spawn car {car} {y} {z}\n")
+    } else {
+        String::new()
+    };
     format!(
         "set health 20\naim 30 -40\n{dial}tap Digit3\nhold LEFT 1.2\nhold KeyD 1\ntap Space\nhold RIGHT 0.4\nwait 0.5\n\
          probe\nspawn hostile {foe} {} {z}\naim 0 -2\ntap Digit1\nhold LEFT 0.1\nwait 3\nhold LEFT 0.1\nwait 2\n\
-         probe\nset health 20\nteleport {x} {y} {z}\nspawn car {car} {y} {z}\nwait 1.5\naim 0 -20\ntap KeyC\nhold KeyW 3\nprobe\n\
+         probe\nset health 20\nteleport {x} {y} {z}\n{spawn}wait 1.5\naim 0 -20\ntap KeyC\nhold KeyW 3\nprobe\n\
          hold Space 2\ntap KeyL\nwait 0.5\nteleport {x} {y} {z}\naim 0 0\ndown ShiftLeft\nhold KeyW 12\nup ShiftLeft\nprobe\n",
         y + 0.5
     )
@@ -57,7 +65,8 @@ fn script(space: &str, start: [f64; 3]) -> String {
     let long = std::env::var("ANTIPODE_TEST_LONG").is_ok_and(|it| it == "1");
     let rounds = if long { 20 } else { 1 };
     let new = new(space);
-    format!("{new}\nhold KeyW 2\n") + &round(space, start).repeat(rounds)
+    let rounds = (0..rounds).map(|number| round(space, start, number));
+    format!("{new}\nhold KeyW 2\n") + &rounds.collect::<String>()
 }
 
 fn new(space: &str) -> String {

@@ -231,7 +231,7 @@ fn unhidden(
     for same in columns.chunk_by(|a, b| a.chart == b.chart) {
         let grid = Grid::of(frame, same[0].chart);
         let first = order.len();
-        let rings = same.iter().map(|column| grid.ring(column.place));
+        let rings = same.iter().map(|column| grid.ring_of_hiding(column.place));
         order.extend(
             rings
                 .zip(first..)

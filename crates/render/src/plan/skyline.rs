@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use antipode_frame::Frame;
 use antipode_geometry::{
-    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, SightCell, SquareFrame, Strategy, azimuth_spread,
+    CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, SightCell, SquareFrame, Strategy,
+    azimuth_spread,
 };
 use glam::{DVec2, DVec3, IVec2, IVec3};
 
@@ -69,6 +70,7 @@ pub struct Grid {
     /// The chart as the eye's has it; none where its columns do not fit in with those.
     lies: Option<SquareFrame>,
     home: IVec3,
+    domain: Domain,
 }
 
 impl Grid {
@@ -78,7 +80,18 @@ impl Grid {
         Self {
             lies: lies(&*frame.view.strategy, chart, eye.chart),
             home: ChunkCoord::containing(eye).index,
+            domain: frame.view.strategy.domain(chart),
         }
+    }
+
+    /// The ring of a column that may hide others: past the edge of its domain a chart has land only near by, and where that
+    /// ends a mesh has neither ground nor air.
+    pub fn ring_of_hiding(&self, place: IVec2) -> Option<u32> {
+        let low = place.as_dvec2() * f64::from(CHUNK_CELLS);
+        let past_m = self
+            .domain
+            .most_outside_m(low, low + f64::from(CHUNK_CELLS));
+        self.ring(place).filter(|_| past_m <= 0.0)
     }
 
     /// Steps in x plus steps in z from the eye's column to one; none where that cannot be said.
@@ -109,7 +122,8 @@ fn lies(strategy: &dyn Strategy, chart: ChartId, other: ChartId) -> Option<Squar
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
 pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
-    let over = |column: &&Column| Grid::of(frame, column.chart).ring(column.place) == Some(0);
+    let over =
+        |column: &&Column| Grid::of(frame, column.chart).ring_of_hiding(column.place) == Some(0);
     let Some(column) = columns.iter().find(over) else {
         return false;
     };
