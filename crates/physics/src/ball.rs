@@ -4,7 +4,7 @@
 use glam::DVec3;
 use rapier3d::math::Pose;
 use rapier3d::parry::query::details::ShapeCastOptions;
-use rapier3d::parry::query::{Ray, RayCast};
+use rapier3d::parry::query::{DefaultQueryDispatcher, QueryDispatcher, Ray, RayCast, ShapeCastHit};
 use rapier3d::parry::shape::{Ball as BallShape, Capsule as CapsuleShape};
 
 use crate::ChartGround;
@@ -97,13 +97,24 @@ impl ChartGround {
         if !(centre.is_finite() && length_m.is_finite() && length_m > 1e-9) {
             return None;
         }
-        let from = Pose::from_translation((centre - self.origin()).as_vec3());
         let options = ShapeCastOptions::with_max_time_of_impact(length_m as f32);
         let ball = BallShape::new(radius_m as f32);
         let ahead = way / length_m;
-        let (_, hit) = self
-            .queries()
-            .cast_shape(&from, ahead.as_vec3(), &ball, options)?;
+        let goal = centre + way;
+        let (min, max) = (centre.min(goal) - radius_m, centre.max(goal) + radius_m);
+        let mut first: Option<ShapeCastHit> = None;
+        // Block by block in their order: of two that are met at once, a tree's order of arrival would choose.
+        for ground in self.grounds_in(min, max) {
+            let from = Pose::from_translation((centre - ground.origin).as_vec3());
+            let shape = &*ground.block.shape;
+            let hit =
+                DefaultQueryDispatcher.cast_shapes(&from, ahead.as_vec3(), shape, &ball, options);
+            let is_sooner = |hit: &ShapeCastHit| {
+                first.is_none_or(|first| hit.time_of_impact < first.time_of_impact)
+            };
+            first = hit.ok().flatten().filter(is_sooner).or(first);
+        }
+        let hit = first?;
         let normal = hit.normal1.as_dvec3().normalize_or(-ahead);
         // The ground has two sides; the ball is on the one that it comes from.
         let normal = if normal.dot(ahead) > 0.0 {

@@ -262,7 +262,7 @@ impl ChartGround {
     ) -> bool {
         let standing = place.and_then(|handle| self.grounds.get(&handle.into_raw_parts().0));
         match (standing, block) {
-            (Some(ground), Some(block)) => ground.origin == origin && ground.block.is(block),
+            (Some(ground), Some(block)) => ground.origin == origin && ground.block.is_like(block),
             (None, None) => true,
             _ => false,
         }

@@ -45,6 +45,13 @@ impl Block {
         std::ptr::addr_eq(self.shape.0.as_ref(), other.shape.0.as_ref())
     }
 
+    /// Whether both are the same ground, though one may have been made anew: land that was let go of and came again must not
+    /// end the contacts of what stands on it.
+    pub fn is_like(&self, other: &Self) -> bool {
+        let same = |other: &TriMesh| self.has(other.vertices(), other.indices());
+        self.is(other) || other.mesh().is_some_and(same)
+    }
+
     fn has(&self, vertices: &[Vec3], triangles: &[[u32; 3]]) -> bool {
         self.mesh()
             .is_some_and(|mesh| mesh.indices() == triangles && mesh.vertices() == vertices)

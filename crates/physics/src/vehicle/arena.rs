@@ -208,9 +208,9 @@ impl Arena {
             .ground
             .iter()
             .filter(|(name, taken)| {
-                !wanted
-                    .get(name)
-                    .is_some_and(|(origin, block)| *origin == taken.origin && taken.block.is(block))
+                !wanted.get(name).is_some_and(|(origin, block)| {
+                    *origin == taken.origin && taken.block.is_like(block)
+                })
             })
             .map(|(name, _)| *name)
             .collect();

@@ -1,8 +1,8 @@
 //! Rays, casts, the floating origin and repeatability.
 
 use crate::common::{STEP_S, Soup, bumps, coord, plain};
-use antipode_physics::{Character, CharacterInput, CharacterTuning, ChartGround};
-use glam::{DVec3, IVec3};
+use antipode_physics::{Ball, BallTuning, Character, CharacterInput, CharacterTuning, ChartGround};
+use glam::{DVec3, IVec3, Vec3};
 
 fn hills() -> Soup {
     let mut soup = Soup::default();
@@ -56,6 +56,52 @@ fn the_order_in_which_chunks_came_does_not_matter() {
         ramble(&mut forward, DVec3::ZERO, false),
         ramble(&mut backward, DVec3::ZERO, false)
     );
+}
+
+/// Hollows in ground of two chunks that meet where x is 0.
+fn halves() -> [Soup; 2] {
+    [(-8, 0), (0, 8)].map(|(from, to)| {
+        let mut soup = Soup::default();
+        let hollows = |at: Vec3| at.y - 0.6 * (at.x * 0.9).cos() * (at.z * 0.7).sin();
+        soup.march(IVec3::new(from, -3, -8), IVec3::new(to, 3, 8), hollows);
+        soup
+    })
+}
+
+#[test]
+fn a_ball_on_the_border_of_chunks_does_not_tell_which_came_first() {
+    let [left, right] = halves().map(|soup| soup.build());
+    let world = |order: [usize; 2]| {
+        let mut world = ChartGround::new();
+        for number in order {
+            let collider = [&left, &right][number].clone();
+            world.set_terrain(coord(number as i32, 0, 0), DVec3::ZERO, Some(collider));
+        }
+        world
+    };
+    let worlds = [world([0, 1]), world([1, 0])];
+    let tuning = BallTuning {
+        radius_m: 0.1,
+        gravity_m_s2: 9.81,
+        bounce: 0.4,
+        slide: 0.8,
+    };
+    let mut borders = 0;
+    for n in 0..200 {
+        let z = f64::from(n) * 0.07 - 7.0;
+        let mut balls = [Ball {
+            centre: DVec3::new(0.3 * f64::from(n % 7) - 0.9, 1.5, z),
+            velocity: DVec3::new(0.0, -1.0, 0.3),
+        }; 2];
+        for step in 0..240 {
+            for (ball, world) in balls.iter_mut().zip(&worlds) {
+                world.throw_ball(ball, &tuning, STEP_S);
+            }
+            assert_eq!(balls[0], balls[1], "ball {n}, step {step}");
+            borders += usize::from(balls[0].centre.x.abs() < tuning.radius_m);
+        }
+    }
+    assert!(borders > 1000, "{borders} steps on the border");
 }
 
 #[test]
