@@ -367,11 +367,10 @@ impl ChunkStore {
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
-        shadows: &Shadows,
+        (shadows, all_shades): (&Shadows, &Shades),
         (list, charts): (&mut DrawList, &mut Charts),
     ) {
         list.clear();
-        let all_shades = Shades::of(frame);
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let frustum = space.frustum(eye, &frame.view.projection);
         // Close to the far side of a closed picture the drawn edges leave the cells in which their blocks are seen.

@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3, Mat3, Quat, Vec3};
 use wgpu::Device;
 
 use crate::charts::offset_of;
-use crate::culling::{Reaches, Shown, Wanted};
+use crate::culling::{Falls, Reaches, Shown, Wanted};
 use crate::error::RenderError;
 use crate::figure_buffers::Statics;
 use crate::figure_draws::{Seen, Way};
@@ -15,7 +15,7 @@ use crate::lamps::lights_near;
 use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
-use crate::shadow::{Caster, Shot};
+use crate::shadow::Caster;
 use crate::uniforms::{FigureInstance, frame_rows};
 
 /// The models, which all views draw figures with.
@@ -45,8 +45,12 @@ impl Figures {
     }
 
     /// The figures of a frame, if they or their shadows on `map` may be seen.
-    pub fn seen(&self, frame: &Frame, plan: &mut FramePlan, map: Option<Shot>) -> Vec<Seen> {
+    pub fn seen(&self, frame: &Frame, plan: &mut FramePlan, map: Option<Falls>) -> Vec<Seen> {
         let mut seen: Vec<Seen> = Vec::new();
+        let map = map.map(|map| Falls {
+            is_shared: map.is_shared || !self.culls,
+            ..map
+        });
         let shown = Shown::new(frame, plan, map);
         for figure in &frame.content.figures {
             let mut wanted = shown.wants(&self.reaches.ball(figure));

@@ -5,6 +5,7 @@ use wgpu::{CommandEncoder, Device, Queue, RenderPassTimestampWrites, TextureView
 
 use crate::celestial::Celestial;
 use crate::chunk_store::ChunkStore;
+use crate::culling::Falls;
 use crate::draw_list::LandDraws;
 use crate::error::RenderError;
 use crate::figures::Figures;
@@ -251,6 +252,7 @@ impl Renderer {
             .timing
             .as_mut()
             .and_then(|timing| timing.collect(&self.device));
+        let is_shared = !further.is_empty();
         let map = self.map_of(frame);
         if !self.is_ready(map) {
             let last = DrawStats {
@@ -262,7 +264,7 @@ impl Renderer {
         self.chunks.apply(frame);
         let mut stats = DrawStats {
             gpu_ms,
-            ..self.draw_picture(frame, map, encoder)
+            ..self.draw_picture(frame, map, is_shared, encoder)
         };
         stats.land_bytes = self.chunks.bytes();
         let others = self.draw_further(frame, further, encoder);
@@ -276,8 +278,14 @@ impl Renderer {
         (stats, others)
     }
 
-    /// Brings land and shadows up to date for a frame, and draws its light.
-    fn draw_picture(&mut self, frame: &Frame, map: Key, encoder: &mut CommandEncoder) -> DrawStats {
+    /// Brings land and shadows up to date for a frame and those that share them, and draws its light.
+    fn draw_picture(
+        &mut self,
+        frame: &Frame,
+        map: Key,
+        is_shared: bool,
+        encoder: &mut CommandEncoder,
+    ) -> DrawStats {
         let drawn = self
             .tile
             .map_or(self.picture.targets.size, |tile| tile.whole);
@@ -285,7 +293,7 @@ impl Renderer {
         let book = self.chunks.land();
         let mut plan = self.picture.plan(frame, height_px, &book);
         self.chunks.refine(frame, book.land(), &mut plan);
-        self.take_figures(frame, &mut plan);
+        self.take_figures(frame, &mut plan, is_shared);
         let land = (&self.chunks, &*book, &self.shadows);
         let adapter = (&self.device, &self.queue);
         self.picture
@@ -308,13 +316,14 @@ impl Renderer {
 
     /// Takes a frame's figures, and plans the passes into the shadow maps. Which figures there are depends on what the map
     /// of their shadows is a picture of, and that on the maps of land.
-    fn take_figures(&mut self, frame: &Frame, plan: &mut FramePlan) {
+    fn take_figures(&mut self, frame: &Frame, plan: &mut FramePlan, is_shared: bool) {
         let charts = &mut self.picture.charts;
         let is_new = self.shadows.prepare(frame, &mut self.chunks, charts);
         let map = self.shadows.figures_shot(frame);
         let adapter = (&self.device, &self.queue);
+        let falls = map.map(|shot| Falls { shot, is_shared });
         self.picture
-            .take_figures(adapter, frame, &self.figures, plan, map);
+            .take_figures(adapter, frame, &self.figures, plan, falls);
         let rooms = self.picture.figures.rooms();
         self.shadows.prepare_figures(frame, map, rooms);
         if is_new {

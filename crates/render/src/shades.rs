@@ -55,10 +55,11 @@ pub struct Shades(Vec<Shade>);
 impl Shades {
     /// Those of a frame.
     pub fn of(frame: &Frame) -> Self {
-        let (space, eye) = (&frame.view.strategy, &frame.view.eye);
+        let (space, eye) = (&*frame.view.strategy, &frame.view.eye);
+        let view = space.viewer(eye);
         let figures = frame.content.figures.iter();
         let casting = figures.filter(|figure| figure.model.casts_shade());
-        let away_m = |point: ChartPoint| (space.distance_m(eye.point, point, eye), point);
+        let away_m = |point: ChartPoint| (space.eye_distance_m(eye, view(point)), point);
         let mut feet: Vec<_> = casting.map(|figure| away_m(figure.point)).collect();
         feet.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let below = |(_, point)| Shade::below(frame, point);

@@ -52,13 +52,12 @@ pub struct SceneUniform {
 
 impl SceneUniform {
     /// Everything the shaders need to know of a frame drawn `size` pixels large.
-    pub fn new(frame: &Frame, size: (u32, u32), shadows: &ShadowUniform) -> Self {
+    pub fn new(frame: &Frame, size: (u32, u32), shades: &Shades, shadows: &ShadowUniform) -> Self {
         let sky = &frame.content.sky;
         let [_, sun_y, sun_z] = sky.sun_direction;
         // The stars turn about x with the sun, which rises at -z: this is the sun's turn since then.
         let (sin, cos) = (sun_y, -sun_z);
         let length = sin.hypot(cos).max(f32::MIN_POSITIVE);
-        let shades = Shades::of(frame).places();
         let ring = Ring::of(frame);
         let [right, up, front] = frame.view.axes().map(DVec3::as_vec3);
         Self {
@@ -98,7 +97,7 @@ impl SceneUniform {
             ring_edges: [ring.edges, 0.0, 0.0, 0.0],
             ring_axes: ring.axes,
             cuts: frame.view.cuts.map(|cut| cut.as_vec4().into()),
-            shades,
+            shades: shades.places(),
             lamps: lamps(frame),
             beams: beams(frame),
             shadows: *shadows,

@@ -12,6 +12,7 @@ use super::DrawStats;
 use crate::celestial::{Celestial, FAINTEST};
 use crate::charts::Charts;
 use crate::chunk_store::ChunkStore;
+use crate::culling::Falls;
 use crate::draw_list::{DrawList, LandDraws};
 use crate::figure_buffers::Statics;
 use crate::figure_draws::FigureDraws;
@@ -22,7 +23,8 @@ use crate::outlines::Outlines;
 use crate::pages::Pages;
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::{FramePlan, LandBook, Planner};
-use crate::shadow::{Shadows, Shot};
+use crate::shades::Shades;
+use crate::shadow::Shadows;
 use crate::targets::Targets;
 use crate::tile::Tile;
 use crate::tonemap::{MirrorPlace, Tonemap};
@@ -125,7 +127,7 @@ impl ViewState {
         frame: &Frame,
         figures: &Figures,
         plan: &mut FramePlan,
-        map: Option<Shot>,
+        map: Option<Falls>,
     ) {
         self.marker.prepare(adapter.1, frame, &mut self.charts);
         self.outlines.prepare(adapter, frame, &mut self.charts);
@@ -143,10 +145,11 @@ impl ViewState {
         drawn: (u32, u32),
     ) {
         let list = (&mut self.list, &mut self.charts);
-        chunks.list(frame, book.land(), plan, shadows, list);
+        let shades = Shades::of(frame);
+        chunks.list(frame, book.land(), plan, (shadows, &shades), list);
         self.land.send(queue, &mut self.list);
         self.charts.send(device, queue, frame);
-        let scene = SceneUniform::new(frame, drawn, &shadows.uniform(frame));
+        let scene = SceneUniform::new(frame, drawn, &shades, &shadows.uniform(frame));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
     }
 

@@ -72,14 +72,17 @@ fn far(toward: DVec3, eye: ChartPoint) -> Light {
     }
 }
 
-/// The point of the unit three-sphere that a closed world's key light comes from; straight up where none is told.
-fn body(frame: &Frame) -> DVec4 {
-    let Some(orbs) = frame.content.sky.orbs else {
-        return DVec4::Y;
-    };
+/// The body that a closed world's key light comes from, if one is told.
+pub fn key_body(frame: &Frame) -> Option<ChartPoint> {
+    let orbs = frame.content.sky.orbs?;
     let is_sun = frame.content.sky.key_direction == frame.content.sky.sun_direction;
-    let point = if is_sun { orbs.sun } else { orbs.moon };
-    frame.view.strategy.curved(&frame.view.eye, point)
+    Some(if is_sun { orbs.sun } else { orbs.moon })
+}
+
+/// Its point of the unit three-sphere; straight up where none is told.
+fn body(frame: &Frame) -> DVec4 {
+    let curved = |body| frame.view.strategy.curved(&frame.view.eye, body);
+    key_body(frame).map_or(DVec4::Y, curved)
 }
 
 impl Light {

@@ -17,8 +17,8 @@ use wgpu::{Backend, CommandEncoder, Device, Queue};
 
 pub use levels::Shot;
 use levels::{Level, count};
-pub use light::Caster;
-use light::{Crop, Light};
+use light::Crop;
+pub use light::{Caster, Light, key_body};
 use making::Job;
 use maps::{Maps, PASSES};
 pub use maps::{caster_layout, scene_entries};
