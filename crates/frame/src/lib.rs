@@ -155,7 +155,7 @@ pub struct Sky {
     pub sun_direction: [f32; 3],
     /// Towards the moon.
     pub moon_direction: [f32; 3],
-    /// Towards the light that casts the key (sun or moon).
+    /// Towards the key light, which is the sun or the moon.
     pub key_direction: [f32; 3],
     /// How dark the key's shadows are, 0 to 1: it goes to 0 where sun and moon take turns.
     pub key_shadow: f32,

@@ -26,9 +26,8 @@ pub struct View {
     pub contour_bands: bool,
     /// What the picture may leave out or simplify.
     pub quality: Quality,
-    /// An isometry of the space, applied to view coordinates (metres, and w without unit): what is seen stands where that takes
-    /// it. The identity for a picture as the eye sees it. What of the world a picture by another one shows is not worked out:
-    /// all of it is drawn.
+    /// An isometry of the space that is applied to view coordinates, in metres and w without unit. The identity gives the
+    /// ordinary picture. A picture by any other is not culled: all land and figures are drawn.
     pub isometry: DMat4,
     /// Covectors n of view coordinates, after the isometry: of land, figures and what stands among them, only that is drawn
     /// for which `n . view >= 0` by all of them. The sheets where that is 0 are totally geodesic. All zero for none.
@@ -84,7 +83,7 @@ impl View {
     /// A vector of a chart in the axes in which the light of a picture is told: those of the first chart, against which others
     /// are turned by quarters; of a closed world, whose charts have no axes in common, the chart's own.
     pub fn in_common_axes(&self, chart: ChartId, v: DVec3) -> DVec3 {
-        self.strategy.noise_frame(chart).turned(v)
+        self.strategy.in_common_axes(chart, v)
     }
 
     /// The directions at the eye that are to the right, upwards and into the picture, in the common axes. They turn with the

@@ -8,6 +8,9 @@ use crate::{CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Crossing, Globe};
 
 /// The part of a chart's ground plan that is the chart's own. What lies farther out is another chart's, and is written
 /// here only as far as what stands near the edge needs it.
+///
+/// Shaders know a rectangle from its chart and a disc from the space ([`crate::SpaceUniform`]'s edge), so that all discs of
+/// a space are alike and lie about the reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Domain {
     /// All of it: there is no other chart.
@@ -131,14 +134,6 @@ pub enum NoiseFrame {
 }
 
 impl NoiseFrame {
-    /// A vector of a chart in the axes of the space; in those of the chart where no axes are the space's.
-    pub fn turned(self, v: DVec3) -> DVec3 {
-        match self {
-            Self::Square(frame) => frame.turned(v),
-            Self::Radial { .. } | Self::Upright => v,
-        }
-    }
-
     /// By how many quarter turns about +y a chart is turned against the space, 0 to 3.
     pub fn quarter_turns(self) -> u8 {
         match self {
@@ -189,6 +184,10 @@ impl SquareFrame {
 }
 
 /// The charts of a world.
+///
+/// Laws, which `tests/it/space/atlas.rs` checks for every space that it names: a place is written in a chart at most once,
+/// but about the tip of a cone; [`Atlas::cross`] of a place that has crossed is none; [`Atlas::carry`] there and back is the
+/// identity where both are defined. A chart never meets itself, and what is carried turns about +y alone.
 pub trait Atlas: Debug + Send + Sync {
     /// The part of a chart that is its own.
     fn domain(&self, _chart: ChartId) -> Domain {
@@ -205,7 +204,7 @@ pub trait Atlas: Debug + Send + Sync {
         self.all_charts().is_some()
     }
 
-    /// All charts of a closed world; none of one that goes on for ever.
+    /// All charts of a closed world, which has [`Atlas::limits`], too; none of one that goes on for ever.
     fn all_charts(&self) -> Option<&[ChartId]> {
         None
     }
@@ -236,8 +235,9 @@ pub trait Atlas: Debug + Send + Sync {
         (to == point.chart).then(|| Crossing::within(point))
     }
 
-    /// The same point as somebody's chart has it where the shortest way leads from him to it: [`Atlas::carry`], but for a
-    /// space in which ways lead about something, by either side of it. Two places within a chart's domain are as they are.
+    /// Writes a point in the chart of another, at the place to which the shortest way from that other leads. It differs
+    /// from [`Atlas::carry`] only where two ways go round something, as on a cone. A point of the same chart stays as it is
+    /// if both lie in its domain.
     fn carry_near(&self, point: ChartPoint, to: ChartPoint) -> Option<Crossing> {
         self.carry(point, to.chart)
     }
@@ -247,8 +247,8 @@ pub trait Atlas: Debug + Send + Sync {
         Vec::new()
     }
 
-    /// Half the side of a square about a point's image in another chart that holds all that is within `radius_m` metres of
-    /// the point along its own chart, and at most `past_m` metres outside of the other one's domain.
+    /// Half the side of a square about a point's image in another chart. The square holds all places within `radius_m`
+    /// metres of the point along its own chart, but for those more than `past_m` metres outside of the other's domain.
     fn spread_m(&self, _point: ChartPoint, radius_m: f64, _past_m: f64) -> f64 {
         radius_m
     }
@@ -261,6 +261,15 @@ pub trait Atlas: Debug + Send + Sync {
     /// How the space in which terrain noise is sampled lies in a chart.
     fn noise_frame(&self, _chart: ChartId) -> NoiseFrame {
         NoiseFrame::Square(SquareFrame::default())
+    }
+
+    /// A vector of a chart in the axes that all charts have in common, in which the light from a sky is told: those of the
+    /// first chart. Where charts have none in common, as in a closed world, the vector as it is.
+    fn in_common_axes(&self, chart: ChartId, v: DVec3) -> DVec3 {
+        match self.noise_frame(chart) {
+            NoiseFrame::Square(frame) => frame.turned(v),
+            NoiseFrame::Radial { .. } | NoiseFrame::Upright => v,
+        }
     }
 
     /// Where the terrain noise is sampled, in metres: continuous over the whole space.

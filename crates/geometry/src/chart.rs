@@ -1,4 +1,4 @@
-//! The name of a chart.
+//! The number of a chart.
 
 use std::fmt;
 use std::str::FromStr;

@@ -26,9 +26,9 @@ struct Part {
 }
 
 impl ChunkCube {
-    /// The cube about a chunk: in other charts all that is no farther from its middle than the middles of its faces, and its
-    /// corners where charts lie square to one another. For distances up to `reach` chunks. Of each chart it holds the chunks that come within
-    /// `past_m` metres of the domain.
+    /// The chunks up to `reach` from `centre`, in every chart that comes so near: of each those that come within `past_m`
+    /// metres of its domain. In other charts it holds every place that is no farther from the middle than a face of the
+    /// cube; corners are held only where charts are square to one another.
     pub fn about(atlas: &dyn Atlas, centre: ChunkCoord, reach: u16, past_m: f64) -> Self {
         let cell = f64::from(CHUNK_CELLS);
         let half_m = (f64::from(reach) + 0.5) * cell;

@@ -51,7 +51,7 @@ pub fn picture(
     View::saved(world.views(), map, bend).of(&world, 1.0)
 }
 
-/// The three spaces of constant curvature.
+/// The kinds of world that a player can choose: each has a row in the menus and a name in saves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Geometry {
@@ -64,7 +64,7 @@ pub enum Geometry {
 }
 
 impl Geometry {
-    /// All three, in menu order.
+    /// All of them, each at the place of its variant.
     pub const ALL: [Self; 3] = [Self::Euclidean, Self::Hyperbolic, Self::Spherical];
 
     fn entry(self) -> &'static Entry {

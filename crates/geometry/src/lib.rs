@@ -6,10 +6,10 @@
 //! it is cast once, when a [`SpaceUniform`] is made for `shaders/geometry.wgsl`, which mirrors
 //! this crate. There is no input, no output and no GPU here.
 //!
-//! A space is made of four traits: [`Atlas`], [`Map`], [`Optics`] and [`Metric`]. Each has a folder:
+//! A space is made of four traits: [`Atlas`], [`Map`], [`Optics`] and [`Metric`]. Each space has a folder:
 //! `flat`, `hyperbolic` (of two maps) and `spherical`. What several share lies beside the folders, and
-//! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these and an
-//! entry in [`Geometry`]'s table (`kind.rs`).
+//! the arithmetic that shaders mirror in [`kernel`]. A fourth space is a folder beside these, with its
+//! `ENTRY`, and a variant of [`Geometry`] (`kind.rs`).
 //!
 //! Conventions: column vectors; view coordinates are x right, y up, z back, with xyz in metres
 //! and w without unit, so that the flat limit is regular; the eye is at (0, 0, 0, 1).

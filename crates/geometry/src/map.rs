@@ -42,8 +42,9 @@ pub trait Map {
     /// unit vector in view coordinates (right, up, back); (0, 0, -1) is straight ahead.
     fn along(&self, eye: &Eye, direction: DVec3, distance_m: f64) -> ChartPoint;
 
-    /// The point of the model in units of the radius, before any camera: (x, y, z, 1) in chart
-    /// metres where the space is flat, the hyperboloid, or the unit three-sphere.
+    /// The point on the model: (x, y, z, 1) in metres where the space is flat; in radii the hyperboloid or the unit
+    /// three-sphere. Maps that slide the world under the eye (raised, horizon) give it relative to the eye; others
+    /// ignore the eye.
     fn curved(&self, eye: &Eye, point: ChartPoint) -> DVec4;
 
     /// A surface normal of the chart as a unit covector of the space, in the coordinates of

@@ -10,6 +10,10 @@ use crate::{
 
 /// How pictures of a space are taken: where in them what is seen lies, how far and in which directions things are seen, what
 /// is cut off, and what the shaders are told.
+///
+/// The law that joins this to [`crate::Map`]: for every eye and point, `view_point(eye, p)` is `chart_matrix(eye, p.chart)`
+/// applied to `port(p.pos - reference(eye, p.chart))`, where `port` is the function of that name in the text of
+/// [`Optics::shader`]. So a space in which the way to a place depends on where the eye is cannot be drawn.
 pub trait Optics {
     /// Whether sight lines can miss the ground for ever, so that a sky is seen.
     fn has_sky(&self) -> bool {
@@ -35,8 +39,8 @@ pub trait Optics {
     /// The directions in which the chart box from `min` to `max` metres is seen.
     fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell;
 
-    /// A cell that holds those of all chart boxes inside an upright drum whose circles about their
-    /// own middles are inside too, so that a drum that is not seen tells that none of them is.
+    /// A cell for all boxes in an upright drum: if the drum's cell is not seen, none of the boxes is. It holds for
+    /// boxes whose surrounding circles lie in the drum.
     ///
     /// A drum is seen at the azimuths of its circle, and as high and low as the square around it.
     fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
@@ -84,7 +88,10 @@ pub trait Optics {
     fn view_matrix(&self, eye: &Eye) -> DMat4;
 
     /// The isometry, applied after the port, that takes the model of a chart to that of the first one; xyz in metres and
-    /// w without unit.
+    /// w without unit. Under a sky it is a turn about the upright, by which the shaders turn directions, too.
+    ///
+    /// It is for worlds whose charts lie near the first: in hyperbolic space it grows as e^d with the distance d from there.
+    /// Such a space gives [`Optics::chart_matrix`] by the short way from the eye's chart.
     fn home_matrix(&self, _chart: ChartId) -> DMat4 {
         DMat4::IDENTITY
     }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use antipode_frame::{ChunkChange, Frame, LandCursor};
-use antipode_geometry::ChunkCoord;
+use antipode_geometry::{ChartPoint, ChunkCoord};
 use antipode_terrain::{ChunkMesh, Level, Vertex};
 
 use crate::blend::BlendClock;
@@ -213,16 +213,13 @@ impl ChunkStore {
         if self.waiting.is_empty() {
             return;
         }
-        let away = |coord: &ChunkCoord| {
-            let middle = coord.origin() + 0.5 * f64::from(antipode_geometry::CHUNK_CELLS);
-            let other_chart = coord.chart != frame.view.eye.point.chart;
-            (
-                other_chart,
-                middle.distance_squared(frame.view.eye.point.pos),
-            )
+        let (strategy, eye) = (&frame.view.strategy, frame.view.eye.point);
+        let away_m = |coord: &ChunkCoord| {
+            let here = strategy.carry_near(ChartPoint::new(coord.chart, coord.centre()), eye);
+            here.map_or(f64::INFINITY, |here| here.point.pos.distance(eye.pos))
         };
-        let mut order: Vec<_> = self.waiting.keys().map(|c| (away(c), *c)).collect();
-        order.sort_by(|(a, _), (b, _)| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+        let mut order: Vec<_> = self.waiting.keys().map(|c| (away_m(c), *c)).collect();
+        order.sort_by(|(a, of), (b, other)| a.total_cmp(b).then(of.cmp(other)));
         let mut left = if self.rush { usize::MAX } else { UPLOAD_BYTES };
         for (_, coord) in order {
             if left == 0 {

@@ -69,7 +69,7 @@ pub struct Renderer {
     awaits_map: bool,
     /// Options to be taken together with the pipelines that are being made for them.
     later: Option<(Options, Tonemap)>,
-    /// The last frame's map, by its number in `SpaceUniform::kind`.
+    /// What the last frame's pipelines are kept by.
     map: Option<Key>,
     /// The view of the frames themselves.
     picture: ViewState,

@@ -113,7 +113,7 @@ pub(crate) mod chart {
     use serde::de::Error;
     use serde::{Deserializer, Serialize, Serializer};
 
-    /// The longest name of a chart: four coordinates of two integers of 128 bits each, and some more.
+    /// The longest name that later versions may write: this one writes 16 bytes.
     pub(crate) const MAX_NAME_BYTES: usize = 144;
     /// Charts below this have no name.
     const NAMED: u128 = 2;

@@ -5,7 +5,7 @@
 
 use antipode_frame::{Frame, View};
 use antipode_geometry::{
-    ChartPoint, Domain, Eye, NoiseFrame, Projection, SightCell, Strategy, side_normals,
+    ChartId, ChartPoint, Domain, Eye, Projection, SightCell, Strategy, side_normals,
 };
 use glam::{DMat3, DVec3, DVec4};
 
@@ -106,16 +106,13 @@ impl Affine {
         }
     }
 
-    /// The same for positions in the axes that a chart's frame turns to.
+    /// The same for positions in the common axes, of one for those of a chart.
     ///
     /// A position x there is one of the chart that is turned: with T the turn, columns T^-1 x is x along columns T^T, since
     /// T is orthogonal.
-    fn turned(self, frame: NoiseFrame) -> Self {
-        let turned = DMat3::from_cols_array_2d(
-            &DMat3::IDENTITY
-                .to_cols_array_2d()
-                .map(|axis| frame.turned(DVec3::from_array(axis)).to_array()),
-        );
+    fn in_common_axes(self, frame: &Frame, chart: ChartId) -> Self {
+        let [x, y, z] = DVec3::AXES.map(|axis| frame.view.in_common_axes(chart, axis));
+        let turned = DMat3::from_cols(x, y, z);
         let [i, j, k] = self.columns;
         let along = |to: DVec3| i * to.x + j * to.y + k * to.z;
         Self {
@@ -185,7 +182,7 @@ impl Bounds {
         let flat = !space.radius_at_m(eye).is_finite();
         let origin = space.reference(eye, eye.point.chart);
         let affine = Affine::about(space, eye, eye.point, origin, 1.0);
-        let affine = affine.turned(space.noise_frame(eye.point.chart));
+        let affine = affine.in_common_axes(frame, eye.point.chart);
         Self {
             flat,
             affine,

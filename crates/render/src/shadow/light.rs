@@ -123,7 +123,7 @@ impl Light {
     pub fn base(&self, strategy: &dyn Strategy, point: ChartPoint) -> DVec4 {
         match self {
             Self::Far { .. } => {
-                let away = |origin| strategy.noise_frame(point.chart).turned(point.pos - origin);
+                let away = |origin| strategy.in_common_axes(point.chart, point.pos - origin);
                 let origin = self.origin(strategy, point.chart);
                 origin.map_or(DVec3::INFINITY, away).extend(1.0)
             }
@@ -263,7 +263,7 @@ impl Light {
     pub fn heights(&self, strategy: &dyn Strategy, crop: &Crop, of: &Caster) -> Option<[f64; 2]> {
         let middle = ChartPoint::new(of.chart, of.middle());
         let reach = of.reach();
-        let turned = strategy.noise_frame(of.chart).turned(reach);
+        let turned = strategy.in_common_axes(of.chart, reach);
         let base = self.base(strategy, middle);
         match self {
             Self::Far { toward, across, .. } => {
@@ -320,7 +320,7 @@ impl Light {
             Self::Far { across, .. } => {
                 let middle = ChartPoint::new(of.chart, of.middle());
                 let at = self.on_plane(0, self.base(strategy, middle));
-                let reach = strategy.noise_frame(of.chart).turned(of.reach()).abs();
+                let reach = strategy.in_common_axes(of.chart, of.reach()).abs();
                 let spread = DVec2::from(across.map(|way| way.abs().dot(reach)));
                 return Some([at - spread, at + spread]);
             }
