@@ -5,18 +5,28 @@
 const JOINTS: u32 = 21u;
 const BATCH: u32 = 16u;
 
+// Flags of a figure.
+const HOSTILE: u32 = 1u;
+const LIGHTS: u32 = 2u;
+const BRAKES: u32 = 4u;
+const PLACE_SHIFT: u32 = 3u;
+
+// How much brighter brake lights are than tail lights.
+const BRAKING: f32 = 0.6 / 0.28;
+
 struct VertexIn {
     @location(0) position: vec3<f32>,   // metres; x ahead, y up from the feet, z to the right
     @location(1) normal: vec4<f32>,     // w: how much it glows
     @location(2) colour: vec4<f32>,     // sRGB; a: gloss, or the cover of what light goes through
     @location(3) offset: vec3<f32>,     // the origin from the reference, or from the eye in its axes, metres
-    @location(4) flags: u32,            // lowest bit: hostile; the rest: the figure's place in its batch
+    @location(4) flags: u32,            // HOSTILE, LIGHTS, BRAKES; from PLACE_SHIFT on the figure's place in its batch
     @location(5) turn: vec4<f32>,       // a quaternion
     @location(6) frame_origin: vec4<f32>, // view coordinates of the origin, where the figure is ported as a whole,
     @location(7) frame_x: vec4<f32>,    // and per metre along x, y and z
     @location(8) frame_y: vec4<f32>,
     @location(9) frame_z: vec4<f32>,
     @location(10) lights: vec3<u32>,    // which lamps (64 bits) and beams may light the figure
+    @location(13) glow_switch: u32,     // what switches the glow: 0 nothing, 1 the lights, 2 these and the brake lights
 }
 
 struct SkinIn {
@@ -68,18 +78,24 @@ fn plain(in: VertexIn) -> Stance {
 }
 
 fn bent(in: VertexIn, skin: SkinIn) -> Stance {
-    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> 1u), in);
+    return turned(bend(Stance(in.position, in.normal.xyz), skin, in.flags >> PLACE_SHIFT), in);
 }
 
 // The share of its least channel that green and blue of a hostile one's suit have.
-const HOSTILE: vec2<f32> = vec2<f32>(0.16, 0.12);
+const HOSTILE_HUES: vec2<f32> = vec2<f32>(0.16, 0.12);
 
 // Light and dark stay what they are, so that the figure keeps its parts; every hue becomes red.
 fn suit_colour(in: VertexIn) -> vec3<f32> {
     let colour = to_linear(in.colour.rgb);
     let most = max(colour.r, max(colour.g, colour.b));
     let least = min(colour.r, min(colour.g, colour.b));
-    return select(colour, vec3<f32>(most, least * HOSTILE), (in.flags & 1u) != 0u);
+    return select(colour, vec3<f32>(most, least * HOSTILE_HUES), (in.flags & HOSTILE) != 0u);
+}
+
+fn glow(in: VertexIn) -> f32 {
+    let brakes = in.glow_switch == 2u && (in.flags & BRAKES) != 0u;
+    let shines = in.glow_switch == 0u || (in.flags & LIGHTS) != 0u;
+    return in.normal.w * select(select(0.0, 1.0, shines), BRAKING, brakes);
 }
 
 fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
@@ -94,7 +110,7 @@ fn figure_at(in: VertexIn, stance: Stance, view: vec4<f32>) -> VertexOut {
     out.albedo = vec4<f32>(suit_colour(in), in.colour.a);
     out.toward_eye = -direction;
     out.veil = vec4<f32>(haze_before(view) * fog, 1.0 - fog);
-    out.glow = in.normal.w;
+    out.glow = glow(in);
     out.view = view;
     out.lights = in.lights;
     out.place = in_common_axes(p);

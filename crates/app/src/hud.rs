@@ -6,7 +6,7 @@ use antipode_scene::day::hour;
 use antipode_scene::tuning::FULL_HEALTH;
 use antipode_scene::{CameraMode, Item, Lens, Scene, Seen, Stack};
 use antipode_ui::{
-    CurvatureView, DialKind, FigureModel, HudModel, SlotIcon, SlotView, SpeechModel, WoundModel,
+    CurvatureView, DialKind, FigureModel, HudModel, SlotView, SpeechModel, WoundModel,
 };
 use glam::DVec3;
 
@@ -119,19 +119,12 @@ pub fn slot(texts: &Texts, held: Option<Stack>) -> SlotView {
     match held {
         None => SlotView {
             label: String::new(),
-            icon: SlotIcon::Empty,
+            item: None,
             count: None,
         },
         Some(Stack { item, count }) => SlotView {
             label: wording::item(texts, item),
-            icon: match item {
-                Item::Gun => SlotIcon::Gun,
-                Item::Bullet => SlotIcon::Bullet,
-                Item::Lamp => SlotIcon::Lamp,
-                Item::PickaxeWood => SlotIcon::PickaxeWood,
-                Item::PickaxeIron => SlotIcon::PickaxeIron,
-                Item::PickaxeDiamond => SlotIcon::PickaxeDiamond,
-            },
+            item: Some(item),
             count: (count > 1).then_some(count),
         },
     }

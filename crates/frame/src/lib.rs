@@ -11,6 +11,7 @@ mod view;
 use std::sync::Arc;
 
 use antipode_geometry::ChartPoint;
+use antipode_items::Item;
 use glam::{DQuat, DVec3};
 
 pub use hit_shapes::{HitForm, HitShape};
@@ -220,75 +221,53 @@ pub enum ModelId {
     Astronaut,
     /// The astronaut in the second outfit.
     AstronautTeal,
-    /// A lamp, about its foot.
-    Lamp,
-    /// A bullet, about its middle.
-    Bullet,
-    /// The gun, about its grip.
-    Gun,
-    /// The weak pickaxe, about its grip.
-    PickaxeWood,
-    /// The medium pickaxe.
-    PickaxeIron,
-    /// The strong pickaxe.
-    PickaxeDiamond,
-    /// The car without its wheels, about the ground below its middle, its lamps dark.
+    /// The car without its wheels, about the ground below its middle.
     CarBody,
-    /// The same with its lamps on.
-    CarBodyLit,
-    /// The same with its brake lights on alone.
-    CarBodyBraking,
-    /// The same with both.
-    CarBodyLitBraking,
     /// A wheel of the car's left side, about its hub.
     CarWheelLeft,
     /// A wheel of the car's right side, about its hub.
     CarWheelRight,
     /// The flash at the gun's muzzle.
     Flash,
+    /// Something that can be carried, about where its file has its origin: what has a grip there.
+    Item(Item),
 }
 
 impl ModelId {
-    /// Every model.
-    pub const ALL: [Self; 15] = [
+    /// Those that are no items.
+    const OTHERS: [Self; 6] = [
         Self::Astronaut,
         Self::AstronautTeal,
-        Self::Lamp,
-        Self::Bullet,
-        Self::Gun,
-        Self::PickaxeWood,
-        Self::PickaxeIron,
-        Self::PickaxeDiamond,
         Self::CarBody,
-        Self::CarBodyLit,
-        Self::CarBodyBraking,
-        Self::CarBodyLitBraking,
         Self::CarWheelLeft,
         Self::CarWheelRight,
         Self::Flash,
     ];
 
+    /// Every model.
+    pub const ALL: [Self; Self::OTHERS.len() + Item::ALL.len()] = {
+        let mut all = [Self::Astronaut; Self::OTHERS.len() + Item::ALL.len()];
+        let mut place = 0;
+        while place < all.len() {
+            all[place] = if place < Self::OTHERS.len() {
+                Self::OTHERS[place]
+            } else {
+                Self::Item(Item::ALL[place - Self::OTHERS.len()])
+            };
+            place += 1;
+        }
+        all
+    };
+
     /// Whether it is large enough to have a shade below it.
     pub fn casts_shade(self) -> bool {
-        matches!(self, Self::Astronaut | Self::AstronautTeal) || self.is_car_body()
+        matches!(self, Self::Astronaut | Self::AstronautTeal | Self::CarBody)
     }
+}
 
-    /// The car's body with these lights.
-    pub fn car_body(lights: bool, brakes: bool) -> Self {
-        match (lights, brakes) {
-            (false, false) => Self::CarBody,
-            (true, false) => Self::CarBodyLit,
-            (false, true) => Self::CarBodyBraking,
-            (true, true) => Self::CarBodyLitBraking,
-        }
-    }
-
-    /// Whether it is the body of a car, whatever its lights.
-    pub fn is_car_body(self) -> bool {
-        matches!(
-            self,
-            Self::CarBody | Self::CarBodyLit | Self::CarBodyBraking | Self::CarBodyLitBraking
-        )
+impl From<Item> for ModelId {
+    fn from(item: Item) -> Self {
+        Self::Item(item)
     }
 }
 
@@ -309,6 +288,10 @@ pub struct Figure {
     pub flashes: bool,
     /// Whether its suit is red: who fights the player is known from afar.
     pub hostile: bool,
+    /// Whether a car's head and tail lights are on.
+    pub lights: bool,
+    /// Whether its brake lights are.
+    pub brakes: bool,
 }
 
 impl Figure {
@@ -322,6 +305,8 @@ impl Figure {
             held: None,
             flashes: false,
             hostile: false,
+            lights: false,
+            brakes: false,
         }
     }
 }

@@ -65,15 +65,3 @@ pub const ASTRONAUT: &[u8] = include_bytes!("../../../assets/models/astronaut.gl
 pub const ASTRONAUT_TEAL: &[u8] = include_bytes!("../../../assets/models/astronaut_teal.glb");
 /// The car; its wheels are nodes of their own.
 pub const CAR: &[u8] = include_bytes!("../../../assets/models/car.glb");
-/// The lamp, whose shining parts have the materials `glow` and `globe`.
-pub const LAMP: &[u8] = include_bytes!("../../../assets/models/lamp.glb");
-/// The bullet.
-pub const BULLET: &[u8] = include_bytes!("../../../assets/models/bullet.glb");
-/// The gun, held at its origin.
-pub const GUN: &[u8] = include_bytes!("../../../assets/models/gun.glb");
-/// The wooden pickaxe, held at its origin.
-pub const WOODEN_PICKAXE: &[u8] = include_bytes!("../../../assets/models/wooden_pickaxe.glb");
-/// The iron pickaxe, held at its origin.
-pub const IRON_PICKAXE: &[u8] = include_bytes!("../../../assets/models/iron_pickaxe.glb");
-/// The diamond pickaxe, held at its origin.
-pub const DIAMOND_PICKAXE: &[u8] = include_bytes!("../../../assets/models/diamond_pickaxe.glb");

@@ -12,6 +12,7 @@ use std::cell::RefCell;
 
 use antipode_frame::{Clip, Figure, Frame, ModelId, Posture};
 use antipode_geometry::{ChartPoint, Geometry};
+use antipode_items::Item;
 use antipode_render::ShadowQuality;
 use glam::DVec3;
 
@@ -54,7 +55,7 @@ fn scene(geometry: Geometry, crowd: Crowd) -> Frame {
         let away = DVec3::new(sign * (6.0 + 2.0 * row), -1.7, 2.0 * column - 24.0);
         Figure {
             posture: Posture::default().with(Clip::Hold, 1.0, 0.0),
-            held: Some(ModelId::Gun),
+            held: Some(ModelId::Item(Item::Gun)),
             ..Figure::standing(ModelId::Astronaut, eye.moved(away), 1.0)
         }
     };

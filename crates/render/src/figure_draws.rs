@@ -11,7 +11,7 @@ use crate::figure_pipelines::FigurePipelines;
 use crate::pipelines::Pipelines;
 use crate::rig::{JOINTS, JointRows};
 use crate::shadow::Caster;
-use crate::uniforms::FigureInstance;
+use crate::uniforms::{FigureInstance, PLACE_SHIFT};
 
 /// How figures are carried into the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -129,7 +129,7 @@ impl FigureDraws {
             }
             if let Some(joints) = it.joints.take() {
                 let place = self.runs.last().map_or(0, |run| run.count - 1);
-                it.instance.flags |= place << 1;
+                it.instance.flags |= place << PLACE_SHIFT;
                 let end = rows.len() + JOINTS;
                 rows.extend(joints);
                 rows.resize(end, JointRows::default());

@@ -16,7 +16,7 @@ use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Posed;
 use crate::shadow::Caster;
-use crate::uniforms::{FigureInstance, frame_rows};
+use crate::uniforms::{BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, frame_rows};
 
 /// The models, which all views draw figures with.
 #[derive(Debug)]
@@ -135,7 +135,7 @@ fn put(
     let (min, max) = (middle.pos - half, middle.pos + half);
     let mut instance = FigureInstance {
         offset: offset_of(frame, figure.point).as_vec3().into(),
-        flags: u32::from(figure.hostile),
+        flags: flags(figure),
         turn: figure.turn.as_quat().to_array(),
         frame: [[0.0; 4]; 4],
         lights: [0; 3],
@@ -162,6 +162,17 @@ fn put(
         chart,
         room: wanted.shades.then_some(Caster { chart, min, max }),
     });
+}
+
+/// What is switched of a figure; figure.wgsl.
+fn flags(figure: &Figure) -> u32 {
+    let switches = [
+        (figure.hostile, HOSTILE_FLAG),
+        (figure.lights, LIGHTS_FLAG),
+        (figure.brakes, BRAKES_FLAG),
+    ];
+    let on = switches.into_iter().filter(|(is_on, _)| *is_on);
+    on.fold(0, |flags, (_, flag)| flags | flag)
 }
 
 /// How what a figure holds is turned and where its origin is, given how its hand is in the figure's axes.

@@ -4,7 +4,7 @@ use std::f32::consts::TAU;
 
 use glam::Vec3;
 
-use crate::models::{ModelVertex, Shape};
+use crate::models::{ModelVertex, Shape, Switch};
 
 /// Spikes around the barrel.
 const SPIKES: usize = 7;
@@ -49,6 +49,7 @@ fn spike(shape: &mut Shape, tip: Vec3, width: f32) {
                 position: position.into(),
                 normal: [x as i16, y as i16, z as i16, i16::MAX],
                 colour: COLOUR,
+                switch: Switch::Always as u32,
             });
         }
     }

@@ -26,32 +26,12 @@ const RAISED_RAD: f32 = 0.45;
 const STROKE_RAD: f32 = 1.25;
 const REACH_M: f32 = 0.16;
 
-/// How a thing is held before the eye.
-struct Grip {
-    /// Where the hand is: to the right, up and ahead, metres.
-    place: Vec3,
-    /// Turns about its height (to the left positive), then about the way to the right (its front up), then about the
-    /// way ahead (its top to the right), radians.
-    turn: Vec3,
-}
-
 /// Where a thing is held, from its origin in its own axes, metres.
 pub fn grip_m(model: ModelId) -> Vec3 {
     match model {
-        // By the ring on its top.
-        ModelId::Lamp => Vec3::new(0.0, 0.455, 0.0),
+        ModelId::Item(item) => item.held().grip_m.into(),
         _ => Vec3::ZERO,
     }
-}
-
-fn grip(model: ModelId) -> Grip {
-    let (place, turn) = match model {
-        ModelId::Gun => (Vec3::new(0.25, -0.25, 0.50), Vec3::new(0.09, 0.04, 0.0)),
-        ModelId::Lamp => (Vec3::new(0.40, 0.05, 1.0), Vec3::ZERO),
-        ModelId::Bullet => (Vec3::new(0.22, -0.18, 0.52), Vec3::new(0.6, 0.25, 0.0)),
-        _ => (Vec3::new(0.40, -0.54, 0.82), Vec3::new(0.75, 0.0, -0.18)),
-    };
-    Grip { place, turn }
 }
 
 /// The lights that reach the hand, but those that are carried beside it: so near, they would bleach it.
@@ -70,7 +50,11 @@ fn lights_beyond(frame: &Frame, carried_m: f64) -> [u32; 3] {
 
 /// What is drawn of the hand: the model, and its instance in the eye's axes.
 pub fn instances(frame: &Frame, hand: &Hand) -> Vec<(ModelId, FigureInstance)> {
-    let Grip { place, turn } = grip(hand.model);
+    let ModelId::Item(item) = hand.model else {
+        return Vec::new();
+    };
+    let held = item.held();
+    let (place, turn) = (Vec3::from(held.place_m), Vec3::from(held.turn_rad));
     let swing = hand.swing.max(0.0);
     let swings = f32::from(u8::from(hand.swing >= 0.0));
     let up_rad = KICK_UP_RAD * hand.kick + swings * (RAISED_RAD - STROKE_RAD * swing)

@@ -19,12 +19,14 @@ pub struct ModelVertex {
     pub normal: [i16; 4],
     /// sRGB, then gloss; of what is clear, its cover.
     pub colour: [u8; 4],
+    /// What switches its glow: a [`Switch`].
+    pub switch: u32,
 }
 
 impl ModelVertex {
-    /// Attributes from location 0 on.
-    pub const ATTRIBUTES: [wgpu::VertexAttribute; 3] =
-        wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4];
+    /// Attributes at the locations that figure.wgsl gives them.
+    pub const ATTRIBUTES: [wgpu::VertexAttribute; 4] =
+        wgpu::vertex_attr_array![0 => Float32x3, 1 => Snorm16x4, 2 => Unorm8x4, 13 => Uint32];
 }
 
 /// What ties a vertex to a skeleton.
@@ -109,13 +111,8 @@ enum Look {
     Lamp,
     /// Something with a skeleton.
     Bent,
-    /// A car's body.
-    Car {
-        /// Whether its head and tail lights are on.
-        lights: bool,
-        /// Whether its brake lights are on.
-        brakes: bool,
-    },
+    /// A car's body, whose lights are switched.
+    Car,
     /// Anything else.
     Thing,
 }
@@ -123,14 +120,32 @@ enum Look {
 impl Look {
     /// Share of the brightest glow that a material which shines with full strength has: small lights are to be seen
     /// as lights, and keep their colour.
-    fn glow(self, material: &str) -> f32 {
-        match (self, material) {
-            (Self::Lamp, _) => 0.7,
-            (Self::Car { brakes: true, .. }, "glow.tail") => 0.6,
-            (Self::Car { lights: false, .. }, _) => 0.0,
-            (Self::Bent | Self::Thing | Self::Car { .. }, _) => 0.28,
+    fn glow(self) -> f32 {
+        match self {
+            Self::Lamp => 0.7,
+            Self::Bent | Self::Thing | Self::Car => 0.28,
         }
     }
+
+    /// What switches the glow of a material.
+    fn switch(self, material: &str) -> Switch {
+        match (self, material) {
+            (Self::Car, "glow.tail") => Switch::LightsAndBrakes,
+            (Self::Car, _) => Switch::Lights,
+            (Self::Lamp | Self::Bent | Self::Thing, _) => Switch::Always,
+        }
+    }
+}
+
+/// What switches the glow of a vertex, by its number in figure.wgsl.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Switch {
+    /// Nothing does.
+    Always = 0,
+    /// The lights of the instance.
+    Lights = 1,
+    /// These, and more strongly its brake lights.
+    LightsAndBrakes = 2,
 }
 
 /// The number of a model in the buffers.
@@ -158,24 +173,21 @@ pub fn load_all() -> Result<Vec<Loaded>, RenderError> {
         .map(|model| match model {
             ModelId::Astronaut => bent(&read(antipode_models::ASTRONAUT)?),
             ModelId::AstronautTeal => bent(&read(antipode_models::ASTRONAUT_TEAL)?),
-            ModelId::Lamp => Ok(whole(&read(antipode_models::LAMP)?, Look::Lamp)),
-            ModelId::Bullet => Ok(whole(&read(antipode_models::BULLET)?, Look::Thing)),
-            ModelId::Gun => Ok(whole(&read(antipode_models::GUN)?, Look::Thing)),
-            ModelId::PickaxeWood => Ok(whole(&read(antipode_models::WOODEN_PICKAXE)?, Look::Thing)),
-            ModelId::PickaxeIron => Ok(whole(&read(antipode_models::IRON_PICKAXE)?, Look::Thing)),
-            ModelId::PickaxeDiamond => {
-                Ok(whole(&read(antipode_models::DIAMOND_PICKAXE)?, Look::Thing))
-            }
-            ModelId::CarBody => car_body(&car, false, false),
-            ModelId::CarBodyLit => car_body(&car, true, false),
-            ModelId::CarBodyBraking => car_body(&car, false, true),
-            ModelId::CarBodyLitBraking => car_body(&car, true, true),
+            ModelId::CarBody => part(&car, "body", Look::Car),
             ModelId::CarWheelLeft => part(&car, "wheel.FL", Look::Thing),
             ModelId::CarWheelRight => part(&car, "wheel.FR", Look::Thing),
             ModelId::Flash => Ok(Loaded {
                 shape: flash::shape(),
                 rig: None,
             }),
+            ModelId::Item(item) => {
+                let look = if item.shines() {
+                    Look::Lamp
+                } else {
+                    Look::Thing
+                };
+                Ok(whole(&read(item.model())?, look))
+            }
         })
         .collect()
 }
@@ -197,10 +209,6 @@ fn whole(model: &Model, look: Look) -> Loaded {
         );
     }
     Loaded { shape, rig: None }
-}
-
-fn car_body(car: &Model, lights: bool, brakes: bool) -> Result<Loaded, RenderError> {
-    part(car, "body", Look::Car { lights, brakes })
 }
 
 /// What hangs from one node, about that node.
@@ -252,7 +260,7 @@ fn model_vertex(
             snorm(normal.x),
             snorm(normal.y),
             snorm(normal.z),
-            snorm(look.glow(&material.name) * material.emission.max_element().min(1.0)),
+            snorm(look.glow() * material.emission.max_element().min(1.0)),
         ],
         colour: [
             unorm(srgb(colour.x)),
@@ -260,6 +268,7 @@ fn model_vertex(
             unorm(srgb(colour.z)),
             unorm(fourth),
         ],
+        switch: look.switch(&material.name) as u32,
     }
 }
 
@@ -329,7 +338,7 @@ mod tests {
                 .filter(|v| v.colour[3] > 200)
         };
         assert!(visor().count() > 20 && visor().all(|v| v.position[0] > 0.0));
-        let (low, high) = of(ModelId::Gun).limits();
+        let (low, high) = of(ModelId::Item(antipode_items::Item::Gun)).limits();
         assert!(
             high.x > 0.25 && low.x > -0.1,
             "the barrel is ahead: {low} {high}"
@@ -343,36 +352,34 @@ mod tests {
         assert!(low.z < -0.13 && high.z < 0.13, "{low} {high}");
         let (low, high) = of(ModelId::CarBody).limits();
         assert!(high.x - low.x > 3.0 && high.z - low.z < 1.6, "{low} {high}");
-        assert!(!of(ModelId::Lamp).clear.is_empty() && !of(ModelId::CarBody).clear.is_empty());
+        assert!(
+            !of(ModelId::Item(antipode_items::Item::Lamp))
+                .clear
+                .is_empty()
+                && !of(ModelId::CarBody).clear.is_empty()
+        );
     }
 
     #[test]
-    fn the_lamps_of_a_car_glow_as_they_are_switched() {
+    fn the_lamps_of_a_car_have_switches() {
         let all = load_all().unwrap();
-        // Brightest glow of what is ahead of the middle, and of what is behind it.
-        let glow = |lights, brakes| {
-            let id = ModelId::car_body(lights, brakes);
-            let place = ModelId::ALL.iter().position(|it| *it == id).unwrap();
-            let most = |ahead: bool| {
-                let vertices = all[place].shape.vertices.iter();
-                let there = vertices.filter(|it| (it.position[0] > 0.0) == ahead);
-                there.map(|it| it.normal[3]).max().unwrap()
-            };
-            (most(true), most(false))
+        let vertices = |id: ModelId| all[number(id)].shape.vertices.iter();
+        let glowing = || vertices(ModelId::CarBody).filter(|it| it.normal[3] > 0);
+        let has = |ahead: bool, switch: Switch| {
+            glowing().any(|it| (it.position[0] > 0.0) == ahead && it.switch == switch as u32)
         };
-        let (dark, lit) = (glow(false, false), glow(true, false));
-        assert_eq!(dark, (0, 0));
-        assert!(lit.0 > 0 && lit.1 > 0, "{lit:?}");
-        let braking = glow(false, true);
-        assert!(braking.0 == 0 && braking.1 > 3 * lit.1 / 2, "{braking:?}");
-        assert_eq!(glow(true, true), (lit.0, braking.1));
+        assert!(has(true, Switch::Lights) && has(false, Switch::LightsAndBrakes));
+        assert!(!has(true, Switch::LightsAndBrakes));
+        assert!(glowing().all(|it| it.switch != Switch::Always as u32));
+        let mut lamp = vertices(ModelId::Item(antipode_items::Item::Lamp));
+        assert!(lamp.any(|it| it.normal[3] > 0 && it.switch == 0));
     }
 
     /// What the scene says of how things lie must fit the models: their lowest corner touches the ground.
     #[test]
     fn things_that_lie_touch_the_ground_and_do_not_sink_into_it() {
         let all = load_all().unwrap();
-        for item in antipode_scene::Item::ALL {
+        for item in antipode_items::Item::ALL {
             let id = ModelId::from(item);
             let place = ModelId::ALL.iter().position(|it| *it == id).unwrap();
             let (turn, height_m) = antipode_scene::drops::lying(item);

@@ -224,13 +224,22 @@ fn wrap_m(x: f64) -> f64 {
     (x + GRAIN_PERIOD_M / 2.0).rem_euclid(GRAIN_PERIOD_M) - GRAIN_PERIOD_M / 2.0
 }
 
+/// Flag of a [`FigureInstance`] that is red; those of figure.wgsl.
+pub const HOSTILE_FLAG: u32 = 1;
+/// That of a car whose head and tail lights are on.
+pub const LIGHTS_FLAG: u32 = 2;
+/// That of a car whose brake lights are.
+pub const BRAKES_FLAG: u32 = 4;
+/// Above the flags is the figure's place in its batch of joints.
+pub const PLACE_SHIFT: u32 = 3;
+
 /// Where and how a figure stands; the instance attributes of figure.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct FigureInstance {
     /// The origin from the reference, metres; of what is in the player's hand, from the eye in its own axes.
     pub offset: [f32; 3],
-    /// Whether it is red in the lowest bit, and above it the figure's place in its batch of joints.
+    /// Flags, and above them the figure's place in its batch of joints.
     pub flags: u32,
     /// How it is turned in the chart: a quaternion, its real part last.
     pub turn: [f32; 4],

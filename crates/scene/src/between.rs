@@ -370,7 +370,7 @@ mod tests {
 
     use super::*;
     use crate::actors::ActorId;
-    use crate::frame::ModelId;
+    use antipode_items::Item;
 
     #[test]
     fn what_falls_is_shown_on_its_way_in_the_step_in_which_another_goes() {
@@ -378,7 +378,7 @@ mod tests {
             let point = ChartPoint::a(DVec3::new(f64::from(number), y, 0.0));
             (
                 Who::Lamp(ActorId(number)),
-                Figure::standing(ModelId::Lamp, point, 0.0),
+                Figure::standing(Item::Lamp.into(), point, 0.0),
             )
         };
         let before = [lamp(0, 5.0), lamp(1, 5.0), lamp(2, 5.0)];

@@ -1,6 +1,7 @@
 //! Other figures of the world as what they are: put there, looked at, struck. What they want and do is in `npc`.
 
 use antipode_geometry::ChartPoint;
+use antipode_items::Item;
 use antipode_physics::Character;
 use hecs::Entity;
 
@@ -75,7 +76,7 @@ pub(crate) fn spawn(
         Body(Character::at(point.pos)),
         Health(health),
         Appearance {
-            held: hostile.then_some(ModelId::Gun),
+            held: hostile.then_some(ModelId::Item(Item::Gun)),
             ..Appearance::standing(ModelId::AstronautTeal)
         },
     ))

@@ -10,7 +10,6 @@ use crate::actors::{Actors, retain};
 use crate::frame::Figure;
 use crate::ground_changed::OnGround;
 use crate::inventory::{Inventory, Stack};
-use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::pick::over;
@@ -18,18 +17,13 @@ use crate::player::Player;
 use crate::sound::SoundEvent;
 use crate::tuning::{DROP, DROP_SPEED_M_S, MOST_DROPS, PICK_UP_AFTER_S, PICK_UP_M, STEP_S};
 use crate::world::World;
+use antipode_items::Item;
 
-/// How a thing of each model lies on level ground: its turn, and how high its origin is over the ground, metres. Lamps
-/// stand, bullets lie as they fly, and what has a grip lies on its side. The heights are half of the models' widths, or
-/// where their origin is at the foot, none.
+/// How a thing lies on level ground: its turn, and how high its origin is over the ground, metres.
 pub fn lying(item: Item) -> (DQuat, f64) {
-    let on_its_side = DQuat::from_rotation_x(FRAC_PI_2);
-    match item {
-        Item::Lamp => (DQuat::IDENTITY, 0.0),
-        Item::Bullet => (DQuat::IDENTITY, 0.027),
-        Item::Gun => (on_its_side, 0.046),
-        Item::PickaxeWood | Item::PickaxeIron | Item::PickaxeDiamond => (on_its_side, 0.036),
-    }
+    let lies = item.lies();
+    let turn_rad = if lies.on_its_side { FRAC_PI_2 } else { 0.0 };
+    (DQuat::from_rotation_x(turn_rad), lies.height_m)
 }
 
 /// Slower than this after a touch, in m/s, a thing comes to rest.

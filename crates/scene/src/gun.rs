@@ -6,7 +6,6 @@ use crate::actions::Actions;
 use crate::actors::Actors;
 use crate::aim::aim;
 use crate::crosshair::Crosshair;
-use crate::item::Item;
 use crate::notice::Hint;
 use crate::npc::Event;
 use crate::outbox::Outbox;
@@ -17,6 +16,7 @@ use crate::sound::SoundEvent;
 use crate::tuning::{AIM_REACH_M, BULLET, BULLET_SPEED_M_S, MUZZLE_M, SHOT_EVERY_S, STEP_S};
 use crate::world::World;
 use crate::{car, harm};
+use antipode_items::Item;
 
 /// The share of the way to the muzzle that is left when a wall is nearer.
 const SHORT_OF_WALL: f64 = 0.9;

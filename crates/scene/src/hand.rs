@@ -7,11 +7,11 @@ use antipode_geometry::ChartPoint;
 
 use crate::camera::CameraMode;
 use crate::frame::{Figure, Hand, LampLight, ModelId};
-use crate::item::Item;
 use crate::player::Appearance;
 use crate::situation::Situation;
 use crate::sound::STROKE_S;
 use crate::tuning::{BOB_M, FLASH_S, KICK_S, STEP_S, TAKES_S};
+use antipode_items::Item;
 
 /// Strokes of a tool that are seen for one that is heard: as quick as those, they would blur.
 const STROKES_SEEN: f64 = 0.5;

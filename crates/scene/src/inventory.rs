@@ -5,7 +5,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::item::Item;
+use antipode_items::Item;
 
 /// Slots of the hotbar.
 pub const HOTBAR_SLOTS: u8 = 10;

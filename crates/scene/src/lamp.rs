@@ -10,7 +10,6 @@ use crate::frame::{Marker, MarkerShape};
 use crate::ground::{Ground, height_below};
 use crate::ground_changed::OnGround;
 use crate::inventory::Inventory;
-use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::pick::over;
@@ -19,6 +18,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{LAMP_HEIGHT_M, LAMP_REACH_M, MOST_LAMPS, REACH_M, STEP_S};
 use crate::world::World;
+use antipode_items::Item;
 
 /// Lamps within this of the player are looked after, in metres: further off nobody changes the ground.
 const NEAR_M: f64 = 40.0;

@@ -8,11 +8,11 @@ use crate::car;
 use crate::crosshair::Crosshair;
 use crate::frame::{BeamLight, LampLight};
 use crate::gun::muzzle_of;
-use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::moment::{Lit, Who};
 use crate::scene::Scene;
 use crate::situation::Situation;
+use antipode_items::Item;
 
 /// Lamps that a picture shows.
 const MOST_LIT: usize = 64;

@@ -10,7 +10,6 @@ use crate::car::CarView;
 use crate::day;
 use crate::drops::Drop;
 use crate::frame::Quality;
-use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::probe::{
     BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe,
@@ -18,6 +17,7 @@ use crate::probe::{
 };
 use crate::projectile::Projectile;
 use crate::situation::Situation;
+use antipode_items::Item;
 
 fn chart(now: Situation<'_>, point: ChartPoint) -> String {
     now.world.strategy.chart_name(point.chart)

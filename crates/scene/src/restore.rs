@@ -18,7 +18,6 @@ use crate::car::doors::take_wheel;
 use crate::car::tuning::MOST_CARS;
 use crate::drops::Drop;
 use crate::inventory::{Inventory, SLOTS, Stack};
-use crate::item::Item;
 use crate::lamp::Lamp;
 use crate::lens::{DialGoals, Lens};
 use crate::notice::Notice;
@@ -30,6 +29,7 @@ use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS, MOST_LAMPS};
 use crate::world::World;
 use crate::{body, car};
+use antipode_items::Item;
 
 /// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;

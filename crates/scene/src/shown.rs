@@ -1,13 +1,14 @@
 //! What of the scene is shown as figures: everyone, what they hold, and things that lie, stand or fly.
 
 use antipode_geometry::{ChartPoint, Eye};
+use antipode_items::Item;
 use glam::{DQuat, DVec3};
 use hecs::Entity;
 
 use crate::bot::Bot;
 use crate::car::lights::{seat_figure, show_cars};
 use crate::drops::{self, Drop};
-use crate::frame::{Figure, ModelId};
+use crate::frame::Figure;
 use crate::lamp::Lamp;
 use crate::moment::Who;
 use crate::npc::any_heading;
@@ -96,7 +97,7 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     let lamp = |id, lamp: &Lamp| {
         let yaw_rad = any_heading(&*now.world.strategy, lamp.point.chart, 0.0);
-        let figure = Figure::standing(ModelId::Lamp, lamp.point, yaw_rad);
+        let figure = Figure::standing(Item::Lamp.into(), lamp.point, yaw_rad);
         (Who::Lamp(id), figure)
     };
     seen.extend(now.actors.map(lamp));
@@ -104,7 +105,7 @@ fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
         let way = bullet.velocity.normalize_or(DVec3::X);
         let figure = Figure {
             turn: DQuat::from_rotation_arc(DVec3::X, way),
-            ..Figure::standing(ModelId::Bullet, bullet.point, 0.0)
+            ..Figure::standing(Item::Bullet.into(), bullet.point, 0.0)
         };
         (Who::Bullet(id), figure)
     };

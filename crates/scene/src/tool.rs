@@ -6,7 +6,6 @@ use glam::DVec3;
 
 use crate::actions::Actions;
 use crate::crosshair::Crosshair;
-use crate::item::Item;
 use crate::notice::Hint;
 use crate::outbox::Outbox;
 use crate::player::Player;
@@ -14,6 +13,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{REACH_M, STEP_S};
 use crate::world::World;
+use antipode_items::Item;
 
 /// What is built may not come nearer to the player's body than this below a roof, in metres.
 const BODY_SLACK_M: f64 = 0.5;

@@ -11,7 +11,7 @@ use egui::{
     Role, Sense, Ui, UiBuilder, WidgetInfo,
 };
 
-use crate::hud::{SlotIcon, SlotView, hotbar};
+use crate::hud::{SlotView, hotbar};
 use crate::theme::{SCRIM, WEAK, panel, small};
 use crate::widgets::{button, focus_ring};
 use layout::Places;
@@ -287,7 +287,7 @@ fn id(slot: u8) -> Id {
 /// What a slot is called for those who do not see it.
 fn slot_name(texts: &Texts, slot: u8, view: &SlotView) -> String {
     let number = (slot + 1).into();
-    if view.icon == SlotIcon::Empty {
+    if view.item.is_none() {
         return texts.say_with("backpack-slot-empty", &[("number", number)]);
     }
     let item = item_name(texts, view).into();

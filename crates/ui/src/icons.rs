@@ -4,38 +4,19 @@
 use egui::{Color32, ColorImage, Context, Id, Painter, Rect, TextureHandle, TextureOptions, pos2};
 use image::{ImageFormat, RgbaImage, imageops};
 
-use crate::hud::SlotIcon;
+use antipode_items::Item;
 
 /// Sizes of one picture that are kept: the hotbar's, the backpack's, and those from before the window changed.
 const MOST_SIZES: usize = 4;
 
-macro_rules! icon {
-    ($name:literal) => {
-        include_bytes!(concat!("../../../assets/models/icon_", $name, ".png"))
-    };
-}
-
-/// The picture's file; `None` of nothing.
-fn file(icon: SlotIcon) -> Option<&'static [u8]> {
-    Some(match icon {
-        SlotIcon::Empty => return None,
-        SlotIcon::Gun => icon!("gun"),
-        SlotIcon::Bullet => icon!("bullet"),
-        SlotIcon::Lamp => icon!("lamp"),
-        SlotIcon::PickaxeWood => icon!("wooden_pickaxe"),
-        SlotIcon::PickaxeIron => icon!("iron_pickaxe"),
-        SlotIcon::PickaxeDiamond => icon!("diamond_pickaxe"),
-    })
-}
-
-/// Paints what an icon looks like over `rect`, which is a square in points.
-pub(crate) fn paint(painter: &Painter, icon: SlotIcon, rect: Rect) {
+/// Paints what an item looks like over `rect`, which is a square in points.
+pub(crate) fn paint(painter: &Painter, item: Item, rect: Rect) {
     let scale = painter.pixels_per_point();
     let side_px = (rect.width() * scale).round();
     if !(1.0..=4096.0).contains(&side_px) {
         return;
     }
-    let Some(texture) = texture(painter.ctx(), icon, side_px as u32) else {
+    let Some(texture) = texture(painter.ctx(), item, side_px as u32) else {
         return;
     };
     // Pixel on pixel.
@@ -50,14 +31,14 @@ pub(crate) fn paint(painter: &Painter, icon: SlotIcon, rect: Rect) {
 }
 
 /// The picture in so many pixels; the interface remembers it.
-fn texture(ctx: &Context, icon: SlotIcon, side_px: u32) -> Option<TextureHandle> {
-    let id = Id::unique(("antipode-icon", icon));
+fn texture(ctx: &Context, item: Item, side_px: u32) -> Option<TextureHandle> {
+    let id = Id::unique(("antipode-icon", item));
     let known: Vec<(u32, TextureHandle)> = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
     if let Some((_, texture)) = known.iter().find(|(side, _)| *side == side_px) {
         return Some(texture.clone());
     }
-    let image = sized(file(icon)?, side_px)?;
-    let name = format!("icon-{icon:?}-{side_px}");
+    let image = sized(item.icon(), side_px)?;
+    let name = format!("icon-{item:?}-{side_px}");
     let texture = ctx.load_texture(name, image, TextureOptions::LINEAR);
     let mut kept = vec![(side_px, texture.clone())];
     kept.extend(known.into_iter().take(MOST_SIZES - 1));
@@ -93,27 +74,21 @@ mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use super::*;
 
-    const ALL: [SlotIcon; 6] = [
-        SlotIcon::Gun,
-        SlotIcon::Bullet,
-        SlotIcon::Lamp,
-        SlotIcon::PickaxeWood,
-        SlotIcon::PickaxeIron,
-        SlotIcon::PickaxeDiamond,
-    ];
-
     #[test]
     fn every_thing_has_a_picture_of_its_own_at_every_size() {
         for side in [1, 12, 36, 72, 300] {
-            let pictures = ALL.map(|icon| sized(file(icon).unwrap(), side).unwrap());
+            let pictures = Item::ALL.map(|item| sized(item.icon(), side).unwrap());
             for (place, picture) in pictures.iter().enumerate() {
                 assert_eq!(picture.size, [side as usize; 2]);
                 let seen = picture.pixels.iter().filter(|pixel| pixel.a() > 40);
-                assert!(side < 12 || seen.count() > 10, "{:?} is bare", ALL[place]);
+                assert!(
+                    side < 12 || seen.count() > 10,
+                    "{:?} is bare",
+                    Item::ALL[place]
+                );
                 let is_same = |other: &ColorImage| other.pixels == picture.pixels;
                 assert!(side < 12 || !pictures[..place].iter().any(is_same));
             }
         }
-        assert_eq!(file(SlotIcon::Empty), None);
     }
 }

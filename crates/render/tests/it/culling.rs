@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use antipode_frame::{Clip, Figure, Frame, LampLight, ModelId, Posture, Quality};
 use antipode_geometry::{ChartId, ChartPoint, Eye, Geometry, HyperbolicMap, Strategy, picture};
+use antipode_items::Item;
 use antipode_render::ShadowQuality;
 use glam::{DQuat, DVec3, Vec3};
 
@@ -150,7 +151,11 @@ fn figure(numbers: &mut Numbers, scene: &Frame) -> Figure {
     posture.twist_rad = numbers.between(-3.0, 3.0) as f32;
     posture.pitch_rad = numbers.between(-1.5, 1.5) as f32;
     posture.swing = numbers.between(-1.0, 1.0) as f32;
-    let held = [ModelId::Gun, ModelId::PickaxeIron, ModelId::Lamp];
+    let held = [
+        ModelId::Item(Item::Gun),
+        ModelId::Item(Item::PickaxeIron),
+        ModelId::Item(Item::Lamp),
+    ];
     Figure {
         posture,
         held: (numbers.next() < 0.6).then(|| any(numbers, &held)),

@@ -7,6 +7,7 @@ use antipode_frame::{
     ChunkChange, Clip, Figure, Frame, Hand, LampLight, ModelId, Posture, Quality,
 };
 use antipode_geometry::{ChartId, ChartPoint, ChunkCoord, Eye, Geometry};
+use antipode_items::Item;
 use glam::{DVec3, Vec3};
 use image::RgbaImage;
 
@@ -175,7 +176,11 @@ fn what_is_held_is_seen_in_the_right_hand() {
     // It faces to our right, with its right-hand side towards us.
     let mut frame = alone(astronaut(holds, FRAC_PI_2));
     let empty = studio.picture(&frame);
-    for model in [ModelId::Gun, ModelId::PickaxeIron, ModelId::Lamp] {
+    for model in [
+        ModelId::Item(Item::Gun),
+        ModelId::Item(Item::PickaxeIron),
+        ModelId::Item(Item::Lamp),
+    ] {
         frame.content_mut().figures[0].held = Some(model);
         let held = changed(&empty, &studio.picture(&frame));
         assert!(held.len() > 40, "{model:?}: {}", held.len());
@@ -187,7 +192,7 @@ fn what_is_held_is_seen_in_the_right_hand() {
         );
     }
     by_night(&mut frame);
-    frame.content_mut().figures[0].held = Some(ModelId::Gun);
+    frame.content_mut().figures[0].held = Some(ModelId::Item(Item::Gun));
     let gun = studio.picture(&frame);
     frame.content_mut().figures[0].flashes = true;
     assert!(changed(&gun, &studio.picture(&frame)).len() > 10);
@@ -280,7 +285,7 @@ fn a_lamp_shines_by_night() {
         return;
     };
     let mut frame = alone(Figure::standing(
-        ModelId::Lamp,
+        ModelId::Item(Item::Lamp),
         ChartPoint::a(DVec3::ZERO),
         0.0,
     ));
@@ -308,10 +313,10 @@ fn the_players_hand_is_at_the_lower_right_and_no_wall_hides_it() {
         return;
     };
     for model in [
-        ModelId::Gun,
-        ModelId::PickaxeIron,
-        ModelId::Lamp,
-        ModelId::Bullet,
+        ModelId::Item(Item::Gun),
+        ModelId::Item(Item::PickaxeIron),
+        ModelId::Item(Item::Lamp),
+        ModelId::Item(Item::Bullet),
     ] {
         let mut frame = alone(astronaut(Posture::default(), 0.0));
         frame.content_mut().figures.clear();
@@ -363,11 +368,11 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
             ..frame.view.eye
         };
         let bare = studio.picture(&frame);
-        frame.view.hand = Some(hand(ModelId::PickaxeWood));
+        frame.view.hand = Some(hand(ModelId::Item(Item::PickaxeWood)));
         let rest = studio.picture(&frame);
         frame.view.hand = Some(Hand {
             swing: 1.0,
-            ..hand(ModelId::PickaxeWood)
+            ..hand(ModelId::Item(Item::PickaxeWood))
         });
         assert!(
             changed(&rest, &studio.picture(&frame)).len() > 200,
@@ -376,10 +381,10 @@ fn the_players_hand_is_the_same_in_every_space_and_moves_with_use() {
         frame.view.hand = Some(Hand {
             flashes: true,
             kick: 1.0,
-            ..hand(ModelId::Gun)
+            ..hand(ModelId::Item(Item::Gun))
         });
         let shot = studio.picture(&frame);
-        frame.view.hand = Some(hand(ModelId::Gun));
+        frame.view.hand = Some(hand(ModelId::Item(Item::Gun)));
         assert!(
             changed(&shot, &studio.picture(&frame)).len() > 60,
             "{geometry}"
@@ -403,7 +408,7 @@ fn lamps_light_what_the_player_holds() {
     };
     let mut frame = alone(astronaut(Posture::default(), 0.0));
     frame.content_mut().figures.clear();
-    frame.view.hand = Some(hand(ModelId::Gun));
+    frame.view.hand = Some(hand(ModelId::Item(Item::Gun)));
     let day = studio.picture(&frame);
     let beside = frame.view.eye.point.moved(DVec3::new(0.5, 0.6, 1.0));
     frame.content_mut().lights.lamps = vec![LampLight {

@@ -7,6 +7,7 @@ use crate::common::worlds::World;
 use crate::common::{Studio, frame, space};
 use antipode_frame::{Figure, ModelId};
 use antipode_geometry::{ChartPoint, Geometry, Projection};
+use antipode_items::Item;
 use antipode_render::ShadowQuality;
 use glam::DVec3;
 
@@ -33,7 +34,7 @@ fn a_lamp_three_quarters_of_the_way_to_the_antipode_is_drawn_larger_than_one_hal
             (sphere.distance_m(bare.view.eye.point, place, &bare.view.eye) - away_m).abs() < 1e-6
         );
         let mut lit = bare.clone();
-        lit.content_mut().figures = vec![Figure::standing(ModelId::Lamp, place, 0.0)];
+        lit.content_mut().figures = vec![Figure::standing(ModelId::Item(Item::Lamp), place, 0.0)];
         let picture = studio.picture(&lit);
         let pairs = picture.pixels().zip(nothing.pixels());
         let changed = pairs.filter(|(a, b)| a.0.iter().zip(b.0).any(|(p, q)| p.abs_diff(q) > 12));

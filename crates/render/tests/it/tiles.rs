@@ -3,6 +3,7 @@
 use crate::common::{GEOMETRIES, PLAIN, Studio, frame, land, space, standing};
 use antipode_frame::{Clip, Figure, Frame, ModelId, Posture, Quality};
 use antipode_geometry::{ChartId, Eye, Geometry};
+use antipode_items::Item;
 use antipode_render::{Offscreen, Tile};
 use image::{RgbaImage, imageops};
 
@@ -29,7 +30,7 @@ fn view(geometry: Geometry, quality: Quality) -> Frame {
     feet.pos.y = point.pos.y - 1.7;
     let figure = Figure {
         posture: Posture::of(Clip::Walk, 0.3),
-        held: Some(ModelId::Lamp),
+        held: Some(ModelId::Item(Item::Lamp)),
         ..Figure::standing(ModelId::Astronaut, feet, 0.5)
     };
     empty

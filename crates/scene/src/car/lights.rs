@@ -36,8 +36,12 @@ pub(crate) fn show_cars(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
             turn,
             ..Figure::standing(model, car.place(own), 0.0)
         };
-        let body = ModelId::car_body(car.lights, car.brakes);
-        seen.push((Who::Car(car.id), figure(body, DVec3::ZERO, car.turn)));
+        let body = Figure {
+            lights: car.lights,
+            brakes: car.brakes,
+            ..figure(ModelId::CarBody, DVec3::ZERO, car.turn)
+        };
+        seen.push((Who::Car(car.id), body));
         for (number, wheel) in car.wheels.iter().enumerate() {
             let model = if number % 2 == 0 {
                 ModelId::CarWheelLeft

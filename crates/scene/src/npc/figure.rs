@@ -1,6 +1,7 @@
 //! One figure in one step: it takes in what happened, thinks when it is its turn, and moves.
 
 use antipode_geometry::ChartPoint;
+use antipode_items::Item;
 use antipode_physics::CharacterInput;
 use glam::DVec3;
 use hecs::{Entity, Query};
@@ -65,7 +66,7 @@ impl Npc<'_> {
         }
         let input = self.steer(around);
         self.face(around);
-        self.appearance.held = self.fights().then_some(ModelId::Gun);
+        self.appearance.held = self.fights().then_some(ModelId::Item(Item::Gun));
         self.advance(around, &input);
     }
 

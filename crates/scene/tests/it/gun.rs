@@ -113,9 +113,7 @@ fn hits(scene: &mut Scene, at: ChartPoint, toward: impl Fn(usize) -> f64) -> (us
         let middle = stands.moved(DVec3::Y * 0.9);
         if is_in_sight(scene, middle) {
             look_at(scene, middle);
-            scene
-                .inventory_mut()
-                .give(antipode_scene::item::Item::Bullet, 1);
+            scene.inventory_mut().give(antipode_scene::Item::Bullet, 1);
             shots += 1;
             let hit = fire_hits(scene, id);
             if !hit {

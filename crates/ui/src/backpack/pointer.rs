@@ -8,7 +8,7 @@ use egui::{Context, Event, Modifiers, PointerButton, Pos2};
 
 use super::layout::Places;
 use super::{BackpackWish, Buttons, SLOTS, wish};
-use crate::hud::{SlotIcon, SlotView};
+use crate::hud::SlotView;
 
 /// A button that went down or up.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +75,7 @@ impl Presses {
         };
         let full = slots
             .get(usize::from(slot))
-            .is_some_and(|view| view.icon != SlotIcon::Empty);
+            .is_some_and(|view| view.item.is_some());
         let takes = !carries && full && !matches!(wish, BackpackWish::Send(_));
         self.from = takes.then_some((slot, press.other));
         Some(wish)

@@ -4,7 +4,7 @@ use antipode_language::Texts;
 use egui::{FontId, Painter, Rect, pos2, vec2};
 
 use super::item_name;
-use crate::hud::{SlotIcon, SlotView};
+use crate::hud::SlotView;
 use crate::theme::{GRID, PANEL, ROUNDING, TEXT, WEAK, small};
 
 /// Widest it gets, in points.
@@ -12,7 +12,7 @@ const WIDTH: f32 = 280.0;
 
 /// Paints it above or below the slot at `at`, within the screen.
 pub(super) fn show(painter: &Painter, screen: Rect, at: Rect, texts: &Texts, view: &SlotView) {
-    let Some(about) = about(view.icon) else {
+    let Some(item) = view.item else {
         return;
     };
     let wrap = (WIDTH.min(screen.width()) - 4.0 * GRID).max(1.0);
@@ -22,7 +22,12 @@ pub(super) fn show(painter: &Painter, screen: Rect, at: Rect, texts: &Texts, vie
         TEXT,
         wrap,
     );
-    let about = painter.layout(texts.say(about), small(), WEAK, wrap);
+    let about = painter.layout(
+        texts.say(&format!("item-{}-about", item.id())),
+        small(),
+        WEAK,
+        wrap,
+    );
     let inner = vec2(
         name.size().x.max(about.size().x),
         name.size().y + 4.0 + about.size().y,
@@ -47,17 +52,4 @@ pub(super) fn show(painter: &Painter, screen: Rect, at: Rect, texts: &Texts, vie
     let below = text + vec2(0.0, name.size().y + 4.0);
     painter.galley(text, name, TEXT);
     painter.galley(below, about, WEAK);
-}
-
-/// Key of what a thing does.
-fn about(icon: SlotIcon) -> Option<&'static str> {
-    Some(match icon {
-        SlotIcon::Empty => return None,
-        SlotIcon::Gun => "item-gun-about",
-        SlotIcon::Bullet => "item-bullet-about",
-        SlotIcon::Lamp => "item-lamp-about",
-        SlotIcon::PickaxeWood => "item-pickaxe-wood-about",
-        SlotIcon::PickaxeIron => "item-pickaxe-iron-about",
-        SlotIcon::PickaxeDiamond => "item-pickaxe-diamond-about",
-    })
 }

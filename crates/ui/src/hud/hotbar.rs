@@ -137,7 +137,9 @@ pub(crate) fn number(painter: &Painter, rect: Rect, index: usize, lit: bool) {
 
 /// A thing, and how many of it there are.
 pub(crate) fn contents(painter: &Painter, rect: Rect, view: &SlotView) {
-    icons::paint(painter, view.icon, rect.shrink(0.1 * rect.width()));
+    if let Some(item) = view.item {
+        icons::paint(painter, item, rect.shrink(0.1 * rect.width()));
+    }
     if let Some(count) = view.count.filter(|_| rect.width() >= WIDE) {
         let at = rect.max - vec2(4.0, 1.0);
         let font = FontId::proportional(if rect.width() < 40.0 { 11.0 } else { 13.0 });

@@ -12,6 +12,7 @@ mod plate;
 mod speech;
 mod wounds;
 
+use antipode_items::Item;
 use antipode_language::Texts;
 use egui::{Align2, Context, FontId, LayerId, Painter, Pos2, Rect, Stroke, pos2, vec2};
 
@@ -29,33 +30,13 @@ pub use mirror::mirror_place;
 pub use speech::SpeechModel;
 pub use wounds::WoundModel;
 
-/// What a slot of the hotbar shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum SlotIcon {
-    /// Nothing.
-    #[default]
-    Empty,
-    /// The gun.
-    Gun,
-    /// Bullets.
-    Bullet,
-    /// Lamps.
-    Lamp,
-    /// The weak pickaxe.
-    PickaxeWood,
-    /// The medium pickaxe.
-    PickaxeIron,
-    /// The strong pickaxe.
-    PickaxeDiamond,
-}
-
 /// One slot of the hotbar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SlotView {
     /// The item's name, shown while its slot is selected; may be empty.
     pub label: String,
-    /// Its picture.
-    pub icon: SlotIcon,
+    /// What lies in it.
+    pub item: Option<Item>,
     /// How many, where that matters.
     pub count: Option<u32>,
 }

@@ -1,8 +1,9 @@
 //! The backpack by mouse and by keys: what each press, drag and key asks for, in every language and window.
 
 use crate::common::painted;
+use antipode_items::Item;
 use antipode_language::{Language, Texts};
-use antipode_ui::{Backpack, BackpackModel, BackpackWish, SlotIcon, SlotView, apply_theme};
+use antipode_ui::{Backpack, BackpackModel, BackpackWish, SlotView, apply_theme};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
@@ -16,10 +17,10 @@ struct Bag {
     wishes: Vec<BackpackWish>,
 }
 
-fn view(label: &str, icon: SlotIcon, count: u32) -> SlotView {
+fn view(label: &str, item: Item, count: u32) -> SlotView {
     SlotView {
         label: label.to_owned(),
-        icon,
+        item: Some(item),
         count: (count > 1).then_some(count),
     }
 }
@@ -27,10 +28,10 @@ fn view(label: &str, icon: SlotIcon, count: u32) -> SlotView {
 /// A gun, bullets and lamps in the hotbar, one lamp in the backpack.
 fn bag() -> Bag {
     let mut slots = vec![SlotView::default(); 40];
-    slots[0] = view("Gun", SlotIcon::Gun, 1);
-    slots[4] = view("Bullet", SlotIcon::Bullet, 64);
-    slots[5] = view("Lamp", SlotIcon::Lamp, 10);
-    slots[21] = view("Lamp", SlotIcon::Lamp, 1);
+    slots[0] = view("Gun", Item::Gun, 1);
+    slots[4] = view("Bullet", Item::Bullet, 64);
+    slots[5] = view("Lamp", Item::Lamp, 10);
+    slots[21] = view("Lamp", Item::Lamp, 1);
     let mut screen = Backpack::default();
     screen.open();
     Bag {
@@ -182,14 +183,14 @@ fn a_whole_drag_in_one_slow_frame_is_the_same_drag() {
 #[test]
 fn what_is_at_the_pointer_is_thrown_outside_and_by_its_button() {
     let mut harness = window();
-    harness.state_mut().carried = Some(view("Lamp", SlotIcon::Lamp, 10));
+    harness.state_mut().carried = Some(view("Lamp", Item::Lamp, 10));
     let outside = egui::pos2(20.0, 400.0);
     press(&harness, outside, PointerButton::Secondary, true);
     press(&harness, outside, PointerButton::Secondary, false);
     assert_eq!(asked(&mut harness), [BackpackWish::LetGo { whole: false }]);
     press(&harness, outside, PointerButton::Primary, true);
     assert_eq!(asked(&mut harness), [], "nothing is left to throw");
-    harness.state_mut().carried = Some(view("Lamp", SlotIcon::Lamp, 10));
+    harness.state_mut().carried = Some(view("Lamp", Item::Lamp, 10));
     harness.run_ok();
     harness.get_by_label("Throw away").click();
     assert_eq!(asked(&mut harness), [BackpackWish::LetGo { whole: true }]);
@@ -256,7 +257,7 @@ fn everything_is_done_by_keys() {
             BackpackWish::LetGo { whole: false }
         ]
     );
-    harness.state_mut().carried = Some(view("Lamp", SlotIcon::Lamp, 10));
+    harness.state_mut().carried = Some(view("Lamp", Item::Lamp, 10));
     walk(
         &mut harness,
         &[Key::ArrowDown, Key::ArrowDown, Key::ArrowDown],

@@ -50,10 +50,28 @@ pub const FILES: [(&str, &[u8]); 9] = [
     ("astronaut", antipode_models::ASTRONAUT),
     ("astronaut_teal", antipode_models::ASTRONAUT_TEAL),
     ("car", antipode_models::CAR),
-    ("lamp", antipode_models::LAMP),
-    ("bullet", antipode_models::BULLET),
-    ("gun", antipode_models::GUN),
-    ("wooden_pickaxe", antipode_models::WOODEN_PICKAXE),
-    ("iron_pickaxe", antipode_models::IRON_PICKAXE),
-    ("diamond_pickaxe", antipode_models::DIAMOND_PICKAXE),
+    (
+        "lamp",
+        include_bytes!("../../../../../assets/models/lamp.glb"),
+    ),
+    (
+        "bullet",
+        include_bytes!("../../../../../assets/models/bullet.glb"),
+    ),
+    (
+        "gun",
+        include_bytes!("../../../../../assets/models/gun.glb"),
+    ),
+    (
+        "wooden_pickaxe",
+        include_bytes!("../../../../../assets/models/wooden_pickaxe.glb"),
+    ),
+    (
+        "iron_pickaxe",
+        include_bytes!("../../../../../assets/models/iron_pickaxe.glb"),
+    ),
+    (
+        "diamond_pickaxe",
+        include_bytes!("../../../../../assets/models/diamond_pickaxe.glb"),
+    ),
 ];

@@ -2,30 +2,31 @@
 
 use std::sync::Arc;
 
+use antipode_items::Item;
 use antipode_language::{Language, Texts};
 use antipode_ui::{
     CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
-    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotIcon, SlotView, apply_theme,
-    show_hud, tints_of,
+    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, apply_theme, show_hud,
+    tints_of,
 };
 use egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
 
 use super::painted;
 
-pub fn pickaxe(label: &str, icon: SlotIcon) -> SlotView {
+pub fn pickaxe(label: &str, item: Item) -> SlotView {
     SlotView {
         label: label.to_owned(),
-        icon,
+        item: Some(item),
         count: Some(1),
     }
 }
 
 pub fn full_hud() -> HudModel {
     let mut slots = vec![SlotView::default(); 10];
-    slots[1] = pickaxe("Wooden pickaxe", SlotIcon::PickaxeWood);
-    slots[2] = pickaxe("Iron pickaxe", SlotIcon::PickaxeIron);
-    slots[3] = pickaxe("Diamond pickaxe", SlotIcon::PickaxeDiamond);
+    slots[1] = pickaxe("Wooden pickaxe", Item::PickaxeWood);
+    slots[2] = pickaxe("Iron pickaxe", Item::PickaxeIron);
+    slots[3] = pickaxe("Diamond pickaxe", Item::PickaxeDiamond);
     HudModel {
         fps: 59.7,
         chart: [-12.344, 1.7, 3.0],
