@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-use antipode_geometry::{ChartId, ChartPoint, Domain, Spherical, Strategy};
+use antipode_geometry::{ChartId, ChartPoint, Domain, NoiseFrame, Spherical, Strategy};
 use antipode_testing::cone::Cone;
 use antipode_testing::tiled::{TILE_M, TiledFlat};
 use glam::{DVec2, DVec3, I64Vec2};
@@ -72,6 +72,12 @@ proptest! {
                 prop_assert!(back.point.pos.distance(point.pos) < 1e-9);
                 let turned = back.turn_vector(image.turn_vector(way));
                 prop_assert!(turned.distance(way) < 1e-9);
+                if let NoiseFrame::Square(_) = space.noise_frame(point.chart) {
+                    let there = image.turn_vector(way);
+                    let told = [(point.chart, way), (image.point.chart, there)]
+                        .map(|(chart, way)| space.in_common_axes(chart, way));
+                    prop_assert!(told[0].distance(told[1]) < 1e-9, "{told:?}");
+                }
                 let off_rad = (back.turn_rad + image.turn_rad + 0.5).rem_euclid(TAU);
                 prop_assert!((off_rad - 0.5).abs() < 1e-9 || space.all_charts().is_some());
             }
