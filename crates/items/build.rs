@@ -48,7 +48,8 @@ fn source(rows: &[Row], models: &Path) -> String {
             Lies::Upright { height_m } => (false, height_m),
             Lies::OnItsSide { height_m } => (true, height_m),
         };
-        let [model, icon] = [&row.model, &row.icon].map(|file| models.join(file));
+        let [model, icon] =
+            [&row.model, &row.icon].map(|file| models.join(file).display().to_string());
         let _ = write!(
             variants,
             "    #[doc = {what:?}]\n    #[serde(rename = {id:?})]\n    {name},\n"

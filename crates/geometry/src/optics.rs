@@ -15,7 +15,8 @@ use crate::{
 /// applied to `port(p.pos - reference(eye, p.chart))`, where `port` is the function of that name in the text of
 /// [`Optics::shader`]. So a space in which the way to a place depends on where the eye is cannot be drawn.
 pub trait Optics {
-    /// Whether sight lines can miss the ground for ever, so that a sky is seen.
+    /// Whether sight lines can miss the ground for ever, so that a sky is seen. It goes with the daylight of
+    /// [`Optics::shader`]: that of a sky, or that of orbs among the land.
     fn has_sky(&self) -> bool {
         true
     }

@@ -123,7 +123,7 @@ pub(crate) fn over(strategy: &dyn Atlas, a: ChartPoint, b: ChartPoint) -> ChartP
 }
 
 /// Where the chart segment from `a` to `b` first meets ground, as a share of its length.
-/// A segment over the equator is tested in the chart of its start.
+/// A segment over the edge of a chart is tested in the chart of its start.
 pub(crate) fn segment_hit(
     strategy: &dyn Atlas,
     physics: &PhysicsWorld,

@@ -1,4 +1,4 @@
-//! What the player is made of: the components that all figures share, how they are carried over the equator, and what he
+//! What the player is made of: the components that all figures share, how they are carried over the edges of charts, and what he
 //! alone has.
 
 use antipode_geometry::{Atlas, ChartPoint, Eye};

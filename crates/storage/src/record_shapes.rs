@@ -9,7 +9,7 @@ use crate::schema::chart;
 /// The player's body.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlayerRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Feet, chart metres.
@@ -44,7 +44,7 @@ pub struct SlotRecord {
 /// A lamp that was put down.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct LampRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Its foot, chart metres.
@@ -54,7 +54,7 @@ pub struct LampRecord {
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Its middle, chart metres.
@@ -68,7 +68,7 @@ pub struct DropRecord {
 /// A figure that nobody plays.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BotRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Feet, chart metres.
@@ -88,7 +88,7 @@ pub struct BotRecord {
 /// A car.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct CarRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// The ground below its middle when it stands on level ground, chart metres.
@@ -112,7 +112,7 @@ pub struct CarRecord {
 /// A place.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlaceRecord {
-    /// The number of its chart: 0 and 1 for hemispheres A and B.
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Chart metres.

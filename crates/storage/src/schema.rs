@@ -53,7 +53,7 @@ pub struct WorldMeta {
     Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize,
 )]
 pub struct ChunkKey {
-    /// The number of the chart: 0 and 1 for hemispheres A and B.
+    /// The number of the chart; on a globe 0 and 1 are the hemispheres A and B.
     #[serde(with = "chart")]
     pub chart: u128,
     /// Index along x.

@@ -84,7 +84,7 @@ pub struct Wish {
     pub centre: ChartPoint,
     /// Chart direction of the view; need not be unit, zero means no preference.
     pub front: DVec3,
-    /// Chunks to load in every direction, 1 to 64; a spherical world is wholly resident and
+    /// Chunks to load in every direction, 1 to 64; a closed world is wholly resident and
     /// ignores it.
     pub view_distance: u32,
     /// Where ground must be solid. Chunks farther off than both `view_distance` and `bodies_distance` are not made for
@@ -99,7 +99,7 @@ pub struct Wish {
 }
 
 impl Wish {
-    /// Everything in range solid and in full resolution.
+    /// Everything in range in full resolution, and solid in the first two charts.
     pub fn new(centre: ChartPoint, front: DVec3, view_distance: u32) -> Self {
         Self {
             centre,

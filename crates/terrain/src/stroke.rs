@@ -82,8 +82,8 @@ fn common(a: &RangeInclusive<i64>, b: &RangeInclusive<i64>) -> RangeInclusive<i6
 }
 
 impl Stroke {
-    /// Chunks that own a sample within the stroke, of both hemispheres where it nears the
-    /// equator, in ascending order. The chunks to [`Self::apply`] it to.
+    /// Chunks that own a sample within the stroke, of every chart whose edge it nears, in
+    /// ascending order. The chunks to [`Self::apply`] it to.
     pub fn touched(&self, strategy: &dyn Atlas) -> Vec<ChunkCoord> {
         self.chunks(strategy, OWNED)
     }

@@ -1,4 +1,4 @@
-//! One step of the cars: what their drivers ask for, over the equator, out of ground, and with the player at the wheel.
+//! One step of the cars: what their drivers ask for, over the edges of charts, out of ground, and with the player at the wheel.
 
 use antipode_geometry::{ChartPoint, Crossing};
 use antipode_physics::{VehicleInput, VehicleMotion, VehiclePhysics};
@@ -113,7 +113,7 @@ impl Car {
         }
     }
 
-    /// Carries it over the equator whole: place, stance, velocity and spin.
+    /// Carries it over an edge of its chart whole: place, stance, velocity and spin.
     fn cross(&mut self, world: &World, physics: &mut VehiclePhysics) -> Option<Crossing> {
         let crossing = world.strategy.cross(self.point())?;
         physics.carry(&mut self.vehicle, &crossing);
