@@ -40,7 +40,7 @@ fn make() -> Result<(), String> {
 
 /// The text of the type.
 fn source(rows: &[Row], models: &Path) -> String {
-    let (mut variants, mut all, mut arms) = (String::new(), String::new(), String::new());
+    let (mut variants, mut all, mut table) = (String::new(), String::new(), String::new());
     for row in rows {
         let name = table::variant(&row.id);
         let (what, id) = (&row.what, &row.id);
@@ -56,22 +56,23 @@ fn source(rows: &[Row], models: &Path) -> String {
         );
         let _ = write!(all, "Self::{name}, ");
         let _ = write!(
-            arms,
-            "            Self::{name} => &Properties {{\n                id: {id:?},\n                \
-             model: include_bytes!({model:?}),\n                icon: include_bytes!({icon:?}),\n                \
-             most_in_slot: {},\n                at_start: {},\n                lies: Lies {{ on_its_side: \
-             {on_its_side}, height_m: {height_m:?} }},\n                held: {:?},\n                \
-             digs_per_s: {:?},\n                shines: {},\n            }},\n",
+            table,
+            "    Properties {{\n        id: {id:?},\n        model: include_bytes!({model:?}),\n        icon: \
+             include_bytes!({icon:?}),\n        most_in_slot: {},\n        at_start: {},\n        lies: Lies {{ \
+             on_its_side: {on_its_side}, height_m: {height_m:?} }},\n        held: {:?},\n        digs_per_s: \
+             {:?},\n        shines: {},\n    }},\n",
             row.most_in_slot, row.at_start, row.held, row.digs_per_s, row.shines
         );
     }
+    let count = rows.len();
+    // A static is in the program once, wherever it is read from.
     format!(
         "/// A kind of thing that the player can hold.\n\
          #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]\n\
          pub enum Item {{\n{variants}}}\n\n\
          impl Item {{\n    /// Every item, in the order in which a new player finds them in the slots.\n    \
-         pub const ALL: [Self; {}] = [{all}];\n\n    \
-         fn properties(self) -> &'static Properties {{\n        match self {{\n{arms}        }}\n    }}\n}}\n",
-        rows.len()
+         pub const ALL: [Self; {count}] = [{all}];\n}}\n\n\
+         /// What the table says of each, by its place.\n\
+         static PROPERTIES: [Properties; {count}] = [\n{table}];\n"
     )
 }

@@ -43,6 +43,10 @@ pub struct Held {
 }
 
 impl Item {
+    fn properties(self) -> &'static Properties {
+        &PROPERTIES[self as usize]
+    }
+
     /// The name used by scripts and saves, such as `pickaxe-iron`.
     pub fn id(self) -> &'static str {
         self.properties().id

@@ -44,16 +44,27 @@ impl Figures {
         })
     }
 
-    /// The figures of a frame, if they or their shadows on `map` may be seen.
-    pub fn seen(&self, frame: &Frame, plan: &mut FramePlan, map: Option<Falls>) -> Vec<Seen> {
+    /// The figures of a frame, if they or their shadows on `map` may be seen; and the heights towards the light between
+    /// which all lie that fall on it, seen or not: its depth does not depend on who was left out.
+    pub fn seen(
+        &self,
+        frame: &Frame,
+        plan: &mut FramePlan,
+        map: Option<Falls>,
+    ) -> (Vec<Seen>, [f64; 2]) {
         let mut seen: Vec<Seen> = Vec::new();
+        let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
         let map = map.map(|map| Falls {
             is_shared: map.is_shared || !self.culls,
             ..map
         });
         let shown = Shown::new(frame, plan, map);
         for figure in &frame.content.figures {
-            let mut wanted = shown.wants(&self.reaches.ball(figure));
+            let ball = self.reaches.ball(figure);
+            let mut wanted = shown.wants(&ball);
+            if let Some([low, high]) = shown.heights(&ball).filter(|_| wanted.falls) {
+                heights = [heights[0].min(low), heights[1].max(high)];
+            }
             plan.stats.figures_outside += usize::from(!wanted.seen);
             wanted.seen |= !self.culls;
             if wanted.seen || wanted.shades {
@@ -76,7 +87,7 @@ impl Figures {
             chart: frame.view.eye.point.chart,
             room: None,
         }));
-        seen
+        (seen, heights)
     }
 
     /// Adds a figure, and what it holds.

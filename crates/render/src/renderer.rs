@@ -322,10 +322,11 @@ impl Renderer {
         let map = self.shadows.figures_shot(frame);
         let adapter = (&self.device, &self.queue);
         let falls = map.map(|shot| Falls { shot, is_shared });
-        self.picture
+        let heights = self
+            .picture
             .take_figures(adapter, frame, &self.figures, plan, falls);
         let rooms = self.picture.figures.rooms();
-        self.shadows.prepare_figures(frame, map, rooms);
+        self.shadows.prepare_figures(frame, map, rooms, heights);
         if is_new {
             let extras = (&self.heavens, &self.shadows);
             for view in std::iter::once(&mut self.picture).chain(&mut self.further) {

@@ -121,6 +121,7 @@ impl ViewState {
     }
 
     /// Takes a frame's figures and what is laid over its world; `map` is that of the shadows that its figures are to throw.
+    /// Returns the heights between which they lie that fall on it.
     pub fn take_figures(
         &mut self,
         adapter: (&Device, &Queue),
@@ -128,11 +129,12 @@ impl ViewState {
         figures: &Figures,
         plan: &mut FramePlan,
         map: Option<Falls>,
-    ) {
+    ) -> [f64; 2] {
         self.marker.prepare(adapter.1, frame, &mut self.charts);
         self.outlines.prepare(adapter, frame, &mut self.charts);
-        let seen = figures.seen(frame, plan, map);
+        let (seen, heights) = figures.seen(frame, plan, map);
         self.figures.take(adapter, seen, &mut self.charts);
+        heights
     }
 
     /// Takes a frame's land, and tells the shaders of the frame, which is drawn `drawn` pixels large.

@@ -33,18 +33,24 @@ impl Shadows {
         })
     }
 
-    /// Takes this frame's figures by the boxes that hold them, as far as any of them is near.
-    pub fn prepare_figures(&mut self, frame: &Frame, shot: Option<Shot>, figures: &[Caster]) {
+    /// Takes this frame's figures by the boxes that hold them, as far as any of them is near, and the heights between which
+    /// all lie that fall on the map.
+    pub fn prepare_figures(
+        &mut self,
+        frame: &Frame,
+        shot: Option<Shot>,
+        figures: &[Caster],
+        heights: [f64; 2],
+    ) {
         let strategy = &*frame.view.strategy;
         let Some(Shot { light, crop, .. }) = shot else {
             return;
         };
-        let (mut heights, mut is_near) = ([f64::INFINITY, f64::NEG_INFINITY], false);
+        let mut is_near = false;
         for room in figures {
-            let Some([low, high]) = light.heights(strategy, &crop, room) else {
+            let Some([_, high]) = light.heights(strategy, &crop, room) else {
                 continue;
             };
-            heights = [heights[0].min(low), heights[1].max(high)];
             let middle = ChartPoint::new(room.chart, room.middle());
             is_near |= strategy.distance_m(frame.view.eye.point, middle, &frame.view.eye)
                 < 2.0 * FIGURES_M;
