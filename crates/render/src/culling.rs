@@ -11,7 +11,7 @@ use crate::hand::{MUZZLE_M, grip_m};
 use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
 use crate::rig::Reach;
-use crate::shadow::{Caster, Light, Shot, key_body};
+use crate::shadow::{Light, Shot, key_body};
 
 /// Room for what rounding takes, as a part of a ball's radius.
 const SLACK: f64 = 0.01;
@@ -65,12 +65,12 @@ impl Reaches {
 }
 
 /// What is wanted of a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wanted {
     /// Whether it may be in the picture.
     pub seen: bool,
-    /// Whether it may fall on the map of figures' shadows.
-    pub falls: bool,
+    /// The heights towards the light between which it lies, if it may fall on the map of figures' shadows.
+    pub falls: Option<[f64; 2]>,
     /// Whether it may do so where the picture shows it.
     pub shades: bool,
 }
@@ -110,30 +110,18 @@ impl<'a> Shown<'a> {
         }
     }
 
-    /// The heights towards the light between which a ball lies that falls on the map.
-    pub fn heights(&self, ball: &Ball) -> Option<[f64; 2]> {
-        let shot = self.map?;
-        let around = Caster {
-            chart: ball.middle.chart,
-            min: ball.middle.pos - ball.radius_m,
-            max: ball.middle.pos + ball.radius_m,
-        };
-        let strategy = &*self.frame.view.strategy;
-        shot.light.heights(strategy, &shot.crop, &around)
-    }
-
     /// What is wanted of what a ball holds.
     ///
     /// What is behind one of the picture's sides is not seen: [`antipode_geometry::Optics::ball_rises_m`]. In a closed world
     /// too, where what is behind the eye comes round as view coordinates do. Of a view that is moved that is not known.
     pub fn wants(&self, ball: &Ball) -> Wanted {
         let strategy = &*self.frame.view.strategy;
-        let falls = self.map.is_some_and(|map| map.may_hold(strategy, ball));
+        let falls = self.map.and_then(|map| map.ball_heights(strategy, ball));
         if self.frame.view.is_moved() {
             return Wanted {
                 seen: true,
                 falls,
-                shades: falls,
+                shades: falls.is_some(),
             };
         }
         let at = (self.view)(ball.middle).truncate();
@@ -146,7 +134,7 @@ impl<'a> Shown<'a> {
         Wanted {
             seen,
             falls,
-            shades: falls && (seen || !is_behind(&self.barriers, shadow_m)),
+            shades: falls.is_some() && (seen || !is_behind(&self.barriers, shadow_m)),
         }
     }
 }

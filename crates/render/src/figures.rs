@@ -60,9 +60,8 @@ impl Figures {
         });
         let shown = Shown::new(frame, plan, map);
         for figure in &frame.content.figures {
-            let ball = self.reaches.ball(figure);
-            let mut wanted = shown.wants(&ball);
-            if let Some([low, high]) = shown.heights(&ball).filter(|_| wanted.falls) {
+            let mut wanted = shown.wants(&self.reaches.ball(figure));
+            if let Some([low, high]) = wanted.falls {
                 heights = [heights[0].min(low), heights[1].max(high)];
             }
             plan.stats.figures_outside += usize::from(!wanted.seen);

@@ -43,9 +43,9 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// Whether any of what a ball holds may fall on it.
-    pub fn may_hold(&self, strategy: &dyn Strategy, ball: &Ball) -> bool {
-        self.light.may_fall(strategy, &self.crop, ball)
+    /// The heights between which what a ball holds lies, if any of it may fall on it.
+    pub fn ball_heights(&self, strategy: &dyn Strategy, ball: &Ball) -> Option<[f64; 2]> {
+        self.light.ball_heights(strategy, &self.crop, ball)
     }
 
     /// The matrix from the light's base to clip coordinates.

@@ -284,17 +284,26 @@ impl Light {
         }
     }
 
-    /// Whether any of a ball may fall on a crop.
-    pub fn may_fall(&self, strategy: &dyn Strategy, crop: &Crop, ball: &Ball) -> bool {
+    /// The heights towards the light between which a ball lies, if any of it may fall on a crop. A star's maps hold all
+    /// distances.
+    pub fn ball_heights(
+        &self,
+        strategy: &dyn Strategy,
+        crop: &Crop,
+        ball: &Ball,
+    ) -> Option<[f64; 2]> {
         let base = self.base(strategy, ball.middle);
         match self {
-            Self::Far { .. } => {
+            Self::Far { toward, .. } => {
                 let away = (self.on_plane(0, base) - crop.centre).abs();
-                away.max_element() <= crop.half + ball.radius_m
+                let height = toward.dot(base.truncate());
+                let falls = away.max_element() <= crop.half + ball.radius_m;
+                falls.then_some([height - ball.radius_m, height + ball.radius_m])
             }
             // Ways of the space are no longer than those of the chart.
             Self::Star { radius_m, .. } => {
-                self.is_in_sight(crop, base, (ball.radius_m / radius_m).min(1.5).sin())
+                let size = (ball.radius_m / radius_m).min(1.5).sin();
+                self.is_in_sight(crop, base, size).then_some([0.0, 1.0])
             }
         }
     }
