@@ -137,6 +137,8 @@ pub struct Bounds {
     /// First-order map about the eye, for positions in the common axes. All chunks that are ported as a whole share it, and
     /// so the bits of their borders.
     affine: Affine,
+    /// The same for positions in the axes of the eye's chart.
+    own_affine: Affine,
     flat: bool,
     /// Whether depth is not linear in the picture.
     pub depth_is_bent: bool,
@@ -181,11 +183,11 @@ impl Bounds {
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let flat = !space.radius_at_m(eye).is_finite();
         let origin = space.reference(eye, eye.point.chart);
-        let affine = Affine::about(space, eye, eye.point, origin, 1.0);
-        let affine = affine.in_common_axes(frame, eye.point.chart);
+        let own_affine = Affine::about(space, eye, eye.point, origin, 1.0);
         Self {
             flat,
-            affine,
+            affine: own_affine.in_common_axes(frame, eye.point.chart),
+            own_affine,
             scale,
             bend,
             depth_is_bent: !flat && space.shader().bends_depth,
@@ -240,13 +242,8 @@ impl Bounds {
             .view
             .strategy
             .reference(&frame.view.eye, chunk.coord.chart);
-        let turn = |away| frame.view.in_common_axes(chunk.coord.chart, away);
-        let error_px = self.strays_px(
-            frame,
-            |point| self.affine.at(turn(point.pos - origin)),
-            middle,
-            0.5 * size,
-        )?;
+        let framed = |point: ChartPoint| self.own_affine.at(point.pos - origin);
+        let error_px = self.strays_px(frame, framed, middle, 0.5 * size)?;
         (error_px <= tolerance_px).then_some((self.affine, error_px))
     }
 

@@ -227,26 +227,26 @@ fn unhidden(
         skyline.want(&candidate.cell, candidate.ring);
     }
     let columns = book.columns();
-    let mut order: Vec<(u32, usize)> = Vec::with_capacity(columns.len());
-    for same in columns.chunk_by(|a, b| a.chart == b.chart) {
-        let grid = Grid::of(frame, same[0].chart);
-        let first = order.len();
-        let rings = same.iter().map(|column| grid.ring_of_hiding(column.place));
-        order.extend(
-            rings
-                .zip(first..)
-                .map(|(ring, at)| (ring.unwrap_or(u32::MAX), at)),
-        );
+    let mut grids: Vec<Grid> = Vec::new();
+    let mut order: Vec<(u32, u32, u32)> = Vec::with_capacity(columns.len());
+    let mut chart = None;
+    for (column, at) in columns.iter().zip(0..) {
+        if chart.replace(column.chart) != Some(column.chart) {
+            grids.push(Grid::of(frame, column.chart));
+        }
+        let number = grids.len() - 1;
+        let ring = grids[number].ring_of_hiding(column.place);
+        order.extend(ring.map(|ring| (ring, at, number as u32)));
     }
     order.sort_unstable();
     let mut order = order.into_iter().peekable();
     candidates.sort_unstable_by_key(|candidate| candidate.ring);
     let mut left_out = vec![false; columns.len()];
     candidates.retain(|candidate| {
-        while let Some((ring, at)) = order.next_if(|(ring, _)| *ring < candidate.ring) {
+        while let Some((ring, at, grid)) = order.next_if(|(ring, ..)| *ring < candidate.ring) {
             // Land that was left out hides nothing, or what is left out would add up.
-            if !left_out[at] {
-                skyline.raise(&columns[at], ring);
+            if !left_out[at as usize] {
+                skyline.raise(&columns[at as usize], &grids[grid as usize], ring);
             }
         }
         let over_px = skyline.rises_px(&candidate.cell);

@@ -11,7 +11,7 @@ use antipode_geometry::{
     CHUNK_CELLS, ChartId, ChartPoint, ChunkCoord, Domain, SightCell, SquareFrame, Strategy,
     azimuth_spread,
 };
-use glam::{DVec2, DVec3, IVec2, IVec3};
+use glam::{DVec2, DVec3, IVec2, Vec3Swizzles};
 
 use super::bounds::PictureScale;
 use super::land::PARTS;
@@ -67,9 +67,11 @@ impl Column {
 /// How the columns of a chart lie about the eye, where they stand on the grid of those of its own chart.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// The chart as the eye's has it; none where its columns do not fit in with those.
-    lies: Option<SquareFrame>,
-    home: IVec3,
+    /// The chart as the eye's has it, its middle in whole columns; none where its columns do not fit in with those.
+    lies: Option<(SquareFrame, IVec2)>,
+    home: IVec2,
+    /// The eye's place in its own chart, x and z in metres.
+    eye: DVec2,
     domain: Domain,
 }
 
@@ -79,7 +81,8 @@ impl Grid {
         let eye = frame.view.eye.point;
         Self {
             lies: lies(&*frame.view.strategy, chart, eye.chart),
-            home: ChunkCoord::containing(eye).index,
+            home: ChunkCoord::containing(eye).index.xz(),
+            eye: eye.pos.xz(),
             domain: frame.view.strategy.domain(chart),
         }
     }
@@ -96,48 +99,67 @@ impl Grid {
 
     /// Steps in x plus steps in z from the eye's column to one; none where that cannot be said.
     pub fn ring(&self, place: IVec2) -> Option<u32> {
-        let side = f64::from(CHUNK_CELLS);
-        let middle = (place.as_dvec2() + 0.5) * side;
-        let here = self.lies?.placed(DVec3::new(middle.x, 0.0, middle.y)) / side;
-        let [x, z] = [here.x, here.z].map(|at| at.floor() as i32);
-        Some(x.abs_diff(self.home.x) + z.abs_diff(self.home.z))
+        let (frame, middle) = self.lies?;
+        // Turned by quarters, the columns from 0 to -1 change places: those after a turn of an axis begin at their other side.
+        let turned = match frame.quarter_turns {
+            0 => place,
+            1 => IVec2::new(place.y, -1 - place.x),
+            2 => -1 - place,
+            _ => IVec2::new(-1 - place.y, place.x),
+        };
+        let steps = turned + middle - self.home;
+        Some(steps.x.unsigned_abs() + steps.y.unsigned_abs())
+    }
+
+    /// The azimuths at which a square of the chart is seen; `None` where the eye stands over it.
+    fn seen_at(&self, corner: DVec2, side: f64) -> Option<(f64, f64)> {
+        let (frame, _) = self.lies?;
+        let corners = [corner, corner + side];
+        let corners = corners.map(|at| frame.placed(DVec3::new(at.x, 0.0, at.y)).xz());
+        let low = corners[0].min(corners[1]) - self.eye;
+        azimuths(low, low + side)
     }
 }
 
-/// A chart as another has it, if it is turned by quarters and its columns stand on the other's grid.
-fn lies(strategy: &dyn Strategy, chart: ChartId, other: ChartId) -> Option<SquareFrame> {
+/// A chart as another has it, and its middle there in columns, if it is turned by quarters and its columns stand on the
+/// other's grid.
+fn lies(strategy: &dyn Strategy, chart: ChartId, other: ChartId) -> Option<(SquareFrame, IVec2)> {
     if chart == other {
-        return Some(SquareFrame::default());
+        return Some((SquareFrame::default(), IVec2::ZERO));
     }
     let crossing = strategy.carry(ChartPoint::new(chart, DVec3::ZERO), other)?;
     let (turns, middle) = (crossing.turn_rad / FRAC_PI_2, crossing.point.pos);
     let columns = middle / f64::from(CHUNK_CELLS);
     let is_square = (turns - turns.round()).abs() < 1e-9;
     let fits = is_square && middle.y == 0.0 && columns.fract() == DVec3::ZERO;
-    fits.then(|| SquareFrame {
+    let frame = SquareFrame {
         quarter_turns: turns.round().rem_euclid(4.0) as u8,
-        centre_m: DVec2::new(middle.x, middle.z),
-    })
+        centre_m: middle.xz(),
+    };
+    fits.then(|| (frame, columns.xz().as_ivec2()))
 }
 
 /// Whether the eye is inside the ground, where land is seen from its back and hides nothing.
 pub fn is_underground(frame: &Frame, columns: &[Column]) -> bool {
-    let over =
-        |column: &&Column| Grid::of(frame, column.chart).ring_of_hiding(column.place) == Some(0);
-    let Some(column) = columns.iter().find(over) else {
+    let mut charts = columns.chunk_by(|a, b| a.chart == b.chart);
+    let over = charts.find_map(|same| {
+        let grid = Grid::of(frame, same[0].chart);
+        let is_over = |column: &&Column| grid.ring_of_hiding(column.place) == Some(0);
+        same.iter().find(is_over)
+    });
+    let Some(column) = over else {
         return false;
     };
     let strategy = &frame.view.strategy;
     let Some(eye) = strategy.carry(frame.view.eye.point, column.chart) else {
         return false;
     };
-    let eye = eye.point.pos;
     let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
-    let part = (DVec2::new(eye.x, eye.z) - column.corner()) / part_m;
+    let part = (eye.point.pos.xz() - column.corner()) / part_m;
     let [x, z] = part
         .to_array()
         .map(|i| (i.max(0.0) as usize).min(PARTS - 1));
-    column.solid_below_m([x, z], 1) > eye.y
+    column.solid_below_m([x, z], 1) > eye.point.pos.y
 }
 
 /// The slope up to which rays of each azimuth are blocked.
@@ -170,12 +192,12 @@ impl<'a> Skyline<'a> {
         }
     }
 
-    /// Blocks what a column of a ring blocks.
-    pub fn raise(&mut self, column: &Column, ring: u32) {
+    /// Blocks what a column of a ring blocks; `grid` is that of its chart.
+    pub fn raise(&mut self, column: &Column, grid: &Grid, ring: u32) {
         let side = f64::from(CHUNK_CELLS);
-        let Some((from, to)) = self.seen_at(column.chart, column.corner(), side) else {
+        let Some((from, to)) = grid.seen_at(column.corner(), side) else {
             // The eye's own column blocks what its parts do.
-            return self.raise_parts(column, ring);
+            return self.raise_parts(column, grid, ring);
         };
         let bins = bin_at(from).floor() as i64..bin_at(to).floor() as i64 + 1;
         if self.is_wanted(bins.clone(), ring) {
@@ -186,7 +208,7 @@ impl<'a> Skyline<'a> {
                 .into_iter()
                 .any(|bin| self.slopes[wrapped(bin)] < highest)
             {
-                self.raise_parts(column, ring);
+                self.raise_parts(column, grid, ring);
             }
         }
     }
@@ -199,46 +221,39 @@ impl<'a> Skyline<'a> {
         space.sight_cell(eye, chart, min, max)
     }
 
-    fn raise_parts(&mut self, column: &Column, ring: u32) {
-        let parts = TAKEN_TOGETHER.get(ring as usize).copied().unwrap_or(PARTS);
+    fn raise_parts(&mut self, column: &Column, grid: &Grid, ring: u32) {
+        let together = TAKEN_TOGETHER.get(ring as usize).copied().unwrap_or(PARTS);
         let part_m = f64::from(CHUNK_CELLS) / PARTS as f64;
-        for z in (0..PARTS).step_by(parts) {
-            for x in (0..PARTS).step_by(parts) {
+        let side = part_m * together as f64;
+        for z in (0..PARTS).step_by(together) {
+            for x in (0..PARTS).step_by(together) {
                 let corner = column.corner() + part_m * DVec2::new(x as f64, z as f64);
-                let top_m = column.solid_below_m([x, z], parts);
-                self.raise_part((column.chart, corner), part_m * parts as f64, top_m, ring);
+                if let Some(azimuths) = grid.seen_at(corner, side) {
+                    let top_m = column.solid_below_m([x, z], together);
+                    let top = || self.top(column.chart, corner, side, top_m);
+                    if let Some((bins, slope)) = self.blocked(azimuths, ring, top) {
+                        for bin in bins {
+                            let blocked = &mut self.slopes[wrapped(bin)];
+                            *blocked = blocked.max(slope);
+                        }
+                    }
+                }
             }
         }
     }
 
-    fn raise_part(&mut self, (chart, corner): (ChartId, DVec2), side: f64, top_m: f64, ring: u32) {
-        let Some((from, to)) = self.seen_at(chart, corner, side) else {
-            return;
-        };
+    /// The bins that a part of a ring's column fills, if anything farther off is looked for there, and the slope up to
+    /// which its top blocks them.
+    fn blocked(
+        &self,
+        (from, to): (f64, f64),
+        ring: u32,
+        top: impl FnOnce() -> SightCell,
+    ) -> Option<(Range<i64>, f64)> {
         // Only azimuths that lie in the part throughout.
         let bins = bin_at(from).ceil() as i64..bin_at(to).floor() as i64;
-        if !self.is_wanted(bins.clone(), ring) {
-            return;
-        }
-        let cell = self.top(chart, corner, side, top_m);
-        if cell.is_empty() {
-            return;
-        }
-        for bin in bins {
-            let slope = &mut self.slopes[wrapped(bin)];
-            *slope = slope.max(cell.slope[0]);
-        }
-    }
-
-    /// The azimuths at which a square of a chart is seen; `None` where the eye stands over it.
-    fn seen_at(&self, chart: ChartId, corner: DVec2, side: f64) -> Option<(f64, f64)> {
-        let eye = self.frame.view.eye.point;
-        let here = lies(&*self.frame.view.strategy, chart, eye.chart)?;
-        let corners = [corner, corner + side];
-        let corners = corners.map(|at| here.placed(DVec3::new(at.x, 0.0, at.y)));
-        let low = corners[0].min(corners[1]) - eye.pos;
-        let low = DVec2::new(low.x, low.z);
-        azimuths(low, low + side)
+        let cell = self.is_wanted(bins.clone(), ring).then(top)?;
+        (!cell.is_empty()).then_some((bins, cell.slope[0]))
     }
 
     /// Whether anything farther off than a ring is looked for at any of the azimuths.
@@ -282,4 +297,34 @@ fn azimuths(low: DVec2, high: DVec2) -> Option<(f64, f64)> {
     let heading = middle.y.atan2(middle.x);
     let [least, most] = azimuth_spread(low, high);
     Some((heading + least, heading + most))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ring_counts_the_columns_between_a_turned_charts_and_the_eyes_own() {
+        let side = f64::from(CHUNK_CELLS);
+        let (middle, home) = (IVec2::new(3, -2), IVec2::new(-1, 4));
+        for quarter_turns in 0..4 {
+            let frame = SquareFrame {
+                quarter_turns,
+                centre_m: middle.as_dvec2() * side,
+            };
+            let grid = Grid {
+                lies: Some((frame, middle)),
+                home,
+                eye: DVec2::ZERO,
+                domain: Domain::Everywhere,
+            };
+            for place in [IVec2::ZERO, IVec2::new(2, -3), IVec2::new(-4, 1)] {
+                let within = (place.as_dvec2() + 0.25) * side;
+                let carried = frame.placed(DVec3::new(within.x, 0.0, within.y)).xz();
+                let steps = (carried / side).floor().as_ivec2() - home;
+                let expected = steps.x.unsigned_abs() + steps.y.unsigned_abs();
+                assert_eq!(grid.ring(place), Some(expected), "{quarter_turns}, {place}");
+            }
+        }
+    }
 }

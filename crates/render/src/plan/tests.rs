@@ -102,7 +102,8 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
         seen.retain(|candidate| {
             while next < columns.len() && ring_of(&columns[next]) < candidate.ring {
                 if !left_out.contains(&columns[next].place) {
-                    skyline.raise(&columns[next], ring_of(&columns[next]));
+                    let grid = Grid::of(frame, columns[next].chart);
+                    skyline.raise(&columns[next], &grid, ring_of(&columns[next]));
                 }
                 next += 1;
             }
