@@ -17,6 +17,7 @@ backpack-how-keys = Pfeile: bewegen · Enter: nehmen, ablegen · Strg + Enter: d
 item-gun-about = Schießt eine Kugel auf das, was das Fadenkreuz verdeckt.
 item-bullet-about = Damit schießt die Pistole.
 item-lamp-about = Erhellt das Land ringsum. Lässt sich hinstellen und wieder aufheben.
+item-flag-about = Merkt einen Ort. Stecke sie in den Boden, klicke sie an, um sie zu benennen, nimm sie wieder mit: Karte und Kompass zeigen den Weg zu ihr.
 item-pickaxe-wood-about = Gräbt und baut, langsam.
 item-pickaxe-iron-about = Gräbt und baut dreimal so schnell wie Holz.
 item-pickaxe-diamond-about = Gräbt und baut fünfmal so schnell wie Holz.

@@ -13,6 +13,7 @@ compass-east = O
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · Äquator { $metres } m
+compass-flag = { $name } · { $metres } m
 
 dial-raised = Krümmung, angehoben
 dial-horizon = Krümmung, Horizont
@@ -30,6 +31,11 @@ item-pickaxe-diamond = Diamantspitzhacke
 item-gun = Pistole
 item-bullet = Kugel
 item-lamp = Lampe
+item-flag = Fahne
+flag-unnamed = Fahne { $number }
+flag-name-title = Wie heißt diese Fahne?
+flag-name = Name der Fahne
+flag-name-keep = So lassen
 
 figures-fps = { $frames } FPS
 figures-fps-unknown = FPS k. A.

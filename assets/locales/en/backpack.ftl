@@ -17,6 +17,7 @@ backpack-how-keys = Arrows: move · Enter: take, put down · Ctrl + Enter: take 
 item-gun-about = Shoots a bullet at what the crosshair covers.
 item-bullet-about = What the gun shoots.
 item-lamp-about = Lights up the land around it. Can be put down and picked up again.
+item-flag-about = Marks a place. Plant it, click on it to name it, take it up again: map and compass show the way to it.
 item-pickaxe-wood-about = Digs and builds, slowly.
 item-pickaxe-iron-about = Digs and builds three times as fast as wood.
 item-pickaxe-diamond-about = Digs and builds five times as fast as wood.

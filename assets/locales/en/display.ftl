@@ -15,6 +15,7 @@ compass-east = E
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · equator { $metres } m
+compass-flag = { $name } · { $metres } m
 
 # What the dial under the wheel turns; a few words.
 dial-raised = Curvature, raised
@@ -35,6 +36,11 @@ item-pickaxe-diamond = Diamond pickaxe
 item-gun = Gun
 item-bullet = Bullet
 item-lamp = Lamp
+item-flag = Flag
+flag-unnamed = Flag { $number }
+flag-name-title = What is this flag called?
+flag-name = Name of the flag
+flag-name-keep = Leave it
 
 # The frame figures: a block of short lines, each a name in a word and its figures.
 figures-fps = { $frames } fps

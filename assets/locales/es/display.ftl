@@ -13,6 +13,7 @@ compass-east = E
 compass-south = S
 compass-west = O
 compass-equator = { $letter } · ecuador { $metres } m
+compass-flag = { $name } · { $metres } m
 
 dial-raised = Curvatura, elevada
 dial-horizon = Curvatura, horizonte
@@ -30,6 +31,11 @@ item-pickaxe-diamond = Pico de diamante
 item-gun = Pistola
 item-bullet = Bala
 item-lamp = Lámpara
+item-flag = Bandera
+flag-unnamed = Bandera { $number }
+flag-name-title = ¿Cómo se llama esta bandera?
+flag-name = Nombre de la bandera
+flag-name-keep = Dejarla así
 
 figures-fps = { $frames } fps
 figures-fps-unknown = fps n/d

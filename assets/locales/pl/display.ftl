@@ -14,6 +14,7 @@ compass-east = E
 compass-south = S
 compass-west = W
 compass-equator = { $letter } · równik { $metres } m
+compass-flag = { $name } · { $metres } m
 
 # Czym obraca pokrętło pod kółkiem; kilka słów.
 dial-raised = Krzywizna, uniesiona
@@ -34,6 +35,11 @@ item-pickaxe-diamond = Diamentowy kilof
 item-gun = Pistolet
 item-bullet = Nabój
 item-lamp = Lampa
+item-flag = Flaga
+flag-unnamed = Flaga { $number }
+flag-name-title = Jak nazywa się ta flaga?
+flag-name = Nazwa flagi
+flag-name-keep = Zostaw
 
 # Liczby klatki: blok krótkich wierszy, każdy z nazwą jednym słowem i liczbami.
 figures-fps = { $frames } kl./s

@@ -13,6 +13,7 @@ compass-east = 东
 compass-south = 南
 compass-west = 西
 compass-equator = { $letter } · 赤道 { $metres } 米
+compass-flag = { $name } · { $metres } 米
 
 dial-raised = 曲率，抬升
 dial-horizon = 曲率，地平
@@ -30,6 +31,11 @@ item-pickaxe-diamond = 钻石镐
 item-gun = 枪
 item-bullet = 子弹
 item-lamp = 灯
+item-flag = 旗子
+flag-unnamed = 旗子 { $number }
+flag-name-title = 这面旗子叫什么名字？
+flag-name = 旗子的名字
+flag-name-keep = 保持原样
 
 figures-fps = { $frames } 帧/秒
 figures-fps-unknown = 帧/秒未知

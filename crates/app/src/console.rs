@@ -153,7 +153,7 @@ fn choices(kind: Argument, before: &[String], worlds: &[String]) -> Vec<String> 
             .first()
             .map_or_else(Vec::new, |name| own(words_for(name))),
         Argument::Item => Item::ALL.iter().map(|item| item.id().to_owned()).collect(),
-        Argument::Spawned => own(&["bot", "hostile", "car", "lamp"]),
+        Argument::Spawned => own(&["bot", "hostile", "car", "lamp", "flag"]),
         Argument::ChartId => own(&["A", "B"]),
         Argument::Free => Vec::new(),
         Argument::Command => next_words(&[], worlds),

@@ -3,12 +3,14 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use antipode_scene::bearings::{Bearings, LandmarkKind};
+use antipode_language::Texts;
+use antipode_scene::actors::ActorId;
+use antipode_scene::bearings::{Bearings, FlagWay, LandmarkKind};
 use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
-    CompassModel, EquatorView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief,
+    CompassModel, EquatorView, FlagView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief,
     ReliefNode, tints_of,
 };
 
@@ -46,14 +48,17 @@ impl Navigator {
         &mut self,
         model: &mut HudModel,
         (scene, seen): (&Scene, &Seen),
-        settings: &Settings,
+        (texts, settings): (&Texts, &Settings),
         surveyed: (u64, usize),
     ) {
         let bearings = Bearings {
             heading_rad: seen.eye.yaw,
             ..scene.bearings()
         };
-        model.compass = settings.compass.then(|| compass(&bearings));
+        model.compass = settings.compass.then(|| CompassModel {
+            flags: flags(texts, &scene.flag_ways(), bearings.heading_rad),
+            ..compass(&bearings)
+        });
         model.map = settings
             .minimap
             .then(|| self.map(scene, &bearings, surveyed));
@@ -83,6 +88,7 @@ impl Navigator {
                 LandmarkKind::Neutral => MarkKind::Neutral,
                 LandmarkKind::Hostile => MarkKind::Hostile,
                 LandmarkKind::Car => MarkKind::Car,
+                LandmarkKind::Flag => MarkKind::Flag,
             },
             at: mark.at.as_vec2().to_array(),
         });
@@ -97,6 +103,25 @@ impl Navigator {
     }
 }
 
+/// What a flag is called.
+pub fn flag_name(texts: &Texts, id: ActorId, name: &str) -> String {
+    if name.is_empty() {
+        let number = u64::from(id.0) + 1;
+        texts.say_with("flag-unnamed", &[("number", number.into())])
+    } else {
+        name.to_owned()
+    }
+}
+
+fn flags(texts: &Texts, ways: &[FlagWay], heading_rad: f64) -> Vec<FlagView> {
+    let view = |way: &FlagWay| FlagView {
+        name: flag_name(texts, way.id, &way.name),
+        distance_m: way.distance_m,
+        bearing_rad: (way.heading_rad - heading_rad).rem_euclid(TAU),
+    };
+    ways.iter().map(view).collect()
+}
+
 fn compass(bearings: &Bearings) -> CompassModel {
     let heading_rad = bearings.heading_rad;
     CompassModel {
@@ -106,6 +131,7 @@ fn compass(bearings: &Bearings) -> CompassModel {
             distance_m: equator.distance_m,
             bearing_rad: (equator.heading_rad - heading_rad).rem_euclid(TAU),
         }),
+        flags: Vec::new(),
     }
 }
 

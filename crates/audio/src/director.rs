@@ -159,8 +159,8 @@ impl Director {
             SoundEvent::Clicked => effect(Sample::Click, 0.4, 1.0),
             SoundEvent::Struck => effect(Sample::Struck, 0.5, self.waver()),
             SoundEvent::Hurt => effect(Sample::Hurt, 0.6, self.waver()),
-            SoundEvent::LampPlaced => effect(Sample::Lamp, 0.45, 1.0),
-            SoundEvent::LampTaken => effect(Sample::Lamp, 0.4, 1.26),
+            SoundEvent::PutDown(_) => effect(Sample::Lamp, 0.45, 1.0),
+            SoundEvent::TakenUp(_) => effect(Sample::Lamp, 0.4, 1.26),
             SoundEvent::CarDoor => effect(Sample::Door, 0.5, self.waver()),
             SoundEvent::Crashed { speed_m_s } => {
                 let gain = 0.3 + 0.6 * share(speed_m_s, 0.0, LANDING_M_S.0);

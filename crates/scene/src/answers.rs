@@ -6,7 +6,7 @@ use antipode_geometry::{ChartPoint, Eye, Strategy};
 use antipode_terrain::Biome;
 
 use crate::actors::ActorId;
-use crate::bearings::{self, Bearings, Landmark};
+use crate::bearings::{self, Bearings, FlagWay, Landmark};
 use crate::bot::{self, BotView};
 use crate::camera::CameraMode;
 use crate::car::CarView;
@@ -185,6 +185,11 @@ impl Scene {
         self.sim.actors.each()
     }
 
+    /// The ways to all flags, in the order in which they were planted.
+    pub fn flag_ways(&self) -> Vec<FlagWay> {
+        bearings::flag_ways(&self.sim.world, &self.sim.actors)
+    }
+
     /// Things lying about.
     pub fn drops(&self) -> Vec<Drop> {
         self.sim.actors.each()
@@ -201,8 +206,8 @@ impl Scene {
         hit_shapes::hit_shapes(self.now())
     }
 
-    /// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
-    /// off are marked at the edge in their direction.
+    /// Lamps and everyone alive but the player, within a distance along the ground; and cars and flags, of which those
+    /// farther off are marked at the edge in their direction.
     pub fn landmarks(&self, reach_m: f64) -> Vec<Landmark> {
         bearings::landmarks(&self.sim.world, &self.sim.actors, reach_m)
     }

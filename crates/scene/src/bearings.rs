@@ -9,8 +9,9 @@ use std::f64::consts::PI;
 use antipode_geometry::{ChartPoint, Eye, Strategy, Viewer};
 use glam::DVec2;
 
-use crate::actors::Actors;
+use crate::actors::{ActorId, Actors};
 use crate::bot;
+use crate::flag::Flag;
 use crate::lamp::Lamp;
 use crate::npc::any_heading;
 use crate::situation::Situation;
@@ -57,6 +58,8 @@ pub enum LandmarkKind {
     Hostile,
     /// A car that nobody drives.
     Car,
+    /// A flag that was planted.
+    Flag,
 }
 
 /// Something on the map.
@@ -137,12 +140,40 @@ fn north_rad(strategy: &dyn Strategy, feet: ChartPoint) -> f64 {
     at.y.atan2(at.x)
 }
 
-/// Lamps and everyone alive but the player, within a distance along the ground; and cars, of which those farther
-/// off are marked at the edge in their direction.
+/// The way to a flag.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlagWay {
+    /// Which one.
+    pub id: ActorId,
+    /// Its name; may be empty.
+    pub name: String,
+    /// How far it is along the ground sheet, metres.
+    pub distance_m: f64,
+    /// The heading that leads there, radians of the player's chart.
+    pub heading_rad: f64,
+}
+
+/// The ways to all flags, in the order in which they were planted.
+pub(crate) fn flag_ways(world: &World, actors: &Actors) -> Vec<FlagWay> {
+    let eye = map_eye(actors.feet());
+    let locator = Locator::new(&*world.strategy, &eye);
+    actors.map(|id, flag: &Flag| {
+        let at = locator.at(flag.foot.point);
+        FlagWay {
+            id,
+            name: flag.name.clone(),
+            distance_m: at.length(),
+            heading_rad: at.y.atan2(at.x),
+        }
+    })
+}
+
+/// Lamps and everyone alive but the player, within a distance along the ground; and cars and flags, of which those
+/// farther off are marked at the edge in their direction.
 pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Landmark> {
     let eye = map_eye(actors.feet());
     let locator = Locator::new(&*world.strategy, &eye);
-    let lamps = actors.map(|_, it: &Lamp| (LandmarkKind::Lamp, it.point));
+    let lamps = actors.map(|_, it: &Lamp| (LandmarkKind::Lamp, it.foot.point));
     let bots = bot::living(actors).into_iter().map(|it| {
         let kind = if it.fights {
             LandmarkKind::Hostile
@@ -156,6 +187,10 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         kind: LandmarkKind::Car,
         at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
     });
+    let flags = actors.map(|_, it: &Flag| Landmark {
+        kind: LandmarkKind::Flag,
+        at: locator.at(it.foot.point).clamp_length_max(EDGE * reach_m),
+    });
     lamps
         .into_iter()
         .chain(bots)
@@ -165,6 +200,7 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         })
         .filter(|it| it.at.length() <= reach_m)
         .chain(cars)
+        .chain(flags)
         .collect()
 }
 

@@ -13,14 +13,13 @@ use crate::aimed::Optics;
 use crate::bot::Bot;
 use crate::car::CarView;
 use crate::car::tuning::IN_VIEW;
-use crate::lamp::Lamp;
+use crate::fixture::{Fixture, Target};
 use crate::npc::mind::Mind;
 use crate::npc::{apart_m, sees};
 use crate::pick::{Meets, Pick, over, pick, pick_among};
 use crate::player::{Health, Position};
 use crate::projectile::{Standing, ways, within};
 use crate::situation::Situation;
-use crate::tuning::LAMP_TARGET_M;
 
 /// Angle from the middle of the view within which one is talked to, in radians.
 const AHEAD_RAD: f64 = 40.0 * PI / 180.0;
@@ -69,22 +68,25 @@ impl<'a> Crosshair<'a> {
         })
     }
 
-    /// The lamp, if it is nearer than the ground.
-    pub fn lamp(&self, reach_m: f64) -> Option<ActorId> {
-        let eye = self.eye();
-        let lamps = self.now.actors.all::<Lamp>();
-        let found = self.first(eye, reach_m, &|a, b| {
-            let met = lamps
-                .iter()
-                .filter_map(|(_, lamp)| self.lamp_met(lamp, a, b));
+    /// The one of a kind of what is put down, if it is nearer than the ground.
+    pub fn fixture<T: Fixture>(&self, reach_m: f64) -> Option<ActorId> {
+        let all = self.now.actors.all::<T>();
+        let found = self.first(self.eye(), reach_m, &|a, b| {
+            let met = all.iter().filter_map(|(_, it)| self.fixture_met(it, a, b));
             met.reduce(f64::min)
         });
-        let off_m = |(_, lamp): &(ActorId, Lamp)| {
-            let strategy = &self.optics.strategy;
-            strategy.distance_m(found.point, lamp.glow(), &eye.0)
+        let off_m = |(_, it): &(ActorId, T)| {
+            let foot = over(&*self.now.world.strategy, found.point, it.foot().point).pos;
+            let Target {
+                low_m,
+                high_m,
+                radius_m,
+            } = T::TARGET;
+            let up_m = (found.point.pos.y - foot.y).clamp(low_m + radius_m, high_m - radius_m);
+            found.point.pos.distance(foot + DVec3::Y * up_m)
         };
-        let nearest = lamps.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
-        (found.hit && off_m(nearest) < 2.0 * LAMP_TARGET_M).then_some(nearest.0)
+        let nearest = all.iter().min_by(|a, b| off_m(a).total_cmp(&off_m(b)))?;
+        (found.hit && off_m(nearest) < 2.0 * T::TARGET.radius_m).then_some(nearest.0)
     }
 
     /// The nearest car about the middle of the view, or about the player where it need not be in view.
@@ -149,10 +151,14 @@ impl<'a> Crosshair<'a> {
         pick_among(strategy, physics, meets, &eye, past_head_m, reach_m)
     }
 
-    fn lamp_met(&self, lamp: &Lamp, a: ChartPoint, b: ChartPoint) -> Option<f64> {
-        let glow = over(&*self.now.world.strategy, a, lamp.glow()).pos;
-        let foot = glow - DVec3::Y * LAMP_TARGET_M;
-        meets_capsule(a.pos, b.pos, 0.0, foot, 2.0 * LAMP_TARGET_M, LAMP_TARGET_M)
+    fn fixture_met<T: Fixture>(&self, it: &T, a: ChartPoint, b: ChartPoint) -> Option<f64> {
+        let Target {
+            low_m,
+            high_m,
+            radius_m,
+        } = T::TARGET;
+        let foot = over(&*self.now.world.strategy, a, it.foot().point).pos + DVec3::Y * low_m;
+        meets_capsule(a.pos, b.pos, 0.0, foot, high_m - low_m, radius_m)
     }
 }
 

@@ -22,7 +22,7 @@ const GROUND_WITHIN_M: f64 = 2.0;
 pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
     let mut shapes = bodies(now);
     let ball = |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
-    let lamp = |_, it: &Lamp| ball(LAMP_TARGET_M, it.glow(), it.falls());
+    let lamp = |_, it: &Lamp| ball(LAMP_TARGET_M, it.glow(), it.foot.falls());
     shapes.extend(now.actors.map(lamp));
     let bullet = |_, it: &Projectile| {
         let flies = it.velocity.length() > RESTS_M_S;

@@ -20,6 +20,8 @@ pub mod day;
 mod detail;
 mod dip;
 pub mod drops;
+pub mod fixture;
+pub mod flag;
 pub mod ground;
 mod ground_changed;
 mod gun;

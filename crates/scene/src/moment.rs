@@ -10,9 +10,11 @@ use crate::aimed::{Aim, Optics};
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
+use crate::flag::Flag;
 use crate::frame::{
     BeamLight, Content, Figure, Frame, Hand, LampLight, Lights, Marker, MarkerShape, View,
 };
+use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::light::lights;
 use crate::photo::Viewpoint;
@@ -20,7 +22,7 @@ use crate::scene::Scene;
 use crate::shown::figures_seen_by;
 use crate::tuning::NEAR_M;
 use crate::world::World;
-use crate::{hand, lamp};
+use crate::{fixture, hand};
 
 /// Who or what a figure or a light is, so that it is found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +36,7 @@ pub(crate) enum Who {
         dead: bool,
     },
     Lamp(ActorId),
+    Flag(ActorId),
     Bullet(ActorId),
     Drop(ActorId),
     Car(ActorId),
@@ -98,7 +101,9 @@ impl Scene {
             dead: now.player.is_dead(),
         };
         let marker = self.marker().filter(|marker| marker.active);
-        let marker = marker.or_else(|| lamp::marker(now));
+        let marker = marker
+            .or_else(|| fixture::marker::<Lamp>(now))
+            .or_else(|| fixture::marker::<Flag>(now));
         let still = self.shown.viewing.reduced_motion;
         Moment {
             hand: hand::seen(now, &self.shown.hand, still),

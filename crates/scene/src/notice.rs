@@ -72,6 +72,15 @@ pub enum Hint {
     /// The world has as many lamps as it can have.
     #[error("There are too many lamps in this world; pick one up first.")]
     TooManyLamps,
+    /// The crosshair meets no ground near enough and level enough for a flag.
+    #[error("A flag needs level ground, within eight metres.")]
+    NoPlaceForFlag,
+    /// The crosshair covers no flag.
+    #[error("There is no flag under the crosshair.")]
+    NoFlagThere,
+    /// The world has as many flags as it can have.
+    #[error("There are too many flags in this world; take one up first.")]
+    TooManyFlags,
     /// Nothing fits into the hotbar and the backpack any more.
     #[error("You can carry no more.")]
     NoRoom,

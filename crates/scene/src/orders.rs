@@ -3,10 +3,13 @@
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
 use glam::DVec3;
 
+use crate::actors::ActorId;
 use crate::bot::{self, Bot};
+use crate::fixture::{self, Fixture};
+use crate::flag::{Flag, tidy_name};
 use crate::frame::Quality;
 use crate::inventory::{Inventory, Stack};
-use crate::lamp::{self, Lamp};
+use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::notice::{Hint, Notice};
 use crate::npc::{self, NpcMode};
@@ -181,12 +184,33 @@ impl Scene {
 
     /// Puts a lamp with its foot at a point. Returns whether there was room for one more.
     pub fn spawn_lamp(&mut self, point: ChartPoint) -> bool {
-        let has_room = lamp::has_room(&self.sim.actors);
-        if has_room {
-            self.sim.actors.enter(Lamp::standing(point));
-            self.kept.changed = true;
-        }
+        self.put_up(Lamp::standing(point))
+    }
+
+    /// Plants a flag of that name at a point, its cloth at the right of who looks along `yaw`, radians. Returns whether
+    /// there was room for one more.
+    pub fn spawn_flag(&mut self, point: ChartPoint, yaw: f64, name: &str) -> bool {
+        self.put_up(Flag::standing(point, yaw, name))
+    }
+
+    fn put_up<T: Fixture>(&mut self, it: T) -> bool {
+        let has_room = fixture::enter(&mut self.sim.actors, it).is_some();
+        self.kept.changed |= has_room;
         has_room
+    }
+
+    /// The flag that the player wants to name, asked for once.
+    pub fn take_flag_to_name(&mut self) -> Option<ActorId> {
+        self.sim.outbox.names_flag.take()
+    }
+
+    /// Names a flag, as far as a text can be a name. Returns whether there is such a flag.
+    pub fn name_flag(&mut self, id: ActorId, name: &str) -> bool {
+        let mut flags = self.sim.actors.ecs.query::<(&ActorId, &mut Flag)>();
+        let flag = flags.iter().find(|(it, _)| **it == id);
+        let is_there = flag.map(|(_, flag)| flag.name = tidy_name(name)).is_some();
+        self.kept.changed |= is_there;
+        is_there
     }
 
     /// Puts a bullet in flight that nobody's gun has fired: it harms everyone but the player, as the player's own do at

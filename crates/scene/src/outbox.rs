@@ -1,5 +1,6 @@
 //! What a step has to tell to whoever shows or plays it: taken out by the host, asked for by no rule.
 
+use crate::actors::ActorId;
 use crate::notice::{Hint, Notice};
 use crate::sound::Sounds;
 
@@ -12,6 +13,8 @@ pub(crate) struct Outbox {
     pub hints: Vec<Hint>,
     /// What could be heard.
     pub sounds: Sounds,
+    /// The flag that the player wants to name.
+    pub names_flag: Option<ActorId>,
     /// Whether the player fired in the last step.
     pub fired: bool,
 }

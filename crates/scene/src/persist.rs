@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use antipode_storage::{
-    BotRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept, PlayerRecord, Record,
-    RecordKey, RecordKind, SlotRecord, ViewRecord,
+    BotRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord, PlayerKept,
+    PlayerRecord, Record, RecordKey, RecordKind, SlotRecord, ViewRecord,
 };
 use glam::DVec3;
 
@@ -13,6 +13,7 @@ use crate::bot::Bot;
 use crate::camera::CameraMode;
 use crate::car::Car;
 use crate::drops::Drop;
+use crate::flag::Flag;
 use crate::lamp::Lamp;
 use crate::npc::mind::Mind;
 use crate::player::{Body, Health, Look, Player, Position};
@@ -99,16 +100,26 @@ fn view_record(world: &World, player: &Player) -> ViewRecord {
     }
 }
 
-/// Lamps, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save,
+/// Lamps, flags, and what lies about. What the pointer holds while the backpack is open lies at the player's feet in a save,
 /// under the number of the next that is thrown away.
 fn things(actors: &Actors, player: &Player, all: &mut All) {
     let mut lamps = actors.ecs.query::<(&ActorId, &Lamp)>();
     all.extend(lamps.iter().map(|(id, lamp)| {
         let record = Record::Lamp(LampRecord {
-            chart: lamp.point.chart.number(),
-            pos: lamp.point.pos.to_array(),
+            chart: lamp.foot.point.chart.number(),
+            pos: lamp.foot.point.pos.to_array(),
         });
         (RecordKind::Lamp.numbered(id.0), record)
+    }));
+    let mut flags = actors.ecs.query::<(&ActorId, &Flag)>();
+    all.extend(flags.iter().map(|(id, flag)| {
+        let record = Record::Flag(FlagRecord {
+            chart: flag.foot.point.chart.number(),
+            pos: flag.foot.point.pos.to_array(),
+            yaw: flag.yaw_rad,
+            name: flag.name.clone(),
+        });
+        (RecordKind::Flag.numbered(id.0), record)
     }));
     let drop_record = |id: ActorId, drop: &Drop| {
         let record = Record::Drop(DropRecord {

@@ -51,6 +51,8 @@ pub struct Probe {
     pub projectiles: Vec<ProjectileProbe>,
     /// Lamps that were put down.
     pub lamps: Vec<LampProbe>,
+    /// Flags that were planted.
+    pub flags: Vec<FlagProbe>,
     /// What lies about.
     pub drops: Vec<DropProbe>,
     /// Terrain chunks.
@@ -176,6 +178,17 @@ pub struct LampProbe {
     pub pos: [f64; 3],
     /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
     pub hemisphere: String,
+}
+
+/// A flag in a probe.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FlagProbe {
+    /// Foot, metres.
+    pub pos: [f64; 3],
+    /// The chart: `A` or `B`, the hemispheres of a closed world; `A` in an open one of one chart.
+    pub hemisphere: String,
+    /// Its name; empty where nobody gave it one.
+    pub name: String,
 }
 
 /// Something that lies about in a probe.

@@ -9,11 +9,12 @@ use crate::bot::{self, BotView};
 use crate::car::CarView;
 use crate::day;
 use crate::drops::Drop;
+use crate::flag::Flag;
 use crate::frame::Quality;
 use crate::lamp::Lamp;
 use crate::probe::{
-    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, LampProbe, MarkerProbe, PlayerProbe,
-    Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
+    BotProbe, CameraProbe, CarProbe, ChunkProbe, DropProbe, FlagProbe, LampProbe, MarkerProbe,
+    PlayerProbe, Probe, ProjectileProbe, SlotProbe, TerrainProbe, WheelProbe,
 };
 use crate::projectile::Projectile;
 use crate::situation::Situation;
@@ -83,6 +84,7 @@ pub(crate) fn probe(now: Situation<'_>, quality: Quality) -> Probe {
             .collect(),
         projectiles: actors.map(|id, it| projectile_probe(now, id, it)),
         lamps: actors.map(|_, it| lamp_probe(now, it)),
+        flags: actors.map(|_, it| flag_probe(now, it)),
         drops: actors.map(|_, it| drop_probe(now, it)),
         chunks: ChunkProbe {
             resident: world.ground.count(),
@@ -172,8 +174,16 @@ fn projectile_probe(now: Situation<'_>, id: ActorId, bullet: &Projectile) -> Pro
 
 fn lamp_probe(now: Situation<'_>, lamp: &Lamp) -> LampProbe {
     LampProbe {
-        pos: lamp.point.pos.to_array(),
-        hemisphere: chart(now, lamp.point),
+        pos: lamp.foot.point.pos.to_array(),
+        hemisphere: chart(now, lamp.foot.point),
+    }
+}
+
+fn flag_probe(now: Situation<'_>, flag: &Flag) -> FlagProbe {
+    FlagProbe {
+        pos: flag.foot.point.pos.to_array(),
+        hemisphere: chart(now, flag.foot.point),
+        name: flag.name.clone(),
     }
 }
 

@@ -17,6 +17,7 @@ use crate::car::Car;
 use crate::car::doors::take_wheel;
 use crate::car::tuning::MOST_CARS;
 use crate::drops::Drop;
+use crate::flag::{Flag, MOST_FLAGS};
 use crate::inventory::{Inventory, SLOTS, Stack};
 use crate::lamp::Lamp;
 use crate::lens::{DialGoals, Lens};
@@ -163,6 +164,12 @@ fn thing(
             let at = point(world, it.chart, it.pos);
             at.map(|at| actors.enter(Lamp::standing(at))).is_some()
         }
+        Record::Flag(it) => {
+            let at = point(world, it.chart, it.pos);
+            let yaw = finite_or(it.yaw, 0.0);
+            at.map(|at| actors.enter(Flag::standing(at, yaw, &it.name)))
+                .is_some()
+        }
         Record::Drop(it) => drop(world, actors, it, notices),
         Record::Figure(it) => figure(world, actors, it),
         Record::Car(it) => car::restore(world, actors, it),
@@ -174,6 +181,7 @@ fn number_next(actors: &mut Actors, key: RecordKey) {
     match key.kind {
         RecordKind::Player | RecordKind::Course | RecordKind::View => {}
         RecordKind::Lamp => actors.number_next::<Lamp>(key.id),
+        RecordKind::Flag => actors.number_next::<Flag>(key.id),
         RecordKind::Drop => actors.number_next::<Drop>(key.id),
         RecordKind::Figure => actors.number_next::<Bot>(key.id),
         RecordKind::Car => actors.number_next::<Car>(key.id),
@@ -266,6 +274,7 @@ fn most(kind: RecordKind) -> usize {
     match kind {
         RecordKind::Player | RecordKind::Course | RecordKind::View => 1,
         RecordKind::Lamp => MOST_LAMPS,
+        RecordKind::Flag => MOST_FLAGS,
         RecordKind::Drop => 2 * MOST_DROPS,
         RecordKind::Figure => MOST_BOTS,
         RecordKind::Car => MOST_CARS,

@@ -8,6 +8,7 @@ use hecs::Entity;
 use crate::bot::Bot;
 use crate::car::lights::{seat_figure, show_cars};
 use crate::drops::{self, Drop};
+use crate::flag::Flag;
 use crate::frame::Figure;
 use crate::lamp::Lamp;
 use crate::moment::Who;
@@ -93,14 +94,19 @@ fn soles(world: &World, feet: ChartPoint, body: &Body) -> ChartPoint {
     from.moved(DVec3::NEG_Y * ground_m.max(KNEES_M))
 }
 
-/// Lamps, bullets, and what lies about.
+/// Lamps, flags, bullets, and what lies about.
 fn show_things(now: Situation<'_>, seen: &mut Vec<(Who, Figure)>) {
     let lamp = |id, lamp: &Lamp| {
-        let yaw_rad = any_heading(&*now.world.strategy, lamp.point.chart, 0.0);
-        let figure = Figure::standing(Item::Lamp.into(), lamp.point, yaw_rad);
+        let yaw_rad = any_heading(&*now.world.strategy, lamp.foot.point.chart, 0.0);
+        let figure = Figure::standing(Item::Lamp.into(), lamp.foot.point, yaw_rad);
         (Who::Lamp(id), figure)
     };
     seen.extend(now.actors.map(lamp));
+    let flag = |id, flag: &Flag| {
+        let figure = Figure::standing(Item::Flag.into(), flag.foot.point, flag.yaw_rad);
+        (Who::Flag(id), figure)
+    };
+    seen.extend(now.actors.map(flag));
     let bullet = |id, bullet: &Projectile| {
         let way = bullet.velocity.normalize_or(DVec3::X);
         let figure = Figure {

@@ -2,6 +2,7 @@
 //! makes a sound, and nothing of it is saved.
 
 use antipode_geometry::{ChartPoint, Eye};
+use antipode_items::Item;
 use antipode_physics::Character;
 use antipode_terrain::Cover;
 use glam::DVec3;
@@ -46,10 +47,10 @@ pub enum SoundEvent {
     Struck,
     /// The player was hurt.
     Hurt,
-    /// A lamp was put down.
-    LampPlaced,
-    /// A lamp was picked up.
-    LampTaken,
+    /// One of these was put down on the ground.
+    PutDown(Item),
+    /// One of these was taken up from where it was put down.
+    TakenUp(Item),
     /// Something that lay about was picked up.
     PickedUp,
     /// A car's door.

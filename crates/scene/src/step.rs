@@ -7,7 +7,9 @@ use crate::actions::Actions;
 use crate::actors::Actors;
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
+use crate::flag::Flag;
 use crate::harm::{HarmKind, fall_harm};
+use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::motion::Doing;
 use crate::notice::Hint;
@@ -17,7 +19,7 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
 use crate::world::World;
-use crate::{body, drops, gun, harm, lamp, npc, round, tool};
+use crate::{body, drops, fixture, gun, harm, npc, round, tool};
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
 pub(crate) struct Simulation {
@@ -74,9 +76,11 @@ impl Simulation {
             world.streamer.edit(stroke);
         }
         gun::use_in_hand(world, actors, player, outbox, actions);
-        lamp::use_in_hand(world, actors, player, outbox, actions);
+        fixture::use_in_hand::<Lamp>(world, actors, player, outbox, actions);
+        fixture::use_in_hand::<Flag>(world, actors, player, outbox, actions);
         gun::step_bullets(world, actors, player, outbox);
-        lamp::step(world, actors);
+        fixture::step::<Lamp>(world, actors);
+        fixture::step::<Flag>(world, actors);
         drops::step(world, actors, player, outbox);
         player.primary_before = actions.primary;
         player.secondary_before = actions.secondary;

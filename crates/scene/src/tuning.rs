@@ -116,8 +116,8 @@ pub const DEAD_S: f64 = 3.0;
 pub const BOT_HEALTH: f64 = 3.0;
 /// How long the dead lie before they are gone, in seconds.
 pub const BOT_LIES_S: f64 = 2.0;
-/// How far a lamp can be put down from the eye, in metres.
-pub const LAMP_REACH_M: f64 = 8.0;
+/// How far from the eye lamps and flags can be put down, in metres.
+pub const FIXTURE_REACH_M: f64 = 8.0;
 /// Lamps in a world at once.
 pub const MOST_LAMPS: usize = 512;
 /// Most figures besides the player's in a world; each looks at every other.

@@ -17,7 +17,7 @@ use std::fmt;
 
 use crate::codec::{self, Fault};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlayerKept, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlayerKept, ViewRecord,
 };
 use crate::store::Raw;
 use crate::survey::PLAYERS_STATE;
@@ -99,6 +99,8 @@ kinds! {
     View(ViewRecord) = "view", version 1;
     /// A lamp that was put down.
     Lamp(LampRecord) = "lamp", version 1;
+    /// A flag that was planted.
+    Flag(FlagRecord) = "flag", version 1;
     /// A stack that lies about.
     Drop(DropRecord) = "drop", version 1;
     /// A figure that nobody plays.

@@ -51,6 +51,20 @@ pub struct LampRecord {
     pub pos: [f64; 3],
 }
 
+/// A flag that was planted.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FlagRecord {
+    /// The number of its chart; on a globe 0 and 1 are the hemispheres A and B.
+    #[serde(with = "chart")]
+    pub chart: u128,
+    /// Its foot, chart metres.
+    pub pos: [f64; 3],
+    /// Where its cloth points from the pole, radians.
+    pub yaw: f64,
+    /// Its name; may be empty.
+    pub name: String,
+}
+
 /// A stack that lies about.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DropRecord {

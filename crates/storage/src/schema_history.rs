@@ -275,6 +275,7 @@ pub(crate) mod v5 {
                 view_distance: before.view_distance,
                 flashlight: old.flashlight,
                 lamps: old.lamps,
+                flags: Vec::new(),
                 drops: old.drops,
                 bots: old.bots,
                 cars: old.cars,

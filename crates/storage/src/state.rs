@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::record::{Record, RecordChanges, RecordKey};
 use crate::record_shapes::{
-    BotRecord, CarRecord, CourseRecord, DropRecord, LampRecord, PlaceRecord, PlayerKept,
-    PlayerRecord, SlotRecord, ViewRecord,
+    BotRecord, CarRecord, CourseRecord, DropRecord, FlagRecord, LampRecord, PlaceRecord,
+    PlayerKept, PlayerRecord, SlotRecord, ViewRecord,
 };
 
 /// Everything that changes while a world is played, but for the terrain.
@@ -40,6 +40,8 @@ pub struct WorldState {
     pub flashlight: bool,
     /// Lamps that were put down, in that order.
     pub lamps: Vec<LampRecord>,
+    /// Flags that were planted, in that order.
+    pub flags: Vec<FlagRecord>,
     /// What lies about.
     pub drops: Vec<DropRecord>,
     /// Other figures.
@@ -60,10 +62,13 @@ impl WorldState {
     /// The same as records; the actors of a kind are numbered from 0 in the order of their list.
     pub fn to_records(&self) -> impl Iterator<Item = (RecordKey, Record)> {
         let lamps = self.lamps.iter().cloned().map(Record::Lamp);
+        let flags = self.flags.iter().cloned().map(Record::Flag);
         let drops = self.drops.iter().cloned().map(Record::Drop);
         let bots = self.bots.iter().cloned().map(Record::Figure);
         let cars = self.cars.iter().cloned().map(Record::Car);
-        let actors = numbered(lamps).chain(numbered(drops));
+        let actors = numbered(lamps)
+            .chain(numbered(flags))
+            .chain(numbered(drops));
         let actors = actors.chain(numbered(bots)).chain(numbered(cars));
         let singles = [
             Record::Player(Box::new(self.player_kept())),
@@ -115,6 +120,7 @@ impl WorldState {
                 }
                 Record::View(it) => state.take_view(it),
                 Record::Lamp(it) => state.lamps.push(it),
+                Record::Flag(it) => state.flags.push(it),
                 Record::Drop(it) => state.drops.push(it),
                 Record::Figure(it) => state.bots.push(it),
                 Record::Car(it) => {

@@ -30,6 +30,13 @@ pub(crate) fn entry(ui: &mut Ui, text: &mut String, name: &str, hint: &str) -> R
     response
 }
 
+/// The same for names of so many characters, the hint being that name, too.
+pub(crate) fn named_line(ui: &mut Ui, text: &mut String, name: &str, limit: usize) -> Response {
+    let response = line(ui, text, name, limit);
+    response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, name));
+    response
+}
+
 /// What somebody types as a number, with its unit or without, with a point or a comma.
 pub(crate) fn parse_number(text: &str) -> Option<f64> {
     let digits = text.trim_start_matches(|c: char| !c.is_ascii_digit() && c != '-');

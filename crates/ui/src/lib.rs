@@ -21,6 +21,7 @@ mod icons;
 mod layout;
 mod legible;
 mod model;
+mod naming;
 mod new_game;
 mod photo;
 mod seed;
@@ -38,12 +39,13 @@ pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
 pub use hud::{
-    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
-    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, SpeechModel, Tints,
-    WoundModel, mirror_place, show_hud, tints_of,
+    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, FlagView, HarmModel,
+    HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, SpeechModel,
+    Tints, WoundModel, mirror_place, show_hud, tints_of,
 };
 pub use legible::{legible, legible_name};
 pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
+pub use naming::{Named, Naming};
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;

@@ -22,7 +22,7 @@ pub enum Argument {
     Value,
     /// An item by its id.
     Item,
-    /// What can be put into the world: `bot`, `hostile`, `car` or `lamp`.
+    /// What can be put into the world: `bot`, `hostile`, `car`, `lamp` or `flag`.
     Spawned,
     /// `A` or `B`.
     ChartId,
@@ -69,7 +69,7 @@ const fn command(
 }
 
 /// Every command.
-pub static COMMANDS: [CommandInfo; 25] = {
+pub static COMMANDS: [CommandInfo; 26] = {
     use Argument::{
         Button, ChartId, Free, Geometry, Item, Key, KeyOrButton, Option, Setting, Spawned, Value,
         World,
@@ -104,9 +104,10 @@ pub static COMMANDS: [CommandInfo; 25] = {
         command("teleport", "X Y Z [A|B]", &[Free, Free, Free, ChartId]),
         command(
             "spawn",
-            "bot|hostile|car|lamp X Y Z [A|B]",
+            "bot|hostile|car|lamp|flag X Y Z [A|B]",
             &[Spawned, Free, Free, Free, ChartId],
         ),
+        command("name-flag", "NAME", &[Free]),
         command("perf", "SECONDS", &[Free]),
     ]
 };

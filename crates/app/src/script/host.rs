@@ -90,6 +90,13 @@ pub fn obey<H: Host + ?Sized>(host: &mut H, order: &Order) -> Result<(), Failure
             let left = host.scene()?.inventory_mut().give(*item, *count);
             possible(left == 0, "there is no room for all of them")
         }
+        Order::NameFlag(name) => {
+            let scene = host.scene()?;
+            let flags = scene.flag_ways().into_iter();
+            let nearest = flags.min_by(|a, b| a.distance_m.total_cmp(&b.distance_m));
+            let is_named = nearest.is_some_and(|flag| scene.name_flag(flag.id, name));
+            possible(is_named, "there is no flag")
+        }
         Order::Teleport(place, chart) => {
             teleport(host, ChartPoint::new(*chart, DVec3::from_array(*place)))
         }
@@ -178,6 +185,10 @@ fn spawn<H: Host + ?Sized>(
     check_place(&**scene.strategy(), point).map_err(Failure::Usage)?;
     match spawned {
         Spawned::Lamp => possible(scene.spawn_lamp(point), "there are too many lamps")?,
+        Spawned::Flag => {
+            let has_room = scene.spawn_flag(point, 0.0, "");
+            possible(has_room, "there are too many flags")?;
+        }
         Spawned::Car => possible(scene.spawn_car(point, 0.0), "there are too many cars")?,
         Spawned::Bot | Spawned::Hostile => {
             possible(scene.has_room_for_bot(), "there are too many figures")?;

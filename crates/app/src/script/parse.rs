@@ -71,6 +71,8 @@ pub enum Order {
     Set(Setting),
     /// Put items into the hotbar.
     Give(Item, u32),
+    /// Give the flag nearest to the player a name.
+    NameFlag(String),
     /// Move the player's feet.
     Teleport([f64; 3], ChartId),
     /// Put something into the world.
@@ -90,6 +92,8 @@ pub enum Spawned {
     Car,
     /// A lamp.
     Lamp,
+    /// A flag.
+    Flag,
 }
 
 /// Something `set` can change.
@@ -150,6 +154,7 @@ impl Order {
             | Self::Settle(_)
             | Self::Probe
             | Self::Shot(_)
+            | Self::NameFlag(_)
             | Self::Perf(_) => false,
         }
     }
@@ -247,6 +252,7 @@ fn order(words: &[String]) -> Result<Option<Order>, String> {
         ("give", [item, count]) => give(item, count)?,
         ("teleport", [x, y, z, side @ ..]) if side.len() <= 1 => teleport([x, y, z], side)?,
         ("spawn", [what, x, y, z, side @ ..]) if side.len() <= 1 => spawn(what, [x, y, z], side)?,
+        ("name-flag", [name]) => Order::NameFlag((*name).to_owned()),
         ("perf", [time]) => Order::Perf(number(time, 1.0 / 60.0, 600.0)?),
         (known, _) if command_named(known).is_some() => {
             return Err(format!(
@@ -438,9 +444,10 @@ fn spawn(what: &str, at: [&str; 3], side: &[&str]) -> Result<Order, String> {
         "hostile" => Spawned::Hostile,
         "car" => Spawned::Car,
         "lamp" => Spawned::Lamp,
+        "flag" => Spawned::Flag,
         _ => {
             return Err(format!(
-                "{} is neither bot, hostile, car nor lamp",
+                "{} is neither bot, hostile, car, lamp nor flag",
                 quoted(what)
             ));
         }

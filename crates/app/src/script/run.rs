@@ -276,7 +276,8 @@ impl Runner {
                 let seen = scene.seen();
                 let mut model = hud::model(texts, scene, &seen, fps, figures);
                 model.mirror = has_mirror;
-                navigator.add_to(&mut model, (scene, &seen), settings, (id, WHOLE_MAP));
+                let surveyed = (id, WHOLE_MAP);
+                navigator.add_to(&mut model, (scene, &seen), (texts, settings), surveyed);
                 model
             })
         })?;

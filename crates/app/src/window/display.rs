@@ -46,7 +46,7 @@ impl Display {
         let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
         let surveyed = (play.opened, columns);
         self.navigator
-            .add_to(&mut model, (scene, &seen), settings, surveyed);
+            .add_to(&mut model, (scene, &seen), (texts, settings), surveyed);
         Some(model)
     }
 

@@ -22,6 +22,7 @@ impl Game {
         let (texts, devices, play) = (&self.menus.texts, &mut self.devices, &mut self.play);
         let backpack = &mut self.overlays.backpack;
         backpack.show(context, texts, devices, play);
+        self.overlays.naming.show(context, texts, devices, play);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
             let is_bare = self.display.hidden || self.overlays.is_photographing();
@@ -49,7 +50,7 @@ impl Game {
         let Some(mut model) = model.filter(|_| !self.overlays.is_photographing()) else {
             return egui::Rect::NOTHING;
         };
-        if self.overlays.is_packing() {
+        if self.overlays.is_packing() || self.overlays.is_naming() {
             model.show_crosshair = false;
         } else {
             model.hint = self.hint();

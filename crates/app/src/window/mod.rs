@@ -18,6 +18,7 @@ mod injected;
 mod interface;
 mod layers;
 mod menus;
+mod naming;
 mod open;
 mod options;
 mod orders;

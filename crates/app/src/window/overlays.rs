@@ -1,4 +1,5 @@
-//! What can be up over the open world and has keys and pointer then: console, backpack and photo mode.
+//! What can be up over the open world and has keys and pointer then: console, backpack, photo mode and the
+//! question for a flag's name.
 
 use antipode_ui::{Console, photo_panel};
 use egui::Rect;
@@ -7,6 +8,7 @@ use super::backpack::Backpack;
 use super::console::Desk;
 use super::devices::Devices;
 use super::menus::Menus;
+use super::naming::Naming;
 use super::photo::Photographer;
 use super::play::Play;
 
@@ -16,6 +18,7 @@ pub struct Overlays {
     pub(super) console: Desk,
     pub(super) backpack: Backpack,
     pub(super) photo: Photographer,
+    pub(super) naming: Naming,
 }
 
 impl Overlays {
@@ -34,9 +37,14 @@ impl Overlays {
         self.backpack.0.is_open()
     }
 
+    /// Whether a flag's name is asked for.
+    pub fn is_naming(&self) -> bool {
+        self.naming.is_open()
+    }
+
     /// Whether anything is up.
     pub fn are_up(&self) -> bool {
-        self.is_typing() || self.is_photographing() || self.is_packing()
+        self.is_typing() || self.is_photographing() || self.is_packing() || self.is_naming()
     }
 
     /// Takes everything down, since the world is left or paused.
@@ -44,6 +52,7 @@ impl Overlays {
         self.console.view.close();
         self.photo.leave(devices, play, menus);
         self.backpack.close(devices, play);
+        self.naming.close();
     }
 
     /// Leads back from what is up. Returns whether anything was.
@@ -53,7 +62,7 @@ impl Overlays {
             self.photo.leave(devices, play, menus);
             return true;
         }
-        self.backpack.close(devices, play)
+        self.naming.close() || self.backpack.close(devices, play)
     }
 
     /// What lies on the world while no menu does.
@@ -62,6 +71,8 @@ impl Overlays {
             Some(Console::panel(screen))
         } else if self.is_packing() {
             Some(antipode_ui::Backpack::panel(screen))
+        } else if self.is_naming() {
+            Some(antipode_ui::Naming::panel(screen))
         } else {
             self.is_photographing().then(|| photo_panel(screen))
         }

@@ -34,6 +34,8 @@ fn what_is_up(game: &Game) -> &'static str {
         "the photo mode"
     } else if overlays.is_packing() {
         "the backpack"
+    } else if overlays.is_naming() {
+        "the question for a name"
     } else if game.play.veil == Veil::Up {
         "the world"
     } else {

@@ -371,8 +371,8 @@ impl Npc<'_> {
         let (lamp, _) =
             nearest_lamp(around, self.position.0).filter(|(_, away_m)| *away_m < LAMP_M)?;
         let turn = f64::from(self.bot.id) * GOLDEN_RAD;
-        let heading = toward(any_heading(around.strategy(), lamp.point.chart, turn));
-        let seat = ahead(around.strategy(), lamp.point, heading, SITS_M);
+        let heading = toward(any_heading(around.strategy(), lamp.foot.point.chart, turn));
+        let seat = ahead(around.strategy(), lamp.foot.point, heading, SITS_M);
         Some((lamp.glow(), seat))
     }
 }
@@ -395,6 +395,6 @@ pub(super) fn at_pace(point: ChartPoint, pace: f64) -> Goal {
 fn nearest_lamp(around: &Around<'_>, place: ChartPoint) -> Option<(Lamp, f64)> {
     let lamps = around.lamps.iter().copied();
     lamps
-        .map(|lamp| (lamp, around.apart_m(place, lamp.point)))
+        .map(|lamp| (lamp, around.apart_m(place, lamp.foot.point)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
 }

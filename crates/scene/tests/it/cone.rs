@@ -361,7 +361,10 @@ fn a_lamp_and_a_thing_lie_across_an_edge() {
         assert!(scene.wait_for_step(LIMIT));
         steps(&mut scene, SECOND, &still());
         let lamp = scene.lamps()[lamps];
-        assert!(apart_m(lamp.point, across) < 1.0, "{lamp:?} {across:?}");
+        assert!(
+            apart_m(lamp.foot.point, across) < 1.0,
+            "{lamp:?} {across:?}"
+        );
         look_at(&mut scene, lamp.glow());
         let take = Actions {
             slot: Some(5),

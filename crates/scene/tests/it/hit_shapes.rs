@@ -58,7 +58,7 @@ fn what_flies_is_awake_and_what_has_come_to_rest_is_not() {
     let lamp = scene.feet().moved(DVec3::new(3.0, 0.0, 3.0));
     assert!(scene.spawn_lamp(lamp));
     let lamp = balls(&scene)[0];
-    assert!(!lamp.awake && lamp.point.pos.y > scene.lamps()[0].point.pos.y);
+    assert!(!lamp.awake && lamp.point.pos.y > scene.lamps()[0].foot.point.pos.y);
 }
 
 #[test]

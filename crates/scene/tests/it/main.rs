@@ -15,6 +15,7 @@ mod common;
 mod cone;
 mod contact;
 mod drops;
+mod flags;
 mod gun;
 mod hidden;
 mod hit_shapes;

@@ -203,7 +203,7 @@ fn things_keep_their_numbers_and_what_is_gone_is_gone() {
     again.spawn_bot(beside(10.0), 0.0, true);
     assert!(again.spawn_lamp(beside(-10.0)) && again.spawn_car(beside(-20.0), 0.0));
     let places = |scene: &Scene| -> Vec<_> {
-        let lamps = scene.lamps().into_iter().map(|lamp| lamp.point);
+        let lamps = scene.lamps().into_iter().map(|lamp| lamp.foot.point);
         lamps.collect()
     };
     let (lamps, cars) = (places(&again), again.cars().len());

@@ -162,7 +162,14 @@ fn lamps_and_bots_are_marked_where_they_stand() {
     scene.spawn_bot(ChartPoint::a(DVec3::new(-rim_m, 9.0, 0.0)), 0.0, false);
     // A car beyond the edge is marked there, in its direction.
     assert!(scene.spawn_car(scene.feet().moved(DVec3::new(-60.0, 0.0, 0.0)), 0.0));
+    // So is a flag.
+    assert!(scene.spawn_flag(scene.feet().moved(DVec3::new(0.0, 0.0, 90.0)), 0.0, "far"));
     let marks = scene.landmarks(45.0);
+    let flag = marks.iter().find(|mark| mark.kind == LandmarkKind::Flag);
+    assert!(
+        flag.is_some_and(|mark| (mark.at.length() - 42.3).abs() < 1e-6),
+        "{marks:?}"
+    );
     let is_there = |kind: LandmarkKind, x: f64| {
         let here = |mark: &&antipode_scene::bearings::Landmark| {
             mark.kind == kind && (mark.at - DVec2::new(x, 0.0)).length() < 1e-6

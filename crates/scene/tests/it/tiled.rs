@@ -122,7 +122,7 @@ fn bullets_lamps_and_what_is_thrown_away_lie_alike() {
     let [one, many] = [&twins.one, &twins.many].map(Scene::lamps);
     assert!(one.len() == many.len() && one.len() > 1, "{}", one.len());
     for (a, b) in one.iter().zip(&many) {
-        assert!(apart_m(a.point, b.point) < ALIKE_M);
+        assert!(apart_m(a.foot.point, b.foot.point) < ALIKE_M);
     }
     let [one, many] = [&twins.one, &twins.many].map(Scene::drops);
     assert!(one.len() == many.len() && !one.is_empty(), "{}", one.len());

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use antipode_language::{Texts, Value};
 use egui::{Align2, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 
+use super::minimap::pennant;
 use super::plate::plate;
 use crate::theme::{ACCENT, GRID, PLATE, TEXT, WEAK, small};
 
@@ -21,13 +22,29 @@ const SHOWN_RAD: f64 = 0.75 * PI;
 const TICKS: u32 = 24;
 
 /// Which way the player looks.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CompassModel {
     /// Heading from north, clockwise, radians.
     pub heading_rad: f64,
     /// The nearest point of the equator, where there is one.
     pub equator: Option<EquatorView>,
+    /// The flags of the world.
+    pub flags: Vec<FlagView>,
 }
+
+/// The way to a flag.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlagView {
+    /// What it is called.
+    pub name: String,
+    /// How far it is, metres.
+    pub distance_m: f64,
+    /// Where it is from straight ahead, clockwise, radians.
+    pub bearing_rad: f64,
+}
+
+/// The flag that is named below the strip is no farther from straight ahead than this, radians.
+const NAMED_RAD: f64 = 0.12;
 
 /// The way to the equator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +75,9 @@ pub(super) fn show(
     } else {
         screen.min.x
     };
-    let caption = model.equator.map_or(0.0, |_| CAPTION);
+    let named = named_flag(&model.flags);
+    let captions = u8::from(model.equator.is_some()) + u8::from(named.is_some());
+    let caption = f32::from(captions) * CAPTION;
     let low = screen.min.y + HEIGHT + caption;
     let to = if right.is_positive() && right.min.y < low {
         right.min.x - GRID
@@ -81,13 +100,49 @@ pub(super) fn show(
     let strip = Rect::from_center_size(pos2(centre, screen.min.y + 0.5 * HEIGHT), size);
     painter.rect_filled(strip, 6, PLATE);
     quarters(painter, strip, texts, model.heading_rad);
-    pointer(painter, strip);
-    match model.equator {
-        Some(equator) if to - from >= CAPTION_WIDTH => {
-            strip.union(way_to_equator(painter, screen, strip, texts, equator))
+    for flag in &model.flags {
+        if let Some(x) = place(strip.shrink2(vec2(8.0, 0.0)), flag.bearing_rad) {
+            pennant(painter, pos2(x, strip.max.y - 3.0), 6.0);
         }
-        _ => strip,
     }
+    pointer(painter, strip);
+    let mut covered = strip;
+    if to - from >= CAPTION_WIDTH {
+        if let Some(equator) = model.equator {
+            let way = way_to_equator(painter, screen, strip, texts, equator);
+            covered = covered.union(way);
+        }
+        if let Some(flag) = named {
+            let at = pos2(strip.center().x, covered.max.y + 3.0);
+            covered = covered.union(way_to_flag(painter, screen, at, texts, flag));
+        }
+    }
+    covered
+}
+
+/// The flag nearest to straight ahead, if one is about there.
+fn named_flag(flags: &[FlagView]) -> Option<&FlagView> {
+    let off = |flag: &FlagView| near_zero(flag.bearing_rad).abs();
+    let ahead = flags.iter().filter(|flag| off(flag) <= NAMED_RAD);
+    ahead.min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
+/// What a flag is called, and how far it is.
+fn way_to_flag(painter: &Painter, screen: Rect, at: Pos2, texts: &Texts, flag: &FlagView) -> Rect {
+    let values = [
+        ("name", flag.name.as_str().into()),
+        ("metres", Value::decimals(flag.distance_m, 0)),
+    ];
+    let words = texts.say_with("compass-flag", &values);
+    plate(
+        painter,
+        screen,
+        at,
+        Align2::CENTER_TOP,
+        &words,
+        small(),
+        TEXT,
+    )
 }
 
 /// Angle within half a turn of zero.
@@ -198,6 +253,22 @@ pub(super) fn arrow(painter: &Painter, centre: Pos2, size: f32, bearing_rad: f32
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_flag_nearest_to_straight_ahead_is_named_and_none_that_is_aside() {
+        let flag = |name: &str, bearing_rad| FlagView {
+            name: name.to_owned(),
+            distance_m: 10.0,
+            bearing_rad,
+        };
+        let flags = [
+            flag("left", TAU - 0.1),
+            flag("right", 0.05),
+            flag("back", PI),
+        ];
+        assert_eq!(named_flag(&flags).map(|it| it.name.as_str()), Some("right"));
+        assert_eq!(named_flag(&flags[2..]), None);
+    }
 
     #[test]
     fn what_is_ahead_is_in_the_middle_and_what_is_behind_is_not_shown() {

@@ -86,6 +86,8 @@ pub enum MarkKind {
     Hostile,
     /// A car.
     Car,
+    /// A flag.
+    Flag,
 }
 
 /// A mark on the map.
@@ -205,7 +207,8 @@ fn tint(tints: &Tints, share: f32, light: f32) -> Color32 {
     Color32::from_rgba_unmultiplied(r, g, b, COVER)
 }
 
-/// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered, cars broad.
+/// Told apart by shape as well as by colour: lamps are round, neutral figures square, hostile ones three-cornered, cars broad,
+/// and flags fly from a pole.
 fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
     let edge = Stroke::new(1.5, Color32::BLACK);
     match kind {
@@ -220,6 +223,7 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
             let body = Rect::from_center_size(at, vec2(11.0, 5.5));
             painter.rect(body, 2, ACCENT, edge, egui::StrokeKind::Outside);
         }
+        MarkKind::Flag => pennant(painter, at, 6.0),
         MarkKind::Hostile => {
             let corner = |turn: f32| {
                 let (sin, cos) = (turn * TAU).sin_cos();
@@ -229,6 +233,20 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
             painter.add(Shape::convex_polygon(corners, BAD, edge));
         }
     }
+}
+
+/// A flag of that half height, whose pole stands at a place.
+pub(super) fn pennant(painter: &Painter, foot: Pos2, size: f32) {
+    let edge = Stroke::new(1.0, Color32::BLACK);
+    let top = foot - vec2(0.0, 2.0 * size);
+    painter.line_segment([foot, top], Stroke::new(3.0, Color32::BLACK));
+    painter.line_segment([foot, top], Stroke::new(1.5, TEXT));
+    let cloth = vec![
+        top,
+        top + vec2(1.5 * size, 0.5 * size),
+        top + vec2(0.0, size),
+    ];
+    painter.add(Shape::convex_polygon(cloth, ACCENT, edge));
 }
 
 /// The letter of north on the ring, and ticks of the other quarters.

@@ -21,7 +21,7 @@ use crate::layout::inset;
 use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
-pub use compass::{CompassModel, EquatorView};
+pub use compass::{CompassModel, EquatorView, FlagView};
 pub use figures::FigureModel;
 pub use harm::HarmModel;
 pub use hint::HintModel;

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
 use crate::common::{SIZES, SMALLEST, everywhere};
 use antipode_ui::{
-    CompassModel, CurvatureView, DialKind, EquatorView, HarmModel, HudModel, MapModel, SpeechModel,
+    CompassModel, CurvatureView, DialKind, EquatorView, FlagView, HarmModel, HudModel, MapModel,
+    SpeechModel,
 };
 use egui::{Shape, vec2};
 use egui_kittest::Harness;
@@ -201,6 +202,13 @@ fn the_display_survives_any_size_and_any_number() {
         brush_radius_m: Some(f64::INFINITY),
         loading: Some(f32::NAN),
         compass: Some(CompassModel {
+            flags: [0.0, f64::NAN, f64::INFINITY]
+                .map(|bearing_rad| FlagView {
+                    name: "Home ".repeat(300),
+                    distance_m: f64::NAN,
+                    bearing_rad,
+                })
+                .to_vec(),
             heading_rad: f64::NAN,
             equator: Some(EquatorView {
                 hemisphere: 'A',

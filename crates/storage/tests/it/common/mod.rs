@@ -4,8 +4,8 @@
 pub mod two;
 
 use antipode_storage::{
-    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, LampRecord, PlaceRecord,
-    PlayerRecord, SlotRecord, WorldMeta, WorldState,
+    Batch, BotRecord, CHUNK_SAMPLES, CarRecord, ChunkKey, DropRecord, FlagRecord, LampRecord,
+    PlaceRecord, PlayerRecord, SlotRecord, WorldMeta, WorldState,
 };
 
 /// A meta record with every field set.
@@ -63,6 +63,12 @@ pub fn state(simulated_s: f64) -> WorldState {
         lamps: vec![LampRecord {
             chart: 1,
             pos: [1.0, 2.0, -3.5],
+        }],
+        flags: vec![FlagRecord {
+            chart: 1,
+            pos: [2.0, 3.0, -4.5],
+            yaw: 0.5,
+            name: "Home".to_owned(),
         }],
         drops: vec![DropRecord {
             chart: 0,

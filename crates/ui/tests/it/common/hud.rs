@@ -56,6 +56,7 @@ pub fn full_hud() -> HudModel {
         cheated: true,
         figures: None,
         compass: Some(CompassModel {
+            flags: Vec::new(),
             heading_rad: 0.9,
             equator: Some(EquatorView {
                 hemisphere: 'B',
