@@ -34,7 +34,7 @@ ICONS = {
     "iron_pickaxe": (things.iron_pickaxe, (0.0, 0.13, 0.0), 0.78, 68.0, 18.0),
     "diamond_pickaxe": (things.diamond_pickaxe, (0.0, 0.13, 0.0), 0.78, 68.0, 18.0),
     "lamp": (things.lamp, (0.0, 0.232, 0.0), 0.53, 62.0, 16.0),
-    "flag": (things.flag, (0.0, 1.22, 0.2), 1.06, 156.0, 12.0),
+    "flag": (things.flag, (0.2, 1.22, 0.0), 1.06, 66.0, 12.0),
 }
 ICON_PX = 128
 

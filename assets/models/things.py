@@ -171,7 +171,7 @@ def lamp():
 
 
 def flag():
-    """A pole 1.7 m high with a spike below the ground, and a swallow-tailed cloth that waves along z."""
+    """A pole 1.7 m high with a spike below the ground, and a swallow-tailed cloth that flies along x."""
     model = Model()
     pole = [(-0.25, 0.004), (0.0, 0.017), (0.02, 0.021), (0.05, 0.017), (1.645, 0.014), (1.65, 0.014)]
     spun(pole, CREAM, sides=10, bands=[STEEL, DARK, DARK, CREAM, STEEL], crease=40.0).into(model)
@@ -180,17 +180,17 @@ def flag():
     columns, rows = 9, []
     for k in range(columns):
         s = k / (columns - 1)
-        z, wave = 0.012 + 0.60 * s, 0.045 * s * math.sin(7.0 * s)
+        x, wave = 0.012 + 0.60 * s, 0.045 * s * math.sin(7.0 * s)
         notch = 0.13 * max(0.0, s - 0.72) / 0.28
         low, high = 1.22 + 0.02 * s, 1.61 - 0.02 * s
         middle = 0.5 * (low + high)
-        rows.append((z, wave, low, middle - notch, middle + notch, high))
+        rows.append((x, wave, low, middle - notch, middle + notch, high))
     for below, above in ((2, 3), (4, 5)):
         sections = []
         for row in rows:
-            z, wave = row[0], row[1]
-            sections.append([(wave + 0.004, row[below], z), (wave + 0.004, row[above], z), (wave - 0.004, row[above], z),
-                             (wave - 0.004, row[below], z)])
+            x, wave = row[0], row[1]
+            sections.append([(x, row[below], wave + 0.004), (x, row[above], wave + 0.004), (x, row[above], wave - 0.004),
+                             (x, row[below], wave - 0.004)])
         bands = [ORANGE] * (columns - 1)
         loft(sections, ORANGE, "paint", bands, crease=50.0).into(model)
     for y in (1.25, 1.58):

@@ -1,5 +1,7 @@
 //! Flags: planted to find a place again, with a name that map and compass show.
 
+use std::f64::consts::FRAC_PI_2;
+
 use antipode_geometry::ChartPoint;
 use antipode_items::Item;
 use glam::DVec3;
@@ -68,7 +70,7 @@ impl Fixture for Flag {
     fn put(foot: Foot, yaw: f64) -> Self {
         Self {
             foot,
-            yaw_rad: yaw,
+            yaw_rad: yaw + FRAC_PI_2,
             name: String::new(),
         }
     }

@@ -187,7 +187,7 @@ impl Scene {
         self.put_up(Lamp::standing(point))
     }
 
-    /// Plants a flag of that name at a point, its cloth at the right of who looks along `yaw`, radians. Returns whether
+    /// Plants a flag of that name at a point, its cloth along `yaw`, radians. Returns whether
     /// there was room for one more.
     pub fn spawn_flag(&mut self, point: ChartPoint, yaw: f64, name: &str) -> bool {
         self.put_up(Flag::standing(point, yaw, name))

@@ -40,7 +40,8 @@ pub struct WorldState {
     pub flashlight: bool,
     /// Lamps that were put down, in that order.
     pub lamps: Vec<LampRecord>,
-    /// Flags that were planted, in that order.
+    /// Flags that were planted, in that order. They came with records: in version 6, whose state is this value, they are not.
+    #[serde(skip)]
     pub flags: Vec<FlagRecord>,
     /// What lies about.
     pub drops: Vec<DropRecord>,
