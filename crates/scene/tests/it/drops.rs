@@ -24,8 +24,8 @@ fn whatever_is_thrown_away_comes_to_lie_on_the_ground_and_lies_still() {
         steps(&mut scene, 30, &Actions::default());
         let field = Field::new(scene.setup().seed, scene.strategy().clone());
         for (turn, item) in (0..).zip(Item::ALL) {
-            // Not up the slope at the sphere's start: what is thrown there rolls back to the player.
-            scene.aim(0.9 * f64::from(turn), 0.3);
+            // No farther round: up the slope at the sphere's start, from where things roll back to the player.
+            scene.aim(f64::from(turn % 6), 0.3);
             scene.throw_away(Stack { item, count: 1 });
             steps(&mut scene, 300, &Actions::default());
             let figure = shown(&mut scene, item);
