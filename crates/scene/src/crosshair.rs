@@ -78,8 +78,7 @@ impl<'a> Crosshair<'a> {
         let off_m = |(_, it): &(ActorId, T)| {
             let foot = over(&*self.now.world.strategy, found.point, it.foot().point).pos;
             let Target {
-                low_m,
-                high_m,
+                heights_m: [low_m, high_m],
                 radius_m,
             } = T::TARGET;
             let up_m = (found.point.pos.y - foot.y).clamp(low_m + radius_m, high_m - radius_m);
@@ -153,8 +152,7 @@ impl<'a> Crosshair<'a> {
 
     fn fixture_met<T: Fixture>(&self, it: &T, a: ChartPoint, b: ChartPoint) -> Option<f64> {
         let Target {
-            low_m,
-            high_m,
+            heights_m: [low_m, high_m],
             radius_m,
         } = T::TARGET;
         let foot = over(&*self.now.world.strategy, a, it.foot().point).pos + DVec3::Y * low_m;

@@ -72,11 +72,11 @@ impl Foot {
     }
 }
 
-/// The upright capsule within which the crosshair covers one, metres over its foot.
+/// The upright capsule within which the crosshair covers one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    pub low_m: f64,
-    pub high_m: f64,
+    /// From where to where it reaches, metres over the foot.
+    pub heights_m: [f64; 2],
     pub radius_m: f64,
 }
 

@@ -54,8 +54,7 @@ impl Fixture for Flag {
     const ITEM: Item = Item::Flag;
     const MOST: usize = MOST_FLAGS;
     const TARGET: Target = Target {
-        low_m: 0.0,
-        high_m: HEIGHT_M,
+        heights_m: [0.0, HEIGHT_M],
         radius_m: 0.25,
     };
     const MIDDLE_M: f64 = 0.35;

@@ -42,8 +42,7 @@ impl Fixture for Lamp {
     const ITEM: Item = Item::Lamp;
     const MOST: usize = MOST_LAMPS;
     const TARGET: Target = Target {
-        low_m: LAMP_HEIGHT_M - LAMP_TARGET_M,
-        high_m: LAMP_HEIGHT_M + LAMP_TARGET_M,
+        heights_m: [LAMP_HEIGHT_M - LAMP_TARGET_M, LAMP_HEIGHT_M + LAMP_TARGET_M],
         radius_m: LAMP_TARGET_M,
     };
     const MIDDLE_M: f64 = LAMP_HEIGHT_M;

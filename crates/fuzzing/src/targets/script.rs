@@ -53,6 +53,8 @@ const WORDS: &[&str] = &[
     "euclidean",
     "gun",
     "lamp",
+    "flag",
+    "name-flag",
     "bot",
     "hostile",
     "x.png",

@@ -102,7 +102,7 @@ pub(super) fn show(
     quarters(painter, strip, texts, model.heading_rad);
     for flag in &model.flags {
         if let Some(x) = place(strip.shrink2(vec2(8.0, 0.0)), flag.bearing_rad) {
-            pennant(painter, pos2(x, strip.max.y - 3.0), 6.0);
+            pennant(painter, pos2(x, strip.max.y - 2.0), 4.5);
         }
     }
     pointer(painter, strip);
