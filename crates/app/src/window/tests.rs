@@ -10,6 +10,7 @@ mod backpack;
 mod beginnings;
 mod clock;
 mod console;
+mod flags;
 mod flow;
 mod newcomers;
 mod options;
