@@ -41,7 +41,7 @@ const DOCUMENTS: [&str; 4] = ["README.md", "CHANGELOG.md", "LICENSE-APACHE", "LI
 /// # Errors
 /// When a program that is needed fails or is missing, a file cannot be written, or what was packed does not start.
 pub fn dist() -> Result<Vec<PathBuf>, Error> {
-    steps::build_game()?;
+    let game = steps::build_game()?;
     let out = root().join("target/dist");
     remove(&out)?;
     let name = format!(
@@ -50,10 +50,7 @@ pub fn dist() -> Result<Vec<PathBuf>, Error> {
         std::env::consts::ARCH
     );
     let folder = out.join(&name);
-    copy(
-        &root().join("target/release/antipode"),
-        &folder.join("antipode"),
-    )?;
+    copy(&game, &folder.join("antipode"))?;
     // The symbols are four fifths of it; a crash names its place by file and line without them.
     run(Command::new("strip").arg(folder.join("antipode")))?;
     for document in DOCUMENTS {

@@ -1,16 +1,19 @@
 //! Running cargo: the game, the tests, and the steps of CI.
 //!
-//! Everything is built in the release profile, so that the dependencies are
+//! Everything but what players are given is built in the release profile, so that the dependencies are
 //! compiled once for the game, the tests and the benches. The tests come last
 //! and nothing is printed after them: the last line is the runner's summary.
 
 use std::ffi::OsStr;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
 use crate::error::Error;
 use crate::testbed::TestBed;
+
+/// The profile of what players are given.
+const SHIPPED: &str = "shipped";
 
 /// The root of the checkout.
 pub fn root() -> &'static Path {
@@ -40,13 +43,14 @@ pub fn game(arguments: &[impl AsRef<OsStr>], features: Option<&[&str]>) -> Resul
     })
 }
 
-/// Builds the game as players get it.
+/// Builds the game as players get it, and returns where it is.
 ///
 /// # Errors
 /// When cargo cannot be started or the build fails.
-pub fn build_game() -> Result<(), Error> {
-    let mut build = cargo(&["build", "--release", "--package", "antipode"]);
-    Steps::new(1).run("build", &mut build)
+pub fn build_game() -> Result<PathBuf, Error> {
+    let mut build = cargo(&["build", "--profile", SHIPPED, "--package", "antipode"]);
+    Steps::new(1).run("build", &mut build)?;
+    Ok(root().join("target").join(SHIPPED).join("antipode"))
 }
 
 /// What is built into the game, one package a line: name, version and place, `|`, licence, `|`, repository.
