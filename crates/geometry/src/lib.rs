@@ -58,7 +58,7 @@ pub use point::{ChartPoint, Crossing};
 pub use projection::{Depth, Projection};
 pub use real::Real;
 pub use shader::MapShader;
-pub use sight::{Drum, SightCell, azimuth_spread};
+pub use sight::{BoundingCylinder, SightCell, azimuth_spread};
 pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
 pub use strategy::Strategy;
 pub use triangle::equilateral_angle_sum_rad;

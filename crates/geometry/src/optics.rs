@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::{
-    ChartId, ChartPoint, Drum, Eye, Frustum, MapShader, Projection, SightCell, SpaceUniform,
+    BoundingCylinder, ChartId, ChartPoint, Eye, Frustum, MapShader, Projection, SightCell,
+    SpaceUniform,
 };
 
 /// How pictures of a space are taken: where in them what is seen lies, how far and in which directions things are seen, what
@@ -40,23 +41,23 @@ pub trait Optics {
     /// The directions in which the chart box from `min` to `max` metres is seen.
     fn sight_cell(&self, eye: &Eye, chart: ChartId, min: DVec3, max: DVec3) -> SightCell;
 
-    /// A cell for all boxes in an upright drum: if the drum's cell is not seen, none of the boxes is. It holds for
-    /// boxes whose surrounding circles lie in the drum.
+    /// A cell for all boxes in an upright bounding cylinder: if it is not seen, none of the boxes is. It holds for
+    /// boxes whose surrounding circles lie in the bounding cylinder.
     ///
-    /// A drum is seen at the azimuths of its circle, and as high and low as the square around it.
-    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
-        let half = DVec3::new(drum.radius_m, 0.0, drum.radius_m);
-        let [min, max] = drum.square(half);
-        let away = drum.middle - DVec2::new(eye.point.pos.x, eye.point.pos.z);
-        let apart = away.length() > drum.radius_m;
+    /// A bounding cylinder is seen at the azimuths of its circle, and as high and low as the square around it.
+    fn sight_cell_of(&self, eye: &Eye, cylinder: &BoundingCylinder) -> SightCell {
+        let half = DVec3::new(cylinder.radius_m, 0.0, cylinder.radius_m);
+        let [min, max] = cylinder.square(half);
+        let away = cylinder.middle - DVec2::new(eye.point.pos.x, eye.point.pos.z);
+        let apart = away.length() > cylinder.radius_m;
         SightCell {
             azimuth_rad: away.y.atan2(away.x),
             half_width_rad: if apart {
-                (drum.radius_m / away.length()).asin()
+                (cylinder.radius_m / away.length()).asin()
             } else {
                 PI
             },
-            ..self.sight_cell(eye, drum.chart, min, max)
+            ..self.sight_cell(eye, cylinder.chart, min, max)
         }
     }
 

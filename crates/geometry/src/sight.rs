@@ -28,9 +28,9 @@ pub struct SightCell {
     pub nearest_m: f64,
 }
 
-/// An upright drum of the chart.
+/// An upright bounding cylinder of the chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drum {
+pub struct BoundingCylinder {
     /// The chart it lies in.
     pub chart: ChartId,
     /// The middle of its circle, x and z in metres.
@@ -41,7 +41,7 @@ pub struct Drum {
     pub heights_m: [f64; 2],
 }
 
-impl Drum {
+impl BoundingCylinder {
     /// Least and greatest corner of as high a box that goes that far to each side.
     pub fn square(&self, half: DVec3) -> [DVec3; 2] {
         let at = |y: f64| DVec3::new(self.middle.x, y, self.middle.y);

@@ -30,6 +30,7 @@ mod outlines;
 mod page_book;
 mod pages;
 mod parts;
+mod pipeline_cache;
 mod pipelines;
 mod plan;
 mod refinements;
@@ -47,7 +48,6 @@ mod timing;
 mod tonemap;
 mod touched;
 mod uniforms;
-mod workshop;
 
 pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};

@@ -17,12 +17,12 @@ use crate::figure_buffers::joints_layout;
 use crate::figure_pipelines::FigurePipelines;
 use crate::heavens::Heavens;
 use crate::outlines;
+use crate::pipeline_cache::Key;
 use crate::shaders::{CELESTIAL, MARKER, OUTLINES, SKY, Shader, Shaders, TERRAIN, accepted};
 use crate::shadow::{ShadowQuality, caster_layout, scene_entries};
 use crate::targets::{DEPTH_FORMAT, LIGHT_FORMAT};
 use crate::terrain_pipelines::{ShadowReach, TerrainPipelines};
 use crate::uniforms::{ChunkInstance, MarkerInstance, OutlineInstance};
-use crate::workshop::Key;
 
 /// Everything the scene is drawn with.
 #[derive(Debug)]

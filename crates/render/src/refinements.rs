@@ -21,7 +21,7 @@ use crate::chunk_store::{ChunkStore, GpuChunk};
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::plan::{
-    Bounds, ChunkLand, FramePlan, Halver, RefineKey, RefineRules, Refined, unhalved_error_px,
+    Bounds, ChunkLand, FramePlan, RefineKey, RefineRules, Refined, Subdivider, unhalved_error_px,
 };
 use crate::refinery::{Delivery, Refinery, Task};
 use lead::Lead;
@@ -87,7 +87,7 @@ pub struct Refinements {
     refinery: Refinery,
     lead: Lead,
     /// For what is refined on the spot.
-    halver: Halver,
+    subdivider: Subdivider,
 }
 
 impl Refinements {
@@ -295,7 +295,10 @@ impl ChunkStore {
                 && let eyes = rules.eyes_from(frame, &chunk.land)
                 && !eyes.is_empty()
             {
-                let refined = self.refinements.halver.refine(&rules, &eyes, &chunk.source);
+                let refined = self
+                    .refinements
+                    .subdivider
+                    .refine(&rules, &eyes, &chunk.source);
                 let refinement = Refinement::put(&mut self.pages, Arc::clone(&rules), refined);
                 chunk.set_refined(&mut self.pages, refinement);
             }
@@ -361,7 +364,7 @@ impl ChunkStore {
                     wanted,
                 }),
             refinery,
-            halver,
+            subdivider,
             ..
         } = &mut self.refinements
         else {
@@ -386,7 +389,7 @@ impl ChunkStore {
             }
             if on_the_spot > 0 {
                 on_the_spot -= 1;
-                let refined = halver.refine(rules, &eyes, &chunk.source);
+                let refined = subdivider.refine(rules, &eyes, &chunk.source);
                 let refinement = Refinement::put(&mut self.pages, Arc::clone(rules), refined);
                 chunk.set_coming(&mut self.pages, refinement);
                 continue;

@@ -9,7 +9,7 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::ChunkMesh;
 use glam::Vec3;
 
-use crate::plan::{Halver, RefineRules, Refined};
+use crate::plan::{RefineRules, Refined, Subdivider};
 
 /// A mesh to be refined.
 #[derive(Clone, Debug)]
@@ -69,11 +69,11 @@ impl Worker {
         let (tasks, orders) = channel::<Task>();
         let (results, done) = channel();
         let work = move || {
-            let mut halver = Halver::default();
+            let mut subdivider = Subdivider::default();
             while let Ok(task) = orders.recv() {
                 let is_wanted = task.wanted.strong_count() > 0;
                 let refined =
-                    is_wanted.then(|| halver.refine(&task.rules, &task.eyes, &task.source));
+                    is_wanted.then(|| subdivider.refine(&task.rules, &task.eyes, &task.source));
                 if results.send((task, refined)).is_err() {
                     return;
                 }

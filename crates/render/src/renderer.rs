@@ -11,6 +11,7 @@ use crate::error::RenderError;
 use crate::figures::Figures;
 use crate::gpu::Gpu;
 use crate::heavens::Heavens;
+use crate::pipeline_cache::{Key, PipelineCache};
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::FramePlan;
 use crate::refinery::Delivery;
@@ -20,7 +21,6 @@ use crate::targets::drawn_size;
 use crate::tile::Tile;
 use crate::timing::Timing;
 use crate::tonemap::{MirrorPlace, Tonemap};
-use crate::workshop::{Key, Workshop};
 
 mod options;
 mod readiness;
@@ -62,7 +62,7 @@ pub struct Renderer {
     queue: Queue,
     options: Options,
     shaders: Shaders,
-    pipelines: Workshop<Pipelines>,
+    pipelines: PipelineCache<Pipelines>,
     /// Whether frames wait for pipelines.
     patient: bool,
     /// Whether the last frame was not drawn for want of pipelines.
@@ -116,7 +116,8 @@ impl Renderer {
         let heavens = Heavens::new(&device, &queue)?;
         let shadows = Shadows::new(gpu, options.shadows);
         let quality = options.pipeline_quality();
-        let pipelines = readiness::workshop(&device, shaders, &scene_layout(&device), quality);
+        let pipelines =
+            readiness::pipeline_cache(&device, shaders, &scene_layout(&device), quality);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
         let extras = (&heavens, &shadows);
         let size = ((1, 1), options.samples);

@@ -21,8 +21,7 @@
 mod api;
 mod bases;
 mod book;
-mod crew;
-mod ledger;
+mod edit_store;
 mod levels;
 mod maps;
 mod outcome;
@@ -39,6 +38,7 @@ mod updates;
 mod vault;
 mod waiting;
 mod worker;
+mod worker_pool;
 
 #[cfg(test)]
 mod tests;

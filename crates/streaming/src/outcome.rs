@@ -4,7 +4,7 @@ use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
 use crate::book::Land;
-use crate::ledger::Make;
+use crate::edit_store::Make;
 use crate::plan::Planned;
 use crate::saver::Unsaved;
 

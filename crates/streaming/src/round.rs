@@ -11,7 +11,7 @@ use antipode_terrain::Stroke;
 
 use crate::api::Chunk;
 use crate::book::{Change, Entered};
-use crate::ledger::Make;
+use crate::edit_store::Make;
 use crate::outcome::Edited;
 use crate::range::around;
 use crate::shared::{Shared, Step};

@@ -10,7 +10,7 @@ use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
 use crate::api::Chunk;
 use crate::bases::Bases;
 use crate::book::{Book, Snapshot};
-use crate::ledger::Make;
+use crate::edit_store::Make;
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub(crate) struct Shared {
 }
 
 impl Shared {
-    /// State for a new crew.
+    /// State for a new worker pool.
     pub(crate) fn new(
         field: Arc<Field>,
         strategy: Arc<dyn Atlas>,

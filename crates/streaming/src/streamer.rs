@@ -12,8 +12,7 @@ use antipode_terrain::{Field, Stroke};
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::book::{Book, Land};
-use crate::crew::Crew;
-use crate::ledger::{Ledger, Verdict};
+use crate::edit_store::{EditStore, Verdict};
 use crate::outcome::{Edited, Loaded, Outcome};
 use crate::round::EditBatch;
 use crate::saver::{Parts, Unsaved};
@@ -21,12 +20,13 @@ use crate::shared::{Shared, Watch};
 use crate::strokes::{Mark, Strokes};
 use crate::updates::{coords, game_cost, is_solid, softened};
 use crate::vault::{Vault, coord_of};
+use crate::worker_pool::WorkerPool;
 
 /// Loads, edits and saves chunks in the background. See the crate's documentation.
 pub struct Streamer {
     strategy: Arc<dyn Atlas>,
-    pub(crate) crew: Crew,
-    pub(crate) ledger: Ledger,
+    pub(crate) worker_pool: WorkerPool,
+    pub(crate) edit_store: EditStore,
     pub(crate) strokes: Strokes,
     pub(crate) batch_in_flight: bool,
     /// Meshes that an earlier batch could not make.
@@ -110,7 +110,7 @@ impl Streamer {
                 "{strange} stored changes of the terrain belong to no place in this world and are not shown."
             )));
         }
-        let ledger = Ledger::new(
+        let edit_store = EditStore::new(
             Arc::clone(&field),
             Arc::clone(&strategy),
             edited.iter().copied().collect(),
@@ -122,12 +122,12 @@ impl Streamer {
             Bases::new(config.kept_samples),
             watch,
         );
-        let crew =
-            Crew::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
+        let worker_pool =
+            WorkerPool::start(Arc::new(shared), config.workers).map_err(StreamingError::Threads)?;
         Ok(Self {
             strategy,
-            crew,
-            ledger,
+            worker_pool,
+            edit_store,
             strokes: Strokes::default(),
             batch_in_flight: false,
             overdue: HashSet::new(),
@@ -142,7 +142,7 @@ impl Streamer {
     /// range and not begun are dropped, chunks more than one beyond the range are unloaded once the
     /// plan has been made anew.
     pub fn wish(&mut self, wish: &Wish) {
-        let left = self.ledger.wish(wish);
+        let left = self.edit_store.wish(wish);
         self.leaving.extend(left);
         self.feed();
     }
@@ -181,7 +181,7 @@ impl Streamer {
         let started = Instant::now();
         let mut updates = Vec::from(std::mem::take(&mut self.ready));
         let mut spent = Duration::ZERO;
-        while let Ok(outcome) = self.crew.results().try_recv() {
+        while let Ok(outcome) = self.worker_pool.results().try_recv() {
             let before = updates.len();
             self.take(outcome, &mut updates);
             spent += updates[before..].iter().map(game_cost).sum::<Duration>();
@@ -190,7 +190,12 @@ impl Streamer {
                 break;
             }
         }
-        updates.extend(self.ledger.settle_some().into_iter().map(Update::Unloaded));
+        updates.extend(
+            self.edit_store
+                .settle_some()
+                .into_iter()
+                .map(Update::Unloaded),
+        );
         self.feed();
         self.settle_leaving(&updates);
         if !updates.iter().any(is_solid) {
@@ -211,48 +216,48 @@ impl Streamer {
     /// Has a worker drop what the game needs no more: samples, colliders, meshes. Freeing them takes
     /// longer than a frame should.
     pub fn discard(&self, thing: impl Send + 'static) {
-        self.crew.discard(Box::new(thing));
+        self.worker_pool.discard(Box::new(thing));
     }
 
     /// Chunks to be loaded, and one more while an edit is under way.
     pub fn pending(&self) -> usize {
-        self.ledger.coming() + usize::from(self.is_editing())
+        self.edit_store.coming() + usize::from(self.is_editing())
     }
 
     /// Is everything of this chunk there? Chunks in range without a surface always are.
     pub fn is_resident(&self, coord: ChunkCoord) -> bool {
-        self.ledger.is_resident(coord)
+        self.edit_store.is_resident(coord)
     }
 
     /// Is nothing more to come of this chunk? As [`is_resident`](Self::is_resident), and true too
     /// for one that could not be made and was given up.
     pub fn is_ready(&self, coord: ChunkCoord) -> bool {
-        self.ledger.is_ready(coord)
+        self.edit_store.is_ready(coord)
     }
 
     /// May bodies move in this chunk? It is solid, has no surface or was given up, whatever the view has made of it.
     pub fn is_firm(&self, coord: ChunkCoord) -> bool {
-        self.ledger.is_firm(coord)
+        self.edit_store.is_firm(coord)
     }
 
     /// Is this chunk within the view last wished for?
     pub fn is_wanted(&self, coord: ChunkCoord) -> bool {
-        self.ledger.is_wanted(coord)
+        self.edit_store.is_wanted(coord)
     }
 
     /// Is this chunk within the view, or the chunk beyond it that is kept so that walking to and fro loads nothing?
     pub fn keeps_in_view(&self, coord: ChunkCoord) -> bool {
-        self.ledger.keeps_in_view(coord)
+        self.edit_store.keeps_in_view(coord)
     }
 
     /// Number of chunks with a mesh that are there.
     pub fn resident_count(&self) -> usize {
-        self.ledger.resident_count()
+        self.edit_store.resident_count()
     }
 
     /// Number of chunks of the world that the player has changed.
     pub fn edited_count(&self) -> usize {
-        self.ledger.edited_count()
+        self.edit_store.edited_count()
     }
 
     /// Number of saves asked for and not ended.
@@ -294,14 +299,14 @@ impl Streamer {
         if !self.batch_in_flight && !self.strokes.is_empty() {
             self.feed_batch();
         }
-        if let Some(request) = self.ledger.next_plan()
-            && !self.crew.plan(request)
+        if let Some(request) = self.edit_store.next_plan()
+            && !self.worker_pool.plan(request)
         {
-            self.ledger.plan_not_made();
+            self.edit_store.plan_not_made();
         }
-        while let Some(make) = self.ledger.next_load(self.crew.most_loads()) {
-            if !self.crew.load(make) {
-                self.ledger.not_sent(make.coord);
+        while let Some(make) = self.edit_store.next_load(self.worker_pool.most_loads()) {
+            if !self.worker_pool.load(make) {
+                self.edit_store.not_sent(make.coord);
                 break;
             }
         }
@@ -309,7 +314,7 @@ impl Streamer {
             && let Some(whole) = self.saves.whole.take()
         {
             let parts = whole.or(std::mem::take(&mut self.saves.unsaved));
-            match self.crew.save(Box::new(parts)) {
+            match self.worker_pool.save(Box::new(parts)) {
                 Ok(()) => self.saves.in_flight = true,
                 Err(parts) => self.saves.whole = Some(*parts),
             }
@@ -344,13 +349,13 @@ impl Streamer {
         let batch = EditBatch {
             strokes,
             overdue: self.overdue.iter().copied().collect(),
-            makes: self.ledger.begin_batch(coords.into_iter()),
+            makes: self.edit_store.begin_batch(coords.into_iter()),
         };
-        match self.crew.edit(batch) {
+        match self.worker_pool.edit(batch) {
             Ok(()) => self.batch_in_flight = true,
             Err(batch) => {
                 self.strokes.put_back(batch.strokes);
-                self.ledger.batch_not_sent();
+                self.edit_store.batch_not_sent();
             }
         }
     }
@@ -359,7 +364,7 @@ impl Streamer {
     /// from which the normals at their faces come.
     fn bordering(&self, strokes: &[Stroke], coords: &BTreeSet<ChunkCoord>) -> Vec<ChunkCoord> {
         let mut found = Vec::new();
-        for (level, beside) in self.ledger.coarse_beside(coords) {
+        for (level, beside) in self.edit_store.coarse_beside(coords) {
             let seen = strokes
                 .iter()
                 .flat_map(|stroke| stroke.remeshed_at(&*self.strategy, level));
@@ -375,11 +380,11 @@ impl Streamer {
             Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
             Outcome::Edited(edited) => self.take_edited(edited, updates),
             Outcome::Planned(Ok(planned)) => {
-                let before = self.ledger.planned(planned);
+                let before = self.edit_store.planned(planned);
                 self.discard(before);
             }
             Outcome::Planned(Err(problems)) => {
-                self.ledger.plan_failed();
+                self.edit_store.plan_failed();
                 updates.extend(problems.into_iter().map(Update::Problem));
             }
             Outcome::Saved(failed) => self.take_saved(failed, updates),
@@ -393,10 +398,10 @@ impl Streamer {
                 .map(Update::Problem),
         );
         let Some(chunk) = loaded.chunk else {
-            self.ledger.give_up(loaded.make.coord);
+            self.edit_store.give_up(loaded.make.coord);
             return;
         };
-        match self.ledger.loaded(loaded.make, loaded.revision) {
+        match self.edit_store.loaded(loaded.make, loaded.revision) {
             Verdict::Show => updates.push(Update::Loaded(chunk)),
             Verdict::Harden => updates.push(Update::Solid {
                 coord: chunk.coord,
@@ -415,15 +420,15 @@ impl Streamer {
         self.batch_in_flight = false;
         self.saves.land.extend(edited.land);
         updates.extend(edited.problems.into_iter().map(Update::Problem));
-        self.ledger
+        self.edit_store
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
-        self.ledger
+        self.edit_store
             .borders_changed(&edited.bordering, edited.revision);
         if edited.complete {
             let done: HashSet<_> = edited.remeshed.iter().chain(&edited.bordering).collect();
             self.overdue.retain(|coord| !done.contains(coord));
             let made = edited.chunks.into_iter();
-            let shown = made.filter(|(make, _)| self.ledger.show_edited(*make));
+            let shown = made.filter(|(make, _)| self.edit_store.show_edited(*make));
             let shown = shown.map(|(_, chunk)| chunk);
             // Which these are hangs on the levels of the picture; their ground is as it was.
             let (beside, chunks): (Vec<_>, Vec<_>) =

@@ -23,16 +23,25 @@ impl Streamer {
         loop {
             // What is finished is taken even if nothing has to be waited for; else a game that only
             // ever waits would neither load nor learn that it is saved.
-            while let Ok(outcome) = self.crew.results().try_recv() {
+            while let Ok(outcome) = self.worker_pool.results().try_recv() {
                 self.take(outcome, &mut updates);
             }
-            updates.extend(self.ledger.settle_all().into_iter().map(Update::Unloaded));
+            updates.extend(
+                self.edit_store
+                    .settle_all()
+                    .into_iter()
+                    .map(Update::Unloaded),
+            );
             self.feed();
             if self.holds(what) {
                 return updates;
             }
             let left = end.saturating_duration_since(Instant::now());
-            match self.crew.results().recv_timeout(left.min(LOOK_AGAIN)) {
+            match self
+                .worker_pool
+                .results()
+                .recv_timeout(left.min(LOOK_AGAIN))
+            {
                 Ok(outcome) => self.take(outcome, &mut updates),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return updates,
@@ -46,9 +55,9 @@ impl Streamer {
     fn holds(&self, what: Until<'_>) -> bool {
         match what {
             Until::Edits => !self.is_editing(),
-            Until::Chunks(coords) => !coords.iter().any(|&coord| self.ledger.is_coming(coord)),
-            Until::Bodies => !self.ledger.is_ground_coming(),
-            Until::Loads => self.ledger.coming() == 0,
+            Until::Chunks(coords) => !coords.iter().any(|&coord| self.edit_store.is_coming(coord)),
+            Until::Bodies => !self.edit_store.is_ground_coming(),
+            Until::Loads => self.edit_store.coming() == 0,
             Until::Saved => self.saves_in_flight() == 0,
             Until::Idle => self.pending() == 0 && self.saves_in_flight() == 0,
         }
@@ -62,7 +71,7 @@ impl Streamer {
     /// [`StreamingError::NotSaved`] if the last commit failed, [`StreamingError::Unfinished`] if an edit
     /// or the commit took too long to wait for.
     pub fn close(&mut self) -> Result<(), StreamingError> {
-        self.ledger.clear_queue();
+        self.edit_store.clear_queue();
         let mut updates = self.wait(Until::Edits, CLOSE_LIMIT);
         self.save(None, RecordChanges::new());
         updates.extend(self.wait(Until::Saved, CLOSE_LIMIT));
@@ -75,7 +84,7 @@ impl Streamer {
         };
         if let Some(error) = failed {
             self.keep_ready(updates);
-            self.ledger.refill_queue();
+            self.edit_store.refill_queue();
             return Err(error);
         }
         for update in updates {
@@ -84,7 +93,7 @@ impl Streamer {
             }
         }
         // Everything is on disk by now: a thread that does not end can lose nothing.
-        self.crew.leave();
+        self.worker_pool.leave();
         Ok(())
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crossbeam_channel::{Receiver, Sender, select_biased};
 
-use crate::ledger::Make;
+use crate::edit_store::Make;
 use crate::outcome::{Loaded, Outcome};
 use crate::plan::{Planned, Request};
 use crate::round::{EditBatch, Round};

@@ -12,7 +12,7 @@ use crate::field::Field;
 use crate::maker::Maker;
 use crate::mesh::{ChunkMesh, Vertex};
 use crate::samples::Samples;
-use crate::seam::Tailor;
+use crate::seam::SeamMesher;
 use crate::tables::{EDGES, TRIANGLES, TURNS, Turn};
 
 /// Columns of cells side by side in a strip: as many as leave two rows of their vertices in the
@@ -34,7 +34,7 @@ pub struct Mesher {
     lines: Vec<Lines>,
     vertices: Vec<Vertex>,
     indices: Vec<u32>,
-    tailor: Tailor,
+    seam_mesher: SeamMesher,
 }
 
 impl Mesher {
@@ -47,7 +47,7 @@ impl Mesher {
         let turn = &TURNS[field.quarter_turns(coord.chart)];
         self.make_surface(&maker, &reach, turn, level.cells());
         let seams = self
-            .tailor
+            .seam_mesher
             .sew(&maker, &reach, &mut self.vertices, &mut self.indices);
         ChunkMesh {
             level,

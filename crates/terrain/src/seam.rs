@@ -19,7 +19,7 @@ const NO_VERTEX: u32 = u32::MAX;
 
 /// Makes seams; what it holds is kept from chunk to chunk only for its room.
 #[derive(Debug, Default)]
-pub(crate) struct Tailor {
+pub(crate) struct SeamMesher {
     /// The solid samples of a face, a row in one word.
     rows: Vec<u64>,
     /// Vertices by their edge: see [`Face::slot`].
@@ -110,7 +110,7 @@ impl Face<'_> {
     }
 }
 
-impl Tailor {
+impl SeamMesher {
     /// Adds the seams of a chunk to the vertices and indices of its surface: for each face the
     /// range of its indices.
     pub(crate) fn sew(

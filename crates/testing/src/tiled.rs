@@ -4,8 +4,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use antipode_geometry::{
-    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Euclidean, Eye, Map, MapShader,
-    Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
+    Atlas, BoundingCylinder, ChartId, ChartPoint, Crossing, Curvature, Domain, Euclidean, Eye, Map,
+    MapShader, Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, SquareFrame,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4, I64Vec2};
 
@@ -172,9 +172,9 @@ impl Optics for TiledFlat {
         Euclidean.sight_cell(eye, eye.point.chart, min, max)
     }
 
-    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
-        let [min, max] = drum.square(DVec3::new(drum.radius_m, 0.0, drum.radius_m));
-        self.sight_cell(eye, drum.chart, min, max)
+    fn sight_cell_of(&self, eye: &Eye, cylinder: &BoundingCylinder) -> SightCell {
+        let [min, max] = cylinder.square(DVec3::new(cylinder.radius_m, 0.0, cylinder.radius_m));
+        self.sight_cell(eye, cylinder.chart, min, max)
     }
 
     fn clip_from_view(&self, eye: &Eye, projection: &Projection, view: DVec4) -> DVec4 {

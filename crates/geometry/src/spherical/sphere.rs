@@ -14,8 +14,9 @@ use crate::kernel::{distance, sphere};
 use crate::projection::Depth;
 use crate::sight::{Axis, Plan};
 use crate::{
-    Atlas, ChartId, ChartPoint, Crossing, Curvature, Domain, Drum, Eye, HeightLimits, Map,
-    MapShader, Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer, shader,
+    Atlas, BoundingCylinder, ChartId, ChartPoint, Crossing, Curvature, Domain, Eye, HeightLimits,
+    Map, MapShader, Metric, NoiseFrame, Optics, Projection, SightCell, SpaceUniform, Viewer,
+    shader,
 };
 
 /// How far past the equator a body goes before it changes charts, in metres. Any overshoot is
@@ -290,11 +291,11 @@ impl Optics for Spherical {
         Axis::new(self.radius_m.powi(-2), eye.point.pos.y).cell(&plan, heights)
     }
 
-    /// Boxes count as the drums around them, and drums as the boxes in them.
-    fn sight_cell_of(&self, eye: &Eye, drum: &Drum) -> SightCell {
-        let half_m = FRAC_1_SQRT_2 * drum.radius_m;
-        let [min, max] = drum.square(DVec3::new(half_m, 0.0, half_m));
-        self.sight_cell(eye, drum.chart, min, max)
+    /// Boxes count as the bounding cylinders around them, and bounding cylinders as the boxes in them.
+    fn sight_cell_of(&self, eye: &Eye, cylinder: &BoundingCylinder) -> SightCell {
+        let half_m = FRAC_1_SQRT_2 * cylinder.radius_m;
+        let [min, max] = cylinder.square(DVec3::new(half_m, 0.0, half_m));
+        self.sight_cell(eye, cylinder.chart, min, max)
     }
 
     /// Ways of the sphere are no longer than those of its charts.

@@ -2,22 +2,22 @@
 
 use std::ops::Range;
 
-use antipode_geometry::{ChartId, Drum};
+use antipode_geometry::{BoundingCylinder, ChartId};
 use glam::{DVec2, IVec2};
 
 use super::skyline::Column;
 use super::{ChunkLand, Ground};
 
-/// Columns of chunks along each side of a tract, as a power of two.
+/// Columns of chunks along each side of a tile group, as a power of two.
 const TRACT_COLUMNS_LOG2: u32 = 2;
 
-/// Land to be planned for, arranged by columns of chunks and tracts of columns.
+/// Land to be planned for, arranged by columns of chunks and tile groups of columns.
 #[derive(Debug, Default)]
 pub struct LandBook {
     land: Vec<ChunkLand>,
-    /// Places in `land`: tract by tract, column by column, upwards.
+    /// Places in `land`: tile group by tile group, column by column, upwards.
     order: Vec<u32>,
-    tracts: Vec<Tract>,
+    groups: Vec<TileGroup>,
     columns: Vec<Column>,
     /// The column of each place in `land`, by its place in `columns`; past its end where it hides nothing.
     column_of: Vec<u32>,
@@ -25,9 +25,9 @@ pub struct LandBook {
 
 /// Columns beside each other, which are seen or not seen together.
 #[derive(Clone, Debug)]
-pub struct Tract {
+pub struct TileGroup {
     /// Holds all its land, and the circles around it.
-    pub drum: Drum,
+    pub cylinder: BoundingCylinder,
     /// Triangles of its land.
     pub triangles: usize,
     chunks: Range<usize>,
@@ -35,11 +35,11 @@ pub struct Tract {
 
 type ColumnKey = (ChartId, [i32; 2], [i32; 2]);
 
-/// What tells columns apart and brings those of a tract together.
+/// What tells columns apart and brings those of a tile group together.
 fn column_key(chunk: &ChunkLand) -> ColumnKey {
     let at = [chunk.coord.index.x, chunk.coord.index.z];
-    let tract = at.map(|i| i >> TRACT_COLUMNS_LOG2);
-    (chunk.coord.chart, tract, at)
+    let group = at.map(|i| i >> TRACT_COLUMNS_LOG2);
+    (chunk.coord.chart, group, at)
 }
 
 impl LandBook {
@@ -57,10 +57,10 @@ impl LandBook {
             ..Self::default()
         };
         let mut from = 0;
-        for tract in keyed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0 && a.1 == b.1) {
-            let chunks = from..from + tract.len();
+        for group in keyed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0 && a.1 == b.1) {
+            let chunks = from..from + group.len();
             from = chunks.end;
-            book.tracts.push(book.tract(chunks));
+            book.groups.push(book.group(chunks));
         }
         for column in keyed.chunk_by(|(a, ..), (b, ..)| a == b) {
             book.add_column(column);
@@ -68,7 +68,7 @@ impl LandBook {
         book
     }
 
-    fn tract(&self, chunks: Range<usize>) -> Tract {
+    fn group(&self, chunks: Range<usize>) -> TileGroup {
         let members = || {
             self.order[chunks.clone()]
                 .iter()
@@ -85,8 +85,8 @@ impl LandBook {
             let half = 0.5 * level(chunk.max - chunk.min);
             (0.5 * level(chunk.min + chunk.max)).distance(middle) + half.length()
         };
-        Tract {
-            drum: Drum {
+        TileGroup {
+            cylinder: BoundingCylinder {
                 chart: members().next().map_or(ChartId::FIRST, |c| c.coord.chart),
                 middle,
                 radius_m: members().map(reach).fold(0.0, f64::max),
@@ -118,13 +118,13 @@ impl LandBook {
     }
 
     /// What is seen or not seen together.
-    pub fn tracts(&self) -> &[Tract] {
-        &self.tracts
+    pub fn groups(&self) -> &[TileGroup] {
+        &self.groups
     }
 
-    /// The chunks of a tract, by their places in the land.
-    pub fn chunks(&self, tract: &Tract) -> impl Iterator<Item = usize> + '_ {
-        self.order[tract.chunks.clone()]
+    /// The chunks of a tile group, by their places in the land.
+    pub fn chunks(&self, group: &TileGroup) -> impl Iterator<Item = usize> + '_ {
+        self.order[group.chunks.clone()]
             .iter()
             .map(|place| *place as usize)
     }

@@ -8,12 +8,12 @@ mod bend;
 mod book;
 mod bounds;
 mod choice;
-mod halver;
 mod land;
 mod quality;
 mod refine;
 mod skyline;
 mod stats;
+mod subdivider;
 #[cfg(test)]
 pub mod testing;
 #[cfg(test)]
@@ -27,11 +27,11 @@ use antipode_geometry::{CHUNK_CELLS, Eye, SightCell, Strategy};
 pub use book::LandBook;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
-pub use halver::{Halver, Refined};
 pub use land::{ChunkLand, Ground};
 pub use quality::Tolerance;
 pub use refine::{RefineKey, RefineRules, unhalved_error_px};
 pub use stats::PlanStats;
+pub use subdivider::{Refined, Subdivider};
 
 use bend::Bend;
 use glam::IVec2;
@@ -171,14 +171,14 @@ fn candidates(
     let frustum = strategy.frustum(eye, &frame.view.projection);
     let fog_m = f64::from(frame.view.fog_distance_m);
     let mut seen = Vec::new();
-    for tract in book.tracts() {
-        let cell = roomy(strategy.sight_cell_of(eye, &tract.drum));
+    for group in book.groups() {
+        let cell = roomy(strategy.sight_cell_of(eye, &group.cylinder));
         if !frustum.sees(&cell) || cell.nearest_m > fog_m {
-            stats.triangles_outside += tract.triangles;
+            stats.triangles_outside += group.triangles;
             continue;
         }
-        let grid = Grid::of(frame, tract.drum.chart);
-        for place in book.chunks(tract) {
+        let grid = Grid::of(frame, group.cylinder.chart);
+        for place in book.chunks(group) {
             let chunk = &book.land()[place];
             let chart = chunk.coord.chart;
             let cell = frustum.cell_seen(strategy, eye, chart, chunk.min, chunk.max);

@@ -1,4 +1,4 @@
-//! The planner looks at tracts, and only at what may hide something: what it decides must not depend on that.
+//! The planner looks at tile groups, and only at what may hide something: what it decides must not depend on that.
 
 use std::collections::{BTreeMap, HashSet};
 

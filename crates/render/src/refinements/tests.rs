@@ -49,7 +49,7 @@ fn true_error_px(store: &ChunkStore, frame: &Frame, land: &[ChunkLand], plan: &F
         let chunk = &store.chunks[&coord];
         let refined = chunk.refined.as_ref().map(|r| {
             let eyes = r.rules.eyes_from(frame, &chunk.land);
-            Halver::default().refine(&r.rules, &eyes, &chunk.source)
+            Subdivider::default().refine(&r.rules, &eyes, &chunk.source)
         });
         let mut triangles: Vec<[DVec3; 3]> = Vec::new();
         if let Some(refined) = refined.filter(|r| r.halved > 0) {

@@ -5,12 +5,12 @@ use wgpu::{BindGroupLayout, CommandEncoder, Device, TextureView};
 
 use super::{DrawStats, Options, Picture, Renderer, check};
 use crate::error::RenderError;
+use crate::pipeline_cache::{Key, PipelineCache};
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::shaders::Shaders;
 use crate::shadow::ShadowQuality;
 use crate::targets::drawn_size;
 use crate::tonemap::Tonemap;
-use crate::workshop::{Key, Workshop};
 
 /// Samples a pixel, and the shadows' quality.
 type PipelineQuality = (u32, ShadowQuality);
@@ -22,16 +22,16 @@ impl Options {
 }
 
 /// Pipelines of a quality.
-pub(super) fn workshop(
+pub(super) fn pipeline_cache(
     device: &Device,
     shaders: Shaders,
     layout: &BindGroupLayout,
     quality: PipelineQuality,
-) -> Workshop<Pipelines> {
-    Workshop::new(maker(device, shaders, layout, quality))
+) -> PipelineCache<Pipelines> {
+    PipelineCache::new(maker(device, shaders, layout, quality))
 }
 
-#[allow(clippy::type_complexity, reason = "a workshop takes it as it is")]
+#[allow(clippy::type_complexity, reason = "a cache of pipelines takes it as it is")]
 fn maker(
     device: &Device,
     shaders: Shaders,
@@ -85,7 +85,7 @@ impl Renderer {
         }
         let layout = scene_layout(&self.device);
         if self.patient {
-            self.pipelines = workshop(&self.device, self.shaders, &layout, quality);
+            self.pipelines = pipeline_cache(&self.device, self.shaders, &layout, quality);
             self.take_options(options, tonemap);
         } else {
             let make = maker(&self.device, self.shaders, &layout, quality);

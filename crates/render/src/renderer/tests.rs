@@ -36,7 +36,7 @@ fn holding(gpu: &Gpu, held: Option<&'static str>) -> (Renderer, Sender<()>) {
     let (go, wait) = channel::<()>();
     let wait = Mutex::new(wait);
     let (device, layout) = (gpu.device.clone(), scene_layout(&gpu.device));
-    renderer.pipelines = Workshop::new(Box::new(move |map| {
+    renderer.pipelines = PipelineCache::new(Box::new(move |map| {
         if Some(map.map.name) == held {
             let _ = wait.lock().unwrap().recv_timeout(HELD);
         }

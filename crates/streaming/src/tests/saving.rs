@@ -260,7 +260,7 @@ fn digging_goes_on_while_a_save_waits_and_workers_read_the_edits() {
     game.edit(at, 5.0);
     game.wait(Until::Edits);
     {
-        let shared = game.streamer.crew.shared();
+        let shared = game.streamer.worker_pool.shared();
         let _reader = shared.book.being_read();
         game.streamer.save(Some(meta()), RecordChanges::new());
         game.edit(at + DVec3::X, 5.0);

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use antipode_geometry::{
-    ChartId, ChartPoint, ChunkCoord, Curvature, Drum, Eye, Geometry, Horizon, Optics, Projection,
-    Raised, Strategy, strategy,
+    BoundingCylinder, ChartId, ChartPoint, ChunkCoord, Curvature, Eye, Geometry, Horizon, Optics,
+    Projection, Raised, Strategy, strategy,
 };
 use glam::{DVec2, DVec3, IVec3};
 use proptest::prelude::{prop_assert, proptest};
@@ -102,18 +102,18 @@ proptest! {
             let middle = if sphere { corner * 0.2 } else { eye.point.pos + corner };
             let (min, max) = (middle + low.min(high) * size, middle + low.max(high) * size);
             let (across, aside) = (0.5 * (max - min), 0.5 * (min + max) - middle);
-            let drum = Drum {
+            let cylinder = BoundingCylinder {
                 chart,
                 middle: DVec2::new(middle.x, middle.z),
                 radius_m: aside.x.hypot(aside.z) + across.x.hypot(across.z),
                 heights_m: [min.y, max.y],
             };
             let inner = space.sight_cell(&eye, chart, min, max);
-            let outer = space.sight_cell_of(&eye, &drum);
+            let outer = space.sight_cell_of(&eye, &cylinder);
             if inner.is_empty() {
                 continue;
             }
-            let at = format!("{space:?} {drum:?} {outer:?} {inner:?}");
+            let at = format!("{space:?} {cylinder:?} {outer:?} {inner:?}");
             prop_assert!(outer.nearest_m <= inner.nearest_m * (1.0 + 1e-9) + 1e-6, "{at}");
             let slack = |slope: f64| 1e-9 * (1.0 + slope.abs().min(1e300));
             prop_assert!(outer.slope[0] <= inner.slope[0] + slack(inner.slope[0]), "{at}");

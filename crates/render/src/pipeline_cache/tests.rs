@@ -33,9 +33,9 @@ fn slow() -> (Make<Key>, Receiver<Key>, Sender<()>) {
     (Box::new(make), begun, go)
 }
 
-fn wait_until_made(workshop: &Workshop<Key>, key: Key) {
+fn wait_until_made(pipeline_cache: &PipelineCache<Key>, key: Key) {
     let began = std::time::Instant::now();
-    while !workshop.is_made(key) {
+    while !pipeline_cache.is_made(key) {
         assert!(began.elapsed() < PATIENCE, "{key:?} is never made");
         std::thread::sleep(Duration::from_millis(1));
     }
@@ -44,62 +44,69 @@ fn wait_until_made(workshop: &Workshop<Key>, key: Key) {
 #[test]
 fn who_asks_while_the_thread_is_at_work_is_answered_at_once_and_served_next() {
     let (make, begun, go) = slow();
-    let mut workshop = Workshop::new(make);
-    workshop.order_all();
+    let mut pipeline_cache = PipelineCache::new(make);
+    pipeline_cache.order_all();
     assert_eq!(begun.recv_timeout(PATIENCE), Ok(numbered(0)));
     // Were any of these to wait for the thread, what they tell would be made.
     assert_eq!(
-        (workshop.get(numbered(0)), workshop.is_made(numbered(0))),
+        (
+            pipeline_cache.get(numbered(0)),
+            pipeline_cache.is_made(numbered(0))
+        ),
         (None, false)
     );
-    workshop.want(numbered(3));
-    workshop.want(numbered(3));
-    assert_eq!(workshop.get(numbered(3)), None);
+    pipeline_cache.want(numbered(3));
+    pipeline_cache.want(numbered(3));
+    assert_eq!(pipeline_cache.get(numbered(3)), None);
     go.send(()).unwrap();
     assert_eq!(
         begun.recv_timeout(PATIENCE),
         Ok(numbered(3)),
         "what is wanted goes first"
     );
-    wait_until_made(&workshop, numbered(0));
-    assert_eq!(workshop.get(numbered(0)), Some(&numbered(0)));
+    wait_until_made(&pipeline_cache, numbered(0));
+    assert_eq!(pipeline_cache.get(numbered(0)), Some(&numbered(0)));
     drop(go);
-    wait_until_made(&workshop, numbered(3));
-    assert_eq!(workshop.get(numbered(3)), Some(&numbered(3)));
+    wait_until_made(&pipeline_cache, numbered(3));
+    assert_eq!(pipeline_cache.get(numbered(3)), Some(&numbered(3)));
 }
 
 #[test]
 fn what_is_there_serves_until_what_comes_in_its_place_is_made() {
-    let mut workshop = Workshop::new(Box::new(Ok));
-    workshop.finish(numbered(1));
+    let mut pipeline_cache = PipelineCache::new(Box::new(Ok));
+    pipeline_cache.finish(numbered(1));
     let (make, begun, go) = slow();
-    workshop.renew(make);
-    workshop.want(numbered(1));
+    pipeline_cache.renew(make);
+    pipeline_cache.want(numbered(1));
     assert_eq!(begun.recv_timeout(PATIENCE), Ok(numbered(1)));
-    assert!(!workshop.turn(numbered(1)) && workshop.is_renewing());
-    assert_eq!(workshop.get(numbered(1)), Some(&numbered(1)));
+    assert!(!pipeline_cache.turn(numbered(1)) && pipeline_cache.is_renewing());
+    assert_eq!(pipeline_cache.get(numbered(1)), Some(&numbered(1)));
     drop(go);
     let began = std::time::Instant::now();
-    while !workshop.turn(numbered(1)) {
+    while !pipeline_cache.turn(numbered(1)) {
         assert!(began.elapsed() < PATIENCE);
         std::thread::sleep(Duration::from_millis(1));
     }
-    assert!(!workshop.is_renewing());
-    assert_eq!(workshop.get(numbered(1)), Some(&numbered(1)));
-    assert_eq!(workshop.get(numbered(0)), None, "those before are gone");
+    assert!(!pipeline_cache.is_renewing());
+    assert_eq!(pipeline_cache.get(numbered(1)), Some(&numbered(1)));
+    assert_eq!(
+        pipeline_cache.get(numbered(0)),
+        None,
+        "those before are gone"
+    );
 }
 
 #[test]
 fn one_that_goes_no_new_way_after_all_makes_the_rest_as_before() {
-    let mut workshop = Workshop::new(Box::new(Ok));
-    workshop.order(numbered(0));
-    wait_until_made(&workshop, numbered(0));
-    workshop.renew(Box::new(|_| Err("refused".to_owned())));
-    workshop.keep();
-    workshop.want(numbered(2));
-    wait_until_made(&workshop, numbered(2));
+    let mut pipeline_cache = PipelineCache::new(Box::new(Ok));
+    pipeline_cache.order(numbered(0));
+    wait_until_made(&pipeline_cache, numbered(0));
+    pipeline_cache.renew(Box::new(|_| Err("refused".to_owned())));
+    pipeline_cache.keep();
+    pipeline_cache.want(numbered(2));
+    wait_until_made(&pipeline_cache, numbered(2));
     assert_eq!(
-        (workshop.get(numbered(2)), workshop.refused()),
+        (pipeline_cache.get(numbered(2)), pipeline_cache.refused()),
         (Some(&numbered(2)), None)
     );
 }
@@ -111,14 +118,14 @@ fn where_the_thread_has_broken_off_the_asker_makes_it() {
         assert_eq!(std::thread::current().id(), made_here, "on purpose");
         Ok(key)
     };
-    let mut workshop = Workshop::new(Box::new(make));
-    workshop.order(numbered(0));
+    let mut pipeline_cache = PipelineCache::new(Box::new(make));
+    pipeline_cache.order(numbered(0));
     let began = std::time::Instant::now();
-    while !workshop.is_made(numbered(2)) {
+    while !pipeline_cache.is_made(numbered(2)) {
         assert!(began.elapsed() < PATIENCE);
-        workshop.want(numbered(2));
+        pipeline_cache.want(numbered(2));
     }
-    assert_eq!(workshop.get(numbered(2)), Some(&numbered(2)));
+    assert_eq!(pipeline_cache.get(numbered(2)), Some(&numbered(2)));
 }
 
 #[test]
@@ -134,7 +141,7 @@ fn one_map_cut_and_whole_is_two_and_the_name_tells_them_from_others() {
         bends_depth: false,
         turns_to: None,
     };
-    let workshop = Workshop::new(Box::new(Ok));
+    let pipeline_cache = PipelineCache::new(Box::new(Ok));
     let cut = Key {
         is_cut: true,
         ..numbered(0)
@@ -143,10 +150,10 @@ fn one_map_cut_and_whole_is_two_and_the_name_tells_them_from_others() {
         .into_iter()
         .enumerate()
     {
-        assert!(!workshop.is_made(key));
-        workshop.finish(key);
-        assert_eq!(workshop.get(key), Some(&key));
-        assert_eq!(workshop.shelf.slots().count(), count + 1);
+        assert!(!pipeline_cache.is_made(key));
+        pipeline_cache.finish(key);
+        assert_eq!(pipeline_cache.get(key), Some(&key));
+        assert_eq!(pipeline_cache.shelf.slots().count(), count + 1);
     }
-    assert!(workshop.is_made(cut));
+    assert!(pipeline_cache.is_made(cut));
 }

@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
-use crate::ledger::Make;
+use crate::edit_store::Make;
 use crate::outcome::Outcome;
 use crate::plan::Request;
 use crate::round::EditBatch;
@@ -24,12 +24,12 @@ const LOADS_PER_WORKER: usize = 10;
 /// Things that wait for a worker to drop them; what is too much is dropped at once.
 const MOST_DISCARDED: usize = 256;
 
-/// How long a stopped crew may take before it is left alone; a job takes some ten milliseconds and
+/// How long a stopped worker pool may take before it is left alone; a job takes some ten milliseconds and
 /// a commit is the disk's business.
 const LEAVE_LIMIT: Duration = Duration::from_secs(10);
 
 /// The running threads.
-pub(crate) struct Crew {
+pub(crate) struct WorkerPool {
     shared: Arc<Shared>,
     ends: Option<Ends>,
     results: Receiver<Outcome>,
@@ -47,7 +47,7 @@ struct Ends {
     discarded: Sender<Box<dyn Any + Send>>,
 }
 
-impl Crew {
+impl WorkerPool {
     /// Starts the workers (at least one) and the saver.
     pub(crate) fn start(shared: Arc<Shared>, workers: usize) -> io::Result<Self> {
         let workers = workers.max(1);
@@ -60,7 +60,7 @@ impl Crew {
         let (send_results, results) = bounded(most_loads + 3);
         let (discarded, to_drop) = bounded(MOST_DISCARDED);
         let (living, alive) = bounded(0);
-        let mut crew = Self {
+        let mut worker_pool = Self {
             shared: Arc::clone(&shared),
             ends: Some(Ends {
                 loads,
@@ -81,10 +81,10 @@ impl Crew {
             discarded: to_drop,
             colleagues: workers - 1,
         };
-        crew.hire(workers, &desk, living, move || {
+        worker_pool.hire(workers, &desk, living, move || {
             saver::run(&shared, &save_jobs, &send_results);
         })?;
-        Ok(crew)
+        Ok(worker_pool)
     }
 
     /// Takes `living` by value: were it still there when a refused thread ends the start, the
@@ -200,7 +200,7 @@ impl Crew {
     }
 }
 
-impl Drop for Crew {
+impl Drop for WorkerPool {
     fn drop(&mut self) {
         self.leave();
     }

@@ -46,7 +46,7 @@ struct Flight {
 }
 
 /// Bookkeeping of chunks; no threads, no channels.
-pub(crate) struct Ledger {
+pub(crate) struct EditStore {
     field: Arc<Field>,
     strategy: Arc<dyn Atlas>,
     /// The last wish, as the next plan is to be made from it.
@@ -78,7 +78,7 @@ pub(crate) struct Ledger {
     shown: u64,
 }
 
-impl Ledger {
+impl EditStore {
     /// Books of a world whose stored edits lie in `edited`.
     pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>, edited: ChunkSet) -> Self {
         // The cells of a chunk use its own samples and the first layer of the next ones.

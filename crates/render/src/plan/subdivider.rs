@@ -25,7 +25,7 @@ pub struct Refined {
 
 /// Halves the edges of one mesh after another, with the same memory.
 #[derive(Debug, Default)]
-pub struct Halver {
+pub struct Subdivider {
     vertices: Vec<Vertex>,
     positions: Vec<Vec3>,
     middles: EdgeTable,
@@ -37,7 +37,7 @@ pub struct Halver {
     worst: f32,
 }
 
-impl Halver {
+impl Subdivider {
     /// The mesh with its edges near the eyes halved, which are metres from the chunk's corner.
     pub fn refine(&mut self, rules: &RefineRules, eyes: &[Vec3], mesh: &ChunkMesh) -> Refined {
         self.begin(mesh);

@@ -41,7 +41,7 @@ type Make<T> = Box<dyn Fn(Key) -> Result<T, String> + Send + Sync>;
 
 /// The pipelines of every map.
 #[derive(Debug)]
-pub struct Workshop<T: Send + Sync + 'static> {
+pub struct PipelineCache<T: Send + Sync + 'static> {
     shelf: Arc<Shelf<T>>,
     /// Of another quality, to be taken instead once it has what a frame needs.
     next: Option<Arc<Shelf<T>>>,
@@ -157,8 +157,8 @@ impl<T: Send + Sync + 'static> Worker<T> {
     }
 }
 
-impl<T: Send + Sync + 'static> Workshop<T> {
-    /// A workshop that has made nothing.
+impl<T: Send + Sync + 'static> PipelineCache<T> {
+    /// A pipeline cache that has made nothing.
     pub fn new(make: Make<T>) -> Self {
         Self {
             shelf: Arc::new(Shelf::new(make)),
@@ -236,7 +236,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
         }
     }
 
-    /// Makes pipelines in another way from now on. Those that are there are used on until [`Workshop::turn`].
+    /// Makes pipelines in another way from now on. Those that are there are used on until [`PipelineCache::turn`].
     pub fn renew(&mut self, make: Make<T>) {
         self.newest().close();
         self.next = Some(Arc::new(Shelf::new(make)));
@@ -271,7 +271,7 @@ impl<T: Send + Sync + 'static> Workshop<T> {
     }
 }
 
-impl<T: Send + Sync + 'static> Drop for Workshop<T> {
+impl<T: Send + Sync + 'static> Drop for PipelineCache<T> {
     fn drop(&mut self) {
         if let Some(Worker { orders, handle }) = self.thread.take() {
             self.shelf.close();

@@ -69,7 +69,7 @@ fn refine_meadow(x: i32) -> (ChunkLand, Refined, RefineRules) {
     let (land, mesh) = land(x);
     let rules = RefineRules::new(&frame, &bounds(&frame), DVec3::ZERO);
     let eyes = rules.eyes_from(&frame, &land);
-    let refined = Halver::default().refine(&rules, &eyes, &mesh);
+    let refined = Subdivider::default().refine(&rules, &eyes, &mesh);
     (land, refined, rules)
 }
 
@@ -137,19 +137,19 @@ fn seams_stay_sections_of_their_own_and_the_memory_of_one_mesh_leaves_no_trace_i
     let (land, plain) = land(0);
     let rules = RefineRules::new(&frame, &bounds(&frame), DVec3::ZERO);
     let eyes = rules.eyes_from(&frame, &land);
-    let mut halver = Halver::default();
-    let first = halver.refine(&rules, &eyes, &plain);
+    let mut subdivider = Subdivider::default();
+    let first = subdivider.refine(&rules, &eyes, &plain);
     // The last row of cells as if it were a seam.
     let mut seamed = plain.clone();
     seamed.level = Level::ALL[1];
     let end = seamed.indices.len() as u32;
     seamed.seams[5] = end - 6 * 32..end;
-    let split = halver.refine(&rules, &eyes, &seamed);
+    let split = subdivider.refine(&rules, &eyes, &seamed);
     let part = &split.parts[0];
     assert_eq!(part.sections[0].end, part.sections[6].start);
     assert!(part.sections[6].len() > 6 * 32);
     assert_eq!(triangles(&split).len(), triangles(&first).len());
-    assert_eq!(halver.refine(&rules, &eyes, &plain), first);
+    assert_eq!(subdivider.refine(&rules, &eyes, &plain), first);
 }
 
 /// The largest stray of the edges that are drawn, as a frame's own rules see it, in pixels.
