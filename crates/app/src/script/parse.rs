@@ -3,18 +3,19 @@
 use std::fmt::Display;
 use std::str::FromStr;
 
-use antipode_geometry::{ChartId, Geometry, HyperbolicMap};
-use antipode_scene::frame::Quality;
+use antipode_geometry::{ChartId, Geometry};
 use antipode_scene::{Item, NpcMode};
-use antipode_settings::{Settings, Value};
 use antipode_storage::SavesDir;
 use thiserror::Error;
+
+pub use setting::Setting;
 
 use super::commands::command_named;
 use crate::bindings::{Input, MouseButton};
 use crate::cli::shortened;
 use crate::names::key_named;
 use crate::session::{Beginning, NewWorld};
+use setting::setting;
 
 /// Longest time an order may take, in simulated seconds.
 const LONGEST_S: f64 = 86_400.0;
@@ -94,31 +95,6 @@ pub enum Spawned {
     Lamp,
     /// A flag.
     Flag,
-}
-
-/// Something `set` can change.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Setting {
-    /// Time of day in seconds.
-    Time(f64),
-    /// The dial of a hyperbolic world.
-    Curvature(f64),
-    /// The map of a hyperbolic world.
-    Map(HyperbolicMap),
-    /// The bend of a flat world's picture.
-    Bend(f64),
-    /// How much exactness pictures trade for speed.
-    Quality(Quality),
-    /// View distance in chunks.
-    ViewDistance(u32),
-    /// The player's health.
-    Health(f64),
-    /// Spectator's flight.
-    Fly(bool),
-    /// Whether other figures come, and whether they have a mind.
-    Npcs(NpcMode),
-    /// One of the player's own settings: its id, and a value that it takes.
-    Own(&'static str, Value),
 }
 
 impl Order {
@@ -387,49 +363,6 @@ fn picture(file: &str) -> Result<String, String> {
     }
 }
 
-fn setting(what: &str, value: &str) -> Result<Setting, String> {
-    Ok(match what {
-        "time" => Setting::Time(number(value, 0.0, 600.0)?),
-        "curvature" => Setting::Curvature(number(value, 0.0, 20.0)?),
-        "map" => Setting::Map(
-            value
-                .parse()
-                .map_err(|_| format!("there is no map {}", quoted(value)))?,
-        ),
-        "bend" => Setting::Bend(number(value, -20.0, 20.0)?),
-        "quality" => Setting::Quality(
-            value
-                .parse()
-                .map_err(|_| format!("there is no quality {}", quoted(value)))?,
-        ),
-        "view-distance" => Setting::ViewDistance(whole(value, 1, 16)?),
-        "health" => Setting::Health(number(value, 0.0, 20.0)?),
-        "fly" => match value {
-            "on" => Setting::Fly(true),
-            "off" => Setting::Fly(false),
-            _ => return Err(format!("{} is neither on nor off", quoted(value))),
-        },
-        "npcs" => Setting::Npcs(match value {
-            "on" => NpcMode::On,
-            "off" => NpcMode::Off,
-            "still" => NpcMode::Still,
-            _ => return Err(format!("{} is none of on, off and still", quoted(value))),
-        }),
-        _ => return own_setting(what, value),
-    })
-}
-
-/// One of the player's own settings, as the settings screen has them.
-fn own_setting(what: &str, value: &str) -> Result<Setting, String> {
-    let Some(field) = antipode_settings::field(what) else {
-        return Err(format!("there is no setting {}", quoted(what)));
-    };
-    let mut settings = Settings::default();
-    let taken = settings.set_word(field.id, value);
-    taken.map_err(|error| error.to_string())?;
-    Ok(Setting::Own(field.id, settings.get(field)))
-}
-
 fn give(item: &str, count: &str) -> Result<Order, String> {
     let kind = Item::from_id(item).ok_or_else(|| {
         let ids = Item::ALL.map(Item::id).join(", ");
@@ -474,5 +407,6 @@ fn place(at: [&str; 3], side: &[&str]) -> Result<([f64; 3], ChartId), String> {
     Ok(([x?, y?, z?], chart))
 }
 
+mod setting;
 #[cfg(test)]
 mod tests;

@@ -31,7 +31,10 @@ pub(super) fn pipeline_cache(
     PipelineCache::new(maker(device, shaders, layout, quality))
 }
 
-#[allow(clippy::type_complexity, reason = "a cache of pipelines takes it as it is")]
+#[allow(
+    clippy::type_complexity,
+    reason = "a cache of pipelines takes it as it is"
+)]
 fn maker(
     device: &Device,
     shaders: Shaders,

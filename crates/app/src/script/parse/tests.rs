@@ -1,5 +1,9 @@
 //! What a script may say, and what is told of its mistakes.
 
+use antipode_geometry::HyperbolicMap;
+use antipode_scene::frame::Quality;
+use antipode_settings::{Settings, Value};
+
 use super::*;
 
 fn one(line: &str) -> Result<Order, Mistake> {
