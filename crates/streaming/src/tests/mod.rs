@@ -7,6 +7,7 @@
 )]
 
 mod cone;
+mod damaged;
 mod editing;
 mod failing;
 mod levels;
