@@ -109,7 +109,7 @@ pub fn flag_name(texts: &Texts, id: ActorId, name: &str) -> String {
         let number = u64::from(id.0) + 1;
         texts.say_with("flag-unnamed", &[("number", number.into())])
     } else {
-        name.to_owned()
+        antipode_ui::legible(name).into_owned()
     }
 }
 

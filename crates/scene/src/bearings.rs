@@ -183,13 +183,12 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
         (kind, it.point)
     });
     let cars = actors.car_views().into_iter();
-    let cars = cars.filter(|it| !it.driven).map(|it| Landmark {
-        kind: LandmarkKind::Car,
-        at: locator.at(it.point).clamp_length_max(EDGE * reach_m),
-    });
-    let flags = actors.map(|_, it: &Flag| Landmark {
-        kind: LandmarkKind::Flag,
-        at: locator.at(it.foot.point).clamp_length_max(EDGE * reach_m),
+    let cars = cars.filter(|it| !it.driven);
+    let cars = cars.map(|it| (LandmarkKind::Car, it.point));
+    let flags = actors.map(|_, it: &Flag| (LandmarkKind::Flag, it.foot.point));
+    let marked = cars.chain(flags).map(|(kind, point)| Landmark {
+        kind,
+        at: locator.at(point).clamp_length_max(EDGE * reach_m),
     });
     lamps
         .into_iter()
@@ -199,8 +198,7 @@ pub(crate) fn landmarks(world: &World, actors: &Actors, reach_m: f64) -> Vec<Lan
             at: locator.at(point),
         })
         .filter(|it| it.at.length() <= reach_m)
-        .chain(cars)
-        .chain(flags)
+        .chain(marked)
         .collect()
 }
 

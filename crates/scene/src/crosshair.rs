@@ -71,6 +71,9 @@ impl<'a> Crosshair<'a> {
     /// The one of a kind of what is put down, if it is nearer than the ground.
     pub fn fixture<T: Fixture>(&self, reach_m: f64) -> Option<ActorId> {
         let all = self.now.actors.all::<T>();
+        if all.is_empty() {
+            return None;
+        }
         let found = self.first(self.eye(), reach_m, &|a, b| {
             let met = all.iter().filter_map(|(_, it)| self.fixture_met(it, a, b));
             met.reduce(f64::min)

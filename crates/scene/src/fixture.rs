@@ -1,7 +1,7 @@
 //! What a hand puts down on the ground and takes up again: it stays there, falls when the ground below it goes, and comes
 //! up when it is built over.
 
-use antipode_geometry::ChartPoint;
+use antipode_geometry::{ChartPoint, Eye};
 use antipode_items::Item;
 use glam::DVec3;
 use hecs::Component;
@@ -27,6 +27,8 @@ const NEAR_M: f64 = 40.0;
 /// How far up what was built over looks for air, and in what steps, in metres.
 const DUG_OUT_M: f64 = 16.0;
 const DUG_OUT_STEP_M: f64 = 0.25;
+/// Ground that is no farther below a foot than this carries it, in metres.
+const STANDS_OVER_M: f64 = 0.15;
 /// How far down it can fall at once, in metres.
 const FALLS_M: f64 = 128.0;
 
@@ -103,7 +105,7 @@ pub(crate) trait Fixture: Component + Clone {
     const MARKER_M: f64;
     const REFUSALS: Refusals;
 
-    /// One that a player who looks along `yaw`, radians, has put there.
+    /// One that a player who looks along `yaw`, radians of that place's chart, has put there.
     fn put(foot: Foot, yaw: f64) -> Self;
 
     fn foot(&self) -> &Foot;
@@ -124,7 +126,8 @@ pub(crate) trait Fixture: Component + Clone {
     }
 }
 
-/// The left button puts one down where the crosshair meets the ground, the right one picks up the one that it covers.
+/// The left button puts one down where the crosshair meets the ground, the right one picks up the one that it covers: with
+/// one in the hand, and what can be done with one that stands with an empty hand, too, for whoever has put down the last.
 pub(crate) fn use_in_hand<T: Fixture>(
     world: &World,
     actors: &mut Actors,
@@ -132,7 +135,8 @@ pub(crate) fn use_in_hand<T: Fixture>(
     outbox: &mut Outbox,
     actions: &Actions,
 ) {
-    if player.inventory.held() != Some(T::ITEM) {
+    let held = player.inventory.held();
+    if held.is_some_and(|it| it != T::ITEM) {
         return;
     }
     let now = Situation::of(world, actors, player);
@@ -142,11 +146,17 @@ pub(crate) fn use_in_hand<T: Fixture>(
         if covered.is_some_and(|id| T::touch(id, outbox)) {
             return;
         }
+        if held.is_none() {
+            return;
+        }
         let place = place_under::<T>(world, &crosshair);
-        let yaw = now.head().yaw;
-        put_down::<T>(actors, &mut player.inventory, outbox, place, yaw);
+        let it = place.map(|place| put_at::<T>(world, &now.head(), place));
+        put_down(actors, &mut player.inventory, outbox, it);
     } else if actions.secondary && !player.secondary_before {
         let covered = crosshair.fixture::<T>(REACH_M);
+        if held.is_none() && covered.is_none() {
+            return;
+        }
         pick_up::<T>(actors, &mut player.inventory, outbox, covered);
     }
 }
@@ -182,14 +192,25 @@ fn has_room<T: Fixture>(actors: &Actors) -> bool {
     actors.count::<T>() < T::MOST
 }
 
+/// One that is put at a place. On somebody's shoulders it falls in the next step.
+fn put_at<T: Fixture>(world: &World, head: &Eye, place: ChartPoint) -> T {
+    let below = place.moved(DVec3::NEG_Y * STANDS_OVER_M);
+    let foot = Foot {
+        unchecked: !world.ground.is_solid(below),
+        ..Foot::standing(place)
+    };
+    let crossing = world.strategy.carry(head.point, place.chart);
+    let turn_rad = crossing.map_or(0.0, |crossing| crossing.turn_rad);
+    T::put(foot, head.yaw - turn_rad)
+}
+
 fn put_down<T: Fixture>(
     actors: &mut Actors,
     inventory: &mut Inventory,
     outbox: &mut Outbox,
-    place: Option<ChartPoint>,
-    yaw: f64,
+    it: Option<T>,
 ) {
-    let Some(place) = place else {
+    let Some(it) = it else {
         outbox.hints.push(T::REFUSALS.no_place);
         return;
     };
@@ -198,13 +219,11 @@ fn put_down<T: Fixture>(
         return;
     }
     if inventory.spend(T::ITEM) {
-        actors.enter(T::put(Foot::standing(place), yaw));
+        actors.enter(it);
         outbox.sounds.push(SoundEvent::PutDown(T::ITEM));
     }
 }
 
-/// The last one in hand is used up, and an empty hand picks nothing up; so one that is kept in hand, or any in the
-/// hotbar that is selected, is enough.
 fn pick_up<T: Fixture>(
     actors: &mut Actors,
     inventory: &mut Inventory,

@@ -18,7 +18,7 @@ pub const LONGEST_NAME: usize = 24;
 /// Height of a flag, metres.
 const HEIGHT_M: f64 = 1.7;
 /// Ground with less than this upright in its unit normal is too steep for one.
-const LEVEL_UP: f64 = 0.5;
+const LEVEL_UP: f64 = 0.7;
 
 /// A flag that was planted.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,9 +42,20 @@ impl Flag {
     }
 }
 
-/// What of a text can be a flag's name: one line, its ends trimmed, of [`LONGEST_NAME`] characters at most.
+/// Whether it is not seen but changes how others are: directions, joiners, marks of the byte order.
+fn is_unseen(c: char) -> bool {
+    let ranges = [
+        '\u{200b}'..='\u{200f}',
+        '\u{202a}'..='\u{202e}',
+        '\u{2060}'..='\u{2069}',
+    ];
+    c == '\u{feff}' || ranges.iter().any(|range| range.contains(&c))
+}
+
+/// What of a text can be a flag's name: one line that can be seen, its ends trimmed, of [`LONGEST_NAME`] characters at most.
 pub fn tidy_name(text: &str) -> String {
-    let line = text.split(char::is_control).map(str::trim);
+    let seen: String = text.chars().filter(|c| !is_unseen(*c)).collect();
+    let line = seen.split(char::is_control).map(str::trim);
     let words: Vec<&str> = line.filter(|part| !part.is_empty()).collect();
     let short: String = words.join(" ").chars().take(LONGEST_NAME).collect();
     short.trim_end().to_owned()
@@ -103,6 +114,8 @@ mod tests {
             ("Home", "Home"),
             ("  at the\nriver\t ", "at the river"),
             ("\u{7}\n", ""),
+            ("\u{200b}\u{202e}", ""),
+            ("a\u{202e}b", "ab"),
             ("Überlingen 湖", "Überlingen 湖"),
         ] {
             assert_eq!(tidy_name(text), name);

@@ -1,10 +1,13 @@
 //! The shapes by which things are hit and stand on the ground, as a list to be drawn.
 
 use antipode_physics::Character;
+use glam::DVec3;
 use hecs::Entity;
 
 use crate::camera::CameraMode;
 use crate::drops::Drop;
+use crate::fixture::Fixture;
+use crate::flag::Flag;
 use crate::frame::{HitForm, HitShape};
 use crate::lamp::Lamp;
 use crate::player::{Body, Health, Position};
@@ -24,6 +27,15 @@ pub(crate) fn hit_shapes(now: Situation<'_>) -> Vec<HitShape> {
     let ball = |radius_m, point, awake| HitShape::upright(HitForm::Ball { radius_m }, point, awake);
     let lamp = |_, it: &Lamp| ball(LAMP_TARGET_M, it.glow(), it.foot.falls());
     shapes.extend(now.actors.map(lamp));
+    let flag = |_, it: &Flag| {
+        let [low_m, high_m] = Flag::TARGET.heights_m;
+        let form = HitForm::Capsule {
+            height_m: high_m - low_m,
+            radius_m: Flag::TARGET.radius_m,
+        };
+        HitShape::upright(form, it.foot.point.moved(DVec3::Y * low_m), it.foot.falls())
+    };
+    shapes.extend(now.actors.map(flag));
     let bullet = |_, it: &Projectile| {
         let flies = it.velocity.length() > RESTS_M_S;
         ball(BULLET.radius_m, it.point, flies)

@@ -3,7 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye, HyperbolicMap};
 use glam::DVec3;
 
-use crate::actors::ActorId;
+use crate::actors::{ActorId, one_mut};
 use crate::bot::{self, Bot};
 use crate::fixture::{self, Fixture};
 use crate::flag::{Flag, tidy_name};
@@ -206,9 +206,8 @@ impl Scene {
 
     /// Names a flag, as far as a text can be a name. Returns whether there is such a flag.
     pub fn name_flag(&mut self, id: ActorId, name: &str) -> bool {
-        let mut flags = self.sim.actors.ecs.query::<(&ActorId, &mut Flag)>();
-        let flag = flags.iter().find(|(it, _)| **it == id);
-        let is_there = flag.map(|(_, flag)| flag.name = tidy_name(name)).is_some();
+        let flag = one_mut::<Flag>(&mut self.sim.actors.ecs, id);
+        let is_there = flag.map(|flag| flag.name = tidy_name(name)).is_some();
         self.kept.changed |= is_there;
         is_there
     }

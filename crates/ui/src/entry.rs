@@ -25,14 +25,17 @@ pub(crate) fn line(ui: &mut Ui, text: &mut String, hint: &str, limit: usize) -> 
 
 /// The same with a name, which is what screen readers call it.
 pub(crate) fn entry(ui: &mut Ui, text: &mut String, name: &str, hint: &str) -> Response {
-    let response = line(ui, text, hint, LIMIT);
-    response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, name));
-    response
+    named_line(ui, text, (name, hint), LIMIT)
 }
 
-/// The same for names of so many characters, the hint being that name, too.
-pub(crate) fn named_line(ui: &mut Ui, text: &mut String, name: &str, limit: usize) -> Response {
-    let response = line(ui, text, name, limit);
+/// The same for so many characters.
+pub(crate) fn named_line(
+    ui: &mut Ui,
+    text: &mut String,
+    (name, hint): (&str, &str),
+    limit: usize,
+) -> Response {
+    let response = line(ui, text, hint, limit);
     response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, name));
     response
 }

@@ -45,7 +45,7 @@ pub use hud::{
 };
 pub use legible::{legible, legible_name};
 pub use model::{Backdrop, GeometryChoice, Intent, MenuModel, Screen, ToastKind, WorldRow};
-pub use naming::{Named, Naming};
+pub use naming::Naming;
 pub use photo::{FIELD_OF_VIEW_DEG, PhotoModel, PhotoValues, PhotoWishes, photo_panel, show_photo};
 pub use seed::{SeedError, parse_seed};
 pub use shell::Shell;

@@ -1,8 +1,7 @@
 //! The question for a flag's name, over the world that goes on behind it.
 
 use antipode_language::Texts;
-use egui::{Context, Id, Key, LayerId, Modifiers, Order, Rect, RichText, Ui, UiBuilder};
-use egui::{FontId, vec2};
+use egui::{Context, FontId, Id, Key, LayerId, Order, Rect, RichText, Ui, UiBuilder, vec2};
 
 use crate::entry;
 use crate::layout::inset;
@@ -11,15 +10,6 @@ use crate::widgets::{button, primary_button};
 
 /// Size where there is room, in points.
 const SIZE: egui::Vec2 = vec2(420.0, 148.0);
-
-/// What became of the question.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Named {
-    /// It is to be called so.
-    As(String),
-    /// It keeps the name that it has.
-    Kept,
-}
 
 /// The question, and what has been typed so far.
 #[derive(Debug, Default)]
@@ -55,10 +45,10 @@ impl Naming {
         Rect::from_center_size(centre.max(low), size)
     }
 
-    /// Draws it if it is up, with room for so many characters. Returns what becomes of it, and is down then.
-    pub fn show(&mut self, ctx: &Context, texts: &Texts, longest: usize) -> Option<Named> {
+    /// Draws it if it is up, with room for so many characters. Returns the name that is given; it is down then, and where
+    /// the player leaves the one that there is.
+    pub fn show(&mut self, ctx: &Context, texts: &Texts, longest: usize) -> Option<String> {
         let text = self.text.as_mut()?;
-        let entered = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
         let rect = Self::panel(ctx.content_rect());
         let builder = UiBuilder::new()
             .layer_id(LayerId::new(Order::Middle, Id::unique("antipode-naming")))
@@ -70,25 +60,22 @@ impl Naming {
         ui.label(RichText::new(title).font(FontId::proportional(20.0)));
         ui.add_space(0.5 * GRID);
         let name = texts.say("flag-name");
-        let line = entry::named_line(&mut ui, text, &name, longest);
+        let line = entry::named_line(&mut ui, text, (&name, &name), longest);
         if std::mem::take(&mut self.is_new) {
             line.request_focus();
         }
+        // In a line the key ends it, and on a button it presses that.
+        let entered = line.lost_focus() && ctx.input(|input| input.key_pressed(Key::Enter));
         ui.add_space(GRID);
         let (mut taken, mut kept) = (false, false);
         ui.horizontal(|ui| {
             taken = primary_button(ui, &texts.say("ok"), true).clicked();
             kept = button(ui, &texts.say("flag-name-keep")).clicked();
         });
-        let on_keep = entered && !line.has_focus() && !line.lost_focus();
-        let answer = if kept {
-            Named::Kept
-        } else if taken || (entered && !on_keep) {
-            Named::As(text.clone())
-        } else {
+        if kept {
+            self.close();
             return None;
-        };
-        self.close();
-        Some(answer)
+        }
+        (taken || entered).then(|| self.text.take()).flatten()
     }
 }

@@ -22,7 +22,8 @@ impl Game {
         let (texts, devices, play) = (&self.menus.texts, &mut self.devices, &mut self.play);
         let backpack = &mut self.overlays.backpack;
         backpack.show(context, texts, devices, play);
-        self.overlays.naming.show(context, texts, devices, play);
+        let is_free = matches!(play.phase, Phase::Playing(_)) && !self.overlays.are_up();
+        self.overlays.naming.ask(is_free, devices, play);
         if self.shots.is_now() {
             // What is typed is never in a picture, nor with the display hidden is what was told of the last one.
             let is_bare = self.display.hidden || self.overlays.is_photographing();
@@ -32,6 +33,8 @@ impl Game {
         } else {
             self.show_console(context);
             self.show_photo_panel(context);
+            let (naming, texts) = (&mut self.overlays.naming, &self.menus.texts);
+            naming.show(context, texts, &mut self.play);
         }
         let covered = self.overlays.covered(context.content_rect());
         self.menus.shell.keep_toasts_off(covered);

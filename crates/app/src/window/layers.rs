@@ -77,10 +77,11 @@ impl Taken {
 type Layer = fn(&mut Game, &Press) -> Taken;
 
 /// All layers, the topmost first, each with what it needs of the game.
-const LAYERS: [Layer; 7] = [
+const LAYERS: [Layer; 8] = [
     |game, press| game.menus.press_to_bind(press),
     everywhere,
     |game, press| game.overlays.console.press(press, &game.devices.controls),
+    |game, press| game.overlays.naming.press(press),
     |game, press| {
         game.overlays
             .backpack

@@ -3,9 +3,9 @@
 use antipode_language::Texts;
 use antipode_scene::actors::ActorId;
 use antipode_scene::flag::LONGEST_NAME;
-use antipode_ui::Named;
 
 use super::devices::Devices;
+use super::layers::{Press, Taken};
 use super::phase::Phase;
 use super::play::Play;
 
@@ -14,6 +14,8 @@ use super::play::Play;
 pub struct Naming {
     view: antipode_ui::Naming,
     flag: Option<ActorId>,
+    /// No key has gone down since it came up: those that repeat were held before, to walk.
+    is_untouched: bool,
 }
 
 impl Naming {
@@ -24,33 +26,43 @@ impl Naming {
 
     /// Takes it down, and returns whether it was up.
     pub fn close(&mut self) -> bool {
+        self.flag = None;
         self.view.close()
     }
 
-    /// Brings it up if the player has clicked on a flag, shows it, and does what is answered.
-    pub fn show(
-        &mut self,
-        context: &egui::Context,
-        texts: &Texts,
-        devices: &mut Devices,
-        play: &mut Play,
-    ) {
-        let Phase::Playing(session) = &mut play.phase else {
+    /// The layer of the question: what is held from before it came up is not typed into it.
+    pub fn press(&mut self, press: &Press) -> Taken {
+        if press.down && !press.repeats {
+            self.is_untouched = false;
+        }
+        Taken::if_true(self.is_open() && self.is_untouched && press.down)
+    }
+
+    /// Brings it up if the player has clicked on a flag and nothing else is up.
+    pub fn ask(&mut self, is_free: bool, devices: &mut Devices, play: &mut Play) {
+        let Some(session) = play.phase.session_mut() else {
             return;
         };
         let scene = &mut session.scene;
-        if let Some(id) = scene.take_flag_to_name() {
-            let ways = scene.flag_ways();
-            if let Some(way) = ways.iter().find(|way| way.id == id) {
-                devices.release_all();
-                self.view.open(&way.name);
-                self.flag = Some(id);
-            }
+        let asked = scene.take_flag_to_name().filter(|_| is_free);
+        let ways = asked.map_or(Vec::new(), |_| scene.flag_ways());
+        if let Some(way) = ways.iter().find(|way| Some(way.id) == asked) {
+            devices.release_all();
+            self.view.open(&way.name);
+            self.flag = asked;
+            self.is_untouched = true;
         }
-        if let Some(Named::As(name)) = self.view.show(context, texts, LONGEST_NAME)
-            && let Some(id) = self.flag
+    }
+
+    /// Shows it, and does what is answered.
+    pub fn show(&mut self, context: &egui::Context, texts: &Texts, play: &mut Play) {
+        let Phase::Playing(session) = &mut play.phase else {
+            return;
+        };
+        if let Some(name) = self.view.show(context, texts, LONGEST_NAME)
+            && let Some(id) = self.flag.take()
         {
-            scene.name_flag(id, &name);
+            session.scene.name_flag(id, &name);
         }
     }
 }

@@ -4,7 +4,8 @@ use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_items::Item;
 use antipode_scene::flag::{LONGEST_NAME, MOST_FLAGS};
 use antipode_scene::notice::Hint;
-use antipode_scene::{Actions, Scene};
+use antipode_scene::{Actions, NpcMode, Scene};
+use antipode_terrain::Field;
 use glam::DVec3;
 
 use crate::common::{scene, steps};
@@ -86,6 +87,49 @@ fn a_flag_is_planted_named_and_taken_up_again_in_every_space() {
             scene.take_hints().contains(&Hint::NoFlagThere),
             "{geometry}"
         );
+    }
+}
+
+#[test]
+fn who_has_planted_the_last_flag_can_name_it_and_take_it_up_with_an_empty_hand() {
+    let mut scene = scene(Geometry::Euclidean);
+    hold_flags(&mut scene);
+    scene.aim(0.3, -0.5);
+    while carried(&scene) > 1 {
+        assert!(scene.inventory_mut().take_from(6, false).is_some());
+    }
+    press(&mut scene, true);
+    assert_eq!(
+        (scene.inventory().held(), scene.flag_ways().len()),
+        (None, 1)
+    );
+    press(&mut scene, true);
+    let id = scene.flag_ways()[0].id;
+    assert_eq!(scene.take_flag_to_name(), Some(id));
+    press(&mut scene, false);
+    assert_eq!((carried(&scene), scene.flag_ways().len()), (1, 0));
+    // Nothing is told of an empty hand that points at the ground.
+    scene.take_hints();
+    scene.inventory_mut().select(9);
+    press(&mut scene, false);
+    press(&mut scene, true);
+    assert_eq!(scene.take_hints(), []);
+}
+
+#[test]
+fn a_flag_on_somebodys_shoulders_falls_to_the_ground() {
+    let mut scene = scene(Geometry::Euclidean);
+    hold_flags(&mut scene);
+    let ahead = scene.feet().moved(DVec3::new(2.5, 0.0, 0.0));
+    scene.set_npcs(NpcMode::Still);
+    scene.spawn_bot(ahead, 0.0, false);
+    scene.aim(0.0, -0.02);
+    press(&mut scene, true);
+    steps(&mut scene, 120, &Actions::default());
+    let field = Field::new(scene.setup().seed, scene.strategy().clone());
+    for flag in scene.probe().flags {
+        let foot = ChartPoint::a(DVec3::from_array(flag.pos));
+        assert!(field.sample(foot).abs() < 0.3, "{flag:?} over the ground");
     }
 }
 

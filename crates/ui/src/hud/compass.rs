@@ -45,6 +45,8 @@ pub struct FlagView {
 
 /// The flag that is named below the strip is no farther from straight ahead than this, radians.
 const NAMED_RAD: f64 = 0.12;
+/// Characters of its name that are shown at most.
+const MOST_NAMED: usize = 24;
 
 /// The way to the equator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,8 +77,8 @@ pub(super) fn show(
     } else {
         screen.min.x
     };
-    let named = named_flag(&model.flags);
-    let captions = u8::from(model.equator.is_some()) + u8::from(named.is_some());
+    // The line of flags is kept free whether one is straight ahead or not, so that nothing hops as one looks round.
+    let captions = u8::from(model.equator.is_some()) + u8::from(!model.flags.is_empty());
     let caption = f32::from(captions) * CAPTION;
     let low = screen.min.y + HEIGHT + caption;
     let to = if right.is_positive() && right.min.y < low {
@@ -112,9 +114,12 @@ pub(super) fn show(
             let way = way_to_equator(painter, screen, strip, texts, equator);
             covered = covered.union(way);
         }
-        if let Some(flag) = named {
+        if !model.flags.is_empty() {
             let at = pos2(strip.center().x, covered.max.y + 3.0);
-            covered = covered.union(way_to_flag(painter, screen, at, texts, flag));
+            if let Some(flag) = named_flag(&model.flags) {
+                way_to_flag(painter, (screen, to - from), at, texts, flag);
+            }
+            covered.max.y = low.max(covered.max.y);
         }
     }
     covered
@@ -127,13 +132,28 @@ fn named_flag(flags: &[FlagView]) -> Option<&FlagView> {
     ahead.min_by(|a, b| off(a).total_cmp(&off(b)))
 }
 
-/// What a flag is called, and how far it is.
-fn way_to_flag(painter: &Painter, screen: Rect, at: Pos2, texts: &Texts, flag: &FlagView) -> Rect {
-    let values = [
-        ("name", flag.name.as_str().into()),
-        ("metres", Value::decimals(flag.distance_m, 0)),
-    ];
-    let words = texts.say_with("compass-flag", &values);
+/// What a flag is called, as far as there is room for it, and how far it is.
+fn way_to_flag(
+    painter: &Painter,
+    (screen, width): (Rect, f32),
+    at: Pos2,
+    texts: &Texts,
+    flag: &FlagView,
+) -> Rect {
+    let words = |name: &str| {
+        let values = [
+            ("name", name.into()),
+            ("metres", Value::decimals(flag.distance_m, 0)),
+        ];
+        texts.say_with("compass-flag", &values)
+    };
+    let fits = |words: &str| {
+        let galley = painter.layout_no_wrap(words.to_owned(), small(), TEXT);
+        galley.size().x + 2.0 * GRID <= width
+    };
+    let mut name: String = flag.name.chars().take(MOST_NAMED).collect();
+    while !fits(&words(&name)) && name.pop().is_some() {}
+    let words = words(&name);
     plate(
         painter,
         screen,

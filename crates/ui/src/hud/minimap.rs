@@ -223,7 +223,7 @@ fn paint_mark(painter: &Painter, at: Pos2, kind: MarkKind) {
             let body = Rect::from_center_size(at, vec2(11.0, 5.5));
             painter.rect(body, 2, ACCENT, edge, egui::StrokeKind::Outside);
         }
-        MarkKind::Flag => pennant(painter, at, 6.0),
+        MarkKind::Flag => pennant(painter, at + vec2(-2.0, 5.0), 5.0),
         MarkKind::Hostile => {
             let corner = |turn: f32| {
                 let (sin, cos) = (turn * TAU).sin_cos();

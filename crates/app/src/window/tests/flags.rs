@@ -53,15 +53,19 @@ impl Naming {
 
     fn answer(&mut self, text: &str) {
         self.frame(vec![Event::Text(text.to_owned())]);
-        let enter = |pressed| Event::Key {
-            key: Key::Enter,
+        self.tap(Key::Enter);
+    }
+
+    fn tap(&mut self, key: Key) {
+        let event = |pressed| Event::Key {
+            key,
             physical_key: None,
             pressed,
             repeat: false,
             modifiers: Modifiers::NONE,
         };
-        self.frame(vec![enter(true)]);
-        self.frame(vec![enter(false)]);
+        self.frame(vec![event(true)]);
+        self.frame(vec![event(false)]);
     }
 
     fn names(&self) -> Vec<String> {
@@ -78,7 +82,10 @@ fn a_click_on_a_flag_asks_for_its_name_and_what_is_typed_moves_nobody() {
     assert!(naming.game.overlays.is_naming() && !naming.game.is_playing());
     let feet = |naming: &Naming| naming.game.play.phase.session().unwrap().scene.feet();
     let before = feet(&naming);
-    take_key(&mut naming.game, Input::Key("KeyW"), true, false);
+    // The key by which one walks there is held, and the system tells it again: it is no letter of the name.
+    assert!(take_key(&mut naming.game, Input::Key("KeyW"), true, true));
+    assert!(!take_key(&mut naming.game, Input::Key("KeyW"), true, false));
+    assert!(!take_key(&mut naming.game, Input::Key("KeyW"), true, true));
     naming.now += Duration::from_millis(200);
     naming.game.tick(naming.now);
     take_key(&mut naming.game, Input::Key("KeyW"), false, false);
@@ -114,5 +121,24 @@ fn what_is_asked_of_a_flag_goes_when_the_world_is_left() {
     naming.game.pause();
     naming.frame(Vec::new());
     assert!(!naming.game.overlays.is_naming());
+    naming.game.finish();
+}
+
+#[test]
+fn both_buttons_are_pressed_by_keys() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut naming = Naming::new(&dir);
+    for (tabs, name) in [(2, ""), (1, "Here")] {
+        naming.click();
+        assert!(naming.game.overlays.is_naming());
+        naming.frame(vec![Event::Text("Here".to_owned())]);
+        for _ in 0..tabs {
+            naming.tap(Key::Tab);
+        }
+        naming.tap(Key::Enter);
+        naming.frame(Vec::new());
+        assert!(!naming.game.overlays.is_naming(), "{tabs}");
+        assert_eq!(naming.names(), [name], "{tabs}");
+    }
     naming.game.finish();
 }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, HarmModel, HintModel,
-    HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, apply_theme, show_hud,
-    tints_of,
+    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, FlagView, HarmModel,
+    HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, apply_theme,
+    show_hud, tints_of,
 };
 use egui::{Pos2, Rect, Vec2};
 use egui_kittest::Harness;
@@ -56,7 +56,11 @@ pub fn full_hud() -> HudModel {
         cheated: true,
         figures: None,
         compass: Some(CompassModel {
-            flags: Vec::new(),
+            flags: vec![FlagView {
+                name: "The longest name of all!".to_owned(),
+                distance_m: 1402.1,
+                bearing_rad: 0.05,
+            }],
             heading_rad: 0.9,
             equator: Some(EquatorView {
                 hemisphere: 'B',
