@@ -18,7 +18,7 @@ pub const LONGEST_NAME: usize = 24;
 /// Height of a flag, metres.
 const HEIGHT_M: f64 = 1.7;
 /// Ground with less than this upright in its unit normal is too steep for one.
-const LEVEL_UP: f64 = 0.7;
+const LEVEL_UP: f64 = 0.5;
 
 /// A flag that was planted.
 #[derive(Clone, Debug, PartialEq)]

@@ -72,8 +72,8 @@ pub enum Hint {
     /// The world has as many lamps as it can have.
     #[error("There are too many lamps in this world; pick one up first.")]
     TooManyLamps,
-    /// The crosshair meets no ground near enough and level enough for a flag.
-    #[error("A flag needs level ground, within eight metres.")]
+    /// The crosshair meets no ground near enough and not too steep for a flag.
+    #[error("A flag needs ground that is not too steep, within eight metres.")]
     NoPlaceForFlag,
     /// The crosshair covers no flag.
     #[error("There is no flag under the crosshair.")]
