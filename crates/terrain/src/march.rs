@@ -34,7 +34,7 @@ pub struct Mesher {
     lines: Vec<Lines>,
     vertices: Vec<Vertex>,
     indices: Vec<u32>,
-    seam_mesher: SeamMesher,
+    seams: SeamMesher,
 }
 
 impl Mesher {
@@ -47,7 +47,7 @@ impl Mesher {
         let turn = &TURNS[field.quarter_turns(coord.chart)];
         self.make_surface(&maker, &reach, turn, level.cells());
         let seams = self
-            .seam_mesher
+            .seams
             .sew(&maker, &reach, &mut self.vertices, &mut self.indices);
         ChunkMesh {
             level,
