@@ -1,229 +1,326 @@
-//! The game's own books: what is to be there of each chunk, what is being made, what is there.
+//! The edits of the world, shared among the workers and the saver.
+//!
+//! A batch enters whole under one write lock and raises the revision by one; whoever reads takes
+//! the revision and the edits under one read lock, so no chunk is ever made from half a batch.
+//! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
+//! they are among those used last; of the others, what is saved is read again when it is needed.
 
-use std::collections::VecDeque;
-use std::sync::Arc;
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::error::Error;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 
-use antipode_geometry::{Atlas, ChunkCoord};
-use antipode_terrain::{Content, Field, Level};
+use antipode_geometry::ChunkCoord;
+use antipode_terrain::ChunkEdits;
 
-use crate::maps::{ChunkMap, ChunkSet};
-use crate::plan::{Plan, Request, Target};
-use crate::queue::Queue;
-use crate::range::{Range, around};
-use crate::reaches::Reaches;
+use crate::edit_backend::{EditBackend, ReadFault, key_of};
+use crate::range::around;
 
-mod batches;
-mod making;
-mod wishing;
+/// Saved chunks of a stored world that stay in memory, those used last: 8 MB of them.
+const MOST_SAVED: usize = 64;
 
-pub(crate) use making::Verdict;
+/// Edits of a chunk and its neighbours at one revision.
+pub(crate) struct Snapshot {
+    /// How many batches these edits include.
+    pub(crate) revision: u64,
+    /// The chunks among the 27 that have edits.
+    pub(crate) near: Vec<(ChunkCoord, Arc<ChunkEdits>)>,
+}
 
-#[cfg(test)]
-mod tests;
+impl Snapshot {
+    /// The edits of one chunk, if it has any.
+    pub(crate) fn of(&self, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
+        self.near
+            .iter()
+            .find(|(near, _)| *near == coord)
+            .map(|(_, edits)| Arc::clone(edits))
+    }
+}
 
-/// A chunk to be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Make {
+/// The new edits of a chunk.
+pub(crate) struct Change {
     pub(crate) coord: ChunkCoord,
-    pub(crate) level: Level,
-    /// With collider and samples; then the level is the full one.
-    pub(crate) solid: bool,
+    pub(crate) edits: ChunkEdits,
+    /// Does any sample differ from before?
+    pub(crate) visible: bool,
 }
 
-/// What is there of a chunk.
-#[derive(Clone, Copy, Debug)]
-struct Shown {
-    level: Level,
-    solid: bool,
-}
-
-/// A chunk being made.
-#[derive(Clone, Copy, Debug)]
-struct Flight {
-    /// The least revision that may still be shown.
-    least: u64,
-    level: Level,
-}
-
-/// Bookkeeping of chunks; no threads, no channels.
+/// Every edit since the world was made.
 pub(crate) struct EditStore {
-    field: Arc<Field>,
-    strategy: Arc<dyn Atlas>,
-    /// The last wish, as the next plan is to be made from it.
-    wished: Request,
-    plan: Arc<Plan>,
-    /// Is `wished` not planned yet?
-    plan_due: bool,
-    planning: bool,
-    /// Targets of chunks that were edited after `plan` was asked for.
-    late: ChunkMap<Target>,
-    /// Chunks whose target may have changed, still to be looked at.
-    unsettled: VecDeque<ChunkCoord>,
-    queue: Queue,
-    /// Chunks whose turn has come, but whose neighbours do not allow it yet.
-    blocked: ChunkSet,
-    /// Chunks left out since the last wish does not ask for them; the next plan may again.
-    left_out: Vec<ChunkCoord>,
-    in_flight: ChunkMap<Flight>,
-    /// Chunks of the batch under way.
-    batch: ChunkSet,
-    /// What is there; never without a target but for chunks that are `unsettled`.
-    resident: ChunkMap<Shown>,
-    /// Those of `resident` that are solid.
-    solid: ChunkSet,
-    given_up: ChunkSet,
-    /// Chunks that own an edit.
-    edited: ChunkSet,
-    /// Revision of the last batch shown.
-    shown: u64,
+    state: RwLock<State>,
+    backend: Option<Arc<dyn EditBackend>>,
+    /// Counts uses.
+    clock: AtomicU64,
+}
+
+/// The edits of a chunk.
+struct CachedEdits {
+    edits: Arc<ChunkEdits>,
+    /// When they were last used.
+    used: AtomicU64,
+}
+
+/// Edits of chunks to be saved, or saved.
+pub(crate) type Land = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
+
+#[derive(Default)]
+struct State {
+    chunks: HashMap<ChunkCoord, CachedEdits>,
+    /// Stored, but not yet read.
+    on_disk: HashSet<ChunkCoord>,
+    /// Stored, and told to be out of reach.
+    complained: HashSet<ChunkCoord>,
+    /// Changed, and not on disk as they are.
+    unsaved: Land,
+    revision: u64,
+    /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
+    evictions: u64,
+}
+
+/// A batch that has entered the edit store.
+#[derive(Default)]
+pub(crate) struct Entered {
+    pub(crate) revision: u64,
+    /// What it has changed, to be saved; nothing in a world that is not kept.
+    pub(crate) land: Land,
 }
 
 impl EditStore {
-    /// Books of a world whose stored edits lie in `edited`.
-    pub(crate) fn new(field: Arc<Field>, strategy: Arc<dyn Atlas>, edited: ChunkSet) -> Self {
-        // The cells of a chunk use its own samples and the first layer of the next ones.
-        let near_edits = edited
-            .iter()
-            .flat_map(|&coord| around(coord, -1, 0))
-            .collect();
-        let plan = Arc::new(Plan::nothing());
+    /// A store whose chunks on disk are `on_disk`.
+    pub(crate) fn new(backend: Option<Arc<dyn EditBackend>>, on_disk: HashSet<ChunkCoord>) -> Self {
         Self {
-            field,
-            strategy,
-            wished: Request {
-                range: Range::Nothing,
-                detail: None,
-                bodies: Reaches::default(),
-                near_edits: Arc::new(near_edits),
-                before: Arc::clone(&plan),
-            },
-            plan,
-            plan_due: false,
-            planning: false,
-            late: ChunkMap::default(),
-            unsettled: VecDeque::new(),
-            queue: Queue::default(),
-            blocked: ChunkSet::default(),
-            left_out: Vec::new(),
-            in_flight: ChunkMap::default(),
-            batch: ChunkSet::default(),
-            resident: ChunkMap::default(),
-            solid: ChunkSet::default(),
-            given_up: ChunkSet::default(),
-            edited,
-            shown: 0,
+            state: RwLock::new(State {
+                on_disk,
+                ..State::default()
+            }),
+            backend,
+            clock: AtomicU64::new(0),
         }
     }
 
-    fn target(&self, coord: ChunkCoord) -> Option<Target> {
-        let planned = self.plan.targets.get(&coord);
-        planned.or_else(|| self.late.get(&coord)).copied()
+    /// Where edits are kept on disk, if the world has a save.
+    pub(crate) fn backend(&self) -> Option<&dyn EditBackend> {
+        self.backend.as_deref()
     }
 
-    /// Can the chunk have a surface? What the plan knows is looked up: to decide it anew takes
-    /// microseconds.
-    fn needs_mesh(&self, coord: ChunkCoord) -> bool {
-        if self.wished.near_edits.contains(&coord) {
-            return true;
-        }
-        !self.plan.bare.contains(&coord) && self.field.content(coord) == Content::Surface
-    }
-
-    /// Leaves everything that has not begun.
-    pub(crate) fn clear_queue(&mut self) {
-        self.queue.clear();
-        self.blocked.clear();
-        self.unsettled.clear();
-        self.plan_due = false;
-    }
-
-    /// Wants again what [`clear_queue`](Self::clear_queue) has left.
-    pub(crate) fn refill_queue(&mut self) {
-        let known = self.plan.targets.keys().chain(self.late.keys());
-        self.unsettled.extend(known.chain(self.resident.keys()));
-        self.plan_due = true;
-    }
-
-    /// Notes what is there of a chunk now.
-    fn put(&mut self, coord: ChunkCoord, shown: Shown) {
-        self.resident.insert(coord, shown);
-        if shown.solid {
-            self.solid.insert(coord);
-        } else {
-            self.solid.remove(&coord);
+    /// The edits that the padded block of a chunk needs; reads the store where it must.
+    pub(crate) fn snapshot(&self, coord: ChunkCoord, problems: &mut Vec<String>) -> Snapshot {
+        let near: Vec<_> = around(coord, -1, 1).collect();
+        let state = self.read_with(&near, problems);
+        let near = near
+            .into_iter()
+            .filter_map(|near| Some((near, self.look_up(&state, near)?)))
+            .collect();
+        Snapshot {
+            revision: state.revision,
+            near,
         }
     }
 
-    /// Is something of the chunk still to come, without which it is not ready?
-    pub(crate) fn is_coming(&self, coord: ChunkCoord) -> bool {
-        if self.is_ready(coord) {
-            return false;
+    /// The edits of one chunk, empty if there are none; reads the store where it must. `None` if
+    /// the store has some that cannot be read now: to change the chunk would overwrite them.
+    pub(crate) fn edits(
+        &self,
+        coord: ChunkCoord,
+        problems: &mut Vec<String>,
+    ) -> Option<ChunkEdits> {
+        let state = self.read_with(&[coord], problems);
+        let known = self
+            .look_up(&state, coord)
+            .map(|edits| ChunkEdits::clone(&edits));
+        known.or_else(|| (!state.on_disk.contains(&coord)).then(ChunkEdits::default))
+    }
+
+    /// Enters a batch. Changes too small to be seen are kept, for they add up, but there is nothing in them to show or
+    /// to save.
+    pub(crate) fn enter(&self, batch: Vec<Change>) -> Entered {
+        let mut state = self.write();
+        let mut land = Land::new();
+        if batch.iter().any(|change| change.visible) {
+            state.revision += 1;
         }
-        let known = self.queue.contains(coord) || self.blocked.contains(&coord);
-        let planning = self.plan_due || self.planning || !self.unsettled.is_empty();
-        let planned = planning && self.wished.range.contains(coord);
-        known || self.in_flight.contains_key(&coord) || planned
+        for Change {
+            coord,
+            edits,
+            visible,
+        } in batch
+        {
+            state.on_disk.remove(&coord);
+            let cached = self.cached(edits);
+            if visible && self.backend.is_some() {
+                land.insert(coord, Arc::clone(&cached.edits));
+            }
+            state.chunks.insert(coord, cached);
+        }
+        state.unsaved.extend(land.clone());
+        let revision = state.revision;
+        Entered { revision, land }
     }
 
-    /// Is some ground that bodies reach still to come?
-    pub(crate) fn is_ground_coming(&self) -> bool {
-        match self.wished.bodies.list() {
-            Some(chunks) => chunks.into_iter().any(|coord| self.is_coming(coord)),
-            None => self.coming() > 0,
+    /// Everything that is not saved yet.
+    pub(crate) fn unsaved(&self) -> Land {
+        self.read().unsaved.clone()
+    }
+
+    /// Notes that this is saved.
+    pub(crate) fn saved(&self, land: &Land) {
+        let mut state = self.write();
+        for (coord, saved) in land {
+            let is_last = |last: &Arc<ChunkEdits>| Arc::ptr_eq(last, saved);
+            if state.unsaved.get(coord).is_some_and(is_last) {
+                state.unsaved.remove(coord);
+            }
         }
     }
 
-    /// Is everything the chunk has there, and solid if a body is near? One without a surface has
-    /// nothing to wait for.
-    pub(crate) fn is_resident(&self, coord: ChunkCoord) -> bool {
-        match self.resident.get(&coord) {
-            Some(shown) => shown.solid || !self.wished.bodies.wants(coord),
-            None => self.wished.range.contains(coord) && !self.needs_mesh(coord),
+    /// After a commit: lets go of saved chunks that were not used for long. They are read again
+    /// when needed; of what adds up within less than a stored unit, nothing is left then.
+    pub(crate) fn forget_saved(&self) {
+        if self.backend.is_none() {
+            return;
+        }
+        let mut state = self.write();
+        let state = &mut *state;
+        let is_saved = |coord: &_| !state.unsaved.contains_key(coord);
+        let saved = state.chunks.iter().filter(|(coord, _)| is_saved(coord));
+        let mut uses: Vec<_> = saved
+            .map(|(&coord, cached)| (cached.used.load(Ordering::Relaxed), coord))
+            .collect();
+        let Some(count) = uses
+            .len()
+            .checked_sub(MOST_SAVED)
+            .filter(|&count| count > 0)
+        else {
+            return;
+        };
+        uses.select_nth_unstable(count - 1);
+        state.evictions += 1;
+        for &(_, coord) in &uses[..count] {
+            state.chunks.remove(&coord);
+            state.on_disk.insert(coord);
         }
     }
 
-    /// Is nothing more to come of the chunk? Then it is there, has no surface or was given up.
-    pub(crate) fn is_ready(&self, coord: ChunkCoord) -> bool {
-        self.is_resident(coord) || self.given_up.contains(&coord)
-    }
-
-    /// May bodies move in the chunk? What is there of it for the picture alone does not tell.
-    pub(crate) fn is_firm(&self, coord: ChunkCoord) -> bool {
-        let solid = |shown: &Shown| shown.solid || self.given_up.contains(&coord);
-        let shown = self.resident.get(&coord);
-        shown.map_or_else(|| self.is_ready(coord), solid)
-    }
-
-    /// Is the chunk within the view last wished for?
-    pub(crate) fn is_wanted(&self, coord: ChunkCoord) -> bool {
-        self.wished.range.views(coord)
-    }
-
-    /// Is the chunk within the view last wished for, or a chunk beyond?
-    pub(crate) fn keeps_in_view(&self, coord: ChunkCoord) -> bool {
-        self.wished.range.keeps_view(coord)
-    }
-
-    /// Chunks waiting, being made, or still to be looked at after a new plan, and one more while a
-    /// plan is due or being made.
-    pub(crate) fn coming(&self) -> usize {
-        let plan = usize::from(self.plan_due || self.planning);
-        let waiting = self.unsettled.len() + self.queue.len() + self.blocked.len();
-        waiting + self.in_flight.len() + plan
-    }
-
-    /// Chunks with a mesh that are there.
-    pub(crate) fn resident_count(&self) -> usize {
-        self.resident.len()
-    }
-
-    /// Chunks of the world that own an edit.
-    pub(crate) fn edited_count(&self) -> usize {
-        self.edited.len()
-    }
-
+    /// Locks the store as a worker that reads it does.
     #[cfg(test)]
-    pub(crate) fn level(&self, coord: ChunkCoord) -> Option<Level> {
-        self.resident.get(&coord).map(|shown| shown.level)
+    pub(crate) fn being_read(&self) -> impl Drop + '_ {
+        self.read()
+    }
+
+    /// Chunks whose edits are in memory.
+    #[cfg(test)]
+    pub(crate) fn held(&self) -> usize {
+        self.read().chunks.len()
+    }
+
+    fn cached(&self, edits: ChunkEdits) -> CachedEdits {
+        CachedEdits {
+            edits: Arc::new(edits),
+            used: AtomicU64::new(self.now()),
+        }
+    }
+
+    fn look_up(&self, state: &State, coord: ChunkCoord) -> Option<Arc<ChunkEdits>> {
+        let cached = state.chunks.get(&coord)?;
+        cached.used.store(self.now(), Ordering::Relaxed);
+        Some(Arc::clone(&cached.edits))
+    }
+
+    fn now(&self) -> u64 {
+        self.clock.fetch_add(1, Ordering::Relaxed)
+    }
+
+    /// The state, with those of the chunks read that can be had. Between reading the store and taking the lock the
+    /// saver may have let go of one again; then it is read once more.
+    fn read_with(
+        &self,
+        coords: &[ChunkCoord],
+        problems: &mut Vec<String>,
+    ) -> RwLockReadGuard<'_, State> {
+        loop {
+            let unreadable = self.fetch(coords.iter().copied(), problems);
+            let state = self.read();
+            let is_lost = |coord: &_| state.on_disk.contains(coord) && !unreadable.contains(coord);
+            if self.backend().is_none() || !coords.iter().any(is_lost) {
+                return state;
+            }
+        }
+    }
+
+    /// Reads those of the chunks that are stored and not read yet, and returns those that could not be reached. One that cannot be had is told
+    /// once and the generated chunk used instead. A damaged record is left on disk until the player
+    /// edits there; one that could not be reached is tried again whenever it is needed.
+    fn fetch(
+        &self,
+        coords: impl Iterator<Item = ChunkCoord>,
+        problems: &mut Vec<String>,
+    ) -> Vec<ChunkCoord> {
+        let mut unreadable = Vec::new();
+        let Some(backend) = self.backend() else {
+            return unreadable;
+        };
+        let (missing, evictions): (Vec<_>, _) = {
+            let state = self.read();
+            if state.on_disk.is_empty() {
+                return unreadable;
+            }
+            let missing = coords.filter(|coord| state.on_disk.contains(coord));
+            (missing.collect(), state.evictions)
+        };
+        for coord in missing {
+            let found = read_record(backend, coord);
+            let mut state = self.write();
+            // Another worker may have read it meanwhile, or a batch replaced it; or it was replaced, saved and let go
+            // of, and what was found is what it had been.
+            if state.evictions != evictions || !state.on_disk.remove(&coord) {
+                continue;
+            }
+            match found {
+                Ok(Some(edits)) => {
+                    state.chunks.insert(coord, self.cached(edits));
+                }
+                Ok(None) => {}
+                Err(ReadFault::Damaged(why)) => problems.push(not_shown(coord, &*why)),
+                Err(ReadFault::Unreadable(why)) => {
+                    unreadable.push(coord);
+                    state.on_disk.insert(coord);
+                    if state.complained.insert(coord) {
+                        problems.push(not_shown(coord, &*why));
+                    }
+                }
+            }
+        }
+        unreadable
+    }
+
+    // A worker that panics here leaves nothing half-made behind: every change is one insertion.
+    fn read(&self) -> RwLockReadGuard<'_, State> {
+        self.state.read().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn write(&self) -> RwLockWriteGuard<'_, State> {
+        self.state.write().unwrap_or_else(PoisonError::into_inner)
     }
 }
+
+fn read_record(
+    backend: &dyn EditBackend,
+    coord: ChunkCoord,
+) -> Result<Option<ChunkEdits>, ReadFault> {
+    let units = backend.chunk(&key_of(coord))?;
+    units
+        .map(|units| ChunkEdits::from_units(&units))
+        .transpose()
+        .map_err(|why| ReadFault::Damaged(why.into()))
+}
+
+fn not_shown(coord: ChunkCoord, why: &(dyn Error + Send + Sync)) -> String {
+    let at = coord.index;
+    format!(
+        "The terrain of chunk {} {} {} is shown without what you changed there. {why}",
+        at.x, at.y, at.z
+    )
+}
+
+#[cfg(test)]
+mod tests;

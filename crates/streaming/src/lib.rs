@@ -1,7 +1,7 @@
 //! Chunk streaming: joins terrain, storage and colliders away from the main thread.
 //!
-//! The game holds one [`Streamer`]. It never locks, touches the disk or builds a mesh: it keeps the
-//! books of what is wanted and what is there, and exchanges messages with named chunk workers
+//! The game holds one [`Streamer`]. It never locks, touches the disk or builds a mesh: it schedules
+//! what is wanted against what is there, and exchanges messages with named chunk workers
 //! (`antipode-chunk-N`) and one saver (`antipode-save`) over bounded channels.
 //!
 //! - Loads go nearest first and in view first; only a few are handed to each worker at a time, so
@@ -20,7 +20,8 @@
 
 mod api;
 mod bases;
-mod book;
+mod batch_job;
+mod edit_backend;
 mod edit_store;
 mod levels;
 mod maps;
@@ -29,13 +30,12 @@ mod plan;
 mod queue;
 mod range;
 mod reaches;
-mod round;
 mod saver;
+mod scheduler;
 mod shared;
 mod streamer;
 mod strokes;
 mod updates;
-mod vault;
 mod waiting;
 mod worker;
 mod worker_pool;

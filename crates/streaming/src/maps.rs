@@ -1,4 +1,4 @@
-//! Maps and sets by chunk. The main thread looks up some hundred chunks a frame in these books, so
+//! Maps and sets by chunk. The main thread looks up some hundred chunks a frame in these, so
 //! they hash without the standard library's key: where chunks lie is the game's own choice, and nobody
 //! gains by choosing ones that collide. The key is fixed, so that a run goes as the last one did.
 

@@ -3,10 +3,10 @@
 use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
-use crate::book::Land;
-use crate::edit_store::Make;
+use crate::edit_store::Land;
 use crate::plan::Planned;
 use crate::saver::Unsaved;
+use crate::scheduler::Make;
 
 /// A finished job.
 #[expect(

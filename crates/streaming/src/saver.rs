@@ -7,10 +7,10 @@ use antipode_storage::{Batch, RecordChanges, WorldMeta};
 use crossbeam_channel::{Receiver, Sender};
 
 use crate::api::Cause;
-use crate::book::Land;
+use crate::edit_backend::key_of;
+use crate::edit_store::Land;
 use crate::outcome::Outcome;
 use crate::shared::Shared;
-use crate::vault::key_of;
 use crate::worker::reason;
 
 /// What a save holds, all of one moment.
@@ -51,7 +51,7 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
         let _ = results.send(Outcome::Saved(commit(shared, *parts)));
     }
     let last = Parts {
-        land: shared.book.unsaved(),
+        land: shared.edit_store.unsaved(),
         ..Parts::default()
     };
     if let Some(Unsaved { why, .. }) = commit(shared, last) {
@@ -61,7 +61,7 @@ pub(crate) fn run(shared: &Shared, jobs: &Receiver<Box<Parts>>, results: &Sender
 
 /// One transaction of all the parts.
 fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
-    let vault = shared.book.vault()?;
+    let backend = shared.edit_store.backend()?;
     let Parts {
         meta,
         records,
@@ -79,10 +79,10 @@ fn commit(shared: &Shared, parts: Parts) -> Option<Unsaved> {
     if batch.is_empty() {
         return None;
     }
-    let why = match catch_unwind(AssertUnwindSafe(|| vault.commit(&batch))) {
+    let why = match catch_unwind(AssertUnwindSafe(|| backend.commit(&batch))) {
         Ok(Ok(())) => {
-            shared.book.saved(&land);
-            shared.book.forget_saved();
+            shared.edit_store.saved(&land);
+            shared.edit_store.forget_saved();
             return None;
         }
         Ok(Err(why)) => Cause::from(why),

@@ -9,15 +9,15 @@ use antipode_terrain::{ChunkMesh, Field, Level, Mesher, Samples, apply_edits};
 
 use crate::api::Chunk;
 use crate::bases::Bases;
-use crate::book::{Book, Snapshot};
-use crate::edit_store::Make;
+use crate::edit_store::{EditStore, Snapshot};
+use crate::scheduler::Make;
 
 /// A point in a worker's course, told to the test that watches it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     /// About to apply a batch of strokes.
     Apply,
-    /// A batch has entered the book; its meshes are still to be made.
+    /// A batch has entered the edit store; its meshes are still to be made.
     Entered,
     /// A load has taken its snapshot of the edits.
     Load(ChunkCoord),
@@ -32,7 +32,7 @@ pub(crate) type Watch = Arc<dyn Fn(Step) + Send + Sync>;
 pub(crate) struct Shared {
     pub(crate) field: Arc<Field>,
     pub(crate) strategy: Arc<dyn Atlas>,
-    pub(crate) book: Book,
+    pub(crate) edit_store: EditStore,
     pub(crate) bases: Bases,
     pub(crate) watch: Option<Watch>,
     /// Room for meshing that nobody uses at the moment.
@@ -45,14 +45,14 @@ impl Shared {
     pub(crate) fn new(
         field: Arc<Field>,
         strategy: Arc<dyn Atlas>,
-        book: Book,
+        edit_store: EditStore,
         bases: Bases,
         watch: Option<Watch>,
     ) -> Self {
         Self {
             field,
             strategy,
-            book,
+            edit_store,
             bases,
             watch,
             meshers: Mutex::default(),

@@ -11,15 +11,15 @@ use antipode_terrain::{Field, Stroke};
 
 use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
-use crate::book::{Book, Land};
-use crate::edit_store::{EditStore, Verdict};
+use crate::batch_job::EditBatch;
+use crate::edit_backend::{EditBackend, coord_of};
+use crate::edit_store::{EditStore, Land};
 use crate::outcome::{Edited, Loaded, Outcome};
-use crate::round::EditBatch;
 use crate::saver::{Parts, Unsaved};
+use crate::scheduler::{ChunkScheduler, Verdict};
 use crate::shared::{Shared, Watch};
 use crate::strokes::{Mark, Strokes};
 use crate::updates::{coords, game_cost, is_solid, softened};
-use crate::vault::{Vault, coord_of};
 use crate::worker_pool::WorkerPool;
 
 mod questions;
@@ -28,7 +28,7 @@ mod questions;
 pub struct Streamer {
     strategy: Arc<dyn Atlas>,
     pub(crate) worker_pool: WorkerPool,
-    pub(crate) edit_store: EditStore,
+    pub(crate) scheduler: ChunkScheduler,
     pub(crate) strokes: Strokes,
     pub(crate) batch_in_flight: bool,
     /// Meshes that an earlier batch could not make.
@@ -46,10 +46,10 @@ pub struct Streamer {
 /// Where saving stands.
 #[derive(Default)]
 pub(crate) struct Saves {
-    /// What the batches have changed since a save last took it. Their workers hand it over: to look for it in the book
+    /// What the batches have changed since a save last took it. Their workers hand it over: to look for it in the edit store
     /// is to wait for whoever reads that, or for luck.
     land: Land,
-    /// Asked for; strokes made before are not all in the book yet. A save holds the land of its own moment: every
+    /// Asked for; strokes made before are not all in the edit store yet. A save holds the land of its own moment: every
     /// stroke before its mark, and none after. The last gives way to a newer one, the first does not, so that one
     /// comes to its end however much is dug.
     asked: VecDeque<(Mark, Parts)>,
@@ -85,21 +85,21 @@ impl Streamer {
         store: Option<Arc<WorldStore>>,
         config: Config,
     ) -> Result<Self, StreamingError> {
-        let vault = store.map(|store| store as Arc<dyn Vault>);
-        Self::start_watched(field, strategy, vault, config, None)
+        let backend = store.map(|store| store as Arc<dyn EditBackend>);
+        Self::start_watched(field, strategy, backend, config, None)
     }
 
-    /// As [`start`](Self::start), with any vault and a test's look into the workers.
+    /// As [`start`](Self::start), with any backend and a test's look into the workers.
     pub(crate) fn start_watched(
         field: Arc<Field>,
         strategy: Arc<dyn Atlas>,
-        vault: Option<Arc<dyn Vault>>,
+        backend: Option<Arc<dyn EditBackend>>,
         config: Config,
         watch: Option<Watch>,
     ) -> Result<Self, StreamingError> {
-        let keys = vault
+        let keys = backend
             .as_ref()
-            .map_or(Ok(Vec::new()), |vault| vault.edited())
+            .map_or(Ok(Vec::new()), |backend| backend.edited())
             .map_err(StreamingError::Store)?;
         let coords = keys.iter().map(coord_of);
         let edited: HashSet<_> = coords
@@ -112,7 +112,7 @@ impl Streamer {
                 "{strange} stored changes of the terrain belong to no place in this world and are not shown."
             )));
         }
-        let edit_store = EditStore::new(
+        let scheduler = ChunkScheduler::new(
             Arc::clone(&field),
             Arc::clone(&strategy),
             edited.iter().copied().collect(),
@@ -120,7 +120,7 @@ impl Streamer {
         let shared = Shared::new(
             field,
             Arc::clone(&strategy),
-            Book::new(vault, edited),
+            EditStore::new(backend, edited),
             Bases::new(config.kept_samples),
             watch,
         );
@@ -129,7 +129,7 @@ impl Streamer {
         Ok(Self {
             strategy,
             worker_pool,
-            edit_store,
+            scheduler,
             strokes: Strokes::default(),
             batch_in_flight: false,
             overdue: HashSet::new(),
@@ -144,7 +144,7 @@ impl Streamer {
     /// range and not begun are dropped, chunks more than one beyond the range are unloaded once the
     /// plan has been made anew.
     pub fn wish(&mut self, wish: &Wish) {
-        let left = self.edit_store.wish(wish);
+        let left = self.scheduler.wish(wish);
         self.leaving.extend(left);
         self.feed();
     }
@@ -157,7 +157,7 @@ impl Streamer {
     }
 
     /// Saves the given parts and every stroke made so far, and none that comes later, in one commit on the saver's
-    /// thread, as soon as the strokes are in the book; [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
+    /// thread, as soon as the strokes are in the edit store; [`Update::Saved`] or [`Update::SaveFailed`] tells the end. Parts that could not be saved are
     /// tried again with the next save unless that brings newer ones.
     pub fn save(&mut self, meta: Option<WorldMeta>, records: RecordChanges) {
         let parts = Parts {
@@ -193,7 +193,7 @@ impl Streamer {
             }
         }
         updates.extend(
-            self.edit_store
+            self.scheduler
                 .settle_some()
                 .into_iter()
                 .map(Update::Unloaded),
@@ -248,14 +248,14 @@ impl Streamer {
         if !self.batch_in_flight && !self.strokes.is_empty() {
             self.feed_batch();
         }
-        if let Some(request) = self.edit_store.next_plan()
+        if let Some(request) = self.scheduler.next_plan()
             && !self.worker_pool.plan(request)
         {
-            self.edit_store.plan_not_made();
+            self.scheduler.plan_not_made();
         }
-        while let Some(make) = self.edit_store.next_load(self.worker_pool.most_loads()) {
+        while let Some(make) = self.scheduler.next_load(self.worker_pool.most_loads()) {
             if !self.worker_pool.load(make) {
-                self.edit_store.not_sent(make.coord);
+                self.scheduler.not_sent(make.coord);
                 break;
             }
         }
@@ -270,7 +270,7 @@ impl Streamer {
         }
     }
 
-    /// Takes the land for the saves whose moment the book has come to; before the next batch changes it.
+    /// Takes the land for the saves whose moment the edit store has come to; before the next batch changes it.
     fn gather_saves(&mut self) {
         while !self.batch_in_flight
             && let Some((mark, _)) = self.saves.asked.front()
@@ -298,13 +298,13 @@ impl Streamer {
         let batch = EditBatch {
             strokes,
             overdue: self.overdue.iter().copied().collect(),
-            makes: self.edit_store.begin_batch(coords.into_iter()),
+            makes: self.scheduler.begin_batch(coords.into_iter()),
         };
         match self.worker_pool.edit(batch) {
             Ok(()) => self.batch_in_flight = true,
             Err(batch) => {
                 self.strokes.put_back(batch.strokes);
-                self.edit_store.batch_not_sent();
+                self.scheduler.batch_not_sent();
             }
         }
     }
@@ -313,7 +313,7 @@ impl Streamer {
     /// from which the normals at their faces come.
     fn bordering(&self, strokes: &[Stroke], coords: &BTreeSet<ChunkCoord>) -> Vec<ChunkCoord> {
         let mut found = Vec::new();
-        for (level, beside) in self.edit_store.coarse_beside(coords) {
+        for (level, beside) in self.scheduler.coarse_beside(coords) {
             let seen = strokes
                 .iter()
                 .flat_map(|stroke| stroke.remeshed_at(&*self.strategy, level));
@@ -329,11 +329,11 @@ impl Streamer {
             Outcome::Loaded(loaded) => self.take_loaded(loaded, updates),
             Outcome::Edited(edited) => self.take_edited(edited, updates),
             Outcome::Planned(Ok(planned)) => {
-                let before = self.edit_store.planned(planned);
+                let before = self.scheduler.planned(planned);
                 self.discard(before);
             }
             Outcome::Planned(Err(problems)) => {
-                self.edit_store.plan_failed();
+                self.scheduler.plan_failed();
                 updates.extend(problems.into_iter().map(Update::Problem));
             }
             Outcome::Saved(failed) => self.take_saved(failed, updates),
@@ -347,10 +347,10 @@ impl Streamer {
                 .map(Update::Problem),
         );
         let Some(chunk) = loaded.chunk else {
-            self.edit_store.give_up(loaded.make.coord);
+            self.scheduler.give_up(loaded.make.coord);
             return;
         };
-        match self.edit_store.loaded(loaded.make, loaded.revision) {
+        match self.scheduler.loaded(loaded.make, loaded.revision) {
             Verdict::Show => updates.push(Update::Loaded(chunk)),
             Verdict::Harden => updates.push(Update::Solid {
                 coord: chunk.coord,
@@ -369,15 +369,15 @@ impl Streamer {
         self.batch_in_flight = false;
         self.saves.land.extend(edited.land);
         updates.extend(edited.problems.into_iter().map(Update::Problem));
-        self.edit_store
+        self.scheduler
             .batch_ended(&edited.touched, &edited.remeshed, edited.revision);
-        self.edit_store
+        self.scheduler
             .borders_changed(&edited.bordering, edited.revision);
         if edited.complete {
             let done: HashSet<_> = edited.remeshed.iter().chain(&edited.bordering).collect();
             self.overdue.retain(|coord| !done.contains(coord));
             let made = edited.chunks.into_iter();
-            let shown = made.filter(|(make, _)| self.edit_store.show_edited(*make));
+            let shown = made.filter(|(make, _)| self.scheduler.show_edited(*make));
             let shown = shown.map(|(_, chunk)| chunk);
             // Which these are hangs on the levels of the picture; their ground is as it was.
             let (beside, chunks): (Vec<_>, Vec<_>) =

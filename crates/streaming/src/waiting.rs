@@ -27,7 +27,7 @@ impl Streamer {
                 self.take(outcome, &mut updates);
             }
             updates.extend(
-                self.edit_store
+                self.scheduler
                     .settle_all()
                     .into_iter()
                     .map(Update::Unloaded),
@@ -55,9 +55,9 @@ impl Streamer {
     fn holds(&self, what: Until<'_>) -> bool {
         match what {
             Until::Edits => !self.is_editing(),
-            Until::Chunks(coords) => !coords.iter().any(|&coord| self.edit_store.is_coming(coord)),
-            Until::Bodies => !self.edit_store.is_ground_coming(),
-            Until::Loads => self.edit_store.coming() == 0,
+            Until::Chunks(coords) => !coords.iter().any(|&coord| self.scheduler.is_coming(coord)),
+            Until::Bodies => !self.scheduler.is_ground_coming(),
+            Until::Loads => self.scheduler.coming() == 0,
             Until::Saved => self.saves_in_flight() == 0,
             Until::Idle => self.pending() == 0 && self.saves_in_flight() == 0,
         }
@@ -71,7 +71,7 @@ impl Streamer {
     /// [`StreamingError::NotSaved`] if the last commit failed, [`StreamingError::Unfinished`] if an edit
     /// or the commit took too long to wait for.
     pub fn close(&mut self) -> Result<(), StreamingError> {
-        self.edit_store.clear_queue();
+        self.scheduler.clear_queue();
         let mut updates = self.wait(Until::Edits, CLOSE_LIMIT);
         self.save(None, RecordChanges::new());
         updates.extend(self.wait(Until::Saved, CLOSE_LIMIT));
@@ -84,7 +84,7 @@ impl Streamer {
         };
         if let Some(error) = failed {
             self.keep_ready(updates);
-            self.edit_store.refill_queue();
+            self.scheduler.refill_queue();
             return Err(error);
         }
         for update in updates {

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use crossbeam_channel::{Receiver, Sender, select_biased};
 
-use crate::edit_store::Make;
+use crate::batch_job::{BatchJob, EditBatch};
 use crate::outcome::{Loaded, Outcome};
 use crate::plan::{Planned, Request};
-use crate::round::{EditBatch, Round};
+use crate::scheduler::Make;
 use crate::shared::{Shared, Step};
 
 /// Times a job is tried before it is given up.
@@ -20,14 +20,14 @@ pub(crate) enum UrgentJob {
     /// Apply a batch and see it through.
     Begin(EditBatch),
     /// Help with a batch that another worker has begun.
-    Help(Arc<Round>),
+    Help(Arc<BatchJob>),
     /// Say what is to be there.
     Plan(Box<Request>),
 }
 
 /// A worker's ends of the channels.
 #[derive(Clone)]
-pub(crate) struct Desk {
+pub(crate) struct WorkerChannels {
     pub(crate) urgent: Receiver<UrgentJob>,
     /// For calls for help; never waited on.
     pub(crate) call: Sender<UrgentJob>,
@@ -39,7 +39,7 @@ pub(crate) struct Desk {
     pub(crate) colleagues: usize,
 }
 
-impl Desk {
+impl WorkerChannels {
     /// Works until the game lets go of the load channel. The result channel has room for every job
     /// in flight, so sending never waits; if the game is gone, nobody misses the result.
     pub(crate) fn work(&self, shared: &Shared) {
@@ -61,26 +61,26 @@ impl Desk {
     }
 
     fn hurry(&self, shared: &Shared, job: UrgentJob) {
-        let round = match job {
-            UrgentJob::Help(round) => round,
+        let job = match job {
+            UrgentJob::Help(job) => job,
             UrgentJob::Begin(batch) => self.begin(shared, &batch),
             UrgentJob::Plan(request) => {
                 let _ = self.results.send(Outcome::Planned(plan(shared, &request)));
                 return;
             }
         };
-        if let Some(edited) = round.help(shared) {
+        if let Some(edited) = job.help(shared) {
             let _ = self.results.send(Outcome::Edited(edited));
         }
     }
 
-    fn begin(&self, shared: &Shared, batch: &EditBatch) -> Arc<Round> {
-        let round = Arc::new(Round::begin(shared, batch));
-        for _ in 1..round.len().min(self.colleagues + 1) {
+    fn begin(&self, shared: &Shared, batch: &EditBatch) -> Arc<BatchJob> {
+        let job = Arc::new(BatchJob::begin(shared, batch));
+        for _ in 1..job.len().min(self.colleagues + 1) {
             // Help that cannot be called is done without.
-            let _ = self.call.try_send(UrgentJob::Help(Arc::clone(&round)));
+            let _ = self.call.try_send(UrgentJob::Help(Arc::clone(&job)));
         }
-        round
+        job
     }
 }
 
@@ -97,7 +97,7 @@ fn load(shared: &Shared, make: Make) -> Loaded {
     let mut problems = Vec::new();
     let doing = format!("making chunk {}", coord.index);
     let made = guarded(&mut problems, &doing, |problems| {
-        let edits = shared.book.snapshot(coord, problems);
+        let edits = shared.edit_store.snapshot(coord, problems);
         shared.at(Step::Load(coord));
         (shared.make(make, &edits, false), edits.revision)
     });

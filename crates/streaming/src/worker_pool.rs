@@ -9,13 +9,13 @@ use std::time::Duration;
 
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, bounded};
 
-use crate::edit_store::Make;
+use crate::batch_job::EditBatch;
 use crate::outcome::Outcome;
 use crate::plan::Request;
-use crate::round::EditBatch;
 use crate::saver::{self, Parts};
+use crate::scheduler::Make;
 use crate::shared::Shared;
-use crate::worker::{Desk, UrgentJob};
+use crate::worker::{UrgentJob, WorkerChannels};
 
 /// Loads handed to each worker at a time: enough to keep it busy for a frame, a slow one of a software
 /// adapter too, few enough that the order can still change.
@@ -73,7 +73,7 @@ impl WorkerPool {
             threads: Vec::with_capacity(workers + 1),
             most_loads,
         };
-        let desk = Desk {
+        let channels = WorkerChannels {
             urgent: urgent_jobs,
             call: urgent,
             loads: load_jobs,
@@ -81,7 +81,7 @@ impl WorkerPool {
             discarded: to_drop,
             colleagues: workers - 1,
         };
-        worker_pool.hire(workers, &desk, living, move || {
+        worker_pool.hire(workers, &channels, living, move || {
             saver::run(&shared, &save_jobs, &send_results);
         })?;
         Ok(worker_pool)
@@ -92,16 +92,16 @@ impl WorkerPool {
     fn hire(
         &mut self,
         workers: usize,
-        desk: &Desk,
+        channels: &WorkerChannels,
         living: Sender<Infallible>,
         saver: impl FnOnce() + Send + 'static,
     ) -> io::Result<()> {
         for number in 1..=workers {
-            let (desk, shared) = (desk.clone(), Arc::clone(&self.shared));
+            let (channels, shared) = (channels.clone(), Arc::clone(&self.shared));
             self.spawn(
                 format!("antipode-chunk-{number}"),
                 living.clone(),
-                move || desk.work(&shared),
+                move || channels.work(&shared),
             )?;
         }
         self.spawn("antipode-save".to_owned(), living, saver)

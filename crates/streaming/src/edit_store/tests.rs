@@ -1,463 +1,177 @@
-//! The books without threads: every job ends when the test says so.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    reason = "tests fail by panicking"
-)]
+//! The store of edits against a disk in memory.
+#![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
+use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, OnceLock};
 
-mod views;
+use antipode_geometry::ChartId;
+use antipode_storage::{Batch, ChunkKey};
+use glam::IVec3;
 
 use super::*;
-use crate::api::{Detail, Reach, Wish};
-use crate::edit_store::wishing::{LEAST_SETTLED, SETTLED_SHARE};
-use crate::levels::faces;
-use antipode_geometry::{ChartId, ChartPoint, Geometry, strategy};
-use glam::{DVec3, IVec3};
-use views::{Rings, Vanishing};
+use crate::edit_backend::Failure;
 
-fn edit_store(edited: &[ChunkCoord]) -> EditStore {
-    let space = strategy(Geometry::Euclidean, f64::INFINITY);
-    let field = Arc::new(Field::new(3, space.clone()));
-    EditStore::new(field, space, edited.iter().copied().collect())
+#[derive(Default)]
+struct Disk(Mutex<HashMap<ChunkKey, Vec<i16>>>);
+
+impl EditBackend for Disk {
+    fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+        Ok(Vec::new())
+    }
+
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+        Ok(self.0.lock().unwrap().get(key).cloned())
+    }
+
+    fn commit(&self, _: &Batch) -> Result<(), Failure> {
+        Ok(())
+    }
 }
 
-fn chunk(x: i32, y: i32, z: i32) -> ChunkCoord {
+fn chunk(x: i32) -> ChunkCoord {
     ChunkCoord {
         chart: ChartId::FIRST,
-        index: IVec3::new(x, y, z),
+        index: IVec3::new(x, 0, 0),
     }
 }
 
-fn wish_at(x: f64, view_distance: u32) -> Wish {
-    let centre = ChartPoint::a(DVec3::new(x, 16.0, 16.0));
-    Wish::new(centre, DVec3::X, view_distance)
-}
-
-fn full(coord: ChunkCoord) -> Make {
-    Make {
-        coord,
-        level: Level::FULL,
-        solid: true,
-    }
-}
-
-fn take_all(edit_store: &mut EditStore) -> Vec<ChunkCoord> {
-    std::iter::from_fn(|| edit_store.next_load(usize::MAX))
-        .map(|make| make.coord)
-        .collect()
-}
-
-/// Wishes, and carries the plan out; returns the chunks that are gone.
-fn wish(edit_store: &mut EditStore, wish: &Wish) -> Vec<ChunkCoord> {
-    edit_store.wish(wish);
-    let Some(request) = edit_store.next_plan() else {
-        return Vec::new();
+fn enter(edit_store: &EditStore, x: i32) -> Land {
+    let mut edits = edit_store.edits(chunk(x), &mut Vec::new()).unwrap();
+    edits.add(1, 2, 3, 0.5);
+    let change = Change {
+        coord: chunk(x),
+        edits,
+        visible: true,
     };
-    let planned = request.plan(&edit_store.field);
-    edit_store.planned(planned);
-    edit_store.settle_all()
+    edit_store.enter(vec![change]).land
+}
+
+fn save(edit_store: &EditStore, disk: &Disk) {
+    let land = edit_store.unsaved();
+    for (coord, edits) in &land {
+        disk.0
+            .lock()
+            .unwrap()
+            .insert(key_of(*coord), edits.to_units());
+    }
+    edit_store.saved(&land);
+    edit_store.forget_saved();
 }
 
 #[test]
-fn going_there_and_back_neither_loses_nor_doubles_a_chunk() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_at(16.0, 1));
-    let first = take_all(&mut edit_store);
-    wish(&mut edit_store, &wish_at(16.0 + 96.0, 1));
-    wish(&mut edit_store, &wish_at(16.0, 1));
-    assert!(
-        take_all(&mut edit_store)
-            .iter()
-            .all(|coord| !first.contains(coord)),
-        "a chunk is made twice"
+fn what_is_saved_and_not_used_leaves_the_memory_and_comes_back() {
+    let disk = Arc::new(Disk::default());
+    let edit_store = EditStore::new(
+        Some(Arc::clone(&disk) as Arc<dyn EditBackend>),
+        HashSet::new(),
     );
-    assert!(
-        first
-            .iter()
-            .all(|&coord| edit_store.loaded(full(coord), 0) == Verdict::Show)
-    );
-    assert_eq!(edit_store.resident_count(), first.len());
-}
-
-#[test]
-fn one_chunk_beyond_is_kept_and_two_are_not() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_at(16.0, 1));
-    let first = take_all(&mut edit_store);
-    for &coord in &first {
-        assert_eq!(edit_store.loaded(full(coord), 0), Verdict::Show);
+    let count = MOST_SAVED as i32 + 40;
+    for x in 0..count {
+        enter(&edit_store, x);
+        save(&edit_store, &disk);
     }
-    assert!(wish(&mut edit_store, &wish_at(16.0 + 32.0, 1)).is_empty());
-    let gone = wish(&mut edit_store, &wish_at(16.0 + 64.0, 1));
-    let want: Vec<_> = first.iter().filter(|coord| coord.index.x == -1).collect();
-    assert!(
-        !want.is_empty()
-            && gone.len() == want.len()
-            && gone.iter().all(|coord| coord.index.x == -1)
-    );
-}
-
-#[test]
-fn a_load_older_than_a_shown_batch_is_made_again() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_at(16.0, 1));
-    let coord = take_all(&mut edit_store)[0];
-    edit_store.batch_ended(&[coord], &[coord], 1);
-    assert_eq!(edit_store.loaded(full(coord), 0), Verdict::Drop);
-    assert_eq!(take_all(&mut edit_store), [coord]);
-    assert_eq!(edit_store.loaded(full(coord), 1), Verdict::Show);
-}
-
-#[test]
-fn a_load_newer_than_what_is_shown_waits_for_its_batch() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_at(16.0, 1));
-    let coords = take_all(&mut edit_store);
-    assert_eq!(edit_store.loaded(full(coords[0]), 1), Verdict::Hold);
-    edit_store.batch_ended(&[coords[1]], &[coords[1]], 1);
-    assert_eq!(edit_store.loaded(full(coords[0]), 1), Verdict::Show);
-}
-
-#[test]
-fn a_stored_edit_gives_a_chunk_without_a_surface_a_mesh() {
-    let sky = chunk(0, 60, 0);
-    let mut plain = edit_store(&[]);
-    let mut built = edit_store(&[sky]);
-    let there = Wish::new(ChartPoint::a(sky.origin()), DVec3::X, 2);
-    wish(&mut plain, &there);
-    wish(&mut built, &there);
-    assert!(plain.is_resident(sky) && plain.coming() == 0);
-    assert!(!built.is_resident(sky));
-    // Its own cells, and those of the seven chunks whose last layer uses its first samples.
-    assert_eq!(take_all(&mut built).len(), 8);
-}
-
-fn wish_with_rings(x: i32, width: i32) -> Wish {
-    let centre = ChartPoint::a(DVec3::new(f64::from(x) * 32.0 + 16.0, 16.0, 16.0));
-    Wish {
-        bodies: vec![Reach::around(centre, 10.0)],
-        detail: Some(Arc::new(Rings { x, width })),
-        ..Wish::new(centre, DVec3::X, 8)
+    assert_eq!(edit_store.held(), MOST_SAVED);
+    for x in [0, 20, count - 1] {
+        let edits = edit_store.edits(chunk(x), &mut Vec::new()).unwrap();
+        assert_eq!(edits.delta(1, 2, 3), 0.5, "{x}");
     }
-}
-
-/// Ground under bodies waits for no neighbour.
-fn without_bodies(wish: Wish) -> Wish {
-    Wish {
-        bodies: Vec::new(),
-        ..wish
-    }
-}
-
-/// Greatest difference of level between neighbours that are there.
-fn widest_step(edit_store: &EditStore) -> usize {
-    let steps = edit_store.resident.iter().flat_map(|(&coord, shown)| {
-        let beside = faces(coord).filter_map(|next| edit_store.resident.get(&next));
-        beside.map(|next| next.level.index().abs_diff(shown.level.index()))
-    });
-    steps.max().unwrap_or(0)
-}
-
-/// Makes what is asked for until nothing is, `at_once` chunks at a time and the last of them first;
-/// returns how many were made and the widest step seen after all of the first pass were there.
-fn make_all(edit_store: &mut EditStore, at_once: usize) -> (usize, usize) {
-    let (mut made, mut widest) = (0, 0);
-    loop {
-        let makes: Vec<_> = std::iter::from_fn(|| edit_store.next_load(at_once)).collect();
-        if makes.is_empty() {
-            return (made, widest);
-        }
-        for make in makes.into_iter().rev() {
-            edit_store.loaded(make, 0);
-            made += 1;
-            widest = widest.max(widest_step(edit_store));
-        }
-    }
-}
-
-fn assert_as_planned(edit_store: &EditStore) {
-    let wanted = edit_store
-        .plan
-        .targets
-        .iter()
-        .filter(|(_, target)| target.wanted);
-    for (&coord, target) in wanted {
-        assert_eq!(edit_store.level(coord), Some(target.level), "{coord:?}");
-    }
-    assert_eq!(edit_store.coming(), 0);
-}
-
-#[test]
-fn levels_follow_the_eye_and_neighbours_are_never_two_apart() {
-    for at_once in [1, 7, 10_000] {
-        let mut edit_store = edit_store(&[]);
-        for x in [0, 1, 2, 9, 3, -20, 0] {
-            wish(&mut edit_store, &without_bodies(wish_with_rings(x, 2)));
-            let (made, widest) = make_all(&mut edit_store, at_once);
-            assert!(
-                made > 0 && widest <= 1,
-                "{at_once} {x}: {made} made, {widest} apart"
-            );
-            assert_as_planned(&edit_store);
-        }
-    }
-}
-
-#[test]
-fn a_plan_that_comes_while_chunks_are_made_is_carried_out_all_the_same() {
-    let mut edit_store = edit_store(&[]);
-    for x in 0..40 {
-        wish(
-            &mut edit_store,
-            &without_bodies(wish_with_rings(x % 13, 1 + x % 3)),
-        );
-        for make in (0..9)
-            .map_while(|_| edit_store.next_load(9))
-            .collect::<Vec<_>>()
-        {
-            edit_store.loaded(make, 0);
-            assert!(widest_step(&edit_store) <= 1);
-        }
-    }
-    make_all(&mut edit_store, 5);
-    assert_as_planned(&edit_store);
-}
-
-#[test]
-fn a_chunk_that_cannot_be_made_holds_nobody_up_for_ever() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_with_rings(0, 1));
-    make_all(&mut edit_store, 5);
-    wish(&mut edit_store, &wish_with_rings(6, 1));
-    let broken = edit_store.next_load(5).map(|make| make.coord).unwrap();
-    edit_store.give_up(broken);
-    make_all(&mut edit_store, 5);
-    assert_eq!(edit_store.coming(), 0);
-    assert!(edit_store.is_ready(broken));
-}
-
-#[test]
-fn ground_is_solid_where_bodies_are_and_for_a_while_where_they_were() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_with_rings(0, 2));
-    make_all(&mut edit_store, 5);
-    let solid = |edit_store: &EditStore| {
-        let solid = edit_store.resident.iter().filter(|(_, shown)| shown.solid);
-        solid
-            .map(|(coord, _)| coord.index.x)
-            .collect::<std::collections::BTreeSet<_>>()
-    };
-    assert_eq!(solid(&edit_store), [0].into());
-    assert!(
-        edit_store.wish(&wish_with_rings(1, 2)).is_empty(),
-        "half a chunk beyond it is kept"
-    );
-    let planned = edit_store.next_plan().unwrap().plan(&edit_store.field);
-    edit_store.planned(planned);
-    edit_store.settle_all();
-    make_all(&mut edit_store, 5);
-    assert_eq!(solid(&edit_store), [0, 1].into());
-    let left = edit_store.wish(&wish_with_rings(3, 2));
-    assert!(!left.is_empty() && left.iter().all(|coord| coord.index.x < 2));
-}
-
-#[test]
-fn ground_that_a_body_comes_to_is_not_ready_before_it_is_solid() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_with_rings(0, 3));
-    make_all(&mut edit_store, 5);
-    let there = wish_with_rings(2, 3);
-    let under = ChunkCoord::containing(there.centre);
-    assert!(edit_store.is_ready(under) && edit_store.level(under) == Some(Level::FULL));
-    edit_store.wish(&there);
-    assert!(
-        !edit_store.is_ready(under) && edit_store.is_coming(under) && edit_store.is_ground_coming()
-    );
-    let make = edit_store.next_load(5).unwrap();
-    assert!(make.solid && make.level == Level::FULL);
-    assert_eq!(edit_store.loaded(make, 0), Verdict::Harden);
-    assert!(edit_store.is_ready(make.coord));
-}
-
-#[test]
-fn an_edit_is_shown_at_the_level_the_chunk_has() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_with_rings(0, 2));
-    make_all(&mut edit_store, 5);
-    let coarse = |coord: &&ChunkCoord| edit_store.level(**coord) == Some(Level::ALL[2]);
-    let coord = *edit_store.resident.keys().filter(coarse).min().unwrap();
-    let makes = edit_store.begin_batch([coord].into_iter());
-    assert_eq!((makes[0].level, makes[0].solid), (Level::ALL[2], false));
-    // Nothing of the batch changes its level before it has ended.
-    wish(&mut edit_store, &wish_with_rings(coord.index.x, 2));
-    while let Some(make) = edit_store.next_load(100) {
-        assert_ne!(make.coord, coord);
-        edit_store.loaded(make, 0);
-    }
-    edit_store.batch_ended(&[coord], &[coord], 1);
-    assert!(edit_store.show_edited(makes[0]));
-    assert_eq!(edit_store.level(coord), Some(Level::ALL[2]));
-    // What was dug may be lost at a coarser level: with its next plan it is as fine as that takes.
-    let planned = edit_store.next_plan().unwrap().plan(&edit_store.field);
-    edit_store.planned(planned);
-    edit_store.settle_all();
-    make_all_at(&mut edit_store, 1);
-    assert_eq!(edit_store.level(coord), Some(Level::FULL));
-}
-
-fn make_all_at(edit_store: &mut EditStore, revision: u64) {
-    while let Some(make) = edit_store.next_load(100) {
-        edit_store.loaded(make, revision);
-    }
-}
-
-#[test]
-fn a_new_plan_is_carried_out_some_chunks_a_frame() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &wish_at(16.0, 4));
-    make_all(&mut edit_store, 100);
-    let there = edit_store.resident_count();
-    edit_store.wish(&wish_at(16.0 + 3200.0, 4));
-    let planned = edit_store.next_plan().unwrap().plan(&edit_store.field);
-    let left = planned.changed.len();
-    edit_store.planned(planned);
-    let mut frames = Vec::new();
-    while frames.iter().sum::<usize>() < there {
-        assert!(edit_store.coming() > 0, "there is more to come");
-        frames.push(edit_store.settle_some().len());
-    }
-    let most = LEAST_SETTLED.max(left / SETTLED_SHARE);
-    assert!(
-        frames.len() > 4 && frames.iter().all(|&gone| gone <= most),
-        "{frames:?}"
-    );
-    while !edit_store.unsettled.is_empty() {
-        assert!(edit_store.settle_some().is_empty());
-    }
-    make_all(&mut edit_store, 100);
-    assert_as_planned(&edit_store);
-}
-
-#[test]
-fn of_two_plans_one_after_the_other_the_second_holds() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &without_bodies(wish_with_rings(0, 2)));
-    make_all(&mut edit_store, 7);
-    for x in [4, 9, 1, 0, 6] {
-        edit_store.wish(&without_bodies(wish_with_rings(x, 2)));
-        let planned = edit_store.next_plan().unwrap().plan(&edit_store.field);
-        edit_store.planned(planned);
-        // The first frames of a plan, and then there is another already.
-        for _ in 0..3 {
-            edit_store.settle_some();
-            for make in std::iter::from_fn(|| edit_store.next_load(2)).collect::<Vec<_>>() {
-                edit_store.loaded(make, 0);
-                assert!(widest_step(&edit_store) <= 1);
-            }
-        }
-    }
-    while !edit_store.unsettled.is_empty() {
-        edit_store.settle_some();
-    }
-    make_all(&mut edit_store, 7);
-    assert_as_planned(&edit_store);
-    let targets = &edit_store.plan.targets;
-    assert!(
+    enter(&edit_store, 3);
+    save(&edit_store, &disk);
+    assert_eq!(
         edit_store
-            .resident
-            .keys()
-            .all(|coord| targets.contains_key(coord))
+            .edits(chunk(3), &mut Vec::new())
+            .unwrap()
+            .delta(1, 2, 3),
+        1.0
+    );
+    assert_eq!(edit_store.held(), MOST_SAVED);
+}
+
+#[test]
+fn what_is_not_saved_stays_and_so_does_everything_without_a_store() {
+    let edit_store = EditStore::new(Some(Arc::new(Disk::default())), HashSet::new());
+    let bare = EditStore::new(None, HashSet::new());
+    for x in 0..MOST_SAVED as i32 + 40 {
+        enter(&edit_store, x);
+        enter(&bare, x);
+    }
+    edit_store.forget_saved();
+    assert!(bare.unsaved().is_empty());
+    bare.forget_saved();
+    assert_eq!(
+        (edit_store.held(), bare.held()),
+        (MOST_SAVED + 40, MOST_SAVED + 40)
     );
 }
 
 #[test]
-fn walking_to_and_fro_over_a_border_makes_nothing_again() {
-    let mut edit_store = edit_store(&[]);
-    let there = wish_with_rings(0, 2);
-    let beyond = Wish {
-        centre: ChartPoint::a(there.centre.pos + DVec3::X * 17.0),
-        bodies: vec![Reach::around(
-            ChartPoint::a(there.centre.pos + DVec3::X * 17.0),
-            10.0,
-        )],
-        ..there.clone()
-    };
-    for wished in [&there, &beyond] {
-        wish(&mut edit_store, wished);
-        make_all(&mut edit_store, 5);
-    }
-    for wished in [&there, &beyond, &there, &beyond] {
-        assert!(wish(&mut edit_store, wished).is_empty());
-        assert_eq!(make_all(&mut edit_store, 5).0, 0);
-    }
-}
-
-#[test]
-fn what_waits_for_a_chunk_goes_on_when_that_is_there_no_more() {
-    let mut edit_store = edit_store(&[]);
-    wish(&mut edit_store, &without_bodies(wish_with_rings(-10, 2)));
-    make_all(&mut edit_store, 5);
-    // All is to be coarse now, but the chunks at x = -9 cannot be made, and hold up those beside
-    // them. One load is never done, so that nobody goes on because all wait for each other.
-    let coarse = without_bodies(wish_with_rings(0, 2));
-    wish(&mut edit_store, &coarse);
-    let unfinished = edit_store.next_load(1).unwrap().coord;
-    assert!(unfinished.index.x > -8, "{unfinished:?}");
-    while let Some(make) = edit_store.next_load(usize::MAX) {
-        if make.coord.index.x == -9 {
-            edit_store.give_up(make.coord);
-        } else {
-            edit_store.loaded(make, 0);
-        }
-    }
-    let beside: Vec<_> = edit_store.resident.keys().copied().collect();
-    let is_held = |coord: &ChunkCoord| {
-        let west = chunk(-9, coord.index.y, coord.index.z);
-        coord.index.x == -8 && edit_store.resident.contains_key(&west)
-    };
-    let held: Vec<_> = beside.into_iter().filter(is_held).collect();
-    assert!(held.iter().any(|coord| edit_store.blocked.contains(coord)));
-
-    let rings = Rings { x: 0, width: 2 };
-    let detail: Arc<dyn Detail> = Arc::new(Vanishing { rings, gone: -9 });
-    let gone = wish(
-        &mut edit_store,
-        &Wish {
-            detail: Some(detail),
-            ..coarse
-        },
+fn what_is_on_its_way_to_the_disk_stays_in_memory_until_it_is_there() {
+    let disk = Arc::new(Disk::default());
+    let edit_store = EditStore::new(
+        Some(Arc::clone(&disk) as Arc<dyn EditBackend>),
+        HashSet::new(),
     );
-    assert!(gone.iter().any(|coord| coord.index.x == -9));
-    while let Some(make) = edit_store.next_load(usize::MAX) {
-        edit_store.loaded(make, 0);
+    let count = MOST_SAVED as i32 + 10;
+    let first: Land = (0..count).flat_map(|x| enter(&edit_store, x)).collect();
+    assert_eq!(first.len(), count as usize);
+    // The second moment has a newer edit of one of them; the first is saved meanwhile.
+    let second = enter(&edit_store, 0);
+    assert_eq!(second.len(), 1);
+    edit_store.forget_saved();
+    assert_eq!(edit_store.held(), count as usize, "nothing is saved yet");
+    edit_store.saved(&first);
+    assert_eq!(edit_store.unsaved().len(), 1, "the newer edit is not saved");
+    edit_store.saved(&second);
+    assert!(edit_store.unsaved().is_empty());
+}
+
+/// A disk on which something else happens while it is first read.
+struct Busy {
+    disk: Arc<Disk>,
+    meanwhile: OnceLock<Box<dyn Fn() + Send + Sync>>,
+    read: AtomicBool,
+}
+
+impl EditBackend for Busy {
+    fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
+        Ok(Vec::new())
     }
-    for coord in held {
-        let target = edit_store.plan.targets[&coord];
-        assert_eq!(edit_store.level(coord), Some(target.level), "{coord:?}");
+
+    fn chunk(&self, key: &ChunkKey) -> Result<Option<Vec<i16>>, ReadFault> {
+        if let Some(meanwhile) = self.meanwhile.get()
+            && !self.read.swap(true, Ordering::Relaxed)
+        {
+            meanwhile();
+        }
+        self.disk.chunk(key)
+    }
+
+    fn commit(&self, _: &Batch) -> Result<(), Failure> {
+        Ok(())
     }
 }
 
 #[test]
-fn air_around_a_body_is_known_to_be_ready_from_the_plan_until_something_is_built_there() {
-    let mut edit_store = edit_store(&[]);
-    let high = |x: f64| {
-        let centre = ChartPoint::a(DVec3::new(x, 80.0, 16.0));
-        Wish {
-            bodies: vec![Reach::around(centre, 20.0)],
-            ..Wish::new(centre, DVec3::X, 4)
-        }
-    };
-    let mut most = 0;
-    for step in 0..40 {
-        let wished = high(16.0 + 32.0 * f64::from(step));
-        wish(&mut edit_store, &wished);
-        let under = ChunkCoord::containing(wished.centre);
-        assert!(edit_store.plan.bare.contains(&under) && edit_store.is_ready(under));
-        assert!(!edit_store.plan.bare.contains(&chunk(step, 0, 0)), "ground");
-        most = most.max(edit_store.plan.bare.len());
+fn what_leaves_the_memory_while_its_neighbour_is_read_is_read_too() {
+    let disk = Arc::new(Disk::default());
+    let busy = Arc::new(Busy {
+        disk: Arc::clone(&disk),
+        meanwhile: OnceLock::new(),
+        read: AtomicBool::new(false),
+    });
+    let backend = Arc::clone(&busy) as Arc<dyn EditBackend>;
+    let edit_store = Arc::new(EditStore::new(Some(backend), HashSet::new()));
+    // The first has left the memory, and the second is the next to go.
+    for x in 0..=MOST_SAVED as i32 {
+        enter(&edit_store, x);
+        save(&edit_store, &disk);
     }
-    assert!(most <= 64, "{most} chunks are remembered");
-    let under = ChunkCoord::containing(high(16.0 + 32.0 * 39.0).centre);
-    edit_store.batch_ended(&[under], &[under], 1);
-    assert!(!edit_store.is_ready(under), "something is built there");
+    let other = Arc::clone(&edit_store);
+    let saver = move || {
+        enter(&other, 1000);
+        save(&other, &disk);
+    };
+    assert!(busy.meanwhile.set(Box::new(saver)).is_ok());
+    let near = edit_store.snapshot(chunk(0), &mut Vec::new()).near;
+    assert!(busy.read.load(Ordering::Relaxed), "the disk was read");
+    assert_eq!(near.len(), 2, "both have changes");
 }

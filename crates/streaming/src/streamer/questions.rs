@@ -7,43 +7,43 @@ use super::Streamer;
 impl Streamer {
     /// Chunks to be loaded, and one more while an edit is under way.
     pub fn pending(&self) -> usize {
-        self.edit_store.coming() + usize::from(self.is_editing())
+        self.scheduler.coming() + usize::from(self.is_editing())
     }
 
     /// Is everything of this chunk there? Chunks in range without a surface always are.
     pub fn is_resident(&self, coord: ChunkCoord) -> bool {
-        self.edit_store.is_resident(coord)
+        self.scheduler.is_resident(coord)
     }
 
     /// Is nothing more to come of this chunk? As [`is_resident`](Self::is_resident), and true too
     /// for one that could not be made and was given up.
     pub fn is_ready(&self, coord: ChunkCoord) -> bool {
-        self.edit_store.is_ready(coord)
+        self.scheduler.is_ready(coord)
     }
 
     /// May bodies move in this chunk? It is solid, has no surface or was given up, whatever the view has made of it.
     pub fn is_firm(&self, coord: ChunkCoord) -> bool {
-        self.edit_store.is_firm(coord)
+        self.scheduler.is_firm(coord)
     }
 
     /// Is this chunk within the view last wished for?
     pub fn is_wanted(&self, coord: ChunkCoord) -> bool {
-        self.edit_store.is_wanted(coord)
+        self.scheduler.is_wanted(coord)
     }
 
     /// Is this chunk within the view, or the chunk beyond it that is kept so that walking to and fro loads nothing?
     pub fn keeps_in_view(&self, coord: ChunkCoord) -> bool {
-        self.edit_store.keeps_in_view(coord)
+        self.scheduler.keeps_in_view(coord)
     }
 
     /// Number of chunks with a mesh that are there.
     pub fn resident_count(&self) -> usize {
-        self.edit_store.resident_count()
+        self.scheduler.resident_count()
     }
 
     /// Number of chunks of the world that the player has changed.
     pub fn edited_count(&self) -> usize {
-        self.edit_store.edited_count()
+        self.scheduler.edited_count()
     }
 
     /// Number of saves asked for and not ended.

@@ -75,8 +75,8 @@ fn all_land_that_is_near_is_there_by_whichever_side_of_the_tip() {
 #[test]
 fn a_hole_is_in_every_chart_that_has_it_and_stays() {
     for (angle_rad, away_m, charts) in [(0.8, 1.0, 3), (0.0, 20.0, 2), (3.0, 9.0, 2)] {
-        let vault = Arc::new(Memory::default());
-        let mut game = Game::in_space(Arc::new(Cone), 2, Some(vault), None);
+        let backend = Arc::new(Memory::default());
+        let mut game = Game::in_space(Arc::new(Cone), 2, Some(backend), None);
         let at = ground(&game, angle_rad, away_m);
         look(&mut game, at);
         let whole = triangles(&game);

@@ -9,7 +9,7 @@ use antipode_storage::RecordChanges;
 use super::saving::{meta, open};
 use super::{Game, Memory};
 use crate::api::Until;
-use crate::vault::key_of;
+use crate::edit_backend::key_of;
 
 #[test]
 fn a_damaged_record_is_told_and_kept_until_the_player_digs_there() {

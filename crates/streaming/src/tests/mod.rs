@@ -29,9 +29,9 @@ use crossbeam_channel::{Receiver, Sender, bounded};
 use glam::{DVec3, IVec3};
 
 use crate::api::{Chunk, Config, Until, Update, Wish};
+use crate::edit_backend::{EditBackend, Failure, ReadFault};
 use crate::shared::{Step, Watch};
 use crate::streamer::Streamer;
-use crate::vault::{Failure, ReadFault, Vault};
 
 /// Far more than any test needs; it only ends a test that would hang.
 const LIMIT: Duration = Duration::from_mins(2);
@@ -52,7 +52,7 @@ impl Game {
     fn new(
         geometry: Geometry,
         workers: usize,
-        vault: Option<Arc<dyn Vault>>,
+        backend: Option<Arc<dyn EditBackend>>,
         watch: Option<Watch>,
     ) -> Self {
         let radius_m = if geometry == Geometry::Spherical {
@@ -60,7 +60,7 @@ impl Game {
         } else {
             20.0
         };
-        Self::in_space(strategy(geometry, radius_m), workers, vault, watch)
+        Self::in_space(strategy(geometry, radius_m), workers, backend, watch)
     }
 
     fn of(geometry: Geometry, radius_m: f64, workers: usize) -> Self {
@@ -70,7 +70,7 @@ impl Game {
     fn in_space(
         space: Arc<dyn Strategy>,
         workers: usize,
-        vault: Option<Arc<dyn Vault>>,
+        backend: Option<Arc<dyn EditBackend>>,
         watch: Option<Watch>,
     ) -> Self {
         let field = Arc::new(Field::new(SEED, space.clone()));
@@ -79,7 +79,7 @@ impl Game {
             ..Config::default()
         };
         let streamer =
-            Streamer::start_watched(field.clone(), space.clone(), vault, config, watch).unwrap();
+            Streamer::start_watched(field.clone(), space.clone(), backend, config, watch).unwrap();
         Self {
             streamer,
             field,
@@ -251,7 +251,7 @@ impl Memory {
     }
 }
 
-impl Vault for Memory {
+impl EditBackend for Memory {
     fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
         Ok(self.chunks.lock().unwrap().keys().copied().collect())
     }

@@ -11,14 +11,14 @@ use glam::DVec3;
 
 use super::{Game, Gate, Memory, chunk};
 use crate::api::{StreamingError, Until};
+use crate::edit_backend::EditBackend;
 use crate::shared::Step;
-use crate::vault::Vault;
 
 pub(super) fn open(memory: &Arc<Memory>) -> Game {
     let mut game = Game::new(
         Geometry::Euclidean,
         2,
-        Some(Arc::clone(memory) as Arc<dyn Vault>),
+        Some(Arc::clone(memory) as Arc<dyn EditBackend>),
         None,
     );
     let at = game.ground(0.0, 0.0);
@@ -46,7 +46,12 @@ fn what_was_dug_is_there_after_closing_and_opening() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("world");
     let store = Arc::new(WorldStore::create(&path, &meta()).unwrap());
-    let mut game = Game::new(Geometry::Euclidean, 2, Some(store as Arc<dyn Vault>), None);
+    let mut game = Game::new(
+        Geometry::Euclidean,
+        2,
+        Some(store as Arc<dyn EditBackend>),
+        None,
+    );
     let at = game.ground(0.0, 0.0);
     game.wish(at, 1);
     game.wait(Until::Idle);
@@ -61,7 +66,12 @@ fn what_was_dug_is_there_after_closing_and_opening() {
     drop(game);
 
     let store = Arc::new(WorldStore::open(&path).unwrap());
-    let mut again = Game::new(Geometry::Euclidean, 1, Some(store as Arc<dyn Vault>), None);
+    let mut again = Game::new(
+        Geometry::Euclidean,
+        1,
+        Some(store as Arc<dyn EditBackend>),
+        None,
+    );
     again.wish(at, 1);
     again.wait(Until::Idle);
     assert!(again.problems.is_empty() && again.streamer.edited_count() > 0);
@@ -226,8 +236,8 @@ fn a_save_is_of_one_moment_however_many_strokes_are_on_their_way() {
     for stop in [Step::Apply, Step::Entered] {
         let memory = Arc::new(Memory::default());
         let (gate, watch) = Gate::at(move |step| step == stop);
-        let vault = Arc::clone(&memory) as Arc<dyn Vault>;
-        let mut game = Game::new(Geometry::Euclidean, 2, Some(vault), Some(watch));
+        let backend = Arc::clone(&memory) as Arc<dyn EditBackend>;
+        let mut game = Game::new(Geometry::Euclidean, 2, Some(backend), Some(watch));
         let at = game.ground(0.0, 0.0);
         game.wish(at, 1);
         game.wait(Until::Idle);
@@ -261,7 +271,7 @@ fn digging_goes_on_while_a_save_waits_and_workers_read_the_edits() {
     game.wait(Until::Edits);
     {
         let shared = game.streamer.worker_pool.shared();
-        let _reader = shared.book.being_read();
+        let _reader = shared.edit_store.being_read();
         game.streamer.save(Some(meta()), RecordChanges::new());
         game.edit(at + DVec3::X, 5.0);
         assert!(

@@ -60,8 +60,8 @@ fn the_same_land_is_there_wherever_one_goes_and_by_whichever_way() {
 /// A hole at a corner is in all four squares, and still there after one has been far away.
 #[test]
 fn a_hole_at_a_corner_is_in_every_chart_that_meets_there_and_stays() {
-    let vault = Arc::new(Memory::default());
-    let mut game = Game::in_space(Arc::new(TiledFlat), 2, Some(vault), None);
+    let backend = Arc::new(Memory::default());
+    let mut game = Game::in_space(Arc::new(TiledFlat), 2, Some(backend), None);
     let flat = Game::flat(1);
     let place = flat.ground(HALF_M, HALF_M);
     let at = TiledFlat::at(place);

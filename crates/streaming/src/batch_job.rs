@@ -10,10 +10,10 @@ use antipode_geometry::ChunkCoord;
 use antipode_terrain::Stroke;
 
 use crate::api::Chunk;
-use crate::book::{Change, Entered};
-use crate::edit_store::Make;
+use crate::edit_store::{Change, Entered};
 use crate::outcome::Edited;
 use crate::range::around;
+use crate::scheduler::Make;
 use crate::shared::{Shared, Step};
 use crate::worker::guarded;
 
@@ -29,8 +29,8 @@ pub(crate) struct EditBatch {
     pub(crate) makes: Vec<Make>,
 }
 
-/// A batch that has entered the book and is being meshed.
-pub(crate) struct Round {
+/// A batch that has entered the edit store and is being meshed.
+pub(crate) struct BatchJob {
     makes: Vec<Make>,
     next: AtomicUsize,
     result: Mutex<Progress>,
@@ -41,8 +41,8 @@ struct Progress {
     edited: Edited,
 }
 
-impl Round {
-    /// Applies the strokes. On a panic nothing has entered the book.
+impl BatchJob {
+    /// Applies the strokes. On a panic nothing has entered the edit store.
     pub(crate) fn begin(shared: &Shared, batch: &EditBatch) -> Self {
         let mut problems = Vec::new();
         let tried = guarded(&mut problems, "changing the terrain", |problems| {
@@ -97,7 +97,7 @@ impl Round {
             let doing = format!("making chunk {}", coord.index);
             let made = guarded(&mut problems, &doing, |problems| {
                 shared.at(Step::Remesh(coord));
-                let edits = shared.book.snapshot(coord, problems);
+                let edits = shared.edit_store.snapshot(coord, problems);
                 (make, shared.make(make, &edits, true))
             });
             if let Some(edited) = self.finish(made, problems) {
@@ -165,7 +165,7 @@ fn apply(shared: &Shared, batch: &EditBatch, problems: &mut Vec<String>) -> Appl
         touched,
         remeshed: reached,
         bordering,
-        entered: shared.book.enter(changed),
+        entered: shared.edit_store.enter(changed),
     }
 }
 
@@ -178,14 +178,14 @@ fn changes(
     problems: &mut Vec<String>,
 ) -> Option<Vec<Change>> {
     let strategy = &*shared.strategy;
-    let mut pages: BTreeMap<ChunkCoord, Change> = BTreeMap::new();
+    let mut changes: BTreeMap<ChunkCoord, Change> = BTreeMap::new();
     for stroke in strokes {
         for coord in stroke.touched(strategy) {
-            let change = match pages.entry(coord) {
-                Entry::Occupied(page) => page.into_mut(),
-                Entry::Vacant(page) => {
-                    let edits = shared.book.edits(coord, problems)?;
-                    page.insert(Change {
+            let change = match changes.entry(coord) {
+                Entry::Occupied(found) => found.into_mut(),
+                Entry::Vacant(missing) => {
+                    let edits = shared.edit_store.edits(coord, problems)?;
+                    missing.insert(Change {
                         coord,
                         edits,
                         visible: false,
@@ -196,5 +196,5 @@ fn changes(
         }
         reached.extend(stroke.remeshed(strategy));
     }
-    Some(pages.into_values().collect())
+    Some(changes.into_values().collect())
 }

@@ -8,7 +8,7 @@
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::Level;
 
-use super::{EditStore, Flight, Make, Shown};
+use super::{ChunkScheduler, Flight, Make, Shown};
 use crate::levels::{allowed, faces};
 
 /// What to do with a chunk that has been loaded.
@@ -32,7 +32,7 @@ enum Need {
     Later,
 }
 
-impl EditStore {
+impl ChunkScheduler {
     pub(super) fn enqueue(&mut self, coord: ChunkCoord) {
         if !matches!(self.need(coord), Need::Nothing) {
             self.blocked.remove(&coord);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use antipode_geometry::ChunkCoord;
 
-use super::EditStore;
+use super::ChunkScheduler;
 use crate::api::Wish;
 use crate::plan::{Plan, Planned, Request};
 use crate::range::Range;
@@ -16,7 +16,7 @@ use crate::reaches::Reaches;
 pub(super) const LEAST_SETTLED: usize = 8;
 pub(super) const SETTLED_SHARE: usize = 8;
 
-impl EditStore {
+impl ChunkScheduler {
     /// Takes a wish; returns the chunks that are no longer solid. The first wish is planned at
     /// once, those after it when [`next_plan`](Self::next_plan) has been carried out.
     pub(crate) fn wish(&mut self, wish: &Wish) -> Vec<ChunkCoord> {

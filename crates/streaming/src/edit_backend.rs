@@ -1,4 +1,4 @@
-//! The store of a world as the workers see it, and the translation between chunk names.
+//! The save of a world as the workers see it, and the translation between chunk names.
 
 use std::error::Error;
 
@@ -18,7 +18,7 @@ pub(crate) enum ReadFault {
 }
 
 /// Where edited chunks are kept. A trait, so that tests can make it fail.
-pub(crate) trait Vault: Send + Sync {
+pub(crate) trait EditBackend: Send + Sync {
     /// The chunks that have edits.
     fn edited(&self) -> Result<Vec<ChunkKey>, Failure>;
     /// The edits of one chunk; `None` if it has none.
@@ -27,7 +27,7 @@ pub(crate) trait Vault: Send + Sync {
     fn commit(&self, batch: &Batch) -> Result<(), Failure>;
 }
 
-impl Vault for WorldStore {
+impl EditBackend for WorldStore {
     fn edited(&self) -> Result<Vec<ChunkKey>, Failure> {
         Ok(self.edited_chunks()?)
     }

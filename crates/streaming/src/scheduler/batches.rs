@@ -6,11 +6,11 @@ use std::sync::Arc;
 use antipode_geometry::ChunkCoord;
 use antipode_terrain::Level;
 
-use super::{EditStore, Make, Shown};
+use super::{ChunkScheduler, Make, Shown};
 use crate::plan::Target;
 use crate::range::around;
 
-impl EditStore {
+impl ChunkScheduler {
     /// How the chunks of a batch that is handed over are to be made. Until the batch has ended their
     /// levels stay as they are.
     pub(crate) fn begin_batch(&mut self, coords: impl Iterator<Item = ChunkCoord>) -> Vec<Make> {
