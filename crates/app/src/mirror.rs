@@ -1,6 +1,6 @@
 //! The rear mirror: what is drawn in it, and where in a picture.
 
-use antipode_render::{FurtherView, Place};
+use antipode_render::{FurtherView, ViewTarget};
 use antipode_scene::frame::{Frame, View};
 
 /// A mirror that fits its place in a picture.
@@ -34,7 +34,7 @@ impl Mirror {
         FurtherView {
             view: &self.view,
             size: self.size,
-            place: Place::Mirror(self.corner),
+            target: ViewTarget::Mirror(self.corner),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::thread::sleep;
 use std::time::Duration;
 
-use antipode_audio::{Audio, Cue, Heard, Place, Status, Volumes};
+use antipode_audio::{Audio, Cue, Heard, PlayState, Status, Volumes};
 use antipode_scene::{SoundEvent, Surroundings};
 use antipode_terrain::Cover;
 
@@ -50,7 +50,7 @@ fn main() {
 
 fn happen(audio: &Audio, day: f64, events: &[SoundEvent]) {
     audio.hear(Heard {
-        place: Place::World,
+        play_state: PlayState::World,
         surroundings: Some(Surroundings {
             day,
             height_m: 10.0,

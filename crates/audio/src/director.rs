@@ -9,7 +9,7 @@ use antipode_terrain::Cover;
 use crate::bank::Sample;
 use crate::music::Music;
 use crate::player::{BEDS, Bed, Player, Voice};
-use crate::studio::{Cue, Heard, Place};
+use crate::studio::{Cue, Heard, PlayState};
 use crate::volumes::{Group, Volumes};
 
 /// Loudest step, in amplitude, and the speed in m/s at which it is reached.
@@ -37,7 +37,7 @@ const AUDIBLE_CHANGE: f32 = 0.01;
 /// Turns what the game tells into what a player plays.
 #[derive(Debug)]
 pub struct Director {
-    place: Place,
+    play_state: PlayState,
     surroundings: Surroundings,
     volumes: Volumes,
     muted: bool,
@@ -52,7 +52,7 @@ impl Director {
     /// A director for the main menu.
     pub fn new(volumes: Volumes) -> Self {
         Self {
-            place: Place::Menu,
+            play_state: PlayState::Menu,
             surroundings: Surroundings::default(),
             volumes,
             muted: false,
@@ -87,7 +87,7 @@ impl Director {
 
     /// Takes in what the scene told in a frame.
     pub fn hear(&mut self, heard: &Heard, player: &mut dyn Player) {
-        self.place = heard.place;
+        self.play_state = heard.play_state;
         if let Some(surroundings) = heard.surroundings {
             self.surroundings = surroundings;
         }
@@ -109,7 +109,7 @@ impl Director {
 
     /// Lets time pass, in seconds.
     pub fn advance(&mut self, dt_s: f64, player: &mut dyn Player) {
-        let night = self.place != Place::Menu && self.surroundings.day < 0.5;
+        let night = self.play_state != PlayState::Menu && self.surroundings.day < 0.5;
         self.music.advance(dt_s, night, |voice| player.play(voice));
     }
 
@@ -196,10 +196,10 @@ impl Director {
 
     /// Amplitude and rate of each bed.
     fn levels(&self) -> [(f32, f32); BEDS] {
-        let present = match self.place {
-            Place::Menu => return [(0.0, 1.0); BEDS],
-            Place::Paused => PAUSED_SHARE,
-            Place::World => 1.0,
+        let present = match self.play_state {
+            PlayState::Menu => return [(0.0, 1.0); BEDS],
+            PlayState::Paused => PAUSED_SHARE,
+            PlayState::World => 1.0,
         };
         let air = &self.surroundings;
         let high = share(air.height_m, 0.0, air.relief_m.max(1.0));

@@ -21,6 +21,6 @@ mod wav;
 pub use audio::Audio;
 pub use bank::Sample;
 pub use player::{Bed, Player, Recorder, Voice};
-pub use studio::{Cue, Heard, Place, Status};
+pub use studio::{Cue, Heard, PlayState, Status};
 pub use volumes::{Group, Volumes};
 pub use wav::{Clip, WavError};

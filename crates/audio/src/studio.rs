@@ -11,9 +11,9 @@ use crate::volumes::Volumes;
 /// Time between two attempts to open a device, in seconds.
 const RETRY_S: f64 = 3.0;
 
-/// Where the player is.
+/// What is played: nothing, or a world that stands still or goes on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Place {
+pub enum PlayState {
     /// In a menu without a world, or before a world that is being loaded.
     #[default]
     Menu,
@@ -26,8 +26,8 @@ pub enum Place {
 /// What there was to hear in a frame.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Heard {
-    /// Where the player is.
-    pub place: Place,
+    /// What is played: nothing, or a world that stands still or goes on.
+    pub play_state: PlayState,
     /// What surrounds the player; none without a world.
     pub surroundings: Option<Surroundings>,
     /// What happened.

@@ -8,9 +8,9 @@ use antipode_storage::{Record, RecordKey, WorldStore};
 
 use crate::forge::pages::Part;
 use crate::forge::{bases, plan, record};
-use crate::place::{Place, VICTIM, with_place};
 use crate::targets::store::try_every_door;
 use crate::targets::{Seen, Target, target};
+use crate::world_folder::{VICTIM, WorldFolder, with_world_folder};
 
 /// Where the index of a store is.
 const INDEX: [Part; 5] = [
@@ -78,7 +78,7 @@ fn none() -> Vec<(String, Vec<u8>)> {
 
 fn every_door(input: &[u8]) -> Result<Seen, String> {
     let bytes = plan::store(input);
-    let taken = with_place(|place| try_every_door(place, &bytes))?;
+    let taken = with_world_folder(|folder| try_every_door(folder, &bytes))?;
     Ok(Seen {
         past_checksums: plan::is_sealed(input, &bytes),
         taken,
@@ -86,8 +86,8 @@ fn every_door(input: &[u8]) -> Result<Seen, String> {
 }
 
 /// Leaves the victim with this store and the summary that every world has beside it.
-fn plant(place: &Place, bytes: &[u8]) -> Result<PathBuf, String> {
-    let dir = place
+fn plant(folder: &WorldFolder, bytes: &[u8]) -> Result<PathBuf, String> {
+    let dir = folder
         .plant_store(bytes)
         .map_err(|error| error.to_string())?;
     let base = bases::store(false, true);
@@ -103,13 +103,13 @@ fn plant(place: &Place, bytes: &[u8]) -> Result<PathBuf, String> {
 fn nothing_is_lost(input: &[u8]) -> Result<Seen, String> {
     let seen = every_door(input)?;
     let bytes = plan::store(input);
-    with_place(|place| {
-        let dir = plant(place, &bytes)?;
+    with_world_folder(|folder| {
+        let dir = plant(folder, &bytes)?;
         if what_lacks(input, &WorldStore::open(&dir)).is_none() {
             return Ok(());
         }
-        plant(place, &bytes)?;
-        place
+        plant(folder, &bytes)?;
+        folder
             .saves()
             .repair(VICTIM)
             .map_err(|error| format!("it is not repaired: {error}"))?;
@@ -135,17 +135,17 @@ fn may_be(input: &[u8]) -> &'static [i32] {
 fn no_wrong_value(input: &[u8]) -> Result<Seen, String> {
     let seen = every_door(input)?;
     let bytes = plan::store(input);
-    with_place(|place| {
-        let dir = plant(place, &bytes)?;
+    with_world_folder(|folder| {
+        let dir = plant(folder, &bytes)?;
         committed_only(&dir)?;
-        plant(place, &bytes)?;
-        let repaired = place
+        plant(folder, &bytes)?;
+        let repaired = folder
             .saves()
             .repair(VICTIM)
             .map_err(|error| error.to_string());
         committed_only(&dir)?;
         repaired.map_err(|error| format!("one bit, and it is not repaired: {error}"))?;
-        still_there(place, may_be(input))
+        still_there(folder, may_be(input))
     })?;
     Ok(seen)
 }
@@ -178,8 +178,8 @@ fn committed_only(dir: &std::path::Path) -> Result<(), String> {
 }
 
 /// One bit costs one record at most, of which an older one comes back if there is one.
-fn still_there(place: &Place, commits: &[i32]) -> Result<(), String> {
-    let world = place
+fn still_there(folder: &WorldFolder, commits: &[i32]) -> Result<(), String> {
+    let world = folder
         .saves()
         .open(VICTIM)
         .map_err(|error| error.to_string())?;

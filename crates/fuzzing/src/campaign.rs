@@ -14,8 +14,8 @@ use std::thread;
 
 use fastrand::Rng;
 
-use crate::place::with_place;
 use crate::watch::{Ended, MOST_WAIT, bounded, watch};
+use crate::world_folder::with_world_folder;
 use crate::{Seen, Target};
 
 /// After so many finds there is enough to do.
@@ -248,8 +248,8 @@ fn tell(line: &str) {
 /// Counts the panics that the game catches and keeps the words of others.
 fn listen_for_panics() {
     // The game puts its own hook at its first use, and the last hook hears first.
-    let _ = with_place(|place| {
-        let dir = place
+    let _ = with_world_folder(|folder| {
+        let dir = folder
             .plant_store(b"no store")
             .map_err(|error| error.to_string())?;
         drop(antipode_storage::WorldStore::open(&dir));

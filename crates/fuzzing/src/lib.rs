@@ -10,9 +10,9 @@ pub mod attacks;
 pub mod campaign;
 pub mod forge;
 mod mutation;
-pub mod place;
 pub mod targets;
 pub mod watch;
+pub mod world_folder;
 
 use std::sync::LazyLock;
 

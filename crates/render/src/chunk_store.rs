@@ -15,7 +15,7 @@ use crate::lamps::lights_near;
 use crate::land_mesh::{LandMesh, SeamMask};
 use crate::pages::Pages;
 use crate::parts::{Block, parts, sections};
-use crate::plan::{ChunkLand, FramePlan, LandBook, Tolerance};
+use crate::plan::{ChunkLand, FramePlan, LandIndex, Tolerance};
 use crate::refinements::{Refinement, Refinements};
 use crate::seams;
 use crate::shades::Shades;
@@ -99,7 +99,7 @@ pub struct ChunkStore {
     pub(crate) pages: Pages,
     pub(crate) refinements: Refinements,
     /// The land of `chunks`, until they change.
-    book: Option<Arc<LandBook>>,
+    land_index: Option<Arc<LandIndex>>,
     clock: BlendClock,
     world: Option<u64>,
     /// How far that world's land has been read.
@@ -118,7 +118,7 @@ impl ChunkStore {
             waiting: HashMap::new(),
             pages: Pages::new(&gpu.device, &gpu.queue),
             refinements: Refinements::default(),
-            book: None,
+            land_index: None,
             clock: BlendClock::default(),
             world: None,
             cursor: LandCursor::default(),
@@ -176,7 +176,7 @@ impl ChunkStore {
         if let Some(gone) = self.chunks.remove(&coord) {
             let of = Caster::of(&gone.land);
             self.touched.push(Touched { of, is_edited });
-            self.book = None;
+            self.land_index = None;
             gone.give_back(&mut self.pages);
         }
     }
@@ -188,7 +188,7 @@ impl ChunkStore {
         });
         self.touched.extend(gone);
         self.chunks.clear();
-        self.book = None;
+        self.land_index = None;
         self.waiting.clear();
         self.pages.clear();
         self.refinements.forget();
@@ -244,7 +244,7 @@ impl ChunkStore {
             is_urgent: false,
             fading: None,
         };
-        self.book = None;
+        self.land_index = None;
         let of = Caster::of(&chunk.land);
         let Some(mut old) = self.chunks.insert(coord, chunk) else {
             self.touched.push(Touched { of, is_edited });
@@ -289,10 +289,10 @@ impl ChunkStore {
     }
 
     /// The land of every chunk that is shown, in an order that depends on nothing else.
-    pub fn land(&mut self) -> Arc<LandBook> {
+    pub fn land(&mut self) -> Arc<LandIndex> {
         let chunks = self.chunks.values();
-        let book = || Arc::new(LandBook::new(chunks.map(|chunk| chunk.land).collect()));
-        Arc::clone(self.book.get_or_insert_with(book))
+        let land_index = || Arc::new(LandIndex::new(chunks.map(|chunk| chunk.land).collect()));
+        Arc::clone(self.land_index.get_or_insert_with(land_index))
     }
 
     /// Whether meshes wait to be shown or are being refined.

@@ -30,7 +30,7 @@ const COARSE_FROM_M: f32 = 0.4;
 
 /// Where a model lies in the buffers.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct ModelRanges {
     /// Number of its first vertex.
     pub base_vertex: i32,
     /// Indices of what hides things behind it.
@@ -51,14 +51,14 @@ pub struct Statics {
     skin: Buffer,
     indices: Buffer,
     /// Where each model lies, by its number.
-    pub places: Vec<Place>,
+    pub ranges: Vec<ModelRanges>,
 }
 
 impl Statics {
     /// Uploads them. Those that bend are to come first.
     pub fn new(device: &Device, models: &[Loaded]) -> Self {
         let mut whole = Shape::default();
-        let places = models
+        let ranges = models
             .iter()
             .map(|Loaded { shape, .. }| {
                 let start = whole.solid.len() as u32;
@@ -70,7 +70,7 @@ impl Statics {
                 } else {
                     coarse(&shape.vertices, &shape.skin, &shape.solid, COARSE_M)
                 };
-                let place = Place {
+                let ranges = ModelRanges {
                     base_vertex: whole.vertices.len() as i32,
                     solid: start..middle,
                     clear: middle..end,
@@ -82,7 +82,7 @@ impl Statics {
                 whole.solid.extend(&shape.solid);
                 whole.solid.extend(&shape.clear);
                 whole.solid.extend(&coarse);
-                place
+                ranges
             })
             .collect();
         let buffer = |label, contents: &[u8], usage| {
@@ -97,7 +97,7 @@ impl Statics {
             vertices: buffer("models", bytemuck::cast_slice(&whole.vertices), vertex),
             skin: buffer("model skins", bytemuck::cast_slice(&whole.skin), vertex),
             indices: buffer("model indices", bytemuck::cast_slice(&whole.solid), index),
-            places,
+            ranges,
         }
     }
 

@@ -6,7 +6,9 @@ use antipode_geometry::ChartId;
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
 use crate::charts::Charts;
-use crate::figure_buffers::{BATCH, Place, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
+use crate::figure_buffers::{
+    BATCH, ModelRanges, ROWS_BYTES, Statics, instance_buffer, joints_buffer,
+};
 use crate::figure_pipelines::FigurePipelines;
 use crate::pipelines::Pipelines;
 use crate::rig::{JOINTS, JointRows};
@@ -165,7 +167,7 @@ impl FigureDraws {
         adapter: (&Statics, &Charts),
         pipelines: &Pipelines,
     ) -> (usize, usize) {
-        let solid = |place: &Place| place.solid.clone();
+        let solid = |ranges: &ModelRanges| ranges.solid.clone();
         self.draw_parts(pass, adapter, &pipelines.figures, (solid, false))
     }
 
@@ -176,7 +178,7 @@ impl FigureDraws {
         adapter: (&Statics, &Charts),
         pipelines: &Pipelines,
     ) -> (usize, usize) {
-        let clear = |place: &Place| place.clear.clone();
+        let clear = |ranges: &ModelRanges| ranges.clear.clone();
         self.draw_parts(pass, adapter, &pipelines.figures, (clear, true))
     }
 
@@ -190,8 +192,12 @@ impl FigureDraws {
     ) -> usize {
         let mut triangles = 0;
         for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
-            let place = &adapter.0.places[run.model];
-            let indices = if coarse { &place.coarse } else { &place.solid };
+            let ranges = &adapter.0.ranges[run.model];
+            let indices = if coarse {
+                &ranges.coarse
+            } else {
+                &ranges.solid
+            };
             if indices.is_empty() {
                 continue;
             }
@@ -211,11 +217,11 @@ impl FigureDraws {
         pass: &mut RenderPass<'_>,
         adapter: (&Statics, &Charts),
         pipelines: &FigurePipelines,
-        (part, clear): (impl Fn(&Place) -> Range<u32>, bool),
+        (part, clear): (impl Fn(&ModelRanges) -> Range<u32>, bool),
     ) -> (usize, usize) {
         let (mut triangles, mut calls) = (0, 0);
         for run in self.runs.iter().filter(|run| run.way != Way::Shade) {
-            let indices = part(&adapter.0.places[run.model]);
+            let indices = part(&adapter.0.ranges[run.model]);
             if indices.is_empty() {
                 continue;
             }
@@ -251,7 +257,7 @@ impl FigureDraws {
         // Not every adapter draws instances from a number on, so the buffer begins there.
         let start = u64::from(run.first) * size_of::<FigureInstance>() as u64;
         pass.set_vertex_buffer(1, self.instances.slice(start..));
-        let base_vertex = models.places[run.model].base_vertex;
+        let base_vertex = models.ranges[run.model].base_vertex;
         pass.draw_indexed(indices.clone(), base_vertex, 0..run.count);
         indices.len() / 3 * run.count as usize
     }

@@ -255,8 +255,8 @@ fn lock(watch: &Mutex<Watch>) -> MutexGuard<'_, Watch> {
 }
 
 /// An instance's description, for some backends. In an optimised build the arguments of draws that lie in buffers are
-/// not looked through by a compute pass before every frame: `draw_list` alone writes them, to ranges that its books
-/// vouch for.
+/// not looked through by a compute pass before every frame: `draw_list` alone writes them, to ranges that its allocator
+/// vouches for.
 fn described(
     environment: wgpu::InstanceDescriptor,
     backends: Backends,

@@ -4,14 +4,14 @@ use std::ops::Range;
 
 use wgpu::util::DrawIndexedIndirectArgs;
 
-use crate::page_book::Place;
+use crate::page_allocator::MeshAllocation;
 use crate::pages::Pages;
 use crate::parts::{Block, Part, SECTIONS};
 
 /// Which seams of a mesh are drawn: bit f for the face f, in the order of [`FACES`](crate::seams::FACES).
 pub type SeamMask = u8;
 
-/// A mesh in the pages. It is to go back by [`LandMesh::give_back`], or its place is lost until another world is
+/// A mesh in the pages. It is to go back by [`LandMesh::give_back`], or its room is lost until another world is
 /// shown.
 #[derive(Debug, Default)]
 pub struct LandMesh {
@@ -20,7 +20,7 @@ pub struct LandMesh {
 
 #[derive(Debug)]
 struct PlacedPart {
-    place: Place,
+    allocation: MeshAllocation,
     /// Counted from the page's first index.
     sections: [Range<u32>; SECTIONS],
     /// The surface's blocks, counted from its first index; none where it is drawn as a whole.
@@ -39,26 +39,26 @@ pub struct Piece {
 impl LandMesh {
     /// Puts the parts of a mesh into pages. A part that fits no page is left out.
     pub fn put(pages: &mut Pages, parts: Vec<Part>) -> Self {
-        let mut placed = Vec::with_capacity(parts.len());
+        let mut in_pages = Vec::with_capacity(parts.len());
         for mut part in parts {
-            let Some(place) = pages.put(&part.vertices, &mut part.indices) else {
+            let Some(allocation) = pages.put(&part.vertices, &mut part.indices) else {
                 continue;
             };
-            let first = place.first_index();
+            let first = allocation.first_index();
             let sections = part.sections.map(|s| s.start + first..s.end + first);
-            placed.push(PlacedPart {
-                place,
+            in_pages.push(PlacedPart {
+                allocation,
                 sections,
                 blocks: part.blocks,
             });
         }
-        Self { parts: placed }
+        Self { parts: in_pages }
     }
 
-    /// Gives its places back.
+    /// Gives its room back.
     pub fn give_back(self, pages: &mut Pages) {
         for part in self.parts {
-            pages.give_back(part.place);
+            pages.give_back(part.allocation);
         }
     }
 
@@ -152,12 +152,12 @@ impl PlacedPart {
 
     fn piece(&self, indices: Range<u32>) -> Piece {
         Piece {
-            page: self.place.page,
+            page: self.allocation.page,
             args: DrawIndexedIndirectArgs {
                 index_count: indices.end - indices.start,
                 instance_count: 1,
                 first_index: indices.start,
-                base_vertex: self.place.first_vertex() as i32,
+                base_vertex: self.allocation.first_vertex() as i32,
                 first_instance: 0,
             },
         }
@@ -168,18 +168,18 @@ impl PlacedPart {
 mod tests {
     #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
     use super::*;
-    use crate::page_book::{PageBooks, PageSize};
+    use crate::page_allocator::{PageAllocator, PageSize};
 
     /// A part of a surface of 9 indices and seams of 3 each in faces 0, 1 and 4, after 10 other vertices and 12
     /// indices.
     fn part() -> PlacedPart {
-        let mut books = PageBooks::new(PageSize {
+        let mut allocator = PageAllocator::new(PageSize {
             vertices: 100,
             indices: 100,
         });
-        books.take(10, 12).unwrap();
+        allocator.allocate(10, 12).unwrap();
         PlacedPart {
-            place: books.take(20, 18).unwrap(),
+            allocation: allocator.allocate(20, 18).unwrap(),
             sections: [12..21, 21..24, 24..27, 27..27, 27..27, 27..30, 30..30],
             blocks: Vec::new(),
         }

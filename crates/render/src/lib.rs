@@ -27,20 +27,20 @@ mod marker;
 mod models;
 mod offscreen;
 mod outlines;
-mod page_book;
+mod page_allocator;
 mod pages;
 mod parts;
 mod pipeline_cache;
 mod pipelines;
 mod plan;
 mod refinements;
-mod refinery;
 mod renderer;
 mod rig;
 mod seams;
 mod shaders;
 mod shades;
 mod shadow;
+mod subdivision_thread;
 mod targets;
 mod terrain_pipelines;
 mod tile;
@@ -53,11 +53,11 @@ pub use error::RenderError;
 pub use gpu::{AdapterChoice, Gpu};
 pub use offscreen::{Offscreen, PictureReading};
 pub use plan::{
-    Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandBook, PlanStats, Planner, Port, plan,
+    Affine, ChunkChoice, ChunkLand, FramePlan, Ground, LandIndex, PlanStats, Planner, Port, plan,
     tolerance_px,
 };
-pub use refinery::Delivery;
-pub use renderer::{DrawStats, FurtherView, Options, Picture, Place, Renderer};
+pub use renderer::{DrawStats, FurtherView, Options, Picture, Renderer, ViewTarget};
 pub use shaders::{Shader, Shaders, TERRAIN};
 pub use shadow::{ShadowQuality, ShadowStats};
+pub use subdivision_thread::Delivery;
 pub use tile::Tile;

@@ -3,7 +3,7 @@
 use antipode_terrain::Vertex;
 use wgpu::{Buffer, BufferDescriptor, BufferUsages, Device, Queue};
 
-use crate::page_book::{PageBooks, PageSize, Place};
+use crate::page_allocator::{MeshAllocation, PageAllocator, PageSize};
 
 /// Bytes of a page's vertices, and as many of its indices.
 const HALF_PAGE_BYTES: u64 = 8 << 20;
@@ -40,7 +40,7 @@ pub struct Pages {
     device: Device,
     queue: Queue,
     half_bytes: u64,
-    books: PageBooks,
+    allocator: PageAllocator,
     buffers: Vec<Option<Page>>,
 }
 
@@ -53,7 +53,7 @@ impl Pages {
             device: device.clone(),
             queue: queue.clone(),
             half_bytes,
-            books: PageBooks::new(PageSize {
+            allocator: PageAllocator::new(PageSize {
                 vertices: (half_bytes / size_of::<Vertex>() as u64) as u32,
                 indices: (half_bytes / size_of::<u16>() as u64) as u32,
             }),
@@ -63,46 +63,46 @@ impl Pages {
 
     /// Puts a mesh into a page from where the next frame is drawn. `None` where there is nothing to put, or more
     /// than a page holds. The indices are padded to an even number.
-    pub fn put(&mut self, vertices: &[Vertex], indices: &mut Vec<u16>) -> Option<Place> {
+    pub fn put(&mut self, vertices: &[Vertex], indices: &mut Vec<u16>) -> Option<MeshAllocation> {
         if vertices.is_empty() || indices.is_empty() {
             return None;
         }
-        let place = self
-            .books
-            .take(vertices.len() as u32, indices.len() as u32)?;
+        let allocation = self
+            .allocator
+            .allocate(vertices.len() as u32, indices.len() as u32)?;
         if indices.len() % 2 == 1 {
             indices.push(0);
         }
-        if self.buffers.len() <= place.page {
-            self.buffers.resize_with(place.page + 1, || None);
+        if self.buffers.len() <= allocation.page {
+            self.buffers.resize_with(allocation.page + 1, || None);
         }
-        let page = self.buffers[place.page]
+        let page = self.buffers[allocation.page]
             .get_or_insert_with(|| Page::new(&self.device, self.half_bytes));
         let at = |first: u32, bytes: usize| u64::from(first) * bytes as u64;
         self.queue.write_buffer(
             &page.vertices,
-            at(place.first_vertex(), size_of::<Vertex>()),
+            at(allocation.first_vertex(), size_of::<Vertex>()),
             bytemuck::cast_slice(vertices),
         );
         self.queue.write_buffer(
             &page.indices,
-            at(place.first_index(), size_of::<u16>()),
+            at(allocation.first_index(), size_of::<u16>()),
             bytemuck::cast_slice(indices),
         );
-        Some(place)
+        Some(allocation)
     }
 
-    /// Takes a place back. What is drawn already is drawn whole: the adapter keeps the order.
-    pub fn give_back(&mut self, place: Place) {
-        let page = place.page;
-        if self.books.give_back(place) {
+    /// Takes room back. What is drawn already is drawn whole: the adapter keeps the order.
+    pub fn give_back(&mut self, allocation: MeshAllocation) {
+        let page = allocation.page;
+        if self.allocator.free(allocation) {
             self.buffers[page] = None;
         }
     }
 
     /// Gives up everything.
     pub fn clear(&mut self) {
-        self.books.clear();
+        self.allocator.clear();
         self.buffers.clear();
     }
 

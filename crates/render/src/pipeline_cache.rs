@@ -42,14 +42,14 @@ type Make<T> = Box<dyn Fn(Key) -> Result<T, String> + Send + Sync>;
 /// The pipelines of every map.
 #[derive(Debug)]
 pub struct PipelineCache<T: Send + Sync + 'static> {
-    shelf: Arc<Shelf<T>>,
+    list: Arc<PipelineList<T>>,
     /// Of another quality, to be taken instead once it has what a frame needs.
-    next: Option<Arc<Shelf<T>>>,
+    next: Option<Arc<PipelineList<T>>>,
     thread: Option<Worker<T>>,
 }
 
 /// What is made, or is to be: a list that only grows, so that what it has can be lent without a lock.
-struct Shelf<T> {
+struct PipelineList<T> {
     make: Make<T>,
     first: Link<T>,
     /// What frames wait for, which goes before others.
@@ -70,17 +70,17 @@ struct Slot<T> {
 
 #[derive(Debug)]
 struct Worker<T> {
-    orders: Sender<(Arc<Shelf<T>>, Key)>,
+    orders: Sender<(Arc<PipelineList<T>>, Key)>,
     handle: JoinHandle<()>,
 }
 
-impl<T> fmt::Debug for Shelf<T> {
+impl<T> fmt::Debug for PipelineList<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Shelf").finish_non_exhaustive()
+        f.debug_struct("PipelineList").finish_non_exhaustive()
     }
 }
 
-impl<T> Shelf<T> {
+impl<T> PipelineList<T> {
     fn new(make: Make<T>) -> Self {
         Self {
             make,
@@ -140,12 +140,12 @@ impl<T> Shelf<T> {
 
 impl<T: Send + Sync + 'static> Worker<T> {
     fn start() -> std::io::Result<Self> {
-        let (orders, asked) = channel::<(Arc<Shelf<T>>, Key)>();
+        let (orders, asked) = channel::<(Arc<PipelineList<T>>, Key)>();
         let work = move || {
-            for (shelf, ordered) in asked {
-                for key in shelf.wanted().into_iter().chain([ordered]) {
-                    if !shelf.closes.load(Ordering::Relaxed) {
-                        shelf.finish(key);
+            for (list, ordered) in asked {
+                for key in list.wanted().into_iter().chain([ordered]) {
+                    if !list.closes.load(Ordering::Relaxed) {
+                        list.finish(key);
                     }
                 }
             }
@@ -161,7 +161,7 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
     /// A pipeline cache that has made nothing.
     pub fn new(make: Make<T>) -> Self {
         Self {
-            shelf: Arc::new(Shelf::new(make)),
+            list: Arc::new(PipelineList::new(make)),
             next: None,
             thread: None,
         }
@@ -169,12 +169,12 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
 
     /// The pipelines of a map, if they are made and the device does not refuse them. Never waits.
     pub fn get(&self, key: Key) -> Option<&T> {
-        self.shelf.made(key)?.as_ref().ok()
+        self.list.made(key)?.as_ref().ok()
     }
 
     /// Whether the pipelines of a map are made, or refused.
     pub fn is_made(&self, key: Key) -> bool {
-        self.shelf.is_made(key)
+        self.list.is_made(key)
     }
 
     /// Whether those of all maps are made, or refused.
@@ -184,12 +184,12 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
 
     /// Makes the pipelines of a map, or waits for the thread that does.
     pub fn finish(&self, key: Key) {
-        self.shelf.finish(key);
+        self.list.finish(key);
     }
 
     /// Why the device refuses the pipelines of a map, if it has refused any so far.
     pub fn refused(&self) -> Option<&str> {
-        let made = self.shelf.slots().filter_map(|slot| slot.made.get());
+        let made = self.list.slots().filter_map(|slot| slot.made.get());
         made.filter_map(|made| made.as_ref().err())
             .map(String::as_str)
             .next()
@@ -197,8 +197,8 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
 
     /// Begins to make what a map needs, unless it is made.
     pub fn order(&mut self, key: Key) {
-        let shelf = Arc::clone(self.newest());
-        if shelf.is_made(key) {
+        let list = Arc::clone(self.newest());
+        if list.is_made(key) {
             return;
         }
         if self.thread.is_none() {
@@ -209,7 +209,7 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
         }
         if let Some(worker) = &self.thread {
             // One that has ended leaves the making to the frame.
-            let _ = worker.orders.send((shelf, key));
+            let _ = worker.orders.send((list, key));
         }
     }
 
@@ -223,11 +223,11 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
     /// Has what a frame needs made before anything else. Where there is no thread it is made here: late is better
     /// than never.
     pub fn want(&mut self, key: Key) {
-        let shelf = self.newest();
-        if shelf.is_made(key) {
+        let list = self.newest();
+        if list.is_made(key) {
             return;
         }
-        if shelf.want(Some(key)) != Some(key) {
+        if list.want(Some(key)) != Some(key) {
             self.order(key);
         }
         let worker = self.thread.as_ref();
@@ -239,7 +239,7 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
     /// Makes pipelines in another way from now on. Those that are there are used on until [`PipelineCache::turn`].
     pub fn renew(&mut self, make: Make<T>) {
         self.newest().close();
-        self.next = Some(Arc::new(Shelf::new(make)));
+        self.next = Some(Arc::new(PipelineList::new(make)));
     }
 
     /// Makes pipelines no other way after all.
@@ -247,8 +247,8 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
         if let Some(next) = self.next.take() {
             next.close();
             // Orders that came meanwhile were passed over.
-            self.shelf.want(None);
-            self.shelf.closes.store(false, Ordering::Relaxed);
+            self.list.want(None);
+            self.list.closes.store(false, Ordering::Relaxed);
         }
     }
 
@@ -260,21 +260,21 @@ impl<T: Send + Sync + 'static> PipelineCache<T> {
     /// Takes the other pipelines, if those of a map are made; whether it was so.
     pub fn turn(&mut self, key: Key) -> bool {
         match self.next.take_if(|next| next.is_made(key)) {
-            Some(next) => self.shelf = next,
+            Some(next) => self.list = next,
             None => return false,
         }
         true
     }
 
-    fn newest(&self) -> &Arc<Shelf<T>> {
-        self.next.as_ref().unwrap_or(&self.shelf)
+    fn newest(&self) -> &Arc<PipelineList<T>> {
+        self.next.as_ref().unwrap_or(&self.list)
     }
 }
 
 impl<T: Send + Sync + 'static> Drop for PipelineCache<T> {
     fn drop(&mut self) {
         if let Some(Worker { orders, handle }) = self.thread.take() {
-            self.shelf.close();
+            self.list.close();
             self.newest().close();
             drop(orders);
             let _ = handle.join();

@@ -21,7 +21,7 @@ use crate::chunk_store::ChunkStore;
 use crate::land_mesh::LandMesh;
 use crate::pages::Pages;
 use crate::plan::{Bounds, ChunkLand, FramePlan, RefineKey, RefineRules, Refined, Subdivider};
-use crate::refinery::{Delivery, Refinery, Task};
+use crate::subdivision_thread::{Delivery, SubdivisionThread, Task};
 use lead::Lead;
 
 mod lead;
@@ -81,7 +81,7 @@ pub struct Refinements {
     shown: Option<Arc<RefineRules>>,
     /// What is being made.
     coming: Option<Set>,
-    refinery: Refinery,
+    thread: SubdivisionThread,
     lead: Lead,
     /// For what is refined on the spot.
     subdivider: Subdivider,
@@ -90,7 +90,7 @@ pub struct Refinements {
 impl Refinements {
     /// Whether some are being made.
     pub fn is_busy(&self) -> bool {
-        self.coming.is_some() || self.refinery.is_busy()
+        self.coming.is_some() || self.thread.is_busy()
     }
 
     /// Forgets what was shown and is being made: the land is another.
@@ -101,7 +101,7 @@ impl Refinements {
 
     /// Has frames get what the thread makes at another time than as soon as it is made.
     pub fn deliver(&mut self, delivery: Delivery) {
-        self.refinery.delivery = delivery;
+        self.thread.delivery = delivery;
     }
 
     /// Lets the thread seem to be at its work still, or done with all of it, whatever it has done.
@@ -256,7 +256,7 @@ impl ChunkStore {
 
     /// Takes over what the thread has finished, if its mesh is still the one that is shown.
     fn take_done(&mut self) {
-        while let Some((task, refined)) = self.refinements.refinery.take() {
+        while let Some((task, refined)) = self.refinements.thread.take() {
             let set = self.refinements.coming.as_ref();
             if set.is_some_and(|set| set.rules.key == task.rules.key)
                 && let Some(chunk) = self.chunks.get_mut(&task.coord)
@@ -277,14 +277,14 @@ impl ChunkStore {
                     coords,
                     wanted,
                 }),
-            refinery,
+            thread,
             subdivider,
             ..
         } = &mut self.refinements
         else {
             return false;
         };
-        let mut on_the_spot = match (at_once, refinery.has_failed()) {
+        let mut on_the_spot = match (at_once, thread.has_failed()) {
             (true, _) => usize::MAX,
             (false, true) => ON_THE_SPOT,
             (false, false) => 0,
@@ -309,7 +309,7 @@ impl ChunkStore {
                 continue;
             }
             is_complete = false;
-            refinery.start(Task {
+            thread.start(Task {
                 coord: *coord,
                 source: Arc::clone(&chunk.source),
                 rules: Arc::clone(rules),

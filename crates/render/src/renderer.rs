@@ -14,9 +14,9 @@ use crate::heavens::Heavens;
 use crate::pipeline_cache::{Key, PipelineCache};
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::FramePlan;
-use crate::refinery::Delivery;
 use crate::shaders::Shaders;
 use crate::shadow::Shadows;
+use crate::subdivision_thread::Delivery;
 use crate::targets::drawn_size;
 use crate::tile::Tile;
 use crate::timing::Timing;
@@ -42,12 +42,12 @@ pub struct FurtherView<'a> {
     /// Width and height of where it is shown, pixels.
     pub size: (u32, u32),
     /// Where that is.
-    pub place: Place<'a>,
+    pub target: ViewTarget<'a>,
 }
 
 /// Where a further view is shown.
 #[derive(Clone, Copy, Debug)]
-pub enum Place<'a> {
+pub enum ViewTarget<'a> {
     /// All over a texture as large as it, of the format that the options name.
     Texture(&'a TextureView),
     /// Over a part of the frame's own picture, left and right swapped as in a mirror: that part's upper left corner, pixels.
@@ -291,11 +291,11 @@ impl Renderer {
             .tile
             .map_or(self.picture.targets.size, |tile| tile.whole);
         let height_px = self.tile.map_or(self.height_px, |tile| tile.whole.1);
-        let book = self.chunks.land();
-        let mut plan = self.picture.plan(frame, height_px, &book);
-        self.chunks.refine(frame, book.land(), &mut plan);
+        let land_index = self.chunks.land();
+        let mut plan = self.picture.plan(frame, height_px, &land_index);
+        self.chunks.refine(frame, land_index.land(), &mut plan);
         self.take_figures(frame, &mut plan, is_shared);
-        let land = (&self.chunks, &*book, &self.shadows);
+        let land = (&self.chunks, &*land_index, &self.shadows);
         let adapter = (&self.device, &self.queue);
         self.picture
             .take_land(adapter, frame, land, &mut plan, drawn);
@@ -344,7 +344,7 @@ impl Renderer {
         encoder: &mut CommandEncoder,
     ) -> Vec<DrawStats> {
         self.fit_further(further);
-        let book = self.chunks.land();
+        let land_index = self.chunks.land();
         let mut states = std::mem::take(&mut self.further);
         let views = further.iter().zip(&mut states);
         let stats = views.map(|(it, state)| {
@@ -354,18 +354,20 @@ impl Renderer {
             let Some(pipelines) = self.pipelines.get(map) else {
                 return DrawStats::nothing();
             };
-            let mut plan = state.plan(&frame, it.size.1, &book);
+            let mut plan = state.plan(&frame, it.size.1, &land_index);
             let adapter = (&self.device, &self.queue);
             state.take_figures(adapter, &frame, &self.figures, &mut plan, None);
-            let land = (&self.chunks, &*book, &self.shadows);
+            let land = (&self.chunks, &*land_index, &self.shadows);
             let drawn = state.targets.size;
             state.take_land(adapter, &frame, land, &mut plan, drawn);
             let mut stats = self.planned(&plan);
             let scenery = self.scenery(pipelines);
             state.draw(&frame, scenery, encoder, (None, None), &mut stats);
-            match it.place {
-                Place::Texture(target) => self.tonemap.draw(encoder, &state.light, target, None),
-                Place::Mirror(corner) => {
+            match it.target {
+                ViewTarget::Texture(target) => {
+                    self.tonemap.draw(encoder, &state.light, target, None)
+                }
+                ViewTarget::Mirror(corner) => {
                     let size = it.size;
                     state.mirror = Some(MirrorPlace { corner, size });
                 }

@@ -70,14 +70,14 @@ pub(crate) struct Cell {
 
 /// Where a coordinate lies between the lattice's points.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct LatticeCoord {
     /// The lattice coordinate below, modulo the table's 256.
     pub low: u8,
     /// What is left, 0..1.
     pub part: f32,
 }
 
-impl Place {
+impl LatticeCoord {
     /// Adding 1.5 * 2^52 rounds to a whole number whose low bits are then the sum's: cheaper
     /// than `floor`, which is a call without SSE4.1, and than a saturating cast. Past 2^51 the
     /// rest means nothing, but the noise is clamped.
@@ -246,7 +246,7 @@ mod tests {
             (1.5, 1, 0.5),
             (-256.5, 255, 0.5),
         ] {
-            assert_eq!(Place::new(v), Place { low, part }, "{v}");
+            assert_eq!(LatticeCoord::new(v), LatticeCoord { low, part }, "{v}");
         }
     }
 

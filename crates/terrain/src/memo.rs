@@ -5,7 +5,7 @@ use glam::{DVec3, Vec4};
 
 use crate::field::Field;
 use crate::fractal::AXIS_FREQUENCY;
-use crate::lattice::{Cell, Lattice, Place, SCALE, blend, fades};
+use crate::lattice::{Cell, Lattice, LatticeCoord, SCALE, blend, fades};
 
 /// Adding this to a small whole number leaves it in the low bits.
 const ROUNDS: f32 = 8_388_608.0;
@@ -80,7 +80,7 @@ impl Wave {
     }
 
     fn enter(&mut self, corner: DVec3) {
-        let [x, y, z] = (corner * self.frequency).to_array().map(Place::new);
+        let [x, y, z] = (corner * self.frequency).to_array().map(LatticeCoord::new);
         self.low = [x.low, y.low, z.low];
         self.rest = Vec4::new(x.part, y.part, z.part, 0.0);
     }

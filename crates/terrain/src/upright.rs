@@ -9,7 +9,7 @@
 use glam::{DVec3, Mat4, Vec4};
 
 use crate::fractal::Octave;
-use crate::lattice::{Lattice, Place, SCALE, fade};
+use crate::lattice::{Lattice, LatticeCoord, SCALE, fade};
 use crate::relief::{BLOCK, Relief, Rows, VECTORS};
 
 /// Samples of constant x: rows of constant y, along z.
@@ -131,7 +131,7 @@ impl Axis {
             fade: [0.0; BLOCK],
         };
         for n in 0..count.min(BLOCK) {
-            let place = Place::new((first + n as f64 * step) * frequency);
+            let place = LatticeCoord::new((first + n as f64 * step) * frequency);
             axis.low[n] = place.low;
             axis.part[n] = place.part;
             axis.fade[n] = fade(place.part);
@@ -155,7 +155,7 @@ impl Layer {
 
     /// Adds the octave to the rows `from..to` of the slab at `x`.
     fn add(&self, lattice: &Lattice, x: f64, (from, to): (usize, usize), slab: &mut Slab) {
-        let place = Place::new(x * self.octave.frequencies().x);
+        let place = LatticeCoord::new(x * self.octave.frequencies().x);
         let [least, most] = self.held_m.map(Vec4::splat);
         let vectors = self.depth.div_ceil(4);
         let mut known = None;
@@ -180,7 +180,7 @@ impl Layer {
     }
 
     /// The lattice plane at `y` over the slab at `x`.
-    fn fill_plane(&self, lattice: &Lattice, x: Place, y: u8, plane: &mut Plane) {
+    fn fill_plane(&self, lattice: &Lattice, x: LatticeCoord, y: u8, plane: &mut Plane) {
         let line = Line::new(lattice, x, y, self.octave.half_m() * SCALE);
         let mut ends = [[0.0; 3]; 2];
         let mut known = None;
@@ -206,7 +206,7 @@ struct Line<'a> {
 }
 
 impl<'a> Line<'a> {
-    fn new(lattice: &'a Lattice, x: Place, y: u8, weight: f32) -> Self {
+    fn new(lattice: &'a Lattice, x: LatticeCoord, y: u8, weight: f32) -> Self {
         Self {
             lattice,
             columns: lattice.pair(x.low, y),
@@ -242,7 +242,7 @@ pub(crate) fn sum_at(lattice: &Lattice, octaves: &[Octave], point: DVec3) -> f32
     let mut sum = 0.0;
     for octave in octaves {
         let at = point * octave.frequencies();
-        let [x, y, z] = at.to_array().map(Place::new);
+        let [x, y, z] = at.to_array().map(LatticeCoord::new);
         let half = octave.half_m();
         let plane = |y: u8| {
             let line = Line::new(lattice, x, y, half * SCALE);

@@ -30,7 +30,7 @@ const UP_RAD: f64 = 0.6;
 
 /// What of a world the hints depend on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct HintContext {
     /// Whether the wheel turns a dial.
     pub has_dial: bool,
     /// Whether there is no other picture.
@@ -41,7 +41,7 @@ pub struct Place {
     pub pitch_rad: f64,
 }
 
-impl Place {
+impl HintContext {
     /// Of an open world.
     pub fn of(scene: &Scene) -> Self {
         Self {
@@ -129,9 +129,9 @@ impl Hints {
     }
 
     /// Takes in what the player asked for in one step of the simulation, and where.
-    pub fn step(&mut self, actions: &Actions, place: Place) {
+    pub fn step(&mut self, actions: &Actions, context: HintContext) {
         self.rest_s = (self.rest_s - STEP_S).max(0.0);
-        let current = self.current(place).map(|(lesson, ..)| lesson);
+        let current = self.current(context).map(|(lesson, ..)| lesson);
         let read = current.filter(|lesson| matches!(lesson, Lesson::Home | Lesson::Menu));
         if let Some(read) = read.filter(|_| self.rest_s <= 0.0) {
             self.read_s += STEP_S;
@@ -148,7 +148,10 @@ impl Hints {
             (Lesson::Look, self.turned_rad >= TURN_RAD),
             (Lesson::Walk, self.walked_s >= WALK_S),
             (Lesson::Jump, actions.jump),
-            (Lesson::Overhead, place.closed && place.pitch_rad >= UP_RAD),
+            (
+                Lesson::Overhead,
+                context.closed && context.pitch_rad >= UP_RAD,
+            ),
             (Lesson::Talk, actions.talk),
             (Lesson::Car, actions.enter_car),
             (Lesson::Map, actions.turn_map),
@@ -177,24 +180,29 @@ impl Hints {
     }
 
     /// Goes on from the hint that is shown.
-    pub fn skip(&mut self, place: Place) {
-        if let Some((lesson, ..)) = self.current(place) {
+    pub fn skip(&mut self, context: HintContext) {
+        if let Some((lesson, ..)) = self.current(context) {
             self.finish(lesson);
         }
     }
 
     /// What is to be told now, and its place among those that this world has.
-    fn current(&self, place: Place) -> Option<(Lesson, usize, usize)> {
+    fn current(&self, context: HintContext) -> Option<(Lesson, usize, usize)> {
         let lessons = Lesson::ALL.into_iter();
-        let lessons: Vec<_> = lessons.filter(|lesson| place.has(*lesson)).collect();
+        let lessons: Vec<_> = lessons.filter(|lesson| context.has(*lesson)).collect();
         let is_open = |lesson: &Lesson| self.done.get(*lesson as usize) == Some(&false);
         let at = lessons.iter().position(is_open)?;
         Some((lessons[at], at + 1, lessons.len()))
     }
 
     /// The words to show now, if any.
-    pub fn model(&self, texts: &Texts, profiles: &Profiles, place: Place) -> Option<HintModel> {
-        let (lesson, step, count) = self.current(place).filter(|_| self.rest_s <= 0.0)?;
+    pub fn model(
+        &self,
+        texts: &Texts,
+        profiles: &Profiles,
+        context: HintContext,
+    ) -> Option<HintModel> {
+        let (lesson, step, count) = self.current(context).filter(|_| self.rest_s <= 0.0)?;
         let key = |action| {
             let pad = pad_input_label(texts, profiles, action).filter(|_| self.by_pad);
             pad.unwrap_or_else(|| first_input_label(texts, profiles, action))

@@ -5,7 +5,7 @@ use antipode_settings::Value;
 use antipode_ui::{GeometryChoice, HintModel, Intent, Screen, ToastKind};
 
 use super::game::Game;
-use super::hints::Place;
+use super::hints::HintContext;
 use super::phase::{Next, Phase, Request};
 use crate::console::complete;
 use crate::drawn::Drawn;
@@ -65,8 +65,8 @@ impl Game {
     pub(super) fn hint(&self) -> Option<HintModel> {
         let config = &self.options.config;
         let hints = config.settings.hints.then_some(&self.hints)?;
-        let place = Place::in_phase(&self.play.phase);
-        hints.model(&self.menus.texts, &config.profiles, place)
+        let context = HintContext::in_phase(&self.play.phase);
+        hints.model(&self.menus.texts, &config.profiles, context)
     }
 
     fn show_console(&mut self, context: &egui::Context) {

@@ -4,7 +4,7 @@
 use antipode_settings::{Lesson, Value};
 
 use super::game::Game;
-use super::hints::Place;
+use super::hints::HintContext;
 use super::phase::Phase;
 use crate::bindings::{Action, Input, wheel_input};
 
@@ -138,7 +138,7 @@ impl Game {
                     self.devices.release_all();
                 }
             }
-            Action::SkipHint => self.hints.skip(Place::in_phase(&self.play.phase)),
+            Action::SkipHint => self.hints.skip(HintContext::in_phase(&self.play.phase)),
             Action::Backpack => {
                 self.hints.finish(Lesson::Backpack);
                 self.overlays.backpack.open(&mut self.devices);

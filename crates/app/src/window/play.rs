@@ -4,7 +4,7 @@ mod passage;
 
 use std::time::Duration;
 
-use antipode_audio::{Heard, Place as Listening};
+use antipode_audio::{Heard, PlayState};
 use antipode_geometry::HyperbolicMap;
 use antipode_scene::Hint;
 use antipode_scene::frame::Quality;
@@ -15,7 +15,7 @@ use image::RgbaImage;
 
 use super::background::Task;
 use super::devices::Devices;
-use super::hints::{Hints, Place};
+use super::hints::{HintContext, Hints};
 use super::menus::Menus;
 use super::pace::Pace;
 use super::phase::{Next, Phase};
@@ -141,7 +141,7 @@ impl Play {
                 devices.by_pad |= actions != by_keys;
             }
             if let Some(hints) = &mut hints {
-                hints.step(&actions, Place::of(&session.scene));
+                hints.step(&actions, HintContext::of(&session.scene));
             }
             actions.aimed = Some(session.scene.aim_of_picture());
             let between = &mut session.between;
@@ -213,16 +213,16 @@ impl Play {
 
     /// What there was to hear since it was last asked.
     pub fn take_heard(&mut self) -> Heard {
-        let place = match &self.phase {
-            Phase::Playing(_) => Listening::World,
-            Phase::Paused(_) => Listening::Paused,
-            _ => Listening::Menu,
+        let play_state = match &self.phase {
+            Phase::Playing(_) => PlayState::World,
+            Phase::Paused(_) => PlayState::Paused,
+            _ => PlayState::Menu,
         };
         let Some(session) = self.phase.session_mut() else {
             return Heard::default();
         };
         Heard {
-            place,
+            play_state,
             surroundings: Some(session.scene.surroundings()),
             events: session.scene.take_sounds(),
         }

@@ -13,9 +13,9 @@ fn noon() -> Surroundings {
     }
 }
 
-fn heard(place: Place, surroundings: Surroundings, events: &[SoundEvent]) -> Heard {
+fn heard(play_state: PlayState, surroundings: Surroundings, events: &[SoundEvent]) -> Heard {
     Heard {
-        place,
+        play_state,
         surroundings: Some(surroundings),
         events: events.to_vec(),
     }
@@ -23,13 +23,13 @@ fn heard(place: Place, surroundings: Surroundings, events: &[SoundEvent]) -> Hea
 
 fn voices(events: &[SoundEvent]) -> Vec<Voice> {
     let (mut director, mut player) = (Director::new(Volumes::default()), Recorder::default());
-    director.hear(&heard(Place::World, noon(), events), &mut player);
+    director.hear(&heard(PlayState::World, noon(), events), &mut player);
     player.voices
 }
 
-fn beds(place: Place, surroundings: Surroundings) -> [(f32, f32); BEDS] {
+fn beds(play_state: PlayState, surroundings: Surroundings) -> [(f32, f32); BEDS] {
     let (mut director, mut player) = (Director::new(Volumes::default()), Recorder::default());
-    director.hear(&heard(place, surroundings, &[]), &mut player);
+    director.hear(&heard(play_state, surroundings, &[]), &mut player);
     player.beds
 }
 
@@ -85,7 +85,7 @@ fn faster_steps_and_longer_falls_are_louder_and_a_hard_landing_sounds_so() {
 fn day_fades_over_into_night_at_the_same_power() {
     for tenth in 0..=10 {
         let day = f64::from(tenth) / 10.0;
-        let [_, (light, _), (dark, _), ..] = beds(Place::World, Surroundings { day, ..noon() });
+        let [_, (light, _), (dark, _), ..] = beds(PlayState::World, Surroundings { day, ..noon() });
         let power = light * light + dark * dark;
         // Changes too small to hear are not passed on.
         assert!(
@@ -107,7 +107,7 @@ fn wind_grows_with_height_and_with_speed() {
             speed_m_s,
             ..noon()
         };
-        beds(Place::World, at)[0].0
+        beds(PlayState::World, at)[0].0
     };
     assert!(wind(28.0, 0.0) > 2.0 * wind(3.0, 0.0));
     assert!(wind(3.0, 30.0) > 2.0 * wind(3.0, 4.0));
@@ -117,7 +117,7 @@ fn wind_grows_with_height_and_with_speed() {
 #[test]
 fn an_engine_is_heard_in_a_car_alone_by_its_speed_and_pedal_and_tyres_where_they_slide() {
     let at = |drive: Option<Drive>| {
-        let [.., engine, tyres] = beds(Place::World, Surroundings { drive, ..noon() });
+        let [.., engine, tyres] = beds(PlayState::World, Surroundings { drive, ..noon() });
         (engine, tyres)
     };
     let car = |throttle, speed_m_s, slide_m_s| {
@@ -150,17 +150,17 @@ fn deep_pits_hear_no_birds() {
         height_m: -20.0,
         ..noon()
     };
-    assert_eq!(beds(Place::World, pit)[1].0, 0.0);
+    assert_eq!(beds(PlayState::World, pit)[1].0, 0.0);
 }
 
 #[test]
 fn the_world_is_hushed_behind_the_pause_menu_and_silent_in_the_main_menu() {
     let (mut director, mut player) = (Director::new(Volumes::default()), Recorder::default());
-    director.hear(&heard(Place::World, noon(), &[]), &mut player);
+    director.hear(&heard(PlayState::World, noon(), &[]), &mut player);
     let loud = player.beds[1].0;
-    director.hear(&heard(Place::Paused, noon(), &[]), &mut player);
+    director.hear(&heard(PlayState::Paused, noon(), &[]), &mut player);
     let hushed = player.beds[1].0;
-    director.hear(&heard(Place::Menu, noon(), &[]), &mut player);
+    director.hear(&heard(PlayState::Menu, noon(), &[]), &mut player);
     assert!(0.0 < hushed && hushed < 0.5 * loud);
     assert!(
         player.beds.iter().all(|(gain, _)| *gain == 0.0),
@@ -188,7 +188,7 @@ fn muting_silences_all_and_the_volumes_come_back() {
 fn who_plays_anew_is_told_everything_that_lasts() {
     let (mut director, mut first) = (Director::new(Volumes::default()), Recorder::default());
     director.brief(&mut first);
-    director.hear(&heard(Place::World, noon(), &[]), &mut first);
+    director.hear(&heard(PlayState::World, noon(), &[]), &mut first);
     let mut second = Recorder::default();
     director.brief(&mut second);
     assert_eq!(second, first);

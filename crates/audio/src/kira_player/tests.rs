@@ -11,7 +11,7 @@ use kira::backend::Renderer;
 
 use super::*;
 use crate::director::Director;
-use crate::studio::{Heard, Place};
+use crate::studio::{Heard, PlayState};
 use crate::volumes::Volumes;
 use antipode_scene::{SoundEvent, Surroundings};
 use antipode_terrain::Cover;
@@ -66,9 +66,9 @@ impl Bench {
         bench
     }
 
-    fn tell(&mut self, place: Place, surroundings: Surroundings, events: &[SoundEvent]) {
+    fn tell(&mut self, play_state: PlayState, surroundings: Surroundings, events: &[SoundEvent]) {
         let heard = Heard {
-            place,
+            play_state,
             surroundings: Some(surroundings),
             events: events.to_vec(),
         };
@@ -123,7 +123,7 @@ const STEP: SoundEvent = SoundEvent::Step {
 fn a_step_is_heard_and_then_it_is_quiet_again() {
     let mut bench = Bench::new(full());
     assert_eq!(bench.draw(0.2).1, 0.0, "silence before");
-    bench.tell(Place::Menu, noon(), &[STEP]);
+    bench.tell(PlayState::Menu, noon(), &[STEP]);
     let (_, peak) = bench.draw(0.3);
     assert!((0.1..1.0).contains(&peak), "peak {peak}");
     assert_eq!(bench.draw(0.2).1, 0.0, "silence after");
@@ -132,7 +132,7 @@ fn a_step_is_heard_and_then_it_is_quiet_again() {
 #[test]
 fn beds_go_on_for_longer_than_their_loops_and_do_not_drown_steps() {
     let mut bench = Bench::new(full());
-    bench.tell(Place::World, noon(), &[]);
+    bench.tell(PlayState::World, noon(), &[]);
     bench.draw(0.5);
     let first = bench.draw(5.0).0;
     bench.draw(30.0);
@@ -141,7 +141,7 @@ fn beds_go_on_for_longer_than_their_loops_and_do_not_drown_steps() {
         first > 0.003 && later > 0.5 * first && later < 2.0 * first,
         "{first} {later}"
     );
-    bench.tell(Place::World, noon(), &[STEP]);
+    bench.tell(PlayState::World, noon(), &[STEP]);
     let step = bench.draw(0.08).0;
     assert!(step > 2.0 * later, "step {step}, bed {later}");
 }
@@ -153,14 +153,14 @@ fn each_slider_silences_its_own_group_and_muting_all() {
         ..full()
     };
     let mut bench = Bench::new(quiet);
-    bench.tell(Place::Menu, noon(), &[STEP]);
+    bench.tell(PlayState::Menu, noon(), &[STEP]);
     assert_eq!(bench.draw(0.3).1, 0.0);
-    bench.tell(Place::Menu, noon(), &[SoundEvent::SlotChanged]);
+    bench.tell(PlayState::Menu, noon(), &[SoundEvent::SlotChanged]);
     assert!(
         bench.draw(0.3).1 > 0.05,
         "the interface has a slider of its own"
     );
-    bench.tell(Place::World, noon(), &[]);
+    bench.tell(PlayState::World, noon(), &[]);
     bench.draw(0.5);
     bench.director.set_muted(true, &mut bench.player);
     bench.draw(0.5);
@@ -184,7 +184,7 @@ fn everything_at_once_stays_in_bounds() {
             speed_m_s: 30.0,
         };
         bench.tell(
-            Place::World,
+            PlayState::World,
             storm,
             &[STEP, landed, SoundEvent::Built, SoundEvent::Built],
         );

@@ -75,7 +75,7 @@ impl Machine {
 
 fn step() -> Message {
     Message::Heard(Heard {
-        place: Place::World,
+        play_state: PlayState::World,
         surroundings: Some(Surroundings {
             day: 1.0,
             height_m: 5.0,

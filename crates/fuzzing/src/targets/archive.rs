@@ -13,7 +13,7 @@ use super::store::import;
 use super::{Seen, Target};
 use crate::forge::{container, plan};
 use crate::mutation::EDGES;
-use crate::place::with_place;
+use crate::world_folder::with_world_folder;
 
 pub(super) const TARGET: Target = Target {
     name: "archive",
@@ -27,13 +27,13 @@ const EDIT: usize = 6;
 
 fn run(input: &[u8]) -> Result<Seen, String> {
     let (bytes, inner_sealed) = archive(input);
-    with_place(|place| {
-        place.empty().map_err(|error| error.to_string())?;
-        let file = place.beside("foreign");
+    with_world_folder(|folder| {
+        folder.empty().map_err(|error| error.to_string())?;
+        let file = folder.beside("foreign");
         std::fs::write(&file, &bytes).map_err(|error| error.to_string())?;
         Ok(Seen {
             past_checksums: inner_sealed && container::is_sealed(&bytes),
-            taken: import(place, &file)?,
+            taken: import(folder, &file)?,
         })
     })
 }

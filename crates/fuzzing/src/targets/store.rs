@@ -7,7 +7,7 @@ use fastrand::Rng;
 
 use super::{Seen, Target, must};
 use crate::forge::{bases, plan};
-use crate::place::{Place, VICTIM, with_place};
+use crate::world_folder::{VICTIM, WorldFolder, with_world_folder};
 
 pub(super) const TARGET: Target = Target {
     name: "store",
@@ -21,8 +21,8 @@ const MOST_READ: usize = 100;
 
 fn run(input: &[u8]) -> Result<Seen, String> {
     let bytes = plan::store(input);
-    with_place(|place| {
-        let taken = try_every_door(place, &bytes)?;
+    with_world_folder(|folder| {
+        let taken = try_every_door(folder, &bytes)?;
         Ok(Seen {
             past_checksums: plan::is_sealed(input, &bytes),
             taken,
@@ -38,20 +38,20 @@ fn mutate(rng: &mut Rng, seed: &[u8]) -> Vec<u8> {
 ///
 /// # Errors
 /// What was broken that must hold for any store.
-pub fn try_every_door(place: &Place, bytes: &[u8]) -> Result<bool, String> {
+pub fn try_every_door(folder: &WorldFolder, bytes: &[u8]) -> Result<bool, String> {
     let said = |error: &dyn std::fmt::Display| error.to_string();
-    let dir = place.plant_store(bytes).map_err(|error| said(&error))?;
-    let saves = place.saves();
+    let dir = folder.plant_store(bytes).map_err(|error| said(&error))?;
+    let saves = folder.saves();
     let listed = saves.list().map_err(|error| said(&error))?;
     must(listed.len() == 1, || {
         format!("{} worlds are listed", listed.len())
     })?;
     let verified = saves.verify(VICTIM);
     let sound = verified.is_ok_and(|report| report.is_sound());
-    let archive = place.beside("archive");
+    let archive = folder.beside("archive");
     if saves.export(VICTIM, &archive).is_ok() {
-        let taken =
-            import(place, &archive).map_err(|sentence| format!("what was exported: {sentence}"))?;
+        let taken = import(folder, &archive)
+            .map_err(|sentence| format!("what was exported: {sentence}"))?;
         must(taken, || "what was exported is not taken again".to_owned())?;
     }
     let played = WorldStore::open(&dir)
@@ -63,7 +63,7 @@ pub fn try_every_door(place: &Place, bytes: &[u8]) -> Result<bool, String> {
         ));
     }
     // As it was, since opening may have mended it.
-    place.plant_store(bytes).map_err(|error| said(&error))?;
+    folder.plant_store(bytes).map_err(|error| said(&error))?;
     if saves.repair(VICTIM).is_ok() {
         let report = saves
             .verify(VICTIM)
@@ -104,25 +104,25 @@ fn play(world: &WorldStore) -> Result<(), String> {
 ///
 /// # Errors
 /// What was imported is damaged.
-pub fn import(place: &Place, archive: &std::path::Path) -> Result<bool, String> {
-    let Ok(slug) = place.saves().import(archive) else {
+pub fn import(folder: &WorldFolder, archive: &std::path::Path) -> Result<bool, String> {
+    let Ok(slug) = folder.saves().import(archive) else {
         return Ok(false);
     };
-    let report = place
+    let report = folder
         .saves()
         .verify(&slug)
         .map_err(|error| format!("it was imported, and then {error}"))?;
     must(report.is_sound(), || {
         format!("it was imported, and then {:?}", report.problems)
     })?;
-    let world = place
+    let world = folder
         .saves()
         .open(&slug)
         .map_err(|error| format!("it was imported, and then {error}"))?;
     play(&world)
         .map_err(|error| format!("it was imported, and then it cannot be played: {error}"))?;
     drop(world);
-    place
+    folder
         .saves()
         .delete(&slug)
         .map_err(|error| error.to_string())?;

@@ -8,7 +8,7 @@ use fastrand::Rng;
 use super::{Seen, Target, must};
 use crate::forge::{bases, record};
 use crate::mutation::{change_bytes, some};
-use crate::place::{Place, VICTIM, with_place};
+use crate::world_folder::{VICTIM, WorldFolder, with_world_folder};
 
 pub(super) const TARGET: Target = Target {
     name: "summary",
@@ -26,11 +26,11 @@ fn run(input: &[u8]) -> Result<Seen, String> {
     if input.first().is_some_and(|flags| flags & 1 != 0) {
         record::seal(&mut bytes);
     }
-    with_place(|place| {
-        place
+    with_world_folder(|folder| {
+        folder
             .plant(FILE, &bytes)
             .map_err(|error| error.to_string())?;
-        let listed = place.saves().list().map_err(|error| error.to_string())?;
+        let listed = folder.saves().list().map_err(|error| error.to_string())?;
         let [world] = listed.as_slice() else {
             return Err(format!("{} worlds are listed", listed.len()));
         };
@@ -38,9 +38,9 @@ fn run(input: &[u8]) -> Result<Seen, String> {
             "a world without a store is called sound".to_owned()
         })?;
         let taken = world.meta.is_some();
-        let _ = place.saves().verify(VICTIM);
+        let _ = folder.saves().verify(VICTIM);
         if crc32fast::hash(&bytes).is_multiple_of(REPAIRED) {
-            repair(place, world.meta.as_ref())?;
+            repair(folder, world.meta.as_ref())?;
         }
         Ok(Seen {
             past_checksums: record::length(&bytes) == Some(bytes.len())
@@ -51,17 +51,17 @@ fn run(input: &[u8]) -> Result<Seen, String> {
 }
 
 /// A world of which only the summary is left is made anew from it.
-fn repair(place: &Place, meta: Option<&WorldMeta>) -> Result<(), String> {
-    match (place.saves().repair(VICTIM), meta) {
+fn repair(folder: &WorldFolder, meta: Option<&WorldMeta>) -> Result<(), String> {
+    match (folder.saves().repair(VICTIM), meta) {
         (Ok(_), Some(meta)) => {
-            let report = place
+            let report = folder
                 .saves()
                 .verify(VICTIM)
                 .map_err(|error| error.to_string())?;
             must(report.is_sound(), || {
                 format!("after its repair: {:?}", report.problems)
             })?;
-            let world = place
+            let world = folder
                 .saves()
                 .open(VICTIM)
                 .map_err(|error| error.to_string())?;
@@ -77,9 +77,9 @@ fn repair(place: &Place, meta: Option<&WorldMeta>) -> Result<(), String> {
 }
 
 fn seeds() -> Vec<(String, Vec<u8>)> {
-    let now = with_place(|place| {
-        place.empty().map_err(|error| error.to_string())?;
-        let dir = place.saves().path().join(VICTIM);
+    let now = with_world_folder(|folder| {
+        folder.empty().map_err(|error| error.to_string())?;
+        let dir = folder.saves().path().join(VICTIM);
         drop(WorldStore::create(&dir, &bases::meta()).map_err(|error| error.to_string())?);
         std::fs::read(dir.join(FILE)).map_err(|error| error.to_string())
     });

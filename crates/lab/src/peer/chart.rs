@@ -9,7 +9,7 @@
 use super::disk::Disk;
 use super::number::{Number, length};
 use super::outcome::Outcome;
-use super::reference::{Pair, Place};
+use super::reference::{Pair, PolarCoords};
 use super::trials;
 
 /// Up to this distance the product of two sines stays finite in single precision, in radii.
@@ -45,7 +45,7 @@ fn polar<N: Number>(distance: N, angle: N) -> [N; 2] {
 }
 
 /// Whether a far tile, put into the chart where it is, is seen where it is.
-fn is_seen<N: Number>(place: Place, tolerance: f64) -> bool {
+fn is_seen<N: Number>(place: PolarCoords, tolerance: f64) -> bool {
     let x = ported(polar(N::of(place.distance), N::of(place.angle)));
     trials::agrees(length(x).asinh(), x[1].atan2(x[0]), place, tolerance)
 }

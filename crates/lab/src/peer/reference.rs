@@ -13,7 +13,7 @@ use super::tiling::{Tile, Tiling};
 
 /// Distance in radii and direction in radians.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct PolarCoords {
     /// From the first tile's centre, in radii.
     pub distance: f64,
     /// From the first tile's edge 0, counterclockwise.
@@ -21,11 +21,11 @@ pub struct Place {
 }
 
 /// Where the centre of a tile lies as seen from the first.
-pub fn place(tiling: &mut Tiling, tile: Tile) -> Place {
+pub fn place(tiling: &mut Tiling, tile: Tile) -> PolarCoords {
     let path = tiling.path(Tiling::FIRST, tile);
     let start = Pose(Disk::<f64>::identity());
     let pose = Moves::<Disk<f64>>::new().along(tiling, &path, start).0;
-    Place {
+    PolarCoords {
         distance: Disk::distance(&pose),
         angle: Disk::angle(&pose),
     }

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use super::model::{Model, Moves, Pose, Spot};
 use super::number::Number;
 use super::outcome::{Outcome, within};
-use super::reference::{self, Pair, Place};
+use super::reference::{self, Pair, PolarCoords};
 use super::tiling::{Tile, Tiling};
 use super::wander;
 use crate::random::Numbers;
@@ -57,7 +57,7 @@ fn turned(a: f64, b: f64) -> f64 {
 }
 
 /// Whether distance and angle are those of a place.
-pub fn agrees<N: Number>(distance: N, angle: N, place: Place, tolerance: f64) -> bool {
+pub fn agrees<N: Number>(distance: N, angle: N, place: PolarCoords, tolerance: f64) -> bool {
     within(distance.get() - place.distance, tolerance)
         && within(turned(angle.get(), place.angle), tolerance)
 }
@@ -111,7 +111,10 @@ pub fn angledist<M: Model>(keeping: Keeping, seed: u64, tolerance: f64) -> Outco
 
 /// The first distance at which `passes` finds a far tile's place wrong, given a random path to
 /// it and where it is.
-pub fn places(seed: u64, mut passes: impl FnMut(&mut Tiling, Vec<Tile>, Place) -> bool) -> Outcome {
+pub fn places(
+    seed: u64,
+    mut passes: impl FnMut(&mut Tiling, Vec<Tile>, PolarCoords) -> bool,
+) -> Outcome {
     let (mut numbers, mut tiling) = (Numbers::new(seed), Tiling::new());
     Outcome::first(far_distances(), |distance| {
         let path = wander::outwards(&mut numbers, &mut tiling, distance);
@@ -164,7 +167,7 @@ fn found_again<M: Model>(keeping: Keeping, room: u32, seed: u64, tolerance: f64)
     let moves = Moves::<M>::new();
     let start = M::apply(&M::push(M::N::of(OFFSET)), &M::origin());
     let (distance, angle) = (OFFSET, 0.0);
-    let home = Place { distance, angle };
+    let home = PolarCoords { distance, angle };
     let (mut point, mut tile) = (Spot(start), Tiling::FIRST);
     let (mut homewards, mut moved) = (false, 0);
     while moved < CLOSE_MOVES {

@@ -153,7 +153,7 @@ fn one_map_cut_and_whole_is_two_and_the_name_tells_them_from_others() {
         assert!(!pipeline_cache.is_made(key));
         pipeline_cache.finish(key);
         assert_eq!(pipeline_cache.get(key), Some(&key));
-        assert_eq!(pipeline_cache.shelf.slots().count(), count + 1);
+        assert_eq!(pipeline_cache.list.slots().count(), count + 1);
     }
     assert!(pipeline_cache.is_made(cut));
 }

@@ -164,17 +164,17 @@ fn bend_at(space: &dyn Strategy, eye: &Eye, distance_m: f64, sine: f64) -> f64 {
         let middle = eye.point.moved(toward * distance_m);
         let edge_m = space.domain(middle.chart).half_width_m();
         if middle.pos.x.hypot(middle.pos.z) <= OVER_RIM * edge_m {
-            let place = Place::new(space, eye, middle);
+            let expansion = Expansion::new(space, eye, middle);
             // Of one azimuth the middle lies in the plane z = 0, and on both sides of it all looks the same.
             let ways = edge_ways().filter(|way| azimuths > 1 || way.z > 0.0);
-            worst = ways.map(|way| place.bend(way)).fold(worst, f64::max);
+            worst = ways.map(|way| expansion.bend(way)).fold(worst, f64::max);
         }
     }
     worst
 }
 
-/// A place as the eye sees it, and how that changes about it to second order.
-struct Place {
+/// The view point of a place, expanded about it to second order along the axes.
+struct Expansion {
     seen: DVec3,
     /// Half the edge along each axis.
     slope: [DVec3; 3],
@@ -182,7 +182,7 @@ struct Place {
     bend: [DVec3; 6],
 }
 
-impl Place {
+impl Expansion {
     fn new(space: &dyn Strategy, eye: &Eye, middle: ChartPoint) -> Self {
         let at = |x: f64, y: f64, z: f64| {
             let step = DVec3::new(x, y, z) * (0.5 * EDGE_M);

@@ -5,10 +5,10 @@
 //! looked at; what stays behind it, or rises over it by less than the tolerance, is not drawn.
 
 mod bend;
-mod book;
 mod bounds;
 mod choice;
 mod land;
+mod land_index;
 mod quality;
 mod refine;
 mod skyline;
@@ -24,10 +24,10 @@ use std::sync::Arc;
 
 use antipode_frame::{Frame, Quality};
 use antipode_geometry::{CHUNK_CELLS, Eye, SightCell, Strategy};
-pub use book::LandBook;
 pub use bounds::{Affine, Bounds, PictureScale};
 pub use choice::{ChunkChoice, DepthMethod, Port};
 pub use land::{ChunkLand, Ground};
+pub use land_index::LandIndex;
 pub use quality::Tolerance;
 pub use refine::{RefineKey, RefineRules, unhalved_error_px};
 pub use stats::PlanStats;
@@ -62,7 +62,7 @@ struct Candidate {
 
 /// Decides what to draw of `land` in a picture `height_px` pixels high.
 pub fn plan(frame: &Frame, height_px: u32, land: &[ChunkLand]) -> FramePlan {
-    Planner::default().plan(frame, height_px, &LandBook::new(land.to_vec()))
+    Planner::default().plan(frame, height_px, &LandIndex::new(land.to_vec()))
 }
 
 /// Plans one frame after another, and keeps what the next one can use.
@@ -82,18 +82,18 @@ struct Measured {
 
 impl Planner {
     /// Decides what to draw of the land in a picture `height_px` pixels high.
-    pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
+    pub fn plan(&mut self, frame: &Frame, height_px: u32, land_index: &LandIndex) -> FramePlan {
         let scale = PictureScale::new(&frame.view.projection, height_px);
         let tolerance = Tolerance::of(frame.view.quality);
         let mut stats = PlanStats::default();
         let mut candidates = if frame.view.is_moved() {
-            all(frame, book)
+            all(frame, land_index)
         } else {
-            candidates(frame, book, scale, &tolerance, &mut stats)
+            candidates(frame, land_index, scale, &tolerance, &mut stats)
         };
         let bounds = Bounds::new(frame, scale, self.bend(frame, scale));
-        if hides(frame, book, &tolerance) {
-            candidates = unhidden(frame, book, candidates, scale, &tolerance, &mut stats);
+        if hides(frame, land_index, &tolerance) {
+            candidates = unhidden(frame, land_index, candidates, scale, &tolerance, &mut stats);
         }
         candidates.sort_unstable_by(|a, b| {
             let nearer = a.cell.nearest_m.total_cmp(&b.cell.nearest_m);
@@ -102,7 +102,7 @@ impl Planner {
         let chunks = candidates
             .iter()
             .map(|candidate| {
-                let chunk = &book.land()[candidate.place];
+                let chunk = &land_index.land()[candidate.place];
                 // A metre takes about as many pixels as the chunk has, over its side.
                 let metre_px = scale.spans_px(&candidate.cell) / f64::from(CHUNK_CELLS);
                 stats.level_error_at_least(chunk.error_m * metre_px);
@@ -140,17 +140,17 @@ impl Planner {
 }
 
 /// Whether land hides land in a frame.
-fn hides(frame: &Frame, book: &LandBook, tolerance: &Tolerance) -> bool {
+fn hides(frame: &Frame, land_index: &LandIndex, tolerance: &Tolerance) -> bool {
     tolerance.hides
         && !frame.view.is_moved()
         && frame.view.strategy.keeps_azimuths()
-        && !skyline::is_underground(frame, book.columns())
+        && !skyline::is_underground(frame, land_index.columns())
 }
 
 /// All chunks: what a view that is moved shows of them is not known.
-fn all(frame: &Frame, book: &LandBook) -> Vec<Candidate> {
+fn all(frame: &Frame, land_index: &LandIndex) -> Vec<Candidate> {
     let (strategy, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
-    let chunks = book.land().iter().enumerate();
+    let chunks = land_index.land().iter().enumerate();
     let candidate = |(place, chunk): (usize, &ChunkLand)| Candidate {
         place,
         cell: strategy.sight_cell(eye, chunk.coord.chart, chunk.min, chunk.max),
@@ -162,7 +162,7 @@ fn all(frame: &Frame, book: &LandBook) -> Vec<Candidate> {
 /// The chunks in the picture and before the fog that span more than the tolerance.
 fn candidates(
     frame: &Frame,
-    book: &LandBook,
+    land_index: &LandIndex,
     scale: PictureScale,
     tolerance: &Tolerance,
     stats: &mut PlanStats,
@@ -171,15 +171,15 @@ fn candidates(
     let frustum = strategy.frustum(eye, &frame.view.projection);
     let fog_m = f64::from(frame.view.fog_distance_m);
     let mut seen = Vec::new();
-    for group in book.groups() {
+    for group in land_index.groups() {
         let cell = roomy(strategy.sight_cell_of(eye, &group.cylinder));
         if !frustum.sees(&cell) || cell.nearest_m > fog_m {
             stats.triangles_outside += group.triangles;
             continue;
         }
         let grid = Grid::of(frame, group.cylinder.chart);
-        for place in book.chunks(group) {
-            let chunk = &book.land()[place];
+        for place in land_index.chunks(group) {
+            let chunk = &land_index.land()[place];
             let chart = chunk.coord.chart;
             let cell = frustum.cell_seen(strategy, eye, chart, chunk.min, chunk.max);
             match cell.filter(|cell| cell.nearest_m <= fog_m) {
@@ -216,7 +216,7 @@ fn roomy(mut cell: SightCell) -> SightCell {
 /// rings of equal sums of steps. Every column in sight distance raises the skyline, in the picture or not.
 fn unhidden(
     frame: &Frame,
-    book: &LandBook,
+    land_index: &LandIndex,
     mut candidates: Vec<Candidate>,
     scale: PictureScale,
     tolerance: &Tolerance,
@@ -226,7 +226,7 @@ fn unhidden(
     for candidate in &candidates {
         skyline.want(&candidate.cell, candidate.ring);
     }
-    let columns = book.columns();
+    let columns = land_index.columns();
     let mut grids: Vec<Grid> = Vec::new();
     let mut order: Vec<(u32, u32, u32)> = Vec::with_capacity(columns.len());
     let mut chart = None;
@@ -250,7 +250,7 @@ fn unhidden(
             }
         }
         let over_px = skyline.rises_px(&candidate.cell);
-        let triangles = book.land()[candidate.place].triangles;
+        let triangles = land_index.land()[candidate.place].triangles;
         if over_px <= 0.0 {
             stats.triangles_hidden += triangles;
             return false;
@@ -258,7 +258,7 @@ fn unhidden(
         let is_small = over_px < tolerance.small_px;
         if is_small {
             stats.triangles_small += triangles;
-            if let Some(column) = book.column_of(candidate.place) {
+            if let Some(column) = land_index.column_of(candidate.place) {
                 left_out[column] = true;
             }
             stats.error_at_least(over_px);

@@ -88,10 +88,10 @@ fn plainly(frame: &Frame, land: &[ChunkLand]) -> (Vec<ChunkChoice>, PlanStats) {
             None => stats.triangles_outside += chunk.triangles,
         }
     }
-    let book = LandBook::new(land.to_vec());
-    if hides(frame, &book, &tolerance) {
+    let land_index = LandIndex::new(land.to_vec());
+    if hides(frame, &land_index, &tolerance) {
         seen.sort_by_key(|candidate| candidate.ring);
-        let mut columns = book.columns().to_vec();
+        let mut columns = land_index.columns().to_vec();
         let ring_of = |column: &skyline::Column| {
             column.place.x.abs_diff(home.x) + column.place.y.abs_diff(home.z)
         };
@@ -164,10 +164,10 @@ fn tracts_and_what_is_wanted_of_the_skyline_change_no_decision() {
         for round in 0..40 {
             pose(&mut numbers, &mut frame, dials);
             let land = land(&mut numbers, &frame);
-            let book = LandBook::new(land.clone());
+            let land_index = LandIndex::new(land.clone());
             for turn in 0..4 {
                 frame.view.eye.yaw += f64::from(turn);
-                let planned = planner.plan(&frame, HEIGHT_PX, &book);
+                let planned = planner.plan(&frame, HEIGHT_PX, &land_index);
                 let (choices, stats) = plainly(&frame, &land);
                 let at = format!("{name}, round {round}, {:?}", frame.view.eye);
                 assert_eq!(planned.chunks, choices, "{at}");

@@ -129,10 +129,10 @@ impl Run {
         let ground_m = self.field.surface_height(ChartId::FIRST, x, 4.0);
         self.frame.view.eye.point = ChartPoint::a(DVec3::new(x, ground_m + 1.62, 4.0));
         self.store.apply(&self.frame);
-        let book = self.store.land();
-        let mut plan = self.planner.plan(&self.frame, HEIGHT_PX, &book);
-        self.store.refine(&self.frame, book.land(), &mut plan);
-        let truth_px = true_error_px(&self.store, &self.frame, book.land(), &plan);
+        let land_index = self.store.land();
+        let mut plan = self.planner.plan(&self.frame, HEIGHT_PX, &land_index);
+        self.store.refine(&self.frame, land_index.land(), &mut plan);
+        let truth_px = true_error_px(&self.store, &self.frame, land_index.land(), &plan);
         (truth_px, plan.stats.error_px)
     }
 }

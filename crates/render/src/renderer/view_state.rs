@@ -22,7 +22,7 @@ use crate::marker::MarkerBalls;
 use crate::outlines::Outlines;
 use crate::pages::Pages;
 use crate::pipelines::{Pipelines, scene_layout};
-use crate::plan::{FramePlan, LandBook, Planner};
+use crate::plan::{FramePlan, LandIndex, Planner};
 use crate::shades::Shades;
 use crate::shadow::Shadows;
 use crate::targets::Targets;
@@ -115,9 +115,9 @@ impl ViewState {
     }
 
     /// Begins a frame: decides what to draw of the land in a picture `height_px` pixels high.
-    pub fn plan(&mut self, frame: &Frame, height_px: u32, book: &LandBook) -> FramePlan {
+    pub fn plan(&mut self, frame: &Frame, height_px: u32, land_index: &LandIndex) -> FramePlan {
         self.charts.begin(frame);
-        self.planner.plan(frame, height_px, book)
+        self.planner.plan(frame, height_px, land_index)
     }
 
     /// Takes a frame's figures and what is laid over its world; `map` is that of the shadows that its figures are to throw.
@@ -142,13 +142,13 @@ impl ViewState {
         &mut self,
         (device, queue): (&Device, &Queue),
         frame: &Frame,
-        (chunks, book, shadows): (&ChunkStore, &LandBook, &Shadows),
+        (chunks, land_index, shadows): (&ChunkStore, &LandIndex, &Shadows),
         plan: &mut FramePlan,
         drawn: (u32, u32),
     ) {
         let list = (&mut self.list, &mut self.charts);
         let shades = Shades::of(frame);
-        chunks.list(frame, book.land(), plan, (shadows, &shades), list);
+        chunks.list(frame, land_index.land(), plan, (shadows, &shades), list);
         self.land.send(queue, &mut self.list);
         self.charts.send(device, queue, frame);
         let scene = SceneUniform::new(frame, drawn, &shades, &shadows.uniform(frame));

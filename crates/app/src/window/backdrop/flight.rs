@@ -29,7 +29,7 @@ const VIEW_DISTANCE: (u32, u32) = (3, 5);
 
 /// A world to fly over.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct BackdropWorld {
     geometry: Geometry,
     radius_m: f64,
     seed: u64,
@@ -43,7 +43,7 @@ pub struct Place {
 
 /// The worlds, in the order in which they are shown: the one that no other game has comes first, and each is followed
 /// by one in another space.
-pub const WORLDS: [Place; 6] = [
+pub const WORLDS: [BackdropWorld; 6] = [
     SPHERICAL.of(5, 440.0),
     HYPERBOLIC.of(7, 95.0),
     FLAT.of(3, 40.0),
@@ -52,12 +52,18 @@ pub const WORLDS: [Place; 6] = [
     FLAT.of(18, 240.0),
 ];
 
-const FLAT: Place = over(Geometry::Euclidean, f64::INFINITY, 12.0, -0.24);
-const HYPERBOLIC: Place = over(Geometry::Hyperbolic, DEFAULT_HYPERBOLIC_RADIUS_M, 7.0, -0.4);
-const SPHERICAL: Place = over(Geometry::Spherical, SPHERE_RADIUS_M, 9.0, 0.2);
+const FLAT: BackdropWorld = over(Geometry::Euclidean, f64::INFINITY, 12.0, -0.24);
+const HYPERBOLIC: BackdropWorld =
+    over(Geometry::Hyperbolic, DEFAULT_HYPERBOLIC_RADIUS_M, 7.0, -0.4);
+const SPHERICAL: BackdropWorld = over(Geometry::Spherical, SPHERE_RADIUS_M, 9.0, 0.2);
 
-const fn over(geometry: Geometry, radius_m: f64, clearance_m: f64, pitch_rad: f64) -> Place {
-    Place {
+const fn over(
+    geometry: Geometry,
+    radius_m: f64,
+    clearance_m: f64,
+    pitch_rad: f64,
+) -> BackdropWorld {
+    BackdropWorld {
         geometry,
         radius_m,
         seed: 0,
@@ -67,7 +73,7 @@ const fn over(geometry: Geometry, radius_m: f64, clearance_m: f64, pitch_rad: f6
     }
 }
 
-impl Place {
+impl BackdropWorld {
     const fn of(self, seed: u64, time_of_day_s: f64) -> Self {
         Self {
             seed,
@@ -94,33 +100,33 @@ impl Flight {
     /// # Errors
     /// When the chunk workers cannot start.
     pub fn open(
-        place: Place,
+        world: BackdropWorld,
         number: u64,
         software: bool,
         quality: Quality,
     ) -> Result<Self, SceneError> {
         let setup = WorldSetup {
             name: String::new(),
-            seed: place.seed,
-            geometry: place.geometry,
-            radius_m: place.radius_m,
+            seed: world.seed,
+            geometry: world.geometry,
+            radius_m: world.radius_m,
             view_distance: if software {
                 VIEW_DISTANCE.0
             } else {
                 VIEW_DISTANCE.1
             },
         };
-        let field = Field::new(place.seed, strategy(place.geometry, place.radius_m));
+        let field = Field::new(world.seed, strategy(world.geometry, world.radius_m));
         let mut scene = Scene::open(setup, None)?;
         scene.set_quality(quality);
         let mut view = Viewpoint::of(&scene);
-        view.eye.pitch = place.pitch_rad;
-        view.time_of_day_s = place.time_of_day_s;
+        view.eye.pitch = world.pitch_rad;
+        view.time_of_day_s = world.time_of_day_s;
         let mut flight = Self {
             scene,
             field,
             view,
-            clearance_m: place.clearance_m,
+            clearance_m: world.clearance_m,
             number,
             shown_s: 0.0,
         };
@@ -169,8 +175,8 @@ impl Flight {
 
     /// The space of a world.
     #[cfg(test)]
-    pub fn geometry_of(place: Place) -> Geometry {
-        place.geometry
+    pub fn geometry_of(world: BackdropWorld) -> Geometry {
+        world.geometry
     }
 
     /// Where the camera is.

@@ -90,8 +90,8 @@ fn nothing_is_begun_where_it_is_not_enabled() {
 #[test]
 fn every_world_lies_in_another_space_than_the_one_before() {
     let spaces = WORLDS.map(Flight::geometry_of);
-    for (place, space) in spaces.iter().enumerate() {
-        assert_ne!(*space, spaces[(place + 1) % spaces.len()]);
+    for (number, space) in spaces.iter().enumerate() {
+        assert_ne!(*space, spaces[(number + 1) % spaces.len()]);
     }
     for space in [
         Geometry::Euclidean,
@@ -104,13 +104,13 @@ fn every_world_lies_in_another_space_than_the_one_before() {
 
 #[test]
 fn the_flight_moves_and_never_goes_into_the_ground() {
-    for place in WORLDS {
-        let mut flight = Flight::open(place, 1, true, Quality::Fast).unwrap();
+    for world in WORLDS {
+        let mut flight = Flight::open(world, 1, true, Quality::Fast).unwrap();
         let begin = flight.point();
         for _ in 0..(SHOWN_S / 0.05) as u32 {
             flight.fly(0.05);
             let above_m = flight.above_ground_m();
-            assert!(above_m > 1.0, "{place:?}: {above_m} m over the ground");
+            assert!(above_m > 1.0, "{world:?}: {above_m} m over the ground");
         }
         assert_ne!(begin, flight.point());
     }
@@ -119,14 +119,14 @@ fn the_flight_moves_and_never_goes_into_the_ground() {
 #[test]
 fn the_menu_begins_over_a_closed_world_by_night_that_is_large_beside_its_hills() {
     assert_eq!(Flight::geometry_of(WORLDS[0]), Geometry::Spherical);
-    for place in WORLDS {
-        if Flight::geometry_of(place) != Geometry::Spherical {
+    for world in WORLDS {
+        if Flight::geometry_of(world) != Geometry::Spherical {
             continue;
         }
-        let mut flight = Flight::open(place, 1, true, Quality::Fast).unwrap();
+        let mut flight = Flight::open(world, 1, true, Quality::Fast).unwrap();
         let frame = flight.frame(1.5, 400);
         let radius_m = frame.view.strategy.radius_m();
-        assert!(radius_m >= 100.0, "{place:?}: {radius_m} m");
-        assert!(frame.content.sky.stars > 0.5, "{place:?} in the sun");
+        assert!(radius_m >= 100.0, "{world:?}: {radius_m} m");
+        assert!(frame.content.sky.stars > 0.5, "{world:?} in the sun");
     }
 }

@@ -8,25 +8,25 @@ use super::*;
 use crate::bindings::Input;
 
 /// A hyperbolic world.
-const DIAL: Place = Place {
+const DIAL: HintContext = HintContext {
     has_dial: true,
     only_view: false,
     closed: false,
     pitch_rad: 0.0,
 };
 /// A flat one, unbent, and a closed one.
-const FLAT: Place = Place {
+const FLAT: HintContext = HintContext {
     has_dial: false,
     ..DIAL
 };
-const CLOSED: Place = Place {
+const CLOSED: HintContext = HintContext {
     only_view: true,
     closed: true,
     ..FLAT
 };
 
-fn told(hints: &Hints, place: Place) -> String {
-    let model = hints.model(&Texts::default(), &Profiles::default(), place);
+fn told(hints: &Hints, context: HintContext) -> String {
+    let model = hints.model(&Texts::default(), &Profiles::default(), context);
     model.map_or_else(String::new, |model| {
         format!("{} | {}", model.text, model.footer)
     })
@@ -126,12 +126,15 @@ fn each_hint_goes_when_it_was_done_and_the_next_one_comes() {
 #[test]
 fn what_a_world_has_not_is_not_told_and_not_counted() {
     let hints = Hints::default();
-    for (place, count) in [(FLAT, 13), (DIAL, 14), (CLOSED, 14)] {
-        assert!(told(&hints, place).contains(&format!("1 of {count}")));
-        let has = |lesson| place.has(lesson);
-        assert_eq!(has(Lesson::Curve), place == DIAL);
-        assert_eq!(has(Lesson::Map), place != CLOSED);
-        assert_eq!(has(Lesson::Overhead) && has(Lesson::Home), place == CLOSED);
+    for (context, count) in [(FLAT, 13), (DIAL, 14), (CLOSED, 14)] {
+        assert!(told(&hints, context).contains(&format!("1 of {count}")));
+        let has = |lesson| context.has(lesson);
+        assert_eq!(has(Lesson::Curve), context == DIAL);
+        assert_eq!(has(Lesson::Map), context != CLOSED);
+        assert_eq!(
+            has(Lesson::Overhead) && has(Lesson::Home),
+            context == CLOSED
+        );
     }
 }
 
@@ -143,7 +146,7 @@ fn in_a_closed_world_one_is_told_to_look_up_and_to_walk_over_the_equator_until_o
     }
     hints.rest_s = 0.0;
     assert!(told(&hints, CLOSED).starts_with("Look up"));
-    let up = Place {
+    let up = HintContext {
         pitch_rad: 1.0,
         ..CLOSED
     };

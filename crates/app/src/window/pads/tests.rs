@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
 
-use antipode_audio::Place;
+use antipode_audio::PlayState;
 use antipode_geometry::Geometry;
 use antipode_ui::Screen;
 use clap::Parser;
@@ -137,14 +137,14 @@ fn steps_taken_with_a_pad_can_be_heard() {
         play.pass(20, &[]);
     }
     let heard = play.game.play.take_heard();
-    assert_eq!(heard.place, Place::World);
+    assert_eq!(heard.play_state, PlayState::World);
     assert!(!heard.events.is_empty() && heard.surroundings.is_some());
     assert!(
         play.game.play.take_heard().events.is_empty(),
         "each is heard once"
     );
     play.pass(16, &[button(PadButton::Start, true)]);
-    assert_eq!(play.game.play.take_heard().place, Place::Paused);
+    assert_eq!(play.game.play.take_heard().play_state, PlayState::Paused);
     play.game.finish();
 }
 

@@ -1,6 +1,6 @@
 //! A frame of the window: the world, the interface over it, and the pictures that are taken with it.
 
-use antipode_render::{FurtherView, Offscreen, Picture, Place};
+use antipode_render::{FurtherView, Offscreen, Picture, ViewTarget};
 use antipode_scene::frame::{Frame, View};
 
 use super::Stage;
@@ -120,7 +120,7 @@ impl Stage {
         let thumbnail = sheets.thumbnail.map(|(view, sheet)| FurtherView {
             view,
             size: THUMBNAIL,
-            place: Place::Texture(sheet.view()),
+            target: ViewTarget::Texture(sheet.view()),
         });
         let further = mirror.as_ref().map(Mirror::further);
         let further: Vec<_> = further.into_iter().chain(thumbnail).collect();

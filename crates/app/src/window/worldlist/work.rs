@@ -13,13 +13,13 @@ use crate::session::Worlds;
 
 /// Where worlds and their exports are.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct WorldFolders {
     worlds: Worlds,
     exports: PathBuf,
     home: Option<PathBuf>,
 }
 
-impl Place {
+impl WorldFolders {
     /// The worlds, and the player's place for documents.
     pub fn new(worlds: Worlds) -> Self {
         let user = directories::UserDirs::new();
@@ -135,32 +135,32 @@ impl Job {
     }
 
     /// Does it.
-    pub fn run(&self, place: &Place) -> Outcome {
+    pub fn run(&self, folders: &WorldFolders) -> Outcome {
         let mut outcome = Outcome::default();
         match self {
             Self::LookAt { slug } => {
-                let saves = place.worlds.saves();
+                let saves = folders.worlds.saves();
                 let edits = saves.edited_chunks(slug).ok().flatten();
                 let world = saves.find_slug(slug).ok();
                 let name = world.as_ref().map_or(slug.as_str(), WorldSummary::name);
-                let export_to = place.free_export(name);
+                let export_to = folders.free_export(name);
                 outcome.details = Some((slug.clone(), Details { edits, export_to }));
             }
-            Self::FindArchives => outcome.archives = Some(archives_in(&place.exports)),
-            _ => match self.change(place) {
+            Self::FindArchives => outcome.archives = Some(archives_in(&folders.exports)),
+            _ => match self.change(folders) {
                 Ok(news) => outcome.news = news,
                 Err(failure) => outcome.news = Some(News::Failed(failure)),
             },
         }
         if self.brings_list() {
-            outcome.list = Some(place.worlds.list());
+            outcome.list = Some(folders.worlds.list());
         }
         outcome
     }
 
     /// Changes what is on disk; what there is to tell of it.
-    fn change(&self, place: &Place) -> Result<Option<News>, Failure> {
-        let saves = place.worlds.saves();
+    fn change(&self, folders: &WorldFolders) -> Result<Option<News>, Failure> {
+        let saves = folders.worlds.saves();
         let name_of =
             |slug: &str| -> Result<_, StorageError> { Ok(words::shown(&saves.find_slug(slug)?)) };
         Ok(match self {
@@ -177,7 +177,7 @@ impl Job {
                 Some(News::Duplicated(name_of(&made)?))
             }
             Self::Export { slug, file } => {
-                let mut file = place.path_of(file);
+                let mut file = folders.path_of(file);
                 if file.extension().is_none() {
                     file.set_extension(ARCHIVE_EXTENSION);
                 }
@@ -185,7 +185,7 @@ impl Job {
                 Some(News::Exported(file))
             }
             Self::Import { file } => {
-                let made = confined::import(saves, &place.path_of(file))?;
+                let made = confined::import(saves, &folders.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
             Self::List | Self::LookAt { .. } | Self::FindArchives => None,
@@ -194,7 +194,7 @@ impl Job {
 }
 
 #[cfg(test)]
-impl Place {
+impl WorldFolders {
     /// The worlds.
     pub fn worlds(&self) -> &Worlds {
         &self.worlds

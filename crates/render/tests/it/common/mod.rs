@@ -18,8 +18,8 @@ use antipode_geometry::{
     Geometry, Projection, Strategy, strategy,
 };
 use antipode_render::{
-    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Place, Renderer,
-    Shaders, ShadowQuality,
+    AdapterChoice, DrawStats, FurtherView, Gpu, Offscreen, Options, Picture, Renderer, Shaders,
+    ShadowQuality, ViewTarget,
 };
 use antipode_terrain::{ChunkMesh, Content, Field, Vertex, march};
 use glam::{DVec3, IVec3, Vec3};
@@ -154,7 +154,7 @@ impl Studio {
             .map(|((view, size), target)| FurtherView {
                 view,
                 size: *size,
-                place: Place::Texture(target.view()),
+                target: ViewTarget::Texture(target.view()),
             })
             .collect();
         self.renderer.complete_next();
@@ -178,13 +178,13 @@ impl Studio {
         corner: (u32, u32),
         size: (u32, u32),
     ) -> RgbaImage {
-        let place = Place::Mirror(corner);
-        let mirror = FurtherView { view, size, place };
+        let target = ViewTarget::Mirror(corner);
+        let mirror = FurtherView { view, size, target };
         self.renderer.complete_next();
         let mut encoder = self.gpu.encoder();
-        let target = self.offscreen.view();
+        let picture = self.offscreen.view();
         self.renderer
-            .draw_views(frame, &[mirror], &mut encoder, target);
+            .draw_views(frame, &[mirror], &mut encoder, picture);
         self.gpu.queue.submit([encoder.finish()]);
         let picture = self.offscreen.read(&self.gpu).unwrap();
         assert_eq!(self.gpu.take_error(), None);

@@ -9,11 +9,11 @@ use super::skyline::Column;
 use super::{ChunkLand, Ground};
 
 /// Columns of chunks along each side of a tile group, as a power of two.
-const TRACT_COLUMNS_LOG2: u32 = 2;
+const GROUP_COLUMNS_LOG2: u32 = 2;
 
 /// Land to be planned for, arranged by columns of chunks and tile groups of columns.
 #[derive(Debug, Default)]
-pub struct LandBook {
+pub struct LandIndex {
     land: Vec<ChunkLand>,
     /// Places in `land`: tile group by tile group, column by column, upwards.
     order: Vec<u32>,
@@ -38,11 +38,11 @@ type ColumnKey = (ChartId, [i32; 2], [i32; 2]);
 /// What tells columns apart and brings those of a tile group together.
 fn column_key(chunk: &ChunkLand) -> ColumnKey {
     let at = [chunk.coord.index.x, chunk.coord.index.z];
-    let group = at.map(|i| i >> TRACT_COLUMNS_LOG2);
+    let group = at.map(|i| i >> GROUP_COLUMNS_LOG2);
     (chunk.coord.chart, group, at)
 }
 
-impl LandBook {
+impl LandIndex {
     /// Arranges land; what is planned of it names chunks by their place in this list.
     pub fn new(land: Vec<ChunkLand>) -> Self {
         let mut keyed: Vec<_> = (0..land.len() as u32)
@@ -50,7 +50,7 @@ impl LandBook {
             .map(|(place, chunk)| (column_key(chunk), chunk.coord.index.y, place))
             .collect();
         keyed.sort_unstable();
-        let mut book = Self {
+        let mut land_index = Self {
             order: keyed.iter().map(|(.., place)| *place).collect(),
             column_of: vec![u32::MAX; land.len()],
             land,
@@ -60,12 +60,12 @@ impl LandBook {
         for group in keyed.chunk_by(|(a, ..), (b, ..)| a.0 == b.0 && a.1 == b.1) {
             let chunks = from..from + group.len();
             from = chunks.end;
-            book.groups.push(book.group(chunks));
+            land_index.groups.push(land_index.group(chunks));
         }
         for column in keyed.chunk_by(|(a, ..), (b, ..)| a == b) {
-            book.add_column(column);
+            land_index.add_column(column);
         }
-        book
+        land_index
     }
 
     fn group(&self, chunks: Range<usize>) -> TileGroup {
@@ -134,7 +134,7 @@ impl LandBook {
         &self.columns
     }
 
-    /// The column of a chunk, by its place in [`LandBook::columns`].
+    /// The column of a chunk, by its place in [`LandIndex::columns`].
     pub fn column_of(&self, place: usize) -> Option<usize> {
         let column = *self.column_of.get(place)? as usize;
         (column < self.columns.len()).then_some(column)

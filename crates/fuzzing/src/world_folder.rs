@@ -11,7 +11,7 @@ use tempfile::TempDir;
 const MEMORY: &str = "/dev/shm";
 
 /// A folder of worlds of its own, gone when this is dropped.
-pub struct Place {
+pub struct WorldFolder {
     root: TempDir,
     saves: SavesDir,
 }
@@ -19,7 +19,7 @@ pub struct Place {
 /// The directory of the world that is tried in it.
 pub const VICTIM: &str = "victim";
 
-impl Place {
+impl WorldFolder {
     /// Makes an empty one, in memory where the system has such a place.
     ///
     /// # Errors
@@ -99,22 +99,25 @@ fn remove(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Runs `work` in this thread's own place, which is as the last one left it.
+/// Runs `work` in this thread's own folder of worlds, which is as the last one left it.
 ///
 /// # Errors
-/// What `work` says, or that there is no place.
-pub fn with_place<T>(work: impl FnOnce(&Place) -> Result<T, String>) -> Result<T, String> {
+/// What `work` says, or that there is no folder.
+pub fn with_world_folder<T>(
+    work: impl FnOnce(&WorldFolder) -> Result<T, String>,
+) -> Result<T, String> {
     use std::cell::OnceCell;
     thread_local! {
-        static PLACE: OnceCell<Place> = const { OnceCell::new() };
+        static FOLDER: OnceCell<WorldFolder> = const { OnceCell::new() };
     }
-    PLACE.with(|cell| {
+    FOLDER.with(|cell| {
         if cell.get().is_none() {
-            let place = Place::new().map_err(|error| format!("no folder for worlds: {error}"))?;
-            let _ = cell.set(place);
+            let folder =
+                WorldFolder::new().map_err(|error| format!("no folder for worlds: {error}"))?;
+            let _ = cell.set(folder);
         }
         match cell.get() {
-            Some(place) => work(place),
+            Some(folder) => work(folder),
             None => Err("no folder for worlds".to_owned()),
         }
     })

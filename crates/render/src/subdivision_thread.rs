@@ -49,7 +49,7 @@ impl Default for Delivery {
 
 /// The thread and what it is at.
 #[derive(Debug, Default)]
-pub struct Refinery {
+pub struct SubdivisionThread {
     thread: Option<Worker>,
     under_way: VecDeque<Task>,
     failed: bool,
@@ -90,7 +90,7 @@ impl Worker {
     }
 }
 
-impl Refinery {
+impl SubdivisionThread {
     /// Whether meshes are under way.
     pub fn is_busy(&self) -> bool {
         !self.under_way.is_empty()
@@ -165,7 +165,7 @@ impl Refinery {
     }
 }
 
-impl Drop for Refinery {
+impl Drop for SubdivisionThread {
     fn drop(&mut self) {
         if let Some(Worker { tasks, handle, .. }) = self.thread.take() {
             // Without anybody to give it tasks it ends.
