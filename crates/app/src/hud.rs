@@ -62,7 +62,7 @@ pub fn model(
         compass: None,
         map: None,
         health: Some((scene.health() / FULL_HEALTH) as f32),
-        harm: None,
+        damage: None,
         struck: false,
         hidden_foes: Vec::new(),
         wounds: wounds(scene, seen),

@@ -1,4 +1,4 @@
-//! From the scene to compass, map and what tells of harm on the display.
+//! From the scene to compass, map and what tells of damage on the display.
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -10,8 +10,8 @@ use antipode_scene::survey::{Plan, Survey};
 use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
-    CompassModel, EquatorView, FlagView, HarmModel, HudModel, MapMark, MapModel, MarkKind, Relief,
-    ReliefNode, tints_of,
+    CompassModel, DamageModel, EquatorView, FlagView, HudModel, MapMark, MapModel, MarkKind,
+    Relief, ReliefNode, tints_of,
 };
 
 /// Columns of land that the map takes in for each second: three in a frame of a sixtieth, a small part of its time.
@@ -20,9 +20,9 @@ const COLUMNS_PER_S: f64 = 180.0;
 const MOST_COLUMNS: f64 = 60.0;
 /// For a single picture, which shows all of the map.
 pub const WHOLE_MAP: usize = usize::MAX;
-/// How long harm is told of, seconds; with reduced motion it fades more slowly, from a weaker beginning.
-const HARM_S: f64 = 1.2;
-const CALM_HARM_S: f64 = 2.5;
+/// How long damage is told of, seconds; with reduced motion it fades more slowly, from a weaker beginning.
+const DAMAGE_S: f64 = 1.2;
+const CALM_DAMAGE_S: f64 = 2.5;
 const CALM_STRENGTH: f64 = 0.6;
 /// How long a strike is told of, seconds.
 const STRUCK_S: f64 = 0.25;
@@ -62,7 +62,7 @@ impl Navigator {
         model.map = settings
             .minimap
             .then(|| self.map(scene, &bearings, surveyed));
-        model.harm = harm(scene, &bearings, settings);
+        model.damage = damage(scene, &bearings, settings);
         let foes = scene.hidden_foes().into_iter();
         model.hidden_foes = foes
             .map(|way| (way - bearings.heading_rad).rem_euclid(TAU) as f32)
@@ -150,15 +150,15 @@ fn relief(plan: &Plan) -> Relief {
     }
 }
 
-fn harm(scene: &Scene, bearings: &Bearings, settings: &Settings) -> Option<HarmModel> {
+fn damage(scene: &Scene, bearings: &Bearings, settings: &Settings) -> Option<DamageModel> {
     let (ago_s, from_rad) = scene.last_hurt()?;
     let (first, lasts_s) = if settings.reduced_motion {
-        (CALM_STRENGTH, CALM_HARM_S)
+        (CALM_STRENGTH, CALM_DAMAGE_S)
     } else {
-        (1.0, HARM_S)
+        (1.0, DAMAGE_S)
     };
     let left = 1.0 - ago_s / lasts_s;
-    (left > 0.0).then(|| HarmModel {
+    (left > 0.0).then(|| DamageModel {
         strength: (first * left) as f32,
         solid: settings.high_contrast,
         from_rad: from_rad.map(|from| (from - bearings.heading_rad).rem_euclid(TAU) as f32),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::{Strategy, View, flat, hyperbolic, spherical};
+use crate::{Strategy, ViewMode, flat, hyperbolic, spherical};
 
 /// Radii of curvature of the worlds of a space, in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub fn picture(
     bend: bool,
 ) -> Arc<dyn Strategy> {
     let world = strategy(geometry, radius_m);
-    View::saved(world.views(), map, bend).of(&world, 1.0)
+    ViewMode::saved(world.view_modes(), map, bend).of(&world, 1.0)
 }
 
 /// The kinds of world that a player can choose: each has a row in the menus and a name in saves.
@@ -210,7 +210,7 @@ mod tests {
             assert_eq!(space.limits().is_some(), sphere);
             assert_eq!(space.has_sky(), !sphere);
             assert_eq!(space.globe().is_some(), sphere);
-            let own = space.views()[0].dial();
+            let own = space.view_modes()[0].dial();
             assert_eq!(own.is_some(), geometry == Geometry::Hyperbolic);
         }
     }

@@ -38,7 +38,7 @@ mod spherical;
 mod strategy;
 mod triangle;
 mod uniform;
-mod view;
+mod view_mode;
 
 pub use atlas::{Atlas, Domain, HeightLimits, NoiseFrame, SquareFrame};
 pub use chart::{ChartId, ParseChartError};
@@ -63,7 +63,7 @@ pub use spherical::{DEFAULT_SPHERE_RADIUS_M, Globe, Spherical};
 pub use strategy::Strategy;
 pub use triangle::equilateral_angle_sum_rad;
 pub use uniform::SpaceUniform;
-pub use view::View;
+pub use view_mode::ViewMode;
 
 /// The shader text that all maps share: `struct Space` and what is made of a map's own functions, whose text
 /// ([`MapShader`]) is to be appended. It has no entry point and no binding.

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, DVec4};
 
-use crate::{ChartPoint, Eye, View};
+use crate::{ChartPoint, Eye, ViewMode};
 
 /// The range of the knob that a space offers the player.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,8 +23,8 @@ pub type Viewer<'a> = Box<dyn Fn(ChartPoint) -> DVec4 + 'a>;
 pub trait Map {
     /// Through what a world of this space can be looked at: first as a new world is, and as all but the player always see
     /// it.
-    fn views(&self) -> &'static [View] {
-        &[View::Plain]
+    fn view_modes(&self) -> &'static [ViewMode] {
+        &[ViewMode::Plain]
     }
 
     /// The point as seen: view coordinates with the eye at (0, 0, 0, 1).

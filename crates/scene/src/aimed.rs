@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Strategy, View};
+use antipode_geometry::{Strategy, ViewMode};
 
 use crate::camera::CameraMode;
 use crate::dip::HeadDip;
@@ -15,7 +15,7 @@ use crate::lens::Lens;
 /// The lens that an action was aimed by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
-    pub(crate) view: View,
+    pub(crate) view: ViewMode,
     /// Where the dial was on its way.
     pub(crate) value: f64,
     /// Share of the world's own curvature that was shown, 0 to 1.
@@ -28,7 +28,7 @@ pub struct Aim {
 
 /// What an eye looks through.
 #[derive(Clone, Debug)]
-pub(crate) struct Optics {
+pub(crate) struct ViewParams {
     pub strategy: Arc<dyn Strategy>,
     pub dial: f64,
     pub straight_shots: bool,
@@ -48,7 +48,7 @@ pub(crate) struct Gaze {
     pub straight_shots: bool,
     pub dip: HeadDip,
     /// What the last step's actions were aimed through, if they told.
-    aimed: Option<(Aim, Optics)>,
+    aimed: Option<(Aim, ViewParams)>,
 }
 
 impl Gaze {
@@ -68,7 +68,7 @@ impl Gaze {
         let kept = self.aimed.take();
         self.aimed = aimed.map(|aim| match kept {
             Some(kept) if kept.0 == aim => kept,
-            _ => (aim, self.optics_of(&aim)),
+            _ => (aim, self.params_of(&aim)),
         });
     }
 
@@ -77,8 +77,8 @@ impl Gaze {
         self.aimed = None;
     }
 
-    fn optics_of(&self, aim: &Aim) -> Optics {
-        Optics {
+    fn params_of(&self, aim: &Aim) -> ViewParams {
+        ViewParams {
             strategy: self.lens.pictured(aim.view, aim.share),
             dial: aim.value,
             straight_shots: aim.straight_shots,
@@ -89,11 +89,11 @@ impl Gaze {
     }
 
     /// What the player aims through.
-    pub fn aiming(&self) -> Optics {
-        if let Some((_, optics)) = &self.aimed {
-            return optics.clone();
+    pub fn aiming(&self) -> ViewParams {
+        if let Some((_, params)) = &self.aimed {
+            return params.clone();
         }
-        Optics {
+        ViewParams {
             strategy: Arc::clone(self.lens.strategy()),
             dial: self.lens.value(),
             straight_shots: self.straight_shots,

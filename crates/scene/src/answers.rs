@@ -10,9 +10,9 @@ use crate::bearings::{self, Bearings, FlagWay, Landmark};
 use crate::bot::{self, BotView};
 use crate::camera::CameraMode;
 use crate::car::CarView;
+use crate::damage;
 use crate::drops::Drop;
 use crate::frame::{HitShape, Quality};
-use crate::harm;
 use crate::hit_shapes;
 use crate::inventory::Inventory;
 use crate::lamp::Lamp;
@@ -131,10 +131,10 @@ impl Scene {
         self.sim.player.is_dead()
     }
 
-    /// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
+    /// The player's last damage: how long ago it was, seconds, and from which heading of the player's chart it came,
     /// radians, if from one.
     pub fn last_hurt(&self) -> Option<(f64, Option<f64>)> {
-        harm::last(self.now())
+        damage::last(self.now())
     }
 
     /// Seconds since a shot of the player's struck someone.

@@ -9,7 +9,7 @@ use glam::{DVec3, DVec4};
 use hecs::Entity;
 
 use crate::actors::ActorId;
-use crate::aimed::Optics;
+use crate::aimed::ViewParams;
 use crate::bot::Bot;
 use crate::car::CarView;
 use crate::car::tuning::IN_VIEW;
@@ -29,7 +29,7 @@ const BREAST: f64 = 0.7;
 /// The crosshair of who looks through a picture.
 pub(crate) struct Crosshair<'a> {
     now: Situation<'a>,
-    optics: Optics,
+    params: ViewParams,
 }
 
 impl<'a> Crosshair<'a> {
@@ -38,16 +38,16 @@ impl<'a> Crosshair<'a> {
         Self::through(now, now.aiming())
     }
 
-    /// That of a picture which is taken through `optics`.
-    pub fn through(now: Situation<'a>, optics: Optics) -> Self {
-        Self { now, optics }
+    /// That of a picture which is taken through `params`.
+    pub fn through(now: Situation<'a>, params: ViewParams) -> Self {
+        Self { now, params }
     }
 
     /// The first ground within `reach_m` metres beyond the head.
     pub fn ground(&self, reach_m: f64) -> Pick {
         let (eye, past_head_m) = self.eye();
         let physics = &self.now.world.physics;
-        pick(&*self.optics.strategy, physics, &eye, past_head_m, reach_m)
+        pick(&*self.params.strategy, physics, &eye, past_head_m, reach_m)
     }
 
     /// The first of the ground and of others.
@@ -94,7 +94,7 @@ impl<'a> Crosshair<'a> {
     /// The nearest car about the middle of the view, or about the player where it need not be in view.
     pub fn car(&self, reach_m: f64, in_view: bool) -> Option<CarView> {
         let (head, feet) = (self.now.head(), self.now.feet());
-        let pictured = &*self.optics.strategy;
+        let pictured = &*self.params.strategy;
         let cars = self.now.actors.car_views().into_iter();
         cars.filter(|car| !in_view || is_in_view(pictured.view_point(&head, car.middle())))
             .map(|car| (pictured.distance_m(feet, car.point, &head), car))
@@ -106,14 +106,14 @@ impl<'a> Crosshair<'a> {
     /// Whether nothing hides a place from the player.
     pub fn sees(&self, place: ChartPoint) -> bool {
         let physics = &self.now.world.physics;
-        sees(&*self.optics.strategy, physics, &self.now.head(), place)
+        sees(&*self.params.strategy, physics, &self.now.head(), place)
     }
 
     /// The nearest living peaceful one ahead and in sight, and its number.
     pub fn listener(&self, reach_m: f64) -> Option<(Entity, u32)> {
         let Situation { world, actors, .. } = self.now;
         let (eye, feet) = (self.now.head(), self.now.feet());
-        let pictured = &*self.optics.strategy;
+        let pictured = &*self.params.strategy;
         let is_ahead = |point: ChartPoint| {
             let view = pictured.view_point(&eye, point).truncate();
             -view.normalize_or_zero().z > AHEAD_RAD.cos()
@@ -144,12 +144,12 @@ impl<'a> Crosshair<'a> {
 
     /// The eye of the picture, and how far the head lies beyond it, in metres.
     fn eye(&self) -> (Eye, f64) {
-        let eye = self.now.camera_through(&self.optics).eye;
-        (eye, self.now.past_head_m(&self.optics, &eye))
+        let eye = self.now.camera_through(&self.params).eye;
+        (eye, self.now.past_head_m(&self.params, &eye))
     }
 
     fn first(&self, (eye, past_head_m): (Eye, f64), reach_m: f64, meets: Meets<'_>) -> Pick {
-        let (strategy, physics) = (&*self.optics.strategy, &self.now.world.physics);
+        let (strategy, physics) = (&*self.params.strategy, &self.now.world.physics);
         pick_among(strategy, physics, meets, &eye, past_head_m, reach_m)
     }
 

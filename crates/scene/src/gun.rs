@@ -15,7 +15,7 @@ use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{AIM_REACH_M, BULLET, BULLET_SPEED_M_S, MUZZLE_M, SHOT_EVERY_S, STEP_S};
 use crate::world::World;
-use crate::{car, harm};
+use crate::{car, damage};
 use antipode_items::Item;
 
 /// The share of the way to the muzzle that is left when a wall is nearer.
@@ -52,18 +52,18 @@ pub(crate) fn use_in_hand(
 /// A bullet goes from the muzzle to what the crosshair covers.
 fn fire(world: &World, actors: &mut Actors, player: &Player) {
     let now = Situation::of(world, actors, player);
-    let (optics, head) = (now.aiming(), now.head());
+    let (params, head) = (now.aiming(), now.head());
     let target = Crosshair::aimed(now).ground_or_figure(AIM_REACH_M).point;
     let muzzle = muzzle_of(world, &head);
     let by = actors.player;
-    if optics.straight_shots {
+    if params.straight_shots {
         let eye = Eye {
             point: muzzle,
-            dial: optics.dial,
+            dial: params.dial,
             lift_m: head.lift_m + muzzle.pos.y - head.point.pos.y,
             ..head
         };
-        let pictured = &*optics.strategy;
+        let pictured = &*params.strategy;
         projectile::fire_straight(actors, pictured, eye, target, BULLET_SPEED_M_S, by);
     } else {
         let velocity = aim(
@@ -89,7 +89,7 @@ pub(crate) fn step_bullets(
     }
     let now = Situation::of(world, actors, player);
     let standing = now.standing();
-    let optics = now.aiming();
+    let params = now.aiming();
     let lowest_m = world.ground.height_range_m().0 - DEEPEST_HOLE_M;
     // More bullets than ground is made solid for end where the land is, as those beyond where bodies move do.
     let in_far_ground = |point: ChartPoint| {
@@ -99,7 +99,7 @@ pub(crate) fn step_bullets(
     };
     let air = Air {
         strategy: &*world.strategy,
-        pictured: &*optics.strategy,
+        pictured: &*params.strategy,
         physics: &world.physics,
         standing: &standing,
         cars: &actors.car_motions(),
@@ -107,8 +107,8 @@ pub(crate) fn step_bullets(
         in_far_ground: &in_far_ground,
     };
     let hits = projectile::step(&mut actors.ecs, &air);
-    harm::take_strikes(actors, player, outbox, hits.strikes);
-    car::harm::take_knocks(actors, outbox, &hits.knocks);
+    damage::take_strikes(actors, player, outbox, hits.strikes);
+    car::damage::take_knocks(actors, outbox, &hits.knocks);
 }
 
 /// The muzzle of a gun held by someone with that eye; short of a wall that one stands close to.

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use antipode_geometry::{Horizon, HyperbolicMap, Map, Raised, Strategy, View};
+use antipode_geometry::{Horizon, HyperbolicMap, Map, Raised, Strategy, ViewMode};
 
 use crate::tuning::{DIAL_REMAINDER_PER_S, DIAL_SWAP_AT};
 
@@ -42,8 +42,8 @@ impl Default for DialGoals {
 #[derive(Clone, Debug)]
 pub struct Lens {
     world: Arc<dyn Strategy>,
-    shown: View,
-    wanted: View,
+    shown: ViewMode,
+    wanted: ViewMode,
     goals: DialGoals,
     value: f64,
     /// Share of the world's own curvature that is shown, 0 to 1; below 1 only while maps change.
@@ -81,8 +81,8 @@ impl Lens {
     /// The map of a hyperbolic world: the one asked for, while the other still gives way to it.
     pub fn map(&self) -> Option<HyperbolicMap> {
         match self.wanted {
-            View::Map(map) => Some(map),
-            View::Plain | View::Bent => None,
+            ViewMode::Map(map) => Some(map),
+            ViewMode::Plain | ViewMode::Bent => None,
         }
     }
 
@@ -93,7 +93,7 @@ impl Lens {
 
     /// Goal of the dial of a flat world whose picture is bent.
     pub fn bend(&self) -> Option<f64> {
-        (self.wanted == View::Bent).then(|| self.goal())
+        (self.wanted == ViewMode::Bent).then(|| self.goal())
     }
 
     /// Smallest and largest setting of the dial under the wheel, if there is one now.
@@ -127,7 +127,7 @@ impl Lens {
     /// Asks for the space's other picture: the other map of a hyperbolic world, bent or not in a flat one.
     /// Returns false where there is no other.
     pub fn turn_map(&mut self) -> bool {
-        let views = self.world.views();
+        let views = self.world.view_modes();
         let after = views.iter().skip_while(|it| **it != self.wanted).nth(1);
         let Some(next) = after.or(views.first()).filter(|it| **it != self.wanted) else {
             return false;
@@ -138,29 +138,29 @@ impl Lens {
 
     /// Shows a map at once. Returns false where the world has no maps.
     pub fn set_map(&mut self, map: HyperbolicMap) -> bool {
-        let has = self.has(View::Map(map));
+        let has = self.has(ViewMode::Map(map));
         if has {
-            self.arrive(View::Map(map));
+            self.arrive(ViewMode::Map(map));
         }
         has
     }
 
     /// Sets the dial of a hyperbolic world at once. Returns false when out of range or there is none.
     pub fn set_curvature(&mut self, value: f64) -> bool {
-        let View::Map(map) = self.wanted else {
+        let ViewMode::Map(map) = self.wanted else {
             return false;
         };
-        self.set_at_once(View::Map(map), value)
+        self.set_at_once(ViewMode::Map(map), value)
     }
 
     /// Bends a flat world's picture at once, up to 20 hyperbolic and down to -20 spherical; 0 unbends it.
     /// Returns false when out of range or the world is not flat.
     pub fn set_bend(&mut self, value: f64) -> bool {
-        if !self.has(View::Bent) || !self.set_at_once(View::Bent, value) {
+        if !self.has(ViewMode::Bent) || !self.set_at_once(ViewMode::Bent, value) {
             return false;
         }
         if value == 0.0 {
-            self.arrive(View::Plain);
+            self.arrive(ViewMode::Plain);
         }
         true
     }
@@ -168,7 +168,7 @@ impl Lens {
     /// Sets the dial of a bent picture at once; 0 shows it flat, and bent it stays. Returns false when out of range
     /// or the picture is not bent.
     pub(crate) fn set_bend_dial(&mut self, value: f64) -> bool {
-        self.bend().is_some() && self.set_at_once(View::Bent, value)
+        self.bend().is_some() && self.set_at_once(ViewMode::Bent, value)
     }
 
     /// Shows at once what it glides to.
@@ -178,25 +178,25 @@ impl Lens {
 
     /// Takes over what a save tells; settings out of range are left as they are in a new world.
     pub fn restore(&mut self, map: HyperbolicMap, bent: bool, goals: DialGoals) {
-        let maps = HyperbolicMap::ALL.map(View::Map);
+        let maps = HyperbolicMap::ALL.map(ViewMode::Map);
         let saved = [goals.raised, goals.horizon];
         for (view, goal) in maps
             .into_iter()
             .zip(saved)
-            .chain([(View::Bent, goals.bend)])
+            .chain([(ViewMode::Bent, goals.bend)])
         {
             if fits(view, goal) {
                 self.set_goal(view, goal);
             }
         }
-        let view = View::saved(self.world.views(), map, bent);
+        let view = ViewMode::saved(self.world.view_modes(), map, bent);
         self.arrive(view);
     }
 
     /// Glides for `dt_s` seconds; the last ten-thousandth is taken at once so that the dial comes to rest.
     pub fn glide(&mut self, dt_s: f64) {
         let changes = self.shown != self.wanted;
-        let fades = matches!(self.shown, View::Map(_));
+        let fades = matches!(self.shown, ViewMode::Map(_));
         let faded = !fades || self.share <= SHARE_SWAP_AT;
         if changes && self.value.abs() <= DIAL_SWAP_AT && faded {
             self.value = 0.0;
@@ -223,7 +223,7 @@ impl Lens {
     }
 
     /// What is shown at this moment: the picture, its dial, and the share of the curvature.
-    pub(crate) fn at(&self) -> (View, f64, f64) {
+    pub(crate) fn at(&self) -> (ViewMode, f64, f64) {
         (self.shown, self.value, self.share)
     }
 
@@ -249,29 +249,29 @@ impl Lens {
         (strategy, mix(before.value, self.value))
     }
 
-    fn has(&self, view: View) -> bool {
-        self.world.views().contains(&view)
+    fn has(&self, view: ViewMode) -> bool {
+        self.world.view_modes().contains(&view)
     }
 
-    fn goal_of(&self, view: View) -> f64 {
+    fn goal_of(&self, view: ViewMode) -> f64 {
         match view {
-            View::Plain => 0.0,
-            View::Map(HyperbolicMap::Raised) => self.goals.raised,
-            View::Map(HyperbolicMap::Horizon) => self.goals.horizon,
-            View::Bent => self.goals.bend,
+            ViewMode::Plain => 0.0,
+            ViewMode::Map(HyperbolicMap::Raised) => self.goals.raised,
+            ViewMode::Map(HyperbolicMap::Horizon) => self.goals.horizon,
+            ViewMode::Bent => self.goals.bend,
         }
     }
 
-    fn set_goal(&mut self, view: View, goal: f64) {
+    fn set_goal(&mut self, view: ViewMode, goal: f64) {
         match view {
-            View::Plain => {}
-            View::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
-            View::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
-            View::Bent => self.goals.bend = goal,
+            ViewMode::Plain => {}
+            ViewMode::Map(HyperbolicMap::Raised) => self.goals.raised = goal,
+            ViewMode::Map(HyperbolicMap::Horizon) => self.goals.horizon = goal,
+            ViewMode::Bent => self.goals.bend = goal,
         }
     }
 
-    fn set_at_once(&mut self, view: View, goal: f64) -> bool {
+    fn set_at_once(&mut self, view: ViewMode, goal: f64) -> bool {
         let fits = fits(view, goal);
         if fits {
             self.set_goal(view, goal);
@@ -281,27 +281,27 @@ impl Lens {
     }
 
     /// Shows a picture with its dial at its goal.
-    fn arrive(&mut self, view: View) {
+    fn arrive(&mut self, view: ViewMode) {
         self.wanted = view;
         self.value = self.goal();
         self.share = 1.0;
         self.show(view);
     }
 
-    fn show(&mut self, view: View) {
+    fn show(&mut self, view: ViewMode) {
         self.shown = view;
         self.strategy = self.pictured(view, self.share);
     }
 
     /// The strategy of a picture of this world, with a share of its curvature.
-    pub(crate) fn pictured(&self, view: View, share: f64) -> Arc<dyn Strategy> {
+    pub(crate) fn pictured(&self, view: ViewMode, share: f64) -> Arc<dyn Strategy> {
         view.of(&self.world, share.max(SHARE_SWAP_AT))
     }
 }
 
 /// The world's own picture: that of every new world.
-pub(crate) fn own_view(world: &dyn Map) -> View {
-    world.views().first().copied().unwrap_or_default()
+pub(crate) fn own_view(world: &dyn Map) -> ViewMode {
+    world.view_modes().first().copied().unwrap_or_default()
 }
 
 /// One step of the glide from `value` to `goal`.
@@ -316,18 +316,18 @@ fn glided(value: f64, goal: f64, dt_s: f64) -> f64 {
 
 /// Whether that is a world's own picture: straight where space is flat, and the one that every new hyperbolic world
 /// begins with.
-pub(crate) fn is_own(view: View, value: f64, share: f64) -> bool {
+pub(crate) fn is_own(view: ViewMode, value: f64, share: f64) -> bool {
     match view {
-        View::Plain => true,
-        View::Bent => value == 0.0,
-        View::Map(map) => {
+        ViewMode::Plain => true,
+        ViewMode::Bent => value == 0.0,
+        ViewMode::Map(map) => {
             map == HyperbolicMap::Raised && value == Raised::DIAL.default && share == 1.0
         }
     }
 }
 
 /// Whether a dial can be set to a value; no dial can be set to what is no number.
-fn fits(view: View, goal: f64) -> bool {
+fn fits(view: ViewMode, goal: f64) -> bool {
     view.dial()
         .is_some_and(|dial| (dial.min..=dial.max).contains(&goal))
 }

@@ -3,7 +3,7 @@
 use antipode_geometry::{ChartPoint, Eye, Map};
 use glam::{DMat3, DVec3, DVec4};
 
-use crate::aimed::Optics;
+use crate::aimed::ViewParams;
 use crate::car;
 use crate::crosshair::Crosshair;
 use crate::frame::{BeamLight, LampLight};
@@ -47,13 +47,13 @@ pub(crate) fn lights(scene: &Scene, eye: &Eye) -> Lit {
     let lamp_light = |(_, id, point)| (Who::Lamp(id), shining(point));
     let of_cars = car::lights::car_lights(now);
     let is_free = !now.actors.cars.is_driving();
-    let optics = scene.picturing();
+    let params = scene.picturing();
     let muzzle = || muzzle_of(now.world, &now.head());
     let shot = scene.shown.hand.shot_light(muzzle);
     let holds_lamp = is_free && now.player.inventory.held() == Some(Item::Lamp);
-    let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&optics))));
+    let in_hand = holds_lamp.then(|| shining(held_at(&now.head_through(&params))));
     let flashlight = is_free && now.player.flashlight;
-    let beam = flashlight.then(|| (Who::InHand, flash_beam(now, &optics, &scene.eye())));
+    let beam = flashlight.then(|| (Who::InHand, flash_beam(now, &params, &scene.eye())));
     Lit {
         lamps: shot
             .map(|light| (Who::Shot, light))
@@ -84,13 +84,13 @@ fn held_at(head: &Eye) -> ChartPoint {
 }
 
 /// The flashlight lights what the crosshair covers, from wherever the picture is taken.
-fn flash_beam(now: Situation<'_>, optics: &Optics, eye: &Eye) -> BeamLight {
-    let head = now.head_through(optics);
+fn flash_beam(now: Situation<'_>, params: &ViewParams, eye: &Eye) -> BeamLight {
+    let head = now.head_through(params);
     let (right_m, up_m) = FLASH_BESIDE_M;
     let point = head.point.moved(head.right() * right_m + head.up() * up_m);
-    let crosshair = Crosshair::through(now, optics.clone());
+    let crosshair = Crosshair::through(now, params.clone());
     let spot = crosshair.ground_or_figure(FLASH_RANGE_M).point;
-    let way = way_toward(&*optics.strategy, eye, point, spot);
+    let way = way_toward(&*params.strategy, eye, point, spot);
     BeamLight {
         point,
         direction: way.unwrap_or(head.front()),

@@ -6,7 +6,7 @@ use antipode_geometry::{ChartPoint, Eye, Map, Projection, Strategy};
 use glam::DVec3;
 
 use crate::actors::ActorId;
-use crate::aimed::{Aim, Optics};
+use crate::aimed::{Aim, ViewParams};
 use crate::camera::{CameraMode, CameraPose};
 use crate::car::mirror::rear_view;
 use crate::day;
@@ -251,9 +251,9 @@ impl Scene {
     }
 
     /// What the player's picture is taken through.
-    pub(crate) fn picturing(&self) -> Optics {
+    pub(crate) fn picturing(&self) -> ViewParams {
         let (lens, viewing) = (self.lens(), self.shown.viewing);
-        Optics {
+        ViewParams {
             strategy: Arc::clone(lens.strategy()),
             dial: lens.value(),
             straight_shots: self.sim.player.gaze.straight_shots,

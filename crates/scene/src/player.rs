@@ -7,12 +7,12 @@ use glam::{DVec2, DVec3};
 
 use crate::actions::Actions;
 use crate::aimed::Gaze;
+use crate::circumnavigation::Circumnavigation;
+use crate::damage::Condition;
 use crate::frame::ModelId;
-use crate::harm::Condition;
 use crate::inventory::Inventory;
 use crate::lens::Lens;
 use crate::motion::{Doing, Motion};
-use crate::round::Round;
 use crate::tool::ToolMark;
 use crate::tuning::{BRUSH_RADIUS_M, FULL_HEALTH, PITCH_LIMIT_RAD};
 
@@ -33,7 +33,7 @@ pub(crate) struct Player {
     pub flashlight: bool,
     /// Where the player stands up again, unless the land alone decides.
     pub start: Option<ChartPoint>,
-    pub round: Round,
+    pub circumnavigation: Circumnavigation,
     /// Whether the body was put where it is and may be stuck there.
     pub body_unchecked: bool,
 }
@@ -53,7 +53,7 @@ impl Player {
             secondary_before: false,
             flashlight: false,
             start: None,
-            round: Round::default(),
+            circumnavigation: Circumnavigation::default(),
             body_unchecked: true,
         }
     }
@@ -105,7 +105,7 @@ impl Look {
 #[derive(Clone, Debug)]
 pub struct Body(pub Character);
 
-/// How much harm an entity can take.
+/// How much damage an entity can take.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Health(pub f64);
 

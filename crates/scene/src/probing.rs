@@ -115,12 +115,12 @@ fn player_probe(now: Situation<'_>) -> PlayerProbe {
 }
 
 fn camera_probe(now: Situation<'_>) -> CameraProbe {
-    let optics = now.aiming();
-    let eye = now.camera_through(&optics).eye;
+    let params = now.aiming();
+    let eye = now.camera_through(&params).eye;
     CameraProbe {
         pos: eye.point.pos.to_array(),
         mode: now.player.gaze.camera.id(),
-        curved: optics.strategy.curved(&eye, eye.point).to_array(),
+        curved: params.strategy.curved(&eye, eye.point).to_array(),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Bullets in flight: they fall or follow the space's geodesics, bounce off the ground, harm whom they strike and are
+//! Bullets in flight: they fall or follow the space's geodesics, bounce off the ground, damage whoever they strike and are
 //! gone some time after they have met something. What falls meets ground sooner or later, even where none is loaded; what
 //! follows a geodesic is gone after some way.
 

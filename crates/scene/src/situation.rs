@@ -5,7 +5,7 @@ use antipode_geometry::{ChartPoint, Eye};
 use hecs::Entity;
 
 use crate::actors::Actors;
-use crate::aimed::Optics;
+use crate::aimed::ViewParams;
 use crate::camera::{self, CameraMode, CameraPose};
 use crate::car::camera as car_camera;
 use crate::ground::chunks_near;
@@ -40,7 +40,7 @@ impl<'a> Situation<'a> {
     }
 
     /// What the player aims through.
-    pub fn aiming(&self) -> Optics {
+    pub fn aiming(&self) -> ViewParams {
         self.player.gaze.aiming()
     }
 
@@ -50,29 +50,29 @@ impl<'a> Situation<'a> {
     }
 
     /// The eye in the player's head, looking through that.
-    pub fn head_through(&self, optics: &Optics) -> Eye {
-        if let Some(head) = car_camera::driver_head(*self, optics) {
+    pub fn head_through(&self, params: &ViewParams) -> Eye {
+        if let Some(head) = car_camera::driver_head(*self, params) {
             return head;
         }
         let (position, look) = self.actors.player_stance();
         // Seen from behind, the body does not dip, and the camera would shake without a cause.
         let dip_m = match self.player.gaze.camera {
-            CameraMode::First if optics.dips => self.player.gaze.dip.depth_m(),
+            CameraMode::First if params.dips => self.player.gaze.dip.depth_m(),
             CameraMode::First | CameraMode::Third => 0.0,
         };
         let height_m = self.actors.tuning.eye_height_m() - dip_m;
-        player::eye(&position, &look, optics.dial, height_m)
+        player::eye(&position, &look, params.dial, height_m)
     }
 
     /// The camera, looking through that.
-    pub fn camera_through(&self, optics: &Optics) -> CameraPose {
-        if let Some(camera) = car_camera::driver_camera(*self, optics) {
+    pub fn camera_through(&self, params: &ViewParams) -> CameraPose {
+        if let Some(camera) = car_camera::driver_camera(*self, params) {
             return camera;
         }
-        let mut head = self.head_through(optics);
+        let mut head = self.head_through(params);
         let dead_s = self.player.condition.dead_s();
         if let Some(dead_s) = dead_s.filter(|_| self.player.gaze.camera == CameraMode::First) {
-            let lies_at_once = optics.reduced_motion;
+            let lies_at_once = params.reduced_motion;
             head = camera::fallen(&head, if lies_at_once { f64::INFINITY } else { dead_s });
         }
         camera::place(self.player.gaze.camera, &head, &self.world.physics)
@@ -80,12 +80,12 @@ impl<'a> Situation<'a> {
 
     /// How far the head lies beyond an eye that looks through that, metres: near a wall the camera stands closer than it
     /// would like.
-    pub fn past_head_m(&self, optics: &Optics, eye: &Eye) -> f64 {
+    pub fn past_head_m(&self, params: &ViewParams, eye: &Eye) -> f64 {
         match self.player.gaze.camera {
             CameraMode::First => 0.0,
             CameraMode::Third => {
-                let head = self.head_through(optics);
-                optics.strategy.distance_m(eye.point, head.point, eye)
+                let head = self.head_through(params);
+                params.strategy.distance_m(eye.point, head.point, eye)
             }
         }
     }

@@ -7,8 +7,8 @@ use crate::actions::Actions;
 use crate::actors::Actors;
 use crate::camera::CameraMode;
 use crate::car::{doors, drive};
+use crate::damage::{DamageKind, fall_damage};
 use crate::flag::Flag;
-use crate::harm::{HarmKind, fall_harm};
 use crate::lamp::Lamp;
 use crate::lens::Lens;
 use crate::motion::Doing;
@@ -19,7 +19,7 @@ use crate::situation::{Situation, is_ground_ready};
 use crate::sound::{self, SoundEvent};
 use crate::tuning::{BRUSH_RADIUS_M, STEP_S};
 use crate::world::World;
-use crate::{body, drops, fixture, gun, harm, npc, round, tool};
+use crate::{body, circumnavigation, damage, drops, fixture, gun, npc, tool};
 
 /// All that a step changes: a world, its actors, the player and what is to be told of them.
 pub(crate) struct Simulation {
@@ -58,12 +58,12 @@ impl Simulation {
         world
             .physics
             .set_obstacles(actors.car_bodies(&*world.strategy));
-        round::notice(world, actors.feet(), &mut player.round, outbox);
+        circumnavigation::notice(world, actors.feet(), &mut player.circumnavigation, outbox);
         // Both hands are on the wheel.
         let actions = &actions.unless(actors.cars.is_driving());
         npc::step(world, actors, player, outbox);
-        if harm::heal(actors, &mut player.condition) {
-            harm::respawn(world, actors, player);
+        if damage::heal(actors, &mut player.condition) {
+            damage::respawn(world, actors, player);
             let head = Situation::of(world, actors, player).head();
             world.centre_on(head.point, actors.feet());
             outbox.hints.push(Hint::BackAgain);
@@ -189,7 +189,7 @@ fn walk(
         }
     }
     player::cross(strategy, position, look, body);
-    let harm = fall_harm(body.0.hardest_m_s(), actors.tuning.gravity_m_s2);
+    let damage = fall_damage(body.0.hardest_m_s(), actors.tuning.gravity_m_s2);
     player.gaze.dip.land(body.0.impact_m_s);
     let doing = Doing {
         flying: player.flying,
@@ -199,5 +199,5 @@ fn walk(
     };
     let foot_down = appearance.motion.pass(&doing, STEP_S);
     sound::hear_body(&world.ground, position.0, &body.0, foot_down, outbox);
-    harm::hurt_player(actors, player, outbox, harm, HarmKind::Fall, None);
+    damage::hurt_player(actors, player, outbox, damage, DamageKind::Fall, None);
 }

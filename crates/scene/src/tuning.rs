@@ -92,12 +92,12 @@ pub const BULLET_STRAIGHT_M: f64 = 200.0;
 /// Bullets in flight at once.
 pub const MOST_BULLETS: usize = 500;
 /// The same bullet harms the same body again only after so many seconds; and who fired it, only then.
-pub const SAME_BODY_HARMED_AFTER_S: f64 = 0.5;
+pub const SAME_BODY_DAMAGEED_AFTER_S: f64 = 0.5;
 /// A bullet slower than this, in m/s, harms nobody: one that someone has stopped falls back at a tenth of its speed, and
 /// others lie about.
-pub const BULLET_HARMS_FROM_M_S: f64 = 8.0;
+pub const BULLET_DAMAGES_FROM_M_S: f64 = 8.0;
 /// Health that a bullet takes.
-pub const BULLET_HARM: f64 = 1.0;
+pub const BULLET_DAMAGE: f64 = 1.0;
 /// A shot goes through what the crosshair covers within this distance, in metres.
 pub const AIM_REACH_M: f64 = 30.0;
 /// The muzzle as seen from the eye, in metres: to the right, up and ahead.
@@ -106,7 +106,7 @@ pub const MUZZLE_M: (f64, f64, f64) = (0.22, -0.16, 0.7);
 pub const SHOT_EVERY_S: f64 = 0.12;
 /// A fall from this height or more hurts, in metres; one metre more, one health more.
 pub const FALL_HURTS_FROM_M: f64 = 8.0;
-/// Health comes back so long after the last harm, in seconds.
+/// Health comes back so long after the last damage, in seconds.
 pub const HEALS_AFTER_S: f64 = 6.0;
 /// Health that comes back, per second.
 pub const HEALS_PER_S: f64 = 0.5;

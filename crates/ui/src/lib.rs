@@ -39,7 +39,7 @@ pub use console::{Completion, Console, LineKind};
 pub use contrast::{heighten_contrast, set_calm};
 pub use controls::{action_label, first_input_label, input_label, pad_input_label};
 pub use hud::{
-    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, FlagView, HarmModel,
+    CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FigureModel, FlagView,
     HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, SpeechModel,
     Tints, WoundModel, mirror_place, show_hud, tints_of,
 };

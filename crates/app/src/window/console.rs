@@ -11,7 +11,7 @@ use crate::controls::Controls;
 
 /// The console, and what its answers tell of.
 #[derive(Default)]
-pub struct Desk {
+pub struct ConsoleLayer {
     pub(super) view: Console,
     /// The number of the world that was answered in.
     world: u64,
@@ -21,7 +21,7 @@ pub struct Desk {
     history: Option<PathBuf>,
 }
 
-impl Desk {
+impl ConsoleLayer {
     /// Takes over what was entered in earlier runs, and keeps there what is entered in this one.
     pub fn remember_in(&mut self, file: PathBuf) {
         self.view.remember(read_history(&file));

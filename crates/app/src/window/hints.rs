@@ -46,7 +46,7 @@ impl HintContext {
     pub fn of(scene: &Scene) -> Self {
         Self {
             has_dial: scene.lens().range().is_some(),
-            only_view: scene.strategy().views().len() == 1,
+            only_view: scene.strategy().view_modes().len() == 1,
             closed: scene.strategy().globe().is_some(),
             pitch_rad: scene.head().pitch,
         }

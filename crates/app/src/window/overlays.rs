@@ -5,7 +5,7 @@ use antipode_ui::{Console, photo_panel};
 use egui::Rect;
 
 use super::backpack::Backpack;
-use super::console::Desk;
+use super::console::ConsoleLayer;
 use super::devices::Devices;
 use super::menus::Menus;
 use super::naming::Naming;
@@ -15,7 +15,7 @@ use super::play::Play;
 /// All of them, up or not.
 #[derive(Default)]
 pub struct Overlays {
-    pub(super) console: Desk,
+    pub(super) console: ConsoleLayer,
     pub(super) backpack: Backpack,
     pub(super) photo: Photographer,
     pub(super) naming: Naming,

@@ -6,7 +6,7 @@ use crate::projection::Depth;
 use crate::sight::Axis;
 use crate::{
     Atlas, ChartId, ChartPoint, Curvature, Eye, Map, MapShader, Metric, Optics, Projection,
-    SightCell, SpaceUniform, View, shader,
+    SightCell, SpaceUniform, ViewMode, shader,
 };
 
 /// Flat space.
@@ -21,8 +21,8 @@ pub(crate) fn rotation(eye: &Eye) -> DMat3 {
 impl Atlas for Euclidean {}
 
 impl Map for Euclidean {
-    fn views(&self) -> &'static [View] {
-        &[View::Plain, View::Bent]
+    fn view_modes(&self) -> &'static [ViewMode] {
+        &[ViewMode::Plain, ViewMode::Bent]
     }
 
     fn view_point(&self, eye: &Eye, point: ChartPoint) -> DVec4 {

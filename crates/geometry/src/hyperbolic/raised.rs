@@ -19,7 +19,7 @@ use crate::scalar::sinhc;
 use crate::sight::{Plan, slope_range};
 use crate::{
     Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, HyperbolicMap, Map, MapShader, Metric,
-    Optics, Projection, SightCell, SpaceUniform, View, Viewer, shader,
+    Optics, Projection, SightCell, SpaceUniform, ViewMode, Viewer, shader,
 };
 
 /// Halvings that find where a slope turns: to a millionth of a chunk.
@@ -110,11 +110,11 @@ fn d_coth(d: f64) -> f64 {
 impl Atlas for Raised {}
 
 impl Map for Raised {
-    fn views(&self) -> &'static [View] {
+    fn view_modes(&self) -> &'static [ViewMode] {
         const {
             &[
-                View::Map(HyperbolicMap::Raised),
-                View::Map(HyperbolicMap::Horizon),
+                ViewMode::Map(HyperbolicMap::Raised),
+                ViewMode::Map(HyperbolicMap::Horizon),
             ]
         }
     }

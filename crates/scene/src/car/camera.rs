@@ -10,7 +10,7 @@ use super::tuning::{
     CHASE_TURN_PER_S, CHASE_UP_M, EYES_UP_M, LOOK_MOST_RAD, LOOK_RETURNS_PER_S, LOOK_STAYS_S,
     SEAT_M, STANDS_M_S,
 };
-use crate::aimed::Optics;
+use crate::aimed::ViewParams;
 use crate::camera::{CameraMode, CameraPose};
 use crate::player::wrap_angle;
 use crate::situation::Situation;
@@ -225,7 +225,7 @@ fn rest_pitch() -> f64 {
 }
 
 /// The driver's own eyes.
-pub(crate) fn driver_head(now: Situation<'_>, optics: &Optics) -> Option<Eye> {
+pub(crate) fn driver_head(now: Situation<'_>, params: &ViewParams) -> Option<Eye> {
     let car = now.actors.driven_car()?;
     let driving = now.actors.cars.driving.as_ref()?;
     let (yaw, pitch) = driving.chase.look(now.player.gaze.camera);
@@ -235,14 +235,14 @@ pub(crate) fn driver_head(now: Situation<'_>, optics: &Optics) -> Option<Eye> {
         yaw,
         pitch,
         roll: 0.0,
-        dial: optics.dial,
+        dial: params.dial,
         lift_m: point.pos.y - car.point.pos.y,
     })
 }
 
 /// The camera that a driver's picture is taken with.
-pub(crate) fn driver_camera(now: Situation<'_>, optics: &Optics) -> Option<CameraPose> {
-    let head = driver_head(now, optics)?;
+pub(crate) fn driver_camera(now: Situation<'_>, params: &ViewParams) -> Option<CameraPose> {
+    let head = driver_head(now, params)?;
     let car = now.actors.driven_car()?;
     let chase = &now.actors.cars.driving.as_ref()?.chase;
     match now.player.gaze.camera {
@@ -250,7 +250,7 @@ pub(crate) fn driver_camera(now: Situation<'_>, optics: &Optics) -> Option<Camer
             let point = car.place(BONNET_M);
             let eye = Eye {
                 point,
-                roll: if optics.reduced_motion {
+                roll: if params.reduced_motion {
                     0.0
                 } else {
                     chase.lean()

@@ -13,7 +13,7 @@ use crate::aimed::Gaze;
 use crate::body;
 use crate::camera::CameraMode;
 use crate::crosshair::Crosshair;
-use crate::harm::{HarmKind, fall_harm, hurt_player};
+use crate::damage::{DamageKind, fall_damage, hurt_player};
 use crate::notice::Hint;
 use crate::npc::scare;
 use crate::outbox::Outbox;
@@ -139,11 +139,11 @@ fn leave_car(world: &World, actors: &mut Actors, player: &mut Player, outbox: &m
     get_out(actors, &mut player.gaze);
     body::place(world, actors, player, spot, car.velocity, false);
     outbox.sounds.push(SoundEvent::CarDoor);
-    let harm = fall_harm(
+    let damage = fall_damage(
         car.velocity.length() * JUMPED_OFF_SHARE,
         actors.tuning.gravity_m_s2,
     );
-    hurt_player(actors, player, outbox, harm, HarmKind::Fall, None);
+    hurt_player(actors, player, outbox, damage, DamageKind::Fall, None);
 }
 
 /// The player sits in no car any more, wherever he is then put.

@@ -4,12 +4,12 @@ use antipode_geometry::{ChartPoint, Crossing};
 use antipode_physics::{VehicleInput, VehicleMotion, VehiclePhysics};
 use glam::DVec3;
 
-use super::harm::run_over;
+use super::damage::run_over;
 use super::tuning::{CRASH_FROM_M_S, CRASH_SHARE, NEEDED_AHEAD_S, NEEDED_AROUND_M, SEAT_M};
 use super::{Car, Cars};
 use crate::actions::Actions;
 use crate::actors::{Actors, all_mut};
-use crate::harm::{HarmKind, fall_harm, hurt_player};
+use crate::damage::{DamageKind, fall_damage, hurt_player};
 use crate::outbox::Outbox;
 use crate::player::{Body, Player, Position};
 use crate::sound::SoundEvent;
@@ -154,8 +154,8 @@ pub(super) fn seat_driver(
         outbox.sounds.push(SoundEvent::Crashed {
             speed_m_s: jolt_m_s,
         });
-        let harm = fall_harm(jolt_m_s * CRASH_SHARE, actors.tuning.gravity_m_s2);
+        let damage = fall_damage(jolt_m_s * CRASH_SHARE, actors.tuning.gravity_m_s2);
         let from = Some(car.turn * DVec3::X);
-        hurt_player(actors, player, outbox, harm, HarmKind::Crash, from);
+        hurt_player(actors, player, outbox, damage, DamageKind::Crash, from);
     }
 }

@@ -1,9 +1,9 @@
 //! Cars: what they are, how they come, and what others may know of them.
 
 pub(crate) mod camera;
+pub(crate) mod damage;
 pub(crate) mod doors;
 pub(crate) mod drive;
-pub(crate) mod harm;
 pub(crate) mod lights;
 pub(crate) mod mirror;
 pub mod tuning;

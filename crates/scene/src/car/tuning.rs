@@ -65,7 +65,7 @@ pub const DOOR_RISE_M: f64 = 1.4;
 /// Slower than this, in m/s, a car that touches someone only shoves.
 pub const SHOVES_BELOW_M_S: f64 = 3.0;
 /// Health that being run over takes for each m/s above that.
-pub const HARM_PER_M_S: f64 = 0.5;
+pub const DAMAGE_PER_M_S: f64 = 0.5;
 /// The same one is hurt by cars again only after so many seconds.
 pub const HURTS_AGAIN_AFTER_S: f64 = 0.6;
 /// Who is run over flies ahead of the car with this share of its speed more, and up with this share of it.

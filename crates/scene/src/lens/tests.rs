@@ -22,7 +22,7 @@ fn flat() -> Lens {
 }
 
 /// Glides to rest and returns every value on the way with whether the picture was the level one there.
-fn way(lens: &mut Lens) -> Vec<(f64, View)> {
+fn way(lens: &mut Lens) -> Vec<(f64, ViewMode)> {
     let mut values = vec![(lens.value(), lens.shown)];
     for _ in 0..240 {
         lens.glide(STEP_S);
@@ -67,14 +67,18 @@ fn maps_are_swapped_at_zero_and_each_keeps_its_own_dial() {
     let values = way(&mut lens);
     for pair in values.windows(2) {
         let [(from, before), (to, after)] = [pair[0], pair[1]];
-        let goal = if before == View::Map(High) { 17.0 } else { 0.0 };
+        let goal = if before == ViewMode::Map(High) {
+            17.0
+        } else {
+            0.0
+        };
         assert!((to - from).abs() <= most(from, goal), "from {from} to {to}");
         assert!(before == after || to == 0.0, "swapped at {to}");
     }
-    assert_eq!(values.last(), Some(&(17.0, View::Map(High))));
+    assert_eq!(values.last(), Some(&(17.0, ViewMode::Map(High))));
     assert_eq!(lens.strategy().radius_m(), 20.0);
     assert!(lens.turn_map());
-    assert_eq!(way(&mut lens).last(), Some(&(4.0, View::Map(Level))));
+    assert_eq!(way(&mut lens).last(), Some(&(4.0, ViewMode::Map(Level))));
 }
 
 #[test]
@@ -97,7 +101,7 @@ fn land_is_lit_alike_before_and_after_the_maps_are_swapped() {
         lens.glide(STEP_S);
         let turned = (normal(&lens) - last).length();
         last = normal(&lens);
-        if lens.shown == View::Map(Level) {
+        if lens.shown == ViewMode::Map(Level) {
             assert!(turned < 0.005, "the light jumps by {turned}");
             break;
         }
@@ -106,7 +110,7 @@ fn land_is_lit_alike_before_and_after_the_maps_are_swapped() {
         (last - raised).length() > 0.2,
         "there was something to fade"
     );
-    assert_eq!((lens.shown, lens.value()), (View::Map(Level), 0.0));
+    assert_eq!((lens.shown, lens.value()), (ViewMode::Map(Level), 0.0));
 }
 
 #[test]
@@ -116,7 +120,7 @@ fn scrolling_while_maps_change_sets_where_the_dial_comes_back_to() {
     lens.glide(STEP_S);
     lens.turn(3.0);
     assert_eq!(lens.curvature(), Some(13.0));
-    assert_eq!(way(&mut lens).last(), Some(&(13.0, View::Map(Level))));
+    assert_eq!(way(&mut lens).last(), Some(&(13.0, ViewMode::Map(Level))));
     assert_eq!(lens.goals().raised, 10.0);
 }
 
@@ -132,7 +136,7 @@ fn a_second_turn_on_the_way_goes_back_to_the_first_map() {
     assert!(
         values
             .iter()
-            .all(|(value, view)| *view == View::Map(High) && *value > 0.0)
+            .all(|(value, view)| *view == ViewMode::Map(High) && *value > 0.0)
     );
     assert_eq!(values.last().map(|(value, _)| *value), Some(10.0));
 }
@@ -148,14 +152,14 @@ fn a_flat_world_bends_and_unbends_without_a_step() {
         (lens.range(), lens.bend()),
         (Some((-20.0, 20.0)), Some(-12.0))
     );
-    assert_eq!(way(&mut lens).last(), Some(&(-12.0, View::Bent)));
+    assert_eq!(way(&mut lens).last(), Some(&(-12.0, ViewMode::Bent)));
     assert!(lens.turn_map());
     assert_eq!((lens.range(), lens.bend()), (None, None));
     let values = way(&mut lens);
     for pair in values.windows(2) {
         assert!((pair[1].0 - pair[0].0).abs() <= most(pair[0].0, 0.0));
     }
-    assert_eq!(values.last(), Some(&(0.0, View::Plain)));
+    assert_eq!(values.last(), Some(&(0.0, ViewMode::Plain)));
 }
 
 #[test]

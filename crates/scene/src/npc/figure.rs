@@ -12,8 +12,8 @@ use super::navigation::{ASKS_M, Land};
 use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
+use crate::damage::fall_damage;
 use crate::frame::ModelId;
-use crate::harm::fall_harm;
 use crate::motion::Doing;
 use crate::pick::over;
 use crate::player::{self, Appearance, Body, Health, Look, Position, wrap_angle};
@@ -267,9 +267,9 @@ impl Npc<'_> {
             self.mind.has_landed = body.grounded;
             return;
         }
-        let harm = fall_harm(body.hardest_m_s(), around.tuning.gravity_m_s2);
-        if harm > 0.0 && self.health.0 > 0.0 {
-            self.health.0 = (self.health.0 - harm).max(0.0);
+        let damage = fall_damage(body.hardest_m_s(), around.tuning.gravity_m_s2);
+        if damage > 0.0 && self.health.0 > 0.0 {
+            self.health.0 = (self.health.0 - damage).max(0.0);
             self.bot.hit_s_ago = 0.0;
             self.appearance.motion.strike();
         }

@@ -48,10 +48,10 @@ impl Npc<'_> {
 
 /// The picture that the player aims by, unless it is the world's own.
 pub(super) fn other_picture(now: Situation<'_>) -> Option<OtherPicture> {
-    let optics = now.aiming();
-    (!optics.own).then(|| OtherPicture {
-        head: now.head_through(&optics),
-        strategy: optics.strategy,
+    let params = now.aiming();
+    (!params.own).then(|| OtherPicture {
+        head: now.head_through(&params),
+        strategy: params.strategy,
     })
 }
 

@@ -43,7 +43,7 @@ pub use mind::State;
 pub(crate) use navigation::ASKS_M;
 pub(crate) use population::send_hostile_away;
 use senses::{Around, Quarry};
-pub(crate) use senses::{Event, sees, world_optics};
+pub(crate) use senses::{Event, sees, world_view_params};
 pub use speech::Speech;
 pub(crate) use speech::speech;
 pub use talk::Line;
@@ -168,7 +168,7 @@ fn figures_in_order(actors: &Actors) -> Vec<(u32, Entity)> {
     all
 }
 
-/// The player, unless dead, spared or a spectator.
+/// The player, unless dead, invulnerable or a spectator.
 fn quarry(now: Situation<'_>) -> Option<Quarry> {
     let player = now.player;
     let is_fair = !player.flying && !player.is_dead() && player.condition.spared_s <= 0.0;
@@ -177,7 +177,7 @@ fn quarry(now: Situation<'_>) -> Option<Quarry> {
         Quarry {
             feet: now.feet(),
             velocity: body.map_or(DVec3::ZERO, |body| body.0.velocity),
-            head: now.head_through(&world_optics(now.world)),
+            head: now.head_through(&world_view_params(now.world)),
         }
     })
 }

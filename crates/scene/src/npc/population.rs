@@ -94,9 +94,9 @@ fn let_one_come(world: &World, actors: &mut Actors, player: &Player, hostile: bo
 
 /// Whether a place may be in the picture, whatever is before it.
 fn may_see(now: Situation<'_>, point: ChartPoint) -> bool {
-    let optics = now.aiming();
-    let eye = now.camera_through(&optics).eye;
-    let view = optics
+    let params = now.aiming();
+    let eye = now.camera_through(&params).eye;
+    let view = params
         .strategy
         .view_point(&eye, point.moved(DVec3::Y))
         .truncate()

@@ -10,7 +10,7 @@ use hecs::Entity;
 use super::bearing::{apart_m, way};
 use super::hidden::OtherPicture;
 use super::tuning::{FEELS_M, GLANCE_HALF_RAD};
-use crate::aimed::Optics;
+use crate::aimed::ViewParams;
 use crate::bot::BotView;
 use crate::car::CarView;
 use crate::lamp::Lamp;
@@ -123,8 +123,8 @@ impl Around<'_> {
 }
 
 /// The world's own picture, by which others see: no choice of the player's has a part in it.
-pub(crate) fn world_optics(world: &World) -> Optics {
-    Optics {
+pub(crate) fn world_view_params(world: &World) -> ViewParams {
+    ViewParams {
         strategy: Arc::clone(&world.strategy),
         dial: own_dial(&*world.strategy),
         straight_shots: false,

@@ -32,17 +32,17 @@ pub const MUZZLE_M_S: f64 = 20.0;
 pub const ASTRAY_RAD: f64 = 0.04;
 /// Out of sight for so long, the player is given up, in seconds.
 pub const GIVES_UP_S: f64 = 8.0;
-/// How long a neutral one stays angry after the last harm, in seconds.
+/// How long a neutral one stays angry after the last damage, in seconds.
 pub const ANGRY_S: f64 = 40.0;
 /// With this health or less it flees.
 pub const FLEES_AT_HEALTH: f64 = 1.0;
-/// How long it flees after the last harm, in seconds.
+/// How long it flees after the last damage, in seconds.
 pub const FLEES_S: f64 = 12.0;
 /// How long a scare lasts, in seconds.
 pub const SCARED_S: f64 = 5.0;
 /// How far ahead who flees looks for a way, in metres.
 pub const FLEES_BY_M: f64 = 10.0;
-/// Health comes back so long after the last harm, in seconds.
+/// Health comes back so long after the last damage, in seconds.
 pub const HEALS_AFTER_S: f64 = 10.0;
 /// Health that comes back, per second.
 pub const HEALS_PER_S: f64 = 0.1;

@@ -245,7 +245,7 @@ fn who_is_run_over_is_hurt_and_the_car_goes_on() {
 }
 
 /// What it costs of health to get out of a car as soon as it is as fast as that, in m/s.
-fn harm_of_leaving_at(speed_m_s: f64) -> f64 {
+fn damage_of_leaving_at(speed_m_s: f64) -> f64 {
     let mut scene = driving(Geometry::Euclidean);
     scene.set_npcs(NpcMode::Off);
     let wish = Actions {
@@ -267,9 +267,9 @@ fn harm_of_leaving_at(speed_m_s: f64) -> f64 {
 
 #[test]
 fn who_gets_out_of_a_fast_car_is_hurt() {
-    assert_eq!(harm_of_leaving_at(12.0), 0.0);
-    let harm = harm_of_leaving_at(20.0);
-    assert!((5.0..10.0).contains(&harm), "{harm}");
+    assert_eq!(damage_of_leaving_at(12.0), 0.0);
+    let damage = damage_of_leaving_at(20.0);
+    assert!((5.0..10.0).contains(&damage), "{damage}");
 }
 
 #[test]

@@ -284,7 +284,7 @@ fn the_dead_leave_bullets_that_can_be_picked_up() {
 }
 
 #[test]
-fn who_stands_up_again_is_spared_for_some_seconds_unless_he_shoots() {
+fn who_stands_up_again_is_invulnerable_for_some_seconds_unless_he_shoots() {
     for shoots in [false, true] {
         let mut scene = world(Geometry::Euclidean);
         let place = beside(&scene, 10.0, 0.0);

@@ -23,12 +23,12 @@ pub struct Keeper {
 #[derive(Debug)]
 struct Shared {
     path: PathBuf,
-    desk: Mutex<Desk>,
+    state: Mutex<WriterState>,
     called: Condvar,
 }
 
 #[derive(Debug, Default)]
-struct Desk {
+struct WriterState {
     /// The settings to write next.
     next: Option<Config>,
     closing: bool,
@@ -43,7 +43,7 @@ impl Keeper {
     pub(super) fn new(path: PathBuf) -> Self {
         let shared = Arc::new(Shared {
             path,
-            desk: Mutex::new(Desk::default()),
+            state: Mutex::new(WriterState::default()),
             called: Condvar::new(),
         });
         let own = Arc::clone(&shared);
@@ -75,7 +75,7 @@ impl Keeper {
     /// Takes settings to be written. Never waits for the disk, but where the system gave no thread.
     pub fn save(&self, config: &Config) {
         let Some(shared) = &self.shared else { return };
-        shared.desk().next = Some(config.clone());
+        shared.state().next = Some(config.clone());
         if self.thread.is_some() {
             shared.called.notify_one();
         } else {
@@ -85,12 +85,12 @@ impl Keeper {
 
     /// Why the last save failed; each reason is told once until a save goes well.
     pub fn take_problem(&self) -> Option<SaveProblem> {
-        let mut desk = self.shared.as_ref()?.desk();
-        let problem = desk
+        let mut state = self.shared.as_ref()?.state();
+        let problem = state
             .problem
             .clone()
-            .filter(|now| desk.told.as_ref() != Some(now))?;
-        desk.told = Some(problem.clone());
+            .filter(|now| state.told.as_ref() != Some(now))?;
+        state.told = Some(problem.clone());
         Some(problem)
     }
 
@@ -103,13 +103,13 @@ impl Keeper {
         let problem = self
             .shared
             .as_ref()
-            .and_then(|shared| shared.desk().problem.take());
+            .and_then(|shared| shared.state().problem.take());
         problem.map_or(Ok(()), Err)
     }
 
     fn close(&mut self) {
         if let (Some(shared), Some(thread)) = (&self.shared, self.thread.take()) {
-            shared.desk().closing = true;
+            shared.state().closing = true;
             shared.called.notify_one();
             if thread.join().is_err() {
                 tracing::error!("the thread that writes the settings has died");
@@ -125,25 +125,25 @@ impl Drop for Keeper {
 }
 
 impl Shared {
-    fn desk(&self) -> MutexGuard<'_, Desk> {
-        self.desk.lock().unwrap_or_else(PoisonError::into_inner)
+    fn state(&self) -> MutexGuard<'_, WriterState> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn work(&self) {
         loop {
-            let desk = self.desk();
-            let idle = |desk: &mut Desk| desk.next.is_none() && !desk.closing;
-            let desk = self
+            let state = self.state();
+            let idle = |state: &mut WriterState| state.next.is_none() && !state.closing;
+            let state = self
                 .called
-                .wait_while(desk, idle)
+                .wait_while(state, idle)
                 .unwrap_or_else(PoisonError::into_inner);
             // Others may follow; whoever waits for the end does not wait for them.
-            let (desk, _) = self
+            let (state, _) = self
                 .called
-                .wait_timeout_while(desk, QUIET, |desk| !desk.closing)
+                .wait_timeout_while(state, QUIET, |state| !state.closing)
                 .unwrap_or_else(PoisonError::into_inner);
-            let ends = desk.closing;
-            drop(desk);
+            let ends = state.closing;
+            drop(state);
             self.write_next();
             if ends {
                 return;
@@ -152,21 +152,21 @@ impl Shared {
     }
 
     fn write_next(&self) {
-        let Some(config) = self.desk().next.take() else {
+        let Some(config) = self.state().next.take() else {
             return;
         };
         let written = write(&config)
             .and_then(|text| replace(&self.path, &text).map_err(|error| error.to_string()));
-        let mut desk = self.desk();
+        let mut state = self.state();
         match written {
-            Ok(()) => (desk.problem, desk.told) = (None, None),
+            Ok(()) => (state.problem, state.told) = (None, None),
             Err(why) => {
                 let problem = SaveProblem {
                     path: self.path.clone(),
                     why,
                 };
                 tracing::warn!("{problem}");
-                desk.problem = Some(problem);
+                state.problem = Some(problem);
             }
         }
     }

@@ -1,9 +1,9 @@
 //! The heads-up display over the world, painted and never clickable.
 
 mod compass;
+mod damage;
 mod figures;
 mod gauges;
-mod harm;
 mod hint;
 pub(crate) mod hotbar;
 mod minimap;
@@ -22,8 +22,8 @@ use crate::theme::{ACCENT, GRID, LINE, TEXT, mono, small};
 use plate::{Lines, plate};
 
 pub use compass::{CompassModel, EquatorView, FlagView};
+pub use damage::DamageModel;
 pub use figures::FigureModel;
-pub use harm::HarmModel;
 pub use hint::HintModel;
 pub use minimap::{MapMark, MapModel, MarkKind, Relief, ReliefNode, Tints, tints_of};
 pub use mirror::mirror_place;
@@ -112,8 +112,8 @@ pub struct HudModel {
     pub map: Option<MapModel>,
     /// The player's health as a share of all there can be; not shown where nothing is known of it or it is full.
     pub health: Option<f32>,
-    /// Harm that the player has just taken.
-    pub harm: Option<HarmModel>,
+    /// Damage that the player has just taken.
+    pub damage: Option<DamageModel>,
     /// Where those are who could shoot and are not to be seen in the picture, clockwise from straight ahead, radians.
     pub hidden_foes: Vec<f32>,
     /// Health of others who are hurt.
@@ -177,20 +177,20 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     instruments
 }
 
-/// Wounds, where harm comes from, and the crosshair.
+/// Wounds, where damage comes from, and the crosshair.
 fn about_the_aim(painter: &Painter, whole: Rect, model: &HudModel) {
     wounds::show(painter, whole, &model.wounds);
-    if let Some(harm) = model.harm {
-        harm::show(painter, whole, harm);
+    if let Some(damage) = model.damage {
+        damage::show(painter, whole, damage);
     }
     for from_rad in &model.hidden_foes {
-        harm::hidden(painter, whole, *from_rad);
+        damage::hidden(painter, whole, *from_rad);
     }
     if model.show_crosshair {
         crosshair(painter, whole.center());
     }
     if model.struck {
-        harm::struck(painter, whole.center());
+        damage::struck(painter, whole.center());
     }
 }
 

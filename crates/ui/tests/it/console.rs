@@ -8,44 +8,44 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
 #[derive(Default)]
-struct Desk {
+struct Typed {
     texts: Texts,
     console: Console,
     entered: Vec<String>,
 }
 
-fn desk(size: Vec2) -> Harness<'static, Desk> {
-    let mut desk = Desk::default();
-    desk.console.open();
+fn typed(size: Vec2) -> Harness<'static, Typed> {
+    let mut typed = Typed::default();
+    typed.console.open();
     Harness::builder()
         .with_size(size)
         .with_max_steps(8)
         .allow_missing_glyphs()
         .with_context_setup(apply_theme)
         .build_ui_state(
-            |ui, desk: &mut Desk| {
+            |ui, typed: &mut Typed| {
                 let complete = |line: &str| Completion {
                     line: format!("{line}port "),
                     options: vec!["A".to_owned(), "B".to_owned()],
                 };
-                let entered = desk.console.show(ui.ctx(), &desk.texts, &complete);
-                desk.entered.extend(entered);
+                let entered = typed.console.show(ui.ctx(), &typed.texts, &complete);
+                typed.entered.extend(entered);
             },
-            desk,
+            typed,
         )
 }
 
-fn write(harness: &mut Harness<'_, Desk>, text: &str) {
+fn write(harness: &mut Harness<'_, Typed>, text: &str) {
     harness.event(egui::Event::Text(text.to_owned()));
     harness.run();
 }
 
-fn press(harness: &mut Harness<'_, Desk>, key: Key) {
+fn press(harness: &mut Harness<'_, Typed>, key: Key) {
     harness.key_press(key);
     harness.run();
 }
 
-fn said(harness: &Harness<'_, Desk>) -> String {
+fn said(harness: &Harness<'_, Typed>) -> String {
     let texts: Vec<_> = painted(harness.output())
         .into_iter()
         .map(|text| text.text)
@@ -55,8 +55,8 @@ fn said(harness: &Harness<'_, Desk>) -> String {
 
 #[test]
 fn a_fast_hand_enters_whole_lines_however_slow_the_frames_are() {
-    let mut desk = desk(vec2(800.0, 600.0));
-    desk.run();
+    let mut typed = typed(vec2(800.0, 600.0));
+    typed.run();
     let text = |text: &str| egui::Event::Text(text.to_owned());
     let key = |key| egui::Event::Key {
         key,
@@ -76,19 +76,19 @@ fn a_fast_hand_enters_whole_lines_however_slow_the_frames_are() {
         key(Key::Tab),
         text("1 2"),
     ] {
-        desk.event(event);
+        typed.event(event);
     }
-    desk.run();
-    press(&mut desk, Key::Enter);
+    typed.run();
+    press(&mut typed, Key::Enter);
     assert_eq!(
-        desk.state().entered,
+        typed.state().entered,
         ["set time 450", "probe", "teleport 1 2"]
     );
 }
 
 #[test]
 fn a_line_is_typed_finished_entered_and_answered() {
-    let mut harness = desk(vec2(1280.0, 720.0));
+    let mut harness = typed(vec2(1280.0, 720.0));
     harness.run();
     harness.get_by_label("Command");
     write(&mut harness, "tele");
@@ -113,7 +113,7 @@ fn a_line_is_typed_finished_entered_and_answered() {
 
 #[test]
 fn the_arrows_go_through_what_was_entered_and_back_to_what_was_being_typed() {
-    let mut harness = desk(vec2(1280.0, 720.0));
+    let mut harness = typed(vec2(1280.0, 720.0));
     let earlier = ["one", "two"].map(str::to_owned);
     harness.state_mut().console.remember(earlier);
     harness.run();
@@ -139,7 +139,7 @@ fn the_arrows_go_through_what_was_entered_and_back_to_what_was_being_typed() {
 #[test]
 fn much_that_is_said_scrolls_and_the_last_is_in_view_at_every_size() {
     for size in [vec2(1280.0, 720.0), vec2(640.0, 360.0), vec2(320.0, 200.0)] {
-        let mut harness = desk(size);
+        let mut harness = typed(size);
         for line in 0..600 {
             let words = format!(
                 "line {line} with words that are far too many for one row of a narrow window"

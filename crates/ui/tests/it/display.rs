@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::common::hud::{full_hud, hud, measured_hud, neither_overlaps_nor_leaves, says};
 use crate::common::{SIZES, SMALLEST, everywhere};
 use antipode_ui::{
-    CompassModel, CurvatureView, DialKind, EquatorView, FlagView, HarmModel, HudModel, MapModel,
+    CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FlagView, HudModel, MapModel,
     SpeechModel,
 };
 use egui::{Shape, vec2};
@@ -167,9 +167,9 @@ fn reds(harness: &Harness<'_, HudModel>) -> usize {
 }
 
 #[test]
-fn harm_reddens_the_edge_and_is_gone_when_it_has_faded() {
+fn damage_reddens_the_edge_and_is_gone_when_it_has_faded() {
     let hurt = |strength: f32, solid: bool| HudModel {
-        harm: Some(HarmModel {
+        damage: Some(DamageModel {
             strength,
             solid,
             from_rad: Some(1.0),
@@ -223,7 +223,7 @@ fn the_display_survives_any_size_and_any_number() {
             marks: Vec::new(),
         }),
         health: Some(f32::NAN),
-        harm: Some(HarmModel {
+        damage: Some(DamageModel {
             strength: f32::NAN,
             solid: false,
             from_rad: Some(f32::NAN),

@@ -43,7 +43,7 @@ const SOURCES: &[(&str, &str)] = &[
     ("Atlas", include_str!("../../../src/atlas.rs")),
     ("Globe", include_str!("../../../src/spherical/globe.rs")),
     ("Map", include_str!("../../../src/map.rs")),
-    ("View", include_str!("../../../src/view.rs")),
+    ("ViewMode", include_str!("../../../src/view_mode.rs")),
     ("Metric", include_str!("../../../src/metric.rs")),
     ("Optics", include_str!("../../../src/optics.rs")),
     ("Projection", include_str!("../../../src/projection.rs")),
@@ -200,11 +200,11 @@ const EXCUSED: &[(&str, &str)] = &[
         "a bound: what a pick may follow in scene/src/reach.rs",
     ),
     (
-        "View::saved",
+        "ViewMode::saved",
         "a choice: what a save tells, in scene/src/lens/tests.rs",
     ),
     (
-        "View::of",
+        "ViewMode::of",
         "a radius over a share, for the rows of pictures",
     ),
     ("ChartPoint::within", "takes over what it is given"),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use antipode_items::Item;
 use antipode_language::{Language, Texts};
 use antipode_ui::{
-    CompassModel, CurvatureView, DialKind, EquatorView, FigureModel, FlagView, HarmModel,
+    CompassModel, CurvatureView, DamageModel, DialKind, EquatorView, FigureModel, FlagView,
     HintModel, HudModel, MapMark, MapModel, MarkKind, Relief, ReliefNode, SlotView, apply_theme,
     show_hud, tints_of,
 };
@@ -70,7 +70,7 @@ pub fn full_hud() -> HudModel {
         }),
         map: Some(map()),
         health: Some(0.4),
-        harm: Some(HarmModel {
+        damage: Some(DamageModel {
             strength: 0.7,
             solid: false,
             from_rad: Some(2.0),

@@ -6,7 +6,7 @@ use crate::{Dial, Horizon, HyperbolicMap, Raised, Strategy};
 
 /// One way to take pictures of a world.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum View {
+pub enum ViewMode {
     /// As its own space has it.
     #[default]
     Plain,
@@ -16,7 +16,7 @@ pub enum View {
     Bent,
 }
 
-impl View {
+impl ViewMode {
     /// The dial that bends the picture, zero being flat: land that is seen by one is not curved itself.
     pub fn dial(self) -> Option<Dial> {
         match self {

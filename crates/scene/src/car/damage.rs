@@ -6,11 +6,11 @@ use hecs::Entity;
 
 use super::Car;
 use super::tuning::{
-    BODY_KG, BULLET_PUSH_KG, HARM_PER_M_S, HURTS_AGAIN_AFTER_S, SHOVES_BELOW_M_S, THROWN,
+    BODY_KG, BULLET_PUSH_KG, DAMAGE_PER_M_S, HURTS_AGAIN_AFTER_S, SHOVES_BELOW_M_S, THROWN,
     TOUCH_GAP_M,
 };
 use crate::actors::{ActorId, Actors, one_mut};
-use crate::harm::{HarmKind, hurt_bot, hurt_player};
+use crate::damage::{DamageKind, hurt_bot, hurt_player};
 use crate::outbox::Outbox;
 use crate::player::{Body, Player};
 use crate::projectile::Knock;
@@ -119,19 +119,19 @@ fn meet(actors: &mut Actors, player: &mut Player, outbox: &mut Outbox, meeting: 
         cars.physics.push(&mut car.vehicle, meeting.at, push);
     }
     outbox.sounds.push(SoundEvent::Struck);
-    let harm = (closing_m_s - SHOVES_BELOW_M_S) * HARM_PER_M_S;
+    let damage = (closing_m_s - SHOVES_BELOW_M_S) * DAMAGE_PER_M_S;
     if who == actors.player {
         hurt_player(
             actors,
             player,
             outbox,
-            harm,
-            HarmKind::RunOver,
+            damage,
+            DamageKind::RunOver,
             Some(-own_away),
         );
     } else {
         let by = (cars.driven() == Some(meeting.car)).then_some(actors.player);
-        hurt_bot(actors, who, harm, by);
+        hurt_bot(actors, who, damage, by);
     }
 }
 

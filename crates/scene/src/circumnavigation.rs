@@ -30,14 +30,14 @@ const MOST: usize = 256;
 
 /// The way of late, until it has led round.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Round {
+pub(crate) struct Circumnavigation {
     /// Whether it has.
     pub been: bool,
     /// Unit vectors from the world's middle, the oldest first.
     way: Vec<DVec3>,
 }
 
-impl Round {
+impl Circumnavigation {
     /// Goes on to a place; returns whether that closes a way round.
     fn go_on(&mut self, at: DVec3) -> bool {
         if let Some(last) = self.way.last() {
@@ -75,7 +75,12 @@ fn leads_round(way: &[DVec3], at: DVec3) -> bool {
 }
 
 /// Tells the player of the first time round.
-pub(crate) fn notice(world: &World, feet: ChartPoint, round: &mut Round, outbox: &mut Outbox) {
+pub(crate) fn notice(
+    world: &World,
+    feet: ChartPoint,
+    round: &mut Circumnavigation,
+    outbox: &mut Outbox,
+) {
     if round.been {
         return;
     }
@@ -99,7 +104,7 @@ mod tests {
 
     /// A walk along longitudes in degrees, at some latitude, and the first place at which it has led round.
     fn walk(ways: &[(i32, i32)], latitude_deg: f64) -> Option<i32> {
-        let mut round = Round::default();
+        let mut round = Circumnavigation::default();
         for &(from, to) in ways {
             let step = (to - from).signum();
             let mut at = from;
@@ -134,7 +139,7 @@ mod tests {
     #[test]
     fn a_small_circle_and_a_leap_lead_round_nothing() {
         assert_eq!(walk(&[(0, 1500)], 65.0), None);
-        let mut round = Round::default();
+        let mut round = Circumnavigation::default();
         for degrees in [0, 5, 60, 120, 180, 240, 300, 357, 360] {
             let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
             assert!(!round.go_on(DVec3::new(cos, 0.0, sin)), "{degrees}");

@@ -1,4 +1,4 @@
-//! What tells the player of harm: a red edge with a mark towards where it came from, and a cross where a shot struck.
+//! What tells the player of damage: a red edge with a mark towards where it came from, and a cross where a shot struck.
 
 use std::f32::consts::{FRAC_PI_2, PI};
 
@@ -14,14 +14,14 @@ const EDGE_COVER: f32 = 150.0;
 const SOLID_EDGE: f32 = 6.0;
 /// Distance of the mark from the middle, as a share of the shorter side, and half of its arc, radians.
 const MARK: (f32, f32) = (0.22, 0.32);
-/// How far beyond the mark of harm that of a hidden foe begins, in points.
+/// How far beyond the mark of damage that of a hidden foe begins, in points.
 const HIDDEN_BEYOND: f32 = 18.0;
 /// Lines of the mark's arc.
 const MARK_LINES: u16 = 12;
 
-/// Harm that the player has just taken.
+/// Damage that the player has just taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HarmModel {
+pub struct DamageModel {
     /// How fresh it is, from 1 fading to 0.
     pub strength: f32,
     /// Whether it is drawn with solid lines, for high contrast, in which nothing shines through.
@@ -31,7 +31,7 @@ pub struct HarmModel {
 }
 
 /// Draws the red edge and the mark.
-pub(super) fn show(painter: &Painter, screen: Rect, model: HarmModel) {
+pub(super) fn show(painter: &Painter, screen: Rect, model: DamageModel) {
     let strength = model.strength.clamp(0.0, 1.0);
     if strength.is_nan() || strength <= 0.0 {
         return;
@@ -78,7 +78,7 @@ fn corners(rect: Rect) -> [Pos2; 4] {
     ]
 }
 
-/// An arc about the crosshair on the side that the harm came from, with a tip outwards.
+/// An arc about the crosshair on the side that the damage came from, with a tip outwards.
 fn mark(painter: &Painter, screen: Rect, from_rad: f32, strength: f32) {
     let centre = screen.center();
     let radius = MARK.0 * screen.width().min(screen.height());

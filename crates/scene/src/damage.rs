@@ -1,4 +1,4 @@
-//! Harm and healing: falls, shots, death and standing up again.
+//! Damage and healing: falls, shots, death and standing up again.
 
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
@@ -14,7 +14,7 @@ use crate::projectile::Strike;
 use crate::situation::Situation;
 use crate::sound::SoundEvent;
 use crate::tuning::{
-    BULLET_HARM, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S,
+    BULLET_DAMAGE, DEAD_S, FALL_HURTS_FROM_M, FULL_HEALTH, HEALS_AFTER_S, HEALS_PER_S, STEP_S,
 };
 use crate::world::World;
 use crate::{body, npc};
@@ -24,7 +24,7 @@ const SPARED_S: f64 = 8.0;
 
 /// What has hurt someone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HarmKind {
+pub enum DamageKind {
     /// A fall.
     Fall,
     /// A bullet.
@@ -35,7 +35,7 @@ pub enum HarmKind {
     RunOver,
 }
 
-/// Harm that the player took.
+/// Damage that the player took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hurt {
     /// How long ago, seconds.
@@ -49,9 +49,9 @@ pub struct Hurt {
 /// How the player is, besides the health itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Condition {
-    /// Since the last harm, seconds.
+    /// Since the last damage, seconds.
     pub unhurt_s: f64,
-    /// The last harm, until the player stands up again from death.
+    /// The last damage, until the player stands up again from death.
     pub hurt: Option<Hurt>,
     /// Since a shot of the player's struck someone, seconds.
     pub struck_s_ago: Option<f64>,
@@ -82,7 +82,7 @@ impl Condition {
 /// Health that a fall ending at that speed takes: none below eight metres, one at eight, and one for each metre more.
 ///
 /// The height is that from which a free fall ends so fast, `v^2 / 2g`.
-pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
+pub(crate) fn fall_damage(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
     let height_m = impact_m_s * impact_m_s / (2.0 * gravity_m_s2);
     // A fall is stepped; its last step may end it up to a hundredth short.
     if height_m < 0.99 * FALL_HURTS_FROM_M {
@@ -91,7 +91,7 @@ pub(crate) fn fall_harm(impact_m_s: f64, gravity_m_s2: f64) -> f64 {
     (height_m - FALL_HURTS_FROM_M).max(0.0) + 1.0
 }
 
-/// The player's last harm: how long ago it was, seconds, and from which heading of the player's chart it came,
+/// The player's last damage: how long ago it was, seconds, and from which heading of the player's chart it came,
 /// radians, if from one.
 pub(crate) fn last(now: Situation<'_>) -> Option<(f64, Option<f64>)> {
     let hurt = now.player.condition.hurt?;
@@ -107,14 +107,14 @@ pub(crate) fn hurt_player(
     actors: &mut Actors,
     player: &mut Player,
     outbox: &mut Outbox,
-    harm: f64,
-    kind: HarmKind,
+    damage: f64,
+    kind: DamageKind,
     from: Option<DVec3>,
 ) {
-    if harm <= 0.0 || player.flying || player.is_dead() {
+    if damage <= 0.0 || player.flying || player.is_dead() {
         return;
     }
-    actors.set_health(actors.health() - harm);
+    actors.set_health(actors.health() - damage);
     player.condition.unhurt_s = 0.0;
     player.condition.hurt = Some(Hurt {
         ago_s: 0.0,
@@ -128,10 +128,10 @@ pub(crate) fn hurt_player(
     if actors.health() <= 0.0 {
         player.condition.dead_left_s = Some(DEAD_S);
         outbox.hints.push(match kind {
-            HarmKind::Fall => Hint::DiedOfFall,
-            HarmKind::Shot => Hint::DiedOfShot,
-            HarmKind::Crash => Hint::DiedOfCrash,
-            HarmKind::RunOver => Hint::DiedOfCar,
+            DamageKind::Fall => Hint::DiedOfFall,
+            DamageKind::Shot => Hint::DiedOfShot,
+            DamageKind::Crash => Hint::DiedOfCrash,
+            DamageKind::RunOver => Hint::DiedOfCar,
         });
     }
 }
@@ -175,24 +175,31 @@ pub(crate) fn take_strikes(
         outbox.sounds.push(SoundEvent::Struck);
         if entity == actors.player {
             let from = Some(-way);
-            hurt_player(actors, player, outbox, BULLET_HARM, HarmKind::Shot, from);
+            hurt_player(
+                actors,
+                player,
+                outbox,
+                BULLET_DAMAGE,
+                DamageKind::Shot,
+                from,
+            );
         } else {
             if by == actors.player {
                 player.condition.struck_s_ago = Some(0.0);
             }
-            hurt_bot(actors, entity, BULLET_HARM, Some(by));
+            hurt_bot(actors, entity, BULLET_DAMAGE, Some(by));
         }
     }
 }
 
 /// Takes health from a bot; `by` is who did it, if anybody.
-pub(crate) fn hurt_bot(actors: &mut Actors, entity: Entity, harm: f64, by: Option<Entity>) {
+pub(crate) fn hurt_bot(actors: &mut Actors, entity: Entity, damage: f64, by: Option<Entity>) {
     let parts = actors
         .ecs
         .query_one_mut::<(&mut Bot, &mut Health, &mut Appearance, &Position)>(entity);
     if let Ok((bot, health, appearance, position)) = parts {
         appearance.motion.strike();
-        health.0 = (health.0 - harm).max(0.0);
+        health.0 = (health.0 - damage).max(0.0);
         bot.struck_by = by.or(bot.struck_by);
         bot.hit_s_ago = 0.0;
         let at = position.0;
@@ -234,10 +241,10 @@ mod tests {
         take_strikes(&mut sim.actors, &mut sim.player, &mut sim.outbox, strikes);
     }
 
-    fn hurt(scene: &mut Scene, harm: f64, kind: HarmKind) {
+    fn hurt(scene: &mut Scene, damage: f64, kind: DamageKind) {
         let sim = &mut scene.sim;
         let (actors, player, outbox) = (&mut sim.actors, &mut sim.player, &mut sim.outbox);
-        hurt_player(actors, player, outbox, harm, kind, None);
+        hurt_player(actors, player, outbox, damage, kind, None);
     }
 
     /// Heals for a step.
@@ -260,7 +267,7 @@ mod tests {
             bot.native = [fighter, peaceful].contains(&bot.id);
             mind.angry_s = if bot.id == angry { 30.0 } else { 0.0 };
         }
-        hurt(&mut scene, 2.0 * FULL_HEALTH, HarmKind::Shot);
+        hurt(&mut scene, 2.0 * FULL_HEALTH, DamageKind::Shot);
         assert!(scene.is_dead() && scene.bots().len() == 5);
         for _ in 0..=(DEAD_S / STEP_S).ceil() as usize {
             pass(&mut scene);
@@ -289,7 +296,7 @@ mod tests {
             let land = scene.sim.world.ground.land();
             let is_there = land.meshes().any(|(coord, _)| coord == under);
             assert_eq!(is_there, is_in_view);
-            hurt(&mut scene, 2.0 * FULL_HEALTH, HarmKind::Shot);
+            hurt(&mut scene, 2.0 * FULL_HEALTH, DamageKind::Shot);
             while scene.is_dead() {
                 scene.step(&crate::Actions::default());
             }
@@ -327,7 +334,7 @@ mod tests {
         let (ground, whole) = stand(&mut scene);
         assert!((whole - crate::tuning::BOT_HEALTH).abs() < 1e-9);
         assert!(ground.pos.y < low.pos.y + 5.0);
-        for (height_m, harm) in [(7.0, 0.0), (8.5, 1.5)] {
+        for (height_m, damage) in [(7.0, 0.0), (8.5, 1.5)] {
             let found = scene
                 .sim
                 .actors
@@ -339,12 +346,12 @@ mod tests {
             }
             let (_, left) = stand(&mut scene);
             let lost = crate::tuning::BOT_HEALTH - left;
-            assert!((lost - harm).abs() < 0.3, "{height_m} m: {lost}");
+            assert!((lost - damage).abs() < 0.3, "{height_m} m: {lost}");
         }
     }
 
     #[test]
-    fn harm_is_told_with_where_it_came_from_and_ages() {
+    fn damage_is_told_with_where_it_came_from_and_ages() {
         let mut scene = scene(Geometry::Euclidean);
         assert_eq!(scene.last_hurt(), None);
         strike(&mut scene, DVec3::new(-30.0, -5.0, 0.0));
@@ -363,13 +370,13 @@ mod tests {
                 .last_hurt()
                 .is_some_and(|(ago_s, _)| (ago_s - 0.5).abs() < 1e-9)
         );
-        hurt(&mut scene, 2.0, HarmKind::Fall);
+        hurt(&mut scene, 2.0, DamageKind::Fall);
         assert_eq!(scene.last_hurt(), Some((0.0, None)));
         assert_eq!(scene.struck_s_ago(), None, "nobody else was struck");
     }
 
     #[test]
-    fn over_the_equator_harm_still_comes_from_where_it_came_from() {
+    fn over_the_equator_damage_still_comes_from_where_it_came_from() {
         let mut scene = scene(Geometry::Spherical);
         let rim_m = scene
             .sim
@@ -400,10 +407,10 @@ mod tests {
     #[test]
     fn falls_hurt_from_eight_metres_by_one_for_each_metre() {
         let speed = |height_m: f64| (2.0 * 20.0 * height_m).sqrt();
-        let harm = |height_m: f64| fall_harm(speed(height_m), 20.0);
-        assert_eq!(harm(7.5).to_bits(), 0.0f64.to_bits());
-        assert!((harm(8.0) - 1.0).abs() < 1e-9);
-        assert!((harm(12.0) - 5.0).abs() < 1e-9);
-        assert!(harm(27.1) > FULL_HEALTH);
+        let damage = |height_m: f64| fall_damage(speed(height_m), 20.0);
+        assert_eq!(damage(7.5).to_bits(), 0.0f64.to_bits());
+        assert!((damage(8.0) - 1.0).abs() < 1e-9);
+        assert!((damage(12.0) - 5.0).abs() < 1e-9);
+        assert!(damage(27.1) > FULL_HEALTH);
     }
 }
