@@ -6,7 +6,7 @@ use std::sync::Arc;
 use antipode_language::Texts;
 use antipode_scene::actors::ActorId;
 use antipode_scene::bearings::{Bearings, FlagWay, LandmarkKind};
-use antipode_scene::survey::{Plan, Survey};
+use antipode_scene::survey::{Survey, SurveyMap};
 use antipode_scene::{Scene, Seen};
 use antipode_settings::Settings;
 use antipode_ui::{
@@ -38,7 +38,7 @@ pub fn columns_for(frame_s: f64) -> usize {
 pub struct Navigator {
     survey: Survey,
     /// The last plan, and as the display is given it.
-    relief: Option<(Arc<Plan>, Arc<Relief>)>,
+    relief: Option<(Arc<SurveyMap>, Arc<Relief>)>,
 }
 
 impl Navigator {
@@ -135,7 +135,7 @@ fn compass(bearings: &Bearings) -> CompassModel {
     }
 }
 
-fn relief(plan: &Plan) -> Relief {
+fn relief(plan: &SurveyMap) -> Relief {
     let node = |node: &antipode_scene::survey::PlanNode| ReliefNode {
         at: node.at,
         share: node.share,

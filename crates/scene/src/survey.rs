@@ -53,7 +53,7 @@ pub struct PlanNode {
 
 /// The land about the player as on a map.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Plan {
+pub struct SurveyMap {
     /// How far it reaches, metres.
     pub reach_m: f64,
     /// Columns, of which patches tell by their place in this list.
@@ -89,13 +89,13 @@ pub struct Survey {
     world: Option<u64>,
     kept: HashMap<Node, f32>,
     sheet: Option<Sheet>,
-    drawn: Option<(ChartPoint, Arc<Plan>)>,
+    drawn: Option<(ChartPoint, Arc<SurveyMap>)>,
 }
 
 impl Survey {
     /// Surveys at most `columns` new ones about the player of a world, by its number, and gives the map of what is
     /// known. Cheap where nobody moves.
-    pub fn look(&mut self, scene: &Scene, world: u64, columns: usize) -> Arc<Plan> {
+    pub fn look(&mut self, scene: &Scene, world: u64, columns: usize) -> Arc<SurveyMap> {
         if self.world != Some(world) {
             *self = Self {
                 world: Some(world),
@@ -263,7 +263,7 @@ fn top_m(scene: &Scene, column: ChartPoint) -> f64 {
     f64::midpoint(air, ground)
 }
 
-fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
+fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> SurveyMap {
     let eye = map_eye(feet);
     let locator = Locator::new(&*scene.sim.world.strategy, &eye);
     let reach_m = reach_m(&*scene.sim.world.strategy);
@@ -296,7 +296,7 @@ fn draw(scene: &Scene, sheet: &Sheet, feet: ChartPoint) -> Plan {
         .collect();
     shade(&mut nodes, &patches, height);
     let contours = contours(&nodes, &patches, height);
-    Plan {
+    SurveyMap {
         reach_m,
         nodes,
         patches,

@@ -61,7 +61,7 @@ struct CachedEdits {
 }
 
 /// Edits of chunks to be saved, or saved.
-pub(crate) type Land = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
+pub(crate) type EditMap = BTreeMap<ChunkCoord, Arc<ChunkEdits>>;
 
 #[derive(Default)]
 struct State {
@@ -71,7 +71,7 @@ struct State {
     /// Stored, and told to be out of reach.
     complained: HashSet<ChunkCoord>,
     /// Changed, and not on disk as they are.
-    unsaved: Land,
+    unsaved: EditMap,
     revision: u64,
     /// How often saved chunks were let go of: what was read from the store before may be older than what is there now.
     evictions: u64,
@@ -82,7 +82,7 @@ struct State {
 pub(crate) struct Entered {
     pub(crate) revision: u64,
     /// What it has changed, to be saved; nothing in a world that is not kept.
-    pub(crate) land: Land,
+    pub(crate) land: EditMap,
 }
 
 impl EditStore {
@@ -135,7 +135,7 @@ impl EditStore {
     /// to save.
     pub(crate) fn enter(&self, batch: Vec<Change>) -> Entered {
         let mut state = self.write();
-        let mut land = Land::new();
+        let mut land = EditMap::new();
         if batch.iter().any(|change| change.visible) {
             state.revision += 1;
         }
@@ -158,12 +158,12 @@ impl EditStore {
     }
 
     /// Everything that is not saved yet.
-    pub(crate) fn unsaved(&self) -> Land {
+    pub(crate) fn unsaved(&self) -> EditMap {
         self.read().unsaved.clone()
     }
 
     /// Notes that this is saved.
-    pub(crate) fn saved(&self, land: &Land) {
+    pub(crate) fn saved(&self, land: &EditMap) {
         let mut state = self.write();
         for (coord, saved) in land {
             let is_last = |last: &Arc<ChunkEdits>| Arc::ptr_eq(last, saved);

@@ -3,7 +3,7 @@
 use antipode_geometry::ChunkCoord;
 
 use crate::api::Chunk;
-use crate::edit_store::Land;
+use crate::edit_store::EditMap;
 use crate::plan::Planned;
 use crate::saver::Unsaved;
 use crate::scheduler::Make;
@@ -47,7 +47,7 @@ pub(crate) struct Edited {
     pub(crate) bordering: Vec<ChunkCoord>,
     pub(crate) revision: u64,
     /// What is to be saved.
-    pub(crate) land: Land,
+    pub(crate) land: EditMap,
     /// False if a chunk was given up; then none may be shown.
     pub(crate) complete: bool,
     pub(crate) problems: Vec<String>,

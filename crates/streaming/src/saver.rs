@@ -8,7 +8,7 @@ use crossbeam_channel::{Receiver, Sender};
 
 use crate::api::Cause;
 use crate::edit_backend::key_of;
-use crate::edit_store::Land;
+use crate::edit_store::EditMap;
 use crate::outcome::Outcome;
 use crate::shared::Shared;
 use crate::worker::reason;
@@ -19,7 +19,7 @@ pub(crate) struct Parts {
     pub(crate) meta: Option<WorldMeta>,
     /// Records that changed, and those of what is gone.
     pub(crate) records: RecordChanges,
-    pub(crate) land: Land,
+    pub(crate) land: EditMap,
 }
 
 impl Parts {

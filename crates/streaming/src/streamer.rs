@@ -13,7 +13,7 @@ use crate::api::{Cause, Config, StreamingError, Update, Wish};
 use crate::bases::Bases;
 use crate::batch_job::EditBatch;
 use crate::edit_backend::{EditBackend, coord_of};
-use crate::edit_store::{EditStore, Land};
+use crate::edit_store::{EditMap, EditStore};
 use crate::outcome::{Edited, Loaded, Outcome};
 use crate::saver::{Parts, Unsaved};
 use crate::scheduler::{ChunkScheduler, Verdict};
@@ -48,7 +48,7 @@ pub struct Streamer {
 pub(crate) struct Saves {
     /// What the batches have changed since a save last took it. Their workers hand it over: to look for it in the edit store
     /// is to wait for whoever reads that, or for luck.
-    land: Land,
+    land: EditMap,
     /// Asked for; strokes made before are not all in the edit store yet. A save holds the land of its own moment: every
     /// stroke before its mark, and none after. The last gives way to a newer one, the first does not, so that one
     /// comes to its end however much is dug.

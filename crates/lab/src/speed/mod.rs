@@ -2,11 +2,11 @@
 //! the same scene in every space.
 
 mod clock;
+mod columns;
 mod cpu;
 mod culling;
 mod distance;
 mod equal;
-mod frames;
 mod gpu;
 mod inputs;
 mod lamps;

@@ -8,7 +8,7 @@ use antipode_geometry::{ChartPoint, Eye, Geometry, Projection, strategy};
 use glam::{DVec3, Vec3};
 
 use crate::random::Numbers;
-use crate::speed::frames::{Frame, affine, rigid};
+use crate::speed::columns::{Columns, affine, rigid};
 use crate::speed::inputs::ground;
 use crate::speed::library;
 use crate::speed::pareto::{Contest, Group};
@@ -266,7 +266,7 @@ fn frames(
     map: impl Fn([f64; 3]) -> [f64; 4] + Copy,
     sign: f64,
     k: f64,
-) -> (Vec<Frame>, Vec<Frame>) {
+) -> (Vec<Columns>, Vec<Columns>) {
     let affine: Vec<_> = middles.iter().map(|m| affine(map, *m)).collect();
     let rigid = affine.iter().map(|frame| rigid(frame, sign, k)).collect();
     let rounded = affine.iter().map(|frame| frame.map(cast)).collect();
@@ -276,7 +276,7 @@ fn frames(
 /// With one frame an object, of both kinds.
 fn framed<E: Fn(&Vertex, &[f32; 4]) -> f64>(
     rivals: Rivals<'_, E>,
-    (affine, rigid): (Vec<Frame>, Vec<Frame>),
+    (affine, rigid): (Vec<Columns>, Vec<Columns>),
 ) -> Rivals<'_, E> {
     let differential = "one frame an object, the map's differential";
     rivals
@@ -286,7 +286,7 @@ fn framed<E: Fn(&Vertex, &[f32; 4]) -> f64>(
         })
 }
 
-fn by_frame(frames: &[Frame], v: &Vertex) -> [f32; 4] {
+fn by_frame(frames: &[Columns], v: &Vertex) -> [f32; 4] {
     let [x, y, z] = v.within;
     library::seen(&frames[v.object], [x, y, z, 1.0])
 }

@@ -15,7 +15,7 @@ use wgpu::BufferUsages as Usage;
 
 use crate::compute::{buffer, filled, read};
 use crate::random::Numbers;
-use crate::speed::frames::affine;
+use crate::speed::columns::affine;
 use crate::speed::inputs::ground;
 use crate::speed::library::seen;
 use crate::speed::passes::{Pass, VERTICES, Watch, race};

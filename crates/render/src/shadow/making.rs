@@ -7,7 +7,7 @@ use glam::DVec4;
 use super::levels::{Shot, wanted};
 use super::light::{Caster, Light, Rectangle};
 use super::uniform::CasterUniform;
-use super::{Land, Over, Pass, SLOTS, Shadows};
+use super::{Over, Pass, SLOTS, ShadowSources, Shadows};
 use crate::chunk_store::ChunkStore;
 use crate::uniforms::ChunkInstance;
 
@@ -34,7 +34,13 @@ pub(super) struct Job {
 
 impl Shadows {
     /// Goes on with what is in the making, and begins what is due, by at most `left` triangles.
-    pub(super) fn make(&mut self, frame: &Frame, light: &Light, land: &mut Land<'_>, left: usize) {
+    pub(super) fn make(
+        &mut self,
+        frame: &Frame,
+        light: &Light,
+        land: &mut ShadowSources<'_>,
+        left: usize,
+    ) {
         let mut left = left;
         for slot in 0..SLOTS {
             while left > 0 && self.has_pass() {
@@ -121,7 +127,7 @@ impl Shadows {
         &mut self,
         mut job: Job,
         frame: &Frame,
-        land: &mut Land<'_>,
+        land: &mut ShadowSources<'_>,
         mut left: usize,
     ) -> usize {
         let (shot, slot) = (job.shot, slot_of(job.level));
@@ -158,7 +164,7 @@ impl Shadows {
         frame: &Frame,
         (shot, layer): (&Shot, u32),
         over: Over,
-        (land, todo): (&mut Land<'_>, &mut Vec<ChunkCoord>),
+        (land, todo): (&mut ShadowSources<'_>, &mut Vec<ChunkCoord>),
         left: usize,
     ) -> usize {
         let number = self.passes.len();

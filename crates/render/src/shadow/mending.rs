@@ -9,7 +9,7 @@ use antipode_frame::Frame;
 
 use super::levels::Shot;
 use super::light::{Caster, Crop, Light, Rectangle};
-use super::{Land, Over, Shadows};
+use super::{Over, ShadowSources, Shadows};
 use crate::touched::Touched;
 
 /// A map alone is read as far as this part of its half side: `SHADOW_EDGE` less `SHADOW_BLEND` of shadow.wgsl.
@@ -20,7 +20,7 @@ impl Shadows {
     pub(super) fn follow(
         &mut self,
         frame: &Frame,
-        land: &mut Land<'_>,
+        land: &mut ShadowSources<'_>,
         touched: &[Touched],
     ) -> usize {
         let mut used = 0;
@@ -67,7 +67,7 @@ impl Shadows {
         &mut self,
         number: usize,
         frame: &Frame,
-        land: &mut Land<'_>,
+        land: &mut ShadowSources<'_>,
         hole: Option<Rectangle>,
     ) -> usize {
         let (Some(hole), Some(shot)) = (hole, self.levels[number].shot) else {
@@ -98,7 +98,7 @@ impl Shadows {
     pub(super) fn fill(
         &mut self,
         frame: &Frame,
-        land: &mut Land<'_>,
+        land: &mut ShadowSources<'_>,
         (shot, layer): (&Shot, u32),
         hole: Rectangle,
     ) -> usize {

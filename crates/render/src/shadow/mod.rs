@@ -86,7 +86,7 @@ const SLOTS: usize = 2;
 
 /// What maps are drawn from, and where the charts of what is drawn are numbered.
 #[derive(Debug)]
-struct Land<'a> {
+struct ShadowSources<'a> {
     chunks: &'a ChunkStore,
     charts: &'a mut Charts,
 }
@@ -210,7 +210,7 @@ impl Shadows {
     /// all maps are brought to just what the frame wants. [`Shadows::prepare_figures`] is to follow.
     pub fn prepare(&mut self, frame: &Frame, chunks: &mut ChunkStore, charts: &mut Charts) -> bool {
         let touched = chunks.take_touched();
-        let land = &mut Land { chunks, charts };
+        let land = &mut ShadowSources { chunks, charts };
         if self.world.replace(frame.content.loaded_world) != Some(frame.content.loaded_world) {
             self.jobs = [const { None }; SLOTS];
             self.levels.iter_mut().for_each(|level| level.shot = None);

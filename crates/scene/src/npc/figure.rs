@@ -8,7 +8,7 @@ use hecs::{Entity, Query};
 
 use super::bearing::{ahead, way};
 use super::mind::{Mind, State};
-use super::navigation::{ASKS_M, Land};
+use super::navigation::{ASKS_M, WalkableGround};
 use super::senses::{Around, Event};
 use super::tuning::{HEALS_AFTER_S, HEALS_PER_S, TURNS_RAD_S};
 use crate::bot::{Bot, BotView};
@@ -108,7 +108,7 @@ impl Npc<'_> {
             return;
         }
         let blocked: Vec<_> = self.mind.blocked.iter().map(|(spot, _)| *spot).collect();
-        let land = Land {
+        let land = WalkableGround {
             strategy: around.strategy(),
             ground: &world.ground,
             blocked: &blocked,

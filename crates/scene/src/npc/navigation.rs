@@ -53,7 +53,7 @@ pub(crate) struct Route {
 }
 
 /// The ground to walk on.
-pub(crate) struct Land<'a> {
+pub(crate) struct WalkableGround<'a> {
     pub strategy: &'a dyn Strategy,
     pub ground: &'a Ground,
     /// Places that have turned out to be no way.
@@ -68,7 +68,7 @@ struct Node {
     y_cm: i32,
 }
 
-impl Land<'_> {
+impl WalkableGround<'_> {
     /// A way from one place towards another: straight where that can be walked, else round what is in the way.
     /// Nothing where there is no way that leads nearer.
     pub fn route(&self, from: ChartPoint, to: ChartPoint) -> Option<Route> {
@@ -165,7 +165,7 @@ impl Land<'_> {
 
 /// One search.
 struct Search<'a> {
-    land: &'a Land<'a>,
+    land: &'a WalkableGround<'a>,
     from: ChartPoint,
     to: DVec3,
     /// The first axis of the columns: that of the chart which is nearest to the way to the goal. So of two ways that are
@@ -179,7 +179,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(land: &'a Land<'a>, from: ChartPoint, to: DVec3) -> Self {
+    fn new(land: &'a WalkableGround<'a>, from: ChartPoint, to: DVec3) -> Self {
         let start = Node {
             x: 0,
             z: 0,
@@ -340,7 +340,7 @@ mod tests {
 
     fn route(ground: &Ground, from: DVec3, to: DVec3) -> Option<Route> {
         let space = strategy(Geometry::Euclidean, 0.0);
-        let land = Land {
+        let land = WalkableGround {
             strategy: &*space,
             ground,
             blocked: &[],
@@ -395,7 +395,7 @@ mod tests {
         let space = strategy(Geometry::Euclidean, 0.0);
         let ground = land(|_, _| 6.5);
         let blocked = [ChartPoint::a(DVec3::new(14.5, 6.5, 14.5))];
-        let land = Land {
+        let land = WalkableGround {
             strategy: &*space,
             ground: &ground,
             blocked: &blocked,

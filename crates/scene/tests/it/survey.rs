@@ -4,14 +4,14 @@ use crate::common::twins::Twins;
 use crate::common::{scene, steps};
 use antipode_geometry::{ChartId, ChartPoint, Geometry};
 use antipode_scene::bearings::LandmarkKind;
-use antipode_scene::survey::{Plan, Survey};
+use antipode_scene::survey::{Survey, SurveyMap};
 use antipode_scene::{Actions, Scene};
 use glam::{DVec2, DVec3};
 
 const ALL: usize = 100_000;
 
 /// Height share of the map at metres from the player, of the node that is nearest.
-fn share_at(plan: &Plan, at: DVec2) -> f32 {
+fn share_at(plan: &SurveyMap, at: DVec2) -> f32 {
     let off = |node: [f32; 2]| (DVec2::new(node[0].into(), node[1].into()) - at).length();
     let nearest = plan
         .nodes
@@ -29,7 +29,7 @@ fn height_m(scene: &Scene, share: f32) -> f64 {
 }
 
 /// Area that the patches cover, square metres.
-fn covered_m2(plan: &Plan) -> f64 {
+fn covered_m2(plan: &SurveyMap) -> f64 {
     let at = |node: u32| {
         let [x, z] = plan.nodes[node as usize].at;
         DVec2::new(x.into(), z.into())

@@ -34,7 +34,7 @@ fn chunk(x: i32) -> ChunkCoord {
     }
 }
 
-fn enter(edit_store: &EditStore, x: i32) -> Land {
+fn enter(edit_store: &EditStore, x: i32) -> EditMap {
     let mut edits = edit_store.edits(chunk(x), &mut Vec::new()).unwrap();
     edits.add(1, 2, 3, 0.5);
     let change = Change {
@@ -111,7 +111,7 @@ fn what_is_on_its_way_to_the_disk_stays_in_memory_until_it_is_there() {
         HashSet::new(),
     );
     let count = MOST_SAVED as i32 + 10;
-    let first: Land = (0..count).flat_map(|x| enter(&edit_store, x)).collect();
+    let first: EditMap = (0..count).flat_map(|x| enter(&edit_store, x)).collect();
     assert_eq!(first.len(), count as usize);
     // The second moment has a newer edit of one of them; the first is saved meanwhile.
     let second = enter(&edit_store, 0);

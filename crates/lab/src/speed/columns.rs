@@ -13,7 +13,7 @@ use crate::speed::port::angle;
 use crate::{Cell, Plot, Scale, Series, Table};
 
 /// Columns applied to (x, y, z, 1), metres from the object's middle: three directions and the middle.
-pub type Frame<T = f32> = [[T; 4]; 4];
+pub type Columns<T = f32> = [[T; 4]; 4];
 /// Half the step of the central differences, metres: rounding and curvature both leave 1e-10.
 const STEP_M: f64 = 1e-3;
 /// Height of the picture that pixels are counted in, and its field of view, radians.
@@ -23,7 +23,7 @@ const EDGES_M: [f64; 6] = [0.25, 1.0, 2.0, 4.0, 8.0, 32.0];
 const DISTANCES_M: [f64; 6] = [3.0, 10.0, 20.0, 40.0, 80.0, 160.0];
 
 /// The differential of `map` at `middle`: true to first order in the object's size.
-pub fn affine(map: impl Fn([f64; 3]) -> [f64; 4], middle: [f64; 3]) -> Frame<f64> {
+pub fn affine(map: impl Fn([f64; 3]) -> [f64; 4], middle: [f64; 3]) -> Columns<f64> {
     let column = |axis: usize| {
         let at = |step: f64| {
             let mut p = middle;
@@ -38,7 +38,7 @@ pub fn affine(map: impl Fn([f64; 3]) -> [f64; 4], middle: [f64; 3]) -> Frame<f64
 
 /// The frame with its directions made orthonormal, upright first: the object keeps its own shape. `k` is the
 /// curvature per metre.
-pub fn rigid(frame: &Frame<f64>, sign: f64, k: f64) -> Frame {
+pub fn rigid(frame: &Columns<f64>, sign: f64, k: f64) -> Columns {
     let inner = |a: [f64; 4], b: [f64; 4]| {
         a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + sign * a[3] * b[3] / (k * k)
     };
