@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3};
 
 use crate::field::{Field, RIM_REACH_M};
 use crate::fractal::Octave;
-use crate::upright;
+use crate::upright::{self, Grid};
 
 /// What a chunk of untouched ground holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -62,9 +62,9 @@ impl Field {
             NoiseFrame::Square(_)
         ) {
             Content::Surface
-        } else if first >= low && self.is_all(false, coord, (first, last.min(high))) {
+        } else if first >= low && self.is_all(false, coord, [first, last.min(high)]) {
             Content::Air
-        } else if last <= high && self.is_all(true, coord, (first.max(low), last)) {
+        } else if last <= high && self.is_all(true, coord, [first.max(low), last]) {
             Content::Solid
         } else {
             Content::Surface
@@ -72,10 +72,10 @@ impl Field {
     }
 
     /// Whether all the chunk's samples between two heights are certainly solid, or certainly not.
-    fn is_all(&self, solid: bool, coord: ChunkCoord, mut heights: (f64, f64)) -> bool {
+    fn is_all(&self, solid: bool, coord: ChunkCoord, mut heights: [f64; 2]) -> bool {
         let corner = coord.origin() - 1.0;
         let mut middle = corner + SPAN_M / 2.0;
-        middle.y = if solid { heights.1 } else { heights.0 };
+        middle.y = if solid { heights[1] } else { heights[0] };
         if (self.sample(ChartPoint::new(coord.chart, middle)) < 0.0) != solid {
             return false;
         }
@@ -83,7 +83,7 @@ impl Field {
         for stage in STAGES {
             match self.doubtful(solid, corner, heights, stage) {
                 Doubt::None => return true,
-                Doubt::Between(low, high) => heights = (low, high),
+                Doubt::Between(low, high) => heights = [low, high],
                 Doubt::Lost => return false,
             }
         }
@@ -101,7 +101,7 @@ impl Field {
         &self,
         solid: bool,
         corner: DVec3,
-        (low, high): (f64, f64),
+        [low, high]: [f64; 2],
         [width, depth]: [usize; 2],
     ) -> Doubt {
         let rows = ((high - low) * (width - 1) as f64 / SPAN_M).ceil().max(1.0);
@@ -120,8 +120,12 @@ impl Field {
         } else {
             [-OVERSHOOT, 1.0]
         };
-        let grid = (DVec3::new(corner.x, low, corner.z), step_m);
-        let [least, most] = upright::extremes(self.lattice(), coarse, held, grid, counts);
+        let grid = Grid {
+            first: DVec3::new(corner.x, low, corner.z),
+            step_m,
+            counts,
+        };
+        let [least, most] = upright::extremes(self.lattice(), coarse, held, &grid);
 
         let at = |row: usize| low + row as f64 * step_m.y;
         let mut doubt: Option<(f64, f64)> = None;

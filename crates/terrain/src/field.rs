@@ -17,9 +17,10 @@ use crate::biome::Biome;
 use crate::colour::Encoder;
 use crate::fractal::{Column, Octave};
 use crate::lattice::Lattice;
-use crate::relief::{BLOCK, Relief, Rows};
+use crate::relief::{BLOCK, Ground, Relief, Rows};
 use crate::samples::{SAMPLES, Samples};
-use crate::{tilted, upright};
+use crate::tilted::{self, Heights};
+use crate::upright::{self, Grid};
 
 /// Field values lie within this of zero, metres.
 pub const FIELD_BAND_M: f32 = 8.0;
@@ -139,33 +140,43 @@ impl Field {
         }
         let step_m = f64::from(step_m);
         let rows = self.relief.rows(first.y, step_m, height);
-        if rows.open.0 == rows.open.1 {
+        if rows.open[0] == rows.open[1] {
             return rows.fill_closed(height, out);
         }
+        let grid = Grid {
+            first,
+            step_m: DVec3::splat(step_m),
+            counts,
+        };
         match self.strategy.noise_frame(chart) {
             NoiseFrame::Square(frame) => {
-                self.fill_square(frame, (first, step_m), counts, &rows, out);
+                self.fill_square(frame, &grid, &rows, out);
             }
             NoiseFrame::Radial { .. } | NoiseFrame::Upright => {
-                self.fill_tilted(chart, (first, step_m), counts, &rows, out);
+                self.fill_tilted(chart, &grid, &rows, out);
             }
         }
     }
 
     /// [`Self::fill_grid`] where columns stand upright in the lattice: as the grid lies in the lattice's own axes, and
     /// from there to its places.
-    fn fill_square(
-        &self,
-        frame: SquareFrame,
-        (first, step_m): (DVec3, f64),
-        counts: [usize; 3],
-        rows: &Rows,
-        out: &mut [f32],
-    ) {
+    fn fill_square(&self, frame: SquareFrame, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+        let Grid {
+            first,
+            step_m,
+            counts,
+        } = *grid;
+        let ground = Ground {
+            relief: &self.relief,
+            rows,
+        };
         let fill = |first, counts, out: &mut [f32]| {
-            let ground = (&self.relief, rows);
-            let (lattice, octaves) = (&self.lattice, &self.octaves);
-            upright::fill(lattice, octaves, ground, (first, step_m), counts, out);
+            let turned = Grid {
+                first,
+                step_m,
+                counts,
+            };
+            upright::fill(&self.lattice, &self.octaves, ground, &turned, out);
         };
         let [width, height, depth] = counts;
         let last = first + DVec3::new(width as f64 - 1.0, 0.0, depth as f64 - 1.0) * step_m;
@@ -217,21 +228,25 @@ impl Field {
     }
 
     /// [`Self::fill_grid`] where columns slant through the lattice.
-    fn fill_tilted(
-        &self,
-        chart: ChartId,
-        (first, step_m): (DVec3, f64),
-        [width, height, depth]: [usize; 3],
-        rows: &Rows,
-        out: &mut [f32],
-    ) {
-        let (ground, heights) = ((&self.relief, rows), (first.y, step_m, height));
+    fn fill_tilted(&self, chart: ChartId, grid: &Grid, rows: &Rows, out: &mut [f32]) {
+        let Grid { first, step_m, .. } = *grid;
+        let [width, height, depth] = grid.counts;
+        let ground = Ground {
+            relief: &self.relief,
+            rows,
+        };
+        let heights = Heights {
+            first_m: first.y,
+            step_m: step_m.y,
+            count: height,
+        };
         let block = (BLOCK * depth * height).max(1);
         for (from, out) in (0..width).step_by(BLOCK).zip(out.chunks_mut(block)) {
             let mut columns = Vec::with_capacity(BLOCK * depth);
             for i in from..width.min(from + BLOCK) {
                 for k in 0..depth {
-                    let (x, z) = (first.x + i as f64 * step_m, first.z + k as f64 * step_m);
+                    let at = first + step_m * DVec3::new(i as f64, 0.0, k as f64);
+                    let (x, z) = (at.x, at.z);
                     columns.push(self.column(chart, x, z));
                 }
             }

@@ -51,23 +51,34 @@ pub(crate) const EDGES: [Node; NODES] = [
     node(0, 0, 1, 2),
 ];
 
-/// Squares counter-clockwise: their corners as samples `3 v + u`, and the edge after each.
-const FINE: [([u8; 4], [u8; 4]); 4] = [
-    ([0, 1, 4, 3], [0, 7, 2, 6]),
-    ([1, 2, 5, 4], [1, 8, 3, 7]),
-    ([3, 4, 7, 6], [2, 10, 4, 9]),
-    ([4, 5, 8, 7], [3, 11, 5, 10]),
+/// A square of samples, counter-clockwise.
+struct Square {
+    /// Its corners as samples `3 v + u`.
+    corners: [u8; 4],
+    /// The edge after each.
+    edges: [u8; 4],
+}
+
+const fn square(corners: [u8; 4], edges: [u8; 4]) -> Square {
+    Square { corners, edges }
+}
+
+const FINE: [Square; 4] = [
+    square([0, 1, 4, 3], [0, 7, 2, 6]),
+    square([1, 2, 5, 4], [1, 8, 3, 7]),
+    square([3, 4, 7, 6], [2, 10, 4, 9]),
+    square([4, 5, 8, 7], [3, 11, 5, 10]),
 ];
-const COARSE: ([u8; 4], [u8; 4]) = ([0, 2, 8, 6], [12, 13, 14, 15]);
+const COARSE: Square = square([0, 2, 8, 6], [12, 13, 14, 15]);
 /// The edges along each side of the face.
 const SIDES: [[u8; 3]; 4] = [[0, 1, 12], [8, 11, 13], [4, 5, 14], [6, 9, 15]];
 
 /// The node that comes after each, for samples whose solid ones are bits `3 v + u`.
 pub(crate) fn successors(solid: u16) -> [u8; NODES] {
     let mut next = [NONE; NODES];
-    follow(solid, COARSE, |out, back| next[out] = back as u8);
+    follow(solid, &COARSE, |out, back| next[out] = back as u8);
     for square in FINE {
-        follow(solid, square, |out, back| next[back] = out as u8);
+        follow(solid, &square, |out, back| next[back] = out as u8);
     }
     for side in SIDES {
         join(solid, side.map(usize::from), &mut next);
@@ -77,7 +88,8 @@ pub(crate) fn successors(solid: u16) -> [u8; NODES] {
 
 /// Names the contours of a square: where the way round it leaves solid ground, and where it had
 /// come in.
-fn follow(solid: u16, (corners, edges): ([u8; 4], [u8; 4]), mut contour: impl FnMut(usize, usize)) {
+fn follow(solid: u16, square: &Square, mut contour: impl FnMut(usize, usize)) {
+    let Square { corners, edges } = square;
     let is_solid = |n: usize| solid >> corners[n % 4] & 1 == 1;
     for n in 0..4 {
         if is_solid(n) && !is_solid(n + 1) {

@@ -38,7 +38,7 @@ pub(crate) struct Rows {
     /// The field in rows that no sum brings into the band; any other number in the rest.
     pub edge: [f32; BLOCK],
     /// First and one past the last of the vectors of rows that some sum may bring into it.
-    pub open: (usize, usize),
+    pub open: [usize; 2],
 }
 
 impl Relief {
@@ -114,7 +114,7 @@ impl Relief {
             above: vectors(above),
             below: vectors(below),
             edge: [0.0; BLOCK],
-            open: (0, VECTORS),
+            open: [0, VECTORS],
         };
         rows.open = rows.narrow(rows.open, self.sum_m, &[Vec4::ZERO; VECTORS]);
         for (edge, base) in rows.edge.chunks_exact_mut(4).zip(rows.base_m) {
@@ -122,6 +122,13 @@ impl Relief {
         }
         rows
     }
+}
+
+/// What turns sums of noise into values of the field, for the rows of a grid.
+#[derive(Clone, Copy)]
+pub(crate) struct Ground<'a> {
+    pub relief: &'a Relief,
+    pub rows: &'a Rows,
 }
 
 impl Rows {
@@ -146,17 +153,17 @@ impl Rows {
     #[inline]
     fn narrow(
         &self,
-        (mut from, mut to): (usize, usize),
+        [mut from, mut to]: [usize; 2],
         rest: f32,
         sums: &[Vec4; VECTORS],
-    ) -> (usize, usize) {
+    ) -> [usize; 2] {
         while from < to && self.certain(from, sums[from], rest) {
             from += 1;
         }
         while from < to && self.certain(to - 1, sums[to - 1], rest) {
             to -= 1;
         }
-        (from, to)
+        [from, to]
     }
 }
 
@@ -182,7 +189,7 @@ mod tests {
                 let rows = relief.rows(first, 1.0, 35);
                 for row in 0..35 {
                     let (y, vector) = (first + row as f64, row / 4);
-                    let inside = (rows.open.0..rows.open.1).contains(&vector);
+                    let inside = (rows.open[0]..rows.open[1]).contains(&vector);
                     for n in 0..=40 {
                         let sum = relief.sum_m * (n as f32 / 20.0 - 1.0);
                         let found = relief.value(y, sum);
@@ -200,7 +207,7 @@ mod tests {
         let relief = Relief::new(15.0, Some((10.4, 5.5)));
         for (first, edge) in [(-100.0, -FIELD_BAND_M), (50.0, FIELD_BAND_M)] {
             let rows = relief.rows(first, 1.0, 35);
-            assert_eq!(rows.open.0, rows.open.1);
+            assert_eq!(rows.open[0], rows.open[1]);
             assert_eq!(rows.edge[..35], [edge; 35]);
         }
     }
@@ -209,6 +216,6 @@ mod tests {
     fn no_number_is_solid() {
         let relief = Relief::new(15.0, None);
         assert_eq!(relief.value(f64::NAN, 1.0), -FIELD_BAND_M);
-        assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, (0, 1));
+        assert_eq!(relief.rows(f64::NAN, 1.0, 3).open, [0, 1]);
     }
 }

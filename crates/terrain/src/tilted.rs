@@ -6,22 +6,36 @@ use crate::fixed::{self, PART_BITS, Ray};
 use crate::fractal::{Column, Octave};
 use crate::lattice::{Cell, Lattice, SCALE, blend, fade};
 use crate::region::{Batch, LIMIT, Region};
-use crate::relief::{BLOCK, Relief, Rows};
+use crate::relief::{BLOCK, Ground};
 
 /// Columns of fewer samples than this would leave most of a vector empty.
 const SHORT: usize = 3;
 
-/// Fills columns of `height` samples, at most [`BLOCK`], at `first_m + step_m * n` above each of
-/// `columns`, which hold lattice coordinates of the first octave.
+/// Heights `first_m + step_m * n` with `n` below `count`.
+#[derive(Clone, Copy)]
+pub(crate) struct Heights {
+    pub first_m: f64,
+    pub step_m: f64,
+    pub count: usize,
+}
+
+/// Fills columns of samples at `heights`, at most [`BLOCK`], above each of `columns`, which hold lattice coordinates of
+/// the first octave.
 pub(crate) fn fill(
     lattice: &Lattice,
     octaves: &[Octave],
-    (relief, rows): (&Relief, &Rows),
+    ground: Ground<'_>,
     columns: &[Column],
-    (first_m, step_m, height): (f64, f64, usize),
+    heights: Heights,
     out: &mut [f32],
 ) {
-    let Some(regions) = regions(lattice, octaves, columns, (first_m, step_m, height)) else {
+    let Ground { relief, rows } = ground;
+    let Heights {
+        first_m,
+        step_m,
+        count: height,
+    } = heights;
+    let Some(regions) = regions(lattice, octaves, columns, heights) else {
         for (column, out) in columns.iter().zip(out.chunks_exact_mut(height.max(1))) {
             for (n, value) in out.iter_mut().enumerate() {
                 let y = first_m + n as f64 * step_m;
@@ -30,11 +44,10 @@ pub(crate) fn fill(
         }
         return;
     };
-    let ground = (relief, rows);
     if height < SHORT {
-        return fill_short(&regions, ground, columns, (first_m, step_m), height, out);
+        return fill_short(&regions, ground, columns, heights, out);
     }
-    let (from, to) = rows.open;
+    let [from, to] = rows.open;
     let open = to - from;
     let Some(together) = LIMIT.checked_div(open) else {
         return rows.fill_closed(height, out);
@@ -74,17 +87,17 @@ pub(crate) fn fill(
 /// [`fill`] of columns that are too short to fill vectors: rows go along the columns then.
 fn fill_short(
     regions: &[Region],
-    (relief, rows): (&Relief, &Rows),
+    Ground { relief, rows }: Ground<'_>,
     columns: &[Column],
-    (first_m, step_m): (f64, f64),
-    height: usize,
+    heights: Heights,
     out: &mut [f32],
 ) {
+    let height = heights.count;
     let mut batch = Batch::new(1);
     for (columns, out) in columns.chunks(BLOCK).zip(out.chunks_mut(BLOCK * height)) {
         let vectors = columns.len().div_ceil(4);
         for row in 0..height {
-            let y = first_m + row as f64 * step_m;
+            let y = heights.first_m + row as f64 * heights.step_m;
             let mut axes = batch.restart(vectors);
             for n in 0..vectors * 4 {
                 let column = &columns[n.min(columns.len() - 1)];
@@ -128,11 +141,12 @@ fn regions(
     lattice: &Lattice,
     octaves: &[Octave],
     columns: &[Column],
-    (first_m, step_m, height): (f64, f64, usize),
+    heights: Heights,
 ) -> Option<Vec<Region>> {
+    let first_m = heights.first_m;
     // Columns are worked on in whole fours.
-    let rows = height.next_multiple_of(4).max(1);
-    let last_m = first_m + step_m * (rows - 1) as f64;
+    let rows = heights.count.next_multiple_of(4).max(1);
+    let last_m = first_m + heights.step_m * (rows - 1) as f64;
     let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for column in columns {
         for y in [first_m, last_m] {
@@ -218,15 +232,16 @@ mod tests {
             ] {
                 let rows = relief.rows(first_m, step_m, height);
                 let mut out = vec![0.0; columns.len() * height];
-                let heights = (first_m, step_m, height);
-                fill(
-                    &lattice,
-                    &octaves,
-                    (&relief, &rows),
-                    &columns,
-                    heights,
-                    &mut out,
-                );
+                let heights = Heights {
+                    first_m,
+                    step_m,
+                    count: height,
+                };
+                let ground = Ground {
+                    relief: &relief,
+                    rows: &rows,
+                };
+                fill(&lattice, &octaves, ground, &columns, heights, &mut out);
                 for (column, found) in columns.iter().zip(out.chunks_exact(height)) {
                     for (n, &found) in found.iter().enumerate() {
                         let y = first_m + n as f64 * step_m;

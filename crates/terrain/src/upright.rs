@@ -10,7 +10,7 @@ use glam::{DVec3, Mat4, Vec4};
 
 use crate::fractal::Octave;
 use crate::lattice::{Lattice, LatticeCoord, SCALE, fade};
-use crate::relief::{BLOCK, Relief, Rows, VECTORS};
+use crate::relief::{BLOCK, Ground, Relief, Rows, VECTORS};
 
 /// Samples of constant x: rows of constant y, along z.
 type Slab = [[Vec4; VECTORS]; BLOCK];
@@ -37,24 +37,32 @@ struct Layer {
     depth: usize,
 }
 
+/// Places `first + step_m * (i, j, k)`, with `(i, j, k)` below `counts`.
+#[derive(Clone, Copy)]
+pub(crate) struct Grid {
+    pub first: DVec3,
+    pub step_m: DVec3,
+    pub counts: [usize; 3],
+}
+
 /// Fills a grid by `(i * counts[2] + k) * counts[1] + j`, at most [`BLOCK`] along y and z.
 pub(crate) fn fill(
     lattice: &Lattice,
     octaves: &[Octave],
-    (relief, rows): (&Relief, &Rows),
-    (first, step_m): (DVec3, f64),
-    [_, height, depth]: [usize; 3],
+    Ground { relief, rows }: Ground<'_>,
+    grid: &Grid,
     out: &mut [f32],
 ) {
+    let [_, height, depth] = grid.counts;
     let layers: Vec<_> = octaves
         .iter()
-        .map(|&octave| Layer::new(octave, first, DVec3::splat(step_m), height, depth))
+        .map(|&octave| Layer::new(octave, grid))
         .collect();
     let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
     for (i, out) in out.chunks_exact_mut((height * depth).max(1)).enumerate() {
-        let x = first.x + i as f64 * step_m;
-        let open = (4 * rows.open.0, height.min(4 * rows.open.1));
-        slab[open.0..open.1].fill([Vec4::ZERO; VECTORS]);
+        let x = grid.first.x + i as f64 * grid.step_m.x;
+        let open = [4 * rows.open[0], height.min(4 * rows.open[1])];
+        slab[open[0]..open[1]].fill([Vec4::ZERO; VECTORS]);
         for layer in &layers {
             layer.add(lattice, x, open, &mut slab);
         }
@@ -68,13 +76,13 @@ pub(crate) fn extremes(
     lattice: &Lattice,
     octaves: &[Octave],
     held: [f32; 2],
-    (first, step_m): (DVec3, DVec3),
-    [width, height, depth]: [usize; 3],
+    grid: &Grid,
 ) -> [[f32; BLOCK]; 2] {
+    let [width, height, depth] = grid.counts;
     let layers: Vec<_> = octaves
         .iter()
         .map(|&octave| {
-            let mut layer = Layer::new(octave, first, step_m, height, depth);
+            let mut layer = Layer::new(octave, grid);
             layer.held_m = held.map(|share| share * octave.half_m());
             layer
         })
@@ -87,8 +95,8 @@ pub(crate) fn extremes(
         for layer in &layers {
             layer.add(
                 lattice,
-                first.x + i as f64 * step_m.x,
-                (0, height),
+                grid.first.x + i as f64 * grid.step_m.x,
+                [0, height],
                 &mut slab,
             );
         }
@@ -107,7 +115,7 @@ fn write(relief: &Relief, rows: &Rows, slab: &Slab, height: usize, out: &mut [f3
     let height = height.max(1);
     let mut values = [rows.edge; 4];
     for (v, columns) in out.chunks_mut(4 * height).enumerate() {
-        for vector in rows.open.0..rows.open.1 {
+        for vector in rows.open[0]..rows.open[1] {
             let first = vector * 4;
             let [a, b, c, d] = [0, 1, 2, 3].map(|n: usize| slab[first + n][v]);
             let sums = Mat4::from_cols(a, b, c, d).transpose();
@@ -141,7 +149,9 @@ impl Axis {
 }
 
 impl Layer {
-    fn new(octave: Octave, first: DVec3, step_m: DVec3, height: usize, depth: usize) -> Self {
+    fn new(octave: Octave, grid: &Grid) -> Self {
+        let Grid { first, step_m, .. } = *grid;
+        let [_, height, depth] = grid.counts;
         let frequency = octave.frequencies();
         let half_m = octave.half_m();
         Self {
@@ -154,7 +164,7 @@ impl Layer {
     }
 
     /// Adds the octave to the rows `from..to` of the slab at `x`.
-    fn add(&self, lattice: &Lattice, x: f64, (from, to): (usize, usize), slab: &mut Slab) {
+    fn add(&self, lattice: &Lattice, x: f64, [from, to]: [usize; 2], slab: &mut Slab) {
         let place = LatticeCoord::new(x * self.octave.frequencies().x);
         let [least, most] = self.held_m.map(Vec4::splat);
         let vectors = self.depth.div_ceil(4);
@@ -295,9 +305,14 @@ mod tests {
             let t = f64::from(n);
             let first = DVec3::new(t * 73.3 - 900.0, 31.0 - t * 19.3, t * t * 3.1 - 2000.0);
             for step_m in [1.0, 8.0] {
-                let layer = Layer::new(OCTAVE, first, DVec3::splat(step_m), 35, 33);
+                let grid = Grid {
+                    first,
+                    step_m: DVec3::splat(step_m),
+                    counts: [1, 35, 33],
+                };
+                let layer = Layer::new(OCTAVE, &grid);
                 let mut slab = [[Vec4::ZERO; VECTORS]; BLOCK];
-                layer.add(&lattice, first.x, (0, 35), &mut slab);
+                layer.add(&lattice, first.x, [0, 35], &mut slab);
                 for (j, row) in slab.iter().enumerate().take(35) {
                     for k in 0..33 {
                         let p = first + DVec3::new(0.0, j as f64, k as f64) * step_m;
