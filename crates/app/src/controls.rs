@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use antipode_scene::Actions;
+use antipode_scene::{Actions, LookTurn};
 use antipode_settings::{Action, Config, Input, Profile, Settings};
 
 use crate::bindings::wheel_input;
@@ -19,10 +19,10 @@ pub struct Controls {
     /// What went down since the last step: a press shorter than a step still acts in one.
     pressed: Vec<Action>,
     events: Actions,
-    /// How far the view is turned since the last step, and how much of that a picture has shown; radians to the right
-    /// and up.
-    turned_rad: (f64, f64),
-    shown_rad: (f64, f64),
+    /// How far the view is turned since the last step.
+    turned: LookTurn,
+    /// How much of that a picture has shown.
+    shown: LookTurn,
     /// Whether the picture has a dial now.
     has_dial: bool,
     /// Parts of a notch that wait for the rest; touchpads and fine wheels tell the wheel in fractions.
@@ -42,8 +42,8 @@ impl Default for Controls {
             held: HashSet::new(),
             pressed: Vec::new(),
             events: Actions::default(),
-            turned_rad: (0.0, 0.0),
-            shown_rad: (0.0, 0.0),
+            turned: LookTurn::default(),
+            shown: LookTurn::default(),
             has_dial: false,
             notches: 0.0,
         };
@@ -100,20 +100,22 @@ impl Controls {
 
     /// The mouse moved by pixels, right and down positive.
     pub fn motion(&mut self, dx: f64, dy: f64) {
-        let (right, up) = (dx * self.look_rad_per_px, -dy * self.look_rad_per_px);
-        self.turn((right, up * self.look_up));
+        self.turn(LookTurn {
+            right_rad: dx * self.look_rad_per_px,
+            up_rad: -dy * self.look_rad_per_px * self.look_up,
+        });
     }
 
-    /// Turns the view by radians to the right and up.
-    pub fn turn(&mut self, (right_rad, up_rad): (f64, f64)) {
-        self.turned_rad.0 += right_rad;
-        self.turned_rad.1 += up_rad;
+    /// Turns the view.
+    pub fn turn(&mut self, by: LookTurn) {
+        self.turned.right_rad += by.right_rad;
+        self.turned.up_rad += by.up_rad;
     }
 
-    /// How far the next step will turn the view, radians to the right and up, to be shown at once.
-    pub fn show_turn(&mut self) -> (f64, f64) {
-        self.shown_rad = self.turned_rad;
-        self.shown_rad
+    /// How far the next step will turn the view, to be shown at once.
+    pub fn show_turn(&mut self) -> LookTurn {
+        self.shown = self.turned;
+        self.shown
     }
 
     /// Tells whether the picture has a dial now: what turns both, turns it and not the hotbar.
@@ -155,11 +157,11 @@ impl Controls {
 
     /// The actions of the next step; what is an event happens once.
     pub fn take(&mut self) -> Actions {
-        self.shown_rad = (0.0, 0.0);
-        let (look_yaw, look_pitch) = std::mem::take(&mut self.turned_rad);
+        self.shown = LookTurn::default();
+        let turned = std::mem::take(&mut self.turned);
         Actions {
-            look_yaw,
-            look_pitch,
+            look_yaw: turned.right_rad,
+            look_pitch: turned.up_rad,
             ..self.take_keys()
         }
     }
@@ -195,7 +197,7 @@ impl Controls {
         self.held.clear();
         self.pressed.clear();
         self.events = Actions::default();
-        self.turned_rad = self.shown_rad;
+        self.turned = self.shown;
         self.notches = 0.0;
     }
 

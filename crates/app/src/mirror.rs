@@ -12,8 +12,9 @@ pub struct Mirror {
 }
 
 impl Mirror {
-    /// That of a frame, if it has one, in a picture of that width and height in pixels.
-    pub fn of(frame: &Frame, (width, height): (u32, u32)) -> Option<Self> {
+    /// That of a frame, if it has one, in a picture `drawn` pixels wide and high.
+    pub fn of(frame: &Frame, drawn: (u32, u32)) -> Option<Self> {
+        let (width, height) = drawn;
         let mut view = frame.mirror.clone()?;
         let place = antipode_ui::mirror_place(width as f32, height as f32);
         let (corner, size) = (place.min.round(), place.size().round());

@@ -33,6 +33,15 @@ pub fn columns_for(frame_s: f64) -> usize {
     (COLUMNS_PER_S * frame_s).clamp(1.0, MOST_COLUMNS).round() as usize
 }
 
+/// What the map may survey for a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct SurveyOrder {
+    /// The world's number.
+    pub world: u64,
+    /// How many columns of land may be taken in.
+    pub columns: usize,
+}
+
 /// What the map keeps from one frame to the next.
 #[derive(Debug, Default)]
 pub struct Navigator {
@@ -42,14 +51,15 @@ pub struct Navigator {
 }
 
 impl Navigator {
-    /// Adds to the display what the player has not switched off. `surveyed`: the world's number, and how many columns
-    /// of land may be taken in.
+    /// Adds to the display what the player has not switched off.
     pub fn add_to(
         &mut self,
         model: &mut HudModel,
-        (scene, seen): (&Scene, &Seen),
-        (texts, settings): (&Texts, &Settings),
-        surveyed: (u64, usize),
+        scene: &Scene,
+        seen: &Seen,
+        texts: &Texts,
+        settings: &Settings,
+        order: SurveyOrder,
     ) {
         let bearings = Bearings {
             heading_rad: seen.eye.yaw,
@@ -59,9 +69,7 @@ impl Navigator {
             flags: flags(texts, &scene.flag_ways(), bearings.heading_rad),
             ..compass(&bearings)
         });
-        model.map = settings
-            .minimap
-            .then(|| self.map(scene, &bearings, surveyed));
+        model.map = settings.minimap.then(|| self.map(scene, &bearings, order));
         model.damage = damage(scene, &bearings, settings);
         let foes = scene.hidden_foes().into_iter();
         model.hidden_foes = foes
@@ -70,13 +78,8 @@ impl Navigator {
         model.struck = scene.struck_s_ago().is_some_and(|ago_s| ago_s < STRUCK_S);
     }
 
-    fn map(
-        &mut self,
-        scene: &Scene,
-        bearings: &Bearings,
-        (world, columns): (u64, usize),
-    ) -> MapModel {
-        let plan = self.survey.look(scene, world, columns);
+    fn map(&mut self, scene: &Scene, bearings: &Bearings, order: SurveyOrder) -> MapModel {
+        let plan = self.survey.look(scene, order.world, order.columns);
         let relief = match self.relief.take() {
             Some((drawn, relief)) if Arc::ptr_eq(&drawn, &plan) => relief,
             _ => Arc::new(relief(&plan)),

@@ -9,6 +9,15 @@ use crate::scalar::{cos_k, sin_k};
 /// Where the picture has no edge, in metres: farther than anything, and squared still in `f32`.
 const UNLIMITED_M: f32 = 1e18;
 
+/// How far a picture reaches, in metres.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct PictureEdge {
+    /// Farthest level distance.
+    pub level_m: f64,
+    /// Greatest height.
+    pub upright_m: f64,
+}
+
 /// `struct Space` of `shaders/geometry.wgsl`, byte for byte.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Pod, Zeroable)]
@@ -49,7 +58,7 @@ impl SpaceUniform {
         projection: &Projection,
         kappa: f64,
         lift_m: f64,
-        (level_m, upright_m): (f64, f64),
+        edge: PictureEdge,
     ) -> Self {
         let k = kappa.abs().sqrt();
         let radius = if k > 0.0 { 1.0 / k } else { 0.0 };
@@ -57,7 +66,7 @@ impl SpaceUniform {
         let within = |x: f64| (x as f32).min(UNLIMITED_M);
         Self {
             curve: curve.map(|x| x as f32),
-            edge: [within(level_m), within(upright_m), k as f32, 0.0],
+            edge: [within(edge.level_m), within(edge.upright_m), k as f32, 0.0],
             ..Self::new(view, projection, radius, 0.0)
         }
     }

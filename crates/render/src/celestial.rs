@@ -8,6 +8,8 @@ use glam::Vec3;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, RenderPass, RenderPipeline};
 
+use crate::draw_list::DrawCount;
+
 /// Stars over the whole sphere.
 const STARS: u32 = 2600;
 /// Stars fainter than this share are not drawn.
@@ -64,17 +66,20 @@ impl Celestial {
         Self { stars }
     }
 
-    /// Draws what is up; returns triangles and draw calls.
+    /// Draws what is up; returns what that took.
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
         sky: &Sky,
         pipelines: &CelestialPipelines,
-    ) -> (usize, usize) {
+    ) -> DrawCount {
         if sky.orbs.is_some() {
             pass.set_pipeline(&pipelines.orb);
             pass.draw(0..CORNERS, 0..ORBS);
-            return ((ORBS * CORNERS / 3) as usize, 1);
+            return DrawCount {
+                triangles: (ORBS * CORNERS / 3) as usize,
+                draws: 1,
+            };
         }
         let mut patches = 0;
         let mut draws = 0;
@@ -90,7 +95,10 @@ impl Celestial {
         }
         patch(pass, &pipelines.moon, 1);
         patch(pass, &pipelines.sun, 1);
-        (patches * CORNERS as usize / 3, draws)
+        DrawCount {
+            triangles: patches * CORNERS as usize / 3,
+            draws,
+        }
     }
 }
 

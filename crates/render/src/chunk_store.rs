@@ -110,6 +110,15 @@ pub struct ChunkStore {
     pub(crate) rush: bool,
 }
 
+/// What falls on land as it is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Shading<'a> {
+    /// Shadows of the key light.
+    pub shadows: &'a Shadows,
+    /// The soft shades below figures.
+    pub shades: &'a Shades,
+}
+
 impl ChunkStore {
     /// An empty store.
     pub fn new(gpu: &Gpu) -> Self {
@@ -340,7 +349,8 @@ impl ChunkStore {
     pub fn list_caster(
         &self,
         coord: ChunkCoord,
-        (chart, instance): (u32, ChunkInstance),
+        chart: u32,
+        instance: ChunkInstance,
         list: &mut DrawList,
     ) -> usize {
         let Some(chunk) = self.chunks.get(&coord) else {
@@ -348,7 +358,7 @@ impl ChunkStore {
         };
         let seams = self.seams(coord, chunk.land.level, &chunk.mesh);
         let pieces = chunk.mesh.pieces(seams).map(|piece| (0, piece));
-        list.add((chart, instance), pieces);
+        list.add(chart, instance, pieces);
         chunk.land.triangles
     }
 
@@ -364,9 +374,11 @@ impl ChunkStore {
         frame: &Frame,
         land: &[ChunkLand],
         plan: &mut FramePlan,
-        (shadows, all_shades): (&Shadows, &Shades),
-        (list, charts): (&mut DrawList, &mut Charts),
+        shading: Shading<'_>,
+        list: &mut DrawList,
+        charts: &mut Charts,
     ) {
+        let Shading { shadows, shades } = shading;
         list.clear();
         let (space, eye) = (frame.view.strategy.as_ref(), &frame.view.eye);
         let frustum = space.frustum(eye, &frame.view.projection);
@@ -379,7 +391,7 @@ impl ChunkStore {
                 continue;
             };
             let chart = charts.number(coord.chart);
-            let shades = all_shades.on(&chunk.land);
+            let shades = shades.on(&chunk.land);
             let lights = lights_near(frame, coord.chart, chunk.land.min, chunk.land.max);
             let reach = shadows.reach(frame, &Caster::of(&chunk.land));
             let instance = ChunkInstance::of(frame, coord, &choice.port)
@@ -405,16 +417,16 @@ impl ChunkStore {
                 let whole = numbered(shadows.told_apart(reach));
                 let (pieces, left_out) = mesh.pieces_seen(seams, whole, seen);
                 plan.stats.triangles_outside += left_out;
-                list.add((chart, instance), pieces.into_iter());
+                list.add(chart, instance, pieces.into_iter());
                 continue;
             };
             plan.stats.chunks_blending += 1;
             let number = TerrainPipelines::number(choice, true, shadows.told_apart(reach));
             let comes = mesh.pieces(seams).map(|piece| (number, piece));
-            list.add((chart, instance.blending(progress)), comes);
+            list.add(chart, instance.blending(progress), comes);
             let seams = self.seams(coord, old.level, &old.mesh);
             let goes = old.mesh.pieces(seams).map(|piece| (number, piece));
-            list.add((chart, instance.blending(-progress)), goes);
+            list.add(chart, instance.blending(-progress), goes);
         }
     }
 

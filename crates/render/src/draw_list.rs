@@ -27,6 +27,15 @@ const FEW_CALLS_A_CHART: usize = 4;
 /// Bands of so many meshes, as a power of two, hold all that there are.
 const WIDEST_BAND: u32 = 16;
 
+/// What was sent to be drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DrawCount {
+    /// Triangles.
+    pub triangles: usize,
+    /// Calls to the adapter that draw something.
+    pub draws: usize,
+}
+
 /// One piece of land to be drawn.
 #[derive(Clone, Copy, Debug)]
 struct Draw {
@@ -63,7 +72,8 @@ impl DrawList {
     /// Meshes are to be added nearest first.
     pub fn add(
         &mut self,
-        (chart, instance): (u32, ChunkInstance),
+        chart: u32,
+        instance: ChunkInstance,
         pieces: impl Iterator<Item = (u8, Piece)>,
     ) {
         let first_instance = self.instances.len() as u32;
@@ -162,14 +172,15 @@ impl LandDraws {
         }
     }
 
-    /// Draws the list that was sent; returns triangles and calls. `pipeline` sets the pipeline of a number.
+    /// Draws the list that was sent; returns what that took. `pipeline` sets the pipeline of a number.
     pub fn draw<'p>(
         &self,
         pass: &mut RenderPass<'_>,
-        (list, charts): (&DrawList, &Charts),
+        list: &DrawList,
+        charts: &Charts,
         pages: &Pages,
         pipeline: impl Fn(u8) -> &'p wgpu::RenderPipeline,
-    ) -> (usize, usize) {
+    ) -> DrawCount {
         let (mut calls, mut first) = (0, 0);
         let mut bound = (None, None, None);
         for batch in list.batches() {
@@ -205,7 +216,10 @@ impl LandDraws {
             }
             first += batch.len();
         }
-        (list.triangles(), calls)
+        DrawCount {
+            triangles: list.triangles(),
+            draws: calls,
+        }
     }
 
     /// Draws one piece. Binding slices, instead of naming a first vertex and a first instance, works on every
@@ -270,7 +284,7 @@ mod tests {
             let (pipeline, page, chart) = of(i);
             let pieces = [piece(page, i * 10), piece(page, i * 10 + 5)];
             let pieces = pieces.map(|piece| (pipeline, piece));
-            list.add((chart, instance), pieces.into_iter());
+            list.add(chart, instance, pieces.into_iter());
         }
         list.sort();
         list

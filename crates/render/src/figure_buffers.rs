@@ -40,7 +40,7 @@ pub struct ModelRanges {
     /// Indices of coarser triangles of what hides things, for its shadow in large texels.
     pub coarse: Range<u32>,
     /// Lowest and highest corner of its box in the bind pose, metres.
-    pub limits: (Vec3, Vec3),
+    pub limits: [Vec3; 2],
 }
 
 /// All models on the adapter.
@@ -64,7 +64,7 @@ impl Statics {
                 let start = whole.solid.len() as u32;
                 let middle = start + shape.solid.len() as u32;
                 let end = middle + shape.clear.len() as u32;
-                let (low, high) = shape.limits();
+                let [low, high] = shape.limits();
                 let coarse = if (high - low).min_element() < COARSE_FROM_M {
                     shape.solid.clone()
                 } else {

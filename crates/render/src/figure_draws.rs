@@ -6,9 +6,8 @@ use antipode_geometry::ChartId;
 use wgpu::{BindGroup, Buffer, Device, Queue, RenderPass};
 
 use crate::charts::Charts;
-use crate::figure_buffers::{
-    BATCH, ModelRanges, ROWS_BYTES, Statics, instance_buffer, joints_buffer,
-};
+use crate::draw_list::DrawCount;
+use crate::figure_buffers::{BATCH, ROWS_BYTES, Statics, instance_buffer, joints_buffer};
 use crate::figure_pipelines::FigurePipelines;
 use crate::pipelines::Pipelines;
 use crate::rig::{JOINTS, JointRows};
@@ -90,7 +89,8 @@ impl FigureDraws {
     /// Takes the figures of a frame.
     pub fn take(
         &mut self,
-        (device, queue): (&Device, &Queue),
+        device: &Device,
+        queue: &Queue,
         mut seen: Vec<Seen>,
         charts: &mut Charts,
     ) {
@@ -160,39 +160,40 @@ impl FigureDraws {
         &self.rooms
     }
 
-    /// Draws what hides things behind it; returns triangles and draw calls.
+    /// Draws what hides things behind it; returns what that took.
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
-        adapter: (&Statics, &Charts),
+        models: &Statics,
+        charts: &Charts,
         pipelines: &Pipelines,
-    ) -> (usize, usize) {
-        let solid = |ranges: &ModelRanges| ranges.solid.clone();
-        self.draw_parts(pass, adapter, &pipelines.figures, (solid, false))
+    ) -> DrawCount {
+        self.draw_parts(pass, models, charts, &pipelines.figures, false)
     }
 
-    /// Draws what lets light through, which is to come after all that is solid; returns triangles and draw calls.
+    /// Draws what lets light through, which is to come after all that is solid; returns what that took.
     pub fn draw_clear(
         &self,
         pass: &mut RenderPass<'_>,
-        adapter: (&Statics, &Charts),
+        models: &Statics,
+        charts: &Charts,
         pipelines: &Pipelines,
-    ) -> (usize, usize) {
-        let clear = |ranges: &ModelRanges| ranges.clear.clone();
-        self.draw_parts(pass, adapter, &pipelines.figures, (clear, true))
+    ) -> DrawCount {
+        self.draw_parts(pass, models, charts, &pipelines.figures, true)
     }
 
     /// Draws what is solid of them into a shadow map, finely or coarsely; returns triangles.
     pub fn draw_shadows(
         &self,
         pass: &mut RenderPass<'_>,
-        adapter: (&Statics, &Charts),
+        models: &Statics,
+        charts: &Charts,
         pipelines: &FigurePipelines,
         coarse: bool,
     ) -> usize {
         let mut triangles = 0;
         for run in self.runs.iter().filter(|run| run.way != Way::Hand) {
-            let ranges = &adapter.0.ranges[run.model];
+            let ranges = &models.ranges[run.model];
             let indices = if coarse {
                 &ranges.coarse
             } else {
@@ -207,21 +208,24 @@ impl FigureDraws {
                 pass.set_pipeline(&pipelines.caster);
                 pass.set_bind_group(2, &self.joints_bound, &[0]);
             }
-            triangles += self.draw_run(pass, adapter, run, indices);
+            triangles += self.draw_run(pass, models, charts, run, indices);
         }
         triangles
     }
 
+    /// Draws what lets light through of them, or all else.
     fn draw_parts(
         &self,
         pass: &mut RenderPass<'_>,
-        adapter: (&Statics, &Charts),
+        models: &Statics,
+        charts: &Charts,
         pipelines: &FigurePipelines,
-        (part, clear): (impl Fn(&ModelRanges) -> Range<u32>, bool),
-    ) -> (usize, usize) {
-        let (mut triangles, mut calls) = (0, 0);
+        clear: bool,
+    ) -> DrawCount {
+        let mut count = DrawCount::default();
         for run in self.runs.iter().filter(|run| run.way != Way::Shade) {
-            let indices = part(&adapter.0.ranges[run.model]);
+            let ranges = &models.ranges[run.model];
+            let indices = if clear { &ranges.clear } else { &ranges.solid };
             if indices.is_empty() {
                 continue;
             }
@@ -235,17 +239,18 @@ impl FigureDraws {
                 (Way::Framed, None, true) => &pipelines.clear_framed,
                 (Way::Vertex | Way::Shade, None, true) => &pipelines.clear,
             });
-            triangles += self.draw_run(pass, adapter, run, &indices);
-            calls += 1;
+            count.triangles += self.draw_run(pass, models, charts, run, indices);
+            count.draws += 1;
         }
-        (triangles, calls)
+        count
     }
 
     /// Draws a part of a run's model with the pipeline that is set; returns triangles.
     fn draw_run(
         &self,
         pass: &mut RenderPass<'_>,
-        (models, charts): (&Statics, &Charts),
+        models: &Statics,
+        charts: &Charts,
         run: &Run,
         indices: &Range<u32>,
     ) -> usize {

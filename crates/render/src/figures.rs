@@ -14,7 +14,7 @@ use crate::hand;
 use crate::lamps::lights_near;
 use crate::models::{Loaded, number};
 use crate::plan::{FramePlan, Tolerance};
-use crate::rig::Posed;
+use crate::rig::{HandPose, Posed};
 use crate::shadow::Caster;
 use crate::uniforms::{BRAKES_FLAG, FigureInstance, HOSTILE_FLAG, LIGHTS_FLAG, frame_rows};
 
@@ -67,7 +67,7 @@ impl Figures {
             plan.stats.figures_outside += usize::from(!wanted.seen);
             wanted.seen |= !self.culls;
             if wanted.seen || wanted.shades {
-                self.see(frame, plan, (figure, wanted), &mut seen);
+                self.see(frame, plan, figure, wanted, &mut seen);
             }
         }
         let count = |way: Way| seen.iter().filter(|it| it.way == way).count();
@@ -94,7 +94,8 @@ impl Figures {
         &self,
         frame: &Frame,
         plan: &mut FramePlan,
-        (figure, wanted): (&Figure, Wanted),
+        figure: &Figure,
+        wanted: Wanted,
         seen: &mut Vec<Seen>,
     ) {
         let model = number(figure.model);
@@ -102,8 +103,8 @@ impl Figures {
         let posed = rig.as_ref().map(|rig| rig.pose(&figure.posture));
         let limits = posed
             .as_ref()
-            .map_or(self.statics.places[model].limits, |posed| posed.limits);
-        put(frame, plan, (figure, wanted), (model, limits), seen);
+            .map_or(self.statics.ranges[model].limits, |posed| posed.limits);
+        put(frame, plan, figure, wanted, model, limits, seen);
         let Some(Posed { joints, hand, .. }) = posed else {
             return;
         };
@@ -124,8 +125,8 @@ impl Figures {
                 ..Figure::standing(thing, place.moved(beyond), 0.0)
             };
             let thing = number(thing);
-            let limits = self.statics.places[thing].limits;
-            put(frame, plan, (&figure, wanted), (thing, limits), seen);
+            let limits = self.statics.ranges[thing].limits;
+            put(frame, plan, &figure, wanted, thing, limits, seen);
         }
     }
 }
@@ -134,11 +135,13 @@ impl Figures {
 fn put(
     frame: &Frame,
     plan: &mut FramePlan,
-    (figure, wanted): (&Figure, Wanted),
-    (model, limits): (usize, (Vec3, Vec3)),
+    figure: &Figure,
+    wanted: Wanted,
+    model: usize,
+    limits: [Vec3; 2],
     seen: &mut Vec<Seen>,
 ) {
-    let (low, high) = turned(limits, figure.turn.as_quat());
+    let [low, high] = turned(limits, figure.turn.as_quat());
     let middle = figure.point.moved(low.midpoint(high).as_dvec3());
     let half = (0.5 * (high - low)).as_dvec3();
     let chart = figure.point.chart;
@@ -186,21 +189,21 @@ fn flags(figure: &Figure) -> u32 {
 }
 
 /// How what a figure holds is turned and where its origin is, given how its hand is in the figure's axes.
-fn in_hand(figure: &Figure, held: ModelId, (turn, place): (Quat, Vec3)) -> (DQuat, ChartPoint) {
-    let turn = figure.turn * turn.as_dquat();
+fn in_hand(figure: &Figure, held: ModelId, hand: HandPose) -> (DQuat, ChartPoint) {
+    let turn = figure.turn * hand.turn.as_dquat();
     let grip = turn * -hand::grip_m(held).as_dvec3();
-    let place = figure.turn * place.as_dvec3();
+    let place = figure.turn * hand.place.as_dvec3();
     (turn, figure.point.moved(place + grip))
 }
 
 /// The box of a turned box.
-fn turned((low, high): (Vec3, Vec3), turn: Quat) -> (Vec3, Vec3) {
+fn turned([low, high]: [Vec3; 2], turn: Quat) -> [Vec3; 2] {
     let axes = Mat3::from_quat(turn);
     let middle = axes * low.midpoint(high);
     let half = 0.5 * (high - low);
     let reach =
         axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z;
-    (middle - reach, middle + reach)
+    [middle - reach, middle + reach]
 }
 
 #[cfg(test)]
@@ -209,15 +212,15 @@ mod tests {
 
     #[test]
     fn a_turned_box_holds_every_corner() {
-        let limits = (Vec3::new(-0.2, 0.0, -0.7), Vec3::new(1.5, 1.8, 0.3));
+        let limits = [Vec3::new(-0.2, 0.0, -0.7), Vec3::new(1.5, 1.8, 0.3)];
         let turn = Quat::from_rotation_y(0.7) * Quat::from_rotation_x(-1.1);
-        let (low, high) = turned(limits, turn);
+        let [low, high] = turned(limits, turn);
         for corner in 0..8 {
             let pick = |axis: usize| {
                 if corner >> axis & 1 == 1 {
-                    limits.1[axis]
+                    limits[1][axis]
                 } else {
-                    limits.0[axis]
+                    limits[0][axis]
                 }
             };
             let at = turn * Vec3::from_array([0, 1, 2].map(pick));

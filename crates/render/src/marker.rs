@@ -9,6 +9,7 @@ use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
 
 use crate::ball::ball;
 use crate::charts::{Charts, offset_of};
+use crate::draw_list::DrawCount;
 use crate::uniforms::MarkerInstance;
 
 /// The inner ball's radius as a share of the outer's.
@@ -81,15 +82,15 @@ impl MarkerBalls {
         }
     }
 
-    /// Draws both balls by some pipelines, if they are to be seen; returns triangles and draw calls.
+    /// Draws both balls by some pipelines, if they are to be seen; returns what that took.
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
         charts: &Charts,
         pipelines: [&RenderPipeline; 2],
-    ) -> (usize, usize) {
+    ) -> DrawCount {
         let Some(chart) = self.shown else {
-            return (0, 0);
+            return DrawCount::default();
         };
         charts.bind(pass, chart);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
@@ -99,7 +100,10 @@ impl MarkerBalls {
             pass.set_pipeline(pipeline);
             pass.draw_indexed(0..self.index_count, 0, 0..2);
         }
-        (self.index_count as usize / 3 * 4, 2)
+        DrawCount {
+            triangles: self.index_count as usize / 3 * 4,
+            draws: 2,
+        }
     }
 }
 

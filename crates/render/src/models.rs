@@ -60,12 +60,12 @@ pub struct Shape {
 
 impl Shape {
     /// Lowest and highest corner of its box in the bind pose, metres.
-    pub fn limits(&self) -> (Vec3, Vec3) {
+    pub fn limits(&self) -> [Vec3; 2] {
         let places = || self.vertices.iter().map(|v| Vec3::from(v.position));
-        (
+        [
             places().reduce(Vec3::min).unwrap_or_default(),
             places().reduce(Vec3::max).unwrap_or_default(),
-        )
+        ]
     }
 
     /// How far its vertices lie from its origin in the bind pose at most, metres.
@@ -325,7 +325,7 @@ mod tests {
     fn they_look_along_x_with_their_feet_on_the_ground() {
         let all = load_all().unwrap();
         let of = |id: ModelId| &all[ModelId::ALL.iter().position(|it| *it == id).unwrap()].shape;
-        let (low, high) = of(ModelId::Astronaut).limits();
+        let [low, high] = of(ModelId::Astronaut).limits();
         assert!(
             low.y.abs() < 0.01 && (high.y - 1.8).abs() < 0.02,
             "{low} {high}"
@@ -338,19 +338,19 @@ mod tests {
                 .filter(|v| v.colour[3] > 200)
         };
         assert!(visor().count() > 20 && visor().all(|v| v.position[0] > 0.0));
-        let (low, high) = of(ModelId::Item(antipode_items::Item::Gun)).limits();
+        let [low, high] = of(ModelId::Item(antipode_items::Item::Gun)).limits();
         assert!(
             high.x > 0.25 && low.x > -0.1,
             "the barrel is ahead: {low} {high}"
         );
-        let (low, high) = of(ModelId::CarWheelLeft).limits();
+        let [low, high] = of(ModelId::CarWheelLeft).limits();
         assert!(
             (low + high).truncate().length() < 0.01,
             "about its hub: {low} {high}"
         );
         // The hub caps show outwards: of the left side at -z.
         assert!(low.z < -0.13 && high.z < 0.13, "{low} {high}");
-        let (low, high) = of(ModelId::CarBody).limits();
+        let [low, high] = of(ModelId::CarBody).limits();
         assert!(high.x - low.x > 3.0 && high.z - low.z < 1.6, "{low} {high}");
         assert!(
             !of(ModelId::Item(antipode_items::Item::Lamp))

@@ -8,6 +8,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{Buffer, BufferUsages, Device, Queue, RenderPass, RenderPipeline};
 
 use crate::charts::{Charts, offset_of};
+use crate::draw_list::DrawCount;
 use crate::uniforms::OutlineInstance;
 
 /// Linear light of what moves, and of what rests.
@@ -97,12 +98,7 @@ impl Outlines {
     }
 
     /// Takes this frame's shapes.
-    pub fn prepare(
-        &mut self,
-        (device, queue): (&Device, &Queue),
-        frame: &Frame,
-        charts: &mut Charts,
-    ) {
+    pub fn prepare(&mut self, device: &Device, queue: &Queue, frame: &Frame, charts: &mut Charts) {
         self.runs.clear();
         if frame.content.hit_shapes.is_empty() || !frame.view.shows_marks {
             return;
@@ -126,17 +122,17 @@ impl Outlines {
         queue.write_buffer(&self.instances, 0, bytemuck::cast_slice(&instances));
     }
 
-    /// Draws all of them by some pipelines; returns triangles and draw calls.
+    /// Draws all of them by some pipelines; returns what that took.
     pub fn draw(
         &self,
         pass: &mut RenderPass<'_>,
         charts: &Charts,
         pipelines: [&RenderPipeline; 2],
-    ) -> (usize, usize) {
+    ) -> DrawCount {
         pass.set_vertex_buffer(0, self.corners.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        let (mut triangles, mut draws) = (0, 0);
+        let mut count = DrawCount::default();
         for pipeline in pipelines {
             pass.set_pipeline(pipeline);
             let mut first = 0;
@@ -145,11 +141,11 @@ impl Outlines {
                 charts.bind(pass, run.chart);
                 pass.draw_indexed(span.first..span.end, 0, first..first + run.count);
                 first += run.count;
-                triangles += ((span.end - span.first) / 3 * run.count) as usize;
-                draws += 1;
+                count.triangles += ((span.end - span.first) / 3 * run.count) as usize;
+                count.draws += 1;
             }
         }
-        (triangles, draws)
+        count
     }
 }
 

@@ -178,7 +178,7 @@ impl ChunkStore {
         let at_once = anew || left_behind;
         self.refine_changed(frame, &chosen);
         if anew || self.refinements.coming.is_none() {
-            self.begin_set(frame, &plan.bounds, (land, &chosen), at_once);
+            self.begin_set(frame, &plan.bounds, land, &chosen, at_once);
         }
         self.take_done();
         if self.is_set_complete(frame, at_once) {
@@ -224,7 +224,8 @@ impl ChunkStore {
         &mut self,
         frame: &Frame,
         bounds: &Bounds,
-        (land, chosen): (&[ChunkLand], &[ChunkCoord]),
+        land: &[ChunkLand],
+        chosen: &[ChunkCoord],
         at_once: bool,
     ) {
         let rules = self.refinements.rules(frame, bounds, self.rush);

@@ -15,7 +15,7 @@ use crate::pipeline_cache::{Key, PipelineCache};
 use crate::pipelines::{Pipelines, scene_layout};
 use crate::plan::FramePlan;
 use crate::shaders::Shaders;
-use crate::shadow::Shadows;
+use crate::shadow::{Casters, Shadows};
 use crate::subdivision_thread::Delivery;
 use crate::targets::drawn_size;
 use crate::tile::Tile;
@@ -30,7 +30,7 @@ mod view_state;
 
 use options::check;
 pub use options::{DrawStats, Options, Picture};
-use view_state::{Scenery, ViewState};
+use view_state::{LandSource, Scenery, Shared, ViewState};
 
 /// Another view of what a frame shows, drawn with it.
 ///
@@ -119,9 +119,12 @@ impl Renderer {
         let pipelines =
             readiness::pipeline_cache(&device, shaders, &scene_layout(&device), quality);
         let tonemap = Tonemap::accepted(&device, shaders, &options)?;
-        let extras = (&heavens, &shadows);
-        let size = ((1, 1), options.samples);
-        let picture = ViewState::new(&device, extras, &tonemap, LandDraws::new(gpu), size);
+        let shared = Shared {
+            heavens: &heavens,
+            shadows: &shadows,
+        };
+        let land = LandDraws::new(gpu);
+        let picture = ViewState::new(&device, shared, &tonemap, land, (1, 1), options.samples);
         Ok(Self {
             chunks: ChunkStore::new(gpu),
             figures: Figures::new(&device)?,
@@ -295,23 +298,30 @@ impl Renderer {
         let mut plan = self.picture.plan(frame, height_px, &land_index);
         self.chunks.refine(frame, land_index.land(), &mut plan);
         self.take_figures(frame, &mut plan, is_shared);
-        let land = (&self.chunks, &*land_index, &self.shadows);
-        let adapter = (&self.device, &self.queue);
+        let land = LandSource {
+            chunks: &self.chunks,
+            index: &land_index,
+            shadows: &self.shadows,
+        };
         self.picture
-            .take_land(adapter, frame, land, &mut plan, drawn);
+            .take_land(&self.device, &self.queue, frame, land, &mut plan, drawn);
         let mut stats = self.planned(&plan);
         let Some(pipelines) = self.pipelines.get(map) else {
             return stats;
         };
         let timing = self.timing.as_ref();
-        let figures = (&self.picture.figures, &self.figures.statics);
-        let land = (self.chunks.pages(), &self.picture.charts);
-        let (shadows, stamped) = self.shadows.draw(encoder, pipelines, land, figures, timing);
+        let casters = Casters {
+            pages: self.chunks.pages(),
+            charts: &self.picture.charts,
+            figures: &self.picture.figures,
+            models: &self.figures.statics,
+        };
+        let (shadows, stamped) = self.shadows.draw(encoder, pipelines, casters, timing);
         stats.shadows = shadows;
         let stamp = timing.filter(|_| !stamped).map(Timing::begin);
         let scenery = self.scenery(pipelines);
         self.picture
-            .draw(frame, scenery, encoder, (self.tile, stamp), &mut stats);
+            .draw(frame, scenery, encoder, self.tile, stamp, &mut stats);
         stats
     }
 
@@ -321,17 +331,20 @@ impl Renderer {
         let charts = &mut self.picture.charts;
         let is_new = self.shadows.prepare(frame, &mut self.chunks, charts);
         let map = self.shadows.figures_shot(frame);
-        let adapter = (&self.device, &self.queue);
+        let (device, queue) = (&self.device, &self.queue);
         let falls = map.map(|shot| Falls { shot, is_shared });
         let heights = self
             .picture
-            .take_figures(adapter, frame, &self.figures, plan, falls);
+            .take_figures(device, queue, frame, &self.figures, plan, falls);
         let rooms = self.picture.figures.rooms();
         self.shadows.prepare_figures(frame, map, rooms, heights);
         if is_new {
-            let extras = (&self.heavens, &self.shadows);
+            let shared = Shared {
+                heavens: &self.heavens,
+                shadows: &self.shadows,
+            };
             for view in std::iter::once(&mut self.picture).chain(&mut self.further) {
-                view.rebind(&self.device, extras);
+                view.rebind(&self.device, shared);
             }
         }
     }
@@ -355,17 +368,21 @@ impl Renderer {
                 return DrawStats::nothing();
             };
             let mut plan = state.plan(&frame, it.size.1, &land_index);
-            let adapter = (&self.device, &self.queue);
-            state.take_figures(adapter, &frame, &self.figures, &mut plan, None);
-            let land = (&self.chunks, &*land_index, &self.shadows);
+            let (device, queue) = (&self.device, &self.queue);
+            state.take_figures(device, queue, &frame, &self.figures, &mut plan, None);
+            let land = LandSource {
+                chunks: &self.chunks,
+                index: &land_index,
+                shadows: &self.shadows,
+            };
             let drawn = state.targets.size;
-            state.take_land(adapter, &frame, land, &mut plan, drawn);
+            state.take_land(device, queue, &frame, land, &mut plan, drawn);
             let mut stats = self.planned(&plan);
             let scenery = self.scenery(pipelines);
-            state.draw(&frame, scenery, encoder, (None, None), &mut stats);
+            state.draw(&frame, scenery, encoder, None, None, &mut stats);
             match it.target {
                 ViewTarget::Texture(target) => {
-                    self.tonemap.draw(encoder, &state.light, target, None)
+                    self.tonemap.draw(encoder, &state.light, target, None);
                 }
                 ViewTarget::Mirror(corner) => {
                     let size = it.size;
@@ -385,14 +402,18 @@ impl Renderer {
         for (place, it) in further.iter().enumerate() {
             let (width, height) = it.size;
             let size = drawn_size(width, height, self.options.scale, self.largest_side());
-            let size = (size, self.options.samples);
+            let samples = self.options.samples;
             match self.further.get_mut(place) {
-                Some(state) if state.targets.size == size.0 => {}
-                Some(state) => state.fit(&self.device, &self.tonemap, size),
+                Some(state) if state.targets.size == size => {}
+                Some(state) => state.fit(&self.device, &self.tonemap, size, samples),
                 None => {
-                    let extras = (&self.heavens, &self.shadows);
+                    let shared = Shared {
+                        heavens: &self.heavens,
+                        shadows: &self.shadows,
+                    };
+                    let (device, tonemap) = (&self.device, &self.tonemap);
                     let land = self.picture.more_land();
-                    let state = ViewState::new(&self.device, extras, &self.tonemap, land, size);
+                    let state = ViewState::new(device, shared, tonemap, land, size, samples);
                     self.further.push(state);
                 }
             }

@@ -53,7 +53,7 @@ pub struct Rig {
     arm: usize,
     hand: usize,
     /// For each joint of the skin, the box of what hangs from it in its own axes.
-    boxes: Vec<(Vec3, Vec3)>,
+    boxes: Vec<[Vec3; 2]>,
 }
 
 /// A body in a posture, in the game's axes and from the figure's origin.
@@ -62,9 +62,18 @@ pub struct Posed {
     /// For each joint of the skin, from the bind pose to where it is.
     pub joints: Vec<JointRows>,
     /// Lowest and highest corner of a box that holds the whole body, metres.
-    pub limits: (Vec3, Vec3),
-    /// How the right hand is turned, and where what it holds has its origin.
-    pub hand: (Quat, Vec3),
+    pub limits: [Vec3; 2],
+    /// The right hand.
+    pub hand: HandPose,
+}
+
+/// A hand in the axes of its figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HandPose {
+    /// How it is turned.
+    pub turn: Quat,
+    /// Where what it holds has its origin, metres.
+    pub place: Vec3,
 }
 
 impl Rig {
@@ -111,11 +120,11 @@ impl Rig {
             let m = game(*m).transpose();
             [m.x_axis, m.y_axis, m.z_axis].map(|row| row.to_array())
         };
-        let (_, held, place) = game(matrices[self.hand]).to_scale_rotation_translation();
+        let (_, turn, place) = game(matrices[self.hand]).to_scale_rotation_translation();
         Posed {
             joints: self.skin.matrices(&matrices).iter().map(rows).collect(),
             limits: self.limits(&matrices),
-            hand: (held, place),
+            hand: HandPose { turn, place },
         }
     }
 
@@ -175,9 +184,9 @@ impl Rig {
     }
 
     /// Each vertex is a mean of where its joints carry it, so it is within the box of their boxes.
-    fn limits(&self, matrices: &[Mat4]) -> (Vec3, Vec3) {
-        let mut limits = (Vec3::MAX, Vec3::MIN);
-        for (&joint, (low, high)) in self.skin.joints.iter().zip(&self.boxes) {
+    fn limits(&self, matrices: &[Mat4]) -> [Vec3; 2] {
+        let mut limits = [Vec3::MAX, Vec3::MIN];
+        for (&joint, [low, high]) in self.skin.joints.iter().zip(&self.boxes) {
             for corner in 0..8 {
                 let pick = |axis: usize| {
                     if corner >> axis & 1 == 1 {
@@ -188,7 +197,7 @@ impl Rig {
                 };
                 let place = Vec3::from_array([0, 1, 2].map(pick));
                 let at = GAME_FROM_FILE * matrices[joint].transform_point3(place);
-                limits = (limits.0.min(at), limits.1.max(at));
+                limits = [limits[0].min(at), limits[1].max(at)];
             }
         }
         limits
@@ -206,8 +215,8 @@ fn hold_mask(skeleton: &Skeleton) -> Mask {
     Mask { shares }
 }
 
-fn boxes(model: &Model, skin: &Skin) -> Vec<(Vec3, Vec3)> {
-    let mut boxes = vec![(Vec3::MAX, Vec3::MIN); skin.joints.len()];
+fn boxes(model: &Model, skin: &Skin) -> Vec<[Vec3; 2]> {
+    let mut boxes = vec![[Vec3::MAX, Vec3::MIN]; skin.joints.len()];
     let vertices = model
         .parts
         .iter()
@@ -218,7 +227,7 @@ fn boxes(model: &Model, skin: &Skin) -> Vec<(Vec3, Vec3)> {
             let joint = usize::from(joint);
             if weight > 0.0 {
                 let at = skin.inverse_bind[joint].transform_point3(vertex.position);
-                let (low, high) = &mut boxes[joint];
+                let [low, high] = &mut boxes[joint];
                 (*low, *high) = (low.min(at), high.max(at));
             }
         }
@@ -226,11 +235,11 @@ fn boxes(model: &Model, skin: &Skin) -> Vec<(Vec3, Vec3)> {
     // A joint that carries nothing is a point.
     boxes
         .into_iter()
-        .map(|(low, high)| {
+        .map(|[low, high]| {
             if low.x > high.x {
-                (Vec3::ZERO, Vec3::ZERO)
+                [Vec3::ZERO; 2]
             } else {
-                (low, high)
+                [low, high]
             }
         })
         .collect()

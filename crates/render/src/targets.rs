@@ -46,11 +46,12 @@ impl Targets {
 fn view(
     device: &Device,
     label: &str,
-    (width, height): (u32, u32),
+    size: (u32, u32),
     sample_count: u32,
     format: TextureFormat,
     usage: TextureUsages,
 ) -> TextureView {
+    let (width, height) = size;
     let texture = device.create_texture(&wgpu::TextureDescriptor {
         label: Some(label),
         size: Extent3d {

@@ -48,8 +48,8 @@ impl Tonemap {
             ..Default::default()
         });
         Self {
-            pipeline: pipeline(device, shaders, &layout, output, (scaled, false)),
-            mirror: pipeline(device, shaders, &layout, output, (true, true)),
+            pipeline: pipeline(device, shaders, &layout, output, scaled, false),
+            mirror: pipeline(device, shaders, &layout, output, true, true),
             layout,
             sampler,
         }
@@ -162,7 +162,8 @@ fn pipeline(
     shaders: Shaders,
     layout: &BindGroupLayout,
     output: TextureFormat,
-    (scaled, swapped): (bool, bool),
+    scaled: bool,
+    swapped: bool,
 ) -> RenderPipeline {
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some("tonemap"),

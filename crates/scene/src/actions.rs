@@ -3,6 +3,7 @@
 //! The simulation is a pure function of the saved world, the seed and the sequence of these.
 
 use crate::aimed::Aim;
+use crate::camera::LookTurn;
 
 /// One step's wishes. Held actions are levels; the rest are events that happened since the last step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -58,6 +59,14 @@ pub struct Actions {
 }
 
 impl Actions {
+    /// How far they turn the view.
+    pub(crate) fn look_turn(&self) -> LookTurn {
+        LookTurn {
+            right_rad: self.look_yaw,
+            up_rad: self.look_pitch,
+        }
+    }
+
     /// These, or none where they cannot be done.
     pub(crate) fn unless(&self, hindered: bool) -> Self {
         if hindered { Self::default() } else { *self }

@@ -9,7 +9,7 @@ use antipode_geometry::{Atlas, ChartPoint, Crossing};
 use glam::DQuat;
 
 use crate::actions::Actions;
-use crate::camera::{CameraPose, keep_clear};
+use crate::camera::{CameraPose, LookTurn, keep_clear};
 use crate::frame::{BeamLight, Figure, Frame, Hand, LampLight};
 use crate::frame::{Clip, Posture};
 use crate::moment::{Mark, Moment, Seen, Who};
@@ -28,8 +28,8 @@ const DAY_LEAP_S: f64 = 2.0 * STEP_S;
 pub struct Shutter {
     /// Share of the last step that is shown, 0 to 1: all of it is the scene as it is.
     pub share: f64,
-    /// How far the next step is going to turn the view, radians to the right and up.
-    pub turned_rad: (f64, f64),
+    /// How far the next step is going to turn the view.
+    pub turned: LookTurn,
 }
 
 /// The poses before the last step, and the picture between them and those after it.
@@ -51,7 +51,7 @@ impl Between {
                 .take()
                 .filter(is_now)
                 .unwrap_or_else(|| scene.moment());
-            before.turn((actions.look_yaw, actions.look_pitch));
+            before.turn(actions.look_turn());
             self.before = Some(before);
         }
         scene.step(actions);
@@ -108,8 +108,8 @@ impl Between {
         let after = scene.moment();
         let mut moment = self.on_the_way(&*scene.sim.world.strategy, after.clone(), shutter.share);
         self.after = Some(after);
-        if shutter.turned_rad != (0.0, 0.0) {
-            moment.turn(shutter.turned_rad);
+        if !shutter.turned.is_none() {
+            moment.turn(shutter.turned);
             keep_clear(&mut moment.camera, &scene.sim.world.physics);
         }
         moment
@@ -128,10 +128,10 @@ impl Between {
 }
 
 impl Moment {
-    /// Turns the camera by radians to the right and up, and what the player holds with it.
-    fn turn(&mut self, turned_rad: (f64, f64)) {
+    /// Turns the camera, and what the player holds with it.
+    fn turn(&mut self, turned: LookTurn) {
         let about = self.camera.about;
-        let turn = self.camera.turn(turned_rad);
+        let turn = self.camera.turn(turned);
         let is_own = |who: &Who| matches!(who, Who::Shot | Who::InHand);
         let go_round = |point: &mut ChartPoint| {
             if point.chart == about.chart {
@@ -147,7 +147,7 @@ impl Moment {
         }
         let is_afoot = |who: &Who| matches!(who, Who::Player { drives: None, .. });
         for (_, own) in self.figures.iter_mut().filter(|(who, _)| is_afoot(who)) {
-            own.turn = DQuat::from_rotation_y(-turned_rad.0) * own.turn;
+            own.turn = DQuat::from_rotation_y(-turned.right_rad) * own.turn;
         }
         self.put_mark();
     }

@@ -29,6 +29,22 @@ impl CameraMode {
     }
 }
 
+/// How far the player turns the view.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LookTurn {
+    /// Radians to the right.
+    pub right_rad: f64,
+    /// Radians up.
+    pub up_rad: f64,
+}
+
+impl LookTurn {
+    /// Whether the view stays as it is.
+    pub fn is_none(self) -> bool {
+        self == Self::default()
+    }
+}
+
 /// An eye, and how it turns with the player's look.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraPose {
@@ -37,7 +53,7 @@ pub struct CameraPose {
     /// What it goes round, in the eye's chart; the eye itself in first person.
     pub about: ChartPoint,
     /// How far it can still turn down, negative, and up, radians.
-    pub room_rad: (f64, f64),
+    pub room_rad: [f64; 2],
 }
 
 impl CameraPose {
@@ -46,17 +62,18 @@ impl CameraPose {
         Self {
             eye: head,
             about: head.point,
-            room_rad: (-PITCH_LIMIT_RAD - head.pitch, PITCH_LIMIT_RAD - head.pitch),
+            room_rad: [-PITCH_LIMIT_RAD - head.pitch, PITCH_LIMIT_RAD - head.pitch],
         }
     }
 
-    /// Turns by radians to the right and up. Returns the rotation that everything takes that goes round with it.
-    pub fn turn(&mut self, (yaw_rad, pitch_rad): (f64, f64)) -> DMat3 {
+    /// Turns with the look. Returns the rotation that everything takes that goes round with it.
+    pub fn turn(&mut self, by: LookTurn) -> DMat3 {
         let before = axes(&self.eye);
-        let up_rad = pitch_rad.clamp(self.room_rad.0.min(0.0), self.room_rad.1.max(0.0));
-        self.eye.yaw = wrap_angle(self.eye.yaw + yaw_rad);
+        let [down_rad, most_rad] = self.room_rad;
+        let up_rad = by.up_rad.clamp(down_rad.min(0.0), most_rad.max(0.0));
+        self.eye.yaw = wrap_angle(self.eye.yaw + by.right_rad);
         self.eye.pitch += up_rad;
-        self.room_rad = (self.room_rad.0 - up_rad, self.room_rad.1 - up_rad);
+        self.room_rad = self.room_rad.map(|room| room - up_rad);
         let turn = axes(&self.eye) * before.transpose();
         let arm = self.eye.point.pos - self.about.pos;
         self.eye.point.pos = self.about.pos + turn * arm;

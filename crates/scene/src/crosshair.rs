@@ -26,6 +26,12 @@ const AHEAD_RAD: f64 = 40.0 * PI / 180.0;
 /// What of somebody has to be in sight, as a share of the height from the feet.
 const BREAST: f64 = 0.7;
 
+/// The eye of a picture, and how far the head lies beyond it, in metres.
+struct AimRay {
+    eye: Eye,
+    past_head_m: f64,
+}
+
 /// The crosshair of who looks through a picture.
 pub(crate) struct Crosshair<'a> {
     now: Situation<'a>,
@@ -45,9 +51,15 @@ impl<'a> Crosshair<'a> {
 
     /// The first ground within `reach_m` metres beyond the head.
     pub fn ground(&self, reach_m: f64) -> Pick {
-        let (eye, past_head_m) = self.eye();
+        let ray = self.ray();
         let physics = &self.now.world.physics;
-        pick(&*self.params.strategy, physics, &eye, past_head_m, reach_m)
+        pick(
+            &*self.params.strategy,
+            physics,
+            &ray.eye,
+            ray.past_head_m,
+            reach_m,
+        )
     }
 
     /// The first of the ground and of others.
@@ -58,7 +70,7 @@ impl<'a> Crosshair<'a> {
             .into_iter()
             .filter(|it| it.entity != self.now.actors.player)
             .collect();
-        self.first(self.eye(), reach_m, &|a, b| {
+        self.first(&self.ray(), reach_m, &|a, b| {
             let ways = ways(&*self.now.world.strategy, a, b.pos);
             let met = |it: &Standing| {
                 let way = within(&ways, it.feet.chart)?;
@@ -74,7 +86,7 @@ impl<'a> Crosshair<'a> {
         if all.is_empty() {
             return None;
         }
-        let found = self.first(self.eye(), reach_m, &|a, b| {
+        let found = self.first(&self.ray(), reach_m, &|a, b| {
             let met = all.iter().filter_map(|(_, it)| self.fixture_met(it, a, b));
             met.reduce(f64::min)
         });
@@ -142,15 +154,17 @@ impl<'a> Crosshair<'a> {
             .map(|(_, id, entity, _)| (entity, id))
     }
 
-    /// The eye of the picture, and how far the head lies beyond it, in metres.
-    fn eye(&self) -> (Eye, f64) {
+    fn ray(&self) -> AimRay {
         let eye = self.now.camera_through(&self.params).eye;
-        (eye, self.now.past_head_m(&self.params, &eye))
+        AimRay {
+            past_head_m: self.now.past_head_m(&self.params, &eye),
+            eye,
+        }
     }
 
-    fn first(&self, (eye, past_head_m): (Eye, f64), reach_m: f64, meets: Meets<'_>) -> Pick {
+    fn first(&self, ray: &AimRay, reach_m: f64, meets: Meets<'_>) -> Pick {
         let (strategy, physics) = (&*self.params.strategy, &self.now.world.physics);
-        pick_among(strategy, physics, meets, &eye, past_head_m, reach_m)
+        pick_among(strategy, physics, meets, &ray.eye, ray.past_head_m, reach_m)
     }
 
     fn fixture_met<T: Fixture>(&self, it: &T, a: ChartPoint, b: ChartPoint) -> Option<f64> {

@@ -70,7 +70,7 @@ pub use aimed::Aim;
 pub use antipode_frame as frame;
 pub use antipode_items::Item;
 pub use between::{Between, Shutter};
-pub use camera::CameraMode;
+pub use camera::{CameraMode, LookTurn};
 pub use car::CarView;
 pub use inventory::{Inventory, Stack};
 pub use lens::{DialGoals, Lens};

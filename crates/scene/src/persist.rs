@@ -83,7 +83,7 @@ fn player_record(actors: &Actors, player: &Player, slots: &[SlotRecord]) -> Opti
             chart: start.chart.number(),
             pos: start.pos.to_array(),
         }),
-        been_round: player.round.been,
+        been_round: player.circumnavigation.been,
     })
 }
 

@@ -56,44 +56,50 @@ pub fn pick_among(
     let end_m = (from_m + reach_m)
         .min(strategy.sight_limit_m(eye))
         .max(from_m);
-    let mut near = (from_m, strategy.along(eye, ahead, from_m));
-    while near.0 < end_m {
-        let (t, far) = next(strategy, eye, near, end_m);
-        if !is_pictured(strategy, eye, far, from_m + reach_m) {
+    let mut near = Reached {
+        distance_m: from_m,
+        point: strategy.along(eye, ahead, from_m),
+    };
+    while near.distance_m < end_m {
+        let far = next(strategy, eye, near, end_m);
+        if !is_pictured(strategy, eye, far.point, from_m + reach_m) {
             break;
         }
-        let ground = segment_hit(strategy, physics, near.1, far);
-        let other = meets(near.1, over(strategy, near.1, far));
+        let ground = segment_hit(strategy, physics, near.point, far.point);
+        let other = meets(near.point, over(strategy, near.point, far.point));
         if let Some(share) = [ground, other].into_iter().flatten().reduce(f64::min) {
-            let distance_m = near.0 + share * (t - near.0);
+            let distance_m = near.distance_m + share * (far.distance_m - near.distance_m);
             return Pick {
                 point: strategy.along(eye, ahead, distance_m),
                 distance_m,
                 hit: true,
             };
         }
-        near = (t, far);
+        near = far;
     }
     Pick {
-        point: near.1,
-        distance_m: near.0,
+        point: near.point,
+        distance_m: near.distance_m,
         hit: false,
     }
 }
 
-/// The end of the segment that begins at `near`, as its distance along the geodesic and its point.
-fn next(
-    strategy: &dyn Strategy,
-    eye: &Eye,
-    near: (f64, ChartPoint),
-    end_m: f64,
-) -> (f64, ChartPoint) {
+/// A point of the geodesic, and its distance along it.
+#[derive(Clone, Copy)]
+struct Reached {
+    distance_m: f64,
+    point: ChartPoint,
+}
+
+/// The end of the segment that begins at `near`.
+fn next(strategy: &dyn Strategy, eye: &Eye, near: Reached, end_m: f64) -> Reached {
     let at = |length_m: f64| {
-        let t = (near.0 + length_m).min(end_m);
-        (t, strategy.along(eye, DVec3::NEG_Z, t))
+        let distance_m = (near.distance_m + length_m).min(end_m);
+        let point = strategy.along(eye, DVec3::NEG_Z, distance_m);
+        Reached { distance_m, point }
     };
-    let is_short = |(_, far): &(f64, ChartPoint)| {
-        let chord = over(strategy, near.1, *far).pos - near.1.pos;
+    let is_short = |far: &Reached| {
+        let chord = over(strategy, near.point, far.point).pos - near.point.pos;
         chord.length() <= LONGEST_CHORD * SEGMENT_M
     };
     let shorter = (1..HALVINGS).map(|halving| SEGMENT_M * 0.5_f64.powi(halving));

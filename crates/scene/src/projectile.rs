@@ -13,8 +13,8 @@ use crate::actors::{ActorId, Actors, retain};
 use crate::car::tuning::BULLET_BACK;
 use crate::pick::over;
 use crate::tuning::{
-    BULLET, BULLET_HARMS_FROM_M_S, BULLET_LIES_BELOW_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M,
-    MOST_BULLETS, SAME_BODY_HARMED_AFTER_S, STEP_S,
+    BULLET, BULLET_DAMAGES_FROM_M_S, BULLET_LIES_BELOW_M_S, BULLET_LIES_S, BULLET_STRAIGHT_M,
+    MOST_BULLETS, SAME_BODY_DAMAGED_AFTER_S, STEP_S,
 };
 
 /// Who or what is written in a chart reaches no farther out of its domain than this, metres: a body that has not crossed
@@ -314,13 +314,13 @@ impl Projectile {
     /// The first whom it meets on a way, with the share of it and the way as that one's chart has it, if that one can be
     /// harmed by it now.
     fn meets<'w>(&self, air: &Air<'_>, ways: &'w [Way]) -> Option<(f64, Entity, &'w Way)> {
-        if self.velocity.length() < BULLET_HARMS_FROM_M_S {
+        if self.velocity.length() < BULLET_DAMAGES_FROM_M_S {
             return None;
         }
         let may_strike = |entity: Entity| {
-            let just_fired = entity == self.by && self.age_s < SAME_BODY_HARMED_AFTER_S;
+            let just_fired = entity == self.by && self.age_s < SAME_BODY_DAMAGED_AFTER_S;
             let just_struck = self.struck.is_some_and(|(last, at_s)| {
-                last == entity && self.age_s - at_s < SAME_BODY_HARMED_AFTER_S
+                last == entity && self.age_s - at_s < SAME_BODY_DAMAGED_AFTER_S
             });
             !just_fired && !just_struck
         };

@@ -53,7 +53,7 @@ pub(crate) fn player(
     }
     let start = kept.start.as_ref();
     player.start = start.and_then(|it| point(world, it.chart, it.pos));
-    player.round.been = kept.been_round;
+    player.circumnavigation.been = kept.been_round;
     player.flashlight = kept.flashlight;
     let (least, most, usual) = BRUSH_RADIUS_M;
     player.brush_radius_m = finite_or(kept.brush_radius_m, usual).clamp(least, most);

@@ -38,7 +38,12 @@ const RELIEF: f32 = 1.4;
 const LEAST_PATCH_M2: f32 = 1.0;
 
 /// A column of the chart, by whole multiples of [`NODE_M`].
-type Node = (ChartId, i32, i32);
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+struct Node {
+    chart: ChartId,
+    /// Whole steps along x and z.
+    at: [i32; 2],
+}
 
 /// A column as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -169,12 +174,15 @@ impl Survey {
 
 fn node_of(point: ChartPoint) -> Node {
     let whole = |x: f64| (x / NODE_M).round() as i32;
-    (point.chart, whole(point.pos.x), whole(point.pos.z))
+    Node {
+        chart: point.chart,
+        at: [whole(point.pos.x), whole(point.pos.z)],
+    }
 }
 
-fn column((chart, i, j): Node) -> ChartPoint {
-    let at = DVec3::new(f64::from(i), 0.0, f64::from(j)) * NODE_M;
-    ChartPoint::new(chart, at)
+fn column(node: Node) -> ChartPoint {
+    let [x, z] = node.at.map(f64::from);
+    ChartPoint::new(node.chart, DVec3::new(x, 0.0, z) * NODE_M)
 }
 
 fn reach_m(strategy: &dyn Atlas) -> f64 {
@@ -196,11 +204,14 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
     let mut found = Vec::new();
     for middle in std::iter::once(feet).chain(images.iter().map(|image| image.point)) {
         let domain = strategy.domain(middle.chart);
-        let (_, x, z) = node_of(middle);
+        let [x, z] = node_of(middle).at;
         let around = (span / NODE_M).ceil() as i32;
         for i in x.saturating_sub(around)..=x.saturating_add(around) {
             for j in z.saturating_sub(around)..=z.saturating_add(around) {
-                let node = (middle.chart, i, j);
+                let node = Node {
+                    chart: middle.chart,
+                    at: [i, j],
+                };
                 let point = column(node);
                 if domain.outside_m(point.pos.xz()) > margin_m {
                     continue;
@@ -218,8 +229,12 @@ fn nodes_about(strategy: &dyn Strategy, feet: ChartPoint) -> Vec<(Node, f64)> {
 /// Squares of four columns that are all there, at least one of them within the chart's domain.
 fn patches_of(strategy: &dyn Atlas, nodes: &[Node]) -> Vec<[u32; 4]> {
     let places: HashMap<Node, u32> = nodes.iter().copied().zip(0..).collect();
-    let patch = |&(chart, i, j): &Node| {
-        let corner = |di, dj| places.get(&(chart, i + di, j + dj)).copied();
+    let patch = |node: &Node| {
+        let [i, j] = node.at;
+        let corner = |di, dj| {
+            let at = [i + di, j + dj];
+            places.get(&Node { at, ..*node }).copied()
+        };
         Some([corner(0, 0)?, corner(1, 0)?, corner(0, 1)?, corner(1, 1)?])
     };
     nodes

@@ -61,8 +61,8 @@ pub(crate) struct Put {
 
 impl Put {
     /// Whether it changes what is in that table under that key.
-    pub(crate) fn is_at(&self, (kind, key): &(Kind, Vec<u8>)) -> bool {
-        self.kind == *kind && self.key == *key
+    pub(crate) fn is_at(&self, kind: Kind, key: &[u8]) -> bool {
+        self.kind == kind && self.key == key
     }
 
     /// With its key, if it is one of [`VALUES`].

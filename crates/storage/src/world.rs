@@ -280,7 +280,7 @@ impl WorldStore {
         let overwrites = {
             let known = self.known();
             let mut places = known.faults.keys();
-            places.any(|place| puts.iter().any(|put| put.is_at(place)))
+            places.any(|(kind, key)| puts.iter().any(|put| put.is_at(*kind, key)))
         };
         if overwrites && !self.kept.load(Ordering::Relaxed) {
             self.keep_copy()?;
@@ -292,7 +292,7 @@ impl WorldStore {
         let mut known = self.known();
         known
             .faults
-            .retain(|place, _| !puts.iter().any(|put| put.is_at(place)));
+            .retain(|(kind, key), _| !puts.iter().any(|put| put.is_at(*kind, key)));
         if let Some(meta) = &batch.meta {
             known.meta = meta.clone();
         }

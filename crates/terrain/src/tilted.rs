@@ -164,6 +164,7 @@ fn regions(
 mod tests {
     use super::*;
     use crate::lattice::table_seed;
+    use crate::relief::Relief;
     use noise::{NoiseFn, Perlin};
 
     /// Columns through the lattice of the first octave of 0.6 times the axes' frequencies.

@@ -318,16 +318,16 @@ fn walk(ui: &Ui, slot: u8, response: &Response) -> bool {
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, lock));
     let presses = |key| ui.input(|input| input.num_presses(key) as i32);
-    let by = (
+    let by = [
         presses(Key::ArrowRight) - presses(Key::ArrowLeft),
         presses(Key::ArrowDown) - presses(Key::ArrowUp),
-    );
-    if by == (0, 0) {
+    ];
+    if by == [0, 0] {
         return false;
     }
     // In the first frame of a focus the lock does not hold yet, and egui would move it on.
     ui.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
-    let leaves = last_line && by.1 > 0;
+    let leaves = last_line && by[1] > 0;
     if !leaves {
         ui.memory_mut(|memory| memory.request_focus(id(layout::beside(slot, by))));
     }

@@ -25,14 +25,15 @@ pub(crate) fn line(ui: &mut Ui, text: &mut String, hint: &str, limit: usize) -> 
 
 /// The same with a name, which is what screen readers call it.
 pub(crate) fn entry(ui: &mut Ui, text: &mut String, name: &str, hint: &str) -> Response {
-    named_line(ui, text, (name, hint), LIMIT)
+    named_line(ui, text, name, hint, LIMIT)
 }
 
 /// The same for so many characters.
 pub(crate) fn named_line(
     ui: &mut Ui,
     text: &mut String,
-    (name, hint): (&str, &str),
+    name: &str,
+    hint: &str,
     limit: usize,
 ) -> Response {
     let response = line(ui, text, hint, limit);

@@ -60,7 +60,7 @@ impl Naming {
         ui.label(RichText::new(title).font(FontId::proportional(20.0)));
         ui.add_space(0.5 * GRID);
         let name = texts.say("flag-name");
-        let line = entry::named_line(&mut ui, text, (&name, &name), longest);
+        let line = entry::named_line(&mut ui, text, &name, &name, longest);
         if std::mem::take(&mut self.is_new) {
             line.request_focus();
         }

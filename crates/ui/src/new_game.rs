@@ -94,7 +94,7 @@ impl NewGameForm {
             let spherical = self.geometry == GeometryChoice::Spherical;
             let walk_m_s = pass.model.walk_m_s;
             let radius =
-                spherical.then(|| radius::choose(ui, texts, (&mut self.radius_m, walk_m_s), stops));
+                spherical.then(|| radius::choose(ui, texts, &mut self.radius_m, walk_m_s, stops));
             Fields { name, seed, radius }
         };
         let fields = pane(ui, regions.pane, &texts.say("menu-new-game"), body, |ui| {

@@ -1,5 +1,7 @@
 //! The photo mode: a panel at the right with what the picture is taken with, and lines over the picture.
 
+use std::ops::RangeInclusive;
+
 use antipode_language::{Texts, Value};
 use egui::{
     Area, Button, Checkbox, Context, Id, Label, LayerId, Order, Painter, Rect, Response, RichText,
@@ -173,7 +175,8 @@ fn sliders(
         ui,
         &texts.say("photo-field-of-view"),
         &mut values.field_of_view_deg,
-        (least, most, 1.0),
+        least..=most,
+        1.0,
         &degrees,
     );
     stops.add(&response);
@@ -182,12 +185,12 @@ fn sliders(
     }
     if let Some(day_s) = model.day_s {
         let label = texts.say("photo-time");
-        let range = (0.0, day_s, day_s / 144.0);
         stops.add(&slider(
             ui,
             &label,
             &mut values.time_of_day_s,
-            range,
+            0.0..=day_s,
+            day_s / 144.0,
             model.clock,
         ));
     }
@@ -204,27 +207,27 @@ fn sliders(
             ui,
             &label,
             &mut values.dial,
-            (min, max, 0.1),
+            min..=max,
+            0.1,
             &number,
         ));
     }
 }
 
-/// A slider below its name; the range is least, most and step.
+/// A slider below its name, which stops at multiples of `step`.
 fn slider(
     ui: &mut Ui,
     label: &str,
     value: &mut f64,
-    (least, most, step): (f64, f64, f64),
+    range: RangeInclusive<f64>,
+    step: f64,
     say: &dyn Fn(f64) -> String,
 ) -> Response {
     ui.label(label);
     // The number beside it is no second thing to focus: keys would be typed into it.
     let row = ui.horizontal(|ui| {
         ui.spacing_mut().slider_width = (ui.available_width() - NUMBER_WIDTH).clamp(16.0, 320.0);
-        let slider = Slider::new(value, least..=most)
-            .step_by(step)
-            .show_value(false);
+        let slider = Slider::new(value, range).step_by(step).show_value(false);
         let response = ui.add(slider);
         ui.label(RichText::new(say(*value)).color(WEAK));
         response

@@ -162,7 +162,7 @@ impl Toasts {
             bottom = rect.min.y - GRID;
             let until = *toast.until_s.get_or_insert(now_s + stay_s(toast.kind));
             ctx.request_repaint_after_secs((until - now_s) as f32);
-            paint(ctx, index, rect, (toast, font));
+            paint(ctx, index, rect, toast, font);
         }
     }
 
@@ -190,7 +190,7 @@ fn fitting(ctx: &Context, text: &str, room: Vec2) -> (FontId, Vec2) {
     fitting
 }
 
-fn paint(ctx: &Context, index: usize, rect: Rect, (toast, font): (&Toast, FontId)) {
+fn paint(ctx: &Context, index: usize, rect: Rect, toast: &Toast, font: FontId) {
     let id = Id::unique(("antipode-toast", index));
     let layer = LayerId::new(Order::Foreground, Id::unique("antipode-toasts"));
     let colour = match toast.kind {

@@ -1,6 +1,6 @@
 //! From where the sticks stand to walking and looking: dead zones and the response curve.
 
-use antipode_scene::Actions;
+use antipode_scene::{Actions, LookTurn};
 use antipode_settings::Settings;
 use glam::DVec2;
 
@@ -76,11 +76,14 @@ impl Sticks {
         actions.strafe = (actions.strafe + walk.x).clamp(-1.0, 1.0);
     }
 
-    /// How far the right stick turns the view in `passed_s` seconds, radians to the right and up.
-    pub fn turn(&self, feel: Feel, passed_s: f64) -> (f64, f64) {
+    /// How far the right stick turns the view in `passed_s` seconds.
+    pub fn turn(&self, feel: Feel, passed_s: f64) -> LookTurn {
         let look = rest_taken_out(self.right, feel.dead_zone);
         let turn = look * look.length().powi(LOOK_POWER - 1) * (feel.look_rad_per_s * passed_s);
-        (turn.x, if feel.inverted { -turn.y } else { turn.y })
+        LookTurn {
+            right_rad: turn.x,
+            up_rad: if feel.inverted { -turn.y } else { turn.y },
+        }
     }
 
     /// The way the left stick points in a menu, if it is far enough over.
@@ -126,7 +129,8 @@ mod tests {
             sticks.set(*axis, *value);
         }
         sticks.add_to(&mut actions, feel);
-        (actions.look_yaw, actions.look_pitch) = sticks.turn(feel, 0.5);
+        let turn = sticks.turn(feel, 0.5);
+        (actions.look_yaw, actions.look_pitch) = (turn.right_rad, turn.up_rad);
         actions
     }
 

@@ -18,7 +18,7 @@ use crate::drawn::Drawn;
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::hud;
-use crate::navigator::{Navigator, WHOLE_MAP};
+use crate::navigator::{Navigator, SurveyOrder, WHOLE_MAP};
 use crate::options;
 use crate::picture::Studio;
 use crate::session::{NewWorld, Session, Worlds};
@@ -276,8 +276,11 @@ impl Runner {
                 let seen = scene.seen();
                 let mut model = hud::model(texts, scene, &seen, fps, figures);
                 model.mirror = has_mirror;
-                let surveyed = (id, WHOLE_MAP);
-                navigator.add_to(&mut model, (scene, &seen), (texts, settings), surveyed);
+                let order = SurveyOrder {
+                    world: id,
+                    columns: WHOLE_MAP,
+                };
+                navigator.add_to(&mut model, scene, &seen, texts, settings, order);
                 model
             })
         })?;

@@ -41,7 +41,7 @@ impl Devices {
     /// Turns the view as the sticks have stood for `passed_s` seconds.
     pub fn turn(&mut self, feel: Feel, passed_s: f64) {
         let turn = self.sticks.turn(feel, passed_s);
-        self.by_pad |= turn != (0.0, 0.0);
+        self.by_pad |= !turn.is_none();
         self.controls.turn(turn);
     }
 

@@ -11,7 +11,7 @@ use super::phase::Phase;
 use super::play::Play;
 use crate::drawn::Drawn;
 use crate::hud;
-use crate::navigator::{Navigator, columns_for};
+use crate::navigator::{Navigator, SurveyOrder, columns_for};
 
 /// What the player looks at besides the world.
 #[derive(Debug, Default)]
@@ -44,9 +44,12 @@ impl Display {
         let mut model = hud::model(texts, scene, &seen, fps, figures);
         model.mirror = self.has_mirror;
         let columns = columns_for(1e-3 * frame_ms.unwrap_or_default());
-        let surveyed = (play.opened, columns);
+        let order = SurveyOrder {
+            world: play.opened,
+            columns,
+        };
         self.navigator
-            .add_to(&mut model, (scene, &seen), (texts, settings), surveyed);
+            .add_to(&mut model, scene, &seen, texts, settings, order);
         Some(model)
     }
 

@@ -280,7 +280,7 @@ impl Game {
     pub(super) fn shutter(&mut self) -> Shutter {
         Shutter {
             share: self.play.pace.share(),
-            turned_rad: self.devices.controls.show_turn(),
+            turned: self.devices.controls.show_turn(),
         }
     }
 }

@@ -137,7 +137,8 @@ impl Pointer {
         (self.hold == Hold::Locked).then_some(delta)
     }
 
-    fn recentre(&mut self, window: &Window, (width, height): (u32, u32)) {
+    fn recentre(&mut self, window: &Window, size: (u32, u32)) {
+        let (width, height) = size;
         let middle = PhysicalPosition::new(f64::from(width / 2), f64::from(height / 2));
         // The warp comes back as a motion event to exactly this place; measured from here it is no motion.
         self.track.warp = window.set_cursor_position(middle).is_ok().then_some(middle);

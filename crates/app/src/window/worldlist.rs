@@ -18,7 +18,7 @@ use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, leg
 use self::folder::FolderProblem;
 use self::pictures::Pictures;
 use self::words::News;
-use self::work::{Details, Job, Outcome, WorldFolders};
+use self::work::{Details, Job, Outcome, WorldLocations};
 use super::background::{Progress, Task};
 use crate::session::Worlds;
 use crate::wording;
@@ -26,7 +26,7 @@ use crate::wording;
 /// The worlds as last read.
 #[derive(Debug)]
 pub struct WorldList {
-    folders: WorldFolders,
+    locations: WorldLocations,
     known: Vec<WorldSummary>,
     /// The work under way, and what it is.
     task: Option<(Job, Task<Outcome>)>,
@@ -47,7 +47,7 @@ impl WorldList {
     /// Nothing read yet.
     pub fn new(worlds: Worlds) -> Self {
         Self {
-            folders: WorldFolders::new(worlds),
+            locations: WorldLocations::new(worlds),
             known: Vec::new(),
             task: None,
             waiting: VecDeque::new(),
@@ -97,7 +97,7 @@ impl WorldList {
             WorldsIntent::Import { file } => self.enqueue(Job::Import { file }),
             WorldsIntent::FindArchives => self.enqueue(Job::FindArchives),
             WorldsIntent::OpenFolder { slug } => {
-                let dir = self.folders.dir_of(&slug);
+                let dir = self.locations.dir_of(&slug);
                 self.folders
                     .push(Task::start("folder", move || folder::open(&dir).err()));
             }
@@ -120,8 +120,8 @@ impl WorldList {
             return;
         };
         self.again = list.is_some() && job != Job::List && !job.brings_list();
-        let (folders, work) = (self.folders.clone(), job.clone());
-        self.task = Some((job, Task::start("saves", move || work.run(&folders))));
+        let (locations, work) = (self.locations.clone(), job.clone());
+        self.task = Some((job, Task::start("saves", move || work.run(&locations))));
     }
 
     /// Takes finished work in. Never blocks.
@@ -170,7 +170,7 @@ impl WorldList {
     /// A file that is still to be written goes by the world's new name, unless the player called it otherwise.
     fn call_export(&mut self, slug: &str, name: &str) {
         let known = self.known.iter().find(|world| world.slug == slug);
-        let offered = known.map(|world| self.folders.export_to(world.name()));
+        let offered = known.map(|world| self.locations.export_to(world.name()));
         let free = self.details.get(slug).map(|it| it.export_to.clone());
         let Some(file) = self.unwritten.get_mut(slug) else {
             return;
@@ -178,7 +178,7 @@ impl WorldList {
         let called =
             |offered: &String| Path::new(offered).file_name() == Path::new(&*file).file_name();
         if offered.iter().chain(&free).any(called) {
-            let new = PathBuf::from(self.folders.export_to(name));
+            let new = PathBuf::from(self.locations.export_to(name));
             let new = new.file_name().unwrap_or_default();
             *file = Path::new(&*file).with_file_name(new).display().to_string();
         }
@@ -244,8 +244,8 @@ impl WorldList {
                 let mut row = words::row(texts, world);
                 row.running = running == Some(world.slug.as_str());
                 row.picture = self.pictures.of(&world.slug);
-                row.path = self.folders.dir_of(&world.slug).display().to_string();
-                row.export_to = self.folders.export_to(world.name());
+                row.path = self.locations.dir_of(&world.slug).display().to_string();
+                row.export_to = self.locations.export_to(world.name());
                 if let Some(details) = self.details.get(&world.slug) {
                     row.edits = details.edits;
                     row.export_to.clone_from(&details.export_to);
@@ -268,7 +268,7 @@ impl WorldList {
             size: words::size(texts, file.size_bytes),
         });
         WorldFiles {
-            dir: self.folders.exports().display().to_string(),
+            dir: self.locations.exports().display().to_string(),
             archives: archives.collect(),
             work: self
                 .task

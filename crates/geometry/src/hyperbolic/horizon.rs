@@ -17,6 +17,7 @@ use crate::projection::Depth;
 use crate::real::Real;
 use crate::scalar::{asin_k, atan_k, cos_k, sin_k};
 use crate::sight::{Axis, SightCell};
+use crate::uniform::PictureEdge;
 use crate::{
     Atlas, ChartId, ChartPoint, Curvature, Dial, Eye, Map, MapShader, Metric, Optics, Projection,
     SpaceUniform, Viewer, shader,
@@ -91,13 +92,19 @@ impl Horizon {
         HorizonMap::new(self.kappa(eye), eye.lift_m)
     }
 
-    /// Farthest level distance and greatest height that the picture shows, in metres.
-    fn edge_m(kappa: f64) -> (f64, f64) {
+    /// What the picture shows.
+    fn edge(kappa: f64) -> PictureEdge {
         if kappa > 0.0 {
             let turn = std::f64::consts::PI / kappa.sqrt();
-            (CUT_LEVEL * turn, CUT_UPRIGHT * 0.5 * turn)
+            PictureEdge {
+                level_m: CUT_LEVEL * turn,
+                upright_m: CUT_UPRIGHT * 0.5 * turn,
+            }
         } else {
-            (f64::INFINITY, f64::INFINITY)
+            PictureEdge {
+                level_m: f64::INFINITY,
+                upright_m: f64::INFINITY,
+            }
         }
     }
 
@@ -201,10 +208,10 @@ impl Optics for Horizon {
     }
 
     fn trims(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> bool {
-        let (level, upright) = Self::edge_m(self.kappa(eye));
+        let edge = Self::edge(self.kappa(eye));
         let foot = eye.point.pos - DVec3::Y * eye.lift_m;
         let far = (min - foot).abs().max((max - foot).abs());
-        far.x.hypot(far.z) > level || far.y > upright
+        far.x.hypot(far.z) > edge.level_m || far.y > edge.upright_m
     }
 
     fn sight_cell(&self, eye: &Eye, _chart: ChartId, min: DVec3, max: DVec3) -> SightCell {
@@ -213,10 +220,10 @@ impl Optics for Horizon {
         if kappa > 0.0 && kappa.sqrt() * eye.lift_m.abs() > HIGHEST_EYE_RAD {
             return SightCell::EVERYWHERE;
         }
-        let (level, upright) = Self::edge_m(kappa);
+        let PictureEdge { level_m, upright_m } = Self::edge(kappa);
         let low = min - eye.point.pos;
         let high = max - eye.point.pos;
-        Self::axis(kappa, eye).cell_of_box(low, high, level, upright)
+        Self::axis(kappa, eye).cell_of_box(low, high, level_m, upright_m)
     }
 
     /// In the chart's metres, `ds^2 = dy^2 + C(y)^2 (dr^2 + (S(r) / r)^2 (r dphi)^2)`: no way is stretched by more than
@@ -257,7 +264,7 @@ impl Optics for Horizon {
     fn uniform(&self, eye: &Eye, projection: &Projection) -> SpaceUniform {
         let view = self.view_matrix(eye);
         let kappa = self.kappa(eye);
-        SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge_m(kappa))
+        SpaceUniform::level(view, projection, kappa, eye.lift_m, Self::edge(kappa))
     }
 
     fn shader(&self) -> &'static MapShader {

@@ -27,7 +27,7 @@ const SWITCH_DIAL: f64 = 0.08;
 pub fn run(bench: &Bench) -> Result<Findings, LabError> {
     let mut found = Findings::default();
     let mut curve = Curve::new("GPU, raised, dial 10", 1e-30, 1.0);
-    for range in [(1e-30, 1e-9), (1e-9, 1e-3), (1e-3, 0.25)] {
+    for range in [[1e-30, 1e-9], [1e-9, 1e-3], [1e-3, 0.25]] {
         found.rows.extend(sweep(bench, range, &mut curve)?);
     }
     found.plots.push(plot(
@@ -77,11 +77,11 @@ fn ahead(rng: &mut Numbers) -> DVec3 {
 }
 
 /// The projection of a world of curvature k per metre, on the adapter, against `f64`.
-fn sweep(bench: &Bench, range: (f64, f64), curve: &mut Curve) -> Result<[Row; 1], LabError> {
+fn sweep(bench: &Bench, range: [f64; 2], curve: &mut Curve) -> Result<[Row; 1], LabError> {
     let mut rng = Numbers::new(71);
     let (mut list, mut exact) = (Vec::new(), Vec::new());
     for _ in 0..bench.effort.count(20_000) {
-        let k = rng.magnitude(range.0, range.1);
+        let k = rng.magnitude(range[0], range[1]);
         let space = picture(Geometry::Hyperbolic, 1.0 / k, HyperbolicMap::Raised, false);
         let eye = eye(10.0);
         let u = ahead(&mut rng) * if k > 0.05 { 0.05 / k } else { 1.0 };
@@ -106,7 +106,7 @@ fn sweep(bench: &Bench, range: (f64, f64), curve: &mut Curve) -> Result<[Row; 1]
     });
     let subject = Subject {
         quantity: "curvature sweep, error",
-        range: format!("k from {:e} to {} per metre", range.0, range.1),
+        range: format!("k from {:e} to {} per metre", range[0], range[1]),
         unit: "px",
         naive: None,
     };

@@ -91,7 +91,9 @@ fn pairs(
     bench: &Bench,
     space: &dyn Strategy,
     eye: &Eye,
-    (reach, scale, curved): (f64, f64, bool),
+    reach: f64,
+    scale: f64,
+    curved: bool,
 ) -> (Vec<cases::Case>, Vec<f64>) {
     let mut rng = Numbers::new(31);
     let (mut list, mut distances) = (Vec::new(), Vec::new());
@@ -135,7 +137,7 @@ fn order(
     } else {
         reach_m
     };
-    let (list, distances) = pairs(bench, space, &eye, (reach, scale, radius.is_finite()));
+    let (list, distances) = pairs(bench, space, &eye, reach, scale, radius.is_finite());
     let answers = cases::answers(bench.gpu.as_ref(), &list)?;
     let double: Vec<f64> = list
         .iter()

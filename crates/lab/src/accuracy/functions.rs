@@ -36,7 +36,7 @@ struct Function {
 
 const fn built_in(
     quantity: &'static str,
-    (low, high): (f64, f64),
+    [low, high]: [f64; 2],
     library: fn(f32) -> f32,
     exact: fn(f64) -> f64,
     slot: usize,
@@ -140,21 +140,21 @@ fn our_functions() -> Vec<Function> {
 /// What else a shader could use.
 fn built_in_functions() -> Vec<Function> {
     vec![
-        built_in("sin t", (1e-6, 1.5), f32::sin, f64::sin, 16),
-        built_in("sinh t", (1e-6, 80.0), f32::sinh, f64::sinh, 17),
-        built_in("tanh t", (1e-6, 20.0), f32::tanh, f64::tanh, 18),
+        built_in("sin t", [1e-6, 1.5], f32::sin, f64::sin, 16),
+        built_in("sinh t", [1e-6, 80.0], f32::sinh, f64::sinh, 17),
+        built_in("tanh t", [1e-6, 20.0], f32::tanh, f64::tanh, 18),
         built_in(
             "acosh(1 + t)",
-            (1e-6, 1e3),
+            [1e-6, 1e3],
             |t| (1.0 + t).acosh(),
             acosh_one_plus,
             19,
         ),
-        built_in("log t", (1e-6, 0.9), f32::ln, f64::ln, 20),
-        built_in("sqrt t", (1e-30, 1e30), f32::sqrt, f64::sqrt, 21),
+        built_in("log t", [1e-6, 0.9], f32::ln, f64::ln, 20),
+        built_in("sqrt t", [1e-30, 1e30], f32::sqrt, f64::sqrt, 21),
         built_in(
             "1/sqrt t",
-            (1e-30, 1e30),
+            [1e-30, 1e30],
             |t| 1.0 / t.sqrt(),
             |t| 1.0 / t.sqrt(),
             22,

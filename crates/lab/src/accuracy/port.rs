@@ -56,7 +56,7 @@ struct Chart {
     better: fn(DVec3) -> [Double2; 4],
     map: &'static MapShader,
     shader: &'static str,
-    ranges: &'static [(f64, f64)],
+    ranges: &'static [[f64; 2]],
 }
 
 fn exponential_single(p: Vec3) -> Vec4 {
@@ -113,7 +113,7 @@ static CHARTS: [Chart; 3] = [
         better: exponential_better,
         map: &shader::FLAT,
         shader: EXPONENTIAL,
-        ranges: &[(1e-18, 1e-4), (1e-4, 3.0), (3.0, 79.0)],
+        ranges: &[[1e-18, 1e-4], [1e-4, 3.0], [3.0, 79.0]],
     },
     Chart {
         quantity: "port, hyperbolic (cylindrical chart)",
@@ -124,7 +124,7 @@ static CHARTS: [Chart; 3] = [
         better: |p| cylindrical_better(-1.0, p),
         map: &shader::HORIZON,
         shader: HORIZON,
-        ranges: &[(1e-18, 1e-4), (1e-4, 3.0), (3.0, 38.0)],
+        ranges: &[[1e-18, 1e-4], [1e-4, 3.0], [3.0, 38.0]],
     },
     Chart {
         quantity: "port, spherical (cylindrical chart)",
@@ -135,7 +135,7 @@ static CHARTS: [Chart; 3] = [
         better: |p| cylindrical_better(1.0, p),
         map: &shader::SPHERE,
         shader: SPHERE,
-        ranges: &[(1e-18, 1e-4), (1e-4, 2.0)],
+        ranges: &[[1e-18, 1e-4], [1e-4, 2.0]],
     },
 ];
 
@@ -166,7 +166,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
 const HEMISPHERE: f32 = std::f32::consts::FRAC_PI_2;
 const CEILING: f32 = 1.2;
 
-fn inputs(bench: &Bench, chart: &Chart, (low, high): (f64, f64)) -> Vec<Vec3> {
+fn inputs(bench: &Bench, chart: &Chart, [low, high]: [f64; 2]) -> Vec<Vec3> {
     let mut rng = Numbers::new(1);
     let mut points = vec![Vec3::ZERO];
     while points.len() < bench.effort.count(200_000) {
@@ -183,7 +183,7 @@ fn inputs(bench: &Bench, chart: &Chart, (low, high): (f64, f64)) -> Vec<Vec3> {
 fn measure(
     bench: &Bench,
     chart: &Chart,
-    range: (f64, f64),
+    range: [f64; 2],
     curves: &mut [Curve; 4],
 ) -> Result<Vec<Row>, LabError> {
     let points = inputs(bench, chart, range);
@@ -241,7 +241,7 @@ fn off_double(chart: &Chart, p: DVec3) -> f64 {
 
 fn rows(
     chart: &Chart,
-    (low, high): (f64, f64),
+    [low, high]: [f64; 2],
     [single, cast, gpu, textbook]: [Worst; 4],
     double: Worst,
     ran: bool,

@@ -32,8 +32,8 @@ const DOUBLE: f64 = 1e-9;
 pub fn run(bench: &Bench) -> Result<Findings, LabError> {
     let mut found = Findings::default();
     let mut curves = ["GPU", "textbook f32"].map(|name| Curve::new(name, 1.0, 1e8));
-    for (low, high) in [(1.0, 1e3), (1e3, 1e6), (1e6, 1e8)] {
-        positions(bench, (low, high), &mut curves, &mut found)?;
+    for range in [[1.0, 1e3], [1e3, 1e6], [1e6, 1e8]] {
+        positions(bench, range, &mut curves, &mut found)?;
     }
     found.plots.push(plot(
         "positions",
@@ -63,7 +63,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
 }
 
 /// A camera at a distance from the origin, on level ground.
-fn camera(rng: &mut Numbers, (low, high): (f64, f64)) -> Eye {
+fn camera(rng: &mut Numbers, [low, high]: [f64; 2]) -> Eye {
     let level = rng.turn() * rng.magnitude(low, high);
     Eye {
         point: ChartPoint::a(DVec3::new(level.x, rng.between(-200.0, 200.0), level.y)),
@@ -76,7 +76,7 @@ fn camera(rng: &mut Numbers, (low, high): (f64, f64)) -> Eye {
 }
 
 /// A vertex as its chunk holds it: the chunk's corner, and a place in it.
-pub fn vertex(rng: &mut Numbers, eye: &Eye, (low, high): (f64, f64)) -> (ChunkCoord, Vec3) {
+pub fn vertex(rng: &mut Numbers, eye: &Eye, [low, high]: [f64; 2]) -> (ChunkCoord, Vec3) {
     loop {
         let p = eye.point.pos + rng.direction() * rng.magnitude(low, high);
         let chunk = ChunkCoord::containing(ChartPoint::new(eye.point.chart, p));
@@ -90,7 +90,7 @@ pub fn vertex(rng: &mut Numbers, eye: &Eye, (low, high): (f64, f64)) -> (ChunkCo
 
 fn positions(
     bench: &Bench,
-    range: (f64, f64),
+    range: [f64; 2],
     curves: &mut [Curve; 2],
     found: &mut Findings,
 ) -> Result<(), LabError> {
@@ -100,7 +100,7 @@ fn positions(
     let (mut list, mut truths) = (Vec::new(), Vec::new());
     for _ in 0..bench.effort.count(50_000) {
         let eye = camera(&mut rng, range);
-        let (chunk, local) = vertex(&mut rng, &eye, (1.6, 200.0));
+        let (chunk, local) = vertex(&mut rng, &eye, [1.6, 200.0]);
         let exact = chunk.origin() + local.as_dvec3();
         let mut case = cases::case(space, &eye, ChartPoint::a(exact), DVec3::Y);
         case.p = cases::sent(space, &eye, chunk, local);
@@ -135,11 +135,11 @@ fn positions(
     Ok(())
 }
 
-fn push_positions(range: (f64, f64), ran: bool, worst: [Worst; 3], found: &mut Findings) {
+fn push_positions(range: [f64; 2], ran: bool, worst: [Worst; 3], found: &mut Findings) {
     let [single, shader, textbook] = worst;
     let subject = |quantity| Subject {
         quantity,
-        range: format!("{:e} to {:e} m from the origin", range.0, range.1),
+        range: format!("{:e} to {:e} m from the origin", range[0], range[1]),
         unit: "rad",
         naive: Some(textbook.clone()),
     };
@@ -160,8 +160,8 @@ fn seams(bench: &Bench, high: f64, found: &mut Findings) {
     let space = cases::raised(10.0).space;
     let (mut ours, mut textbook) = (Worst::default(), Worst::default());
     for _ in 0..bench.effort.count(50_000) {
-        let eye = camera(&mut rng, (1.0, high));
-        let (chunk, local) = vertex(&mut rng, &eye, (1.6, 200.0));
+        let eye = camera(&mut rng, [1.0, high]);
+        let (chunk, local) = vertex(&mut rng, &eye, [1.6, 200.0]);
         let side = (rng.bits() % 3) as usize;
         let (mut low, mut up) = (local, local);
         low[side] = CHUNK_CELLS as f32;
@@ -201,7 +201,7 @@ fn port_and_back(bench: &Bench, setting: &Setting, reach: f64, found: &mut Findi
     let space = setting.space.as_ref();
     let (mut ours, mut textbook) = (Worst::default(), Worst::default());
     for _ in 0..bench.effort.count(20_000) {
-        let mut eye = camera(&mut rng, (1.0, 30.0));
+        let mut eye = camera(&mut rng, [1.0, 30.0]);
         eye.dial = setting.dial;
         let (point, scale) = if space.is_closed() {
             let radius = space.radius_m();

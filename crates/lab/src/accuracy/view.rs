@@ -29,7 +29,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
     let mut curves = ["CPU f32", "CPU f64, then f32", "GPU", "textbook f32"]
         .map(|name| Curve::new(name, 1e-4, 20.0));
     for setting in [0.0, 0.5, 10.0, 20.0].map(cases::raised) {
-        for range in [(1e-4, 1e-1), (1e-1, 3.0), (3.0, 20.0)] {
+        for range in [[1e-4, 1e-1], [1e-1, 3.0], [3.0, 20.0]] {
             near_and_far(bench, &setting, range, &mut curves, &mut found.rows)?;
         }
     }
@@ -47,7 +47,7 @@ pub fn run(bench: &Bench) -> Result<Findings, LabError> {
 fn near_and_far(
     bench: &Bench,
     setting: &Setting,
-    (low, high): (f64, f64),
+    [low, high]: [f64; 2],
     curves: &mut [Curve; 4],
     rows: &mut Vec<Row>,
 ) -> Result<(), LabError> {

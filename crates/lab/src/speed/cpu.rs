@@ -1,7 +1,7 @@
 //! The section of the processor's figures.
 
 use crate::speed::pareto::Group;
-use crate::speed::{culling, distance, frames, moves, normals, port, view};
+use crate::speed::{columns, culling, distance, moves, normals, port, view};
 use crate::{Effort, Section};
 
 /// Every group of variants, timed.
@@ -27,7 +27,7 @@ pub fn cpu_section(effort: Effort) -> Section {
     let mut groups = groups(effort);
     let (culling, wrong) = culling::groups(effort);
     groups.extend(culling);
-    let (by_size, frames_plot) = frames::by_size();
+    let (by_size, frames_plot) = columns::by_size();
     Section::new(
         "speed-cpu",
         "What accuracy costs on the processor",

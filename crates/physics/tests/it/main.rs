@@ -10,6 +10,7 @@ mod air;
 mod charts;
 mod common;
 mod equator;
+mod tipping;
 mod vehicle;
 mod walking;
 mod wander;

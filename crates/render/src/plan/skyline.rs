@@ -112,7 +112,7 @@ impl Grid {
     }
 
     /// The azimuths at which a square of the chart is seen; `None` where the eye stands over it.
-    fn seen_at(&self, corner: DVec2, side: f64) -> Option<(f64, f64)> {
+    fn seen_at(&self, corner: DVec2, side: f64) -> Option<[f64; 2]> {
         let (frame, _) = self.lies?;
         let corners = [corner, corner + side];
         let corners = corners.map(|at| frame.placed(DVec3::new(at.x, 0.0, at.y)).xz());
@@ -195,7 +195,7 @@ impl<'a> Skyline<'a> {
     /// Blocks what a column of a ring blocks; `grid` is that of its chart.
     pub fn raise(&mut self, column: &Column, grid: &Grid, ring: u32) {
         let side = f64::from(CHUNK_CELLS);
-        let Some((from, to)) = grid.seen_at(column.corner(), side) else {
+        let Some([from, to]) = grid.seen_at(column.corner(), side) else {
             // The eye's own column blocks what its parts do.
             return self.raise_parts(column, grid, ring);
         };
@@ -246,7 +246,7 @@ impl<'a> Skyline<'a> {
     /// which its top blocks them.
     fn blocked(
         &self,
-        (from, to): (f64, f64),
+        [from, to]: [f64; 2],
         ring: u32,
         top: impl FnOnce() -> SightCell,
     ) -> Option<(Range<i64>, f64)> {
@@ -289,14 +289,14 @@ fn bin_at(azimuth_rad: f64) -> f64 {
 }
 
 /// The azimuths at which a square is seen from the origin; `None` when it holds the origin.
-fn azimuths(low: DVec2, high: DVec2) -> Option<(f64, f64)> {
+fn azimuths(low: DVec2, high: DVec2) -> Option<[f64; 2]> {
     if DVec2::ZERO.clamp(low, high) == DVec2::ZERO {
         return None;
     }
     let middle = 0.5 * (low + high);
     let heading = middle.y.atan2(middle.x);
     let [least, most] = azimuth_spread(low, high);
-    Some((heading + least, heading + most))
+    Some([heading + least, heading + most])
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use wgpu::TextureFormat;
 
+use crate::draw_list::DrawCount;
 use crate::error::RenderError;
 use crate::plan::PlanStats;
 use crate::shadow::{ShadowQuality, ShadowStats};
@@ -61,9 +62,9 @@ impl DrawStats {
         }
     }
 
-    pub(super) fn add(&mut self, (triangles, draws): (usize, usize)) {
-        self.triangles += triangles;
-        self.draws += draws;
+    pub(super) fn add(&mut self, drawn: DrawCount) {
+        self.triangles += drawn.triangles;
+        self.draws += drawn.draws;
     }
 }
 

@@ -124,8 +124,8 @@ impl Renderer {
         let scale = if full { 1.0 } else { self.options.scale };
         let size = drawn_size(width, height, scale, self.largest_side());
         self.height_px = height;
-        let size = (size, self.options.samples);
-        self.picture.fit(&self.device, &self.tonemap, size);
+        let samples = self.options.samples;
+        self.picture.fit(&self.device, &self.tonemap, size, samples);
         self.pictured = None;
     }
 

@@ -11,9 +11,9 @@ use wgpu::{
 use super::DrawStats;
 use crate::celestial::{Celestial, FAINTEST};
 use crate::charts::Charts;
-use crate::chunk_store::ChunkStore;
+use crate::chunk_store::{ChunkStore, Shading};
 use crate::culling::Falls;
-use crate::draw_list::{DrawList, LandDraws};
+use crate::draw_list::{DrawCount, DrawList, LandDraws};
 use crate::figure_buffers::Statics;
 use crate::figure_draws::FigureDraws;
 use crate::figures::Figures;
@@ -59,14 +59,30 @@ pub(super) struct Scenery<'a> {
     pub celestial: &'a Celestial,
 }
 
+/// What all views read besides what is their own.
+#[derive(Clone, Copy)]
+pub(super) struct Shared<'a> {
+    pub heavens: &'a Heavens,
+    pub shadows: &'a Shadows,
+}
+
+/// The land that views are made of.
+#[derive(Clone, Copy)]
+pub(super) struct LandSource<'a> {
+    pub chunks: &'a ChunkStore,
+    pub index: &'a LandIndex,
+    pub shadows: &'a Shadows,
+}
+
 impl ViewState {
     /// A view that is drawn `size` pixels large, with so many samples of a pixel.
     pub fn new(
         device: &Device,
-        (heavens, shadows): (&Heavens, &Shadows),
+        shared: Shared<'_>,
         tonemap: &Tonemap,
         land: LandDraws,
-        (size, samples): ((u32, u32), u32),
+        size: (u32, u32),
+        samples: u32,
     ) -> Self {
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("scene"),
@@ -77,7 +93,7 @@ impl ViewState {
         let layout = scene_layout(device);
         let targets = Targets::new(device, size, samples);
         Self {
-            bindings: bind_scene(device, &layout, &uniform, (heavens, shadows)),
+            bindings: bind_scene(device, &layout, &uniform, shared),
             uniform,
             light: tonemap.bind(device, &targets.light),
             targets,
@@ -93,7 +109,7 @@ impl ViewState {
     }
 
     /// Draws in targets of another size from now on.
-    pub fn fit(&mut self, device: &Device, tonemap: &Tonemap, (size, samples): ((u32, u32), u32)) {
+    pub fn fit(&mut self, device: &Device, tonemap: &Tonemap, size: (u32, u32), samples: u32) {
         self.targets = Targets::new(device, size, samples);
         self.light = tonemap.bind(device, &self.targets.light);
     }
@@ -109,9 +125,9 @@ impl ViewState {
     }
 
     /// Reads other shadow maps from now on.
-    pub fn rebind(&mut self, device: &Device, extras: (&Heavens, &Shadows)) {
+    pub fn rebind(&mut self, device: &Device, shared: Shared<'_>) {
         let layout = scene_layout(device);
-        self.bindings = bind_scene(device, &layout, &self.uniform, extras);
+        self.bindings = bind_scene(device, &layout, &self.uniform, shared);
     }
 
     /// Begins a frame: decides what to draw of the land in a picture `height_px` pixels high.
@@ -124,34 +140,42 @@ impl ViewState {
     /// Returns the heights between which they lie that fall on it.
     pub fn take_figures(
         &mut self,
-        adapter: (&Device, &Queue),
+        device: &Device,
+        queue: &Queue,
         frame: &Frame,
         figures: &Figures,
         plan: &mut FramePlan,
         map: Option<Falls>,
     ) -> [f64; 2] {
-        self.marker.prepare(adapter.1, frame, &mut self.charts);
-        self.outlines.prepare(adapter, frame, &mut self.charts);
+        self.marker.prepare(queue, frame, &mut self.charts);
+        self.outlines
+            .prepare(device, queue, frame, &mut self.charts);
         let (seen, heights) = figures.seen(frame, plan, map);
-        self.figures.take(adapter, seen, &mut self.charts);
+        self.figures.take(device, queue, seen, &mut self.charts);
         heights
     }
 
     /// Takes a frame's land, and tells the shaders of the frame, which is drawn `drawn` pixels large.
     pub fn take_land(
         &mut self,
-        (device, queue): (&Device, &Queue),
+        device: &Device,
+        queue: &Queue,
         frame: &Frame,
-        (chunks, land_index, shadows): (&ChunkStore, &LandIndex, &Shadows),
+        land: LandSource<'_>,
         plan: &mut FramePlan,
         drawn: (u32, u32),
     ) {
-        let list = (&mut self.list, &mut self.charts);
         let shades = Shades::of(frame);
-        chunks.list(frame, land_index.land(), plan, (shadows, &shades), list);
+        let shading = Shading {
+            shadows: land.shadows,
+            shades: &shades,
+        };
+        let (list, charts) = (&mut self.list, &mut self.charts);
+        land.chunks
+            .list(frame, land.index.land(), plan, shading, list, charts);
         self.land.send(queue, &mut self.list);
         self.charts.send(device, queue, frame);
-        let scene = SceneUniform::new(frame, drawn, &shades, &shadows.uniform(frame));
+        let scene = SceneUniform::new(frame, drawn, &shades, &land.shadows.uniform(frame));
         queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
     }
 
@@ -161,13 +185,14 @@ impl ViewState {
         frame: &Frame,
         scenery: Scenery<'_>,
         encoder: &mut CommandEncoder,
-        (tile, stamp): (Option<Tile>, Option<RenderPassTimestampWrites<'_>>),
+        tile: Option<Tile>,
+        stamp: Option<RenderPassTimestampWrites<'_>>,
         stats: &mut DrawStats,
     ) {
         let Scenery {
             pipelines, models, ..
         } = scenery;
-        let adapter = (models, &self.charts);
+        let charts = &self.charts;
         let mut pass = self.begin(encoder, frame.content.sky.horizon, stamp);
         if let Some(tile) = tile {
             tile.lay(&mut pass);
@@ -175,13 +200,15 @@ impl ViewState {
         pass.set_bind_group(0, &self.bindings, &[]);
         self.charts.bind(&mut pass, 0);
         // Figures stand before the land more often than behind it.
-        stats.add(self.figures.draw(&mut pass, adapter, pipelines));
+        stats.add(self.figures.draw(&mut pass, models, charts, pipelines));
         let terrain = |number| pipelines.terrain.numbered(number);
-        let land = (&self.list, &self.charts);
-        stats.add(self.land.draw(&mut pass, land, scenery.pages, terrain));
+        let land = &self.land;
+        stats.add(land.draw(&mut pass, &self.list, charts, scenery.pages, terrain));
         draw_sky(frame, scenery, &mut pass, stats);
-        stats.add(self.figures.draw_clear(&mut pass, adapter, pipelines));
-        let charts = &self.charts;
+        stats.add(
+            self.figures
+                .draw_clear(&mut pass, models, charts, pipelines),
+        );
         let marker = [&pipelines.marker_hidden, &pipelines.marker];
         stats.add(self.marker.draw(&mut pass, charts, marker));
         let outlines = [&pipelines.outlines_hidden, &pipelines.outlines];
@@ -229,7 +256,10 @@ fn draw_sky(frame: &Frame, scenery: Scenery<'_>, pass: &mut RenderPass<'_>, stat
     let mut cover = |pass: &mut RenderPass<'_>, pipeline: &RenderPipeline| {
         pass.set_pipeline(pipeline);
         pass.draw(0..3, 0..1);
-        stats.add((1, 1));
+        stats.add(DrawCount {
+            triangles: 1,
+            draws: 1,
+        });
     };
     if sky.dome {
         cover(pass, &pipelines.sky);
@@ -249,15 +279,15 @@ fn bind_scene(
     device: &Device,
     layout: &BindGroupLayout,
     uniform: &Buffer,
-    (heavens, shadows): (&Heavens, &Shadows),
+    shared: Shared<'_>,
 ) -> BindGroup {
     let uniform = wgpu::BindGroupEntry {
         binding: 0,
         resource: uniform.as_entire_binding(),
     };
     let entries: Vec<_> = std::iter::once(uniform)
-        .chain(heavens.bind())
-        .chain(shadows.bind())
+        .chain(shared.heavens.bind())
+        .chain(shared.shadows.bind())
         .collect();
     device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("scene"),

@@ -27,7 +27,7 @@ impl Rig {
     pub fn reach(&self) -> Reach {
         let chains = self.chains(&self.skeleton);
         let joints = self.skin.joints.iter().zip(&self.boxes);
-        let body = joints.map(|(&joint, (low, high))| {
+        let body = joints.map(|(&joint, [low, high])| {
             let Chain { offset_m, scale } = chains[joint];
             offset_m + scale * low.abs().max(high.abs()).length()
         });

@@ -63,7 +63,7 @@ fn the_box_of_a_posture_holds_every_vertex_and_little_else() {
     let (rig, shape) = rig();
     for posture in postures() {
         let posed = rig.pose(&posture);
-        let (low, high) = posed.limits;
+        let [low, high] = posed.limits;
         let places = places(&posed, &shape);
         for place in &places {
             assert!(place.cmpge(low - 1e-3).all() && place.cmple(high + 1e-3).all());
@@ -101,8 +101,8 @@ fn a_gait_swings_the_legs_and_a_hold_brings_the_hand_ahead() {
     assert!(most(step(0.0), step(0.5)) > 0.4);
     assert!(most(step(0.0), step(1.0)) < 1e-3, "it goes round");
     let hand = |posture: &Posture| rig.pose(posture).hand;
-    let (turn, holds) = hand(&Posture::default().with(Clip::Hold, 1.0, 0.0));
-    let (_, hangs) = hand(&Posture::default());
+    let HandPose { turn, place: holds } = hand(&Posture::default().with(Clip::Hold, 1.0, 0.0));
+    let hangs = hand(&Posture::default()).place;
     assert!(holds.x > hangs.x + 0.15 && holds.z > 0.1, "{holds} {hangs}");
     assert!(
         (turn * Vec3::X).x > 0.9,

@@ -100,8 +100,18 @@ fn stepped(size: f64) -> f64 {
     SQRT_2.powf((size.log2() * 2.0).ceil())
 }
 
-/// What is to be on one of so many maps, of so many texels.
-pub fn wanted((level, maps): (usize, usize), frame: &Frame, light: &Light, texels: u32) -> Crop {
+/// One of the maps of land.
+#[derive(Clone, Copy, Debug)]
+pub struct MapNumber {
+    /// Its number; 0 is the finest.
+    pub level: usize,
+    /// How many there are.
+    pub of: usize,
+}
+
+/// What is to be on a map of so many texels.
+pub fn wanted(map: MapNumber, frame: &Frame, light: &Light, texels: u32) -> Crop {
+    let MapNumber { level, of: maps } = map;
     match light {
         Light::Far { .. } => {
             let far_m = stepped(f64::from(frame.view.fog_distance_m).clamp(FAR_M[0], FAR_M[1]));
@@ -158,7 +168,7 @@ impl Level {
     /// How badly it is to be drawn anew: over 1 is due.
     pub fn staleness(
         &self,
-        (number, maps): (usize, usize),
+        map: MapNumber,
         frame: &Frame,
         light: &Light,
         wanted: &Crop,
@@ -169,9 +179,9 @@ impl Level {
         };
         let turned = shot.light.turn_to(light) / turn_allowed(light, wanted, texels);
         let changed = self.changed.map_or(0.0, |frames| {
-            1.01 + f64::from(frames) / (PATIENCE_FRAMES * (number + 1) as f64)
+            1.01 + f64::from(frames) / (PATIENCE_FRAMES * (map.level + 1) as f64)
         });
-        turned.max(changed).max(moved(maps, frame, shot, wanted))
+        turned.max(changed).max(moved(map.of, frame, shot, wanted))
     }
 
     /// Whether it is just what a frame wants, for pictures that do not depend on what came before.

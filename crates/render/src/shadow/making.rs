@@ -4,10 +4,10 @@ use antipode_frame::Frame;
 use antipode_geometry::ChunkCoord;
 use glam::DVec4;
 
-use super::levels::{Shot, wanted};
+use super::levels::{MapNumber, Shot, wanted};
 use super::light::{Caster, Light, Rectangle};
 use super::uniform::CasterUniform;
-use super::{Over, Pass, SLOTS, ShadowSources, Shadows};
+use super::{MapTarget, Over, Pass, SLOTS, ShadowSources, Shadows};
 use crate::chunk_store::ChunkStore;
 use crate::uniforms::ChunkInstance;
 
@@ -85,10 +85,13 @@ impl Shadows {
             .enumerate()
             .filter(|(i, _)| slot_of(*i) == slot);
         let due = own.filter_map(|(i, level)| {
-            let place = (i, self.levels.len());
-            let crop = wanted(place, frame, light, texels);
+            let map = MapNumber {
+                level: i,
+                of: self.levels.len(),
+            };
+            let crop = wanted(map, frame, light, texels);
             let staleness = if !chunks.rush {
-                level.staleness(place, frame, light, &crop, texels)
+                level.staleness(map, frame, light, &crop, texels)
             } else if level.is_exact(light, &crop) {
                 0.0
             } else {
@@ -131,10 +134,13 @@ impl Shadows {
         mut left: usize,
     ) -> usize {
         let (shot, slot) = (job.shot, slot_of(job.level));
-        let layer = self.spares[slot];
+        let target = MapTarget {
+            shot: &shot,
+            layer: self.spares[slot],
+        };
         if !job.todo.is_empty() || !job.begun {
             let over = if job.begun { Over::Map } else { Over::Nothing };
-            let used = self.pass(frame, (&shot, layer), over, (land, &mut job.todo), left);
+            let used = self.pass(frame, target, over, land, &mut job.todo, left);
             job.begun = true;
             left = left.saturating_sub(used.max(1));
         }
@@ -142,7 +148,7 @@ impl Shadows {
             && self.has_pass()
             && let Some(hole) = job.hole.take()
         {
-            let used = self.fill(frame, land, (&shot, layer), hole);
+            let used = self.fill(frame, land, target, hole);
             left = left.saturating_sub(used);
         }
         if job.todo.is_empty() && job.hole.is_none() {
@@ -162,11 +168,13 @@ impl Shadows {
     pub(super) fn pass(
         &mut self,
         frame: &Frame,
-        (shot, layer): (&Shot, u32),
+        target: MapTarget<'_>,
         over: Over,
-        (land, todo): (&mut ShadowSources<'_>, &mut Vec<ChunkCoord>),
+        land: &mut ShadowSources<'_>,
+        todo: &mut Vec<ChunkCoord>,
         left: usize,
     ) -> usize {
+        let MapTarget { shot, layer } = target;
         let number = self.passes.len();
         let (list, draws) = &mut self.lists[number];
         list.clear();
@@ -179,7 +187,7 @@ impl Shadows {
             };
             let instance = ChunkInstance::new(coord.origin(), from);
             let chart = land.charts.number(coord.chart);
-            used += land.chunks.list_caster(coord, (chart, instance), list);
+            used += land.chunks.list_caster(coord, chart, instance, list);
         }
         draws.send(&self.queue, list);
         let uniform = CasterUniform::new(shot, DVec4::W);

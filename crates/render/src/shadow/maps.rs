@@ -163,7 +163,8 @@ impl Maps {
     pub fn begin<'e>(
         &self,
         encoder: &'e mut CommandEncoder,
-        (pass, layer): (usize, u32),
+        pass: usize,
+        layer: u32,
         is_fresh: bool,
         timing: Option<&Timing>,
     ) -> Option<RenderPass<'e>> {

@@ -9,7 +9,7 @@ use antipode_frame::Frame;
 
 use super::levels::Shot;
 use super::light::{Caster, Crop, Light, Rectangle};
-use super::{Over, ShadowSources, Shadows};
+use super::{MapTarget, Over, ShadowSources, Shadows};
 use crate::touched::Touched;
 
 /// A map alone is read as far as this part of its half side: `SHADOW_EDGE` less `SHADOW_BLEND` of shadow.wgsl.
@@ -80,8 +80,11 @@ impl Shadows {
             level.changed.get_or_insert(0);
             return 0;
         }
-        let layer = level.layer;
-        self.fill(frame, land, (&shot, layer), hole)
+        let target = MapTarget {
+            shot: &shot,
+            layer: level.layer,
+        };
+        self.fill(frame, land, target, hole)
     }
 
     /// Has a map in the making follow edits when all else is on it.
@@ -99,9 +102,10 @@ impl Shadows {
         &mut self,
         frame: &Frame,
         land: &mut ShadowSources<'_>,
-        (shot, layer): (&Shot, u32),
+        target: MapTarget<'_>,
         hole: Rectangle,
     ) -> usize {
+        let shot = target.shot;
         let Some((texels, part)) = self.texels_of(shot, hole) else {
             return 0;
         };
@@ -114,9 +118,10 @@ impl Shadows {
         let mut todo: Vec<_> = casters.map(|(coord, _)| coord).collect();
         self.pass(
             frame,
-            (shot, layer),
+            target,
             Over::Hole(texels),
-            (land, &mut todo),
+            land,
+            &mut todo,
             usize::MAX,
         )
     }

@@ -91,6 +91,26 @@ struct ShadowSources<'a> {
     charts: &'a mut Charts,
 }
 
+/// What is drawn into a layer of the maps.
+#[derive(Clone, Copy, Debug)]
+struct MapTarget<'a> {
+    shot: &'a Shot,
+    layer: u32,
+}
+
+/// What throws shadows in a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Casters<'a> {
+    /// The land's buffers.
+    pub pages: &'a Pages,
+    /// The charts of what is drawn.
+    pub charts: &'a Charts,
+    /// The figures.
+    pub figures: &'a FigureDraws,
+    /// Their models.
+    pub models: &'a Statics,
+}
+
 /// A pass of this frame over land.
 #[derive(Clone, Copy, Debug)]
 struct Pass {
@@ -319,16 +339,23 @@ impl Shadows {
         &self,
         encoder: &mut CommandEncoder,
         pipelines: &Pipelines,
-        (pages, charts): (&Pages, &Charts),
-        (figures, models): (&FigureDraws, &Statics),
+        casters: Casters<'_>,
         mut timing: Option<&Timing>,
     ) -> (ShadowStats, bool) {
+        let Casters {
+            pages,
+            charts,
+            figures,
+            models,
+        } = casters;
         let mut stats = ShadowStats::default();
         let stamps = timing.is_some();
         for (number, (planned, (list, draws))) in self.passes.iter().zip(&self.lists).enumerate() {
-            let place = (number, planned.layer);
+            let layer = planned.layer;
             let is_fresh = planned.over == Over::Nothing;
-            let begun = self.maps.begin(encoder, place, is_fresh, timing.take());
+            let begun = self
+                .maps
+                .begin(encoder, number, layer, is_fresh, timing.take());
             if let Some(mut pass) = begun {
                 charts.bind(&mut pass, 0);
                 if let Over::Hole([x, y, width, height]) = planned.over {
@@ -336,8 +363,8 @@ impl Shadows {
                     pass.set_pipeline(&pipelines.hole);
                     pass.draw(0..3, 0..1);
                 }
-                let drawn = draws.draw(&mut pass, (list, charts), pages, |_| &pipelines.caster);
-                stats.triangles += drawn.0;
+                let drawn = draws.draw(&mut pass, list, charts, pages, |_| &pipelines.caster);
+                stats.triangles += drawn.triangles;
                 stats.passes += 1;
             }
         }
@@ -347,13 +374,13 @@ impl Shadows {
             if merges {
                 self.maps.copy(encoder, self.levels[0].layer, layer);
             }
-            let place = (PASSES - 1, layer);
-            let begun = self.maps.begin(encoder, place, !merges, timing.take());
+            let begun = self
+                .maps
+                .begin(encoder, PASSES - 1, layer, !merges, timing.take());
             if let Some(mut pass) = begun {
                 let coarse = self.quality == ShadowQuality::Low;
-                let adapter = (models, charts);
                 stats.triangles +=
-                    figures.draw_shadows(&mut pass, adapter, &pipelines.figures, coarse);
+                    figures.draw_shadows(&mut pass, models, charts, &pipelines.figures, coarse);
             }
         }
         (stats, stamps && timing.is_none())

@@ -11,7 +11,7 @@ use super::tuning::{
     SEAT_M, STANDS_M_S,
 };
 use crate::aimed::ViewParams;
-use crate::camera::{CameraMode, CameraPose};
+use crate::camera::{CameraMode, CameraPose, LookTurn};
 use crate::player::wrap_angle;
 use crate::situation::Situation;
 use crate::tuning::CAMERA_RADIUS_M;
@@ -95,8 +95,8 @@ impl Chase {
         self.since_look_s = 0.0;
     }
 
-    /// Follows the car for a step; `turned` is how far the player has turned the view in it, radians.
-    pub fn pass(&mut self, car: &CarView, turned: (f64, f64), dt_s: f64) {
+    /// Follows the car for a step, in which the player has turned the view.
+    pub fn pass(&mut self, car: &CarView, turned: LookTurn, dt_s: f64) {
         let stretch = car.point.pos - self.point.pos;
         // Critically damped against the car's own level speed, so that only what changes is felt.
         let level = car.velocity.with_y(0.0);
@@ -118,13 +118,13 @@ impl Chase {
         self.look_aside(turned, car.velocity.length(), dt_s);
     }
 
-    fn look_aside(&mut self, turned: (f64, f64), speed_m_s: f64, dt_s: f64) {
+    fn look_aside(&mut self, turned: LookTurn, speed_m_s: f64, dt_s: f64) {
         self.since_look_s += dt_s;
-        if turned != (0.0, 0.0) {
+        if !turned.is_none() {
             self.since_look_s = 0.0;
             let (down, up) = LOOK_MOST_RAD;
-            self.aside.0 = wrap_angle(self.aside.0 + turned.0);
-            self.aside.1 = (self.aside.1 + turned.1).clamp(-down, up);
+            self.aside.0 = wrap_angle(self.aside.0 + turned.right_rad);
+            self.aside.1 = (self.aside.1 + turned.up_rad).clamp(-down, up);
         }
         if self.since_look_s > LOOK_STAYS_S && speed_m_s > STANDS_M_S {
             let kept = (-LOOK_RETURNS_PER_S * dt_s).exp();
@@ -161,9 +161,9 @@ impl Chase {
     }
 
     /// How far the player can still look down, negative, and up, radians.
-    fn room_rad(&self) -> (f64, f64) {
+    fn room_rad(&self) -> [f64; 2] {
         let (down, up) = LOOK_MOST_RAD;
-        (-down - self.aside.1, up - self.aside.1)
+        [-down - self.aside.1, up - self.aside.1]
     }
 
     /// The camera behind the car, as far back as a small sphere finds room.

@@ -133,9 +133,7 @@ pub(super) fn seat_driver(
         return;
     };
     driving.throttle = actions.forward;
-    driving
-        .chase
-        .pass(&car, (actions.look_yaw, actions.look_pitch), STEP_S);
+    driving.chase.pass(&car, actions.look_turn(), STEP_S);
     let (yaw, pitch) = driving.chase.look(player.gaze.camera);
     let jolt_m_s = actors.map_one(car.id, |car: &Car| car.vehicle.jolt_m_s());
     let jolt_m_s = jolt_m_s.unwrap_or_default();

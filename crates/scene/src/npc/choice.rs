@@ -65,7 +65,7 @@ impl Npc<'_> {
             if matches!(self.mind.state, State::Idle | State::Wander) {
                 self.mind.enter(State::Watch);
                 self.mind.face = Some(at);
-                self.mind.lasts_s = WATCHES_S.0;
+                self.mind.lasts_s = WATCHES_S[0];
             }
         } else if self.mind.known.is_none_or(|known| known.ago_s > 0.5) {
             self.mind.known = Some(Known {

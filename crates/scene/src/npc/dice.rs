@@ -29,18 +29,18 @@ impl Dice {
     }
 
     /// Evenly between two bounds.
-    pub fn between(&mut self, (least, most): (f64, f64)) -> f64 {
+    pub fn between(&mut self, [least, most]: [f64; 2]) -> f64 {
         least + (most - least) * self.unit()
     }
 
     /// A whole number from the first to the last of a range.
-    pub fn whole(&mut self, (least, most): (u32, u32)) -> u32 {
+    pub fn whole(&mut self, [least, most]: [u32; 2]) -> u32 {
         least + (self.unit() * f64::from(most - least + 1)) as u32
     }
 
     /// A heading in radians.
     pub fn heading(&mut self) -> f64 {
-        self.between((-std::f64::consts::PI, std::f64::consts::PI))
+        self.between([-std::f64::consts::PI, std::f64::consts::PI])
     }
 }
 
@@ -61,12 +61,12 @@ mod tests {
     #[test]
     fn numbers_are_spread_evenly_within_their_bounds() {
         let mut dice = Dice::new(&[7]);
-        let numbers: Vec<_> = (0..1000).map(|_| dice.between((-2.0, 3.0))).collect();
+        let numbers: Vec<_> = (0..1000).map(|_| dice.between([-2.0, 3.0])).collect();
         assert!(numbers.iter().all(|n| (-2.0..3.0).contains(n)));
         let mean = numbers.iter().sum::<f64>() / 1000.0;
         assert!((mean - 0.5).abs() < 0.15, "{mean}");
         let counts = (0..600)
-            .map(|_| dice.whole((4, 6)))
+            .map(|_| dice.whole([4, 6]))
             .fold([0; 3], |mut c, n| {
                 c[n as usize - 4] += 1;
                 c

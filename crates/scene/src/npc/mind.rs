@@ -125,7 +125,7 @@ pub(crate) struct Mind {
 impl Mind {
     /// The mind of a figure that has just come, by its own dice.
     pub fn new(mut dice: Dice) -> Self {
-        let lasts_s = dice.between((0.0, RESTS_S));
+        let lasts_s = dice.between([0.0, RESTS_S]);
         let side = if dice.unit() < 0.5 { -1.0 } else { 1.0 };
         Self {
             state: State::Idle,
@@ -200,7 +200,7 @@ impl Mind {
         self.enter(State::Idle);
         self.halt();
         self.since_s = 0.0;
-        self.lasts_s = self.dice.between((0.0, RESTS_S));
+        self.lasts_s = self.dice.between([0.0, RESTS_S]);
     }
 
     /// Stops and looks at a place for a while.
@@ -253,7 +253,7 @@ impl Mind {
     pub fn astray(&mut self, velocity: DVec3, most_rad: f64) -> DVec3 {
         let right = velocity.cross(DVec3::Y).normalize_or(DVec3::X);
         let up = right.cross(velocity).normalize_or(DVec3::Y);
-        let mut off = || self.dice.between((-most_rad, most_rad));
+        let mut off = || self.dice.between([-most_rad, most_rad]);
         let (to_right, to_top) = (off(), off());
         let speed = velocity.length();
         (velocity + (right * to_right + up * to_top) * speed).normalize_or(DVec3::Y) * speed

@@ -80,7 +80,7 @@ fn let_one_come(world: &World, actors: &mut Actors, player: &Player, hostile: bo
     let now = Situation::of(world, actors, player);
     let place = (0..TRIES).find_map(|_| {
         let heading = any_heading(&*world.strategy, now.feet().chart, dice.heading());
-        let away_m = dice.between((near_m, far_m));
+        let away_m = dice.between([near_m, far_m]);
         let mut point = ahead(&*world.strategy, now.feet(), toward(heading), away_m);
         point.pos.y = world.ground.untouched_height(point) + CLEARANCE_M;
         let there = world.lets_move(ChunkCoord::containing(point));

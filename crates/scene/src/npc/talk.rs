@@ -107,7 +107,7 @@ fn heed(actors: &mut Actors, entity: Entity, head: ChartPoint) -> Option<&mut Mi
 fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
     let strategy = &*now.world.strategy;
     let home = way(strategy, now.feet(), now.start());
-    let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole((0, 2));
+    let first = Dice::new(&[now.world.setup.seed, u64::from(id)]).whole([0, 2]);
     match (first + told) % 3 {
         0 => triangle(now, home.level_m),
         1 => horizon(now),

@@ -25,7 +25,7 @@ pub const FIRST_SHOT_S: f64 = 4.0;
 /// How long the display points to one whom the picture hides before he fires, in seconds.
 pub const MARKED_S: f64 = 2.0;
 /// Between two shots at least and at most, in seconds.
-pub const SHOTS_EVERY_S: (f64, f64) = (0.25, 3.0);
+pub const SHOTS_EVERY_S: [f64; 2] = [0.25, 3.0];
 /// Speed of its bullets at the muzzle, in metres per second.
 pub const MUZZLE_M_S: f64 = 20.0;
 /// How far a shot goes astray at most, to each side, in radians.
@@ -57,11 +57,11 @@ pub const FLEE_PACE: f64 = 1.2;
 /// Rest between two walks at most, in seconds.
 pub const RESTS_S: f64 = 4.0;
 /// How far a walk leads at least and at most, in metres.
-pub const WALKS_M: (f64, f64) = (6.0, 18.0);
+pub const WALKS_M: [f64; 2] = [6.0, 18.0];
 /// Who is friendly looks at a player within this distance, in metres, for so long and not again for so long, in seconds.
 pub const WATCHES_M: f64 = 6.0;
 /// How long at least and at most, in seconds.
-pub const WATCHES_S: (f64, f64) = (2.0, 4.0);
+pub const WATCHES_S: [f64; 2] = [2.0, 4.0];
 /// And not again for so long, in seconds.
 pub const WATCHES_AGAIN_S: f64 = 10.0;
 /// Who is friendly steps aside when a player who comes along is this near, in metres.
@@ -86,7 +86,7 @@ pub const HAILS_M: f64 = 25.0;
 /// Who is spoken to stands still for so long, in seconds: time to come, or to read what is said.
 pub const LISTENS_S: f64 = 6.0;
 /// Bullets that the dead leave: of those who fight, and of others, at least and at most.
-pub const LEAVES_BULLETS: [(u32, u32); 2] = [(4, 8), (2, 4)];
+pub const LEAVES_BULLETS: [[u32; 2]; 2] = [[4, 8], [2, 4]];
 /// How many live in an open world, and in a closed one.
 pub const MOST_LIVING: (usize, usize) = (9, 7);
 /// How many of them are hostile by nature: as many as one can face at once.

@@ -90,7 +90,7 @@ fn line(slot: u8) -> u8 {
 }
 
 /// The slot so many columns to the right and lines down, within the lines.
-pub(super) fn beside(slot: u8, (right, down): (i32, i32)) -> u8 {
+pub(super) fn beside(slot: u8, [right, down]: [i32; 2]) -> u8 {
     let lines = i32::from(SLOTS / HOTBAR);
     let column = (i32::from(slot % HOTBAR) + right).clamp(0, i32::from(HOTBAR) - 1);
     let line = (i32::from(line(slot)) + down).clamp(0, lines - 1);
@@ -132,13 +132,13 @@ mod tests {
 
     #[test]
     fn arrows_walk_through_the_lines_as_they_are_seen() {
-        assert_eq!(beside(10, (0, -1)), 10);
-        assert_eq!(beside(10, (0, 1)), 20);
-        assert_eq!(beside(35, (0, 1)), 5);
-        assert_eq!(beside(5, (0, -1)), 35);
-        assert_eq!(beside(5, (0, 1)), 5);
+        assert_eq!(beside(10, [0, -1]), 10);
+        assert_eq!(beside(10, [0, 1]), 20);
+        assert_eq!(beside(35, [0, 1]), 5);
+        assert_eq!(beside(5, [0, -1]), 35);
+        assert_eq!(beside(5, [0, 1]), 5);
         assert_eq!(
-            (beside(9, (1, 0)), beside(8, (1, 0)), beside(20, (-1, 0))),
+            (beside(9, [1, 0]), beside(8, [1, 0]), beside(20, [-1, 0])),
             (9, 9, 20)
         );
     }

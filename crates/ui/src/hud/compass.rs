@@ -67,7 +67,8 @@ const STEP: f32 = 16.0;
 pub(super) fn show(
     painter: &Painter,
     screen: Rect,
-    (left, right): (Rect, Rect),
+    left: Rect,
+    right: Rect,
     texts: &Texts,
     model: &CompassModel,
 ) -> Rect {
@@ -117,7 +118,7 @@ pub(super) fn show(
         if !model.flags.is_empty() {
             let at = pos2(strip.center().x, covered.max.y + 3.0);
             if let Some(flag) = named_flag(&model.flags) {
-                way_to_flag(painter, (screen, to - from), at, texts, flag);
+                way_to_flag(painter, screen, to - from, at, texts, flag);
             }
             covered.max.y = low.max(covered.max.y);
         }
@@ -135,7 +136,8 @@ fn named_flag(flags: &[FlagView]) -> Option<&FlagView> {
 /// What a flag is called, as far as there is room for it, and how far it is.
 fn way_to_flag(
     painter: &Painter,
-    (screen, width): (Rect, f32),
+    screen: Rect,
+    width: f32,
     at: Pos2,
     texts: &Texts,
     flag: &FlagView,

@@ -111,14 +111,14 @@ fn tenths(view: CurvatureView) -> f64 {
 fn speed_dial(painter: &Painter, centre: Pos2, speed_km_h: f64) {
     let part = (speed_km_h.abs() / MOST_KM_H).clamp(0.0, 1.0) as f32;
     let part = if part.is_finite() { part } else { 0.0 };
-    let needle = arc_dial(painter, centre, (0.0, part));
+    let needle = arc_dial(painter, centre, [0.0, part]);
     painter.line_segment([centre, needle], Stroke::new(2.0, TEXT));
     painter.circle_filled(centre, 3.0, TEXT);
 }
 
 /// An arc of three quarters of a turn from bottom left to bottom right, lit between two parts of it; returns where the
 /// second is.
-fn arc_dial(painter: &Painter, centre: Pos2, (zero, part): (f32, f32)) -> Pos2 {
+fn arc_dial(painter: &Painter, centre: Pos2, [zero, part]: [f32; 2]) -> Pos2 {
     let radius = 0.5 * SIDE - 6.0;
     let direction = |part: f32| {
         let angle = TAU * (0.375 + 0.75 * part);
@@ -140,7 +140,7 @@ fn arc_dial(painter: &Painter, centre: Pos2, (zero, part): (f32, f32)) -> Pos2 {
 fn curvature_dial(painter: &Painter, centre: Pos2, texts: &Texts, view: CurvatureView) {
     let part = dial_part(view);
     let zero = dial_part(CurvatureView { value: 0.0, ..view });
-    arc_dial(painter, centre, (zero, part));
+    arc_dial(painter, centre, [zero, part]);
     painter.text(
         centre,
         Align2::CENTER_CENTER,

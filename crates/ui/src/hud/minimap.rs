@@ -170,7 +170,7 @@ pub(super) fn show(painter: &Painter, place: Rect, texts: &Texts, model: &MapMod
     }
     painter.circle_filled(centre, 6.5, Color32::from_rgb(8, 11, 19));
     arrow(painter, centre, 5.5, 0.0);
-    rim(painter, (centre, radius), texts, model.north_rad);
+    rim(painter, centre, radius, texts, model.north_rad);
 }
 
 fn land(relief: &Relief, projection: &Projection) -> Shape {
@@ -250,7 +250,7 @@ pub(super) fn pennant(painter: &Painter, foot: Pos2, size: f32) {
 }
 
 /// The letter of north on the ring, and ticks of the other quarters.
-fn rim(painter: &Painter, (centre, radius): (Pos2, f32), texts: &Texts, north_rad: f32) {
+fn rim(painter: &Painter, centre: Pos2, radius: f32, texts: &Texts, north_rad: f32) {
     if !north_rad.is_finite() {
         return;
     }

@@ -145,7 +145,7 @@ pub fn show_hud(ctx: &Context, texts: &Texts, model: &HudModel) -> Rect {
     let has_room = !model.mirror || screen.height() >= mirror::COMPASS_FROM;
     let compass = model.compass.as_ref().filter(|_| has_room);
     let strip = compass.map_or(Rect::NOTHING, |compass| {
-        compass::show(&painter, below, (position, figures), texts, compass)
+        compass::show(&painter, below, position, figures, texts, compass)
     });
     let lowest = [position, figures, mirror, strip].map(|it| it.max.y);
     let top = lowest.into_iter().fold(f32::NEG_INFINITY, f32::max) + GRID;

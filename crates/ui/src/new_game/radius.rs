@@ -26,7 +26,8 @@ pub(super) const DEFAULT_M: f64 = 100.0;
 pub(super) fn choose(
     ui: &mut Ui,
     texts: &Texts,
-    (radius_m, walk_m_s): (&mut f64, f64),
+    radius_m: &mut f64,
+    walk_m_s: f64,
     stops: &mut Stops,
 ) -> Response {
     let label = ui.label(texts.say("radius"));

@@ -67,7 +67,8 @@ impl Stage {
         is_plain(self.config.format) || self.config.format.is_srgb()
     }
 
-    pub(super) fn offscreen(&self, (width, height): (u32, u32)) -> Offscreen {
+    pub(super) fn offscreen(&self, size: (u32, u32)) -> Offscreen {
+        let (width, height) = size;
         Offscreen::new(&self.gpu, width, height, self.config.format)
     }
 

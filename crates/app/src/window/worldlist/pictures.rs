@@ -37,8 +37,14 @@ struct Read {
     image: Option<ColorImage>,
 }
 
-/// A picture to be read: of which world, where, and what was there before.
-type Wanted = (String, PathBuf, Option<Stamp>);
+/// A picture to be read.
+struct Wanted {
+    /// Of which world.
+    slug: String,
+    path: PathBuf,
+    /// What was there when it was read last.
+    before: Option<Stamp>,
+}
 
 /// The pictures of the list.
 #[derive(Default)]
@@ -67,12 +73,16 @@ impl Pictures {
             .filter_map(|world| {
                 let path = world.thumbnail.clone()?;
                 let before = self.shown.get(&world.slug).map(|(stamp, _)| *stamp);
-                Some((world.slug.clone(), path, before))
+                Some(Wanted {
+                    slug: world.slug.clone(),
+                    path,
+                    before,
+                })
             })
             .collect();
         let wanted = &self.wanted;
         self.shown
-            .retain(|slug, _| wanted.iter().any(|(wanted, ..)| wanted == slug));
+            .retain(|slug, _| wanted.iter().any(|wanted| wanted.slug == *slug));
         self.go_on();
     }
 
@@ -130,7 +140,8 @@ impl Pictures {
 }
 
 /// Reads a picture; none if it is the one that was there before.
-fn read((slug, path, before): Wanted) -> Option<Read> {
+fn read(wanted: Wanted) -> Option<Read> {
+    let Wanted { slug, path, before } = wanted;
     let data = fs::metadata(&path).ok()?;
     let stamp = (data.modified().ok(), data.len());
     if before == Some(stamp) {

@@ -35,7 +35,7 @@ fn three() -> (tempfile::TempDir, WorldList) {
         session.close().unwrap();
     }
     let mut list = WorldList::new(worlds);
-    list.folders = list.folders.clone().exporting_to(dir.path());
+    list.locations = list.locations.clone().exporting_to(dir.path());
     list.refresh();
     finish(&mut list);
     (dir, list)
@@ -76,7 +76,7 @@ fn slug(slug: &str) -> String {
 #[test]
 fn a_world_that_cannot_be_deleted_comes_back_with_the_reason() {
     let (_dir, mut list) = three();
-    let held = list.folders.worlds().load("b").unwrap();
+    let held = list.locations.worlds().load("b").unwrap();
     list.delete(slug("b"));
     list.delete(slug("nowhere"));
     list.delete(slug("c"));
@@ -299,7 +299,7 @@ fn a_file_that_is_no_world_changes_nothing_and_says_why() {
 #[test]
 fn files_are_taken_as_players_write_them() {
     let (dir, list) = three();
-    let meant = |written: &str| list.folders.meant_by(written);
+    let meant = |written: &str| list.locations.meant_by(written);
     assert_eq!(meant(" /x/y "), PathBuf::from("/x/y"));
     assert_eq!(meant("\"/x y/z\""), PathBuf::from("/x y/z"));
     assert_eq!(meant("'/x'"), PathBuf::from("/x"));

@@ -13,13 +13,13 @@ use crate::session::Worlds;
 
 /// Where worlds and their exports are.
 #[derive(Clone, Debug)]
-pub struct WorldFolders {
+pub struct WorldLocations {
     worlds: Worlds,
     exports: PathBuf,
     home: Option<PathBuf>,
 }
 
-impl WorldFolders {
+impl WorldLocations {
     /// The worlds, and the player's place for documents.
     pub fn new(worlds: Worlds) -> Self {
         let user = directories::UserDirs::new();
@@ -135,32 +135,32 @@ impl Job {
     }
 
     /// Does it.
-    pub fn run(&self, folders: &WorldFolders) -> Outcome {
+    pub fn run(&self, locations: &WorldLocations) -> Outcome {
         let mut outcome = Outcome::default();
         match self {
             Self::LookAt { slug } => {
-                let saves = folders.worlds.saves();
+                let saves = locations.worlds.saves();
                 let edits = saves.edited_chunks(slug).ok().flatten();
                 let world = saves.find_slug(slug).ok();
                 let name = world.as_ref().map_or(slug.as_str(), WorldSummary::name);
-                let export_to = folders.free_export(name);
+                let export_to = locations.free_export(name);
                 outcome.details = Some((slug.clone(), Details { edits, export_to }));
             }
-            Self::FindArchives => outcome.archives = Some(archives_in(&folders.exports)),
-            _ => match self.change(folders) {
+            Self::FindArchives => outcome.archives = Some(archives_in(&locations.exports)),
+            _ => match self.change(locations) {
                 Ok(news) => outcome.news = news,
                 Err(failure) => outcome.news = Some(News::Failed(failure)),
             },
         }
         if self.brings_list() {
-            outcome.list = Some(folders.worlds.list());
+            outcome.list = Some(locations.worlds.list());
         }
         outcome
     }
 
     /// Changes what is on disk; what there is to tell of it.
-    fn change(&self, folders: &WorldFolders) -> Result<Option<News>, Failure> {
-        let saves = folders.worlds.saves();
+    fn change(&self, locations: &WorldLocations) -> Result<Option<News>, Failure> {
+        let saves = locations.worlds.saves();
         let name_of =
             |slug: &str| -> Result<_, StorageError> { Ok(words::shown(&saves.find_slug(slug)?)) };
         Ok(match self {
@@ -177,7 +177,7 @@ impl Job {
                 Some(News::Duplicated(name_of(&made)?))
             }
             Self::Export { slug, file } => {
-                let mut file = folders.path_of(file);
+                let mut file = locations.path_of(file);
                 if file.extension().is_none() {
                     file.set_extension(ARCHIVE_EXTENSION);
                 }
@@ -185,7 +185,7 @@ impl Job {
                 Some(News::Exported(file))
             }
             Self::Import { file } => {
-                let made = confined::import(saves, &folders.path_of(file))?;
+                let made = confined::import(saves, &locations.path_of(file))?;
                 Some(News::Imported(name_of(&made)?))
             }
             Self::List | Self::LookAt { .. } | Self::FindArchives => None,
@@ -194,7 +194,7 @@ impl Job {
 }
 
 #[cfg(test)]
-impl WorldFolders {
+impl WorldLocations {
     /// The worlds.
     pub fn worlds(&self) -> &Worlds {
         &self.worlds

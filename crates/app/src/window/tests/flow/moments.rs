@@ -2,7 +2,7 @@
 
 use antipode_geometry::{Eye, Geometry};
 use antipode_scene::frame::{Frame, ModelId};
-use antipode_scene::{Actions, Between, Scene, Shutter, WorldSetup};
+use antipode_scene::{Actions, Between, LookTurn, Scene, Shutter, WorldSetup};
 use antipode_settings::{Given, MouseButton};
 use glam::DVec3;
 
@@ -299,7 +299,10 @@ fn however_many_pictures_are_taken_the_world_goes_the_same_way() {
                 let next = deeds(step);
                 let shutter = Shutter {
                     share: pace.share(),
-                    turned_rad: (next.look_yaw * pace.share(), next.look_pitch * pace.share()),
+                    turned: LookTurn {
+                        right_rad: next.look_yaw * pace.share(),
+                        up_rad: next.look_pitch * pace.share(),
+                    },
                 };
                 let _ = between.frame(&mut scene, shutter, 1.2, 1.5, 1);
             }
@@ -317,7 +320,7 @@ fn all_of_a_step_is_the_picture_of_the_scene_itself() {
             assert!(scene.wait_for_step(LIMIT));
             let shutter = Shutter {
                 share: 1.0,
-                turned_rad: (0.0, 0.0),
+                turned: LookTurn::default(),
             };
             let whole = between.frame(&mut scene, shutter, 1.2, 1.5, 1);
             assert_alike(&whole, &scene.frame(1.2, 1.5, 1));
