@@ -28,7 +28,7 @@ action-leave-car = Get out of the car
 action-flip-car = Set the car on its wheels
 action-horn = Horn
 action-flashlight = Flashlight; the car’s lights
-action-talk = Talk to who is ahead
+action-talk = Talk to the person ahead
 action-drop = Throw one away
 action-other-map = Other map, or bend a flat world
 action-camera = First or third person
@@ -45,9 +45,9 @@ controls-add = { $action }: add
 controls-quoted = “{ $name }”
 controls-conflict = { $key } is also { $actions }.
 controls-cancel = Cancel
-bind-error-way-out = Escape is the way out of everything and cannot do anything else.
+bind-error-way-out = Escape always leads out of a screen, so it cannot do anything else.
 bind-error-full = An action has at most four keys; take one away first.
-bind-error-menu = The menu keeps Escape, or nobody could get back here.
+bind-error-menu = Escape must stay a key of the menu. Otherwise you could not get back here.
 
 profile-title = Profile
 profile-standard = Standard
@@ -63,9 +63,9 @@ profile-reset-do = Reset all
 profile-error-no-name = A profile needs a name.
 profile-error-long-name = A profile's name has at most 40 characters.
 profile-error-odd-name = A profile's name is one line of characters that can be shown.
-profile-error-taken = There is a profile of that name already.
+profile-error-taken = A profile of that name exists already.
 profile-error-full = There are at most 12 profiles; delete one first.
-profile-error-last = The last profile stays.
+profile-error-last = The last profile cannot be deleted.
 
 # Keys by what is printed on them, buttons and the wheel.
 key-none = nothing

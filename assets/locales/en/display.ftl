@@ -4,7 +4,7 @@
 display-chart = chart
 display-curved = curved
 display-flat = flat space: the same
-display-loading = The land is coming: { $percent } %
+display-loading = Loading land: { $percent } %
 display-hemisphere = Hemisphere { $letter }
 display-brush = Brush { $radius } m
 display-speed = { $speed } km/h
@@ -40,7 +40,7 @@ item-flag = Flag
 flag-unnamed = Flag { $number }
 flag-name-title = What is this flag called?
 flag-name = Name of the flag
-flag-name-keep = Leave it
+flag-name-keep = Keep it as it is
 
 # The frame figures: a block of short lines, each a name in a word and its figures.
 figures-fps = { $frames } fps

@@ -10,7 +10,7 @@ menu-delete = Delete
 menu-controls = Controls
 menu-quit = Quit
 version = Version { $version }
-adapter-software = No graphics card was found: the processor draws ({ $adapter }), at { $percent } % of the window's resolution. A small window or view distance helps.
+adapter-software = No graphics card was found, so the processor draws ({ $adapter }) at { $percent } % of the window's resolution. A smaller window or view distance makes it faster.
 running-world = { $name } · seed { $seed }
 
 back = Back
@@ -19,20 +19,20 @@ percent = { $percent } %
 
 # The form for a new world.
 name = Name
-name-hint = What shall it be called?
+name-hint = What is the world called?
 name-offered = World { $number }
 name-free = This name is free.
-name-not-shown = Some of its characters cannot be shown here: the name of its folder will stand beside it.
+name-not-shown = Some of its characters cannot be shown here, so the name of its folder is shown beside it.
 space = Space
 geometry-hyperbolic = Hyperbolic
-geometry-hyperbolic-about = Flat, endless land, seen in bent space: it drops away on all sides, as much as you turn the wheel.
+geometry-hyperbolic-about = Flat, endless land in bent space. It drops away on all sides; the wheel changes how much.
 geometry-euclidean = Euclidean
 geometry-euclidean-about = Flat space, endless and familiar.
 geometry-spherical = Spherical
 geometry-spherical-about = A closed world: the land climbs and meets overhead, and a walk right round it leads home.
 seed = Seed (optional)
 seed-hint = A number or words
-seed-random = Left empty, it is drawn at random.
+seed-random = An empty seed is chosen at random.
 seed-is = The seed is { $seed }.
 seed-too-large = Too large: the largest seed is 18446744073709551615.
 seed-not-whole = A number must be whole and not negative: digits only.
@@ -44,7 +44,7 @@ radius-moonlet = Moonlet
 radius-moon = Moon
 radius-planet = Planet
 radius-named = { $name }, { $metres } m
-radius-round = Once round: { $metres } m, { $minutes } minutes at a walk.
+radius-round = Around the world: { $metres } m, { $minutes } minutes at a walk.
 create = Create
 needs-name = Needs a valid name
 needs-seed = Needs a valid seed
@@ -57,8 +57,8 @@ unsaved-leave = Leave without saving
 
 # What the player waits for.
 busy-opening = Opening
-busy-opening-about = The world is read from disk.
+busy-opening-about = The game reads the world from disk.
 busy-land = Making the land
 busy-saving = Saving
-busy-saving-about = Your world is written to disk.
+busy-saving-about = The game writes your world to disk.
 busy-leaving = Leaving

@@ -15,8 +15,8 @@ hint-too-many-lamps = There are too many lamps in this world; pick one up first.
 hint-no-place-for-flag = A flag needs ground that is not too steep, within eight metres.
 hint-no-flag-there = There is no flag under the crosshair.
 hint-too-many-flags = There are too many flags in this world; take one up first.
-hint-no-room = You can carry no more.
-hint-too-many-drops = Too much lies about already; pick something up first.
+hint-no-room = You cannot carry any more.
+hint-too-many-drops = Too many things lie around already; pick something up first.
 hint-died-of-fall = You fell too far. You will stand up again where you began.
 hint-died-of-shot = You were shot. You will stand up again where you began.
 hint-died-of-crash = The crash killed you. You will stand up again where you began.
@@ -47,9 +47,9 @@ talk-home-straight = Home is { $there } m from here. This land has no end, so th
 
 # Titles of what went wrong, and what is said where nothing more is known.
 open-failed = The world could not be opened
-open-died = Something failed while it was read; the log has the rest.
+open-died = Something failed while the game read the world. The log has the details.
 save-failed = The world could not be saved
-close-died = Something failed while the world was written; the log has the rest.
+close-died = Something failed while the game wrote the world. The log has the details.
 not-saved = The last changes to the world are not saved.
 not-saved-yet = The world could not be saved; the next save tries again.
 save-unfinished = The last change to the terrain or its save did not finish in time; everything saved before is safe.
@@ -58,21 +58,21 @@ save-unfinished = The last change to the terrain or its save did not finish in t
 save-in-use = The world “{ $world }” is in use: it is open in another window of the game or another program. Close it there and try again.
 save-newer = The world “{ $world }” was saved by a newer version of the game. Update the game to play it; nothing has been changed.
 save-damaged = A part of this world is damaged. The rest can be used; “antipode saves repair” restores an older copy of it if there is one. ({ $details })
-save-part-damaged = A part of this world is damaged. The rest can be used; “antipode saves verify” tells what it is, and “antipode saves repair” restores an older copy of it if there is one.
+save-part-damaged = A part of this world is damaged. The rest can be used; “antipode saves verify” says which, and “antipode saves repair” restores an older copy of it if there is one.
 save-unreadable = The save { $path } is damaged and cannot be read. “antipode saves repair” salvages what is whole and keeps this file.
 save-file-missing = The file { $path } of this world is missing. If you have a copy of it, put it back; otherwise “antipode saves repair” makes the world anew where it can.
 save-vanished = The save { $path } is gone: its folder was moved, deleted or replaced while the world was open, so nothing can be saved there. Move the folder back and save again.
 save-not-found = There is no world “{ $world }” any more.
-saves-busy = Another game is making, renaming or importing a world in { $path } and does not come to an end. Try again in a moment, or close the other game.
+saves-busy = Another game is making, renaming or importing a world in { $path } and has not finished. Try again in a moment, or close the other game.
 saves-not-a-folder = { $path } is a file, so there can be no worlds in it. Choose a folder with --saves-dir.
 file-exists = { $path } exists already and is not overwritten. Choose another name or move it away.
 disk-full = There is no space left to write { $path }. Free some space and save again; what was saved before is safe.
 not-writable = { $path } cannot be written: it is read-only or belongs to someone else. Change its permissions, or choose another place with --saves-dir.
 not-readable = { $path } cannot be read: its permissions forbid it, or it belongs to someone else. Change its permissions, or choose another place with --saves-dir.
-archive-refused = { $path } cannot be imported: it is no exported world, or it is damaged. The log has the rest.
+archive-refused = { $path } cannot be imported: it is not an exported world, or it is damaged. The log has the details.
 unknown-space = The world “{ $world }” is in a space this version does not know. A newer version of the game may open it.
 impossible-radius = The world “{ $world }” says that its space has a radius of { $radius } m, and no world can have that. Its file was left as it is.
-player-damaged = The save's player was damaged; you begin at the start again. Your land is as it was.
+player-damaged = The player in this save was damaged, so you begin at the start again. Your land is unchanged.
 unknown-item = The save holds an item this version does not know (“{ $item }”); it is not shown, but stays in the save.
 unknown-records = { $count ->
     [one] The save holds a thing of a newer version; it is not shown, but stays in the save.
@@ -93,8 +93,8 @@ name-too-long = { $chars ->
     [one] The name has one character; at most { $most } fit.
    *[other] The name has { $chars } characters; at most { $most } fit.
 }
-name-unprintable = The name holds a character that cannot be shown ({ $code }).
-name-taken = There is a world called “{ $name }” already.
+name-unprintable = The name contains a character that cannot be shown ({ $code }).
+name-taken = A world called “{ $name }” exists already.
 
 # The graphics adapter.
 no-adapter = No graphics card that the game can use was found on this machine ({ $found }). Install its driver, or start the game with --adapter software.
@@ -105,8 +105,8 @@ adapter-reopened = The graphics adapter was lost and has been opened again.
 # Why the game was started anew after its graphics had failed for good, and what draws now.
 graphics-title = The graphics have failed
 graphics-lost = The graphics adapter was lost and could not be opened again. Your world is saved.
-graphics-software = The game has been started anew, and the processor draws now, which is slower. To try the graphics card again, quit and start the game once more.
+graphics-software = The game has restarted and the processor draws now, which is slower. To try the graphics card again, quit and start the game once more.
 
 # A crash of the game before this one.
 crash-title = The game has crashed
-crash = The game stopped unexpectedly and was started anew. Your world is as it was last saved, at most a few seconds before. What is known about the crash is in { $report }.
+crash = The game stopped unexpectedly and has restarted. Your world is as it was last saved, a few seconds earlier at most. The file { $report } says what is known about the crash.

@@ -24,4 +24,4 @@ hints-stick-right = right stick
 menu-skip-hints = Skip the hints
 action-skip-hint = Skip a hint
 setting-hints = Hints for newcomers
-setting-hints-about = Tells in the world, one after another, what can be done. Switches itself off after the last; switched on, it begins anew.
+setting-hints-about = Shows hints in the world, one after another. The setting switches itself off after the last hint. Switch it on again to start over.

@@ -6,7 +6,7 @@ action-photo-mode = Photo mode
 # { $file } and { $path } are files, { $reason } comes from the system.
 picture-kept = Picture kept as { $file }
 picture-disk-full = There is no space left to write the picture { $path }. Free some space and try again.
-picture-read-only = The picture { $path } cannot be written: the place is read-only or belongs to someone else.
+picture-read-only = The picture { $path } cannot be written: the folder is read-only or belongs to someone else.
 picture-not-kept = The picture { $path } could not be kept: { $reason }
 picture-not-taken = No picture could be taken: { $reason }
 

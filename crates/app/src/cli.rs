@@ -1,4 +1,4 @@
-//! The command line: what may be asked for, and who answers.
+//! The command line: its arguments, and the function that handles each command.
 
 use std::ffi::OsString;
 use std::panic::AssertUnwindSafe;

@@ -1,4 +1,4 @@
-//! What the console knows of its own language: help, and how a line goes on.
+//! Help for the console's commands, and the completion of its lines.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! From keys, buttons, motion and wheel to the actions of one step. Window and script go through the same door.
+//! Turns keys, buttons, mouse motion and wheel into the actions of one step. The window and scripts both use it.
 
 use std::collections::HashSet;
 

@@ -1,4 +1,8 @@
-//! Antipode: window, input, command line and scripts; wires the other crates together.
+//! The program `antipode`: a window, input, the command line and scripts. It joins the other crates to a game.
+//!
+//! [`cli`] reads the command line. [`window`] plays in a window, [`script`] plays by commands, and both hold a
+//! [`session::Session`], which is one open world. [`picture`] draws a world into a file, and [`saves_command`] lists,
+//! checks, exports and repairs saves. [`wording`] says what other crates report in the player's language.
 
 pub mod bindings;
 pub mod cli;

@@ -1,4 +1,4 @@
-//! Worlds on disk and the one that is open: making, loading, listing and deleting, for window and script alike.
+//! Makes, loads, lists and deletes worlds on disk, and holds the one that is open. The window and scripts both use it.
 
 use std::collections::hash_map::RandomState;
 use std::hash::{BuildHasher, Hasher};

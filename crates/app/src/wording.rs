@@ -1,5 +1,5 @@
-//! From errors, notices and kinds of things to sentences in the player's language. What is rare keeps its details
-//! in English after a sentence of the player's language; logs and the command line are English throughout.
+//! Says errors, notices and kinds of things in the player's language. Rare errors have a sentence in that language and
+//! details in English. Logs and the command line are English throughout.
 
 use std::path::Path;
 

@@ -1,9 +1,9 @@
-//! What the game sounds like.
+//! Plays the sounds of the game.
 //!
-//! The scene tells what happened ([`antipode_scene::SoundEvent`]) and what surrounds the player; the
-//! [`director::Director`] decides from it what is to be heard, the same for the same events; a [`Player`] makes it
-//! audible. Players are the sound device, behind the feature `device`, and a [`Recorder`] for tests. All of it runs
-//! on a thread of its own, which [`Audio`] speaks to and never waits for.
+//! The scene reports what happened ([`antipode_scene::SoundEvent`]) and what surrounds the player. The
+//! [`director::Director`] chooses the sounds; it chooses the same ones for the same events. A [`Player`] plays them:
+//! either the sound device (feature `device`) or a [`Recorder`] for tests. All of this runs on a thread of its own.
+//! The game sends messages to it through [`Audio`] and never waits for it.
 
 mod audio;
 mod bank;

@@ -15,10 +15,10 @@ pub struct Clip {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum WavError {
     /// It is no WAV file at all, or ends too soon.
-    #[error("not a whole WAV file")]
+    #[error("the WAV file is incomplete")]
     Broken,
     /// It is one of another kind.
-    #[error("not mono PCM of 16 bits")]
+    #[error("the WAV file is not mono PCM with 16 bits")]
     Kind,
 }
 

@@ -76,7 +76,7 @@ impl Land {
         let later = self.order.range(read + 1..).map(|(_, coord)| *coord);
         let changes = later.filter_map(|coord| match &self.latest.get(&coord)?.1 {
             Some(mesh) => Some(ChunkChange::Put(coord, Arc::clone(mesh))),
-            // Who has read nothing has nothing to forget.
+            // A follower that has read nothing has nothing to forget.
             None => (read > 0).then_some(ChunkChange::Remove(coord)),
         });
         let mut changes: Vec<_> = changes.collect();

@@ -1,6 +1,9 @@
-//! What a picture is made of: plain data that the simulation fills and the renderer draws. Nothing here knows either.
+//! What a picture is made of: plain data that the simulation fills and the renderer draws.
 //!
-//! Directions and positions are in chart coordinates; colours are linear light, not sRGB.
+//! A [`Frame`] is a [`Content`], all that there is to be seen (land, figures, lights, sky), and a [`View`], from where
+//! and how it is seen. Several views can share one content. This crate knows neither the simulation nor the renderer.
+//!
+//! Directions and positions are in chart coordinates, lengths in metres. Colours are linear light, not sRGB.
 
 mod hit_shapes;
 mod land;
@@ -41,7 +44,7 @@ pub struct Content {
     pub loaded_world: u64,
 }
 
-/// Everything needed to draw one picture: a content that several may share, and who looks at it.
+/// Everything needed to draw one picture: a content that several pictures may share, and a view of it.
 #[derive(Clone, Debug)]
 pub struct Frame {
     /// What there is to be seen.

@@ -40,7 +40,7 @@ impl fmt::Display for Quality {
 
 /// A word that names no quality.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("\"{0}\" is no quality; choose fast, balanced or exact")]
+#[error("\"{0}\" is not a quality; choose fast, balanced or exact")]
 pub struct ParseQualityError(String);
 
 impl FromStr for Quality {

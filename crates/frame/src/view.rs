@@ -1,4 +1,4 @@
-//! Who looks at a world, and how: what one picture of it has for itself.
+//! A view of a world: the part of a picture that it shares with no other.
 
 use std::sync::Arc;
 

@@ -186,7 +186,7 @@ pub fn child(
         .map_err(|error| error.to_string())?;
     let mut done = Done::default();
     for number in numbers.clone() {
-        // In one call, so that who watches reads all of the old line or of the new.
+        // In one call, so that the watching process reads all of the old line or of the new.
         done.write(&progress, number)
             .map_err(|error| error.to_string())?;
         let bytes = input(target, &seeds, seed, number);

@@ -1,10 +1,8 @@
-//! What the fuzz targets, the replay of their finds and the attacks on saves have in
-//! common: one list of everything that reads bytes of others, what each must keep, and
-//! what makes such bytes.
+//! Fuzz targets for all code of the game that reads foreign bytes, and attacks on saves.
 //!
-//! A [`Target`] is used by `fuzz/` (cargo-fuzz, nightly), by the tests here (stable:
-//! the corpus and every find replayed, and a seeded campaign) and by the program
-//! `antipode-fuzzing`, which runs long campaigns and makes the corpus anew.
+//! A [`Target`] reads an input, checks what must hold for every input, and can make and mutate inputs. Three programs
+//! use the list of targets: `fuzz/` (cargo-fuzz, nightly), the tests of this crate (stable; they replay the corpus and
+//! every find, and run a seeded campaign), and `antipode-fuzzing`, which runs long campaigns and makes the corpus anew.
 
 pub mod attacks;
 pub mod campaign;

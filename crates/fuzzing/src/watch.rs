@@ -1,4 +1,4 @@
-//! What a process that tries inputs may take, and who ends it when it takes more.
+//! Limits on time and memory of a process that tries inputs. A watching process ends it when it takes more.
 
 use std::fs;
 use std::io::{BufRead, BufReader};

@@ -94,7 +94,7 @@ impl fmt::Display for Geometry {
 
 /// A word that names none of the three spaces.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("\"{0}\" is no geometry; choose euclidean, hyperbolic or spherical")]
+#[error("\"{0}\" is not a geometry; choose euclidean, hyperbolic or spherical")]
 pub struct ParseGeometryError(String);
 
 impl FromStr for Geometry {
@@ -153,7 +153,7 @@ impl fmt::Display for HyperbolicMap {
 
 /// A word that names no map of hyperbolic worlds.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("\"{0}\" is no hyperbolic map; choose raised or horizon")]
+#[error("\"{0}\" is not a hyperbolic map; choose raised or horizon")]
 pub struct ParseMapError(String);
 
 impl FromStr for HyperbolicMap {

@@ -1,8 +1,10 @@
-//! What can be carried. The table `assets/tables/items.ron` has a row for each item; the build makes [`Item`] of it and
-//! refuses a table that is not sound, by file, line and field.
+//! The items that a player can carry.
 //!
-//! A new item is a row, a model and an icon in `assets/models`, and its words in the five locales; what it *does*, beyond
-//! digging, is a rule of the scene.
+//! The table `assets/tables/items.ron` has a row for each item. The build script makes the enum [`Item`] of it and
+//! refuses a faulty table with its file, line and field.
+//!
+//! A new item needs a row, a model and an icon in `assets/models`, and its words in the five locales. What it *does*,
+//! beyond digging, is a rule of the scene.
 
 use serde::{Deserialize, Serialize};
 

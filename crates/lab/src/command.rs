@@ -1,4 +1,4 @@
-//! The laboratory from the command line: it prints tables, writes reports, and fails where a bar is not met.
+//! The command line of the laboratory: prints tables, writes reports, and fails where a bar is not met.
 
 use std::fs::OpenOptions;
 use std::io::{self, Write};

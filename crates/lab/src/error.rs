@@ -41,7 +41,7 @@ pub enum LabError {
         source: std::io::Error,
     },
     /// A file is no report.
-    #[error("{} is no report of the laboratory ({why}); make one with `antipode-lab all --json FILE`", path.display())]
+    #[error("{} is not a report of the laboratory ({why}); make one with `antipode-lab all --json FILE`", path.display())]
     NoReport {
         /// The file.
         path: PathBuf,

@@ -1,8 +1,8 @@
-//! The laboratory: measures what the port's accuracy costs, how it holds at the extremes, and how fast ground is made.
+//! The laboratory: measures the accuracy of the port at the extremes, its cost, and the speed of the terrain.
 //!
-//! Every figure goes into a [`Report`], which is printed, written as JSON, shown as a web page and
-//! turned into the tables of `docs/accuracy.md` and `docs/terrain.md`. The textbook formulas that the game does not use
-//! live here, and only here, as the baseline to compare with.
+//! A [`Report`] holds every measured value. It can be printed, written as JSON, shown as a web page, and turned into
+//! the tables of `docs/accuracy.md` and `docs/terrain.md`. The textbook formulas that the game does not use are here,
+//! and only here, as the baseline for comparisons.
 
 pub mod accuracy;
 pub mod compute;

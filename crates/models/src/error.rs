@@ -19,13 +19,13 @@ pub enum Error {
     #[error("The file needs the extension {0}, which is not supported.")]
     Extension(String),
     /// Data that lie in other files.
-    #[error("The file keeps its {0} in another file; only files that are whole can be read.")]
+    #[error("The file stores its {0} in another file, and only self-contained files can be read.")]
     External(&'static str),
     /// Shapes that are blended.
     #[error("The mesh '{0}' has morph targets, which are not supported.")]
     MorphTargets(String),
     /// More than four joints for a vertex.
-    #[error("The mesh '{0}' has vertices that hang from more than four joints.")]
+    #[error("The mesh '{0}' has vertices with more than four joints.")]
     Influences(String),
     /// Points or lines.
     #[error("The mesh '{0}' is made of points or lines, and only triangles can be drawn.")]
@@ -37,7 +37,7 @@ pub enum Error {
     #[error("The file refers to {0} that it does not have.")]
     OutOfRange(&'static str),
     /// Not a number, infinite, or far too large.
-    #[error("The {0} contain values that are no numbers or absurdly large.")]
+    #[error("The {0} contain values that are not numbers or that are far too large.")]
     Absurd(&'static str),
     /// More of something than anyone needs.
     #[error("The file has too many {0}.")]
@@ -46,7 +46,7 @@ pub enum Error {
     #[error("The file's nodes do not form a tree.")]
     NotATree,
     /// Key times that do not grow.
-    #[error("The clip '{0}' has key times that do not grow from zero.")]
+    #[error("The clip '{0}' has key times that do not rise from zero.")]
     KeyTimes(String),
     /// The picture cannot be decoded.
     #[error("A picture in the file cannot be read ({0}).")]

@@ -1,4 +1,4 @@
-//! What is solid in one chart, and the frame in which Rapier sees it.
+//! The solid ground of one chart, and the coordinates in which Rapier sees it.
 //!
 //! Origins of chunks are kept in `f64`; Rapier's colliders stand relative to a floating origin, a
 //! multiple of 32 m, so that its `f32` positions stay below about 600 m near the player whatever the

@@ -1,7 +1,7 @@
 //! What is solid in a world: each chart's ground by itself.
 //!
 //! A place is a place of a chart, so there may be any number of charts, and none is in another's way. What lies near an
-//! edge is written in each chart that comes there, and who crosses is asked about in the other chart from then on.
+//! edge is written in each chart that comes there, and a body that crosses asks in the other chart from then on.
 
 use std::collections::BTreeMap;
 

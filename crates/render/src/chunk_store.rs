@@ -1,4 +1,5 @@
-//! The terrain's meshes on the adapter: what is shown of each chunk, what waits to be, and what fades.
+//! Keeps the terrain's meshes on the adapter. Each chunk has a mesh that is shown, perhaps one that fades out, and
+//! perhaps one that waits to be uploaded.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;

@@ -2,8 +2,8 @@
 //!
 //! Where the adapter can, one call draws everything that one pipeline draws from one page; the arguments lie in a
 //! buffer. OpenGL may not be able to, and gets a call for each piece. Either way what is nearer comes first, strictly
-//! where a handful of calls allows it and by bands of distance else: what is drawn first hides what comes after before
-//! that is shaded.
+//! where a handful of calls allows it and by bands of distance otherwise: what is drawn first hides later pieces before
+//! they are shaded.
 
 use antipode_terrain::Vertex;
 use wgpu::util::DrawIndexedIndirectArgs;

@@ -51,7 +51,7 @@ pub enum RenderError {
     Options(String),
 }
 
-/// Most characters of a compiler's words in a sentence; the log has the rest.
+/// A sentence has at most so many characters of a compiler's words. The log has all of them.
 const LONGEST_REASON: usize = 160;
 
 impl RenderError {

@@ -45,7 +45,7 @@ impl Figures {
     }
 
     /// The figures of a frame, if they or their shadows on `map` may be seen; and the heights towards the light between
-    /// which all lie that fall on it, seen or not: its depth does not depend on who was left out.
+    /// which all lie that fall on it, seen or not: its depth does not depend on the figures that were left out.
     pub fn seen(
         &self,
         frame: &Frame,

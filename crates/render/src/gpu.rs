@@ -1,4 +1,4 @@
-//! Opening a graphics adapter, with or without a window, and keeping watch over it.
+//! Opens a graphics adapter, with or without a window, and notices when it fails or is lost.
 
 use std::fmt::Debug;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

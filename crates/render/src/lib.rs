@@ -1,8 +1,11 @@
-//! Draws a frame of a scene into a texture view with wgpu.
+//! Draws a [`Frame`](antipode_frame::Frame) into a texture view with wgpu.
 //!
-//! [`Gpu`] opens an adapter, [`Renderer`] keeps the terrain's meshes on it and draws one
-//! [`Frame`](antipode_frame::Frame) after another, [`Offscreen`] is a target that can be read back.
-//! Nothing here opens a window, loads a world or asks which space the world is in.
+//! [`Gpu`] opens an adapter. A [`Renderer`] keeps the terrain's meshes on it and draws one frame after another.
+//! [`Offscreen`] is a target that can be read back. For each frame a [`Planner`] decides which chunks are drawn and
+//! how, and the renderer then records shadow maps, the scene and the tone map.
+//!
+//! This crate opens no window and loads no world. It never asks which space a world is in: the frame's strategy
+//! brings the shader text of its map.
 
 mod ball;
 mod blend;

@@ -1,4 +1,4 @@
-//! The game's models as the adapter takes them: vertices and indices in the game's axes, x ahead, y up, z to the right.
+//! Loads the game's models for the adapter: vertices and indices in the game's axes, x ahead, y up, z to the right.
 
 use antipode_frame::ModelId;
 use antipode_models::{GAME_FROM_FILE, Material, Mesh, Model, Vertex};

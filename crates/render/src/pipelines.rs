@@ -1,4 +1,4 @@
-//! The pipelines of the scene pass: one for each way of drawing something.
+//! Makes the pipelines of the scene pass, one for each way of drawing something.
 
 #[cfg(test)]
 mod tests;

@@ -1,11 +1,11 @@
-//! Which chunks have their edges halved, and how far off what is drawn of them is.
+//! Chooses the chunks whose edges are halved, and keeps the error of what is drawn of them.
 //!
-//! A thread makes the refinements, the nearest chunk's first. Two chunks agree on the edge they share if both were
-//! refined for the same eyes, so those of one set are shown together, when the last of them has come; until then those
-//! before are drawn, or the meshes as they are, and the error that is told is theirs.
+//! A thread makes the refinements, the nearest chunk's first. Two chunks agree on their shared edge if both were
+//! refined for the same eyes. So the chunks of one set are shown together, as soon as the last of them is made. Until
+//! then the frame draws the earlier ones, or the meshes as they are, and reports their error.
 //!
-//! An eye that moves has left the place that it was seen at before a set for that place is made. So a set is made for
-//! all of the way that the eye will have gone until the next one can be there ([`Lead`]). Where the thread does not keep
+//! A moving eye has left its place before a set for that place is made. So a set is made for all of the way that the
+//! eye will cover until the next set can be ready ([`Lead`]). Where the thread does not keep
 //! up even so, the frame refines all that it shows itself: late is better than wrong.
 //!
 //! A chunk that was refined and then changes would be seen to lose its refinement for some frames, so the nearest such
@@ -139,7 +139,7 @@ impl Refinements {
             let key = &rules.key;
             key.holds(frame, bounds, &frame.view.eye.point)
                 && key.way.covers(&self.lead.when_made(&frame.view.eye.point))
-                // Whoever stands does not need what was made for who walks.
+                // An eye that stands does not need what was made for one that walks.
                 && (!self.lead.rests() || key.way.is_place())
         };
         self.shown.as_ref().filter(holds)

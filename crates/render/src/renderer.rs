@@ -1,4 +1,4 @@
-//! Draws one frame after another: the scene as light, then the light as a picture.
+//! Draws one frame after another: the scene pass computes light, and the tone map turns the light into a picture.
 
 use antipode_frame::{Frame, View};
 use wgpu::{CommandEncoder, Device, Queue, RenderPassTimestampWrites, TextureView};

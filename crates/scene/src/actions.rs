@@ -48,7 +48,7 @@ pub struct Actions {
     pub flip_car: bool,
     /// Sound the car's horn.
     pub horn: bool,
-    /// Talk to who is ahead.
+    /// Talk to the person ahead.
     pub talk: bool,
     /// Throw away one of what is in hand.
     pub drop_one: bool,

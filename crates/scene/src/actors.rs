@@ -1,4 +1,4 @@
-//! Who and what lives, moves or lies about in a world: entities whose components say what they are. All but the player
+//! All that lives, moves or lies about in a world: entities whose components say what they are. All but the player
 //! have an [`ActorId`]; beside it figures are several components, and each other kind is one.
 
 use std::any::TypeId;

@@ -1,9 +1,11 @@
-//! Pictures between two steps. Beside the simulation, which knows nothing of them, the poses before the last step are
-//! kept, and a frame shows a share of the way from there to the poses after it. What the player turns is seen at once:
-//! the poses before are turned as the step was, and both by what the next step will turn.
+//! Pictures between two steps of the simulation.
 //!
-//! What has not moved there by itself is not shown on the way: what came, went, died, changed its camera or its seat, or
-//! is farther off than anything gets in a step.
+//! [`Between`] keeps the poses before the last step, and a frame shows a share of the way from them to the poses after
+//! it. The simulation knows nothing of this. The player sees a turn of the look at once: the older poses are turned
+//! as the last step turned, and both are turned by what the next step will turn.
+//!
+//! A figure is not shown on the way if it did not move there by itself: if it came, went, died, changed its camera or
+//! its seat, or if it is farther away than anything gets in a step.
 
 use antipode_geometry::{Atlas, ChartPoint, Crossing};
 use glam::DQuat;

@@ -10,7 +10,7 @@ use crate::player::{Body, Player, Position};
 use crate::tuning::FARTHEST_M;
 use crate::world::World;
 
-/// Who is put somewhere at rest, no higher than this over ground to stand on, stands there at once, in metres.
+/// A body that is put down at rest, no higher than this above the ground, stands there at once, in metres.
 const SET_DOWN_M: f64 = 0.75;
 /// Gap left below the feet of a body that is put on the surface, in metres.
 const CLEARANCE_M: f64 = 0.15;

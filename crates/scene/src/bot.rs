@@ -25,7 +25,7 @@ pub struct Bot {
     pub hit_s_ago: f64,
     /// Since it died, seconds; zero while it lives.
     pub dead_s: f64,
-    /// Who hit it last.
+    /// The last one that hit it.
     pub(crate) struck_by: Option<Entity>,
 }
 

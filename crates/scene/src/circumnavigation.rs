@@ -1,8 +1,8 @@
 //! Notices the first time somebody has come all the way round a closed world.
 //!
 //! The ground of a closed world is a sphere, on which no way winds round anything: one that leads round is told by how
-//! it left a place, came near the point opposite, and comes back from the other side. Who turns back comes back from the
-//! side where he left, however far he was.
+//! it left a place, came near the point opposite, and comes back from the other side. A walker who turns round
+//! comes back from the side where he left, however far he was.
 
 use std::f64::consts::TAU;
 

@@ -32,7 +32,7 @@ struct AimRay {
     past_head_m: f64,
 }
 
-/// The crosshair of who looks through a picture.
+/// The crosshair of a viewer of a picture.
 pub(crate) struct Crosshair<'a> {
     now: Situation<'a>,
     params: ViewParams,

@@ -1,5 +1,5 @@
-//! What a hand puts down on the ground and takes up again: it stays there, falls when the ground below it goes, and comes
-//! up when it is built over.
+//! Fixtures: things that a hand puts down on the ground and takes up again. A fixture stays where it is, falls when the
+//! ground below it disappears, and comes up when the player builds over it.
 
 use antipode_geometry::{ChartPoint, Eye};
 use antipode_items::Item;

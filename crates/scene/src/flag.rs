@@ -76,7 +76,7 @@ impl Fixture for Flag {
         too_many: Hint::TooManyFlags,
     };
 
-    /// Its cloth flies to the right of who planted it.
+    /// Its cloth flies to the right of the one who planted it.
     fn put(foot: Foot, yaw: f64) -> Self {
         Self {
             foot,

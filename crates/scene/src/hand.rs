@@ -46,7 +46,7 @@ impl HandMotion {
         self.flash_left_s = FLASH_S;
     }
 
-    /// Goes on by the step that has just been taken, in which a shot was fired or not; without a bob for who wants it
+    /// Goes on by the step that has just been taken, in which a shot was fired or not; without a bob where the player wants it
     /// `still`.
     pub fn step(&mut self, now: Situation<'_>, fired: bool, still: bool) {
         if fired {

@@ -1,7 +1,7 @@
-//! What the player carries: the hotbar, the backpack below it, and what the pointer holds between the two.
+//! The player's inventory: the hotbar, the backpack below it, and the stack that the pointer holds.
 //!
-//! Nothing is ever lost here: every move answers with what found no room, and a closed backpack puts back what the
-//! pointer held.
+//! Nothing is ever lost here. Every move returns the items that found no room, and closing the backpack puts the
+//! pointer's stack back.
 
 use serde::{Deserialize, Serialize};
 

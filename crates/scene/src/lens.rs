@@ -1,7 +1,7 @@
-//! Through which picture the world is seen: the map of its space, and the dial under the wheel.
+//! The lens through which the world is seen: the map of its space, and the dial under the wheel.
 //!
-//! The world itself never changes with it. Every map's dial is flat at zero, so that is where one map gives way
-//! to the other: the dial glides to zero, the map is swapped, and the dial glides to the goal of the new one.
+//! The lens never changes the world itself. Every map's dial is flat at zero, so the maps are swapped there: the dial
+//! glides to zero, the map is swapped, and the dial glides to the goal of the new map.
 //! At zero the raised map still lights the land by its curved normals, though it puts every point where the flat
 //! picture does whatever its radius. So its curvature glides to nothing too, and comes back with it.
 

@@ -1,7 +1,12 @@
-//! The ECS-lite world and its rules, advanced one fixed step at a time.
+//! The world and its rules, advanced one fixed step of 1/60 s at a time.
 //!
-//! The scene is Euclidean: everything here is authored in chart metres. Which space a world is in is asked
-//! nowhere; the strategy answers where it matters.
+//! A [`Scene`] is an open world. A host calls [`Scene::step`] with the player's [`Actions`], asks for answers, and
+//! takes a [`frame`] to be drawn, the sounds and the notices. The player, figures, cars, lamps, things and bullets
+//! are entities with small components (`hecs`). Each rule is a function in the file of its subject. The order of the
+//! rules is in `step.rs`.
+//!
+//! The simulation is a pure function of save, seed and actions. All positions are metres of a flat chart. No rule
+//! asks which space the world is in; the strategy ([`antipode_geometry`]) answers wherever that matters.
 
 pub mod actions;
 pub mod actors;

@@ -1,4 +1,4 @@
-//! What moves in a picture, as it is after a step, and the picture that is made of it.
+//! A moment: the poses of everything that moves, after a step, and the picture that is made of them.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ use crate::tuning::NEAR_M;
 use crate::world::World;
 use crate::{fixture, hand};
 
-/// Who or what a figure or a light is, so that it is found again after the next step.
+/// Identifies a figure or a light, so that it can be found again after the next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Who {
     Player {

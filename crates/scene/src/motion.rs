@@ -15,15 +15,15 @@ const STANDS_M_S: f64 = 0.15;
 const WALKS_M_S: f64 = 0.6;
 /// Slower steps, in m/s, are not heard.
 const HEARD_FROM_M_S: f64 = 0.3;
-/// Who goes farther round than this from where he faces goes backwards, radians.
+/// A figure that moves at a larger angle than this to its front walks backwards, radians.
 const BACKWARDS_RAD: f64 = 1.85;
 /// How fast the legs turn to where they go, per second.
 const TWIST_RATE_PER_S: f64 = 10.0;
 /// A body is in the air when it was for so long, seconds: walking down a slope leaves the ground all the time.
 const FLIES_AFTER_S: f64 = 0.12;
-/// Who leaves the ground at this speed or more has jumped, m/s.
+/// A figure that leaves the ground at this speed or more has jumped, m/s.
 const JUMPS_FROM_M_S: f64 = 1.5;
-/// Who falls faster than this has lost the ground for good, m/s.
+/// A figure that falls faster than this has lost the ground for good, m/s.
 const FALLS_FROM_M_S: f64 = 7.0;
 /// When in the jump the feet leave the ground, and when it has become hanging in the air, seconds.
 const PUSH_S: f32 = 0.10;

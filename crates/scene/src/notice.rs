@@ -10,8 +10,10 @@ use crate::npc::Line;
 /// Something that went wrong.
 #[derive(Clone, Debug, Error)]
 pub enum Notice {
-    /// The save's player was not fit to be used; the land is as it was.
-    #[error("The save's player was damaged; you begin at the start again. Your land is as it was.")]
+    /// The player of the save was damaged. The land is unchanged.
+    #[error(
+        "The player in this save was damaged, so you begin at the start again. Your land is unchanged."
+    )]
     PlayerDamaged,
     /// The save holds an item that this version does not know.
     #[error(
@@ -82,10 +84,10 @@ pub enum Hint {
     #[error("There are too many flags in this world; take one up first.")]
     TooManyFlags,
     /// Nothing fits into the hotbar and the backpack any more.
-    #[error("You can carry no more.")]
+    #[error("You cannot carry any more.")]
     NoRoom,
     /// Too many things lie about for one more.
-    #[error("Too much lies about already; pick something up first.")]
+    #[error("Too many things lie around already; pick something up first.")]
     TooManyDrops,
     /// The player has died of a fall.
     #[error("You fell too far. You will stand up again where you began.")]

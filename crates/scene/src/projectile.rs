@@ -1,6 +1,6 @@
-//! Bullets in flight: they fall or follow the space's geodesics, bounce off the ground, damage whoever they strike and are
-//! gone some time after they have met something. What falls meets ground sooner or later, even where none is loaded; what
-//! follows a geodesic is gone after some way.
+//! Bullets in flight. They fall or follow the space's geodesics, bounce off the ground and damage the bodies that they
+//! strike. A bullet disappears some time after it has met something. A falling one meets ground sooner or later, even
+//! where none is loaded, and one that follows a geodesic disappears after a certain distance.
 
 use antipode_geometry::{Atlas, ChartId, ChartPoint, Crossing, Eye, Map};
 use antipode_physics::{
@@ -51,7 +51,7 @@ pub struct Projectile {
     /// How long it has lain still, seconds.
     lies_s: f64,
     path: Path,
-    /// Who fired it.
+    /// The shooter.
     by: Entity,
     /// Whom it has struck last, and when.
     struck: Option<(Entity, f64)>,
@@ -70,7 +70,7 @@ pub(crate) struct Standing {
 pub(crate) struct Strike {
     pub entity: Entity,
     pub by: Entity,
-    /// The way it flew, in the chart of who was struck.
+    /// The way it flew, in the chart of the body that it struck.
     pub way: DVec3,
 }
 
@@ -224,7 +224,7 @@ impl Projectile {
                     by: self.by,
                     way: way.crossing.turn_vector(self.velocity),
                 });
-                // Who is struck stops the bullet; it drops to the ground.
+                // The body stops the bullet, which drops to the ground.
                 ball.centre = from;
                 ball.velocity *= -0.1;
                 self.path = Path::Falls;

@@ -32,7 +32,7 @@ use crate::world::World;
 use crate::{body, car};
 use antipode_items::Item;
 
-/// Who or what is faster in a save was not saved by the game: the ground that it would reach is not to be asked for.
+/// The game saves nothing that is faster than this. A faster body in a save is slowed down: the ground that it would reach is not to be asked for.
 pub(crate) const FASTEST_RESTORED_M_S: f64 = 100.0;
 /// Longer than this, in seconds, nobody plays: three hundred years. A step still counts there.
 pub(crate) const LONGEST_PLAYED_S: f64 = 1e10;

@@ -97,7 +97,7 @@ impl<'a> Situation<'a> {
         let mut all: Vec<Standing> = query
             .iter()
             .filter(|(entity, _, health)| {
-                // Who drives is met by what meets the car.
+                // Whatever meets the car meets its driver.
                 let is_there =
                     *entity != actors.player || !(self.player.flying || actors.cars.is_driving());
                 health.0 > 0.0 && is_there

@@ -98,7 +98,7 @@ pub const STROKE_S: f64 = 0.27;
 const LANDING_FROM_M_S: f64 = 2.5;
 /// Share of the speed at which braked tyres slide.
 const BRAKED_SHARE: f64 = 0.35;
-/// Events kept for who never asks, as scripts do not.
+/// The most events that are kept for a host that never asks, such as a script.
 const MOST_EVENTS: usize = 64;
 
 /// The events since they were last taken, and what is needed to tell the next.

@@ -1,4 +1,4 @@
-//! Where a world that a player makes begins: on high ground, with far land, a car and somebody in the first picture.
+//! Chooses where a new world begins: on high ground, with far land, a car and a figure in the first picture.
 //!
 //! Places about the middle are tried, the highest first. Of each the land around is surveyed along rays from the eye,
 //! and the view is taken that shows most of it far off, with a car and a figure on free ground between. In a closed

@@ -1,7 +1,7 @@
-//! The heights of the land about the player, for a map: surveyed a few columns at a time, kept, and laid out as the
-//! player's place has it.
+//! Surveys the heights of the land around the player for the map: a few columns at a time. It keeps the heights and lays
+//! them out around the player.
 //!
-//! No part of the simulation: it reads the ground that is there, and changes nothing.
+//! This is not part of the simulation. It reads the ground that is loaded and changes nothing.
 
 use std::collections::HashMap;
 use std::sync::Arc;

@@ -91,7 +91,7 @@ pub const BULLET_LIES_BELOW_M_S: f64 = 0.5;
 pub const BULLET_STRAIGHT_M: f64 = 200.0;
 /// Bullets in flight at once.
 pub const MOST_BULLETS: usize = 500;
-/// The same bullet harms the same body again only after so many seconds; and who fired it, only then.
+/// A bullet can damage the same body again only after so many seconds. It can damage its own shooter only after them, too.
 pub const SAME_BODY_DAMAGED_AFTER_S: f64 = 0.5;
 /// A bullet slower than this, in m/s, harms nobody: one that someone has stopped falls back at a tenth of its speed, and
 /// others lie about.

@@ -37,7 +37,7 @@ pub enum Action {
     FlipCar,
     /// Sound its horn.
     Horn,
-    /// Talk to who is ahead.
+    /// Talk to the person ahead.
     Talk,
     /// Throw away one of what is in hand.
     Drop,

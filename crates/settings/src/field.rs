@@ -1,4 +1,4 @@
-//! The table of settings: what each is called, what values it takes, and how to get and set it by name.
+//! The table of settings: for each its name, its values, and how to get and set it by name.
 
 use std::fmt;
 

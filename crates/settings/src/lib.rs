@@ -1,11 +1,11 @@
-//! The player's settings and key bindings, and the file they are kept in.
+//! The player's settings and key bindings, and the file that keeps them.
 //!
-//! [`fields`] lists every setting with its kind and range, and [`actions`] everything that a key can do: screens,
-//! commands and the file are all generated from these two tables. What is shown of them is text by key (`setting-…`,
-//! `action-…`), so nothing here speaks a language but the notices for the log.
+//! [`fields`] lists every setting with its kind and range, and [`actions`] lists everything that a key can do. The
+//! menus, the command line and the file follow from these two tables. Their texts have keys (`setting-…`,
+//! `action-…`), so only the notices for the log are in English.
 //!
-//! Nothing here knows a window or an adapter. [`Config`] is plain data; [`open`] reads it, and a [`Keeper`] writes
-//! it on a thread of its own.
+//! This crate knows no window and no adapter. [`Config`] is plain data; [`open`] reads it, and a [`Keeper`] writes it
+//! on a thread of its own.
 
 mod action;
 mod choice;

@@ -31,13 +31,13 @@ pub struct Conflict {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum BindError {
     /// Escape always opens the menu and cancels.
-    #[error("Escape is the way out of everything and cannot do anything else")]
+    #[error("Escape always leads out of a screen, so it cannot do anything else")]
     WayOut,
     /// The action has as many as it can have.
     #[error("an action has at most {MAX_INPUTS} inputs; take one away first")]
     Full,
     /// Without an input for the menu nobody could change this again.
-    #[error("the menu keeps Escape, or nobody could get back here")]
+    #[error("Escape must stay a key of the menu, or you could not get back here")]
     MenuKeepsWayOut,
 }
 

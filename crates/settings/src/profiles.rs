@@ -29,13 +29,13 @@ pub enum ProfileError {
     #[error("a profile's name is one line of characters that can be shown")]
     OddName,
     /// Another profile has the name.
-    #[error("there is a profile of that name already")]
+    #[error("a profile of that name exists already")]
     Taken,
     /// There are as many as there can be.
     #[error("there are at most {MAX_PROFILES} profiles; delete one first")]
     Full,
     /// The last one cannot be deleted.
-    #[error("the last profile stays; reset it instead")]
+    #[error("the last profile cannot be deleted; reset it instead")]
     Last,
 }
 

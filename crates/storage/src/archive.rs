@@ -1,4 +1,4 @@
-//! A world as one file, for keeping and for giving away.
+//! Packs a world into one file, to keep or to give away, and unpacks it.
 //!
 //! Layout, little-endian: magic `ANTIPODE`, container version u16, number of files
 //! u8; per file: length of its name u8, name, length u64, blocks of at most 1 MiB,

@@ -1,4 +1,4 @@
-//! How a value becomes bytes: the sealed record around it, and the body of it.
+//! Encodes values as bytes: the body of a value, and the sealed record around it.
 //!
 //! A record is, little-endian:
 //!

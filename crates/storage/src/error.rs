@@ -1,5 +1,5 @@
-//! Everything that can go wrong with a save, each as a sentence for the player:
-//! what happened, to which world or file, and what can be done.
+//! Everything that can go wrong with a save. Each error is a sentence for the player: what happened, to which world or
+//! file, and what the player can do.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};
@@ -22,7 +22,7 @@ pub enum StorageError {
         world: String,
     },
     /// Somebody else gives names to worlds, and for too long.
-    #[error("Another game is making, renaming or importing a world in {} and does not come to an end. Try again in a moment, or close the other game.", dir.display())]
+    #[error("Another game is making, renaming or importing a world in {} and has not finished. Try again in a moment, or close the other game.", dir.display())]
     Busy {
         /// The directory of worlds.
         #[serde(serialize_with = "lossy")]

@@ -21,13 +21,13 @@ pub enum NameError {
         chars: usize,
     },
     /// A character that cannot be printed.
-    #[error("The name holds a character that cannot be shown ({}).", .0.escape_unicode())]
+    #[error("The name contains a character that cannot be shown ({}).", .0.escape_unicode())]
     Unprintable(
         /// The first such character.
         char,
     ),
     /// There is a world of that name, differing at most in case.
-    #[error("There is a world called \"{existing}\" already.")]
+    #[error("A world called \"{existing}\" exists already.")]
     Taken {
         /// The name of that world, as it is written.
         existing: String,

@@ -1,5 +1,5 @@
-//! What is left of a damaged store: by its index as far as that goes, then by
-//! searching the bare bytes for sealed records.
+//! Salvages records from a damaged store: by its index as far as possible, then by searching the raw bytes for
+//! sealed records.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read};

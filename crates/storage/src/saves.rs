@@ -1,4 +1,4 @@
-//! The directory of worlds: list, find, make, delete. What moves worlds is in `transfer`.
+//! The directory of worlds: lists, finds, makes and deletes them. `transfer` copies, exports and imports them.
 
 use std::fs;
 use std::path::{Component, Path, PathBuf};

@@ -1,4 +1,4 @@
-//! The look at every record of a world as it is opened.
+//! Reads every record of a world when it is opened, and notes which are there, damaged or unknown.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! One world on disk: open it, read it, commit to it.
+//! One world on disk: opens it, reads it and commits to it.
 
 use std::fs;
 use std::path::{Path, PathBuf};

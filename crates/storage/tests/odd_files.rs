@@ -206,7 +206,7 @@ fn a_file_in_the_place_of_the_saves_directory_is_named() {
     ));
 }
 
-/// Who could not look is told so. A loop of links is refused to everybody, permissions only to some.
+/// A reader who could not look is told so. A loop of links is refused to everybody, permissions only to some.
 #[cfg(unix)]
 #[test]
 fn a_world_whose_folder_cannot_be_looked_into_is_listed_and_says_so() {

@@ -1,7 +1,7 @@
 //! The edits of the world, shared among the workers and the saver.
 //!
-//! A batch enters whole under one write lock and raises the revision by one; whoever reads takes
-//! the revision and the edits under one read lock, so no chunk is ever made from half a batch.
+//! A batch enters whole under one lock and raises the revision by one. A reader takes the revision and the edits under
+//! one lock, too, so that no chunk is ever made from half a batch.
 //! The disk is read outside the locks. Edits stay in memory once read (128 kB a chunk) as long as
 //! they are among those used last; of the others, what is saved is read again when it is needed.
 

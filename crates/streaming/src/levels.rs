@@ -1,4 +1,4 @@
-//! Who gets which level of detail: the coarsest that the picture cannot tell from the full one, and
+//! The level of detail of each chunk: the coarsest that the picture cannot tell from the full one, and
 //! no two neighbours more than one level apart.
 
 use std::collections::HashMap;

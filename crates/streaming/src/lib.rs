@@ -1,22 +1,21 @@
-//! Chunk streaming: joins terrain, storage and colliders away from the main thread.
+//! Loads, edits and saves chunks away from the main thread. It joins terrain, storage and colliders.
 //!
-//! The game holds one [`Streamer`]. It never locks, touches the disk or builds a mesh: it schedules
-//! what is wanted against what is there, and exchanges messages with named chunk workers
-//! (`antipode-chunk-N`) and one saver (`antipode-save`) over bounded channels.
+//! The game holds one [`Streamer`]. It tells it what is wanted ([`Streamer::wish`]), edits ([`Streamer::edit`]), and
+//! takes finished work over ([`Streamer::poll`]). The streamer never locks, touches the disk or builds a mesh. It
+//! exchanges messages with chunk workers (`antipode-chunk-N`) and one saver (`antipode-save`) over bounded channels.
 //!
-//! - Loads go nearest first and in view first; only a few are handed to each worker at a time, so
-//!   that a load that is no longer wanted costs nothing and an edit never waits behind a queue.
-//! - An edit over several chunks is a batch: all its meshes and colliders come in one
-//!   [`Update::Edited`], or none. Strokes made while a batch is under way add up for the next.
-//! - Commits run on the saver alone, since waiting for the disk must never delay an edit.
+//! - The scheduler hands out loads, the nearest and those in view first, and only a few at a time. So a load that is
+//!   no longer wanted costs nothing, and an edit never waits behind a queue.
+//! - An edit of several chunks is a batch. All its meshes and colliders arrive in one [`Update::Edited`], or none do.
+//!   Strokes that are made while a batch is in flight form the next batch.
+//! - Only the saver commits, since waiting for the disk must never delay an edit.
+//! - A worker also plans which chunks are to be there and at which level of detail, from the size of the land in the
+//!   picture ([`Detail`]). Only ground that bodies can reach ([`Reach`]) is solid: it has colliders and samples, and
+//!   always the full resolution.
 //!
-//! - Which chunks are to be there, and at which level of detail, is planned on a worker too, from
-//!   the size of the land in the picture ([`Detail`]). Only the ground that bodies reach
-//!   ([`Reach`]) is solid, that is, has colliders and samples; it is always in full resolution.
-//!
-//! What keeps a picture free of gaps: the edits of the world carry a revision that rises by one
-//! with each batch; a loaded chunk says which revision it was made from, is held back until that
-//! batch is shown, and is made again when a batch shown since has touched it.
+//! No gap ever appears in a picture. Each batch raises the revision of the world's edits by one. A loaded chunk names
+//! the revision that it was made from. It is held back until that batch is shown, and it is made again if a batch that
+//! was shown in the meantime has touched it.
 
 mod api;
 mod bases;

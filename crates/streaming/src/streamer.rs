@@ -1,4 +1,4 @@
-//! The game's handle.
+//! The handle through which the game uses this crate.
 
 use std::collections::{BTreeSet, HashSet, VecDeque};
 use std::fmt;

@@ -1,5 +1,5 @@
-//! The two loops that noise at any slant spends its time in, compiled for several widths of vectors
-//! and chosen by what the processor has.
+//! The two hot loops of noise at any slant. They are compiled for several widths of vectors, and the processor's
+//! features choose among them.
 //!
 //! Both are written for one sample, and have compilers put 4, 8 or 16 side by side. None contracts
 //! or reorders floating-point operations, so every width gives the same bits.

@@ -1,6 +1,9 @@
-//! What a test does where the machine lacks what it needs: it passes and says loudly that it tested nothing, or fails
-//! where `ANTIPODE_REQUIRE_GPU` says that everything must be there. How far what two pictures show is apart. And
-//! two spaces that no player gets: flat space in charts without number, and a cone.
+//! Helpers that the tests of all crates share.
+//!
+//! - A test that needs an adapter, a display or a program asks [`needed`] or [`may_skip`]. Where it is missing, the
+//!   test passes and says loudly that it tested nothing. With `ANTIPODE_REQUIRE_GPU` set it fails.
+//! - [`pictures`] measures how far two pictures differ.
+//! - [`tiled`] and [`cone`] are two spaces that no player gets: flat space in endlessly many charts, and a cone.
 
 pub mod cone;
 pub mod pictures;

@@ -1,7 +1,7 @@
-//! What the system tells of a thread's time and of the program's memory, and the spread of many times.
+//! Measures the time of threads and the memory of the program, and finds percentiles of many times.
 //!
-//! Only Linux tells (`/proc/thread-self` and `/proc/self`, see proc_pid_schedstat(5) and proc_pid_status(5)); elsewhere
-//! every answer is none.
+//! Only Linux reports these numbers (`/proc/thread-self` and `/proc/self`, see proc_pid_schedstat(5) and
+//! proc_pid_status(5)). On other systems every answer is `None`.
 
 use std::time::Duration;
 

@@ -1,5 +1,5 @@
-//! The backpack over the running world: all slots, the stack at the pointer, and what the player asks for there. What
-//! lies where, and what becomes of a wish, is the game's.
+//! The backpack over the running world. It shows all slots and the stack at the pointer, and returns what the player
+//! asks for. The game owns the items and decides what happens.
 
 mod layout;
 mod pointer;

@@ -1,5 +1,4 @@
-//! Where things stand on screens from a phone's size to a wall's: rectangles
-//! that never turn inside out, and the pane that every sub-screen is drawn in.
+//! Lays out screens of any size. Its rectangles never turn inside out, and every sub-screen is drawn in its pane.
 
 use std::cmp::Ordering;
 use std::sync::Arc;

@@ -1,10 +1,8 @@
-//! The interface: menus and heads-up display.
+//! The interface: menus and the display over the world, drawn with egui alone.
 //!
-//! It draws with egui alone. Each frame the game hands it a plain model
-//! ([`MenuModel`], [`HudModel`]) and gets back what the player asked for
-//! ([`Intent`]); it owns no game state and touches no file. A frame goes
-//! [`show_hud`], then [`Shell::show`]: both paint on one layer, so a menu lies
-//! over the display.
+//! In each frame the game passes in a plain model ([`MenuModel`], [`HudModel`]) and gets back the player's wishes
+//! ([`Intent`]). The interface owns no game state and touches no file. A frame calls [`show_hud`] and then
+//! [`Shell::show`]; both paint on one layer, so that a menu lies over the display.
 
 mod about;
 mod backdrop;

@@ -1,4 +1,4 @@
-//! The form for a new world: what is wrong is said in words while typing.
+//! The form for a new world. It says in words what is wrong while the player types.
 
 mod radius;
 

@@ -1,4 +1,4 @@
-//! The menus' state: which screen is up, where Esc leads, who gets the focus.
+//! The state of the menus: the screen that is up, where Esc leads, and which control gets the focus.
 
 use std::cell::Cell;
 

@@ -1,9 +1,8 @@
-//! The system packages that the game and its tests need, and which are missing.
+//! Lists the system packages that the game and its tests need, and finds those that are missing.
 //!
 //! The game loads the libraries of graphics and windows at run time and builds
-//! without any of them. Only those of sound and gamepads have to be there when it
-//! is built; where they cannot be had, the game is built without the one or the
-//! other.
+//! without any of them. Only the libraries of sound and gamepads must be there at build time. Where
+//! they are missing, the game is built without sound or without gamepads.
 
 use std::fmt::Write as _;
 

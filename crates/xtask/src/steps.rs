@@ -1,4 +1,4 @@
-//! Running cargo: the game, the tests, and the steps of CI.
+//! Runs cargo: the game, the tests and the steps of CI.
 //!
 //! Everything but what players are given is built in the release profile, so that the dependencies are
 //! compiled once for the game, the tests and the benches. The tests come last

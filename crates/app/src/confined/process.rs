@@ -111,7 +111,7 @@ pub(super) enum End {
 }
 
 impl End {
-    /// `None` stands for a process that was ended by who waited for it.
+    /// `None` stands for a process that the waiting process has ended.
     pub(super) fn of(status: Option<ExitStatus>, complaints: &str) -> Self {
         let Some(status) = status else {
             return Self::Late;

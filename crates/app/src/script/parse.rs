@@ -1,4 +1,4 @@
-//! From the text of a script to orders, all checked before the first one runs.
+//! Parses a script into orders. All of them are checked before the first one runs.
 
 use std::fmt::Display;
 use std::str::FromStr;
@@ -111,7 +111,7 @@ impl Order {
                 | Setting::Quality(_)
                 | Setting::ViewDistance(_)
                 | Setting::Own(..) => false,
-                // Who sends them away has it easier.
+                // A script that sends them away has it easier.
                 Setting::Npcs(mode) => *mode != NpcMode::On,
             },
             Self::New(_)

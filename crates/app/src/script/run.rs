@@ -1,4 +1,4 @@
-//! Runs a script's orders in simulated time: the same script gives the same probes.
+//! Runs a script's orders in simulated time, so that the same script gives the same probes.
 
 use std::path::PathBuf;
 use std::time::{Duration, Instant};

@@ -1,4 +1,4 @@
-//! Who is asked about a press: the layers of the game in one list, the topmost first. Each takes the press or passes it
+//! The order in which the layers of the game are asked about a press, the topmost first. Each takes the press or passes it
 //! on; what all pass is for the interface.
 
 use antipode_settings::{Lesson, Value};

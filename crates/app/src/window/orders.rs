@@ -201,7 +201,7 @@ fn named(worlds: &Worlds, wanted: &NewWorld) -> Result<Request, Failure> {
             checked.map_err(StorageError::Name)?;
             name.clone()
         }
-        // Who plays it will want to keep it.
+        // The player will want to keep it.
         None => worlds.free_name(),
     };
     Ok(Request::New(NewWorld {

@@ -184,7 +184,7 @@ impl Play {
         }
     }
 
-    /// Tells the player what came up in the scene. Who speaks is seen to do so, but with the display hidden.
+    /// Tells the player what came up in the scene. The display shows a speaker's words unless it is hidden.
     pub fn tell(&mut self, menus: &mut Menus, profiles: &Profiles, display_hidden: bool) {
         let Some(session) = self.phase.session_mut() else {
             return;

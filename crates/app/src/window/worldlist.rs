@@ -1,5 +1,5 @@
-//! The menu's list of worlds, and all that is done with them there. Everything that may wait for the disk is done
-//! on a thread of its own, one piece after the other, and taken over when the menu asks.
+//! The menu's list of worlds, and everything that the player can do with them there. Work that may wait for the disk
+//! runs on a thread, one job after the other. The menu takes the results when it asks for them.
 
 mod folder;
 mod pictures;

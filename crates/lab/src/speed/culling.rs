@@ -203,7 +203,7 @@ fn spaces() -> [(&'static str, &'static str, Arc<dyn Strategy>, f64); 4] {
     ]
 }
 
-/// A group for each space, and the table of who was wrong which way.
+/// A group for each space, and the table that says which test was wrong, and how.
 pub fn groups(effort: Effort) -> (Vec<Group>, Table) {
     let mut rows = Vec::new();
     let mut groups = Vec::new();

@@ -1,5 +1,5 @@
-//! The vertex stage alone: a compute pass that does for a million vertices what the land's vertex shader does with
-//! the space (port, clip coordinates, normal, distance), in each variant.
+//! Measures the vertex stage alone. A compute pass does for a million vertices what the land's vertex shader does
+//! with the space (port, clip coordinates, normal, distance), in each variant.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! A flight over land with a frame log: what the main thread does in each sixtieth of a second while the ground
+//! A flight over land that logs every frame: how the main thread spends each sixtieth of a second while the ground
 //! streams in.
 
 use std::fmt::Write;

@@ -91,7 +91,7 @@ fn each_refusal_is_one_sentence() {
         ),
         (
             triangle(&[], &[1.0e30, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[]),
-            "absurdly large",
+            "far too large",
         ),
     ];
     for (bytes, word) in cases {

@@ -1,4 +1,4 @@
-//! Where the vehicles of one chart collide: Rapier's bodies and the few blocks of ground around them.
+//! The arena in which the vehicles of one chart collide: Rapier's bodies and the few blocks of ground around them.
 //!
 //! The world's terrain is never stepped. Each step takes the blocks near a moving body into a small set of its own,
 //! which shares their meshes, so that a step costs the same however much land is loaded, and what Rapier notes of

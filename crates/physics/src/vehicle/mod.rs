@@ -1,7 +1,7 @@
-//! Vehicles: what can be asked of them, and how they are stepped together.
+//! Vehicles, and the step that moves all of them together.
 //!
-//! A vehicle's state is plain data in `f64`; a body of Rapier's stands for it while there is ground to stand on. Those
-//! that nobody drives and that have come to rest cost nothing until something comes near.
+//! A vehicle's state is plain data in `f64`. While it has ground to stand on, a body of Rapier's represents it. A vehicle
+//! that nobody drives and that has come to rest costs nothing until something comes near.
 
 mod arena;
 mod bodies;
@@ -102,7 +102,7 @@ impl std::fmt::Debug for Vehicle {
 pub struct VehiclePhysics {
     tuning: VehicleTuning,
     hull: Hull,
-    /// Of the charts in which vehicles have bodies. The last one stays when it has none left, so that who comes back
+    /// Of the charts in which vehicles have bodies. The last one stays when it has none left, so that one that comes back
     /// finds the frame that he left.
     arenas: BTreeMap<ChartId, Arena>,
 }
@@ -295,7 +295,7 @@ impl Vehicle {
 fn wake_near(all: &mut [(&mut Vehicle, Option<VehicleInput>)]) {
     let moving: Vec<(ChartId, DVec3)> = all
         .iter()
-        // Who stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
+        // A vehicle that stands and is about to sleep wakes nobody: two side by side would keep each other awake for ever.
         .filter(|(it, _)| it.is_moving() && it.rests_s <= 0.0)
         .map(|(it, _)| (it.motion.chart, it.motion.place))
         .collect();

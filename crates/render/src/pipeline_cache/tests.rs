@@ -1,4 +1,4 @@
-//! Who asks for pipelines, and when they are made, with a thread that is held back.
+//! Requests for pipelines, and when the thread makes them; the tests hold it back.
 #![allow(clippy::unwrap_used, reason = "tests fail by panicking")]
 
 use std::sync::Mutex;

@@ -1,4 +1,4 @@
-//! How large errors come out in pixels, measured on the space at hand.
+//! Bounds errors in pixels, by measuring the space that is drawn.
 //!
 //! An edge strays by `bend L^2` (see [`Bend`]), and a first-order frame about the middle of something of diameter L by
 //! no more at its ends.

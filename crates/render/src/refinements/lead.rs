@@ -7,7 +7,7 @@ use glam::DVec3;
 const LEAP_M: f64 = 4.0;
 /// An eye that goes less than this in a frame stands, metres.
 const STANDS_M: f64 = 0.002;
-/// Who walks is refined for so far at least, metres: shorter ways would have to be made more often.
+/// Land is refined so far ahead of a walker at least, metres: shorter ways would have to be made more often.
 const LEAST_M: f64 = 0.75;
 /// Of frames in which a set was made, so many count at most.
 const MOST_FRAMES: u32 = 30;

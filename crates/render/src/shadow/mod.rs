@@ -1,8 +1,8 @@
 //! Shadows of the key light: maps of depth as the light sees the land and the figures.
 //!
-//! Maps of land are drawn anew only when the light has turned by more than their texels show, the eye has come away
-//! from their middle, or land on them has changed; a bit each frame, into a layer that takes the old one's place when
-//! it is complete. Figures move all the time: they have a map of their own, of what is near.
+//! A map of land is drawn anew only when the light has turned by more than its texels show, when the eye has left its
+//! middle, or when land on it has changed. Each frame draws a part of it into another layer, which replaces the old
+//! one when it is complete. Figures move all the time, so they have a map of their own, which covers what is near.
 
 mod casting;
 mod levels;

@@ -170,7 +170,7 @@ fn a_mirror_shows_what_is_behind_with_its_sides_swapped_and_leaves_the_rest_of_t
         };
         let mut frame = before_and_behind(geometry);
         let eye = frame.view.eye.point;
-        // On the right of who looks ahead.
+        // On the right of a viewer who looks ahead.
         let feet = eye.moved(DVec3::new(-4.0, -1.6, 1.0));
         let behind = Figure::standing(ModelId::AstronautTeal, feet, 0.0);
         frame.content_mut().figures = vec![behind];

@@ -1,4 +1,4 @@
-//! Who a car meets: shoved aside when it is slow, thrown and hurt when it is fast. What bullets do to cars.
+//! A slow car shoves bodies aside, and a fast one throws and hurts them. Bullets knock cars.
 
 use antipode_geometry::Crossing;
 use glam::DVec3;

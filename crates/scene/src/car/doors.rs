@@ -28,7 +28,7 @@ use crate::world::World;
 const ROOF_UP_M: f64 = 1.7;
 /// The box that holds a car's body, in its axes, in metres.
 const BODY_BOX_M: (DVec3, DVec3) = (DVec3::new(-1.52, 0.30, -0.70), DVec3::new(1.52, 1.49, 0.70));
-/// Gap left below the feet of who gets out, in metres.
+/// Gap below the feet of a driver who gets out, in metres.
 const CLEARANCE_M: f64 = 0.02;
 
 /// A car lies whose own upward way has less than this of the world's, slower than this in m/s, for so long in seconds.
@@ -36,7 +36,7 @@ const LIES_BELOW: f64 = 0.5;
 const LIES_M_S: f64 = 1.0;
 const LIES_S: f64 = 1.2;
 
-/// A car in view that is no farther than this is meant by who wants to get in, in metres.
+/// A player who wants to get in means a car in view that is no farther than this, in metres.
 const CALLS_M: f64 = 25.0;
 
 /// Does what was asked for with a car.

@@ -1,4 +1,4 @@
-//! Cars: what they are, how they come, and what others may know of them.
+//! Cars: their components, where they appear, and what other rules may know of them.
 
 pub(crate) mod camera;
 pub(crate) mod damage;

@@ -68,7 +68,7 @@ pub const SHOVES_BELOW_M_S: f64 = 3.0;
 pub const DAMAGE_PER_M_S: f64 = 0.5;
 /// The same one is hurt by cars again only after so many seconds.
 pub const HURTS_AGAIN_AFTER_S: f64 = 0.6;
-/// Who is run over flies ahead of the car with this share of its speed more, and up with this share of it.
+/// A body that is run over flies ahead of the car, faster by this share of the car's speed, and up with this share.
 pub const THROWN: (f64, f64) = (0.15, 0.25);
 /// Mass of someone who is run over, in kilograms: what it costs the car.
 pub const BODY_KG: f64 = 80.0;
@@ -83,7 +83,7 @@ pub const BULLET_BACK: f64 = 0.2;
 pub const CRASH_FROM_M_S: f64 = 3.0;
 /// Share of a crash's speed that the driver feels: as much as the end of a fall that fast.
 pub const CRASH_SHARE: f64 = 0.65;
-/// Share of a car's speed that who gets out of it feels, as the end of a fall that fast: without the double force no car
+/// Share of a car's speed that hits a driver who gets out, as the end of a fall at that speed would: without the double force no car
 /// on level ground is fast enough to hurt.
 pub const JUMPED_OFF_SHARE: f64 = 0.8;
 /// The horn scatters who is within this, in metres of the space.

@@ -1,4 +1,4 @@
-//! What a figure chooses to do: out of the way of cars, then fear, then the fight, then peace.
+//! Chooses what a figure does. It avoids cars first; then come fear, fighting and peaceful life, in that order.
 
 use antipode_geometry::ChartPoint;
 use glam::DVec3;
@@ -75,7 +75,7 @@ impl Npc<'_> {
         }
     }
 
-    /// Who is hit by the player, or sees a friend hit, is angry; who is hit by another runs.
+    /// A figure gets angry when the player hits it, or a friend that it sees. It runs away when anybody else hits it.
     fn notice_hit(&mut self, around: &Around<'_>, own: bool, at: ChartPoint, by_player: bool) {
         if !by_player {
             if own && !self.fights() {
@@ -263,7 +263,7 @@ impl Npc<'_> {
             .is_some_and(|local_s| (DUSK_S.0..DUSK_S.1).contains(&local_s))
     }
 
-    /// A player who comes close is made room for, and looked at. Who fights minds no such things.
+    /// Makes room for a player who comes close, and looks at him. A figure that fights does not.
     fn minds_player(&mut self, around: &Around<'_>) -> bool {
         let Some(quarry) = around.quarry.as_ref().filter(|_| !self.fights()) else {
             return false;
@@ -292,7 +292,7 @@ impl Npc<'_> {
             return true;
         }
         if self.mind.state == State::Watch && away_m < WATCHES_M {
-            // Who is looked at is followed with the eyes.
+            // The eyes follow the one that it looks at.
             self.mind.face = Some(quarry.head.point);
         }
         false

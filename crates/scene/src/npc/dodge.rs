@@ -50,7 +50,7 @@ impl Npc<'_> {
         true
     }
 
-    /// A place beside a car's way for who stands in it. Near the equator the chart of the car is good enough: it is off
+    /// A place beside a car's way for a figure that stands in it. Near the equator the chart of the car is good enough: it is off
     /// by parts in a hundred over such distances, and nobody runs so exactly.
     fn way_out(&self, around: &Around<'_>, car: &CarView, way: DVec3) -> Option<ChartPoint> {
         let strategy = around.strategy();

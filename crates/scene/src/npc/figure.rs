@@ -27,10 +27,10 @@ const STEP_THERE_M: f64 = 0.4;
 const PLANS_EVERY_S: (f64, f64) = (1.0, 2.0);
 /// A chunk whose middle is within this of one may have what a plan asks about: half a chunk's diagonal more, in metres.
 const CHANGED_M: f64 = ASKS_M + 28.0;
-/// Who has not got on by this, in metres, within this time, in seconds, is stuck.
+/// A figure that does not get on by this distance, in metres, within this time, in seconds, is stuck.
 const GETS_ON_M: f64 = 0.35;
 const STUCK_AFTER_S: f64 = 1.2;
-/// How far ahead of who is stuck no way is, in metres.
+/// A figure that is stuck has no way so far ahead of it, in metres.
 const BLOCKED_AHEAD_M: f64 = 0.9;
 /// How long a place that was no way is not tried again, in seconds.
 const BLOCKED_S: f64 = 8.0;
@@ -129,7 +129,7 @@ impl Npc<'_> {
             }
             (State::Wander, None) => {
                 self.mind.rest();
-                // Who has met somebody looks at that one.
+                // A figure that has met somebody looks at that one.
                 self.mind.face = self
                     .others(around)
                     .find(|other| around.apart_m(self.position.0, other.point) < 3.0)
@@ -203,7 +203,7 @@ impl Npc<'_> {
         push.clamp_length_max(0.5)
     }
 
-    /// Notes whether it gets on. Who does not looks for a way round the next step, and gives up in the end.
+    /// Notes whether it gets on. A figure that does not get on looks for a way round in the next step, and gives up in the end.
     fn watch_progress(&mut self, around: &Around<'_>) {
         let anchor = *self.mind.anchor.get_or_insert(self.position.0);
         if around.apart_m(anchor, self.position.0) > GETS_ON_M {

@@ -13,7 +13,7 @@ use super::tuning::{MARKED_S, SHOOTS_M};
 use crate::player::{Health, Position};
 use crate::situation::Situation;
 
-/// Who was in sight so long ago still is, in seconds: everyone looks every tenth of one.
+/// A figure that was in sight so long ago still counts as in sight, in seconds: everyone looks every tenth of one.
 pub(super) const IN_SIGHT_S: f64 = 0.2;
 
 /// The picture that the player aims by, where it is not the world's own.

@@ -158,7 +158,7 @@ impl Mind {
         if self.state == state {
             return;
         }
-        // Who comes and goes within a fight keeps its count to the next shot.
+        // A figure that loses and finds its foe within a fight goes on counting to the next shot.
         if state.is_combat() && !self.state.is_combat() {
             self.fires_in_s = FIRST_SHOT_S;
         }
@@ -213,7 +213,7 @@ impl Mind {
         self.bored_s = WATCHES_AGAIN_S;
     }
 
-    /// Stops for who speaks, there, and listens.
+    /// Stops for a speaker who stands there, and listens.
     pub fn listen(&mut self, place: ChartPoint) {
         self.watch(place);
         self.lasts_s = LISTENS_S;

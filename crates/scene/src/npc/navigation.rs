@@ -1,4 +1,4 @@
-//! Finding a way over the ground as it is, edits included: a search among columns a metre apart around who walks.
+//! Finds a way over the ground as it is, with its edits: a search among columns that stand a metre apart around the walker.
 //!
 //! Columns are those of the walker's chart, past its rim too; each is asked for in the chart that its point belongs to.
 

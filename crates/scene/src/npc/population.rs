@@ -15,11 +15,11 @@ use crate::situation::Situation;
 use crate::tuning::{BODIES_WITHIN_CHUNKS, BOT_HEALTH};
 use crate::world::World;
 
-/// Steps between two looks at who is there.
+/// Steps between two looks at the figures that are there.
 const EVERY_STEPS: u64 = 60;
 /// Places that are tried each time.
 const TRIES: u32 = 4;
-/// Gap left below the feet of who comes, in metres.
+/// Gap below the feet of a figure that appears, in metres.
 const CLEARANCE_M: f64 = 0.15;
 /// How much nearer than the border of where bodies move someone comes, in metres.
 const LOADED_SLACK_M: f64 = 12.0;

@@ -28,13 +28,13 @@ const LEAD_ROUNDS: usize = 3;
 /// Of the flight tested before a shot, the length of a piece, in seconds, and the end that is left out, in metres.
 const TESTED_S: f64 = 0.08;
 const LAST_M: f64 = 0.7;
-/// Who cannot shoot now looks again so soon, in seconds.
+/// A figure that cannot shoot now looks again so soon, in seconds.
 const AGAIN_S: f64 = 0.4;
 /// What is aimed at, as a share of the height from the feet.
 const AIMS_AT: f64 = 0.6;
 /// Shots of others are heard within this distance, in metres.
 const HEARD_M: f64 = 40.0;
-/// Who is farther from a piece of a shot's way than this cannot be met on it, in metres.
+/// A shot cannot meet anybody who is farther than this from a piece of its way, in metres.
 const NEAR_M: f64 = 5.0;
 /// Others this far from a shot's way are safe, in metres.
 const SAFE_M: f64 = 0.3;

@@ -53,7 +53,7 @@ pub(crate) fn speech(
     }
     let bots = bot::views(now.actors);
     let speaker = bots.iter().find(|view| view.bot.id == said.speaker)?;
-    // Who is shot at stops talking.
+    // A figure that is shot at stops talking.
     let is_heard = speaker.health > 0.0
         && !speaker.fights
         && apart_m(&*now.world.strategy, now.feet(), speaker.point) < HEARD_M;

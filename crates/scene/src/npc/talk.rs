@@ -24,7 +24,7 @@ use crate::world::World;
 const SIDE_M: (f64, f64) = (5.0, 20.0);
 /// How far off the ground is looked for that shows where the horizon lies, in metres.
 const HORIZON_M: f64 = 20.0;
-/// Who is farther than this is not meant, in metres.
+/// A player cannot mean a figure that is farther than this, in metres.
 const CALLS_M: f64 = 60.0;
 /// Nearer than this one is at home, in metres.
 const AT_HOME_M: f64 = 6.0;
@@ -111,7 +111,7 @@ fn line_of(now: Situation<'_>, id: u32, told: u32) -> Line {
     match (first + told) % 3 {
         0 => triangle(now, home.level_m),
         1 => horizon(now),
-        // Who is at home need not be told the way.
+        // A player at home need not be told the way.
         2 if home.level_m < AT_HOME_M && strategy.globe().is_none() => horizon(now),
         _ => way_home(strategy, now.feet(), home),
     }

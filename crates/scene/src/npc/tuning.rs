@@ -8,7 +8,7 @@ pub const NOTICES_M: f64 = 30.0;
 pub const KEEPS_SIGHT_M: f64 = 45.0;
 /// Half the angle that is seen at a glance, in radians.
 pub const GLANCE_HALF_RAD: f64 = 100.0 * std::f64::consts::PI / 180.0;
-/// Who comes this near is noticed from behind too, in metres.
+/// A figure notices everybody who comes this near, from behind too, in metres.
 pub const FEELS_M: f64 = 8.0;
 /// Shots are heard within this distance, in metres.
 pub const HEARS_SHOTS_M: f64 = 45.0;
@@ -58,13 +58,13 @@ pub const FLEE_PACE: f64 = 1.2;
 pub const RESTS_S: f64 = 4.0;
 /// How far a walk leads at least and at most, in metres.
 pub const WALKS_M: [f64; 2] = [6.0, 18.0];
-/// Who is friendly looks at a player within this distance, in metres, for so long and not again for so long, in seconds.
+/// A friendly figure looks at a player within this distance, in metres, for so long and not again for so long, in seconds.
 pub const WATCHES_M: f64 = 6.0;
 /// How long at least and at most, in seconds.
 pub const WATCHES_S: [f64; 2] = [2.0, 4.0];
 /// And not again for so long, in seconds.
 pub const WATCHES_AGAIN_S: f64 = 10.0;
-/// Who is friendly steps aside when a player who comes along is this near, in metres.
+/// A friendly figure steps aside when a passing player is this near, in metres.
 pub const ASIDE_M: f64 = 2.2;
 /// A lamp to sit by is looked for within this distance, in metres.
 pub const LAMP_M: f64 = 30.0;
@@ -81,9 +81,9 @@ pub const DODGES_BY_M: f64 = 3.5;
 /// How near one must be to be talked to, in metres: as near as one is looked at, so that four paces off on a slope,
 /// where feet are farther apart than the ground is long, is near enough.
 pub const TALKS_M: f64 = 6.0;
-/// How near one must be to be heard by who then turns round and waits, in metres.
+/// A figure hears a player this near, turns round and waits, in metres.
 pub const HAILS_M: f64 = 25.0;
-/// Who is spoken to stands still for so long, in seconds: time to come, or to read what is said.
+/// A figure that is spoken to stands still for so long, in seconds: time to come closer, or to read the answer.
 pub const LISTENS_S: f64 = 6.0;
 /// Bullets that the dead leave: of those who fight, and of others, at least and at most.
 pub const LEAVES_BULLETS: [[u32; 2]; 2] = [[4, 8], [2, 4]];

@@ -237,7 +237,7 @@ fn who_stands_in_the_way_is_struck_once_and_the_shooter_is_not_at_first() {
     assert!(flying(&bullets)[0].point.pos.x < 12.5, "it drops there");
 }
 
-/// Who stands just beyond an edge is met in the chart that the bullet has not come to yet, and knows in his own from where.
+/// A bullet meets a body just beyond an edge in the chart that it has not reached yet. The body learns the direction in its own chart.
 #[test]
 fn who_stands_beyond_an_edge_is_struck_and_not_flown_over() {
     let mut ecs = hecs::World::new();

@@ -348,7 +348,7 @@ fn a_second_car_can_be_put_in_and_both_are_solid() {
         "{:?}",
         scene.cars()
     );
-    // Who walks against a car stands in front of it.
+    // A walker who meets a car stands in front of it.
     stand_beside(&mut scene, 3.0);
     steps(&mut scene, 120, &ahead());
     let side = scene.feet().pos - car(&scene).point.pos;

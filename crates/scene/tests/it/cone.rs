@@ -210,7 +210,7 @@ fn a_hole_at_the_tip_is_found_from_all_three_charts() {
         let deep_m = before_m - floor_m(&mut scene, angle_rad, 0.3);
         assert!(deep_m > 0.7, "{quarter}: {deep_m} m");
         charts.insert(scene.feet().chart);
-        // Who comes down there stands in it.
+        // A player who comes down there stands in it.
         scene.teleport(Cone::around(angle_rad, 0.3, before_m));
         assert!(scene.wait_for_step(LIMIT));
         steps(&mut scene, 2 * SECOND, &still());

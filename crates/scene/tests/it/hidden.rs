@@ -1,4 +1,4 @@
-//! Who sees the player and is hidden by the picture is pointed to before he fires.
+//! The display points to a foe who sees the player and whom the picture hides, before he fires.
 
 use antipode_geometry::Geometry;
 use antipode_scene::{Actions, Scene};

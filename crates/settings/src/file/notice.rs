@@ -9,9 +9,9 @@ use crate::profiles::ProfileError;
 /// Something of the file that was not as it should be. The game goes on in every case.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Notice {
-    /// It is damaged; what could be read of it holds.
+    /// It is damaged. What could be read of it is used.
     #[error(
-        "The settings file was damaged. What could be read of it holds, the rest is as it comes; the damaged file is kept as {}.", kept.display()
+        "The settings file was damaged. The game uses the settings that it could read and the defaults of the others, and keeps the damaged file as {}.", kept.display()
     )]
     Damaged {
         /// Where it is now.
@@ -19,7 +19,7 @@ pub enum Notice {
     },
     /// A newer version of the game wrote it.
     #[error(
-        "The settings file is of a newer version of the game. What is known of it holds; the file is kept as {}.", kept.display()
+        "The settings file comes from a newer version of the game. The game uses the settings that it knows, and keeps the file as {}.", kept.display()
     )]
     Newer {
         /// Where it is now.
@@ -27,20 +27,22 @@ pub enum Notice {
     },
     /// An older version of the game wrote it.
     #[error(
-        "The settings file was of an older version and has been brought up to date; the old one is kept as {}.", kept.display()
+        "The settings file came from an older version and has been updated. The old file is kept as {}.", kept.display()
     )]
     Older {
         /// Where it is now.
         kept: PathBuf,
     },
     /// Some of it could not be used; the other notices say what.
-    #[error("The settings file as it was is kept as {}.", kept.display())]
+    #[error("The original settings file is kept as {}.", kept.display())]
     Kept {
         /// Where it is now.
         kept: PathBuf,
     },
     /// A setting has a value that it cannot have.
-    #[error("The setting {id} is at its default: the file says {given}, which it does not take.")]
+    #[error(
+        "The setting {id} has its default value, because the value {given} in the file is not allowed."
+    )]
     Value {
         /// The setting.
         id: &'static str,
@@ -70,7 +72,7 @@ pub enum Notice {
         why: ProfileError,
     },
     /// The file could not be read at all, so nothing is written over it.
-    #[error("The settings file {} could not be read ({why}). Defaults hold, and changes are not saved.", path.display())]
+    #[error("The settings file {} could not be read ({why}). The game uses the defaults, and changes are not saved.", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -87,7 +89,7 @@ pub enum Notice {
     },
     /// The system has no directory for settings.
     #[error(
-        "The system names no place for settings, so changes are not saved. --config FILE names one."
+        "The system has no folder for settings, so changes are not saved. --config FILE chooses a file."
     )]
     NoPlace,
 }
@@ -133,9 +135,9 @@ impl Notice {
     }
 }
 
-/// Why the settings could not be saved. They hold until the game ends, and the next change is tried again.
+/// Why the settings could not be saved. They stay in effect until the game ends, and the next change tries again.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("The settings could not be saved to {} ({why}). They hold until the game ends.", path.display())]
+#[error("The settings could not be saved to {} ({why}). They stay in effect until the game ends.", path.display())]
 pub struct SaveProblem {
     /// The file.
     pub path: PathBuf,

@@ -1,4 +1,4 @@
-//! Who is planned to be there, and how fine.
+//! Which chunks a plan has, and how fine they are.
 
 #![allow(clippy::expect_used, reason = "tests fail by panicking")]
 

@@ -1,5 +1,5 @@
-//! The map of the land about the player, round, with what the player looks at above: at the left, in the lower half of
-//! the screen, where nothing else stands.
+//! The round map of the land around the player. The direction that the player faces is up. It stands at the left, in
+//! the lower half of the screen, where nothing else stands.
 
 use std::f32::consts::TAU;
 use std::sync::Arc;

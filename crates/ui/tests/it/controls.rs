@@ -148,7 +148,7 @@ fn what_cannot_be_bound_is_refused_in_words() {
     let add = harness.query_by_label("Walk forward: add");
     assert!(add.is_none(), "four are all it can have");
     answer(&mut harness, "Walk forward: W", "Escape");
-    harness.get_by_label("Escape is the way out of everything and cannot do anything else.");
+    harness.get_by_label("Escape always leads out of a screen, so it cannot do anything else.");
     assert_eq!(
         inputs(&harness, Action::Forward),
         ["KeyW", "KeyI", "KeyJ", "KeyK"]

@@ -131,7 +131,7 @@ fn the_scale_of_the_interface_waits_until_the_slider_is_let_go() {
     let mut harness = settings();
     search(&mut harness, "size of texts");
     let slider = harness
-        .get_by_label("Size of texts and buttons: 1.0 ×")
+        .get_by_label("Size of text and buttons: 1.0 ×")
         .rect();
     let from = slider.left_center() + vec2(20.0, 0.0);
     let press = |pressed| egui::Event::PointerButton {
@@ -166,7 +166,7 @@ fn the_scale_of_the_interface_waits_until_the_slider_is_let_go() {
 fn a_search_that_finds_nothing_says_so_and_escape_clears_it_first() {
     let mut harness = settings();
     search(&mut harness, "flux capacitor");
-    harness.get_by_label("No setting speaks of “flux capacitor”.");
+    harness.get_by_label("No setting matches “flux capacitor”.");
     harness.state_mut().shell.escape(false);
     harness.run();
     assert_eq!(harness.state().shell.screen(), &Screen::Settings);

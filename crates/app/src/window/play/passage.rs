@@ -220,4 +220,5 @@ impl Play {
 }
 
 /// What is said when the thread that saves has ended without a word.
-const CLOSE_DIED: &str = "Something failed while the world was written; the log has the rest.";
+const CLOSE_DIED: &str =
+    "Something failed while the game wrote the world. The log has the details.";

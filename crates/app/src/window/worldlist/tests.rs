@@ -146,7 +146,7 @@ fn an_exported_world_is_found_and_comes_back_under_another_name() {
     );
     assert_eq!(
         told(&mut list),
-        Some((format!("The world is written to {file}."), false))
+        Some((format!("The world was exported to {file}."), false))
     );
     follow(
         &mut list,

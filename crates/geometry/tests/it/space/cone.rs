@@ -87,7 +87,7 @@ proptest! {
         prop_assert!(near.chart == from.chart && (near.pos.distance(from.pos) - expected).abs() < 1e-9);
     }
 
-    /// What is carried does not depend on who asks, and so may lie by the longer side of the tip.
+    /// A carried point does not depend on the asker, and so may lie by the longer side of the tip.
     #[test]
     fn a_chart_writes_every_place_of_the_cone_once(
         a in (0.0..ROUND_RAD, 0.1..50.0_f64), chart in 0..3_i32,

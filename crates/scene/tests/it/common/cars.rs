@@ -1,4 +1,4 @@
-//! Worlds with a car, and who drives it.
+//! Worlds with a car, and its driver.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,

@@ -178,7 +178,7 @@ fn told(scene: &Scene) -> Probe {
     probe
 }
 
-/// Who and what is there to begin with: near, and so far off that a short view does not show it.
+/// The figures and things that are there to begin with: near, and so far off that a short view does not show it.
 fn peopled(scene: &mut Scene) {
     scene.set_npcs(NpcMode::On);
     scene.give_first_car();
