@@ -2,6 +2,7 @@
 
 pub mod bindings;
 pub mod cli;
+pub mod common;
 pub mod confined;
 pub mod console;
 pub mod controls;
@@ -27,6 +28,7 @@ pub mod screenshots;
 pub mod script;
 pub mod session;
 pub mod surroundings;
+pub mod text;
 pub mod tour;
 pub mod trouble;
 pub mod window;
