@@ -76,8 +76,8 @@ struct Scene {
     shadows: Shadows,
 }
 
-@group(0) @binding(0) var<uniform> scene: Scene;
-@group(1) @binding(0) var<uniform> chart: Chart;
+@group(1) @binding(0) var<uniform> scene: Scene;
+@group(1) @binding(1) var<uniform> chart: Chart;
 
 // Whether this view is cut at all: pictures that are not are drawn by pipelines without what that takes.
 override CUTS: bool = false;

@@ -5,20 +5,19 @@ use std::panic::AssertUnwindSafe;
 use std::path::PathBuf;
 
 use antipode_geometry::Geometry;
-use antipode_scene::frame::Quality;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
 
+use crate::common::Common;
 use crate::failure::Failure;
 use crate::log::LogLevel;
+use crate::saves_command::SavesAction;
 use crate::script::Shooting;
+use crate::text::shortened;
 use crate::trouble::Trouble;
-use crate::{confined, crash, log_file, session};
+use crate::window::Fault;
+use crate::{crash, log_file, session};
 use crate::{saves_command, script, tour, window};
 
-/// Exit status of a failure at run time.
-pub const EXIT_FAILED: u8 = 1;
-/// Exit status of wrong usage.
-pub const EXIT_USAGE: u8 = 2;
 /// Most characters of a mistake on the command line; it may quote what was typed.
 const LONGEST_MISTAKE: usize = 240;
 
@@ -58,33 +57,6 @@ pub struct Cli {
     pub common: Common,
 }
 
-/// Options that every command understands.
-#[derive(Clone, Debug, Args)]
-pub struct Common {
-    /// Where worlds are kept.
-    #[arg(long, global = true, value_name = "DIR")]
-    pub saves_dir: Option<PathBuf>,
-    /// What draws the pictures.
-    #[arg(long, global = true, value_enum, default_value_t = Adapter::Auto)]
-    pub adapter: Adapter,
-    /// How much exactness pictures trade for speed: fast, balanced or exact [default: the settings', for commands
-    /// balanced].
-    #[arg(long, global = true)]
-    pub quality: Option<Quality>,
-    /// The file of the settings; without it commands go by the defaults, and the window by the player's own file.
-    #[arg(long, global = true, value_name = "FILE")]
-    pub config: Option<PathBuf>,
-    /// Size of the window or the pictures in pixels.
-    #[arg(long, global = true, value_parser = parse_size, default_value = "1280x720", value_name = "WxH")]
-    pub size: (u32, u32),
-    /// How far land is loaded, in chunks of 32 metres, 1 to 16.
-    #[arg(long, global = true, value_name = "CHUNKS", value_parser = clap::value_parser!(u32).range(1..=16))]
-    pub view_distance: Option<u32>,
-    /// How much the log says [default: warn for the window, error for commands].
-    #[arg(long, global = true, value_enum)]
-    pub log: Option<LogLevel>,
-}
-
 impl Cli {
     /// How much the log says. What a command has to say of a failure it says itself.
     pub fn log_level(&self) -> LogLevel {
@@ -94,39 +66,6 @@ impl Cli {
         };
         self.common.log.unwrap_or(usual)
     }
-}
-
-/// What can be broken on purpose while the game runs in its window: two seconds of frames after a world is there, or
-/// from the start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Fault {
-    /// A panic of the main thread.
-    Panic,
-    /// The adapter is lost, and can be opened again.
-    LostDevice,
-    /// The adapter is lost, and no other can be opened.
-    DeadDevice,
-    /// The window's surface is lost.
-    LostSurface,
-    /// The adapter refuses a shader.
-    BrokenShader,
-    /// The machine sleeps for some hours.
-    Suspend,
-    /// The window comes to a monitor with twice the pixels.
-    Rescale,
-}
-
-/// What draws the pictures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Adapter {
-    /// A graphics card if there is one, else software.
-    Auto,
-    /// A graphics card, or fail.
-    Gpu,
-    /// Software rendering.
-    Software,
-    /// No pictures at all.
-    None,
 }
 
 /// What to do instead of playing.
@@ -158,52 +97,6 @@ pub enum Command {
     },
 }
 
-/// What can be done with saved worlds.
-#[derive(Debug, Subcommand)]
-pub enum SavesAction {
-    /// Every world, newest first.
-    List,
-    /// One world's particulars.
-    Info {
-        /// The world's name.
-        name: String,
-    },
-    /// Read everything in a world and say whether it is sound.
-    Verify {
-        /// The world's name.
-        name: String,
-    },
-    /// Rescue what can be read of a damaged world; the damaged file is kept beside it.
-    Repair {
-        /// The world's name.
-        name: String,
-    },
-    /// Delete a world for ever.
-    Delete {
-        /// The world's name.
-        name: String,
-    },
-    /// Write a world into one file.
-    Export {
-        /// The world's name.
-        name: String,
-        /// The file to write.
-        file: PathBuf,
-    },
-    /// Bring a world in from a file.
-    Import {
-        /// The file to read.
-        file: PathBuf,
-    },
-    /// Work that the game gives to a process of its own.
-    #[command(hide = true)]
-    Confined {
-        /// What to do.
-        #[command(subcommand)]
-        task: confined::Task,
-    },
-}
-
 /// A mistake on the command line in one line: what clap says first, without its hints.
 pub fn one_line(mistake: &clap::Error) -> String {
     if mistake.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -220,14 +113,6 @@ pub fn one_line(mistake: &clap::Error) -> String {
         said.strip_prefix("error: ").unwrap_or(&said),
         LONGEST_MISTAKE,
     )
-}
-
-/// The text, or its beginning if it has more than `most` characters.
-pub fn shortened(text: &str, most: usize) -> String {
-    match text.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 /// Does what the command line asks for.
@@ -269,35 +154,18 @@ pub fn run(cli: Cli) -> Result<(), Failure> {
     }
 }
 
-fn parse_size(text: &str) -> Result<(u32, u32), String> {
-    let wrong =
-        || format!("\"{text}\" is not a size; write it like 1280x720, each side from 64 to 8192");
-    let (width, height) = text.split_once('x').ok_or_else(wrong)?;
-    let side = |s: &str| {
-        s.parse::<u32>()
-            .ok()
-            .filter(|n| (64..=8192).contains(n))
-            .ok_or_else(wrong)
-    };
-    Ok((side(width)?, side(height)?))
-}
-
 #[cfg(test)]
 mod tests {
+    use antipode_scene::frame::Quality;
+
     use super::*;
+    use crate::common::Adapter;
+    use crate::failure::EXIT_USAGE;
 
     #[test]
     fn the_command_line_is_consistent() {
         use clap::CommandFactory;
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn sizes_are_read_and_nonsense_is_refused() {
-        assert_eq!(parse_size("640x360"), Ok((640, 360)));
-        for wrong in ["640", "x", "0x0", "-1x5", "640x99999", "640x360x2", "axb"] {
-            assert!(parse_size(wrong).is_err(), "{wrong} passed");
-        }
     }
 
     #[test]

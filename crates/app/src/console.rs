@@ -35,7 +35,7 @@ pub fn help(texts: &Texts, name: Option<&str>) -> Result<String, String> {
     };
     let found = command_named(name).or_else(|| (name == HELP.name).then_some(&HELP));
     let Some(command) = found else {
-        let values = [("name", crate::cli::shortened(name, 60).into())];
+        let values = [("name", crate::text::shortened(name, 60).into())];
         return Err(texts.say_with("console-no-command", &values));
     };
     let about = texts.say(&format!("console-help-{}", command.name));

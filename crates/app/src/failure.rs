@@ -6,7 +6,10 @@ use antipode_storage::StorageError;
 use antipode_streaming::StreamingError;
 use thiserror::Error;
 
-use crate::cli::{EXIT_FAILED, EXIT_USAGE};
+/// Exit status of a failure at run time.
+pub const EXIT_FAILED: u8 = 1;
+/// Exit status of wrong usage.
+pub const EXIT_USAGE: u8 = 2;
 
 /// Why the program stops.
 #[derive(Debug, Error)]

@@ -6,6 +6,7 @@
 
 pub mod bindings;
 pub mod cli;
+pub mod common;
 pub mod confined;
 pub mod console;
 pub mod controls;
@@ -31,6 +32,7 @@ pub mod screenshots;
 pub mod script;
 pub mod session;
 pub mod surroundings;
+pub mod text;
 pub mod tour;
 pub mod trouble;
 pub mod window;

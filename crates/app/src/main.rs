@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use antipode::cli::{self, Cli};
-use antipode::{ending, output, surroundings};
+use antipode::{ending, failure, output, surroundings};
 use clap::Parser;
 
 /// Workers make what the main thread frees, and the other way round. The system's allocator keeps such memory under the
@@ -29,13 +29,13 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(mistake) if mistake.use_stderr() => {
             output::complain(&cli::one_line(&mistake));
-            return ExitCode::from(cli::EXIT_USAGE);
+            return ExitCode::from(failure::EXIT_USAGE);
         }
         // Help and version are answers, not mistakes.
         Err(answer) => {
             return match output::lines(&answer.render().to_string()) {
                 Ok(()) => ExitCode::SUCCESS,
-                Err(_) => ExitCode::from(cli::EXIT_FAILED),
+                Err(_) => ExitCode::from(failure::EXIT_FAILED),
             };
         }
     };

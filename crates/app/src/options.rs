@@ -12,7 +12,7 @@ use antipode_scene::{Scene, Viewing};
 use antipode_settings::{Config, Map, Settings, Shadows, config_path};
 
 use crate::failure::Failure;
-use crate::script::read_short;
+use crate::text::read_short;
 
 /// Longest a cap can be overrun so that a screen of the same rate is never missed by a hair, as a share.
 const SLACK: f64 = 0.996;

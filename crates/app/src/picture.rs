@@ -9,7 +9,7 @@ use antipode_settings::Settings;
 use antipode_ui::HudModel;
 use image::RgbaImage;
 
-use crate::cli::{Adapter, Common};
+use crate::common::{Adapter, Common};
 use crate::failure::Failure;
 use crate::mirror::Mirror;
 use crate::options;

@@ -1,13 +1,62 @@
 //! `antipode saves`: looking after worlds from the command line.
 
+use std::path::PathBuf;
+
 use antipode_geometry::Geometry;
 use antipode_storage::{RepairReport, VerifyReport, WorldSummary};
+use clap::Subcommand;
 
-use crate::cli::{Common, SavesAction};
+use crate::common::Common;
 use crate::confined;
 use crate::failure::Failure;
 use crate::output::line;
 use crate::session::Worlds;
+
+/// What can be done with saved worlds.
+#[derive(Debug, Subcommand)]
+pub enum SavesAction {
+    /// Every world, newest first.
+    List,
+    /// One world's particulars.
+    Info {
+        /// The world's name.
+        name: String,
+    },
+    /// Read everything in a world and say whether it is sound.
+    Verify {
+        /// The world's name.
+        name: String,
+    },
+    /// Rescue what can be read of a damaged world; the damaged file is kept beside it.
+    Repair {
+        /// The world's name.
+        name: String,
+    },
+    /// Delete a world for ever.
+    Delete {
+        /// The world's name.
+        name: String,
+    },
+    /// Write a world into one file.
+    Export {
+        /// The world's name.
+        name: String,
+        /// The file to write.
+        file: PathBuf,
+    },
+    /// Bring a world in from a file.
+    Import {
+        /// The file to read.
+        file: PathBuf,
+    },
+    /// Work that the game gives to a process of its own.
+    #[command(hide = true)]
+    Confined {
+        /// What to do.
+        #[command(subcommand)]
+        task: confined::Task,
+    },
+}
 
 /// Does what was asked with the saved worlds.
 ///

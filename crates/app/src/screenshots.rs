@@ -9,7 +9,7 @@ use antipode_language::Texts;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder, RgbaImage};
 
-use crate::cli::Common;
+use crate::common::Common;
 use crate::dates::stamp;
 
 /// Pictures of one moment are told apart by a number up to this.

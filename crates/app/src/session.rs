@@ -14,7 +14,7 @@ use antipode_storage::{SavesDir, StorageError, WorldStore, WorldSummary, saves_d
 use antipode_streaming::StreamingError;
 use image::{ImageFormat, RgbaImage};
 
-use crate::cli::Common;
+use crate::common::Common;
 use crate::failure::Failure;
 
 /// What a new world is asked to be.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::cli::{Adapter, Common};
+use crate::common::{Adapter, Common};
 use crate::failure::Failure;
 use crate::output;
 use crate::script::{Shooting, run_text};

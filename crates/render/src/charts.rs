@@ -1,7 +1,7 @@
-//! The charts of a view as the shaders are told of them, one at a time: any number of them.
+//! What the shaders are told of a view: the scene once, and its charts one at a time, any number of them.
 //!
-//! Each lies in a place of its own of one uniform buffer. What is drawn is drawn chart by chart, with that place bound, so
-//! that no shader knows how many there are.
+//! All of it lies in one uniform buffer, which is sent by one write: first the scene, then a place for each chart. What is
+//! drawn is drawn chart by chart, with that place bound, so that no shader knows how many there are.
 
 use antipode_frame::Frame;
 use antipode_geometry::{ChartId, ChartPoint, Domain};
@@ -11,9 +11,13 @@ use wgpu::{
     BindGroup, BindGroupLayout, Buffer, BufferUsages, Device, Queue, RenderPass, ShaderStages,
 };
 
+use crate::uniforms::SceneUniform;
+
 /// Uniforms begin at multiples of this many bytes, on every adapter.
 const STRIDE: usize = 256;
-/// The group by which shaders read the chart of what is drawn.
+/// Where the charts begin in the buffer: behind the scene.
+const CHARTS_AT: usize = size_of::<SceneUniform>().next_multiple_of(STRIDE);
+/// The group by which shaders read the scene and the chart of what is drawn.
 const GROUP: u32 = 1;
 /// Sides of rectangles are no farther off than this, metres: past it there is nothing.
 const UNLIMITED_M: f64 = 1e9;
@@ -56,10 +60,12 @@ impl ChartUniform {
     }
 }
 
-/// The charts of what a view draws.
+/// The scene of a view and the charts of what it draws.
 #[derive(Debug)]
 pub struct Charts {
     numbered: Vec<ChartId>,
+    /// What is sent, kept for its room.
+    bytes: Vec<u8>,
     uniforms: Buffer,
     bound: BindGroup,
 }
@@ -70,6 +76,7 @@ impl Charts {
         let (uniforms, bound) = room_for(device, FIRST_ROOM);
         Self {
             numbered: Vec::new(),
+            bytes: Vec::new(),
             uniforms,
             bound,
         }
@@ -90,19 +97,21 @@ impl Charts {
         }) as u32
     }
 
-    /// Sends what the shaders are to know of those that were numbered.
-    pub fn send(&mut self, device: &Device, queue: &Queue, frame: &Frame) {
-        let bytes = self.numbered.len() * STRIDE;
+    /// Sends the scene, and what the shaders are to know of the charts that were numbered.
+    pub fn send(&mut self, device: &Device, queue: &Queue, frame: &Frame, scene: &SceneUniform) {
+        let bytes = CHARTS_AT + self.numbered.len() * STRIDE;
         if bytes > self.uniforms.size() as usize {
             let room = self.numbered.len().next_power_of_two();
             (self.uniforms, self.bound) = room_for(device, room);
         }
-        let mut places = vec![0; bytes];
-        for (place, chart) in places.chunks_exact_mut(STRIDE).zip(&self.numbered) {
+        self.bytes.resize(bytes, 0);
+        let (head, charts) = self.bytes.split_at_mut(CHARTS_AT);
+        head[..size_of::<SceneUniform>()].copy_from_slice(bytemuck::bytes_of(scene));
+        for (place, chart) in charts.chunks_exact_mut(STRIDE).zip(&self.numbered) {
             let uniform = ChartUniform::new(frame, *chart);
             place[..size_of::<ChartUniform>()].copy_from_slice(bytemuck::bytes_of(&uniform));
         }
-        queue.write_buffer(&self.uniforms, 0, &places);
+        queue.write_buffer(&self.uniforms, 0, &self.bytes);
     }
 
     /// Has what is drawn from now on be of the chart of that number; the eye's is 0.
@@ -111,41 +120,49 @@ impl Charts {
     }
 }
 
-/// What a chart is bound by.
+/// What a chart and the scene are bound by.
 pub fn chart_layout(device: &Device) -> BindGroupLayout {
+    let entry = |binding, has_dynamic_offset, bytes: usize| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset,
+            min_binding_size: wgpu::BufferSize::new(bytes as u64),
+        },
+        count: None,
+    };
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("chart"),
-        entries: &[wgpu::BindGroupLayoutEntry {
-            binding: 0,
-            visibility: ShaderStages::VERTEX_FRAGMENT,
-            ty: wgpu::BindingType::Buffer {
-                ty: wgpu::BufferBindingType::Uniform,
-                has_dynamic_offset: true,
-                min_binding_size: wgpu::BufferSize::new(size_of::<ChartUniform>() as u64),
-            },
-            count: None,
-        }],
+        label: Some("scene and chart"),
+        entries: &[
+            entry(0, false, size_of::<SceneUniform>()),
+            entry(1, true, size_of::<ChartUniform>()),
+        ],
     })
 }
 
 fn room_for(device: &Device, charts: usize) -> (Buffer, BindGroup) {
     let uniforms = device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("charts"),
-        size: (charts * STRIDE) as u64,
+        label: Some("scene and charts"),
+        size: (CHARTS_AT + charts * STRIDE) as u64,
         usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
+    let entry = |binding, offset: usize, bytes: usize| wgpu::BindGroupEntry {
+        binding,
+        resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+            buffer: &uniforms,
+            offset: offset as u64,
+            size: wgpu::BufferSize::new(bytes as u64),
+        }),
+    };
     let bound = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("charts"),
+        label: Some("scene and charts"),
         layout: &chart_layout(device),
-        entries: &[wgpu::BindGroupEntry {
-            binding: 0,
-            resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
-                buffer: &uniforms,
-                offset: 0,
-                size: wgpu::BufferSize::new(size_of::<ChartUniform>() as u64),
-            }),
-        }],
+        entries: &[
+            entry(0, 0, size_of::<SceneUniform>()),
+            entry(1, CHARTS_AT, size_of::<ChartUniform>()),
+        ],
     });
     (uniforms, bound)
 }

@@ -6,8 +6,8 @@ mod tests;
 use antipode_geometry::MapShader;
 use wgpu::{
     BindGroupLayout, BlendComponent, BlendFactor, BlendOperation, BlendState, CompareFunction,
-    Device, PipelineLayout, RenderPipeline, ShaderModule, ShaderStages, VertexAttribute,
-    VertexBufferLayout, VertexStepMode,
+    Device, PipelineLayout, RenderPipeline, ShaderModule, VertexAttribute, VertexBufferLayout,
+    VertexStepMode,
 };
 
 use crate::celestial::{CelestialPipelines, Star};
@@ -424,20 +424,10 @@ pub(crate) fn instances<T>(attributes: &[VertexAttribute]) -> VertexBufferLayout
     layout(size_of::<T>() as u64, VertexStepMode::Instance, attributes)
 }
 
-/// What the scene's uniform, the pictures of the sky and the shadow maps are bound by.
+/// What the pictures of the sky and the shadow maps are bound by.
 pub fn scene_layout(device: &Device) -> BindGroupLayout {
-    let uniform = wgpu::BindGroupLayoutEntry {
-        binding: 0,
-        visibility: ShaderStages::VERTEX_FRAGMENT,
-        ty: wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        },
-        count: None,
-    };
-    let entries: Vec<_> = std::iter::once(uniform)
-        .chain(Heavens::layout())
+    let entries: Vec<_> = Heavens::layout()
+        .into_iter()
         .chain(scene_entries())
         .collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {

@@ -9,8 +9,8 @@ use std::time::{Duration, Instant};
 use antipode_storage::SavesDir;
 
 use super::{Answer, Limits, Task};
-use crate::cli::{EXIT_FAILED, EXIT_USAGE};
 use crate::failure::Failure;
+use crate::failure::{EXIT_FAILED, EXIT_USAGE};
 
 /// How often the other process is asked whether it is done.
 const LOOK: Duration = Duration::from_millis(5);

@@ -8,7 +8,8 @@ use clap::Parser;
 use antipode_storage::NameError;
 
 use super::*;
-use crate::cli::{Cli, SavesAction};
+use crate::cli::Cli;
+use crate::saves_command::SavesAction;
 
 fn task() -> Task {
     Task::Import {

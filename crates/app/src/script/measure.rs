@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::host::Host;
 use super::run::{Runner, steps_in};
 use super::say;
-use crate::cli::Adapter;
+use crate::common::Adapter;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::options;

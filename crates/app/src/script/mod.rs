@@ -7,7 +7,6 @@ mod parse;
 mod run;
 mod say;
 
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 pub use commands::{Argument, COMMANDS, CommandInfo, SETTINGS, command_named};
@@ -17,13 +16,11 @@ pub use run::Runner;
 pub(crate) use run::steps_in;
 pub(crate) use say::probe_text;
 
-use crate::cli::Common;
+use crate::common::Common;
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::options;
-
-/// Most bytes of a script or of settings.
-const LONGEST_BYTES: u64 = 1 << 20;
+use crate::text::read_short;
 
 /// Where a script's pictures go.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,17 +67,4 @@ fn read(file: &Path) -> Result<String, Failure> {
     };
     text.and_then(|bytes| String::from_utf8(bytes).map_err(std::io::Error::other))
         .map_err(|error| Failure::Usage(format!("{what} cannot be read: {error}")))
-}
-
-/// Reads all that is there, if that is no longer than anything that people write by hand: a device has no end.
-///
-/// # Errors
-/// When there is more, in words, or the system refuses.
-pub(crate) fn read_short(from: impl Read) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    from.take(LONGEST_BYTES + 1).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 > LONGEST_BYTES {
-        return Err(std::io::Error::other("it is longer than 1 MB"));
-    }
-    Ok(bytes)
 }

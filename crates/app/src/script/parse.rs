@@ -12,9 +12,9 @@ pub use setting::Setting;
 
 use super::commands::command_named;
 use crate::bindings::{Input, MouseButton};
-use crate::cli::shortened;
 use crate::names::key_named;
 use crate::session::{Beginning, NewWorld};
+use crate::text::shortened;
 use setting::setting;
 
 /// Longest time an order may take, in simulated seconds.

@@ -12,7 +12,7 @@ use super::host::{Host, obey};
 use super::parse::{Line, Order};
 use super::{Shooting, say};
 use crate::bindings::{Action, Input};
-use crate::cli::{Adapter, Common};
+use crate::common::{Adapter, Common};
 use crate::controls::Controls;
 use crate::drawn::Drawn;
 use crate::ending::Ending;

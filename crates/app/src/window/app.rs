@@ -11,11 +11,12 @@ use winit::window::{Window, WindowId};
 
 use super::After;
 use super::game::Game;
+use super::injected::Fault;
 use super::injected::Injected;
 use super::open::Open;
 use super::phase::Request;
 use super::stage::Stage;
-use crate::cli::{Adapter, Common, Fault};
+use crate::common::{Adapter, Common};
 use crate::ending::Ending;
 use crate::failure::Failure;
 use crate::screenshots::Album;

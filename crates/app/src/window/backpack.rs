@@ -6,9 +6,9 @@ use antipode_scene::inventory::HOTBAR_SLOTS;
 use antipode_ui::{BackpackModel, BackpackWish, SlotView};
 
 use super::devices::Devices;
-use super::layers::{Press, Taken};
 use super::phase::Phase;
 use super::play::Play;
+use super::press::{Press, Taken};
 use crate::bindings::{Action, Input};
 use crate::hud;
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use antipode_ui::Console;
 
-use super::layers::{Press, Taken};
+use super::press::{Press, Taken};
 use crate::bindings::Action;
 use crate::console::{read_history, write_history};
 use crate::controls::Controls;

@@ -1,32 +1,13 @@
 //! Window events on their way to the game, the interface, or an action that waits for its key.
 
-use std::collections::HashSet;
 use std::time::Instant;
 
 use winit::event::{ElementState, KeyEvent, WindowEvent};
-use winit::keyboard::{KeyCode, PhysicalKey};
+use winit::keyboard::PhysicalKey;
 
-use super::layers::Press;
 use super::open::Open;
+use super::press::{Down, Press};
 use crate::bindings::{button_input, key_input};
-
-/// Keys that are down, as far as this window has been told.
-#[derive(Debug, Default)]
-pub struct Down {
-    keys: HashSet<KeyCode>,
-}
-
-impl Down {
-    /// A key is told to be down or up, and that it repeats itself or not. Whether it does: by the system's word, or
-    /// because it is down already. A key that is held while a window gets the keyboard is told twice.
-    pub fn repeats(&mut self, key: KeyCode, pressed: bool, told: bool) -> bool {
-        if !pressed {
-            self.keys.remove(&key);
-            return false;
-        }
-        !self.keys.insert(key) || told
-    }
-}
 
 impl Open {
     /// The window may be on another monitor, with other pixels.
@@ -128,22 +109,5 @@ impl Open {
         if self.game.press(&press).is_heard() {
             let _ = self.stage.input.on_window_event(&self.stage.window, event);
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_key_that_is_told_twice_without_coming_up_is_pressed_once() {
-        let mut down = Down::default();
-        assert!(!down.repeats(KeyCode::Escape, true, false));
-        assert!(down.repeats(KeyCode::Escape, true, false));
-        assert!(!down.repeats(KeyCode::KeyP, true, false));
-        assert!(!down.repeats(KeyCode::Escape, false, false));
-        assert!(!down.repeats(KeyCode::Escape, true, false));
-        assert!(!down.repeats(KeyCode::Escape, false, false));
-        assert!(down.repeats(KeyCode::Escape, true, true), "held before");
     }
 }

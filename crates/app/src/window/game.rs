@@ -20,7 +20,7 @@ use super::play::{CHUNK_BUDGET, Play};
 use super::portrait::portrait_of;
 use super::shots::Shots;
 use super::waits::Waits;
-use crate::cli::Common;
+use crate::common::Common;
 use crate::pad::Feel;
 use crate::screenshots::Album;
 use crate::session::Worlds;

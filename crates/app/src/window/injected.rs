@@ -3,14 +3,34 @@
 use std::time::{Duration, Instant};
 
 use antipode_render::Shaders;
+use clap::ValueEnum;
 
 use super::stage::Stage;
-use crate::cli::Fault;
 
 /// Frames of a world before a fault that is asked for.
 const FRAMES_TO_FAULT: u64 = 120;
 /// How long a machine sleeps that is asked to.
 const SLEEP: Duration = Duration::from_hours(7);
+
+/// What can be broken on purpose while the game runs in its window: two seconds of frames after a world is there, or
+/// from the start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Fault {
+    /// A panic of the main thread.
+    Panic,
+    /// The adapter is lost, and can be opened again.
+    LostDevice,
+    /// The adapter is lost, and no other can be opened.
+    DeadDevice,
+    /// The window's surface is lost.
+    LostSurface,
+    /// The adapter refuses a shader.
+    BrokenShader,
+    /// The machine sleeps for some hours.
+    Suspend,
+    /// The window comes to a monitor with twice the pixels.
+    Rescale,
+}
 
 /// A fault that is asked for, and what it needs to come about.
 #[derive(Debug)]

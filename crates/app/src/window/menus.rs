@@ -10,8 +10,8 @@ use antipode_ui::{
     AboutModel, Backdrop, Intent, MenuModel, Screen, Shell, ToastKind, legible_name,
 };
 
-use super::layers::{ESCAPE, Press, Taken};
 use super::phase::Phase;
+use super::press::{ESCAPE, Press, Taken};
 use super::worldlist::WorldList;
 use crate::failure::Failure;
 use crate::session::Worlds;

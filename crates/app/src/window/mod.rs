@@ -30,6 +30,7 @@ mod photo;
 mod play;
 mod pointer;
 mod portrait;
+mod press;
 mod redraw;
 mod shots;
 mod shown;
@@ -46,11 +47,12 @@ use std::path::PathBuf;
 use antipode_geometry::Geometry;
 use winit::event_loop::EventLoop;
 
-use crate::cli::{Adapter, Common, Fault};
+use crate::common::{Adapter, Common};
 use crate::failure::Failure;
 use crate::session::{Beginning, NewWorld, Worlds};
 use crate::trouble::Trouble;
 use app::App;
+pub use injected::Fault;
 use phase::Request;
 
 /// How the game before this one ended, to be told.

@@ -5,9 +5,9 @@ use antipode_scene::actors::ActorId;
 use antipode_scene::flag::LONGEST_NAME;
 
 use super::devices::Devices;
-use super::layers::{Press, Taken};
 use super::phase::Phase;
 use super::play::Play;
+use super::press::{Press, Taken};
 
 /// The question, up or not, and which flag it is about.
 #[derive(Default)]

@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 use antipode_render::RenderError;
 use antipode_settings::Settings;
 
-use super::events::Down;
 use super::game::Game;
 use super::hearing::Ears;
 use super::pads::Pads;
 use super::pointer::Pointer;
+use super::press::Down;
 use super::redraw::{REST, Redraw};
 use super::shown::Shown;
 use super::stage::{Showing, Stage};

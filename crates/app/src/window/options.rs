@@ -8,7 +8,7 @@ use antipode_ui::ToastKind;
 
 use super::menus::Menus;
 use super::play::Play;
-use crate::cli::Common;
+use crate::common::Common;
 use crate::controls::Controls;
 use crate::options;
 use crate::wording;

@@ -8,8 +8,8 @@ use antipode_ui::ToastKind;
 use egui::{Event, Key, Modifiers};
 
 use super::game::Game;
-use super::layers::{Press, Taken};
 use super::menus::Menus;
+use super::press::{Press, Taken};
 use crate::pad::{Direction, PadEvent, PadSource, Sticks};
 
 /// Time a direction is held in a menu until it goes on by itself, and from then on between two lines.

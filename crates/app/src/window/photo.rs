@@ -17,9 +17,9 @@ use glam::DVec3;
 use image::{RgbaImage, imageops};
 
 use super::devices::Devices;
-use super::layers::{Press, Taken, is_key};
 use super::menus::Menus;
 use super::play::{CHUNK_BUDGET, Play};
+use super::press::{Press, Taken, is_key};
 use super::shots::Shots;
 use crate::bindings::Action;
 use crate::hud::clock;

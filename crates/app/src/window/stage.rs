@@ -16,7 +16,7 @@ use antipode_settings::Settings;
 use winit::event_loop::OwnedDisplayHandle;
 use winit::window::{Fullscreen, Window};
 
-use crate::cli::Common;
+use crate::common::Common;
 use crate::drawn::Drawn;
 use crate::failure::Failure;
 use crate::options;

@@ -31,10 +31,11 @@ use clap::Parser;
 use tempfile::TempDir;
 
 use super::game::Game;
-use super::layers::Press;
 use super::phase::{Phase, Request};
+use super::press::Press;
 use crate::bindings::Input;
-use crate::cli::{Cli, Common};
+use crate::cli::Cli;
+use crate::common::Common;
 use crate::drawn::Drawn;
 use crate::session::{Beginning, NewWorld, Worlds};
 

@@ -2,6 +2,7 @@
 //! runs on a thread, one job after the other. The menu takes the results when it asks for them.
 
 mod folder;
+mod news;
 mod pictures;
 #[cfg(test)]
 mod tests;
@@ -16,8 +17,8 @@ use antipode_storage::{ArchiveFile, NameError, SavesDir, WorldSummary};
 use antipode_ui::{ArchiveRow, ToastKind, WorldFiles, WorldRow, WorldsIntent, legible};
 
 use self::folder::FolderProblem;
+use self::news::News;
 use self::pictures::Pictures;
-use self::words::News;
 use self::work::{Details, Job, Outcome, WorldLocations};
 use super::background::{Progress, Task};
 use crate::session::Worlds;

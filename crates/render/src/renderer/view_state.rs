@@ -3,9 +3,9 @@
 
 use antipode_frame::Frame;
 use wgpu::{
-    BindGroup, BindGroupLayout, Buffer, BufferUsages, Color, CommandEncoder, Device, LoadOp,
-    Operations, Queue, RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment,
-    RenderPassDescriptor, RenderPassTimestampWrites, RenderPipeline, StoreOp,
+    BindGroup, BindGroupLayout, Color, CommandEncoder, Device, LoadOp, Operations, Queue,
+    RenderPass, RenderPassColorAttachment, RenderPassDepthStencilAttachment, RenderPassDescriptor,
+    RenderPassTimestampWrites, RenderPipeline, StoreOp,
 };
 
 use super::DrawStats;
@@ -33,7 +33,7 @@ use crate::uniforms::SceneUniform;
 /// What a view's pictures are drawn with from one frame to the next.
 #[derive(Debug)]
 pub(super) struct ViewState {
-    uniform: Buffer,
+    /// The pictures of the sky and the shadow maps.
     bindings: BindGroup,
     pub targets: Targets,
     /// Its light, as the tone map reads it.
@@ -41,7 +41,7 @@ pub(super) struct ViewState {
     /// What of the frame's picture it takes, if it is a mirror's.
     pub mirror: Option<MirrorPlace>,
     planner: Planner,
-    /// The charts of what it draws, and of what is drawn into shadow maps for it.
+    /// What its shaders are told, with the charts of what it draws and of what is drawn into shadow maps for it.
     pub charts: Charts,
     list: DrawList,
     land: LandDraws,
@@ -84,17 +84,10 @@ impl ViewState {
         size: (u32, u32),
         samples: u32,
     ) -> Self {
-        let uniform = device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("scene"),
-            size: size_of::<SceneUniform>() as u64,
-            usage: BufferUsages::UNIFORM | BufferUsages::COPY_DST,
-            mapped_at_creation: false,
-        });
         let layout = scene_layout(device);
         let targets = Targets::new(device, size, samples);
         Self {
-            bindings: bind_scene(device, &layout, &uniform, shared),
-            uniform,
+            bindings: bind_scene(device, &layout, shared),
             light: tonemap.bind(device, &targets.light),
             targets,
             mirror: None,
@@ -127,7 +120,7 @@ impl ViewState {
     /// Reads other shadow maps from now on.
     pub fn rebind(&mut self, device: &Device, shared: Shared<'_>) {
         let layout = scene_layout(device);
-        self.bindings = bind_scene(device, &layout, &self.uniform, shared);
+        self.bindings = bind_scene(device, &layout, shared);
     }
 
     /// Begins a frame: decides what to draw of the land in a picture `height_px` pixels high.
@@ -174,9 +167,8 @@ impl ViewState {
         land.chunks
             .list(frame, land.index.land(), plan, shading, list, charts);
         self.land.send(queue, &mut self.list);
-        self.charts.send(device, queue, frame);
         let scene = SceneUniform::new(frame, drawn, &shades, &land.shadows.uniform(frame));
-        queue.write_buffer(&self.uniform, 0, bytemuck::bytes_of(&scene));
+        self.charts.send(device, queue, frame, &scene);
     }
 
     /// Draws the light of a frame that was taken.
@@ -274,21 +266,10 @@ fn draw_sky(frame: &Frame, scenery: Scenery<'_>, pass: &mut RenderPass<'_>, stat
     stats.add(celestial);
 }
 
-/// What the scene's shaders read.
-fn bind_scene(
-    device: &Device,
-    layout: &BindGroupLayout,
-    uniform: &Buffer,
-    shared: Shared<'_>,
-) -> BindGroup {
-    let uniform = wgpu::BindGroupEntry {
-        binding: 0,
-        resource: uniform.as_entire_binding(),
-    };
-    let entries: Vec<_> = std::iter::once(uniform)
-        .chain(shared.heavens.bind())
-        .chain(shared.shadows.bind())
-        .collect();
+/// The pictures that the scene's shaders read.
+fn bind_scene(device: &Device, layout: &BindGroupLayout, shared: Shared<'_>) -> BindGroup {
+    let heavens = shared.heavens.bind().into_iter();
+    let entries: Vec<_> = heavens.chain(shared.shadows.bind()).collect();
     device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("scene"),
         layout,

@@ -6,7 +6,7 @@ use image::{Rgba, RgbaImage};
 
 use winit::keyboard::KeyCode;
 
-use super::super::events::Down;
+use super::super::press::Down;
 use super::*;
 use crate::screenshots::Album;
 

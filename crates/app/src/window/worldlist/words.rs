@@ -1,32 +1,14 @@
 //! The list of worlds, and what was done there, in words.
 
-use std::path::PathBuf;
-
 use antipode_language::{Texts, Value};
 use antipode_storage::WorldSummary;
 use antipode_ui::{ToastKind, WorldRow};
 
 use super::folder::{FolderProblem, Reason};
+use super::news::{News, shown};
 use super::work::Job;
 use crate::dates::date;
-use crate::failure::Failure;
 use crate::wording;
-
-/// What there is to tell of work with saved worlds.
-#[derive(Debug)]
-pub enum News {
-    /// The name as it can be shown, as of the next ones.
-    Renamed(String),
-    Duplicated(String),
-    Exported(PathBuf),
-    Imported(String),
-    Failed(Failure),
-    Folder(FolderProblem),
-    /// The thread that read the list has ended without a result.
-    ListDied,
-    /// The thread that did something else has ended without a result.
-    WorkDied,
-}
 
 /// The news in words, and of what kind they are; `worlds` are those that are known.
 pub fn news(texts: &Texts, news: &News, worlds: &[WorldSummary]) -> (String, ToastKind) {
@@ -81,11 +63,6 @@ pub fn work(texts: &Texts, job: &Job) -> Option<String> {
         Job::List | Job::LookAt { .. } | Job::FindArchives => return None,
     };
     Some(texts.say(key))
-}
-
-/// What a world is called where it is shown.
-pub fn shown(world: &WorldSummary) -> String {
-    antipode_ui::legible_name(world.name(), &world.slug).into_owned()
 }
 
 /// What a world's own records say of it.

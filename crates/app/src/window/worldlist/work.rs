@@ -6,7 +6,7 @@ use antipode_storage::{
     ARCHIVE_EXTENSION, ArchiveFile, StorageError, WorldSummary, archives_in, slug_of,
 };
 
-use super::words::{self, News};
+use super::news::{News, shown};
 use crate::confined;
 use crate::failure::Failure;
 use crate::session::Worlds;
@@ -162,7 +162,7 @@ impl Job {
     fn change(&self, locations: &WorldLocations) -> Result<Option<News>, Failure> {
         let saves = locations.worlds.saves();
         let name_of =
-            |slug: &str| -> Result<_, StorageError> { Ok(words::shown(&saves.find_slug(slug)?)) };
+            |slug: &str| -> Result<_, StorageError> { Ok(shown(&saves.find_slug(slug)?)) };
         Ok(match self {
             Self::Delete { slug } => {
                 saves.delete(slug)?;

@@ -1,0 +1,29 @@
+//! What work with saved worlds has come to, to be told.
+
+use std::path::PathBuf;
+
+use antipode_storage::WorldSummary;
+
+use super::folder::FolderProblem;
+use crate::failure::Failure;
+
+/// What there is to tell of work with saved worlds.
+#[derive(Debug)]
+pub enum News {
+    /// The name as it can be shown, as of the next ones.
+    Renamed(String),
+    Duplicated(String),
+    Exported(PathBuf),
+    Imported(String),
+    Failed(Failure),
+    Folder(FolderProblem),
+    /// The thread that read the list has ended without a result.
+    ListDied,
+    /// The thread that did something else has ended without a result.
+    WorkDied,
+}
+
+/// What a world is called where it is shown.
+pub fn shown(world: &WorldSummary) -> String {
+    antipode_ui::legible_name(world.name(), &world.slug).into_owned()
+}
