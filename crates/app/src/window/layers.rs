@@ -1,7 +1,7 @@
 //! Who is asked about a press: the layers of the game in one list, the topmost first. Each takes the press or passes it
 //! on; what all pass is for the interface.
 
-use antipode_settings::{Lesson, Value};
+use antipode_settings::Value;
 
 use super::game::Game;
 use super::hints::Place;
@@ -131,7 +131,7 @@ impl Game {
                 self.overlays.console.open(self.play.opened);
             }
             Action::PhotoMode => {
-                self.hints.finish(Lesson::Photo);
+                self.hints.use_action(action);
                 let shutter = self.shutter();
                 if let Phase::Playing(session) = &mut self.play.phase {
                     self.overlays.photo.enter(session, shutter);
@@ -140,7 +140,7 @@ impl Game {
             }
             Action::SkipHint => self.hints.skip(Place::in_phase(&self.play.phase)),
             Action::Backpack => {
-                self.hints.finish(Lesson::Backpack);
+                self.hints.use_action(action);
                 self.overlays.backpack.open(&mut self.devices);
             }
             _ => {}
