@@ -30,7 +30,7 @@ mod harm;
 mod hit_shapes;
 pub mod inventory;
 mod keeping;
-pub mod lamp;
+mod lamp;
 pub mod lens;
 mod light;
 mod moment;
