@@ -361,28 +361,4 @@ fn rest(ground: &Ground, it: &Fixture) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_stands_falls_to_its_rest_and_comes_up_at_once() {
-        let mut foot = Foot::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)));
-        foot.fall(20.0);
-        assert_eq!(
-            foot,
-            Foot::standing(ChartPoint::a(DVec3::new(3.0, 10.0, 4.0)))
-        );
-        foot.rests_m = 5.0;
-        let mut steps = 0;
-        while foot.point.pos.y > 5.0 {
-            foot.fall(20.0);
-            steps += 1;
-        }
-        // Five metres at 20 m/s^2 take 0.71 s.
-        assert!((40..46).contains(&steps), "{steps}");
-        assert_eq!(foot.point.pos, DVec3::new(3.0, 5.0, 4.0));
-        foot.rests_m = 7.0;
-        foot.fall(20.0);
-        assert_eq!(foot.point.pos.y.to_bits(), 7.0f64.to_bits());
-    }
-}
+mod tests;

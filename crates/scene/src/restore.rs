@@ -23,7 +23,7 @@ use crate::lens::{DialGoals, Lens};
 use crate::notice::Notice;
 use crate::npc::mind::Mind;
 use crate::npc::tuning::ANGRY_S;
-use crate::persist::{All, fixture_kind};
+use crate::persist::All;
 use crate::player::Player;
 use crate::situation::Situation;
 use crate::tuning::{BOT_HEALTH, BRUSH_RADIUS_M, FULL_HEALTH, MOST_BOTS, MOST_DROPS};
@@ -293,21 +293,17 @@ pub(crate) fn chart(strategy: &dyn Atlas, record: u128) -> Option<ChartId> {
 fn most(kind: RecordKind) -> usize {
     match kind {
         RecordKind::Player | RecordKind::Course | RecordKind::View => 1,
-        RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => most_fixtures(kind),
+        RecordKind::Lamp | RecordKind::Flag | RecordKind::Fixture => most_fixtures(),
         RecordKind::Drop => 2 * MOST_DROPS,
         RecordKind::Figure => MOST_BOTS,
         RecordKind::Car => MOST_CARS,
     }
 }
 
-/// How many are taken in of what was put down and is kept as such a record.
-fn most_fixtures(kind: RecordKind) -> usize {
-    let kept = Item::ALL
-        .into_iter()
-        .filter(|item| fixture_kind(*item) == kind);
-    kept.filter_map(Item::stands)
-        .map(|stands| stands.most)
-        .sum()
+/// How many are taken in of what was put down; of each item the world has its own limit besides.
+fn most_fixtures() -> usize {
+    let stands = Item::ALL.into_iter().filter_map(Item::stands);
+    stands.map(|stands| stands.most).sum()
 }
 
 /// The value, where it is a number.
